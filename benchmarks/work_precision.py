@@ -25,7 +25,7 @@ from scipy.integrate import solve_ivp
 
 import polhode as ph
 from polhode.integrators import LieMidpoint, MuntheKaas, Splitting
-from polhode.taylor.runs import precision_of, runs_of
+from polhode.taylor.runs import choose_precision, run_copies
 
 SPAN = 20.0
 MOMENTS = (1.0, 2.0, 3.0)
@@ -118,8 +118,8 @@ def by_series(system, start: np.ndarray, exact: np.ndarray) -> dict[str, np.ndar
     rows, times = {"Taylor": [], "heyoka": []}, np.array([0.0, SPAN])
     equations = heyoka_equations(heyoka, system, start)
     for tolerance in (*TOLERANCES, 1e-15, 1e-17):
-        precision = precision_of(tolerance)
-        run = lambda by=precision: runs_of(system, start[None], times, by)  # noqa: E731
+        precision = choose_precision(tolerance)
+        run = lambda by=precision: run_copies(system, start[None], times, by)  # noqa: E731
         found = run()
         taken = min(_seconds(run) for _ in range(REPEATS * 3))
         evaluated = int(found.steps[0]) * precision.order

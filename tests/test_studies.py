@@ -51,7 +51,7 @@ def test_a_notebook_shows_it():
         ({"precession": -1.0, "rotation": 2.0, "moments": (1, 2, 2.5)}, "`precession` must be positive; got -1.0"),
         ({"precession": 1.0, "rotation": "2 ± x h", "moments": (1, 2, 2.5)}, "`rotation`"),
         ({"precession": 1.0, "rotation": (2.0, -1.0), "moments": (1, 2, 2.5)}, "`rotation` must not have a negative"),
-        ({"precession": 1.0, "rotation": 2.0, "moments": (1, 2, 2.5), "semi_axes": (1, 1, 1)}, "both tell the moments"),
+        ({"precession": 1.0, "rotation": 2.0, "moments": (1, 2, 2.5), "semi_axes": (1, 1, 1)}, "both give the moments"),
         ({"precession": 1.0, "rotation": 2.0, "semi_axes": (1, 0, 1)}, "three positive numbers"),
         ({"body": "apophis", "mode": "tumbling"}, "`mode` must be short-axis or long-axis; got 'tumbling'"),
         ({"body": "apophis", "aspect": 60.0}, "`aspect` must be between 0 and 180° in radians; got 60"),

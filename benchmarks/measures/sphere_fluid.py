@@ -10,8 +10,8 @@ from scipy.linalg import lapack
 
 import polhode as ph
 from polhode.algebra.sphere_laplacian import diagonals
-from polhode.taylor.array_series import array_run
-from polhode.taylor.runs import precision_of
+from polhode.taylor.array_series import run_arrays
+from polhode.taylor.runs import choose_precision
 
 ANGLE = 0.25  # rad by which the fastest rotation turns in a step
 ENOUGH = 2e-16  # of the vorticity: the change below which the peer's iterations end
@@ -50,10 +50,10 @@ def series_rows(n: int, turned: float, repeats: int) -> Iterator[Row]:
     start = np.asarray(fluid.random(np.where(np.arange(12) > 2, 1.0, 0.0), seed=1))
     rate = float(fluid.algebra.rate(fluid.stream_function(start)))
     times, scale = np.array([0.0, turned / rate]), np.abs(start).max()
-    by = precision_of(None)
-    exact = array_run(fluid, start, times, by.order + 6, 0.7 * by.reach, scale=scale).states[-1]
+    by = choose_precision(None)
+    exact = run_arrays(fluid, start, times, by.order + 6, 0.7 * by.reach, scale=scale).states[-1]
     error = lambda state: float(np.abs(state - exact).max() / scale)  # noqa: E731
-    ours = lambda: array_run(fluid, start, times, by.order, by.reach, scale=scale).states[-1]  # noqa: E731
+    ours = lambda: run_arrays(fluid, start, times, by.order, by.reach, scale=scale).states[-1]  # noqa: E731
     for order in (2, 4, 8):
 
         def theirs(order: int = order) -> np.ndarray:

@@ -14,9 +14,9 @@ from measure import Row, compared, median, missing
 
 from polhode import certify, systems
 from polhode.taylor.expressions import Expression, Operation, Tape
-from polhode.taylor.jaxprs import written
-from polhode.taylor.runs import Precision, precision_of, runs_of
-from polhode.taylor.tracing import evaluated
+from polhode.taylor.jaxprs import write_jaxpr
+from polhode.taylor.runs import Precision, choose_precision, run_copies
+from polhode.taylor.tracing import evaluate
 
 SPAN, COPIES, TURNS = 20.0, 100, 7
 LONG = 2000.0  # where one motion's steps are nearly all of its time
@@ -61,7 +61,7 @@ def rows(quick: bool) -> Iterator[Row]:
     for case in list(cases())[: 2 if quick else None]:
         starts = np.repeat(case.start[None], copies, axis=0)
         exact = certify(case.system, case.start, [0.0, SPAN]).states[-1]
-        mine = _tried(partial(_ours, case, starts), map(precision_of, OURS), exact)
+        mine = _tried(partial(_ours, case, starts), map(choose_precision, OURS), exact)
         for name, make, choices in (("heyoka", _heyoka, THEIRS), ("diffrax Dopri8", _dopri8, DOPRI8)):
             peer = make(case, starts)
             if peer is None:
@@ -99,7 +99,7 @@ def _many(quick: bool) -> Iterator[Row]:
         yield missing(work, peer, "`pip install heyoka`")
         return
     exact = _ours(case, starts[:64], Precision(40, 0.2), SHORT)
-    for tolerance, by in ((1e-11, Precision(15, 0.15)), (1e-13, precision_of(1e-14))):
+    for tolerance, by in ((1e-11, Precision(15, 0.15)), (1e-13, choose_precision(1e-14))):
         both = partial(_ours, case, starts, by, SHORT), partial(theirs, tolerance)
         errors = [float(np.abs(run()[: len(exact)] - exact).max() / np.abs(exact).max()) for run in both]
         yield Row(work, peer, *errors, *compared(*both, 2 if quick else TURNS),
@@ -123,7 +123,7 @@ def _tried(run: Callable[[Any], np.ndarray], choices: Any, exact: np.ndarray) ->
 
 
 def _ours(case: Case, starts: np.ndarray, by: Precision, span: float = SPAN) -> np.ndarray:
-    return runs_of(case.system, starts, np.array([0.0, span]), by).end_state
+    return run_copies(case.system, starts, np.array([0.0, span]), by).end_state
 
 
 def _dopri8(case: Case, starts: np.ndarray) -> Callable[[float], np.ndarray]:
@@ -188,8 +188,8 @@ def heyoka_equations(heyoka: Any, system: Any, start: np.ndarray) -> list[Any]:
     state = np.empty(n, object)
     state[:] = tape.state()
     state = state.reshape(start.shape)
-    closed = written(lambda y: system.vector_field(0.0, y), state.shape)
-    rates = np.ravel(evaluated(closed, state)[0])
+    closed = write_jaxpr(lambda y: system.vector_field(0.0, y), state.shape)
+    rates = np.ravel(evaluate(closed, state)[0])
     values = list(heyoka.make_vars(*[f"x{k}" for k in range(n)]))
     variables = list(values)
 

@@ -49,7 +49,7 @@ def printable(text: str) -> str:
     """
     if text.isprintable():
         return text
-    return "".join(c if c.isprintable() or c == "\n" or c in JOINERS else _escaped(c) for c in text)
+    return "".join(c if c.isprintable() or c == "\n" or c in JOINERS else _escape_character(c) for c in text)
 
 
 def one_line(text: str) -> str:
@@ -61,7 +61,7 @@ def one_line(text: str) -> str:
     return printable(text).replace("\n", "\\n")
 
 
-def _escaped(character: str) -> str:
+def _escape_character(character: str) -> str:
     return " " if character.isspace() and ord(character) > 127 else repr(character)[1:-1]
 
 

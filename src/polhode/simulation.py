@@ -18,12 +18,12 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.integrators.accuracy import measured_run, run_to_tolerance
+from polhode.integrators.accuracy import run_to_tolerance, run_with_error
 from polhode.integrators.adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
 from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.difference import EPS
 from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
-from polhode.integrators.probing import jumps_along, jumps_between, naming_jumps, undeclared_jumps
+from polhode.integrators.probing import find_undeclared_jumps, jumps_along, jumps_between, name_jumps
 from polhode.integrators.series import (
     NoSeries,
     Taylor,
@@ -39,17 +39,17 @@ from polhode.motion.outcome import Ending, Ends, Outcome, Status
 from polhode.motion.trajectory import Trajectory
 from polhode.solving import (
     adaptive_solver,
-    checked_every,
+    check_every,
     goes_along_orbit,
     is_adaptive,
-    memory_of,
     orbit_solver,
+    restore_memory,
     step_angle,
     turning_rates,
 )
 from polhode.systems.agreement import check_agreement, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
-from polhode.systems.trajectories import trajectory_of
+from polhode.systems.trajectories import make_trajectory
 from polhode.types import Array, ArrayLike, Real
 
 
@@ -139,7 +139,7 @@ def simulate(
     """
     if not isinstance(system, AbstractSystem):
         raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
-    state, times = system.check_state(state), _checked_times(times)
+    state, times = system.check_state(state), _check_times(times)
     if 0 in np.shape(state):
         raise InvalidInput(f"`state` has no copies to move; got shape {np.shape(state)}. Give at least one.")
     for name, value, unit in (("step", step, " time [s]"), ("tolerance", tolerance, " number")):
@@ -151,7 +151,7 @@ def simulate(
         )
     if step is not None and tolerance is not None and not (is_adaptive(method) or is_series(method)):
         raise InvalidInput("give `step` or `tolerance`, which chooses the step, not both.")
-    every = checked_every(save, len(times))
+    every = check_every(save, len(times))
     asked = _Asked(step, order, progress, throw, tolerance, estimate_error, every, resumable, memory)
     if resumable and (len(times) - 1) % every:
         raise InvalidInput(f"`resumable` needs the last time among the saved ones; `save` {every} leaves it out.")
@@ -182,11 +182,11 @@ def _by_adaptive_steps(
     system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
     solver = adaptive_solver(system, method, asked.order)
-    motion, named = _seeing_jumps(system, solver, state, times, _meter(asked.progress), asked)
+    motion, named = _solve_past_jumps(system, solver, state, times, _meter(asked.progress), asked)
     error = None
     if asked.estimate_error and not (asked.throw and not np.all(motion.successful)):
         error = adaptive_error(named, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
-    return _finished(system, type(solver).__name__, motion, error, asked.throw)
+    return _finish(system, type(solver).__name__, motion, error, asked.throw)
 
 
 def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked) -> Trajectory:
@@ -196,7 +196,7 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
     method = Taylor(asked.order) if method in (None, Taylor) else method
     if asked.order is not None and method.order != asked.order:
         raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
-    named, meter = naming_jumps(system, undeclared_jumps(system, state, times)), _meter(asked.progress)
+    named, meter = name_jumps(system, find_undeclared_jumps(system, state, times)), _meter(asked.progress)
     if asked.tolerance is not None and asked.estimate_error:
         given = named, method, state, times, meter, asked.step, asked.tolerance, asked.every
         motion, error = series_to_tolerance(*given)
@@ -207,13 +207,13 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
         error = series_error(named, method, state, times, motion, asked.step, asked.tolerance) if known else None
     if by_default and not np.all(motion.successful):
         raise NoSeries("its motion comes to a singularity.")
-    found = _finished(system, type(method).__name__, motion, error, asked.throw)
+    found = _finish(system, type(method).__name__, motion, error, asked.throw)
     if asked.resumable and motion.memory is None:
         raise InvalidInput("`resumable` of Taylor goes with one state of a system without events, jumps and balances.")
     return replace(found, memory=motion.memory) if asked.resumable else found
 
 
-def _finished(
+def _finish(
     system: AbstractSystem, name: str, motion: AdaptiveMotion, error: Array | None, throw: bool
 ) -> Trajectory:
     failed = np.argwhere(~motion.successful)
@@ -237,17 +237,17 @@ def _finished(
     else:
         outcome = Outcome(Ending.COMPLETED)
     steps, ends = {"steps": motion.steps}, motion.ends if np.ndim(motion.successful) else None
-    return trajectory_of(system, motion.times, motion.states, outcome, steps, motion.received, error, ends)
+    return make_trajectory(system, motion.times, motion.states, outcome, steps, motion.received, error, ends)
 
 
-def _seeing_jumps(
+def _solve_past_jumps(
     system: AbstractSystem, solver: Any, state: Array, times: np.ndarray, meter: Any, asked: _Asked
 ) -> tuple[AdaptiveMotion, AbstractSystem]:
     """Return the motion, and the system with those jumps named that it does not name itself.
 
     They are sought at the start, and again along the motion; what is found only there makes a second run.
     """
-    named = naming_jumps(system, undeclared_jumps(system, state, times))
+    named = name_jumps(system, find_undeclared_jumps(system, state, times))
     given = (solver, state, times, meter, asked.step, asked.tolerance, asked.every)
     motion = solve_adaptively(named, *given)
     later = jumps_along(system, motion.states, motion.times)
@@ -255,14 +255,14 @@ def _seeing_jumps(
     near = np.abs(later[:, None] - known).min(axis=-1, initial=np.inf) <= 1e-14 * np.ptp(times)
     if near.all():
         return motion, named
-    named = naming_jumps(named, later[~near])
+    named = name_jumps(named, later[~near])
     return solve_adaptively(named, *given), named
 
 
 def _by_equal_steps(
     system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
-    own, system = system, naming_jumps(system, undeclared_jumps(system, state, times))
+    own, system = system, name_jumps(system, find_undeclared_jumps(system, state, times))
     if system is not own and isinstance(method, AbstractOrbitSolver) and bool(eqx.tree_equal(method.system, own)):
         method = eqx.tree_at(lambda solver: solver.system, method, system)
     rates = _rates(system, state, times)
@@ -271,7 +271,7 @@ def _by_equal_steps(
             f"`state` is too large: the rate of turning of {type(system).__name__} at it overflows. "
             "Choose units in which it is nearer to one."
         )
-    solver, sizes = _prepared(system, method, rates, times, asked)
+    solver, sizes = _prepare(system, method, rates, times, asked)
     longest = float(np.max(sizes * rates, initial=0.0))
     if longest > TOO_LONG and asked.tolerance is None:
         at = float(np.ravel(sizes)[np.argmax(sizes * rates)])
@@ -283,13 +283,13 @@ def _by_equal_steps(
     counts = step_counts(times, sizes).sum(axis=-1)
     shown = asked.progress if asked.progress is not None else counts.max() > LONG_RUN and sys.stderr.isatty()
     given = solver, state, times, sizes, rates
-    memory = None if asked.memory is None else memory_of(solver, state, asked.memory)
+    memory = None if asked.memory is None else restore_memory(solver, state, asked.memory)
     if asked.tolerance is not None:
         if memory is not None:
             raise InvalidInput("`memory` goes with the earlier run's `step`; `tolerance` would choose another.")
         run, sizes, error = run_to_tolerance(*given, asked.tolerance, _meter(shown), _meter(False), asked.every)
     elif asked.estimate_error:
-        run, sizes, error = measured_run(*given, _meter(shown), _meter(False), asked.every, memory)
+        run, sizes, error = run_with_error(*given, _meter(shown), _meter(False), asked.every, memory)
     else:
         run, error = run_by_equal_steps(*given, _meter(shown), asked.every, memory), None
     steps = step_counts(times, sizes).sum(axis=-1)
@@ -308,7 +308,7 @@ def _by_equal_steps(
     if run.fine.ndim:
         status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
         ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)
-    found = trajectory_of(own, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
+    found = make_trajectory(own, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
     return replace(found, memory=tuple(jax.tree.leaves(run.memory))) if asked.resumable else found
 
 
@@ -316,7 +316,7 @@ def _indices(where: np.ndarray) -> str:
     return str(int(where[0])) if len(where) == 1 else str(tuple(int(k) for k in where))
 
 
-def _prepared(
+def _prepare(
     system: AbstractLiePoissonSystem, method: Any, rates: Array, times: np.ndarray, asked: _Asked
 ) -> tuple[Any, Array]:
     """Return the solver and each copy's largest step."""
@@ -353,7 +353,7 @@ def _meter(wanted: Any) -> Any:
     return wanted
 
 
-def _checked_times(times: Array) -> np.ndarray:
+def _check_times(times: Array) -> np.ndarray:
     refuse_single_precision(times=times)
     try:
         values = np.asarray(times, dtype=float)

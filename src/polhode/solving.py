@@ -20,8 +20,8 @@ from polhode.errors import InvalidInput, shown
 from polhode.integrators.adaptive import TOLERANCE
 from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.lie_midpoint import LieMidpoint
-from polhode.integrators.probing import naming_jumps, undeclared_jumps
-from polhode.integrators.sampled import Observe, Sampled, as_floats, sampled_by_either_mode
+from polhode.integrators.probing import find_undeclared_jumps, name_jumps
+from polhode.integrators.sampled import Observe, Sampled, as_floats, sample_by_either_mode
 from polhode.integrators.series import Taylor, is_series
 from polhode.integrators.series_operation import series_solution
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
@@ -29,7 +29,7 @@ from polhode.integrators.splitting import Splitting
 from polhode.motion.outcome import Status
 from polhode.systems.agreement import MOMENTS_OF_TIME, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
-from polhode.taylor.runs import precision_of
+from polhode.taylor.runs import choose_precision
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
 STEP_ANGLE = 0.05  # rad by which the fastest rotation turns in a default step of low order
@@ -133,7 +133,7 @@ def solve(
     >>> found.saved.shape, bool(jnp.ptp(found.saved) < 1e-13), int(found.status)
     ((11,), True, 0)
     """
-    state, times = _checked(system, state, times)
+    state, times = _check(system, state, times)
     for name, value in (("step", step), ("tolerance", tolerance)):
         refuse_single_precision(**{name: value})
         if value is not None and (jnp.ndim(value) or not (is_traced(value) or 0.0 < float(value) < np.inf)):
@@ -142,7 +142,7 @@ def solve(
     with in_jax_numpy("systems and functions given to `solve`"):
         # within a compiled function all that is computed is traced
         if not is_traced(state, times, jnp.negative(0.0), *jax.tree.leaves(system)):
-            system = naming_jumps(system, undeclared_jumps(system, state, times))
+            system = name_jumps(system, find_undeclared_jumps(system, state, times))
         if is_series(method):
             return _by_series(system, state, times, method, step, order, tolerance, every, observe)
         if goes_along_orbit(system, method):
@@ -165,7 +165,7 @@ def solve(
                         found.end_state, found.steps, none)  # fmt: skip
 
 
-def _checked(system: AbstractSystem, state: Array, times: Array) -> tuple[Array, Array]:
+def _check(system: AbstractSystem, state: Array, times: Array) -> tuple[Array, Array]:
     if not isinstance(system, AbstractSystem):
         raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
     refuse_single_precision(state=state, times=times)
@@ -189,10 +189,10 @@ def _to_save(save: Any, count: int) -> tuple[int, Any]:
         return 1, None
     if isinstance(save, Fold) or (callable(save) and not isinstance(save, type)):
         return 1, save
-    return checked_every(save, count), None
+    return check_every(save, count), None
 
 
-def checked_every(save: Any, count: int) -> int:
+def check_every(save: Any, count: int) -> int:
     """Return every how many-th of the times is kept.
 
     Raises:
@@ -214,7 +214,7 @@ def _adaptively(
     times, kept = jnp.asarray(times), jnp.asarray(kept)
 
     def one(state: Array) -> Sampled:
-        return sampled_by_either_mode(system, solver, state, times, kept, largest, tolerance, observe)
+        return sample_by_either_mode(system, solver, state, times, kept, largest, tolerance, observe)
 
     for _ in range(jnp.ndim(state) - system.state_axes):
         one = jax.vmap(one)
@@ -230,12 +230,12 @@ def _by_series(
     method = Taylor(order) if method is Taylor else method
     if order not in (None, method.order):
         raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
-    precision = precision_of(None if tolerance is None else float(tolerance), method.order, method.is_extended)
+    precision = choose_precision(None if tolerance is None else float(tolerance), method.order, method.is_extended)
     found = series_solution(system, state, times, precision, math.inf if step is None else float(step))
     axis, kept = jnp.ndim(found.failed), jnp.asarray(times)[::every]
     saved, received = found.states, found.received
     if isinstance(observe, Fold):
-        saved = _folded(observe, jnp.asarray(times), found.states, axis)
+        saved = _fold(observe, jnp.asarray(times), found.states, axis)
         received = {}
     elif observe is not None:
         seen = jax.vmap(lambda t, one: as_floats(observe(t, one)))
@@ -252,7 +252,7 @@ def _by_series(
                     none)  # fmt: skip
 
 
-def _folded(fold: Fold, times: Array, states: Array, axis: int) -> Any:
+def _fold(fold: Fold, times: Array, states: Array, axis: int) -> Any:
     """Return what a ``Fold`` comes to over all samples."""
 
     def one(path: Array) -> Any:
@@ -279,11 +279,11 @@ def _by_equal_steps(
     else:
         solver = orbit_solver(system, method, order)
     if memory is not None:
-        memory = memory_of(solver, state, memory)
+        memory = restore_memory(solver, state, memory)
     return _run(solver, state, jnp.asarray(times), step, every, observe, memory)
 
 
-def memory_of(solver: AbstractOrbitSolver, state: Double[Array, "..."], arrays: Any) -> Memory:
+def restore_memory(solver: AbstractOrbitSolver, state: Double[Array, "..."], arrays: Any) -> Memory:
     """Return a method's memory from its arrays.
 
     Raises:
@@ -340,12 +340,12 @@ def _run_one(
         now, memory = solver.advance(begin, span, now, memory)
         return (now, memory, value if folded is None else folded(value, begin + span, now)), None
 
-    def seen(t: Array, state: Array) -> Any:
+    def look_at(t: Array, state: Array) -> Any:
         return state if observe is None else as_floats(observe(t, state))
 
     def together(carried: tuple[Any, ...], group: Any) -> tuple[tuple[Any, ...], Any]:
         carried, _ = jax.lax.scan(over, carried, group)
-        return carried, None if fold else seen(group[0][-1] + group[1][-1], carried[0])
+        return carried, None if fold else look_at(group[0][-1] + group[1][-1], carried[0])
 
     groups, intervals = (len(times) - 1) // every, (times[:-1], jnp.diff(times))
     whole = jax.tree.map(lambda x: x[: groups * every].reshape(groups, every), intervals)
@@ -355,7 +355,7 @@ def _run_one(
     carried, saved = jax.lax.scan(together, (state, begun, value), whole)
     (last, after, value), _ = jax.lax.scan(over, carried, rest)
     if not fold:
-        first = seen(times[0], state)
+        first = look_at(times[0], state)
         value = jax.tree.map(lambda x, xs: jnp.concatenate([x[None], xs]), first, saved)
     fine = after.fine
     return Solution(

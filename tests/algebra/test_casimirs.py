@@ -111,9 +111,9 @@ def test_blocks_give_what_the_whole_gives(monkeypatch):
     rows = [{3 * int(k) + n % 3: Fraction(int(rng.integers(1, 9))) for k in rng.choice(6, 3, replace=False)}
             for n in range(14)]  # fmt: skip
     assert len(list(casimirs._blocks(rows, 18))) >= 3
-    apart = casimirs._reduced(rows, 18)
+    apart = casimirs._reduce_rows(rows, 18)
     monkeypatch.setattr(casimirs, "_blocks", lambda rows, columns: [(rows, list(range(columns)))])
-    assert casimirs._reduced(rows, 18) == apart
+    assert casimirs._reduce_rows(rows, 18) == apart
 
 
 def test_a_system_too_large_is_refused_before_it_is_solved(monkeypatch):

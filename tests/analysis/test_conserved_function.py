@@ -68,7 +68,7 @@ def test_it_is_critical_and_definite_where_it_says_so(name):
 
 def test_the_check_sees_another_function():
     found, _, point = judged("sleeping top")
-    wrong = found.function.renamed({})
+    wrong = found.function.rename({})
     wrong.weights[1] *= 1.01
     assert float(jnp.abs(jax.grad(function_of(TOP, found))(point)).max()) > 1e-3
 

@@ -91,7 +91,7 @@ def test_the_sentence_is_printed_from_the_data():
     assert "exp(7/s" in str(faster) and faster.values["title"] == "exponential growth"
     stable = ph.stability(systems.FreeRigidBody((1.0, 2.0, 3.0)), 2.0 * e3).reason
     assert isinstance(stable, reasons.DefiniteVariation) and "function" not in stable.values
-    assert "|K|²" in str(stable.renamed({stable.function.names[0]: "|K|²"}))
+    assert "|K|²" in str(stable.rename({stable.function.names[0]: "|K|²"}))
 
 
 def test_of_a_circle_and_a_sphere_of_rests():

@@ -6,7 +6,7 @@ import trimesh
 
 import polhode as ph
 from bodies.meshes import box, inside_out, joined
-from polhode.bodies.mesh_crossing import crossing_faces
+from polhode.bodies.mesh_crossing import find_crossing_faces
 from polhode.errors import InvalidInput
 
 EXACT = 1e-13
@@ -146,10 +146,10 @@ def test_crossings_are_found_wherever_they_are():
     for _ in range(20):
         direction = rng.normal(size=3)
         place = direction / np.linalg.norm(direction)
-        found = crossing_faces(*joined(large, (small[0] + place, small[1])))
+        found = find_crossing_faces(*joined(large, (small[0] + place, small[1])))
         assert found is not None
         assert min(found) < len(large[1]) <= max(found)
-        assert crossing_faces(*joined(large, (small[0] + 1.1 * place, small[1]))) is None
+        assert find_crossing_faces(*joined(large, (small[0] + 1.1 * place, small[1]))) is None
 
 
 def windings(mesh, count=2000):
@@ -170,7 +170,7 @@ def windings(mesh, count=2000):
 def test_a_twist_is_refused_just_where_volume_counts_wrongly(degrees):
     wrong = not windings(twisted(degrees)) <= {0, 1}
     assert wrong == (degrees < 0)
-    assert (crossing_faces(*twisted(degrees)) is not None) == wrong
+    assert (find_crossing_faces(*twisted(degrees)) is not None) == wrong
 
 
 def test_rough_surfaces_that_pass_wind_once():
@@ -179,7 +179,7 @@ def test_rough_surfaces_that_pass_wind_once():
     for _ in range(40):
         vertices, faces = ball(subdivisions=1)
         vertices += rng.normal(size=vertices.shape) * rng.choice([0.05, 0.15, 0.3])
-        verdicts.append(crossing_faces(vertices, faces) is None)
+        verdicts.append(find_crossing_faces(vertices, faces) is None)
         if verdicts[-1]:
             assert windings((vertices, faces), 500) <= {0, 1}
     assert 10 <= sum(verdicts) <= 30

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.bodies.surface import Surface, box_in_place, box_of_same_inertia, cuboid, joined
+from polhode.bodies.surface import Surface, box_in_place, box_of_same_inertia, cuboid, join_surfaces
 from polhode.bodies.turned import ball, torus
 from polhode.motion.frame import BodyFrame
 
@@ -70,7 +70,7 @@ def test_no_box_where_nothing_says_its_size_or_no_body_is():
 
 @pytest.mark.parametrize("most", [12, 100, 1000, 3000])
 def test_a_coarser_surface_has_few_triangles_and_the_shape(most):
-    fine = joined([ball(128), Surface(torus(4.0, 0.5).vertices, torus(4.0, 0.5).faces)])
+    fine = join_surfaces([ball(128), Surface(torus(4.0, 0.5).vertices, torus(4.0, 0.5).faces)])
     coarse = fine.coarsened(most)
     assert most // 10 <= len(coarse.faces) <= most  # a coarse grid on a symmetric surface leaves out many numbers
     assert set(coarse.faces.ravel()) == set(range(len(coarse.vertices)))

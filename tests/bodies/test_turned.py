@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.bodies.surface import Surface, cuboid, joined
-from polhode.bodies.turned import ball, bar, cone, torus, tube, turned
+from polhode.bodies.surface import Surface, cuboid, join_surfaces
+from polhode.bodies.turned import ball, bar, cone, revolve, torus, tube
 
 DRAWN = 0.01
 """An inscribed polygon of 64 corners has second moments 0.32 % below its circle's; balls, flat both ways, 0.7 %."""
@@ -70,7 +70,7 @@ def test_a_bar_goes_from_point_to_point(end):
 
 
 def test_a_profile_the_wrong_way_round_is_noticed():
-    inside_out = turned([(0.0, 1.0), (1.0, 1.0), (1.0, -1.0), (0.0, -1.0)])
+    inside_out = revolve([(0.0, 1.0), (1.0, 1.0), (1.0, -1.0), (0.0, -1.0)])
     with pytest.raises(ph.InvalidInput, match="inverted"):
         body_inside(inside_out)
 
@@ -78,6 +78,6 @@ def test_a_profile_the_wrong_way_round_is_noticed():
 def test_joined_surfaces_keep_their_triangles():
     one, two = cuboid((1.0, 1.0, 1.0)), ball(8)
     two = Surface(two.vertices + np.array([5.0, 0.0, 0.0]), two.faces)
-    both = joined([one, two])
+    both = join_surfaces([one, two])
     corners = np.concatenate([one.vertices[one.faces], two.vertices[two.faces]])
     assert np.array_equal(both.vertices[both.faces], corners)

@@ -93,7 +93,7 @@ def test_import_says_how_it_reads_a_table_and_writes_it(files, capsys, motion):
 def test_the_wrong_direction_is_noticed_by_the_rates(files, capsys):
     forward = [word if word != "space-to-body" else "body-to-space" for word in SIMULATOR]
     (note,) = values_of(["import", "simulator.csv", *forward], capsys)["notes"]
-    assert "does not turn as the angular velocity says" in note
+    assert "does not follow the angular velocity" in note
 
 
 def test_rates_alone_are_imported(files, capsys, motion):

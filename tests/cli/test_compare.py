@@ -23,7 +23,7 @@ from polhode.formats.spice_reading import read_ck
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind
-from polhode.studies.sources import source_of
+from polhode.studies.sources import load_source
 from sweeping import first
 
 EXACT = 1e-12  # rad and relative
@@ -360,7 +360,7 @@ def test_a_spec_without_attitudes_is_refused_before_it_moves(tmp_path, monkeypat
     monkeypatch.setattr(AbstractKind, "motion", moved)
     monkeypatch.setattr(AbstractKind, "report", moved)
     with pytest.raises(InvalidInput, match=r"spin\.toml: holds no attitudes"):
-        source_of(tmp_path / "spin.toml", Kernels())
+        load_source(tmp_path / "spin.toml", Kernels())
 
 
 # ---------------------------------------------------------------- clocks

@@ -8,7 +8,7 @@ from pygltflib import GLTF2
 
 from polhode import formats, rotation
 from polhode.cli.main import main
-from polhode.formats.form_registry import written_forms
+from polhode.formats.form_registry import writable_forms
 from polhode.kinds.reading import read_spec
 
 DIGITS = 2e-15
@@ -149,5 +149,5 @@ def test_help_names_every_form(capsys):
     with pytest.raises(SystemExit):
         main(["export", "--help"])
     shown = " ".join(capsys.readouterr().out.replace("│", " ").split())
-    assert ", ".join(list(written_forms())[:-1]) + f" or {list(written_forms())[-1]}" in shown
+    assert ", ".join(list(writable_forms())[:-1]) + f" or {list(writable_forms())[-1]}" in shown
     assert "default: named after the spec" in shown

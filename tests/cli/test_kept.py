@@ -49,7 +49,7 @@ def computed(spec, monkeypatch):
     original = Spec.report
     with monkeypatch.context() as patch:
         patch.setattr(Spec, "report", lambda self: calls.append(1) or original(self))
-        return kept.kept_report(spec), bool(calls)
+        return kept.load_or_make_report(spec), bool(calls)
 
 
 def files(case):
@@ -137,11 +137,11 @@ def test_the_oldest_go(case, monkeypatch):
     spec = read_spec(case / "case.toml")
     for k in range(4):
         changed = dataclasses.replace(spec, samples=20 + k)
-        kept.kept_report(changed)
+        kept.load_or_make_report(changed)
         newest = max(files(case), key=lambda path: path.stat().st_mtime)
         os.utime(newest, (1e9 + k, 1e9 + k))
         if k == 2:  # used again, it is no longer the oldest
-            kept.kept_report(spec)
+            kept.load_or_make_report(spec)
     assert len(files(case)) == 3
     assert not computed(spec, monkeypatch)[1]
     assert computed(dataclasses.replace(spec, samples=21), monkeypatch)[1]

@@ -63,11 +63,11 @@ def test_commands_are_told_as_they_can_be_given(monkeypatch, tmp_path):
     program.chmod(0o755)
     monkeypatch.setattr(sys, "argv", [str(program)])
     monkeypatch.setenv("PATH", "/nowhere")
-    assert terminal.as_typed("view", "a b.toml") == f"{program} view 'a b.toml'"
+    assert terminal.spell_command("view", "a b.toml") == f"{program} view 'a b.toml'"
     monkeypatch.setenv("PATH", str(program.parent))
-    assert terminal.as_typed("view", "a.toml") == "polhode view a.toml"
+    assert terminal.spell_command("view", "a.toml") == "polhode view a.toml"
     monkeypatch.setattr(sys, "argv", ["pytest"])
-    assert terminal.as_typed("new") == "polhode new"
+    assert terminal.spell_command("new") == "polhode new"
 
 
 @pytest.mark.sweep

@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from polhode.cli import main as entry
-from polhode.cli.stopping import SIGNALS, Stopped, stopped_by_signals
+from polhode.cli.stopping import SIGNALS, Stopped, stop_on_signals
 
 PATIENCE = 60  # s until a process of the tests counts as hanging
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
@@ -40,7 +40,7 @@ def test_the_exit_code_is_the_shell_s(monkeypatch, capsys, number):
 
 
 def test_a_signal_that_is_lost_in_a_callback_stops_the_command_at_its_end():
-    with pytest.raises(Stopped), stopped_by_signals():
+    with pytest.raises(Stopped), stop_on_signals():
         try:
             signal.raise_signal(signal.SIGINT)
         except BaseException:
@@ -58,14 +58,14 @@ def test_nothing_is_printed_of_what_is_lost_in_a_callback(capsys):
         def __del__(self):
             self.act()
 
-    with pytest.raises(Stopped), stopped_by_signals():
+    with pytest.raises(Stopped), stop_on_signals():
         Finalized(lambda: signal.raise_signal(signal.SIGTERM))
     assert capsys.readouterr().err == ""
     before = sys.unraisablehook
     said = []
     sys.unraisablehook = said.append
     try:
-        with stopped_by_signals():
+        with stop_on_signals():
             Finalized(lambda: 1 / 0)
         assert sys.unraisablehook == said.append
     finally:
@@ -74,19 +74,19 @@ def test_nothing_is_printed_of_what_is_lost_in_a_callback(capsys):
 
 
 def test_what_a_library_makes_of_a_signal_is_the_signal():
-    with pytest.raises(Stopped), stopped_by_signals():
+    with pytest.raises(Stopped), stop_on_signals():
         try:
             signal.raise_signal(signal.SIGTERM)
         except Stopped:
             raise RuntimeError("a callback failed") from None
-    with pytest.raises(ZeroDivisionError), stopped_by_signals():
+    with pytest.raises(ZeroDivisionError), stop_on_signals():
         raise ZeroDivisionError
 
 
 def test_what_is_ignored_stays_so(monkeypatch):
     before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
     try:
-        with stopped_by_signals():
+        with stop_on_signals():
             signal.raise_signal(signal.SIGHUP)
     finally:
         signal.signal(signal.SIGHUP, before)
@@ -95,9 +95,9 @@ def test_what_is_ignored_stays_so(monkeypatch):
 DEAF = """
 import os, signal
 from polhode.cli import stopping
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 stopping.GRACE = 0.2
-with stopping.stopped_by_signals(), written_whole("a") as draft:
+with stopping.stop_on_signals(), write_whole("a") as draft:
     draft.write_text("half")
     while True:
         try:
@@ -118,11 +118,11 @@ def test_a_command_that_does_not_listen_is_ended_from_beside(tmp_path):
 
 HELD = """
 import os, signal, time
-from polhode.cli.stopping import Stopped, stopped_by_signals
-from polhode.formats.drafts import signals_held
+from polhode.cli.stopping import Stopped, stop_on_signals
+from polhode.formats.drafts import hold_signals
 try:
-    with stopped_by_signals():
-        with signals_held():
+    with stop_on_signals():
+        with hold_signals():
             os.kill(os.getpid(), signal.SIGTERM)
             time.sleep(0.3)  # the watching thread has seen it
 except Stopped as stop:

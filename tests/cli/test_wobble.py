@@ -59,7 +59,7 @@ def test_numbers_data_and_figures(run, series, tmp_path):
 @pytest.mark.parametrize(("options", "words"), [
     (("--from", "2000-01-01", "--to", "1976-01-01"), "--from must be before --to"),
     (("--from", "1976-01-32"), "--from must be a day like 1976-01-01"),
-    (("--from", "2200-01-01"), "nothing of made.txt stands between"),
+    (("--from", "2200-01-01"), "made.txt has no data between"),
     (("--from", "1962-01-01", "--to", "1970-01-01"), "must last 12.8 years"),
     (("--window", "six"), "--window must be a number of years"),
     (("--window", "2"), "the window must be from 4 years"),

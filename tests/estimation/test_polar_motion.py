@@ -117,7 +117,7 @@ def test_the_likelihood_is_that_of_a_dense_covariance():
         return -multivariate_normal(np.zeros(2 * len(seen)), both).logpdf(np.r_[seen.real, seen.imag])
 
     points = [np.array(p) for p in ((1.0, np.log(60.0), 0.0), (1.02, np.log(20.0), -1.0), (0.97, np.log(300.0), 1.0))]
-    ours = [wobble_process._filtered(p, band).cost for p in points]
+    ours = [wobble_process._filter(p, band).cost for p in points]
     theirs = [by_scipy(p) for p in points]
     assert np.allclose(np.diff(ours), np.diff(theirs), atol=2e-3)
 

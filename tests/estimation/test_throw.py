@@ -10,11 +10,11 @@ from polhode import estimation
 from polhode.errors import InvalidInput
 from polhode.estimation import Window, clean_log, fit_throw
 from polhode.estimation.flight import Flights
-from polhode.estimation.principal import why_undetermined
-from polhode.estimation.throw_fit import Model, Throw, fitted
-from polhode.estimation.throw_models import forced_rates, free_rates
+from polhode.estimation.principal import explain_undetermined
+from polhode.estimation.throw_fit import Model, Throw, fit_model
+from polhode.estimation.throw_models import free_rates, integrate_forced
 from polhode.estimation.throw_search import AIR, Start
-from polhode.estimation.unmodelled import settled
+from polhode.estimation.unmodelled import allow_for_unmodelled
 from polhode.figures.throw_figure import throw_figures
 from polhode.formats.gyro_logs import ReadLog
 from polhode.reports.answer import Group
@@ -45,7 +45,7 @@ def test_rates_and_their_derivatives(forces):
     def of(p):
         if not forces:
             return free_rates(p[:2], p[2:], t)
-        return forced_rates(p[:2], p[2:5], dict(zip(forces, p[5:].reshape(-1, 3), strict=True)), t)
+        return integrate_forced(p[:2], p[2:5], dict(zip(forces, p[5:].reshape(-1, 3), strict=True)), t)
 
     at = np.concatenate([shape, start, *forces.values()])
     rates, slopes = of(at)
@@ -329,8 +329,8 @@ def test_the_last_least_squares_ends_in_numbers_from_a_wrong_place(shape):
     axes, model = Start.of(throws).axes, Model(AIR[3], True, 1, 0.01)
     x = np.zeros(model.size)
     x[model.places["shape"]], x[model.places["gain"]], x[model.places["start 0"]] = shape, 1.0, axes.T @ rates[30]
-    wrong = fitted(model, x, axes, throws, (4e-3, 0.0), rounds=0)
-    done = settled(wrong, throws)
+    wrong = fit_model(model, x, axes, throws, (4e-3, 0.0), rounds=0)
+    done = allow_for_unmodelled(wrong, throws)
     low, high = model.limits()
     inside = (done.solution.parameters >= low) & (done.solution.parameters <= high)
     assert inside.all() and np.isfinite(done.predicted).all()
@@ -340,8 +340,8 @@ def test_the_last_least_squares_ends_in_numbers_from_a_wrong_place(shape):
 def test_noisy_rates_all_around_are_not_called_a_steady_spin():
     """It was said that rates within 54° of a direction are those of a steady spin or a sphere."""
     rates = np.array([[5.0, 0.0, 0.0], [4.0, 5.0, 0.0], [4.0, -5.0, 0.0]])
-    assert "principal axis" not in why_undetermined([rates], None) and "51°" in why_undetermined([rates], None)
-    assert "principal axis" in why_undetermined([rates[:1]], None)
+    assert "principal axis" not in explain_undetermined([rates], None) and "51°" in explain_undetermined([rates], None)
+    assert "principal axis" in explain_undetermined([rates[:1]], None)
 
 
 @pytest.mark.parametrize("seed, body, spin, trouble", [

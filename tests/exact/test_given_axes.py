@@ -14,7 +14,7 @@ from polhode.analysis.precession import body_precession, space_precession
 from polhode.analysis.twist import racket_twist
 from polhode.formats.aem import write_aem
 from polhode.formats.aem_reading import read_aem
-from polhode.viewer.samples import samples_of
+from polhode.viewer.samples import take_samples
 
 MOMENTS = np.array([0.00121, 0.01638, 0.01748])
 VELOCITY = np.array([0.1, 1.0, 0.0])
@@ -94,7 +94,7 @@ def test_samples_and_pages(thrown):
     sampled = motion.sample(TIMES)
     assert max(np.max(drift) for drift in sampled.drift.values()) < 1e-14
     for times in (TIMES, TIMES[:1]):
-        shown, wanted = samples_of(motion.sample(times)), samples_of(principal.sample(times))
+        shown, wanted = take_samples(motion.sample(times)), take_samples(principal.sample(times))
         for name in ("attitude", "momentum", "angular_velocity", "states"):
             assert getattr(shown, name) == pytest.approx(getattr(wanted, name), abs=1e-14)
 

@@ -17,7 +17,7 @@ from polhode.formats.aem import write_aem
 from polhode.formats.aem_reading import read_aem
 from polhode.kinds.reading import read_spec
 from polhode.motion.frame import BodyFrame
-from polhode.viewer.samples import samples_of
+from polhode.viewer.samples import take_samples
 from sweeping import only
 
 INTEGRATED = 1e-10
@@ -168,7 +168,7 @@ def test_samples_and_files_know_the_axes(case, tmp_path):
     by_name = principal.sample(TIMES).invariants
     for name, values in sampled.invariants.items():
         assert values == pytest.approx(by_name[name], rel=1e-12)
-    shown, wanted = samples_of(sampled), samples_of(principal.sample(TIMES))
+    shown, wanted = take_samples(sampled), take_samples(principal.sample(TIMES))
     for name in ("attitude", "momentum", "angular_velocity"):
         assert getattr(shown, name) == pytest.approx(getattr(wanted, name), abs=1e-12)
     frame = BodyFrame(motion.moments, motion.axes, body.center_of_mass, body.mass, PIVOT)

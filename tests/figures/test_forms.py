@@ -107,7 +107,7 @@ def test_small_curves_are_enlarged_by_powers_of_ten():
     series = np.array([[1.0, 2e-6, 0.0], [-1.0, 1e-6, 1e-15]])
     assert style.magnifications(series) == [0, 5, 0]
     assert style.magnifications(np.zeros((4, 3))) == [0, 0, 0]
-    assert style.magnified("axis 2", 5) == "axis 2 × 10$^{5}$" and style.magnified("axis 2", 0) == "axis 2"
+    assert style.magnify("axis 2", 5) == "axis 2 × 10$^{5}$" and style.magnify("axis 2", 0) == "axis 2"
 
 
 @pytest.mark.parametrize("name", ["momentum_sphere", "inertia_ellipsoid", "components", "herpolhode"])

@@ -18,8 +18,8 @@ from polhode.figures.scene import Scene, circle_about, convex_outline, corner_no
 from polhode.figures.sphere import view_frame
 from polhode.figures.tilt_figure import top_motion
 from polhode.figures.top_figure import spinning_top
-from polhode.figures.top_shown import followed, top_shown
-from polhode.kinds.euler_disk.rolling_figure import _disk, _moments_shown, draw_rolling_disk
+from polhode.figures.top_shown import sample_axis, take_top
+from polhode.kinds.euler_disk.rolling_figure import _choose_moments, _disk, draw_rolling_disk
 from polhode.kinds.free_body.answers import free_body_report
 from polhode.kinds.reading import read_spec
 from sweeping import first
@@ -56,7 +56,7 @@ def test_a_ball_covers_its_disk_and_hides_what_is_behind():
     middle = picture.depth[picture.depth.shape[0] // 2, picture.depth.shape[1] // 2]
     assert middle == pytest.approx(1.0, abs=PIXEL)
     points = np.array([[0, 0, 1.1], [0, 0, 1.0], [0, 0, 0.5], [0, 0, -1], [1.2, 0, -5]])
-    assert picture.seen(points).tolist() == [True, True, False, False, True]
+    assert picture.is_visible(points).tolist() == [True, True, False, False, True]
 
 
 def test_solids_that_cut_each_other():
@@ -159,7 +159,7 @@ def precessing():
 
 def test_the_cones_of_steady_precession(precessing):
     """By hand: Ω = p e_z + (w3 − p cos θ) e3, on both cones at all times, the angles adding up to the tilt."""
-    path, tilt, p = followed(top_shown(precessing.trajectory)), np.radians(30.0), precessing.steady.slow
+    path, tilt, p = sample_axis(take_top(precessing.trajectory)), np.radians(30.0), precessing.steady.slow
     spin = 253.0 * np.pi / 30.0 + p * np.cos(tilt)
     unit = path.velocity / np.linalg.norm(path.velocity, axis=-1, keepdims=True)
     in_space, in_body = np.arccos(unit[:, 2]), np.arccos(np.sum(unit * path.axis, axis=-1))
@@ -229,7 +229,7 @@ def test_a_disk_touches_the_plane_where_it_should(tmp_path, system):
     path = tmp_path / "coin.toml"
     path.write_text(f'[system]\nkind = "euler-disk"\nmass = "10 g"\nradius = "15 mm"\n{system}\n')
     report = read_spec(path).report()
-    times, states = _moments_shown(report)
+    times, states = _choose_moments(report)
     assert len(times) > 3 and (np.diff(times) > 0).all()
     for state in states:
         placed = _disk(report, state)

@@ -11,7 +11,7 @@ import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.kinds import registry
 from polhode.kinds.plotting import plot
-from polhode.viewer.panels import moves_as_one_of
+from polhode.viewer.panels import keeps_motion_of
 
 FREE = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
 TOP = ph.LagrangeMotion((1.0, 1.0, 2.0), mgl=3.0, momentum=(1.0, 0.0, 6.0))
@@ -56,8 +56,8 @@ def test_an_heir_of_what_a_kind_draws_is_drawn_as_that_kind(base):
         kind = registry.kind_of_source(object.__new__(one))
         assert kind is not None and kind is registry.find_kind(base.kind)
     same, other = object.__new__(heir), object.__new__(type("Other", (base,), {"vector_field": None, "state": None}))
-    assert moves_as_one_of((base,), same)
-    assert not moves_as_one_of((base,), other)  # its page shows samples: the equations may be others
+    assert keeps_motion_of((base,), same)
+    assert not keeps_motion_of((base,), other)  # its page shows samples: the equations may be others
 
 
 def test_an_heir_of_a_heavy_top_has_its_pictures():

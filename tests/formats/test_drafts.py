@@ -10,7 +10,7 @@ import pytest
 
 from polhode.errors import InvalidInput
 from polhode.formats import drafts
-from polhode.formats.paths import written_together, written_whole
+from polhode.formats.paths import write_together, write_whole
 
 PATIENCE = 60  # s until a process of the tests counts as hanging
 
@@ -30,8 +30,8 @@ def run(code, folder):
 
 KILLED = """
 import os, signal
-from polhode.formats.paths import written_whole
-with written_whole("motion.csv") as draft:
+from polhode.formats.paths import write_whole
+with write_whole("motion.csv") as draft:
     draft.write_text("half")
     os.kill(os.getpid(), signal.SIGKILL)
 """
@@ -43,15 +43,15 @@ def test_the_draft_of_a_killed_process_goes_with_the_next_one(tmp_path):
     (tmp_path / ".polhode-notes").mkdir()
     assert run(KILLED, tmp_path) == -signal.SIGKILL
     assert (tmp_path / "motion.csv").read_text() == "earlier" and len(names(tmp_path)) == 3
-    with written_whole(tmp_path / "other.csv") as draft:
+    with write_whole(tmp_path / "other.csv") as draft:
         draft.write_text("whole")
     assert names(tmp_path) == [".polhode-notes", "motion.csv", "other.csv"]
 
 
 def test_a_draft_in_use_stays(tmp_path):
-    with written_whole(tmp_path / "a") as first:
+    with write_whole(tmp_path / "a") as first:
         first.write_text("a")
-        with written_whole(tmp_path / "b") as second:
+        with write_whole(tmp_path / "b") as second:
             second.write_text("b")
         assert first.read_text() == "a"
     assert names(tmp_path) == ["a", "b"]
@@ -59,7 +59,7 @@ def test_a_draft_in_use_stays(tmp_path):
 
 KILLED_WHILE_MOVING = """
 import os, signal, pathlib
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 move, moved = pathlib.Path.replace, []
 def replace(self, target):
     if moved:
@@ -67,7 +67,7 @@ def replace(self, target):
     moved.append(self)
     return move(self, target)
 pathlib.Path.replace = replace
-with written_whole("store", lambda path: True) as draft:
+with write_whole("store", lambda path: True) as draft:
     draft.mkdir()
     (draft / "mark").write_text("later")
 """
@@ -79,7 +79,7 @@ def test_a_store_whose_replacement_was_killed_comes_back(tmp_path):
     (tmp_path / "store" / "mark").write_text("earlier")
     assert run(KILLED_WHILE_MOVING, tmp_path) == -signal.SIGKILL
     assert not (tmp_path / "store").exists()  # the only moment at which a kill takes it from its place
-    with written_whole(tmp_path / "other") as draft:
+    with write_whole(tmp_path / "other") as draft:
         draft.write_text("whole")
     assert (tmp_path / "store" / "mark").read_text() == "earlier" and names(tmp_path) == ["other", "store"]
 
@@ -96,7 +96,7 @@ def test_a_store_that_cannot_be_replaced_stays(tmp_path, monkeypatch):
 
     monkeypatch.setattr(Path, "replace", replace)
     with pytest.raises(InvalidInput, match="Permission denied"):
-        with written_whole(tmp_path / "store", is_store) as draft:
+        with write_whole(tmp_path / "store", is_store) as draft:
             draft.mkdir()
     assert (tmp_path / "store" / "mark").read_text() == "earlier" and names(tmp_path) == ["store"]
 
@@ -116,7 +116,7 @@ def test_an_interrupt_in_any_step_leaves_the_old_or_the_new_and_nothing_else(tmp
         interrupt()
 
     monkeypatch.setattr(home, step, interrupted)
-    with pytest.raises(KeyboardInterrupt), written_together(tmp_path) as draft:
+    with pytest.raises(KeyboardInterrupt), write_together(tmp_path) as draft:
         (draft / "a").write_text("later")
     monkeypatch.undo()
     assert names(tmp_path) == ["a"]
@@ -133,7 +133,7 @@ def test_an_interrupt_while_files_take_their_names_waits(tmp_path, monkeypatch):
         return move(path, target)
 
     monkeypatch.setattr(Path, "replace", replace)
-    with pytest.raises(KeyboardInterrupt), written_together(tmp_path) as draft:
+    with pytest.raises(KeyboardInterrupt), write_together(tmp_path) as draft:
         for name in "ab":
             (draft / name).write_text("later")
     assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"a": "later", "b": "later"}
@@ -146,7 +146,7 @@ def test_files_are_on_the_disk_before_they_take_their_names(tmp_path, monkeypatc
     (tmp_path / "a").write_text("earlier")
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(InvalidInput, match=r"No space left on device\)\. Make room"):
-        with written_whole(tmp_path / "a") as draft:
+        with write_whole(tmp_path / "a") as draft:
             draft.write_text("later")
     assert (tmp_path / "a").read_text() == "earlier" and names(tmp_path) == ["a"]
 
@@ -154,8 +154,8 @@ def test_files_are_on_the_disk_before_they_take_their_names(tmp_path, monkeypatc
 ENDED_AT_ONCE = """
 import os
 from polhode.formats import drafts
-from polhode.formats.paths import written_together
-with written_together("{folder}") as new:
+from polhode.formats.paths import write_together
+with write_together("{folder}") as new:
     (new / "a.txt").write_text("half")
     drafts.remove_live_drafts()
     os._exit(3)

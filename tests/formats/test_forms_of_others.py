@@ -12,7 +12,7 @@ import polhode.cli.commands  # whose help lists the forms that are there now
 from polhode.cli.main import main
 from polhode.errors import FormatError
 from polhode.formats import form_registry
-from polhode.studies.sources import kind_of
+from polhode.studies.sources import detect_kind
 
 PLUGIN = Path(__file__).parents[1] / "plugin"
 SPEC = """[body]
@@ -45,7 +45,7 @@ def run(capsys, *arguments):
 def test_it_is_exported_imported_compared_and_fitted(folder, capsys):
     code, out, _ = run(capsys, "export", "box.toml", "--to", "qlog")
     assert code == 0 and "box.qlog: 31 samples, attitudes of the given axes; every digit" in out
-    assert kind_of(folder / "box.qlog") == "qlog"
+    assert detect_kind(folder / "box.qlog") == "qlog"
     wanted = ph.report("box.toml").trajectory
     rows = [[float(word) for word in line.split()] for line in (folder / "box.qlog").read_text().splitlines()[1:]]
     assert np.array_equal(np.array(rows)[:, 1:], wanted.attitude)
@@ -99,9 +99,9 @@ def test_no_form_takes_the_file_of_another(folder):
     """One file of each form that is read is known as that, whatever the order in which forms are asked."""
     spec = ph.read_spec("box.toml")
     report = spec.report()
-    from polhode.cli.export import content_of
+    from polhode.cli.export import gather_content
 
-    content = content_of(spec, report)
+    content = gather_content(spec, report)
     for name in ("netcdf", "csv", "aem", "qlog"):
         form = form_registry.forms()[name]
         path = form.write(content, folder / f"one{form.ending}")
@@ -109,7 +109,7 @@ def test_no_form_takes_the_file_of_another(folder):
         assert [other.name for other in form_registry.forms().values() if other.begins and other.begins(head)] == [name]
     (folder / "zeros.bin").write_bytes(bytes(100))
     with pytest.raises(FormatError, match="begins like none of them"):
-        kind_of(folder / "zeros.bin")
+        detect_kind(folder / "zeros.bin")
 
 
 def test_the_table_in_the_documents_has_every_form():

@@ -17,7 +17,7 @@ from polhode import formats
 from polhode.errors import InvalidInput
 from polhode.figures import style
 from polhode.formats.figure_file import save_figure
-from polhode.formats.paths import written_together, written_whole
+from polhode.formats.paths import write_together, write_whole
 
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.1, 2.0, 0.2)).sample(np.linspace(0.0, 60.0, 400))
 PATIENCE = 60  # s
@@ -26,13 +26,13 @@ PATIENCE = 60  # s
 def drawn(folder):
     figure = style.new_figure()
     figure.add_subplot().plot(MOTION.momentum)
-    with written_together(folder) as draft:
+    with write_together(folder) as draft:
         for form in ("png", "svg", "pdf"):
             save_figure(figure, draft / f"a.{form}")
 
 
 def text(path):
-    with written_whole(path) as draft, draft.open("w") as file:
+    with write_whole(path) as draft, draft.open("w") as file:
         for _ in range(10_000):
             file.write("a line")
 
@@ -113,7 +113,7 @@ def test_a_disk_that_is_full(tmp_path, name):
 def test_the_message_names_the_file_where_it_was_to_go(tmp_path, name):
     """Not its hidden draft, also where one is written within another, as a report's dataset is."""
     folder = tmp_path / "report"
-    with limited(0), pytest.raises(InvalidInput) as caught, written_together(folder) as draft:
+    with limited(0), pytest.raises(InvalidInput) as caught, write_together(folder) as draft:
         WRITERS[name](draft / name)
     said = str(caught.value)
     assert ".polhode-" not in said and said.startswith(str(folder)) and "cannot be written" in said

@@ -14,7 +14,7 @@ from polhode import formats
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats import opening
 from polhode.formats.opening import check_is_file, open_file, read_file, read_text
-from polhode.studies.sources import kind_of
+from polhode.studies.sources import detect_kind
 
 BROKEN = Path("/proc/self/mem")  # a regular file whose first byte cannot be read
 READERS = {
@@ -27,7 +27,7 @@ READERS = {
     "motion.nc": formats.read_dataset,
     "motion.bc": lambda path: formats.read_ck(path, sclk=__file__),
     "motion.tsc": lambda path: read_clock(path),
-    "anything": kind_of,
+    "anything": detect_kind,
 }
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from polhode.errors import InvalidInput
-from polhode.formats.paths import written_together, written_whole
+from polhode.formats.paths import write_together, write_whole
 
 
 def names(folder):
@@ -15,7 +15,7 @@ def names(folder):
 def test_a_file_takes_its_place_when_all_is_written(tmp_path):
     path = tmp_path / "motion.csv"
     path.write_text("earlier")
-    with written_whole(path) as draft:
+    with write_whole(path) as draft:
         assert draft.name == path.name and draft.is_relative_to(tmp_path)
         draft.write_text("later")
         assert path.read_text() == "earlier"
@@ -25,7 +25,7 @@ def test_a_file_takes_its_place_when_all_is_written(tmp_path):
 def test_what_fails_leaves_the_file_as_it_was(tmp_path):
     path = tmp_path / "motion.csv"
     path.write_text("earlier")
-    with pytest.raises(ZeroDivisionError), written_whole(path) as draft:
+    with pytest.raises(ZeroDivisionError), write_whole(path) as draft:
         draft.write_text("half")
         raise ZeroDivisionError
     assert path.read_text() == "earlier" and names(tmp_path) == ["motion.csv"]
@@ -37,13 +37,13 @@ def is_store(path):
 
 def test_stores_are_replaced_and_other_folders_are_not(tmp_path):
     for text in ("first", "second"):
-        with written_whole(tmp_path / "store", is_store) as draft:
+        with write_whole(tmp_path / "store", is_store) as draft:
             draft.mkdir()
             (draft / "mark").write_text(text)
     assert (tmp_path / "store" / "mark").read_text() == "second" and names(tmp_path) == ["store"]
     (tmp_path / "photos").mkdir()
     for known, words in ((None, "is a folder, where a file has to go"), (is_store, "is a folder, but not the store")):
-        with pytest.raises(InvalidInput, match=f"photos: {words}"), written_whole(tmp_path / "photos", known):
+        with pytest.raises(InvalidInput, match=f"photos: {words}"), write_whole(tmp_path / "photos", known):
             pytest.fail("nothing may be written")
     assert names(tmp_path) == ["photos", "store"]
 
@@ -52,36 +52,36 @@ def test_stores_are_replaced_and_other_folders_are_not(tmp_path):
 def test_a_missing_folder_is_one_error(tmp_path, where):
     (tmp_path / "file").touch()
     with pytest.raises(InvalidInput, match=r"motion\.csv: cannot be written, as .* is not a folder"):
-        with written_whole(tmp_path / where):
+        with write_whole(tmp_path / where):
             pytest.fail("nothing may be written")
     assert names(tmp_path) == ["file"]
 
 
 def test_folders_that_nobody_may_write_to():
-    with pytest.raises(InvalidInput, match="cannot be written"), written_whole("/proc/motion.csv"):
+    with pytest.raises(InvalidInput, match="cannot be written"), write_whole("/proc/motion.csv"):
         pytest.fail("nothing may be written")
     assert not Path("/proc/motion.csv").exists()
 
 
 def test_devices_stay_what_they_are():
-    with pytest.raises(InvalidInput, match="not a file that could be replaced"), written_whole("/dev/null"):
+    with pytest.raises(InvalidInput, match="not a file that could be replaced"), write_whole("/dev/null"):
         pytest.fail("nothing may be written")
     assert Path("/dev/null").is_char_device()
 
 
 def test_what_the_system_refuses_within_is_one_error_too(tmp_path):
     with pytest.raises(InvalidInput, match=r"motion\.csv: cannot be written \(No space left on device\)"):
-        with written_whole(tmp_path / "motion.csv"), Path("/dev/full").open("w") as full:
+        with write_whole(tmp_path / "motion.csv"), Path("/dev/full").open("w") as full:
             full.write("x" * 100_000)
     assert names(tmp_path) == []
 
 
 def test_files_together_take_their_places_and_others_stay(tmp_path):
     folder = tmp_path / "new" / "report"
-    with written_together(folder) as draft:
+    with write_together(folder) as draft:
         (draft / "a").write_text("first")
     (folder / "photo").write_text("mine")
-    with written_together(folder) as draft:
+    with write_together(folder) as draft:
         (draft / "a").write_text("second")
         (draft / "b").write_text("second")
         assert (folder / "a").read_text() == "first"
@@ -89,17 +89,17 @@ def test_files_together_take_their_places_and_others_stay(tmp_path):
 
 
 def test_what_fails_together_leaves_neither_files_nor_folders(tmp_path):
-    with pytest.raises(ZeroDivisionError), written_together(tmp_path / "new" / "report") as draft:
+    with pytest.raises(ZeroDivisionError), write_together(tmp_path / "new" / "report") as draft:
         (draft / "a").write_text("half")
         raise ZeroDivisionError
     assert names(tmp_path) == []
     (tmp_path / "there" / "b").mkdir(parents=True)
     with pytest.raises(InvalidInput, match="b: is a folder, where a file has to go"):
-        with written_together(tmp_path / "there") as draft:
+        with write_together(tmp_path / "there") as draft:
             (draft / "a").write_text("new")
             (draft / "b").write_text("new")
     assert names(tmp_path / "there") == ["b"]
     (tmp_path / "file").touch()
     with pytest.raises(InvalidInput, match="file: is a file, where a folder is needed"):
-        with written_together(tmp_path / "file"):
+        with write_together(tmp_path / "file"):
             pytest.fail("nothing may be written")

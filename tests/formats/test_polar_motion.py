@@ -8,7 +8,7 @@ import pytest
 
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats import read_polar_motion
-from polhode.formats.polar_motion import date_of, day_of
+from polhode.formats.polar_motion import format_day, parse_day
 
 ARCSECOND = pi / 648_000
 C04_20 = """# YR  MM  DD  HH       MJD        x(")        y(")  UT1-UTC(s)       dX(")       dY(")  xrt("/day)
@@ -101,7 +101,7 @@ def test_the_package(tmp_path):
 
 
 def test_days():
-    assert day_of("2026-09-29", "--to") == 61312 and date_of(61312.0) == "2026-09-29"
+    assert parse_day("2026-09-29", "--to") == 61312 and format_day(61312.0) == "2026-09-29"
     for wrong in ("1976", "1976-13-01", "76-01-01", "x", "1976-01-01T00"):
         with pytest.raises(InvalidInput, match="--from must be a day like 1976-01-01"):
-            day_of(wrong, "--from")
+            parse_day(wrong, "--from")

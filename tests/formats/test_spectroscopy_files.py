@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from polhode import formats
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.fixed_columns import read_coded, write_coded
-from polhode.formats.spfit_constants import code_of
+from polhode.formats.spfit_constants import encode
 from polhode.quantum import MeasuredLines, Reduction, Rotor, fit_rotor, spin_matrices
 from polhode.quantum.operators import TERMS
 from quantum.molecules import FORMALDEHYDE, WATER
@@ -150,7 +150,7 @@ def test_long_numbers_in_two_columns(number):
 
 
 def test_numbers_of_operators():
-    codes = {name: code_of(term) for terms in (TERMS[Reduction.A], TERMS[Reduction.S]) for name, term in terms.items()}
+    codes = {name: encode(term) for terms in (TERMS[Reduction.A], TERMS[Reduction.S]) for name, term in terms.items()}
     wanted = {"Delta_J": 200, "D_JK": 1100, "D_K": 2000, "d1": 40100, "d2": 50000, "delta_J": 40100, "delta_K": 41000,
               "H_J": 300, "H_JK": 1200, "H_KJ": 2100, "H_K": 3000, "h1": 40200, "h2": 50100, "h3": 60000,
               "phi_JK": 41100, "phi_K": 42000, "L_JJK": 1300, "l4": 70000}  # fmt: skip

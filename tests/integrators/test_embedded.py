@@ -14,7 +14,7 @@ import pytest
 import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.integrators import embedded
-from polhode.integrators.sampled import sampled
+from polhode.integrators.sampled import sample_motion
 from polhode.motion.outcome import Status
 from polhode.systems import AbstractSystem
 from sweeping import first
@@ -46,7 +46,7 @@ class Pendulum(AbstractSystem):
 def run(start=START, times=TIMES, method=None, every=1, **more):
     times = jnp.asarray(times)
     method = diffrax.Dopri8() if method is None else method
-    return sampled(Pendulum(), method, jnp.asarray(start), times, times[::every], None, TOLERANCE, **more)
+    return sample_motion(Pendulum(), method, jnp.asarray(start), times, times[::every], None, TOLERANCE, **more)
 
 
 @pytest.mark.parametrize("method", first(1, [diffrax.Dopri8, diffrax.Tsit5, diffrax.Heun]))

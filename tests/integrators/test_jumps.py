@@ -208,7 +208,7 @@ def test_it_is_said_where_rates_switch_too_often():
     """17,000 switchings in 100 s were all thrown away without a word, with an error of 20 %."""
     system = RigidBody(MOMENTS, torques=[Switched(85.0)])
     with pytest.warns(UserWarning, match=r"switch at least 17\d+ times .* Give `step=` shorter"):
-        undeclared_jumps(system, system.pack(angular_velocity=(0.0, 0.0, 0.0)), np.array([0.0, 100.0]))
+        find_undeclared_jumps(system, system.pack(angular_velocity=(0.0, 0.0, 0.0)), np.array([0.0, 100.0]))
 
 
 def test_a_pulse_that_nobody_met_leaves_a_doubt():

@@ -166,9 +166,9 @@ def backs(monkeypatch):
         return found
 
     monkeypatch.setattr(series_derivatives, "weights_back", watched)
-    series_derivatives.operation_of.cache_clear()
+    series_derivatives.make_operation.cache_clear()
     yield seen
-    series_derivatives.operation_of.cache_clear()
+    series_derivatives.make_operation.cache_clear()
 
 
 def test_gradients_come_back_along_the_motion(backs):
@@ -220,14 +220,14 @@ def test_gradients_depend_on_the_way_back(monkeypatch):
     field, half = series_derivatives.Returning.vector_field, np.array([1.0] * 3 + [0.5] * 3 + [1.0] * 6)
     monkeypatch.setattr(series_derivatives.Returning, "vector_field", lambda self, t, y: half * field(self, t, y))
     machine._machine.cache_clear()
-    machine._kept.cache_clear()
-    series_derivatives.operation_of.cache_clear()
+    machine._write_unless_traced.cache_clear()
+    series_derivatives.make_operation.cache_clear()
     try:
         found, wanted = gradients(lambda x: moved(MOMENTS, x)[-1, 0], START)
     finally:
         machine._machine.cache_clear()
-        machine._kept.cache_clear()
-        series_derivatives.operation_of.cache_clear()
+        machine._write_unless_traced.cache_clear()
+        series_derivatives.make_operation.cache_clear()
     assert np.abs(found - wanted).max() > 0.01
 
 
@@ -240,9 +240,9 @@ def test_changes_in_few_directions_go_along_one_by_one(many, monkeypatch):
     rng = np.random.default_rng(7)
     ways = jnp.asarray(rng.normal(size=(many, 3))), jnp.asarray(rng.normal(size=(many, 3)))
     along = lambda solve: jax.jit(jax.vmap(lambda dm, dx: jax.jvp(solve, (MOMENTS, START), (dm, dx))[1]))  # noqa: E731
-    series_derivatives.operation_of.cache_clear()
+    series_derivatives.make_operation.cache_clear()
     found, wanted = along(moved)(*ways), along(exact)(*ways)
-    series_derivatives.operation_of.cache_clear()
+    series_derivatives.make_operation.cache_clear()
     assert np.abs(found - wanted).max() < 1e-13 * np.abs(wanted).max() and bool(taken) == (many > 4)
 
 

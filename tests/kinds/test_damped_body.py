@@ -206,8 +206,8 @@ def test_a_sweep_of_the_flat_spin_moves_nothing(tmp_path, monkeypatch):
         "utf-8",
     )
     evaluator = Evaluator(read_plan(path))
-    inputs = evaluator.inputs_of(0, 3)
-    wanted = [evaluator.spec_of(inputs, k).report().as_json_dict() for k in range(2)]
+    inputs = evaluator.draw_inputs(0, 3)
+    wanted = [evaluator.make_spec(inputs, k).report().as_json_dict() for k in range(2)]
 
     def moved(*given, **more):
         raise AssertionError("a motion was computed")

@@ -11,7 +11,7 @@ from polhode.errors import InvalidInput
 from polhode.formats.dataset import write_dataset
 from polhode.kinds.reading import read_spec
 from polhode.kinds.sphere_fluid.panel import SphereFluidPanel
-from polhode.viewer.samples import samples_of
+from polhode.viewer.samples import take_samples
 
 
 @pytest.fixture
@@ -74,7 +74,7 @@ def test_large_matrices_keep_fewer_samples(spec, monkeypatch):
 
 def test_maps_of_the_page_are_those_of_the_fluid(spec):
     report = spec('resolution = 8\nwaves = [{degree = 3, order = 0, vorticity = "1 rad/s"}]', "10 ms").report()
-    (panel,) = SphereFluidPanel().panels(report.trajectory, samples_of(report.trajectory), None)
+    (panel,) = SphereFluidPanel().panels(report.trajectory, take_samples(report.trajectory), None)
     assert panel["levels"]["kind"] == "u1" and panel["levels"]["shape"][1:] == [panel["rows"], panel["columns"]]
     assert panel["largest"] == pytest.approx(np.sqrt(7.0), rel=0.05)  # √7 P₃ is largest at the pole
     assert json.dumps(panel)

@@ -10,7 +10,7 @@ from polhode.errors import InvalidInput
 from polhode.formats.dataset import write_dataset
 from polhode.kinds.reading import read_spec
 from polhode.kinds.sphere_mhd.panel import SphereMHDPanel
-from polhode.viewer.samples import samples_of
+from polhode.viewer.samples import take_samples
 
 RANDOM = 'random = {degrees = [2, 3], vorticity = "2 rad/s"}\nrandom_field = {degrees = [1, 2], field = "0.3 rad/s"}'
 WAVE = 'alfven_wave = {degree = 3, order = 2, vorticity = "1 rad/s", turning = "0.5 rad/s", field = "0.6 rad/s"'
@@ -71,7 +71,7 @@ def test_a_run_goes_on_from_its_file(spec, tmp_path):
 
 def test_maps_of_the_page_are_those_of_the_fluid(spec):
     report = spec('resolution = 8\nfield_waves = [{degree = 2, order = 0, field = "1 rad/s"}]').report()
-    vorticity, current = SphereMHDPanel().panels(report.trajectory, samples_of(report.trajectory), None)
+    vorticity, current = SphereMHDPanel().panels(report.trajectory, take_samples(report.trajectory), None)
     assert current["largest"] == pytest.approx(np.sqrt(6.0 * 5.0), rel=0.05)  # √5 √6 P₂ is largest at the pole
     assert vorticity["largest"] == 1.0 and json.dumps([vorticity, current])
 

@@ -222,7 +222,7 @@ REFUSED = {
     "rolling_period": (ROLLING, lambda x: analysis.rolling_period(DISK, x)),
     "rolling_path": (ROLLING, lambda x: analysis.rolling_path(DISK, x, 0.1, 5)),
     "rotor_in_body": (0.3, lambda x: systems.rotor_in_body(SOLID, AXIS, x, 1.0, THREE)),
-    "direction_of": (THREE, body_with_rotor.direction_of),
+    "find_direction": (THREE, body_with_rotor.find_direction),
     "symmetric_rates": (THREE, lambda x: analysis.symmetric_rates(ROTOR, x)),
     "angle_from_axis": (THREE, lambda x: analysis.angle_from_axis(x, AXIS)),
     "angle_to_major_axis": (THREE, lambda x: analysis.angle_to_major_axis(x, THREE)),

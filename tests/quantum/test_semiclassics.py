@@ -10,7 +10,7 @@ import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.quantum import Rotor, doublet_splitting, semiclassical_levels, semiclassical_pairs, spin_matrices
 from polhode.quantum.orbits import orbit
-from polhode.quantum.semiclassics import quantised, without_casimir
+from polhode.quantum.semiclassics import quantise, without_casimir
 
 W = (27.0, 14.0, 9.0)
 # J: rms error and largest of order 1, then of order 2
@@ -104,7 +104,7 @@ def test_what_all_levels_share_is_exact():
     near = [(10.0 + 2.0 * size, 10.0 + size, 10.0) for size in (1e-2, 1e-6, 1e-10)]
     for constants in near:  # and as near to a sphere as doubles go
         exact = Rotor(without_casimir(constants)[0]).levels_of(10).energy
-        found, _, _ = quantised(without_casimir(constants)[0], 10, 2)
+        found, _, _ = quantise(without_casimir(constants)[0], 10, 2)
         assert np.abs(found - exact).max() < 1e-3 * (constants[0] - constants[2])
 
 

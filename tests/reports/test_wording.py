@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from polhode.analysis.comparison import AttitudeHistory, compare
-from polhode.reports.answer import values_of
-from polhode.reports.wording import known_digits, uncertain
+from polhode.reports.answer import collect_values
+from polhode.reports.wording import count_known_digits, uncertain
 from polhode.studies.comparison_report import ComparisonReport
 
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]\d+)?"
@@ -52,7 +52,7 @@ def test_some_by_hand(value, error, words):
 
 
 def test_known_digits_end_with_those_of_the_uncertainty():
-    assert [known_digits(123.456, error) for error in (1e3, 99.0, 10.0, 1.0, 0.02, 1e-9)] == [1, 2, 2, 3, 5, 8]
+    assert [count_known_digits(123.456, error) for error in (1e3, 99.0, 10.0, 1.0, 0.02, 1e-9)] == [1, 2, 2, 3, 5, 8]
 
 
 def test_a_comparison_has_no_digits_finer_than_what_interpolation_misses():
@@ -66,4 +66,4 @@ def test_a_comparison_has_no_digits_finer_than_what_interpolation_misses():
     said = [report.summary, lines["rms"], lines["body axes misaligned by"]]
     numbers = re.findall(NUMBER, " ".join(said))
     assert all(len(re.sub(r"e.*|\D|^0+", "", number.lstrip("-0."))) <= 3 for number in numbers), numbers
-    assert values_of(report.answers)["angle"]["largest"] == pytest.approx(0.21, rel=1e-12)
+    assert collect_values(report.answers)["angle"]["largest"] == pytest.approx(0.21, rel=1e-12)

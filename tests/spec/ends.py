@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_ori
 from pydantic import BaseModel
 
 from polhode.errors import PolhodeError
-from polhode.kinds.reading import spec_of_tables
+from polhode.kinds.reading import build_spec
 from polhode.kinds.registry import find_kind
 from polhode.spec.fields import UNIT
 from polhode.spec.models import SpecFile
@@ -242,7 +242,7 @@ def _table_around(tables, key):
 
 def _is_read(tables, folder):
     try:
-        spec_of_tables(tables, folder / "host.toml")
+        build_spec(tables, folder / "host.toml")
     except PolhodeError:
         return False
     return True

@@ -16,7 +16,7 @@ from polhode.cli.render import as_json, print_report
 from polhode.errors import PolhodeError
 from polhode.kinds.reading import read_spec
 from polhode.reports.about import about_body
-from polhode.reports.answer import plain, values_of
+from polhode.reports.answer import collect_values, plain
 from spec.mutations import CHANGE, EXAMPLES, FILES, KEYS, KINDS, bases, mutated
 
 LONGEST_MESSAGE = 2000  # characters
@@ -72,7 +72,7 @@ def check(text, folder):
             spec = read_spec(path)
             assert spec.name.isprintable()
             if spec.body is not None:
-                as_json(plain(values_of([about_body(spec.body)])))
+                as_json(plain(collect_values([about_body(spec.body)])))
             if spec.kind.is_default and spec.samples <= FEW_SAMPLES:
                 words, _ = printed_report(spec)
                 assert not re.search(r"\b(nan|inf)\b", words, re.IGNORECASE), words

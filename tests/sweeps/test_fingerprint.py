@@ -11,7 +11,7 @@ import pytest
 import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.formats.dataset import write_dataset
-from polhode.formats.opening import content_digest, files_recorded, read_text
+from polhode.formats.opening import content_digest, read_text, record_files
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind, kind_names
 from polhode.reports import program
@@ -153,7 +153,7 @@ def stopped(sweep, store):
     begun = sweep.begin(store)
     with pytest.raises(KeyboardInterrupt):
         sweep.run(begun, 1, tell=stop)
-    assert begun.finished() == {0}
+    assert begun.list_finished() == {0}
     return begun
 
 
@@ -175,7 +175,7 @@ def test_a_file_that_changes_while_the_sweep_runs(tmp_path):
     begun = sweep.begin(tmp_path / "a.zarr")
     with pytest.raises(InvalidInput, match=r"run\.nc: changed while the sweep ran"):
         sweep.run(begun, 1, tell=lambda samples: change(file))
-    assert begun.finished() == {0}
+    assert begun.list_finished() == {0}
 
 
 def test_where_the_spec_lies_does_not_count(tmp_path):
@@ -246,11 +246,11 @@ def test_a_worker_with_another_program_is_refused(tmp_path, monkeypatch):
 
 def test_files_are_recorded_by_content(tmp_path):
     (tmp_path / "a.xyz").write_text("one")
-    with files_recorded() as outer, files_recorded() as inner:
+    with record_files() as outer, record_files() as inner:
         read_text(tmp_path / "a.xyz", "molecule", 10)
         with pytest.raises(InvalidInput):
             read_text(tmp_path / "b.xyz", "molecule", 10)
-    with files_recorded() as none:
+    with record_files() as none:
         pass
     assert inner == outer == {tmp_path / "a.xyz": hashlib.sha256(b"one").hexdigest()} and not none
     (tmp_path / "a.xyz").write_text("two")

@@ -149,11 +149,11 @@ def test_a_grid_may_begin_where_no_body_is(tmp_path):
 
 
 def test_yes_and_no_are_words(tmp_path):
-    from polhode.sweeps.evaluation import Column, _answer_column, _fitting
+    from polhode.sweeps.evaluation import Column, _answer_column, _fit_to_column
 
     column = _answer_column("certain", {"certain": True}, {})
     assert column == Column("certain", text=True)
-    assert [_fitting(column, value) for value in (True, False)] == ["yes", "no"]
+    assert [_fit_to_column(column, value) for value in (True, False)] == ["yes", "no"]
 
 
 TOP = """
@@ -186,7 +186,7 @@ def test_what_a_kind_cannot_do_at_once_is_computed_one_by_one(tmp_path):
     chunk = found.chunk(0, 12)
     assert chunk.values["sample_status"].tolist() == ["refused"] * 6 + ["done"] * 6
     assert "precession" in chunk.reasons[0][1]
-    spec = found.spec_of(found.inputs_of(0, 12), 8)
+    spec = found.make_spec(found.draw_inputs(0, 12), 8)
     assert chunk.values["energy"][8] == spec.report().as_json_dict()["energy"]
     assert chunk.values["states.attitude"].shape == (12, 1, 4)
     assert spec.system.gravity == chunk.values["system.gravity"][8]

@@ -17,7 +17,7 @@ import polhode as ph
 from formats.test_full_disk import limited
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
-from polhode.sweeps.marks import digest_of
+from polhode.sweeps.marks import hash_array
 from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep
 from polhode.sweeps.summary import Numbers
@@ -87,7 +87,7 @@ def test_the_same_again_after_a_stop(spec, tmp_path):
     for number in (1, 4):
         mark_of(tmp_path / "b.zarr", number).unlink()
     (tmp_path / "b.zarr" / "polhode_period" / "1").write_bytes(b"torn")
-    assert store.finished() == {0, 2, 3}
+    assert store.list_finished() == {0, 2, 3}
     told = []
     sweep.run(store, 1, tell=told.append)
     assert told == [64, 44]
@@ -118,7 +118,7 @@ def test_summaries_of_parts_are_those_of_the_whole():
     parts = [Numbers.of(values[k : k + 777]) for k in range(0, 5000, 777)]
     found = parts[0]
     for part in parts[1:]:
-        found = found.joined(part)
+        found = found.join(part)
     known = values[~np.isnan(values)]
     assert found.count == 4900 and (found.low, found.high) == (known.min(), known.max())
     assert found.mean == pytest.approx(known.mean(), rel=1e-15) and found.deviation == pytest.approx(known.std(ddof=1))
@@ -181,7 +181,7 @@ def test_other_folders_are_kept(spec, tmp_path):
 def test_one_process_at_a_time(spec, tmp_path):
     sweep = Sweep.of(read_plan(spec))
     store = sweep.begin(tmp_path / "a.zarr")
-    with store.locked(), pytest.raises(InvalidInput, match="another process computes this sweep now"):
+    with store.lock(), pytest.raises(InvalidInput, match="another process computes this sweep now"):
         sweep.run(store, 1)
     sweep.run(store, 1)
 
@@ -249,7 +249,7 @@ def test_a_full_disk_keeps_what_is_finished(spec, tmp_path):
         sweep.run(store, 1)
     said = str(caught.value)
     assert "cannot be written" in said and "Make room there. 2 of 5 chunks are finished" in said
-    assert store.finished() == {0, 1}
+    assert store.list_finished() == {0, 1}
     sweep.run(store, 1)
     ph.sweep(spec, tmp_path / "b.zarr")
     assert files(tmp_path / "a.zarr") == files(tmp_path / "b.zarr")
@@ -270,7 +270,7 @@ def test_places_that_cannot_be_written(spec, tmp_path):
 def test_checksums_see_every_bit():
     values = np.arange(3.0)
     others = [np.nextafter(values, 9.0), values.reshape(3, 1), values.view("<i8"), np.array(["x", "y", "z"]), values]
-    assert len({digest_of(each) for each in others}) == 5 and digest_of(others[-1]) == digest_of(values[::1])
+    assert len({hash_array(each) for each in others}) == 5 and hash_array(others[-1]) == hash_array(values[::1])
 
 
 def command(*arguments, **options):

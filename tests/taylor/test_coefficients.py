@@ -12,11 +12,11 @@ import pytest
 from polhode import systems
 from polhode.taylor import kernel, kernel_series
 from polhode.taylor.expressions import MOST_NODES, Tape, Untraceable
-from polhode.taylor.jaxprs import written
+from polhode.taylor.jaxprs import write_jaxpr
 from polhode.taylor.kernel_space import series_for
-from polhode.taylor.machine import machine_of
-from polhode.taylor.program import CODE, OPERATIONS, program_of
-from polhode.taylor.tracing import evaluated
+from polhode.taylor.machine import build_machine
+from polhode.taylor.program import CODE, OPERATIONS, make_program
+from polhode.taylor.tracing import evaluate
 
 ORDER = 20
 EPS = 2.0**-52
@@ -36,7 +36,7 @@ class OwnField(systems.base.AbstractSystem):
 
 def coefficients(field, start, t=0.0, order=ORDER):
     """Return the coefficients (order + 1, n) of the motion by the kernel."""
-    machine = machine_of(OwnField(field), np.array(start), (0.0, 1.0))
+    machine = build_machine(OwnField(field), np.array(start), (0.0, 1.0))
     state = np.array([*start, t] if machine.clock >= 0 else start)
     series = series_for(machine.program, order + 1, 1)
     series.flat[: len(state)] = state
@@ -168,7 +168,7 @@ def tape_of(function, size):
     tape = Tape(size)
     state = np.empty(size, object)
     state[:] = tape.state()
-    return tape, [x for part in evaluated(written(function, state.shape), state) for x in np.ravel(part)]
+    return tape, [x for part in evaluate(write_jaxpr(function, state.shape), state) for x in np.ravel(part)]
 
 
 def test_equal_nodes_are_one_also_up_to_sign():
@@ -180,8 +180,8 @@ def test_equal_nodes_are_one_also_up_to_sign():
 
 def test_what_no_output_needs_is_not_computed():
     tape, found = tape_of(lambda y: (y[0] * y[1] * 0.0 + y[0], jnp.sin(y[1])), 2)
-    assert program_of(tape, found[:1]).whole[OPERATIONS] == 0
-    program = program_of(tape, found)
+    assert make_program(tape, found[:1]).whole[OPERATIONS] == 0
+    program = make_program(tape, found)
     assert program.whole[OPERATIONS] == 1 and program.whole[program.whole[CODE]] == 5
 
 
@@ -209,7 +209,7 @@ def test_tracing_gives_the_function(function):
     """Values of the tape at numbers, against JAX."""
     y = np.array([0.3, -1.2, 0.8, 2.0, -0.5, 1.1])
     tape, found = tape_of(function, 6)
-    program = program_of(tape, [x if hasattr(x, "terms") else tape.constant(float(x)) for x in found])
+    program = make_program(tape, [x if hasattr(x, "terms") else tape.constant(float(x)) for x in found])
     got = np.zeros((1, len(found)))
     kernel.conserved_values(series_for(program, 1, 1), y[None], np.zeros(6), got)
     wanted = np.concatenate([np.ravel(x) for x in function(jnp.asarray(y))])

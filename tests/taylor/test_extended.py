@@ -84,8 +84,8 @@ def test_powers_keep_their_digits():
 
 def test_python_and_numba_give_the_same_bits(monkeypatch):
     found = []
-    for made in (kernels.python_kernel, kernels.compiled_kernel):
-        monkeypatch.setattr(flight, "chosen_kernel", lambda copies, extended=False, made=made: made(kernels.EXTENDED))
+    for made in (kernels.python_kernel, kernels.compile_kernel):
+        monkeypatch.setattr(flight, "choose_kernel", lambda copies, extended=False, made=made: made(kernels.EXTENDED))
         found.append(ph.simulate(Kepler(), np.array([0.5, 0.0, 0.0, 1.7]), np.linspace(0.0, 3.0, 4), EXTENDED).states)
     assert (found[0] == found[1]).all()
 

@@ -7,9 +7,9 @@ import pytest
 from polhode import systems
 from polhode.motion.outcome import Status
 from polhode.taylor import kernels, lanes, straight_line
-from polhode.taylor.machine import machine_of
+from polhode.taylor.machine import build_machine
 from polhode.taylor.program import FACTOR
-from polhode.taylor.runs import precision_of, runs_of
+from polhode.taylor.runs import choose_precision, run_copies
 
 
 class OfAllFunctions(systems.AbstractSystem):
@@ -74,9 +74,9 @@ def motions(copies=1, alone=False):
     for system, start, kick in cases():
         starts = start + kick * np.random.default_rng(0).normal(size=(copies, *np.shape(start)))
         for last in (3.0, -3.0):
-            given = system, np.linspace(0.0, last, 7), precision_of(1e-10)
+            given = system, np.linspace(0.0, last, 7), choose_precision(1e-10)
             parts = starts[:, None] if alone else [starts]
-            runs = [runs_of(given[0], part, *given[1:])[:-1] for part in parts]
+            runs = [run_copies(given[0], part, *given[1:])[:-1] for part in parts]
             found.extend(np.concatenate(column) for column in zip(*runs, strict=True))
     return found
 
@@ -89,13 +89,13 @@ def assert_same_bits(one, other):
 @pytest.fixture
 def by(monkeypatch):
     """Let one kernel move all copies."""
-    return lambda use: monkeypatch.setattr("polhode.taylor.flight.chosen_kernel", lambda copies, extended=False: use)
+    return lambda use: monkeypatch.setattr("polhode.taylor.flight.choose_kernel", lambda copies, extended=False: use)
 
 
 def test_compiled_or_not_the_bits_are_the_same(by):
     by(kernels.python_kernel(1))
     plain = motions()
-    by(kernels.compiled_kernel(1))
+    by(kernels.compile_kernel(1))
     assert_same_bits(plain, motions())
 
 
@@ -110,28 +110,28 @@ def test_functions_of_what_they_are_not_for_end_no_run_in_an_error_of_pythons(by
             return {}
 
     by(kernels.python_kernel(width))
-    found = runs_of(Of(), np.array([[start]]), np.array([0.0, 1.0]), precision_of(None))
+    found = run_copies(Of(), np.array([[start]]), np.array([0.0, 1.0]), choose_precision(None))
     assert found.status[0] == Status.NOT_CONVERGED and np.isnan(found.end[0])
 
 
 def test_lanes_change_no_bit(by):
     """Eleven copies, of which three wait for a lane, and some end early, against each alone."""
-    by(kernels.compiled_kernel(1))
+    by(kernels.compile_kernel(1))
     alone = motions(11, alone=True)
     assert len({int(status) for status in np.concatenate(alone[2::8])}) == 3  # there are all kinds of ends
     assert_same_bits(alone, motions(11))
-    by(kernels.compiled_kernel(lanes.LANES))
+    by(kernels.compile_kernel(lanes.LANES))
     assert_same_bits(alone, motions(11))
 
 
 def test_lanes_as_python_change_no_bit_either(by):
-    by(kernels.compiled_kernel(1))
+    by(kernels.compile_kernel(1))
     alone = motions(2)
     by(kernels.python_kernel(lanes.LANES))
     assert_same_bits(alone, motions(2))
 
 
-@pytest.mark.parametrize(("make", "copies"), [(kernels.compiled_kernel, 11), (kernels.python_kernel, 1)])
+@pytest.mark.parametrize(("make", "copies"), [(kernels.compile_kernel, 11), (kernels.python_kernel, 1)])
 @pytest.mark.parametrize("width", [1, lanes.LANES])
 def test_written_code_changes_no_bit(by, monkeypatch, width, make, copies):
     by(make(width))
@@ -139,8 +139,8 @@ def test_written_code_changes_no_bit(by, monkeypatch, width, make, copies):
     from_tables = motions(copies)
     monkeypatch.setattr(kernels, "WRITTEN", -1.0)
     written = []
-    own = straight_line.code_of
-    monkeypatch.setattr(straight_line, "code_of", lambda *given: written.append(own(*given)) or written[-1])
+    own = straight_line.generate
+    monkeypatch.setattr(straight_line, "generate", lambda *given: written.append(own(*given)) or written[-1])
     assert_same_bits(from_tables, motions(copies))
     assert len({code.address for code in written}) == 9
 
@@ -149,36 +149,36 @@ def test_code_is_that_of_all_programs_that_differ_by_factors():
     """But not of one that has 1 or −1 where another has not, for which it is other code."""
     codes = []
     for moments in ((1.3, 2.0, 3.0), (1.1, 2.3, 3.2)):
-        program = machine_of(systems.FreeRigidBody(moments), np.array([0.3, 1.9, 0.1]), None).program
-        codes.append(straight_line.code_of(program, 1))
+        program = build_machine(systems.FreeRigidBody(moments), np.array([0.3, 1.9, 0.1]), None).program
+        codes.append(straight_line.generate(program, 1))
     assert codes[0] is codes[1]
     first = program.whole[FACTOR]
     with_one = np.where(np.arange(program.number.size) == first, 1.0, program.number)
     assert program.number[first] != 1.0
-    assert straight_line.code_of(program._replace(number=with_one), 1) is not codes[0]
+    assert straight_line.generate(program._replace(number=with_one), 1) is not codes[0]
 
 
 def test_code_that_adds_wrongly_is_seen(by, monkeypatch):
     """A writer of subtraction for addition."""
-    by(kernels.compiled_kernel(1))
+    by(kernels.compile_kernel(1))
     right = motions()
-    straight_line._compiled.cache_clear()
+    straight_line._compile.cache_clear()
     monkeypatch.setattr(straight_line.ir.IRBuilder, "fadd", straight_line.ir.IRBuilder.fsub)
     monkeypatch.setattr(kernels, "WRITTEN", -1.0)
     wrong = motions()
-    straight_line._compiled.cache_clear()
+    straight_line._compile.cache_clear()
     assert any(not np.array_equal(x, y) for x, y in zip(right, wrong, strict=True))
 
 
 def test_calls_that_end_before_the_copies_do_change_no_bit(by):
-    by(kernels.compiled_kernel(lanes.LANES))
+    by(kernels.compile_kernel(lanes.LANES))
     whole = motions(11)
-    by(kernels.compiled_kernel(lanes.LANES)._replace(stretch=150))
+    by(kernels.compile_kernel(lanes.LANES)._replace(stretch=150))
     assert_same_bits(whole, motions(11))
 
 
 def test_threads_change_no_bit(by, monkeypatch):
-    by(kernels.compiled_kernel(lanes.LANES))
+    by(kernels.compile_kernel(lanes.LANES))
     whole = motions(11)
     monkeypatch.setattr("polhode.taylor.flight.WORTH", 4)
     monkeypatch.setattr("os.sched_getaffinity", lambda process: range(3), raising=False)
@@ -188,30 +188,30 @@ def test_threads_change_no_bit(by, monkeypatch):
 def test_a_kernel_is_taken_once_it_is_worth_it(monkeypatch):
     monkeypatch.setattr(kernels._Spent, "ready", set())
     monkeypatch.setattr(kernels, "_is_on_disk", lambda width: False)
-    one, eight = kernels.compiled_kernel(1), kernels.compiled_kernel(lanes.LANES)
+    one, eight = kernels.compile_kernel(1), kernels.compile_kernel(lanes.LANES)
     for by_python, one_by_one, copies, use in (
         (0.0, 0.0, 100, kernels.python_kernel(1)), (1.9, 0.0, 1, kernels.python_kernel(1)), (2.1, 0.0, 100, one),
         (2.1, 5.9, 100, one), (2.1, 6.1, 7, one), (2.1, 6.1, 8, eight),
     ):  # fmt: skip
         monkeypatch.setattr(kernels._Spent, "by_python", by_python)
         monkeypatch.setattr(kernels._Spent, "one_by_one", one_by_one)
-        assert kernels.chosen_kernel(copies) is use
+        assert kernels.choose_kernel(copies) is use
 
 
 def test_what_compiling_takes_is_no_reason_to_compile_more(monkeypatch):
     monkeypatch.setattr(kernels._Spent, "called", set())
     monkeypatch.setattr(kernels._Spent, "one_by_one", 0.0)
     monkeypatch.setattr(kernels._Spent, "by_program", {})
-    program = machine_of(systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.3, 1.9, 0.1]), None).program
+    program = build_machine(systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.3, 1.9, 0.1]), None).program
     for spent, wanted in ((8.0, 0.0), (0.5, 0.5)):
-        kernels.note(kernels.compiled_kernel(1), 100, program, spent)
+        kernels.note(kernels.compile_kernel(1), 100, program, spent)
         assert kernels._Spent.one_by_one == kernels._Spent.by_program.get(program.form, 0.0) == wanted
 
 
 @pytest.mark.parametrize("width", [1, lanes.LANES])
 def test_functions_call_each_other_as_they_are_made(width):
     """One that was left with the names of its own file would call what is not compiled."""
-    space = kernels._joined(width, lambda function, name: function, {})
+    space = kernels._join_modules(width, lambda function, name: function, {})
     own = [value for value in space.values() if getattr(value, "__globals__", None) is space]
     assert len(own) >= 24 and space["advance"] in own and space["first_zero"] in own and space["vectors"] in own
     assert space["LANES"] == width
@@ -219,6 +219,6 @@ def test_functions_call_each_other_as_they_are_made(width):
 
 def test_what_was_compiled_of_other_sources_is_not_used(monkeypatch):
     """The name under which Numba keeps it changes with each of the files."""
-    before = kernels.compiled_kernel.__wrapped__(1).advance.__qualname__
+    before = kernels.compile_kernel.__wrapped__(1).advance.__qualname__
     monkeypatch.setattr(kernels.zlib, "crc32", lambda data: 1)
-    assert kernels.compiled_kernel.__wrapped__(1).advance.__qualname__ != before
+    assert kernels.compile_kernel.__wrapped__(1).advance.__qualname__ != before

@@ -12,8 +12,8 @@ from polhode import systems
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import Taylor
 from polhode.taylor.expressions import Untraceable
-from polhode.taylor.machine import machine_of
-from polhode.testing.systems import _states_of
+from polhode.taylor.machine import build_machine
+from polhode.testing.systems import _draw_states
 from specimens import SYSTEMS, named
 
 MOMENTS = (1.0, 2.0, 3.5)
@@ -31,10 +31,10 @@ def moves(system):
 @pytest.mark.parametrize("system", [moves(s) for s in SYSTEMS if not isinstance(s, BY_PACK)], ids=named)
 def test_every_system_moves_as_by_runge_kutta(system):
     """Energy, Casimirs and integrals stay within two roundings; the other integrator's own error is 1e-13 a step."""
-    start = np.asarray(_states_of(system, 0, 1.0)[0])[0]
+    start = np.asarray(_draw_states(system, 0, 1.0)[0])[0]
     times = np.linspace(0.0, 2.0, 3)
     try:
-        machine_of(system, start, (0.0, 2.0))
+        build_machine(system, start, (0.0, 2.0))
     except Untraceable:
         assert isinstance(system, systems.SpinLattice) and system.damping  # of which directions are normalised
         with pytest.raises(InvalidInput, match="cannot be moved by Taylor series"):
@@ -211,9 +211,9 @@ def test_a_branch_on_the_time_without_a_jump_is_refused_and_not_lost():
     with pytest.raises(InvalidInput, match="a branch on the time, at which no jump is named"):
         ph.simulate(body, start, [0.0, 10.0], Taylor)
     both = systems.RigidBody(MOMENTS, torques=[Pulse(3.0, 4.5), Pulse(6.0, 7.0)])
-    machine_of(both, start, (4.6, 5.9))
+    build_machine(both, start, (4.6, 5.9))
     with pytest.raises(Untraceable, match="changes where no jump is named"):
-        machine_of(both, start, (5.0, 9.0))
+        build_machine(both, start, (5.0, 9.0))
 
 
 def test_balances_receive_what_is_lost():

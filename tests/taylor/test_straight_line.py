@@ -8,7 +8,7 @@ import pytest
 from polhode.taylor import kernels, lanes, straight_line
 from polhode.taylor.expressions import Tape, exponential, logarithm, sine_and_cosine
 from polhode.taylor.kernel_space import series_for
-from polhode.taylor.program import program_of
+from polhode.taylor.program import make_program
 
 ORDER = 11
 POINTER = ctypes.POINTER(ctypes.c_double)
@@ -28,7 +28,7 @@ def random_program(seed):
             5: lambda x=x: logarithm(x * x + 2.0), 6: lambda x=x: sine_and_cosine(x)[int(rng.integers(2))],
             7: lambda x=x: x * x,
         }[int(rng.integers(8))]())  # fmt: skip
-    return program_of(tape, [known[k] * (1.0 / (k + 1.0)) + 0.1 for k in rng.integers(len(known), size=tape.size)])
+    return make_program(tape, [known[k] * (1.0 / (k + 1.0)) + 0.1 for k in rng.integers(len(known), size=tape.size)])
 
 
 def by_tables_and_by_code(program, width):
@@ -44,7 +44,7 @@ def by_tables_and_by_code(program, width):
             space["nodes"](seen, 0)
             run = ctypes.CFUNCTYPE(None, *[POINTER] * 4, ctypes.c_int64, POINTER)
             arrays = (x.ctypes.data_as(POINTER) for x in (series.flat, series.a, series.b, program.number))
-            run(straight_line.code_of(program, width).address)(*arrays, ORDER, units.ctypes.data_as(POINTER))
+            run(straight_line.generate(program, width).address)(*arrays, ORDER, units.ctypes.data_as(POINTER))
         else:
             space["coefficients"](seen, ORDER, units)
         found.append(series.flat)
@@ -63,9 +63,9 @@ def test_random_programs_have_the_same_bits(seed, width):
 def test_registers_change_no_bit(width, monkeypatch):
     """On a machine with fewer of them, fewer products are summed together."""
     program = random_program(7)
-    straight_line._compiled.cache_clear()
+    straight_line._compile.cache_clear()
     monkeypatch.setattr(straight_line, "most_together", lambda: 3)
     monkeypatch.setattr(straight_line, "BLOCKS", 1)
     by_tables, by_code = by_tables_and_by_code(program, width)
-    straight_line._compiled.cache_clear()
+    straight_line._compile.cache_clear()
     np.testing.assert_array_equal(by_code, by_tables)

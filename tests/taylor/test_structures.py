@@ -7,7 +7,7 @@ import pytest
 
 from polhode import systems
 from polhode.taylor import machine
-from polhode.taylor.structure import itself, structure_of
+from polhode.taylor.structure import itself, take_structure
 
 
 class Asking(systems.AbstractSystem):
@@ -36,26 +36,26 @@ def tops():
 @pytest.fixture
 def traced(monkeypatch):
     """Count what is traced, from nothing."""
-    for function in (machine._kept, machine._machine):
+    for function in (machine._write_unless_traced, machine._machine):
         function.cache_clear()
-    found, own = [], machine.written
-    monkeypatch.setattr(machine, "written", lambda *given: found.append(1) or own(*given))
+    found, own = [], machine.write_jaxpr
+    monkeypatch.setattr(machine, "write_jaxpr", lambda *given: found.append(1) or own(*given))
     return found
 
 
 def test_systems_that_differ_by_numbers_are_traced_once(traced):
     for system, state in tops():
-        machine.machine_of(system, state, None)
+        machine.build_machine(system, state, None)
     assert len(traced) == 3
 
 
 def test_programs_are_those_of_each_system_alone(traced, monkeypatch):
-    together = [machine.machine_of(system, state, None) for system, state in tops()]
-    for function in (machine._kept, machine._machine):
+    together = [machine.build_machine(system, state, None) for system, state in tops()]
+    for function in (machine._write_unless_traced, machine._machine):
         function.cache_clear()
-    monkeypatch.setattr(machine, "structure_of", itself)
+    monkeypatch.setattr(machine, "take_structure", itself)
     for one, (system, state) in zip(together, tops(), strict=True):
-        alone = machine.machine_of(system, state, None)
+        alone = machine.build_machine(system, state, None)
         assert one.names == alone.names
         for ours, theirs in ((one.program, alone.program), (one.integrals, alone.integrals)):
             np.testing.assert_array_equal(ours.whole, theirs.whole)
@@ -63,7 +63,7 @@ def test_programs_are_those_of_each_system_alone(traced, monkeypatch):
 
 
 def test_a_system_that_asks_for_its_numbers_is_traced_each_time(traced):
-    programs = [machine.machine_of(Asking(pull), np.ones(2), None).program for pull in (0.5, 2.0, 3.0)]
+    programs = [machine.build_machine(Asking(pull), np.ones(2), None).program for pull in (0.5, 2.0, 3.0)]
     assert len(traced) == 4  # without numbers once, in vain
     assert [program.products > 0 for program in programs] == [True, False, False]
     assert programs[1].number.tolist() != programs[2].number.tolist()
@@ -71,7 +71,7 @@ def test_a_system_that_asks_for_its_numbers_is_traced_each_time(traced):
 
 def test_words_and_forms_are_part_of_the_structure():
     one, other = (systems.HeavyTop((1.0, 2.0, 3.5), mgl, (0.0, 0.6, 0.8)) for mgl in (1.0, 2.0))
-    (same, numbers), (too, others) = structure_of(one), structure_of(other)
+    (same, numbers), (too, others) = take_structure(one), take_structure(other)
     assert same == too and hash(same) == hash(too) and not np.array_equal(numbers, others)
-    assert structure_of(systems.PlaneVortices(np.ones(3)))[0] != structure_of(systems.PlaneVortices(np.ones(4)))[0]
-    assert structure_of(systems.Toda(4))[0] != structure_of(systems.Toda(5))[0]
+    assert take_structure(systems.PlaneVortices(np.ones(3)))[0] != take_structure(systems.PlaneVortices(np.ones(4)))[0]
+    assert take_structure(systems.Toda(4))[0] != take_structure(systems.Toda(5))[0]

@@ -137,9 +137,9 @@ def test_closed_forms_do_not_agree_with_a_broken_table(kind, breaking):
     table = json.loads(TABLE.read_text(encoding="utf-8"))
     name = SOME[0] if kind == "free body" else SOME[2]
     table["motions"] = [motion for motion in table["motions"] if motion["name"] == name]
-    assert worst_in_eps(motion_table.motions_of(table)) <= WORST
+    assert worst_in_eps(motion_table.parse_motions(table)) <= WORST
     breaking(table["motions"][0])
-    assert worst_in_eps(motion_table.motions_of(table)) > WORST
+    assert worst_in_eps(motion_table.parse_motions(table)) > WORST
 
 
 def test_numbers_are_rounded_from_what_is_certain():
@@ -202,7 +202,7 @@ def test_what_the_table_does_not_have_is_refused(given, said):
 def test_other_tables_are_refused(head):
     table = {"format": motion_table.FORMAT, "version": VERSION, "motions": []} | head
     with pytest.raises(ph.FormatError, match="must be of format polhode reference motions, version 1; got"):
-        list(motion_table.motions_of(table))
+        list(motion_table.parse_motions(table))
 
 
 def test_reading_needs_no_jax():

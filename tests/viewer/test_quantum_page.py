@@ -12,7 +12,7 @@ from polhode.quantum import Rotor
 from polhode.quantum.level_polhodes import level_polhodes
 from polhode.quantum.operators import Representation, rigid_terms
 from polhode.quantum.racket import Racket
-from polhode.quantum.strengths import states_of
+from polhode.quantum.strengths import compute_states
 from polhode.quantum.symbols import symbol
 
 CONSTANTS = (27e9, 14e9, 9e9)
@@ -105,7 +105,7 @@ def test_levels_are_chosen_by_name_and_by_hand(page_of):
     """Each with its own Wigner function and a polhode of its energy; the point is dragged from level to level."""
     page = page_of("j = 6\n")
     found = level_polhodes(CONSTANTS, 6)
-    states = states_of(rigid_terms(CONSTANTS, MIDDLE_IS_Z), 6, MIDDLE_IS_Z)
+    states = compute_states(rigid_terms(CONSTANTS, MIDDLE_IS_Z), 6, MIDDLE_IS_Z)
     options = page.tab.locator("#set-state-level option").all_text_contents()
     assert options[0] == "L as sharp as it can be" and options[1:4] == ["6_0,6", "6_1,6", "6_1,5"]
     above = int(np.argmax(found.above))

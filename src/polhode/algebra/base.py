@@ -184,23 +184,23 @@ class AbstractLieAlgebra(HashableModule):
         """
         own = tuple(range(-len(self.element_shape), 0))
 
-        def going(term: Array, total: Array) -> Array:
+        def is_significant(term: Array, total: Array) -> Array:
             size, whole = (jnp.max(jnp.abs(a), axis=own, keepdims=True, initial=0.0) for a in (term, total))
             return size > 1e-18 * whole
 
         def unfinished(carried: Array) -> Array:
             k, term, total = carried
-            return (k < SERIES_TERMS) & jnp.any(going(term, total))
+            return (k < SERIES_TERMS) & jnp.any(is_significant(term, total))
 
         # of an algebra with numbers of its own these are arguments too: no derivative knows what a rule encloses
         numbers, rest = eqx.partition(self, eqx.is_inexact_array)
 
-        def summed(numbers: Any, x: Array, mu: Array, known_count: bool) -> Array:
+        def sum_series(numbers: Any, x: Array, mu: Array, known_count: bool) -> Array:
             coadjoint = eqx.combine(numbers, rest).coadjoint
 
             def add(carried: Array) -> Array:
                 k, term, total = carried
-                term = jnp.where(going(term, total), coadjoint(x, term) / (k + 1), 0.0)
+                term = jnp.where(is_significant(term, total), coadjoint(x, term) / (k + 1), 0.0)
                 return k + 1, term, total + term
 
             first = coadjoint(x, mu)
@@ -209,14 +209,14 @@ class AbstractLieAlgebra(HashableModule):
                 _, term, total = jax.lax.fori_loop(1, SERIES_TERMS, lambda _, now: add(now), start)
             else:
                 _, term, total = jax.lax.while_loop(unfinished, add, start)
-            return jnp.where(going(term, total), jnp.nan, total)
+            return jnp.where(is_significant(term, total), jnp.nan, total)
 
         # reverse mode needs a known number of terms, of which most vanish
         def rule(primals: Any, tangents: Any) -> tuple[Array, Array]:
-            counted = lambda numbers, x, mu: summed(numbers, x, mu, True)  # noqa: E731
+            counted = lambda numbers, x, mu: sum_series(numbers, x, mu, True)  # noqa: E731
             return moved(*primals), jax.jvp(counted, primals, tangents)[1]  # pyright: ignore[reportCallIssue]
 
-        moved = custom_derivative(lambda numbers, x, mu: summed(numbers, x, mu, False), rule)
+        moved = custom_derivative(lambda numbers, x, mu: sum_series(numbers, x, mu, False), rule)
         return moved(numbers, jnp.asarray(x), jnp.asarray(mu))
 
     def cayley_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:

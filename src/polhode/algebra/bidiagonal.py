@@ -51,7 +51,7 @@ class Bidiagonal(AbstractLieAlgebra):
 
     def coadjoint(self, x: Operand, mu: Operand) -> Vector:
         n = self.n
-        return jnp.concatenate([_spread(mu[..., n:] * x[..., n:]), mu[..., n:] * jnp.diff(x[..., :n])], axis=-1)
+        return jnp.concatenate([_difference(mu[..., n:] * x[..., n:]), mu[..., n:] * jnp.diff(x[..., :n])], axis=-1)
 
     def casimirs(self, mu: Vector) -> Float64[Array, "*batch k"]:
         return jnp.sum(jnp.asarray(mu)[..., : self.n], axis=-1, keepdims=True)
@@ -63,10 +63,10 @@ class Bidiagonal(AbstractLieAlgebra):
         # a grows at the rate β_{i+1} − β_i, and b receives the integral of aα
         n, growth = self.n, jnp.diff(x[..., : self.n])
         off = mu[..., n:] * x[..., n:] * _mean_growth(growth)
-        return jnp.concatenate([_spread(off), mu[..., n:] * jnp.expm1(growth)], axis=-1)
+        return jnp.concatenate([_difference(off), mu[..., n:] * jnp.expm1(growth)], axis=-1)
 
 
-def _spread(off: Array) -> Array:
+def _difference(off: Array) -> Array:
     """Return c_i − c_{i−1} (…, n) of c (…, n−1), without a sum of them."""
     none = jnp.zeros((*off.shape[:-1], 1))
     return jnp.concatenate([off, none], axis=-1) - jnp.concatenate([none, off], axis=-1)

@@ -126,7 +126,7 @@ def _invariants(brackets: list[list[dict[int, Fraction]]], generators: list[int]
 
 def _null_space(rows: list[dict[int, Fraction]], columns: int) -> list[dict[int, Fraction]]:
     """Return the null space of a sparse rational matrix, reduced: each vector has a column of its own."""
-    pivots, reduced = _reduced(rows, columns)
+    pivots, reduced = _reduce_rows(rows, columns)
     free = [c for c in range(columns) if c not in set(pivots)]
     vectors = []
     for c in free:
@@ -138,7 +138,7 @@ def _null_space(rows: list[dict[int, Fraction]], columns: int) -> list[dict[int,
     return vectors
 
 
-def _reduced(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[int], list[dict[int, Fraction]]]:
+def _reduce_rows(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[int], list[dict[int, Fraction]]]:
     """Return pivots and rows of the reduced echelon form, block by block.
 
     Raises:
@@ -219,7 +219,7 @@ def _new_ones(invariants: list[Terms], products: list[Terms]) -> list[Terms]:
     for c, column in enumerate(columns):
         for row, value in column.items():
             transposed[row][c] = value
-    pivots, _ = _reduced(list(transposed.values()), len(columns))
+    pivots, _ = _reduce_rows(list(transposed.values()), len(columns))
     return [{monomials[r]: v for r, v in columns[c].items()} for c in pivots if c >= len(products)]
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
 from polhode.algebra.fixed_array import FixedArray
 from polhode.algebra.functions import Function
-from polhode.algebra.own_casimirs import checked_casimirs, found_casimirs, names_of, values_of
+from polhode.algebra.own_casimirs import check_casimirs, evaluate_functions, find_casimirs, name_functions
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Double, Float64, Real
@@ -37,7 +37,7 @@ class ConstantsAlgebra(AbstractLieAlgebra):
     def __init__(self, constants: Float64[Array, "dim dim dim"], casimirs: Iterable[Function] | None = None) -> None:
         self.table, self.given = FixedArray(constants), None
         if casimirs is not None:
-            self.given = checked_casimirs(ConstantsAlgebra(constants), casimirs)
+            self.given = check_casimirs(ConstantsAlgebra(constants), casimirs)
 
     @property
     def constants(self) -> Float64[Array, "dim dim dim"]:
@@ -49,15 +49,15 @@ class ConstantsAlgebra(AbstractLieAlgebra):
 
     @cached_property
     def own_casimirs(self) -> tuple[Function, ...]:
-        return found_casimirs(ConstantsAlgebra(self.constants)) if self.given is None else self.given
+        return find_casimirs(ConstantsAlgebra(self.constants)) if self.given is None else self.given
 
     @property
     def casimir_names(self) -> tuple[str, ...]:
-        return names_of(self.own_casimirs)
+        return name_functions(self.own_casimirs)
 
     def casimirs(self, mu: Vector) -> Float64[Array, "*batch k"]:
         mu = jnp.asarray(mu)
-        values = partial(values_of, self.own_casimirs)
+        values = partial(evaluate_functions, self.own_casimirs)
         for _ in self.batch_shape(mu):
             values = jax.vmap(values)
         return values(mu)
@@ -132,10 +132,10 @@ def from_structure_constants(
     >>> from_structure_constants(c, casimirs=[lambda x: x[3], lambda x: 2 * x[1] * x[3] - x[2] ** 2]).casimir_names
     ('C1', 'C2')
     """
-    return ConstantsAlgebra(checked_constants(constants), casimirs)
+    return ConstantsAlgebra(check_constants(constants), casimirs)
 
 
-def checked_constants(constants: Real[ArrayLike, "dim dim dim"]) -> Float64[Array, "dim dim dim"]:
+def check_constants(constants: Real[ArrayLike, "dim dim dim"]) -> Float64[Array, "dim dim dim"]:
     """Return structure constants as a read-only array after the checks of ``from_structure_constants``."""
     refuse_single_precision(constants=constants)
     try:
@@ -218,7 +218,7 @@ def from_matrices(
     constants = solution.T.reshape(len(matrices), len(matrices), -1)
     near = np.rint(constants * 120.0) / 120.0  # what is a simple fraction is one exactly
     constants = np.where(np.abs(constants - near) < 1e-12 * np.abs(constants).max(initial=1.0), near, constants)
-    return MatrixBasisAlgebra(checked_constants(0.5 * (constants - constants.transpose(1, 0, 2))), matrices, casimirs)
+    return MatrixBasisAlgebra(check_constants(0.5 * (constants - constants.transpose(1, 0, 2))), matrices, casimirs)
 
 
 def _real_rows(matrices: np.ndarray) -> np.ndarray:

@@ -62,10 +62,10 @@ class DualNumbers(AbstractLieAlgebra):
     # ------------------------------------------------------------------ the algebra and its dual
 
     def bracket(self, x: Double[Array, "..."], y: Double[Array, "..."]) -> Double[Array, "..."]:
-        return self._lifted(self.algebra.bracket, x, y)
+        return self._lift(self.algebra.bracket, x, y)
 
     def coadjoint(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
-        return self._lifted(self.algebra.coadjoint, x, mu)
+        return self._lift(self.algebra.coadjoint, x, mu)
 
     def pairing(self, mu: Double[Array, "..."], x: Double[Array, "..."]) -> Float64[Array, "..."]:
         (theta, w), (first, second) = self._split(mu), self._split(x)
@@ -75,18 +75,18 @@ class DualNumbers(AbstractLieAlgebra):
         return jnp.concatenate([self.algebra.to_vector(part) for part in self._split(x)], axis=-1)
 
     def from_vector(self, vector: Float64[Array, "... {self.dim}"]) -> Double[Array, "..."]:
-        return self._joined(*(self.algebra.from_vector(half) for half in jnp.split(jnp.asarray(vector), 2, axis=-1)))
+        return self._join(*(self.algebra.from_vector(half) for half in jnp.split(jnp.asarray(vector), 2, axis=-1)))
 
     def to_dual_vector(self, mu: Double[Array, "..."]) -> Float64[Array, "... {self.dim}"]:
         return jnp.concatenate([self.algebra.to_dual_vector(part) for part in self._split(mu)[::-1]], axis=-1)
 
     def from_dual_vector(self, vector: Float64[Array, "... {self.dim}"]) -> Double[Array, "..."]:
         w, theta = (self.algebra.from_dual_vector(half) for half in jnp.split(jnp.asarray(vector), 2, axis=-1))
-        return self._joined(theta, w)
+        return self._join(theta, w)
 
     def from_gradient(self, gradient: Double[Array, "..."]) -> Double[Array, "..."]:
         by_theta, by_w = self._split(gradient)
-        return self._joined(self.algebra.from_gradient(by_w), self.algebra.from_gradient(by_theta))
+        return self._join(self.algebra.from_gradient(by_w), self.algebra.from_gradient(by_theta))
 
     def rate(self, x: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return the larger rate of x₀ and x₁: the spectral radius of ad is that of x₀, while x₁ shears as fast."""
@@ -102,37 +102,37 @@ class DualNumbers(AbstractLieAlgebra):
 
     def coadjoint_action(self, g: Any, mu: Double[Array, "..."]) -> Double[Array, "..."]:
         theta, w = self._split(mu)
-        return self._joined(*jax.jvp(self.algebra.coadjoint_action, (g[0], theta), (g[1], w)))
+        return self._join(*jax.jvp(self.algebra.coadjoint_action, (g[0], theta), (g[1], w)))
 
     def cayley(self, x: Double[Array, "..."]) -> Any:
         return jax.jvp(self.algebra.cayley, *self._pairs(x))
 
     def exp_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
-        return self._lifted(self.algebra.exp_change, x, mu)
+        return self._lift(self.algebra.exp_change, x, mu)
 
     def cayley_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
-        return self._lifted(self.algebra.cayley_change, x, mu)
+        return self._lift(self.algebra.cayley_change, x, mu)
 
     # ------------------------------------------------------------------ of matrices, by products
 
     def project(self, matrix: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return the part of pairs of matrices (…, 2, n, n) that lies in the algebra."""
-        return self._lifted(self._of_matrices("project"), matrix)
+        return self._lift(self._of_matrices("project"), matrix)
 
     def odd_part(self, matrix: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return the part of pairs of matrices (…, 2, n, n) in the algebra, but for the trace."""
-        return self._lifted(self._of_matrices("odd_part"), matrix)
+        return self._lift(self._of_matrices("odd_part"), matrix)
 
     def cayley_middle(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return Z̃ with μ = (1 − x†/2) Z̃ (1 + x†/2) over the dual numbers."""
-        return self._lifted(self._of_matrices("cayley_middle"), x, mu)
+        return self._lift(self._of_matrices("cayley_middle"), x, mu)
 
     def cayley_terms(
         self, x: Double[Array, "..."], mu: Double[Array, "..."]
     ) -> tuple[Double[Array, "..."], Double[Array, "..."], Double[Array, "..."]]:
         """Return y μ, [y, μ] and y μ y over the dual numbers with y = x†/2, by six products of matrices."""
         values, changes = jax.jvp(self._of_matrices("cayley_terms"), *self._pairs(x, mu))
-        one, two, three = (self._joined(*both) for both in zip(values, changes, strict=True))
+        one, two, three = (self._join(*both) for both in zip(values, changes, strict=True))
         return one, two, three
 
     def _of_matrices(self, name: str) -> Callable[..., Any]:
@@ -150,13 +150,13 @@ class DualNumbers(AbstractLieAlgebra):
         value = jnp.asarray(value, self.dtype)
         return jnp.take(value, 0, axis=self._axis), jnp.take(value, 1, axis=self._axis)
 
-    def _joined(self, value: Array, change: Array) -> Array:
+    def _join(self, value: Array, change: Array) -> Array:
         return jnp.stack([value, change], axis=self._axis)
 
     def _pairs(self, *values: Double[Array, "..."]) -> tuple[list[Array], list[Array]]:
         parts = [self._split(value) for value in values]
         return [part[0] for part in parts], [part[1] for part in parts]
 
-    def _lifted(self, function: Callable[..., Array], *values: Double[Array, "..."]) -> Array:
+    def _lift(self, function: Callable[..., Array], *values: Double[Array, "..."]) -> Array:
         """Return f(a + d b) = f(a) + d f'(a) b."""
-        return self._joined(*jax.jvp(function, *self._pairs(*values)))
+        return self._join(*jax.jvp(function, *self._pairs(*values)))

@@ -18,7 +18,7 @@ Function = Callable[[Double[Array, "..."]], Float64[Array, "..."]]
 SINGLE_PRECISION = re.compile(r"\b(?:b?f16|f32)\[")  # as a jaxpr writes the type of a value
 
 
-def checked_functions(name: str, given: Any, shape: tuple[int, ...], dtype: Any) -> tuple[Function, ...]:
+def check_functions(name: str, given: Any, shape: tuple[int, ...], dtype: Any) -> tuple[Function, ...]:
     """Return a list of functions; refuse what is not one, and functions as ``check_scalar`` does."""
     if callable(given) or not isinstance(given, Iterable):
         got = shown(given)

@@ -208,7 +208,7 @@ class SO(AbstractOrthogonalAlgebra):
     n: int = eqx.field(static=True)
 
     def __check_init__(self) -> None:
-        checked_size("SO", self.n, 2)
+        check_size("SO", self.n, 2)
 
     @property
     def form(self) -> Float64[np.ndarray, "n"]:
@@ -233,7 +233,7 @@ class SU(AbstractMatrixAlgebra):
         return 2.0
 
     def __check_init__(self) -> None:
-        checked_size("SU", self.n, 2)
+        check_size("SU", self.n, 2)
 
     @property
     def dim(self) -> int:
@@ -282,7 +282,7 @@ class SL(AbstractMatrixAlgebra):
         return 1.0
 
     def __check_init__(self) -> None:
-        checked_size("SL", self.n, 2)
+        check_size("SL", self.n, 2)
 
     @property
     def dim(self) -> int:
@@ -324,7 +324,7 @@ class Sp(AbstractMatrixAlgebra):
         return 0.5
 
     def __check_init__(self) -> None:
-        checked_size("Sp", self.n, 1)
+        check_size("Sp", self.n, 1)
 
     @property
     def dim(self) -> int:
@@ -389,7 +389,7 @@ def pfaffian(matrix: Float64[Array, "*batch n n"]) -> Float64[Array, "*batch"]:
     return total
 
 
-def checked_size(name: str, size: int, least: int, letter: str = "n") -> None:
+def check_size(name: str, size: int, least: int, letter: str = "n") -> None:
     """Refuse a size that is not a whole number, or too small."""
     if not isinstance(size, int) or size < least:
         raise InvalidInput(f"`{letter}` of {name} must be a whole number, at least {least}; got {shown(size)}.")

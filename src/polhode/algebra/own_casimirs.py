@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.casimirs import polynomial_casimirs
-from polhode.algebra.functions import Function, checked_functions
+from polhode.algebra.functions import Function, check_functions
 from polhode.algebra.polynomial import Polynomial
 from polhode.algebra.properties import index
 from polhode.errors import InvalidInput
@@ -27,7 +27,7 @@ RANK = 1e-9  # singular values of unit gradients below which Casimirs depend on 
 
 
 @lru_cache(maxsize=64)
-def found_casimirs(algebra: AbstractLieAlgebra) -> tuple[Polynomial, ...]:
+def find_casimirs(algebra: AbstractLieAlgebra) -> tuple[Polynomial, ...]:
     """Return polynomial Casimirs up to degree 4, lowest first, until there are as many as there can be.
 
     They are looked for where that is quick, up to 1,000 monomials of a degree. None are found where constants are not
@@ -45,18 +45,18 @@ def found_casimirs(algebra: AbstractLieAlgebra) -> tuple[Polynomial, ...]:
     return tuple(found)
 
 
-def checked_casimirs(algebra: AbstractLieAlgebra, given: Any) -> tuple[Function, ...]:
+def check_casimirs(algebra: AbstractLieAlgebra, given: Any) -> tuple[Function, ...]:
     """Return functions of one point (dim,), after checking that they are independent Casimirs.
 
     Raises:
         InvalidInput: for one that is not a real scalar of one point, that does not commute with every coordinate at
             random points or is defined at few of them, and for functions that depend on each other.
     """
-    functions = checked_functions("casimirs", given, algebra.element_shape, algebra.dtype)
+    functions = check_functions("casimirs", given, algebra.element_shape, algebra.dtype)
     if not functions:
         return ()
     points = np.random.default_rng(0).normal(size=(POINTS, algebra.dim))
-    gradients = np.asarray(jax.vmap(jax.jacrev(lambda x: values_of(functions, x)))(jnp.asarray(points)))
+    gradients = np.asarray(jax.vmap(jax.jacrev(lambda x: evaluate_functions(functions, x)))(jnp.asarray(points)))
     tensors = np.einsum("ijk,mk->mij", algebra.structure_constants(), points)
     for k in range(len(functions)):
         _check_commutes(f"casimirs[{k}]", tensors, gradients[:, k])
@@ -90,12 +90,12 @@ def _check_commutes(name: str, tensors: Array, gradients: Array) -> None:
         )
 
 
-def values_of(functions: tuple[Function, ...], point: Float64[Array, "dim"]) -> Float64[Array, "k"]:
+def evaluate_functions(functions: tuple[Function, ...], point: Float64[Array, "dim"]) -> Float64[Array, "k"]:
     """Return the values (k,) at one point."""
     return jnp.stack([function(point) for function in functions]) if functions else jnp.zeros(0)
 
 
-def names_of(functions: tuple[Function, ...]) -> tuple[str, ...]:
+def name_functions(functions: tuple[Function, ...]) -> tuple[str, ...]:
     """Return a name each: a short polynomial itself, else its number, counted from 1."""
     texts = [str(f) if isinstance(f, Polynomial) else "" for f in functions]
     return tuple(text if 0 < len(text) <= LONGEST_NAME else f"C{k + 1}" for k, text in enumerate(texts))

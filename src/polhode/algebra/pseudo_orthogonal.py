@@ -5,7 +5,7 @@ from __future__ import annotations
 import equinox as eqx
 import numpy as np
 
-from polhode.algebra.matrix import AbstractOrthogonalAlgebra, checked_size
+from polhode.algebra.matrix import AbstractOrthogonalAlgebra, check_size
 from polhode.types import Float64
 
 
@@ -26,9 +26,9 @@ class SOpq(AbstractOrthogonalAlgebra):
     n: int = eqx.field(static=True)
 
     def __init__(self, p: int, q: int) -> None:
-        checked_size("SOpq", p, 0, "p")
-        checked_size("SOpq", q, 0, "q")
-        checked_size("SOpq", p + q, 2, "p + q")
+        check_size("SOpq", p, 0, "p")
+        check_size("SOpq", q, 0, "q")
+        check_size("SOpq", p + q, 2, "p + q")
         self.p, self.q, self.n = p, q, p + q
 
     @property

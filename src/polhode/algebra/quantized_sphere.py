@@ -16,7 +16,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.matrix import AbstractMatrixAlgebra, Element, Operand, adjoint, checked_size, traceless
+from polhode.algebra.matrix import AbstractMatrixAlgebra, Element, Operand, adjoint, check_size, traceless
 from polhode.arrays import is_traced
 from polhode.special.spherical_tensors import spherical_tensor
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
@@ -38,7 +38,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
     n: int = eqx.field(static=True)
 
     def __check_init__(self) -> None:
-        checked_size("QuantizedSphere", self.n, 2)
+        check_size("QuantizedSphere", self.n, 2)
 
     @property
     def scale(self) -> float:
@@ -117,7 +117,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         f_{l,−m} = (−1)^m f̄_lm; f_00 and the imaginary parts of f_l0 are ignored.
         """
         if not is_traced(coefficients):
-            return jnp.asarray(self._matrices_of(np.asarray(coefficients, dtype=complex)))
+            return jnp.asarray(self._make_matrices(np.asarray(coefficients, dtype=complex)))
         f = jnp.asarray(coefficients, dtype=complex)
         matrix = jnp.zeros(f.shape, complex)
         for m, rows in enumerate(self.tensors):
@@ -131,7 +131,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
                 matrix = matrix.at[..., i, i + m].set(-jnp.conj(entries))
         return matrix
 
-    def _matrices_of(self, f: np.ndarray) -> np.ndarray:
+    def _make_matrices(self, f: np.ndarray) -> np.ndarray:
         """Return the same without JAX, which would compile each order by itself."""
         matrix = np.zeros(f.shape, complex)
         for m, rows in enumerate(self.tensors):
@@ -148,7 +148,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
     def to_harmonics(self, matrix: Element) -> Complex128[Array, "*batch {self.n} {self.n}"]:
         """Return f_lm (…, N, N), l by rows, m ≥ 0 by columns, of matrices; zero where m > l."""
         if not is_traced(matrix):
-            return jnp.asarray(self._harmonics_of(np.asarray(matrix)))
+            return jnp.asarray(self._extract_harmonics(np.asarray(matrix)))
         columns = []
         for m, rows in enumerate(self.tensors):
             entries = jnp.diagonal(matrix, -m, -2, -1)
@@ -156,7 +156,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
             columns.append(jnp.concatenate([jnp.zeros((*found.shape[:-1], m), complex), found], axis=-1))
         return jnp.stack(columns, axis=-1)
 
-    def _harmonics_of(self, matrix: np.ndarray) -> np.ndarray:
+    def _extract_harmonics(self, matrix: np.ndarray) -> np.ndarray:
         found = np.zeros(matrix.shape, complex)
         for m, rows in enumerate(self.tensors):
             entries = np.diagonal(matrix, -m, -2, -1)

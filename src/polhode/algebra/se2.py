@@ -67,17 +67,17 @@ class SE2(AbstractLieAlgebra):
     def exp_change(self, x: Float64[Array, "*#batch 3"], mu: Float64[Array, "*#batch 3"]) -> Float64[Array, "*batch 3"]:
         half = 0.5 * jnp.asarray(x)[..., 0]
         s, c = jnp.sin(half), jnp.cos(half)
-        return _changed(-2.0 * s * s, 2.0 * s * c, self.exp(x), mu)
+        return _coadjoint_change(-2.0 * s * s, 2.0 * s * c, self.exp(x), mu)
 
     def cayley_change(
         self, x: Float64[Array, "*#batch 3"], mu: Float64[Array, "*#batch 3"]
     ) -> Float64[Array, "*batch 3"]:
         half = 0.5 * jnp.asarray(x)[..., 0]
         scale = 2.0 * half / (1.0 + half * half)
-        return _changed(-half * scale, scale, self.cayley(x), mu)
+        return _coadjoint_change(-half * scale, scale, self.cayley(x), mu)
 
 
-def _changed(less: Array, sine: Array, g: Array, mu: Array) -> Array:
+def _coadjoint_change(less: Array, sine: Array, g: Array, mu: Array) -> Array:
     """Return Ad*_g μ − μ from cos − 1 and sin of the turn, without cancellation."""
     (_, _, d1, d2), (_, p1, p2) = _parts(g), _parts(mu)
     return _stack(p1 * d2 - p2 * d1, less * p1 + sine * p2, less * p2 - sine * p1)

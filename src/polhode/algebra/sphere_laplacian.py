@@ -47,14 +47,14 @@ def factors(n: int) -> Factors:
     return Factors(inverse, below)
 
 
-def wrapped(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Array, "n n *batch"]:
+def wrap_diagonals(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Array, "n n *batch"]:
     """Return D[i, k] = P[(i+k) mod N, i] (N, N, …), places first."""
     n = matrix.shape[-1]
     i = np.arange(n)
     return jnp.moveaxis(matrix[..., (i[:, None] + i) % n, i[:, None]], (-2, -1), (0, 1))
 
 
-def unwrapped(places: Complex128[Array, "n n *batch"]) -> Complex128[Array, "*batch n n"]:
+def unwrap_diagonals(places: Complex128[Array, "n n *batch"]) -> Complex128[Array, "*batch n n"]:
     """Return the matrix of wrapped diagonals."""
     n = places.shape[0]
     i = np.arange(n)
@@ -64,18 +64,18 @@ def unwrapped(places: Complex128[Array, "n n *batch"]) -> Complex128[Array, "*ba
 def laplacian(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Array, "*batch n n"]:
     """Return ΔP of matrices (…, N, N)."""
     entries, beside = (jnp.asarray(x) for x in diagonals(matrix.shape[-1]))
-    places = wrapped(matrix)
+    places = wrap_diagonals(matrix)
     wide = (..., *[None] * (places.ndim - 2))
     ahead = beside[wide] * jnp.roll(places, -1, axis=0)
     behind = jnp.roll(beside[wide] * places, 1, axis=0)
-    return unwrapped(entries[wide] * places + ahead + behind)
+    return unwrap_diagonals(entries[wide] * places + ahead + behind)
 
 
 def inverse_laplacian(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Array, "*batch n n"]:
     """Return the traceless P with ΔP = W less its trace's share of the identity, for matrices (…, N, N)."""
     n = matrix.shape[-1]
     inverse, below = factors(n)
-    places = wrapped(matrix)
+    places = wrap_diagonals(matrix)
     wide = (..., *[None] * (places.ndim - 2))
     places = places.at[:, 0].add(-jnp.mean(places[:, 0], axis=0))
 
@@ -97,4 +97,4 @@ def inverse_laplacian(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Arr
     above[-1] = 0.0
     _, found = jax.lax.scan(backward, start, (found, jnp.asarray(above)), reverse=True)
     found = found.at[:, 0].add(-jnp.mean(found[:, 0], axis=0))
-    return unwrapped(found)
+    return unwrap_diagonals(found)

@@ -8,7 +8,7 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.matrix import SU, AbstractMatrixAlgebra, Element, adjoint, checked_size
+from polhode.algebra.matrix import SU, AbstractMatrixAlgebra, Element, adjoint, check_size
 from polhode.types import Array, Float64
 
 
@@ -25,7 +25,7 @@ class U(AbstractMatrixAlgebra):
         return 2.0
 
     def __check_init__(self) -> None:
-        checked_size("U", self.n, 1)
+        check_size("U", self.n, 1)
 
     @property
     def dim(self) -> int:

@@ -55,10 +55,10 @@ def fit_alignment(
     chosen = np.unique(np.linspace(0, len(times) - 1, min(len(times), MOST)).round().astype(int))
     middle, half = 0.5 * (times[0] + times[-1]), 0.5 * (times[-1] - times[0])
     some = (times[chosen] - middle) / half, a[chosen], b[chosen]
-    found = min(_started(*some), key=lambda fit: _rms(_remainder(*fit, *some)))
+    found = min(_guess_start(*some), key=lambda fit: _rms(_remainder(*fit, *some)))
     best, rank = found, 0
     for _ in range(ROUNDS):
-        found, step, rank = _improved(*found, *some)
+        found, step, rank = _improve(*found, *some)
         if _rms(_remainder(*found, *some)) <= _rms(_remainder(*best, *some)):
             best = found
         if step < SETTLED:
@@ -78,7 +78,7 @@ def mean_quaternion(quaternions: Real[ArrayLike, "count 4"]) -> Float64[Array, "
     return np.linalg.eigh(quaternions.T @ quaternions)[1][:, -1]
 
 
-def _started(scaled: Array, a: Array, b: Array) -> list[tuple[Array, Array, Array]]:
+def _guess_start(scaled: Array, a: Array, b: Array) -> list[tuple[Array, Array, Array]]:
     """Return first guesses of body and space misalignment, each first alone, then in turns."""
     one, still = np.array([1.0, 0.0, 0.0, 0.0]), np.zeros(3)
     guesses = [(one, one, still)]
@@ -93,7 +93,7 @@ def _started(scaled: Array, a: Array, b: Array) -> list[tuple[Array, Array, Arra
     return guesses
 
 
-def _turned(body: Array, space: Array, turn: Array, scaled: Array, b: Array) -> tuple[Array, Array]:
+def _apply_fit(body: Array, space: Array, turn: Array, scaled: Array, b: Array) -> tuple[Array, Array]:
     """Return b as the fit turns it, and the rotation of space by the rate alone."""
     drift = rotation.from_rotation_vector(turn * scaled[:, None])
     return rotation.multiply(rotation.multiply(drift, rotation.multiply(space, b)), body), drift
@@ -101,11 +101,11 @@ def _turned(body: Array, space: Array, turn: Array, scaled: Array, b: Array) -> 
 
 def _remainder(body: Array, space: Array, turn: Array, scaled: Array, a: Array, b: Array) -> Array:
     """Return the rotation vectors (T, 3), along the body axes, that are left."""
-    turned, _ = _turned(body, space, turn, scaled, b)
+    turned, _ = _apply_fit(body, space, turn, scaled, b)
     return rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(turned), a))
 
 
-def _improved(
+def _improve(
     body: Array, space: Array, turn: Array, scaled: Array, a: Array, b: Array
 ) -> tuple[tuple[Array, Array, Array], float, int]:
     """Return a fit improved by one step, the step's size [rad], and how many unknowns the motion tells apart.
@@ -113,7 +113,7 @@ def _improved(
     To first order what is left is δm + Cᵀ(D δs + J τ δω), with C the turned attitude, D the drift's rotation and J its
     left Jacobian.
     """
-    turned, drift = _turned(body, space, turn, scaled, b)
+    turned, drift = _apply_fit(body, space, turn, scaled, b)
     left = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(turned), a))
     back = np.swapaxes(rotation.as_matrix(turned), -1, -2)
     by_rate = _left_jacobian(turn * scaled[:, None]) * scaled[:, None, None]

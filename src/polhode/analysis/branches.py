@@ -291,7 +291,7 @@ def crossings(family: Family, path: list[Place]) -> Iterator[tuple[Place, Place,
         yield one, at, other
 
 
-def split_at(family: Family, place: Place) -> list[Place]:
+def step_onto_branch(family: Family, place: Place) -> list[Place]:
     """Return places beside one, on another branch that meets it there: on one side, and on the other."""
     found = []
     for sign in (1.0, -1.0):

@@ -155,15 +155,15 @@ def compare(a: Source, b: Source, *, offset: float = 0.0) -> Comparison:
     >>> compare(history, AttitudeHistory("late", samples.times - 1.0, samples.attitude), offset=1.0).largest < 1e-15
     True
     """
-    one, other = _sampled(a, "a"), _sampled(b, "b")
+    one, other = _take_samples(a, "a"), _take_samples(b, "b")
     if one is not None:
-        return _compared(one, other or _evaluated(b, one.times - offset, "b"), offset)
+        return _compare(one, other or _evaluate(b, one.times - offset, "b"), offset)
     if other is not None:
-        return _compared(_evaluated(a, other.times + offset, "a"), other, offset)
+        return _compare(_evaluate(a, other.times + offset, "a"), other, offset)
     raise InvalidInput("`a` and `b` are both motions in closed form, without samples; give a.sample(times) for one.")
 
 
-def _compared(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Comparison:
+def _compare(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Comparison:
     slack = _digits(a, b, offset)
     times = _common_times(a, b, offset, slack)
     at_a, _, _ = _attitude_at(a, times, 0.0, slack)
@@ -179,7 +179,7 @@ def _compared(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Comparis
     return Comparison((a.name, b.name), times, angle, growth, alignment, invariants, method, missed, rounding)
 
 
-def _sampled(source: Any, name: str) -> AttitudeHistory | None:
+def _take_samples(source: Any, name: str) -> AttitudeHistory | None:
     """Return a history of what has samples, None of a motion in closed form."""
     if isinstance(source, AttitudeHistory):
         return _sort_by_time(source)
@@ -210,7 +210,7 @@ def _sort_by_time(history: AttitudeHistory) -> AttitudeHistory:
     return replace(history, times=times, attitude=np.asarray(history.attitude)[order], angular_velocity=velocity)
 
 
-def _evaluated(motion: Any, times: Array, name: str) -> AttitudeHistory:
+def _evaluate(motion: Any, times: Array, name: str) -> AttitudeHistory:
     def exact(t: Array) -> tuple[Array, Array]:
         return np.asarray(motion.attitude(t)), np.asarray(motion.angular_velocity(t))
 
@@ -251,7 +251,7 @@ def _attitude_at(
     if not between.any():
         return attitude, "both have samples at the same times", None
     attitude[between] = _spline_at(history, wanted[between])
-    return attitude, "B interpolated by a spline of rotations at A's samples", _missed(history, wanted)
+    return attitude, "B interpolated by a spline of rotations at A's samples", _interpolation_error(history, wanted)
 
 
 def _nearest(own: Array, wanted: Array, slack: float) -> tuple[Array, Array]:
@@ -274,7 +274,7 @@ def _spline_at(history: AttitudeHistory, times: Array) -> Array:
     return rotation.from_scipy(_spline(history.times, history.attitude)(clipped))
 
 
-def _missed(history: AttitudeHistory, wanted: Array) -> float:
+def _interpolation_error(history: AttitudeHistory, wanted: Array) -> float:
     """Return how far a spline through every second sample goes from the others; π where there are too few to say."""
     times, attitude = history.times, history.attitude
     odd = np.arange(1, len(times) - 1, 2)

@@ -23,7 +23,7 @@ from scipy.linalg import expm
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.casimirs import polynomial_casimirs
 from polhode.algebra.constants import ConstantsAlgebra
-from polhode.algebra.functions import Function, checked_functions
+from polhode.algebra.functions import Function, check_functions
 from polhode.algebra.polynomial import Polynomial
 from polhode.algebra.properties import index
 from polhode.analysis.reasons import MissingCasimirs
@@ -69,7 +69,7 @@ class Known(Source):
 
     def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
         point = self.system.algebra.from_dual_vector(x)
-        return _stacked([x for function in self.system.extra_invariants.values() for x in jnp.ravel(function(point))])
+        return _stack([x for function in self.system.extra_invariants.values() for x in jnp.ravel(function(point))])
 
     @property
     def names(self) -> list[str]:
@@ -99,14 +99,14 @@ class Given(Source):
 
     def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
         point = self.algebra.from_dual_vector(x)
-        return _stacked([function(point) for function in self.functions])
+        return _stack([function(point) for function in self.functions])
 
 
 class Polynomials(Source):
     polynomials: tuple[Polynomial, ...]
 
     def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
-        return _stacked([polynomial(x) for polynomial in self.polynomials])
+        return _stack([polynomial(x) for polynomial in self.polynomials])
 
 
 class Casimirs(NamedTuple):
@@ -117,12 +117,12 @@ class Casimirs(NamedTuple):
     missing: MissingCasimirs | None
 
 
-def casimirs_of(algebra: AbstractLieAlgebra, given: Sequence[Function] | None) -> Casimirs:
+def choose_casimirs(algebra: AbstractLieAlgebra, given: Sequence[Function] | None) -> Casimirs:
     """Return the user's Casimirs, or those that the algebra names, or polynomials found by exact algebra."""
     if given is not None:
-        functions = checked_functions("casimirs", given, algebra.element_shape, algebra.dtype)
+        functions = check_functions("casimirs", given, algebra.element_shape, algebra.dtype)
         names = [f"C{k + 1}" for k in range(len(functions))]
-        return Casimirs(Given(algebra, functions), names, _missing(len(functions), index(algebra), "were given"))
+        return Casimirs(Given(algebra, functions), names, _lack(len(functions), index(algebra), "were given"))
     wanted = index(algebra)
     names = list(algebra.casimir_names)
     if len(names) >= wanted:
@@ -131,12 +131,12 @@ def casimirs_of(algebra: AbstractLieAlgebra, given: Sequence[Function] | None) -
     try:
         found = _polynomials(constants.tobytes(), len(constants))
     except InvalidInput as error:
-        return Casimirs(Own(algebra), names, _missing(len(names), wanted, f"are known ({error})"))
+        return Casimirs(Own(algebra), names, _lack(len(names), wanted, f"are known ({error})"))
     texts = [str(p) for p in found]
-    return Casimirs(Polynomials(found), texts, _missing(len(found), wanted, f"of degree ≤ {HIGHEST_DEGREE} exist"))
+    return Casimirs(Polynomials(found), texts, _lack(len(found), wanted, f"of degree ≤ {HIGHEST_DEGREE} exist"))
 
 
-def _missing(count: int, wanted: int, how: str) -> MissingCasimirs | None:
+def _lack(count: int, wanted: int, how: str) -> MissingCasimirs | None:
     return None if count >= wanted else MissingCasimirs(count, wanted, how)
 
 
@@ -146,7 +146,7 @@ def _polynomials(constants: bytes, dim: int) -> tuple[Polynomial, ...]:
     return tuple(polynomial_casimirs(ConstantsAlgebra(table), HIGHEST_DEGREE))
 
 
-def unit_of(z: Float64[Array, "n"]) -> float:
+def choose_unit(z: Float64[Array, "n"]) -> float:
     """Return a power of two near the size of z where its squares might overflow, else one."""
     largest = float(np.abs(z).max(initial=0.0))
     return 1.0 if largest == 0.0 or 1.0 / USUAL < largest < USUAL else 2.0 ** round(math.log2(largest))
@@ -174,7 +174,7 @@ class Derivatives(NamedTuple):
         """Whether each function is twice differentiable, (k,)."""
         return self.rough <= KINK
 
-    def chosen(self, rows: list[int]) -> Derivatives:
+    def choose(self, rows: list[int]) -> Derivatives:
         """Return those of some of the functions."""
         return Derivatives(self.gradients[rows], self.hessians[rows], self.around[:, rows], self.errors[rows],
                            self.rough[rows])  # fmt: skip
@@ -275,7 +275,7 @@ def check_commute(
     Raises:
         InvalidInput: with the size of the bracket.
     """
-    good = _defined(tensors, first, second)
+    good = _find_defined(tensors, first, second)
     if good.sum() < 2 * DRAWS:
         raise InvalidInput(
             f"{names[0]} and {names[1]} must be defined around the equilibrium; their derivatives are finite at "
@@ -291,12 +291,12 @@ def check_commute(
 
 def commute(tensors: Float64[Array, "m n n"], first: Float64[Array, "m n"], second: Float64[Array, "m n"]) -> bool:
     """Whether the bracket of two functions vanishes at all samples where they are defined; see ``check_commute``."""
-    good = _defined(tensors, first, second)
+    good = _find_defined(tensors, first, second)
     worst, rounding = _bracket(tensors[good], first[good], second[good])
     return bool(good.any()) and worst <= rounding
 
 
-def _defined(tensors: Array, first: Array, second: Array) -> Array:
+def _find_defined(tensors: Array, first: Array, second: Array) -> Array:
     """Return the samples (2m,) at which both gradients are finite, and their neighbours' too."""
     good = np.isfinite(first).all(axis=1) & np.isfinite(second).all(axis=1) & np.isfinite(tensors).all(axis=(1, 2))
     return np.tile(good[: len(good) // 2] & good[len(good) // 2 :], 2)
@@ -304,7 +304,7 @@ def _defined(tensors: Array, first: Array, second: Array) -> Array:
 
 def _bracket(tensors: Array, first: Array, second: Array) -> tuple[float, float]:
     """Return the largest bracket relative to its terms, and what rounding may leave of it."""
-    first, second = _normalised(first), _normalised(second)
+    first, second = _normalise(first), _normalise(second)
     values = np.einsum("mi,mi->m", first, np.einsum("mij,mj->mi", tensors, second))
     terms = np.einsum("mi,mi->m", np.abs(first), np.einsum("mij,mj->mi", np.abs(tensors), np.abs(second)))
     values, rounded = np.split(values / (terms.max(initial=0.0) or 1.0), 2)
@@ -437,10 +437,10 @@ def _place(index: tuple[int, ...]) -> str:
     return ", ".join(str(k + 1) for k in index)
 
 
-def _normalised(vectors: Array) -> Array:
+def _normalise(vectors: Array) -> Array:
     sizes = np.abs(vectors).max(axis=1, keepdims=True)
     return vectors / np.where(sizes > 0, sizes, 1.0)
 
 
-def _stacked(values: list[Array]) -> Array:
+def _stack(values: list[Array]) -> Array:
     return jnp.stack(values) if values else jnp.zeros(0)

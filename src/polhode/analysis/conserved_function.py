@@ -55,7 +55,7 @@ class ConservedFunction:
         """Whether squares take part."""
         return self.squares is not None and bool(np.any(self.squares))
 
-    def renamed(self, names: Mapping[str, str]) -> ConservedFunction:
+    def rename(self, names: Mapping[str, str]) -> ConservedFunction:
         """Return the same function, the C_k called otherwise."""
         return replace(self, names=tuple(names.get(name, name) for name in self.names))
 
@@ -63,7 +63,7 @@ class ConservedFunction:
         text = "H" if self.weights[0] else ""
         for weight, name in zip(self.weights[1:], self.names, strict=True):
             if weight:
-                text += f" {'+' if weight >= 0 else '−'} {abs(weight):.6g} {bracketed(name)}"
+                text += f" {'+' if weight >= 0 else '−'} {abs(weight):.6g} {add_brackets(name)}"
         text = text.removeprefix(" + ").strip()
         if self.squares is not None and self.lengths is not None:
             for square, length, name in zip(self.squares, self.lengths, self.names, strict=True):
@@ -72,7 +72,7 @@ class ConservedFunction:
         return text
 
 
-def bracketed(name: str) -> str:
+def add_brackets(name: str) -> str:
     """Return a function's name as a factor: a sum in brackets."""
     return f"({name})" if name.startswith("−") or any(f" {sign} " in name for sign in "+−") else name
 

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.algebra.functions import Function
-from polhode.analysis.branches import Family, Place, crossings, follow, is_on, split_at
-from polhode.analysis.conserved import casimirs_of
+from polhode.analysis.branches import Family, Place, crossings, follow, is_on, step_onto_branch
+from polhode.analysis.conserved import choose_casimirs
 from polhode.analysis.equilibria import STARTS, find_equilibria
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
@@ -121,7 +121,7 @@ def continue_equilibria(
     for system in systems:
         if not isinstance(system, AbstractLiePoissonSystem) or not system.conserves_energy:
             raise InvalidInput(f"`make` must give Lie–Poisson systems that conserve energy; got {shown(system)}.")
-    family = Family(make, casimirs_of(systems[0].algebra, casimirs).source, np.asarray(state), low, high)
+    family = Family(make, choose_casimirs(systems[0].algebra, casimirs).source, np.asarray(state), low, high)
     begins = [
         family.place(family.vector(point), value)
         for value, system in zip((low, high), systems, strict=True)
@@ -131,7 +131,7 @@ def continue_equilibria(
     for begin in begins:
         # one of a family that does not move with the parameter belongs to this value alone
         stays = begin.flat.shape[1] and abs(begin.tangent[-1]) < TURNING
-        if not stays and atlas.branch_of(begin) is None:
+        if not stays and atlas.find_branch(begin) is None:
             atlas.add(follow(family, begin))
     for number, path in enumerate(atlas.paths):
         atlas.meetings.extend((kind, place, [number]) for kind, place in _exchanges(family, path)
@@ -150,7 +150,7 @@ class _Atlas(NamedTuple):
     paths: list[list[Place]]
     meetings: list[tuple[str, Place, list[int]]]
 
-    def branch_of(self, place: Place) -> int | None:
+    def find_branch(self, place: Place) -> int | None:
         """Return the number of the known branch that a place is on, or None."""
         return next((k for k, path in enumerate(self.paths) if is_on(self.family, place, path, SAME)), None)
 
@@ -179,7 +179,7 @@ class _Atlas(NamedTuple):
         return (place.value - before.value) * (after.value - place.value) < 0.0 or abs(place.tangent[-1]) < TURNING
 
     def _split(self, place: Place, number: int) -> None:
-        beside = split_at(self.family, place)
+        beside = step_onto_branch(self.family, place)
         sides = [np.sign(one.value - place.value) * (abs(one.value - place.value) > FLAT * self.family.range)
                  for one in beside]  # fmt: skip
         kind = "branch point"
@@ -187,7 +187,7 @@ class _Atlas(NamedTuple):
             kind = "pitchfork" if sides[0] == sides[1] else "transcritical"
         numbers = [number]
         self.meetings.append((kind, place, numbers))
-        owners = [self.branch_of(one) for one in beside]
+        owners = [self.find_branch(one) for one in beside]
         numbers.extend(k for k in owners if k is not None)
         arms = [follow(self.family, one) for one, owner in zip(beside, owners, strict=True) if owner is None]
         if not arms:

@@ -51,11 +51,11 @@ def damped_axis_stability(
     if isinstance(system, TorquedBody):
         system = TorquedBody(system.moments, [torque for torque in system.torques if not torque.needs_attitude])
 
-    def turning(direction: Array) -> Array:
+    def turning_rate(direction: Array) -> Array:
         field = system.vector_field(0.0, norm * direction) / norm
         return field - direction * jnp.sum(field * direction)
 
-    rates = [np.asarray(jax.jacfwd(turning)(jnp.asarray(axis))) for axis in np.eye(3)]
+    rates = [np.asarray(jax.jacfwd(turning_rate)(jnp.asarray(axis))) for axis in np.eye(3)]
     first, second, third = (_verdict(rates[k], np.asarray(system.moments), k) for k in range(3))
     return first, second, third
 

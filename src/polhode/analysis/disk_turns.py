@@ -58,7 +58,7 @@ def first_turns(trajectory: Trajectory, turns: float, samples: int) -> DiskPath:
         turns: of the contact.
         samples: at least two.
     """
-    disk = _disk_of(trajectory)
+    disk = _take_disk(trajectory)
     heading = np.asarray(trajectory.part("heading"))
     beyond = np.flatnonzero(np.abs(heading - heading[0]) > TURN * turns)
     if len(beyond):
@@ -70,7 +70,7 @@ def first_turns(trajectory: Trajectory, turns: float, samples: int) -> DiskPath:
 @known_numbers_only
 def last_turns(trajectory: Trajectory, turns: float, samples: int) -> DiskPath:
     """Return the last turns of the contact up to the event that ends the motion; arguments as of ``first_turns``."""
-    disk = _disk_of(trajectory)
+    disk = _take_disk(trajectory)
     heading, times = np.asarray(trajectory.part("heading")), np.asarray(trajectory.times)
     before = np.flatnonzero(np.abs(heading[-1] - heading) >= TURN * turns)
     k = int(before[-1]) if len(before) else 0
@@ -131,10 +131,10 @@ def filled_to_its_end(trajectory: Trajectory, samples: int) -> Trajectory:
         return trajectory
     first, last = float(trajectory.times[0]), float(trajectory.times[-1])
     times = np.linspace(first, first + JUST_PAST_END * (last - first), samples)
-    return replace(simulate(_disk_of(trajectory), trajectory.states[0], times), frame=trajectory.frame)
+    return replace(simulate(_take_disk(trajectory), trajectory.states[0], times), frame=trajectory.frame)
 
 
-def _disk_of(trajectory: Trajectory) -> EulerDisk:
+def _take_disk(trajectory: Trajectory) -> EulerDisk:
     if not isinstance(trajectory.source, EulerDisk) or trajectory.batch_shape:
         raise InvalidInput(
             f"`trajectory` must be of one EulerDisk; got one of {shown(trajectory.source)}, batch of shape "

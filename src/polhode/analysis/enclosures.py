@@ -12,10 +12,10 @@ import numpy as np
 from polhode.analysis.tangent_flow import one_state
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, not_installed, shown
-from polhode.integrators.interrupts import interrupts_kept
+from polhode.integrators.interrupts import keep_interrupts
 from polhode.simulation import simulate
 from polhode.systems.base import AbstractSystem
-from polhode.taylor.balls import Ball, BallSystem, numbers_of
+from polhode.taylor.balls import Ball, BallSystem, collect_numbers
 from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
@@ -100,7 +100,7 @@ def certify(
     & Wanner, *Solving Ordinary Differential Equations I*, §I.10; Cauchy's estimate in a disc, as in the majorants of
     Warne et al., Math. Comput. 75 (2006) 1249.
     """
-    start, times = _checked(system, state, times, radius)
+    start, times = _check_arguments(system, state, times, radius)
     try:
         import flint
     except ImportError:
@@ -112,8 +112,8 @@ def certify(
             f"{type(system).__name__} has no Taylor series, and no proof by one: its rates of change contain {error}."
         ) from None
     middle, spread = _limits(system, other, balls)
-    off = _checked_radii(state_radii, balls, start)
-    weights, grown, steps = _looked_ahead(system, balls, start, times)
+    off = _check_radii(state_radii, balls, start)
+    weights, grown, steps = _look_ahead(system, balls, start, times)
     # of the weighted norm, whose largest weight turns it into the radius that is asked for
     wanted = radius * (float(np.abs(_flat(balls, start)).max()) or 1.0) / float(weights.max())
     digits = math.log(max(steps, 1.0)) + grown + SPARE - math.log(min(wanted, 1.0))
@@ -161,7 +161,7 @@ class _Proof:
     def run(self) -> Enclosure:
         """Go through all times."""
         samples = [self._sample()]
-        with interrupts_kept() as check:
+        with keep_interrupts() as check:
             now = self.flint.arb(float(self.times[0]))
             for time in self.times[1:]:
                 end = self.flint.arb(float(time))
@@ -335,7 +335,7 @@ def _is_positive(a: list[list[Ball]]) -> bool:
     return True
 
 
-def _looked_ahead(
+def _look_ahead(
     system: AbstractSystem, balls: BallSystem, start: Array, times: Array
 ) -> tuple[Float64[np.ndarray, "n"], float, float]:
     """Return weights of a norm in which errors grow slowly, by how many e-folds they do, and how many steps there are.
@@ -392,7 +392,7 @@ def _limits(system: AbstractSystem, other: AbstractSystem | None, balls: BallSys
             f"`other` cannot be taken: the rates of {type(system).__name__} look at their numbers, or put them into "
             "functions that have no series, and were traced with those of `system`."
         )
-    second = numbers_of(other)
+    second = collect_numbers(other)
     middle = one + 0.5 * (second - one)
     radii = np.maximum(np.abs(one - middle), np.abs(second - middle))
     radii = np.where(radii > 0.0, np.nextafter(radii, np.inf), 0.0)
@@ -401,7 +401,7 @@ def _limits(system: AbstractSystem, other: AbstractSystem | None, balls: BallSys
     return middle, radii
 
 
-def _checked_radii(given: ArrayLike | None, balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
+def _check_radii(given: ArrayLike | None, balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
     """Return by how much each number of the start may be off."""
     shape = np.shape(start)
     try:
@@ -419,7 +419,7 @@ def _flat(balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
     return np.ravel(balls.form.flat(start))
 
 
-def _checked(
+def _check_arguments(
     system: AbstractSystem, state: ArrayLike, times: ArrayLike, radius: float
 ) -> tuple[Double[np.ndarray, "..."], Float64[np.ndarray, "time"]]:
     refuse_single_precision(times=times)

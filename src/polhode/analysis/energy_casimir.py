@@ -32,7 +32,7 @@ from polhode.analysis.reasons import (
     Restriction,
     SteadyDrift,
 )
-from polhode.analysis.second_variation import Leaf, definite_combination, null_space, scaled_leaf
+from polhode.analysis.second_variation import Leaf, definite_combination, null_space, scale_leaf
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
@@ -147,7 +147,7 @@ def energy_casimir(
     dC = np.asarray(casimir_gradients, dtype=float).reshape(-1, g.size)
     ddC = np.asarray(casimir_hessians, dtype=float).reshape(-1, g.size, g.size)
     _check(A, g, H, dC, ddC, casimir_names, tolerance)
-    leaf = scaled_leaf(A, g, H, dC, ddC, tolerance, sizes)
+    leaf = scale_leaf(A, g, H, dC, ddC, tolerance, sizes)
     if not np.isfinite(leaf.multipliers).all():
         raise InvalidInput("the multipliers of the Casimirs overflow; choose units in which |μ| is nearer to one.")
     names = list(casimir_names) or [f"C{k + 1}" for k in range(len(dC))]

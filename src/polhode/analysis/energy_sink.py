@@ -48,7 +48,7 @@ def flat_spin_time(
     >>> round(flat_spin_time(body, L, 0.01), 4), round(falls / (0.01 * 0.5), 4)
     (544.7856, 544.7856)
     """
-    I, L = _checked(moments, momentum, rate, angle)  # noqa: E741
+    I, L = _check_arguments(moments, momentum, rate, angle)  # noqa: E741
     norm2 = float(L @ L)
     if not norm2 or I[0] == I[2]:
         return None
@@ -118,7 +118,7 @@ def sink_rate_by_time(moments: Real[ArrayLike, "3"], momentum_norm: float, time_
     >>> round(sink_rate_by_time((1.0, 1.0, 2.0), 2.0, 50.0), 12)
     0.01
     """
-    I, L = _checked(moments, (0.0, 0.0, momentum_norm), time_constant, FLAT)  # noqa: E741
+    I, L = _check_arguments(moments, (0.0, 0.0, momentum_norm), time_constant, FLAT)  # noqa: E741
     first, second = (I[2] - I[0]) / (I[0] * I[2]), (I[2] - I[1]) / (I[1] * I[2])
     square = float(L @ L)
     if not first or not square:
@@ -169,7 +169,7 @@ def _losses(I: Array, squares: Array) -> Float64[np.ndarray, "..."]:  # noqa: E7
     return np.sum(terms, axis=0)
 
 
-def _checked(moments: Array, momentum: Array, rate: float, angle: float) -> tuple[Array, Array]:
+def _check_arguments(moments: Array, momentum: Array, rate: float, angle: float) -> tuple[Array, Array]:
     I, L = np.asarray(moments, dtype=float), np.asarray(momentum, dtype=float)  # noqa: E741
     if I.shape != (3,) or not (np.isfinite(I).all() and 0.0 < I[0] <= I[1] <= I[2]):
         raise InvalidInput(f"`moments` must be three positive numbers in ascending order; got {shown(moments)}.")

@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.functions import Function
-from polhode.analysis.conserved import Energy, Source, casimirs_of, check_motion, unit_of
+from polhode.analysis.conserved import Energy, Source, check_motion, choose_casimirs, choose_unit
 from polhode.analysis.stability import scaled_field
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
@@ -56,16 +56,16 @@ def find_equilibria(
     mu = as_points(algebra, state)
     if mu.shape != algebra.element_shape or not bool(jnp.any(mu != 0)):
         raise InvalidInput(f"`state` must be one point {algebra.element_shape} other than zero; got shape {mu.shape}.")
-    known = casimirs_of(algebra, casimirs)
+    known = choose_casimirs(algebra, casimirs)
     if known.missing:
         raise InvalidInput(f"the levels of all Casimirs are needed, but {known.missing}.")
     z = np.asarray(algebra.to_dual_vector(mu))
-    unit = unit_of(z)
+    unit = choose_unit(z)
     draws = np.random.default_rng(seed).normal(size=(starts, z.size)) / np.sqrt(z.size)
     check_motion(system, np.linalg.norm(z) * draws[:CHECKED])
     found, left, energies, works = (
         np.asarray(x)
-        for x in _solved(system, known.source, jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(draws))
+        for x in _solve(system, known.source, jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(draws))
     )
     energies = energies if unit == 1.0 else works
     good = np.isfinite(found).all(axis=1) & (left < SOLVED)
@@ -81,7 +81,7 @@ def find_equilibria(
 
 
 @eqx.filter_jit
-def _solved(
+def _solve(
     system: AbstractLiePoissonSystem, casimirs: Source, level: Array, unit: Array, draws: Array
 ) -> tuple[Array, Array, Array, Array]:
     """Return where each start settles, in units of |level|, what is left of the equations there, and the energies.

@@ -19,11 +19,11 @@ from polhode.analysis.conserved import (
     check_casimirs,
     check_closed,
     check_commute,
+    choose_unit,
     commute,
     derivatives,
     refuse_rough,
     samples_around,
-    unit_of,
 )
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Float64
@@ -82,7 +82,7 @@ def problem(
     given: bool,
 ) -> Problem:
     """Differentiate all functions, and refuse those that are not conserved."""
-    unit = unit_of(z)
+    unit = choose_unit(z)
     y, constants = z / unit, system.sign * np.asarray(system.algebra.structure_constants())
     around = samples_around(constants, y)
     tensors = np.einsum("ijk,mk->mij", constants, around)
@@ -99,7 +99,7 @@ def problem(
     refuse_rough(wanted.derived, "each of `integrals`")
     moving = [wanted.derived.around[:, k] for k, rest in enumerate(wanted.rest) if not rest]
     # of what the system names, that which the symmetries turn is theirs
-    known = known.chosen([
+    known = known.choose([
         k for k, rest in enumerate(known.rest)
         if rest and known.derived.smooth[k] and all(commute(tensors, known.derived.around[:, k], x) for x in moving)
     ])  # fmt: skip
@@ -107,7 +107,7 @@ def problem(
         for name, slopes in zip(found.names, np.moveaxis(found.derived.around, 1, 0), strict=True):
             check_commute(tensors, slopes, energy.around[:, 0], (name, "H"),
                           "It is not conserved; check the function, its sign and its parameters.")  # fmt: skip
-    names = [*_scaled_names(casimirs, y, unit), *known.names, *wanted.names]
+    names = [*_name_scaled(casimirs, y, unit), *known.names, *wanted.names]
     parts = [energy, own, known.derived, wanted.derived]
     first = 1 + len(names) - len(wanted.names)
     free = [first + k for k, rest in enumerate(wanted.rest) if not rest]
@@ -127,8 +127,8 @@ class _Integrals(NamedTuple):
     derived: Derivatives
     rest: list[bool]
 
-    def chosen(self, rows: list[int]) -> _Integrals:
-        return _Integrals([self.names[k] for k in rows], self.derived.chosen(rows), [self.rest[k] for k in rows])
+    def choose(self, rows: list[int]) -> _Integrals:
+        return _Integrals([self.names[k] for k in rows], self.derived.choose(rows), [self.rest[k] for k in rows])
 
 
 def _integrals(
@@ -162,7 +162,7 @@ def _in_units(found: Derivatives, unit: float) -> Derivatives:
     return found._replace(gradients=found.gradients / unit, around=found.around / unit)
 
 
-def _scaled_names(casimirs: Casimirs, y: Array, unit: float) -> list[str]:
+def _name_scaled(casimirs: Casimirs, y: Array, unit: float) -> list[str]:
     """Return the names of unit² C(μ/unit), which is C itself if C is quadratic."""
     if unit == 1.0:
         return list(casimirs.names)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.analysis.tangent_flow import TangentFlow, checked_start, multipliers_of
+from polhode.analysis.tangent_flow import TangentFlow, check_start, compute_multipliers
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
@@ -75,7 +75,7 @@ def monodromy(
     >>> bool(abs(ph.analysis.monodromy(body, [0.0, 2.0, 0.0], (0.0, 1.0))[0, 0] - np.cosh(3.0**-0.5)) < 1e-14)
     True
     """
-    start, first, last = checked_start(system, state, times)
+    start, first, last = check_start(system, state, times)
     flow = TangentFlow(system, start, (first, last))
     return flow(first, last, start, np.eye(flow.size))[1]
 
@@ -111,7 +111,7 @@ def periodic_motion(
     """
     if not (np.ndim(period) == 0 and math.isfinite(period) and period > 0):
         raise InvalidInput(f"`period` must be a positive finite time [s]; got {shown(period)}.")
-    start, first, _ = checked_start(system, state, (first, first + 1.5 * period))
+    start, first, _ = check_start(system, state, (first, first + 1.5 * period))
     flow = TangentFlow(system, start, (first, first + 1.5 * period))
     z, T, best = flow.flat(start), float(period), math.inf
     after, M = flow(first, first + T, start, np.eye(flow.size))
@@ -140,4 +140,4 @@ def periodic_motion(
             f"no periodic motion of {type(system).__name__} was found near this `state` and `period` of {period:g} s: "
             f"the nearest miss their start by {min(best, off):.2g} of their size. Give a better guess."
         )
-    return PeriodicMotion(flow.state(z), T, off, M, *multipliers_of(M))
+    return PeriodicMotion(flow.state(z), T, off, M, *compute_multipliers(M))

@@ -13,7 +13,7 @@ from polhode.analysis.equilibria import find_equilibria
 from polhode.analysis.stability import stability
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.systems.body_with_rotor import cleaned
+from polhode.systems.body_with_rotor import clean_direction
 from polhode.systems.gyrostat import Gyrostat
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -78,7 +78,7 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
     for point, circle in _points(gyrostat, moments, rotor, norm):
         velocity = (point - rotor) / moments
         multiplier = float(velocity @ point) / norm**2
-        along = cleaned(point / norm)
+        along = clean_direction(point / norm)
         energy, bends = float(gyrostat.energy(point)), _curvatures(moments, along, multiplier)
         # the linearised flow on the sphere turns at |L| times the geometric mean of the curvatures
         nutation = norm * math.sqrt(abs(bends[0])) * math.sqrt(abs(bends[1])) if bends[0] * bends[1] > 0.0 else None

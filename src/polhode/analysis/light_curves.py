@@ -168,12 +168,12 @@ def _series(motion: FreeMotion, semi_axes: ArrayLike, sun: Array, observer: Arra
     angles = 2 * np.pi * np.arange(turns)[:, None] / turns - turn * np.arange(samples) / samples
     # the body turned about L by an angle sees directions turned back by it
     back = -angles
-    turned = [_turned(axis, direction, back) for direction in (sun, observer)]
+    turned = [_rotate_about(axis, direction, back) for direction in (sun, observer)]
     magnitude = _magnitude(R, semi_axes, *turned)
     return np.fft.fft2(magnitude) / (turns * samples)
 
 
-def _turned(axis: Array, direction: Array, angle: Array) -> Array:
+def _rotate_about(axis: Array, direction: Array, angle: Array) -> Array:
     along = (axis @ direction) * axis
     c, s = np.cos(angle)[..., None], np.sin(angle)[..., None]
     return along + c * (direction - along) + s * np.cross(axis, direction)

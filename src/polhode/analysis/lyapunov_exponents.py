@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.analysis.tangent_flow import TangentFlow, checked_start
+from polhode.analysis.tangent_flow import TangentFlow, check_start
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
@@ -74,7 +74,7 @@ def lyapunov(
     Source: Benettin, Galgani, Giorgilli & Strelcyn, Meccanica 15 (1980) 9 and 21; Shimada & Nagashima, Prog. Theor.
     Phys. 61 (1979) 1605.
     """
-    start, first, last = checked_start(system, state, times)
+    start, first, last = check_start(system, state, times)
     flow = TangentFlow(system, start, (first, last))
     count = flow.size if count is None else count
     if not (isinstance(count, int) and 1 <= count <= flow.size):
@@ -103,10 +103,10 @@ def lyapunov(
         now, base, changes = end, base_after, directions
         if apart < APART and abs(step) < abs(span) / FEWEST:
             step *= 2.0
-    return _summed(first, np.array(ends), np.array(rates), base)
+    return _average_growth(first, np.array(ends), np.array(rates), base)
 
 
-def _summed(
+def _average_growth(
     first: float, ends: Float64[np.ndarray, "all"], grown: Float64[np.ndarray, "all k"], last: Double[np.ndarray, "..."]
 ) -> LyapunovExponents:
     begin = first + FORGOTTEN * (ends[-1] - first)

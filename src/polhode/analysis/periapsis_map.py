@@ -73,7 +73,7 @@ def section(table: Table, states: Float64[Array, "*batch 2"], periods: int) -> F
     def orbit(state: tuple[Array, Array], _: None) -> tuple[tuple[Array, Array], Array]:
         (q, p), _ = jax.lax.scan(kick, state, table[:3])
         whole = q + table.last_drift * p
-        q = _wrapped(whole)
+        q = _wrap_angle(whole)
         return (q, p), jnp.stack([q, p, jnp.round((whole - q) / TURN)], axis=-1)
 
     return jax.lax.scan(orbit, (states[..., 0], states[..., 1]), None, length=periods)[1]
@@ -107,7 +107,7 @@ def carry_neighbours(
     def orbit(state: tuple[Array, ...], _: None) -> tuple[tuple[Array, ...], Array]:
         before = jnp.hypot(state[2], state[3])
         (q, p, dq, dp), _ = jax.lax.scan(kick, state, table[:3])
-        q, dq = _wrapped(q + table.last_drift * p), dq + table.last_drift * dp
+        q, dq = _wrap_angle(q + table.last_drift * p), dq + table.last_drift * dp
         growth = jnp.hypot(dq, dp) / before
         if renormalise:
             length = jnp.hypot(dq, dp)
@@ -119,5 +119,5 @@ def carry_neighbours(
     return jnp.stack([dq, dp], axis=-2), growth
 
 
-def _wrapped(angle: Array) -> Array:
+def _wrap_angle(angle: Array) -> Array:
     return angle - TURN * jnp.round(angle / TURN)

@@ -12,13 +12,13 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.analysis.floquet import FLAT, PeriodicMotion, periodic_motion
-from polhode.analysis.tangent_flow import TangentFlow, multipliers_of
+from polhode.analysis.tangent_flow import TangentFlow, compute_multipliers
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.flight import integrals_at
-from polhode.taylor.machine import Form, machine_of
+from polhode.taylor.machine import Form, build_machine
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 FIRST, LONGEST, SHORTEST = 0.02, 0.1, 1e-5  # steps along the branch, in units of state, period and range
@@ -145,7 +145,7 @@ def _levels_and_slopes(
 ) -> tuple[Float64[np.ndarray, "k"], Float64[np.ndarray, "k n"]]:
     """Return the numbers that a system conserves at a state's real numbers, and their derivatives."""
     try:
-        levels, slopes = integrals_at(machine_of(system, form.back(z), None), z[None])
+        levels, slopes = integrals_at(build_machine(system, form.back(z), None), z[None])
         return levels[0], slopes[0]
     except Untraceable:
 
@@ -202,7 +202,7 @@ class _Family:
             far = float(np.abs(move).max())
             if far < SETTLED or (far < NEAR and turn == ROUNDS - 1):
                 gap = float(np.linalg.norm(off[:n])) / self.size
-                return PeriodicMotion(self._form.back(z), T, gap, M, *multipliers_of(M)), value
+                return PeriodicMotion(self._form.back(z), T, gap, M, *compute_multipliers(M)), value
         return None
 
     def _equations(

@@ -94,7 +94,7 @@ def dispersion(beams: Sequence[Beam], wavenumber: float, frequency: complex) -> 
     >>> abs(dispersion(MAXWELLIAN, 0.5, 1.415661888604537 - 0.15335946690960459j)) < 1e-13
     True
     """
-    return _dispersion(_checked(beams), float(wavenumber), complex(frequency))[0]
+    return _dispersion(_check_beams(beams), float(wavenumber), complex(frequency))[0]
 
 
 @known_numbers_only
@@ -117,7 +117,7 @@ def plasma_wave(beams: Sequence[Beam], wavenumber: float, guess: complex | None 
     >>> round(wave.frequency, 9), round(wave.growth, 9)
     (1.415661889, -0.153359467)
     """
-    beams, k = _checked(beams), float(wavenumber)
+    beams, k = _check_beams(beams), float(wavenumber)
     if not (math.isfinite(k) and k > 0.0):
         raise InvalidInput(f"`wavenumber` must be positive and finite; got {shown(wavenumber)}.")
     if guess is None:
@@ -157,7 +157,7 @@ def fastest_growing_wave(beams: Sequence[Beam], wavenumber: float) -> PlasmaWave
     >>> round(fastest_growing_wave(two_stream(2.4), 0.2).growth, 9)
     0.225844255
     """
-    beams, k = _checked(beams), float(wavenumber)
+    beams, k = _check_beams(beams), float(wavenumber)
     guesses: list[complex | None] = [None]
     for one in beams:
         guesses += [complex(k * one.drift + sign * (1.0 + 1.5 * k * k), -0.05) for sign in (1.0, -1.0)]
@@ -199,7 +199,7 @@ def _z(zeta: complex) -> complex:
     return 1j * math.sqrt(math.pi) * complex(wofz(zeta))
 
 
-def _checked(beams: Sequence[Beam]) -> tuple[Beam, ...]:
+def _check_beams(beams: Sequence[Beam]) -> tuple[Beam, ...]:
     numbers = np.array([[b.share, b.drift, b.spread] for b in beams], dtype=float).reshape(-1, 3)
     if not len(numbers) or not np.isfinite(numbers).all() or (numbers[:, [0, 2]] <= 0.0).any():
         raise InvalidInput(f"`beams` must have positive shares and spreads, finite; got {shown(beams)}.")

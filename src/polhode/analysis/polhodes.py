@@ -100,7 +100,7 @@ def level_segments(energy: Energy, values: Sequence[float] | None = None) -> Flo
     if not high - low > 1e-12 * max(abs(low), abs(high)):
         return np.empty((0, 2, 3))
     spread = low + (high - low) * (np.arange(FAMILY) + 0.5) / FAMILY
-    return np.concatenate([np.empty((0, 2, 3)), *(_crossing(energy, corners, heights, v)
+    return np.concatenate([np.empty((0, 2, 3)), *(_cut_triangles(energy, corners, heights, v)
                                                   for v in (spread if values is None else values))])  # fmt: skip
 
 
@@ -155,7 +155,7 @@ def _octahedron() -> Array:
     return corners / np.linalg.norm(corners, axis=-1, keepdims=True)
 
 
-def _crossing(energy: Energy, corners: Array, heights: Array, value: float) -> Array:
+def _cut_triangles(energy: Energy, corners: Array, heights: Array, value: float) -> Array:
     """Return the pieces of one level in the triangles that it crosses."""
     above = heights >= value
     crossed = above.any(axis=-1) & ~above.all(axis=-1)

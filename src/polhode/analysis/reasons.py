@@ -43,11 +43,11 @@ class AbstractReason(abc.ABC):
         kept = {name: value for name, value in own.items() if not isinstance(value, ConservedFunction)}
         return {"title": self.title, **kept}
 
-    def renamed(self, names: Mapping[str, str]) -> AbstractReason:
+    def rename(self, names: Mapping[str, str]) -> AbstractReason:
         """Return the same reason, conserved quantities of its function called otherwise."""
         own = {field.name: getattr(self, field.name) for field in fields(self)}
         functions = {name: value for name, value in own.items() if isinstance(value, ConservedFunction)}
-        return replace(self, **{name: function.renamed(names) for name, function in functions.items()})
+        return replace(self, **{name: function.rename(names) for name, function in functions.items()})
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class DefiniteVariation(AbstractReason):
 
     @property
     def words(self) -> str:
-        extreme, names = _extreme(self.sign), _listed(self.function.names)
+        extreme, names = _extreme(self.sign), _list_names(self.function.names)
         if not self.function.weights[0]:
             return f"a combination of {names} is at its {extreme}: neighbours cannot leave"
         rest = f" among motions with the same {names}" if names else ": neighbours cannot leave"
@@ -158,7 +158,7 @@ class SteadyDrift(AbstractReason):
     direction: Float64[Array, "n"]
 
     def __str__(self) -> str:
-        where = f"({_shown(self.direction)}), {self.drift_rate:.6g}/s times their distance"
+        where = f"({_write(self.direction)}), {self.drift_rate:.6g}/s times their distance"
         return f"neighbours leave at a steady rate along {where}"
 
     @property
@@ -175,7 +175,7 @@ class ExponentialGrowth(AbstractReason):
     direction: Float64[Array, "n"]
 
     def __str__(self) -> str:
-        return f"the linearised flow on the leaf grows as exp({self.rate:.6g}/s · t) along ({_shown(self.direction)})"
+        return f"the linearised flow on the leaf grows as exp({self.rate:.6g}/s · t) along ({_write(self.direction)})"
 
     @property
     def words(self) -> str:
@@ -430,7 +430,7 @@ def _sign(sign: int) -> str:
     return "positive" if sign > 0 else "negative"
 
 
-def _listed(names: tuple[str, ...]) -> str:
+def _list_names(names: tuple[str, ...]) -> str:
     return " and ".join(filter(None, (", ".join(names[:-1]), *names[-1:])))
 
 
@@ -438,7 +438,7 @@ def _extreme(sign: int) -> str:
     return "least" if sign > 0 else "greatest"
 
 
-def _shown(vector: Array) -> str:
+def _write(vector: Array) -> str:
     return ", ".join(f"{x:.4g}" for x in np.where(np.abs(vector) > SHOWN, vector, 0.0))
 
 

@@ -123,7 +123,7 @@ class Leaf(NamedTuple):
         return squares, lengths
 
 
-def scaled_leaf(
+def scale_leaf(
     A: Float64[Array, "n n"],
     g: Float64[Array, "n"],
     H: Float64[Array, "n n"],
@@ -147,7 +147,7 @@ def scaled_leaf(
     scale, multipliers = np.ones(g.size), np.zeros(len(dC))
     for _ in range(SWEEPS):
         multipliers = _multipliers(g * scale, dC * scale, gradient_sizes * scale)
-        scale = _equilibrating(np.abs(H) + np.tensordot(np.abs(multipliers), np.abs(ddC), 1))
+        scale = _equilibrate(np.abs(H) + np.tensordot(np.abs(multipliers), np.abs(ddC), 1))
     square = scale[:, None] * scale
     A, g, dC = A * scale / scale[:, None], g * scale, dC * scale
     flow_sizes = np.maximum(np.abs(A), flow_sizes * scale / scale[:, None])
@@ -231,7 +231,7 @@ def _multipliers(g: Array, dC: Array, sizes: Array) -> Array:
     return found * size / np.where(lengths > 0, lengths, 1.0)
 
 
-def _equilibrating(terms: Array) -> Array:
+def _equilibrate(terms: Array) -> Array:
     """Return powers of two d with d_i d_j terms_ij ≤ 2 and of order one somewhere in each row.
 
     Source: Ruiz, Rutherford Appleton Laboratory report RAL-TR-2001-034 (2001).

@@ -10,12 +10,12 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators.adaptive import check_events
-from polhode.integrators.interrupts import interrupts_kept
+from polhode.integrators.interrupts import keep_interrupts
 from polhode.integrators.series import check_sizes
 from polhode.motion.outcome import Status
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
-from polhode.taylor.runs import crossings_of, precision_of
+from polhode.taylor.runs import choose_precision, find_crossings
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 DIRECTIONS = ("rising", "falling", "either")
@@ -87,9 +87,9 @@ def section(
     check_sizes(np.asarray(start)[None])
     check_events(system, ends[0], start)
     through = surface if direction != "rising" else _negative(surface)
-    with interrupts_kept() as check:
+    with keep_interrupts() as check:
         try:
-            found = crossings_of(system, np.asarray(start), through, ends, precision_of(None), most,
+            found = find_crossings(system, np.asarray(start), through, ends, choose_precision(None), most,
                                  direction != "either", lambda share: check())  # fmt: skip
         except Untraceable as error:
             raise InvalidInput(

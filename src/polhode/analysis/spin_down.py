@@ -29,7 +29,7 @@ from polhode.motion.outcome import Ending, Outcome, Status
 from polhode.motion.trajectory import Trajectory
 from polhode.systems.euler_disk import LAYOUT, EulerDisk, rolling_parts
 from polhode.systems.rolling_dissipation import RollingDissipation
-from polhode.systems.trajectories import trajectory_of
+from polhode.systems.trajectories import make_trajectory
 from polhode.types import Array, ArrayLike, Float64, Real
 
 ASYMPTOTIC_END = 0.3  # |θ̇|/(θ|φ̇|), beyond which the tilt falls as fast as the disk goes round
@@ -121,13 +121,13 @@ def spin_down(
 
     Source: Moffatt, Nature 404 (2000) 833; Leine, Arch. Appl. Mech. 79 (2009) 1063, for the exponents.
     """
-    start = _checked_start(disk, state, decades, samples_per_decade)
+    start = _check_start(disk, state, decades, samples_per_decade)
     run = _Run([start], [0.0], [0.0], 0)
     over = _asymptotic(disk, run, decades, samples_per_decade, most_steps)
     regular = len(run.states)
     events: dict[str, float] = {}
     if over:
-        events[_ended_by(disk, run.states[-1])] = math.fsum(run.spans)
+        events[_name_end(disk, run.states[-1])] = math.fsum(run.spans)
     if END_OF_REGIME in events:
         last = _fall(disk, run)
         if last is not None:
@@ -136,9 +136,9 @@ def spin_down(
     received = {"energy": -np.cumsum(run.lost)}
     last = next(reversed(events), None)
     outcome = Outcome(Ending.COMPLETED) if last is None else Outcome(Ending.EVENT, last)
-    trajectory = trajectory_of(disk, np.cumsum(run.spans), states, outcome, {"steps": run.steps}, received)
+    trajectory = make_trajectory(disk, np.cumsum(run.spans), states, outcome, {"steps": run.steps}, received)
     ratio, rate = (np.asarray(x) for x in _pace(disk, states))
-    fitted, tilt = _fitted(ratio[:regular]), np.asarray(trajectory.part("tilt"))
+    fitted, tilt = _choose_samples(ratio[:regular]), np.asarray(trajectory.part("tilt"))
     spans = np.asarray(run.spans)
     found = fit_singularity(spans[fitted][1:], tilt[fitted])
     distance = _distances(spans, fitted, found)
@@ -262,22 +262,22 @@ def _leg(disk: EulerDisk, state: Array, length: Array) -> tuple[_Leg, Array, Arr
 
     @jax.jit  # so that it is traced once
     def rates(t: Array, y: _Leg) -> _Leg:
-        now = _unscaled(disk, y.state)
+        now = _unscale_state(disk, y.state)
         field, slowness = disk.vector_field(t, now), _tick(disk, now)
-        change = jax.jvp(lambda x: _scaled(disk, x), (now,), (field,))[1]
+        change = jax.jvp(lambda x: _scale_state(disk, x), (now,), (field,))[1]
         lost = 1.5 * disk.mechanics.potential_energy(LAYOUT.part(now, "tilt"))
         return _Leg(slowness * change, slowness / clock, lost / first_energy)
 
     def margin(t: Array, y: _Leg) -> Array:
-        return _margin(disk, _unscaled(disk, y.state))
+        return _margin(disk, _unscale_state(disk, y.state))
 
     zero = jnp.zeros(())
     times, tolerance = jnp.stack([zero, length]), jnp.asarray(TOLERANCE)
     problem = embedded.Problem(rates, margin, lambda t, y: t)
-    run = embedded.begin(_Leg(_scaled(disk, state), zero, zero), times, times[:1], problem.seen)
+    run = embedded.begin(_Leg(_scale_state(disk, state), zero, zero), times, times[:1], problem.seen)
     run = embedded.advance(run, diffrax.Dopri8(), problem, times, times[:1], None, tolerance, LEG_STEPS)
     last = run.end_state
-    leg = _Leg(_unscaled(disk, last.state), last.time * clock, last.lost * first_energy)
+    leg = _Leg(_unscale_state(disk, last.state), last.time * clock, last.lost * first_energy)
     ended = run.status == Status.EVENT
     return leg, ended, ended | (run.status == Status.COMPLETED), run.steps
 
@@ -311,20 +311,20 @@ def _outlook(disk: EulerDisk, state: Array) -> tuple[Array, Array, Array]:
     return adiabaticity(disk, state), _margin(disk, state), disk.power(state)
 
 
-def _ended_by(disk: EulerDisk, state: Array) -> str:
+def _name_end(disk: EulerDisk, state: Array) -> str:
     margins = {name: float(event(jnp.zeros(()), state)) for name, event in disk.events.items()}
     margins[END_OF_REGIME] = ASYMPTOTIC_END - float(adiabaticity(disk, state))
     return min(margins, key=lambda name: margins[name])
 
 
-def _scaled(disk: EulerDisk, state: Array) -> Array:
+def _scale_state(disk: EulerDisk, state: Array) -> Array:
     """Return log θ, angles, contact in radii, and rates over √(gθ/a): of order one however small the tilt."""
     unit = jnp.sqrt(disk.mechanics.gravity * LAYOUT.part(state, "tilt") / disk.mechanics.radius)
     place = state[CONTACT] / disk.mechanics.radius
     return jnp.concatenate([jnp.log(state[TILT]), state[ANGLES], place, state[RATES] / unit])
 
 
-def _unscaled(disk: EulerDisk, scaled: Array) -> Array:
+def _unscale_state(disk: EulerDisk, scaled: Array) -> Array:
     theta = jnp.exp(scaled[TILT])
     unit = jnp.sqrt(disk.mechanics.gravity * theta / disk.mechanics.radius)
     return jnp.concatenate([theta, scaled[ANGLES], scaled[CONTACT] * disk.mechanics.radius, scaled[RATES] * unit])
@@ -343,7 +343,7 @@ def _fall(disk: EulerDisk, run: _Run) -> str | None:
     return first.event
 
 
-def _fitted(ratio: Array) -> slice:
+def _choose_samples(ratio: Array) -> slice:
     """Return the samples to fit: up to the last one that is deep enough in the asymptotic regime."""
     deep = np.flatnonzero(ratio < ASYMPTOTIC_FIT)
     if len(deep) < FEWEST or len(deep) < deep[-1] - deep[0]:
@@ -364,7 +364,7 @@ def _distances(spans: Array, fitted: slice, found: Singularity) -> Array:
     return np.append(before, found.distance - np.cumsum(spans[fitted.stop :]))
 
 
-def _checked_start(disk: EulerDisk, state: Real[ArrayLike, "8"], decades: float, samples_per_decade: int) -> Array:
+def _check_start(disk: EulerDisk, state: Real[ArrayLike, "8"], decades: float, samples_per_decade: int) -> Array:
     if not isinstance(disk, EulerDisk) or not disk.dissipation:
         raise InvalidInput("`disk` must be an EulerDisk with `dissipation`: without it the disk rolls for ever.")
     if not (math.isfinite(decades) and decades > 0.0 and samples_per_decade >= 2):

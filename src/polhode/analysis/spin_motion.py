@@ -8,7 +8,14 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from polhode.analysis.periapsis_map import section
-from polhode.analysis.spin_orbit import STEPS, counted, lyapunov_exponent, resonance_strength, scaled_start, table_of
+from polhode.analysis.spin_orbit import (
+    STEPS,
+    check_count,
+    lyapunov_exponent,
+    make_table,
+    resonance_strength,
+    scale_start,
+)
 from polhode.arrays import known_numbers_only
 from polhode.systems.spin_orbit import SpinOrbit
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -97,16 +104,16 @@ def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | No
     >>> moon.verdict, moon.libration.order, round(moon.mean_rate, 9)
     ('regular', 1.0, 1.0)
     """
-    n, e, start = float(system.mean_motion), float(system.eccentricity), scaled_start(system, state)
+    n, e, start = float(system.mean_motion), float(system.eccentricity), scale_start(system, state)
     steps = steps_for(system, float(start[1]))
     if orbits is None:
         orbits = int(np.clip(KICKS / (9 * steps), FEWEST_ORBITS, MOST_ORBITS))
-    orbits = counted("orbits", orbits)
+    orbits = check_count("orbits", orbits)
     exponents = np.asarray(lyapunov_exponent(system, state, orbits, steps))
     verdict = _verdict(exponents * TURN * np.arange(1, orbits + 1) / n)
     if e == 0.0 or float(system.asphericity) == 0.0:
         verdict = "regular"
-    points = np.asarray(section(table_of(system, steps), start, orbits))
+    points = np.asarray(section(make_table(system, steps), start, orbits))
     angles = np.append(float(start[0]), points[:, 0] + TURN * np.cumsum(points[:, 2]))
     advance = np.diff(angles) / TURN
     if verdict == "chaotic":

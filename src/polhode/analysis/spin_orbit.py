@@ -65,8 +65,8 @@ def poincare_section(
     >>> libration.shape, bool(abs(libration[:, 0]).max() < 0.2)
     ((201, 2), True)
     """
-    start, table = scaled_start(system, states), table_of(system, steps)
-    points = section(table, start, counted("periods", periods))[..., :2]
+    start, table = scale_start(system, states), make_table(system, steps)
+    points = section(table, start, check_count("periods", periods))[..., :2]
     points = np.moveaxis(np.concatenate([np.asarray(start)[None], np.asarray(points)]), 0, -2)
     return points * np.array([1.0, float(system.mean_motion)])
 
@@ -83,9 +83,9 @@ def tangent_map(
         periods: how many orbits.
         steps: per orbit, as in ``poincare_section``.
     """
-    start, table = scaled_start(system, states), table_of(system, steps)
+    start, table = scale_start(system, states), make_table(system, steps)
     sides = jnp.broadcast_to(jnp.eye(2), (*start.shape, 2))
-    grown, _ = carry_neighbours(table, start, sides, counted("periods", periods), False)
+    grown, _ = carry_neighbours(table, start, sides, check_count("periods", periods), False)
     return np.asarray(grown)
 
 
@@ -106,9 +106,9 @@ def lyapunov_exponent(
 
     Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137; Benettin et al., Meccanica 15 (1980) 9.
     """
-    start, table = scaled_start(system, states), table_of(system, steps)
+    start, table = scale_start(system, states), make_table(system, steps)
     side = jnp.full((*start.shape, 1), math.sqrt(0.5))
-    _, growth = carry_neighbours(table, start, side, counted("periods", periods), True)
+    _, growth = carry_neighbours(table, start, side, check_count("periods", periods), True)
     times = TURN / float(system.mean_motion) * np.arange(1, periods + 1)
     return np.moveaxis(np.cumsum(np.asarray(growth)[..., 0], axis=0), 0, -1) / times
 
@@ -190,16 +190,16 @@ def overlap_threshold(eccentricity: Real[ArrayLike, "*shape"]) -> Float64[Array,
     return 1.0 / (2.0 + np.sqrt(14.0 * np.asarray(eccentricity, dtype=float)))
 
 
-def table_of(system: SpinOrbit, steps: int | None) -> Table:
+def make_table(system: SpinOrbit, steps: int | None) -> Table:
     default = math.ceil(STEPS / math.sqrt(1.0 - float(system.eccentricity)))
-    return tabulate(system, default if steps is None else counted("steps", steps))
+    return tabulate(system, default if steps is None else check_count("steps", steps))
 
 
-def scaled_start(system: SpinOrbit, states: Real[ArrayLike, "*batch 2"]) -> Float64[Array, "*batch 2"]:
+def scale_start(system: SpinOrbit, states: Real[ArrayLike, "*batch 2"]) -> Float64[Array, "*batch 2"]:
     return system.check_state(states) / jnp.stack([jnp.ones(()), system.mean_motion])
 
 
-def counted(name: str, value: int) -> int:
+def check_count(name: str, value: int) -> int:
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
         raise InvalidInput(f"`{name}` must be a positive integer; got {shown(value)}.")
     return int(value)

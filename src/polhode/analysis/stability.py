@@ -18,9 +18,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.functions import Function, checked_functions
+from polhode.algebra.functions import Function, check_functions
 from polhode.algebra.properties import index, is_compact
-from polhode.analysis.conserved import Casimirs, Energy, Source, casimirs_of, check_motion, samples_around
+from polhode.analysis.conserved import Casimirs, Energy, Source, check_motion, choose_casimirs, samples_around
 from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.analysis.equilibrium_data import Problem, problem
 from polhode.analysis.first_method import first_method
@@ -101,7 +101,7 @@ def stability(
     mu = as_points(algebra, equilibrium)
     if mu.shape != algebra.element_shape:
         raise InvalidInput(f"`equilibrium` must be one point {algebra.element_shape}; got shape {mu.shape}.")
-    integrals = checked_functions("integrals", integrals, algebra.element_shape, algebra.dtype)
+    integrals = check_functions("integrals", integrals, algebra.element_shape, algebra.dtype)
     z = np.asarray(algebra.to_dual_vector(mu))
     size = float(np.abs(z).max())
     if size and not SMALLEST <= size <= LARGEST:
@@ -110,16 +110,16 @@ def stability(
             "Choose other units."
         )
     check_motion(system, samples_around(np.asarray(algebra.structure_constants()), z))
-    known = casimirs_of(algebra, casimirs)
+    known = choose_casimirs(algebra, casimirs)
     if not system.conserves_energy:
         if len(integrals):
             raise InvalidInput("`integrals` must be left out where energy is lost: exponents alone decide there.")
         return _judge_dissipative(system, known, z)
     found = problem(system, known, tuple(integrals), z, casimirs is not None)
-    return _at(_noted(_judged(found), known.missing), np.asarray(mu))
+    return _at(_note_missing(_judge_equilibrium_first(found), known.missing), np.asarray(mu))
 
 
-def _judged(p: Problem) -> Stability:
+def _judge_equilibrium_first(p: Problem) -> Stability:
     """Judge as an equilibrium if it is one; else, or where that decides nothing, up to the flows of the integrals."""
     sizes = p.sizes(np.eye(len(p.g))[0])
     resting = np.linalg.norm(p.tensor @ p.g[0]) <= AT_REST * sizes[2]
@@ -163,7 +163,7 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
     moved = [*(p.g[list(divided)] @ p.tensor.T), *p.g[list(p.turned)]]
     across = null_space(_unit_rows(np.array(moved)), NULL) if moved else np.eye(len(slope))
 
-    def judged(basis: Array, H: Array, chosen: Sequence[int], error: float, **options: Any) -> Stability:
+    def judge_part(basis: Array, H: Array, chosen: Sequence[int], error: float, **options: Any) -> Stability:
         inside, leafwise = np.abs(basis), basis is not across
         found = energy_casimir(
             p.unit * basis.T @ flow @ basis, (0.0 if leafwise else 1.0) * slope @ basis, basis.T @ H @ basis,
@@ -171,17 +171,17 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
             is_equilibrium=True, tolerance=min(error, 0.5), unit=p.unit,
             sizes=((0.0 if leafwise else 1.0) * sizes[0] @ inside, p.unit * inside.T @ sizes[1] @ inside), **options,
         )  # fmt: skip
-        return _turned(found, basis)
+        return _express_direction(found, basis)
 
     family = not len(divided) and _on_equilibria(p, flow, p.g[rows], float(sizes[1].max()))
-    found = judged(across, curvature, kept, p.error, casimir_names=[p.names[n - 1] for n in kept],
+    found = judge_part(across, curvature, kept, p.error, casimir_names=[p.names[n - 1] for n in kept],
                    on_equilibria=family, contained=weights[kept])  # fmt: skip
     tangent, effective, error = _on_tangent(p, flow, sizes[1])
     if found.verdict != "undecided" or tangent.shape[1] >= null_space(_unit_rows(p.g[rows]), NULL).shape[1]:
         return found
     leaf = tangent @ null_space(_unit_rows(np.array(moved).reshape(-1, len(slope))) @ tangent, NULL)
     # on a point there is nothing to judge
-    leafwise = (judged(leaf, effective, list(divided), error) if leaf.shape[1] else
+    leafwise = (judge_part(leaf, effective, list(divided), error) if leaf.shape[1] else
                 Stability("stable", 0.0, None, None, LeafIsPoint(), np.zeros(0, complex)))  # fmt: skip
     return _leafwise(p, found, leafwise, tangent.shape[1], bool(len(divided)))
 
@@ -230,7 +230,7 @@ def _combination(row: Array, names: list[str]) -> str:
     return text.replace("+ -", "− ").replace("-", "−")
 
 
-def _turned(found: Stability, basis: Array) -> Stability:
+def _express_direction(found: Stability, basis: Array) -> Stability:
     """Return a verdict whose direction is told by components along a basis (n, d) with it along the coordinates."""
     if found.direction is None:
         return found
@@ -284,7 +284,7 @@ def _check_at_rest(field: Array, size: float, relative: bool) -> None:
         )
 
 
-def _noted(found: Stability, missing: MissingCasimirs | None) -> Stability:
+def _note_missing(found: Stability, missing: MissingCasimirs | None) -> Stability:
     """Return an undecided verdict with the Casimirs that might have helped."""
     return replace(found, missing=missing) if found.verdict == "undecided" else found
 
@@ -301,16 +301,16 @@ def _unit_rows(rows: Array) -> Array:
 
 def _judge_dissipative(system: AbstractLiePoissonSystem, casimirs: Casimirs, z: Array) -> Stability:
     """Judge by the exponents alone, those of the field that moves the system, on the leaf."""
-    field, linearization = (np.asarray(x) for x in _moved_with_slope(system, jnp.asarray(z)))
+    field, linearization = (np.asarray(x) for x in _compute_field_and_slope(system, jnp.asarray(z)))
     if not (np.isfinite(field).all() and np.isfinite(linearization).all()):
         raise InvalidInput("the field must have finite derivatives at the equilibrium; got NaN or an infinity.")
     rows = _unit_rows(np.asarray(jax.jacfwd(casimirs.source)(jnp.asarray(z))).reshape(-1, z.size))
     _check_at_rest(field, float(np.abs(linearization).max() * np.linalg.norm(z)), False)
-    return _noted(first_method(linearization, null_space(rows, NULL)), casimirs.missing)
+    return _note_missing(first_method(linearization, null_space(rows, NULL)), casimirs.missing)
 
 
 @eqx.filter_jit
-def _moved_with_slope(system: AbstractLiePoissonSystem, x: Array) -> tuple[Array, Array]:
+def _compute_field_and_slope(system: AbstractLiePoissonSystem, x: Array) -> tuple[Array, Array]:
     def field(x: Array) -> Array:
         point = system.algebra.from_dual_vector(x)
         return system.algebra.to_dual_vector(system.algebra.coadjoint(system.generator(0.0, point), point))
@@ -336,14 +336,14 @@ def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
     if not still.shape[1]:
         return False
     off = 1e-3 * np.linalg.norm(p.y)
-    settled = _settled(p.system, p.casimirs, jnp.asarray(p.y), jnp.asarray(p.unit), jnp.asarray(p.y + off * still.T))
+    settled = _settle(p.system, p.casimirs, jnp.asarray(p.y), jnp.asarray(p.unit), jnp.asarray(p.y + off * still.T))
     points, fields = (np.asarray(x) for x in settled)
     near = np.linalg.norm(points - (p.y + off * still.T), axis=1) < 0.05 * off
     return bool((near & (np.linalg.norm(fields, axis=1) <= AT_REST * off * rate)).all())
 
 
 @eqx.filter_jit
-def _settled(system: AbstractLiePoissonSystem, casimirs: Source, y: Array, unit: Array, starts: Array) -> Any:
+def _settle(system: AbstractLiePoissonSystem, casimirs: Source, y: Array, unit: Array, starts: Array) -> Any:
     """Return where Newton's method takes each start on the Casimirs' levels of y, and the field there."""
     level = casimirs(y)
     field = scaled_field(system, unit)

@@ -9,7 +9,7 @@ import numpy as np
 from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.integrators.adaptive import solve_adaptively
-from polhode.integrators.probing import naming_jumps, undeclared_jumps
+from polhode.integrators.probing import find_undeclared_jumps, name_jumps
 from polhode.integrators.series import Taylor, has_series, solve_by_series
 from polhode.systems.base import AbstractSystem
 from polhode.systems.variations import Variations
@@ -31,7 +31,7 @@ class TangentFlow:
     """
 
     def __init__(self, system: AbstractSystem, start: Double[np.ndarray, "..."], times: tuple[float, float]) -> None:
-        self._system = naming_jumps(system, undeclared_jumps(system, start, np.array(times)))
+        self._system = name_jumps(system, find_undeclared_jumps(system, start, np.array(times)))
         self._shape, self._kind, self._times = np.shape(start), start.dtype, times
         self._by_series: dict[int, bool] = {}
         self.size = start.size * (2 if np.iscomplexobj(start) else 1)
@@ -90,7 +90,7 @@ def one_state(system: AbstractSystem, state: Real[ArrayLike, "..."]) -> Double[n
     return start
 
 
-def checked_start(
+def check_start(
     system: AbstractSystem, state: Real[ArrayLike, "..."], times: Real[ArrayLike, "2"]
 ) -> tuple[Double[np.ndarray, "..."], float, float]:
     """Return one state, first and last time.
@@ -105,7 +105,9 @@ def checked_start(
     return start, float(ends[0]), float(ends[1])
 
 
-def multipliers_of(matrix: Float64[np.ndarray, "n n"]) -> tuple[Complex128[np.ndarray, "n"], Float64[np.ndarray, "n"]]:
+def compute_multipliers(
+    matrix: Float64[np.ndarray, "n n"],
+) -> tuple[Complex128[np.ndarray, "n"], Float64[np.ndarray, "n"]]:
     """Return the eigenvalues, the largest first, and what roundings of the matrix make of each."""
     values, vectors = np.linalg.eig(matrix)
     noise = 100.0 * EPS * np.linalg.norm(matrix)

@@ -54,5 +54,5 @@ def top_stability(top: HeavyTop, spin: float = 0.0) -> TopRests:
 
 def _in_a_tops_words(found: Stability) -> Stability:
     """Return a verdict with the Casimirs of se(3)* and Lagrange's integral called by what they are here."""
-    function = None if found.function is None else found.function.renamed(NAMES)
-    return replace(found, reason=found.reason.renamed(NAMES | SHORT), function=function)
+    function = None if found.function is None else found.function.rename(NAMES)
+    return replace(found, reason=found.reason.rename(NAMES | SHORT), function=function)

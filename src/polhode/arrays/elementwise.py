@@ -161,10 +161,10 @@ def _primitive() -> Any:
     made.def_impl(_at_once)
     made.def_abstract_eval(_abstract)
     ad.primitive_jvps[made] = _jvp
-    batching.primitive_batchers[made] = _batched
+    batching.primitive_batchers[made] = _batch
     in_line = mlir.lower_fun(lambda *args, function, compiled: function.values(*args), multiple_results=True)
     mlir.register_lowering(made, in_line)
-    mlir.register_lowering(made, partial(_lowered_for_cpu, in_line), platform="cpu")
+    mlir.register_lowering(made, partial(_lower_for_cpu, in_line), platform="cpu")
     return made
 
 
@@ -192,7 +192,7 @@ def _at_once(*args: Any, function: Elementwise, compiled: bool) -> list[Any]:
     return [jnp.asarray(x) for x in _on_host(function, *args)]
 
 
-def _lowered_for_cpu(in_line: Any, ctx: Any, *operands: Any, function: Elementwise, compiled: bool) -> Any:
+def _lower_for_cpu(in_line: Any, ctx: Any, *operands: Any, function: Elementwise, compiled: bool) -> Any:
     import jax
     from jax.core import ShapedArray
     from jax.interpreters import mlir
@@ -222,13 +222,13 @@ def _words_on_host(function: Elementwise, *arguments: Any) -> tuple[np.ndarray, 
     return tuple(np.ascontiguousarray(x[..., None]).view(np.uint32) for x in found)
 
 
-def _batched(args: Any, axes: Any, *, function: Elementwise, compiled: bool) -> tuple[Any, list[int]]:
+def _batch(args: Any, axes: Any, *, function: Elementwise, compiled: bool) -> tuple[Any, list[int]]:
     import jax.numpy as jnp
 
     given = list(zip(args, axes, function.inputs, strict=True))
     rank = max(x.ndim - len(core) - (axis is not None) for x, axis, core in given)
 
-    def moved(x: Any, axis: Any, core: tuple[int, ...]) -> Any:
+    def move_axis(x: Any, axis: Any, core: tuple[int, ...]) -> Any:
         """Return x with the new axis before all batch axes, those of the others between."""
         if axis is None:
             return x
@@ -236,7 +236,7 @@ def _batched(args: Any, axes: Any, *, function: Elementwise, compiled: bool) -> 
         missing = rank - (x.ndim - 1 - len(core))
         return x.reshape(x.shape[0], *(1,) * missing, *x.shape[1:])
 
-    moved_args = (moved(*each) for each in given)
+    moved_args = (move_axis(*each) for each in given)
     found = _primitive().bind(*moved_args, function=function, compiled=compiled)
     return found, [0] * len(found)
 

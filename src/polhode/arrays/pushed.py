@@ -163,11 +163,11 @@ def _make_differentiable(
     operation = replace(function, values=values, inputs=inputs, outputs=outputs, jacobian=None, ways=None)
 
     @jax.custom_jvp
-    def found(*given: Any) -> Any:
+    def bind_operation(*given: Any) -> Any:
         return formed(operation.bind(compiled, given))
 
-    @found.defjvp
+    @bind_operation.defjvp
     def rule(primals: Any, tangents: Any) -> tuple[Any, Any]:
-        return found(*primals), jax.jvp(by_columns, primals, tangents)[1]
+        return bind_operation(*primals), jax.jvp(by_columns, primals, tangents)[1]
 
-    return found
+    return bind_operation

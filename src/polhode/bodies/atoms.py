@@ -54,7 +54,7 @@ def atomic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
 
     Source: Meija et al., Pure Appl. Chem. 88 (2016) 265, as in ASE's tables.
     """
-    return _looked_up(symbols, _atomic_weights())
+    return _look_up(symbols, _atomic_weights())
 
 
 def isotopic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
@@ -65,10 +65,10 @@ def isotopic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
 
     Source: Coursey et al., *Atomic Weights and Isotopic Compositions* 4.1 (NIST, 2015), as in ASE's tables.
     """
-    return _looked_up(symbols, _isotope_masses())
+    return _look_up(symbols, _isotope_masses())
 
 
-def _looked_up(symbols: Sequence[str], table: dict[str, float]) -> Float64[Array, "n"]:
+def _look_up(symbols: Sequence[str], table: dict[str, float]) -> Float64[Array, "n"]:
     unknown = [symbol for symbol in symbols if symbol not in table]
     if unknown:
         raise InvalidInput(

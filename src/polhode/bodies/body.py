@@ -266,7 +266,7 @@ class Body:
             center = turn @ self.center_of_mass + finite_array("translation", translation, (3,))
             return Body(self.mass, center, turn @ self.inertia @ turn.T, self.effective)
 
-    def _known_mass(self, purpose: str) -> float:
+    def _require_mass(self, purpose: str) -> float:
         if self.mass is None:
             raise InvalidInput(f"{purpose} needs the body's mass; give `mass` when making it.")
         return self.mass
@@ -299,7 +299,7 @@ def combine(bodies: Sequence[Body]) -> Body:
             f"`bodies` must be Body objects; got {shown(strange[0])}. "
             "Make one with polhode.shapes or Body."
         )
-    masses = np.array([body._known_mass("combining bodies") for body in bodies])
+    masses = np.array([body._require_mass("combining bodies") for body in bodies])
     centers = np.array([body.center_of_mass for body in bodies])
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
         center = masses @ (centers - centers[0]) / masses.sum() + centers[0]

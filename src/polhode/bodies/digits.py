@@ -17,7 +17,7 @@ DECIMALS = range(3, 9)  # of positions, that programs print; more are as good as
 WHOLE = 1e-5  # of a unit of the last digit: what a float leaves of a whole number of them
 
 
-def judged(
+def judge_moments(
     moments: Float64[Array, "3"], unsure: Float64[Array, "3"]
 ) -> tuple[Float64[Array, "3"], list[list[int]]]:
     """Return moments (3,), zero and equal where they are not told apart, and which of them are equal.
@@ -29,7 +29,7 @@ def judged(
         moments: ascending.
         unsure: of each.
 
-    >>> judged(np.array([1e-9, 1.0, 1.0 + 1e-9]), np.full(3, 1e-8))
+    >>> judge_moments(np.array([1e-9, 1.0, 1.0 + 1e-9]), np.full(3, 1e-8))
     (array([0., 1., 1.]), [[0], [1, 2]])
     """
     found = np.where(np.abs(moments) <= unsure, 0.0, moments)

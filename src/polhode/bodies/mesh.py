@@ -24,8 +24,8 @@ def mass_properties(
                 "Check sign and units."
             )
     if repair:
-        vertices, faces = repaired_mesh(vertices, faces)
-    vertices, faces = checked_mesh(vertices, faces, several, repaired=repair)
+        vertices, faces = repair_mesh(vertices, faces)
+    vertices, faces = check_mesh(vertices, faces, several, repaired=repair)
     volume, center, second = volume_moments(vertices[faces])
     whole = float(mass if mass is not None else density * volume)  # type: ignore[operator]
     xx, yy, zz = np.diag(second)

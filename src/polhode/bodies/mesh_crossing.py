@@ -14,7 +14,7 @@ LEAF = 20_000  # pairs of boxes compared at once; smaller sets cost calls, large
 SAMPLES = 64  # faces of one piece asked whether they lie inside another
 
 
-def crossing_faces(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]) -> tuple[int, int] | None:
+def find_crossing_faces(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]) -> tuple[int, int] | None:
     """Return two faces of which an edge of the first pierces the second, None if there are none.
 
     The edge must end clearly on both sides and pass clearly through the inside, so that surfaces may touch.
@@ -27,7 +27,7 @@ def crossing_faces(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]
     points = vertices[ends]
     edge_boxes = np.stack([points.min(axis=1), points.max(axis=1)], axis=1)
     face_boxes = np.stack([used.min(axis=1), used.max(axis=1)], axis=1)
-    for edge, face in _overlapping(edge_boxes, face_boxes):
+    for edge, face in _find_overlaps(edge_boxes, face_boxes):
         apart = ~(ends[edge][:, :, None] == faces[face][:, None, :]).any(axis=(1, 2))
         edge, face = edge[apart], face[apart]
         hit = _pierces(points[edge], used[face], clear)
@@ -37,7 +37,7 @@ def crossing_faces(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]
     return None
 
 
-def _overlapping(one: Array, other: Array) -> Iterator[tuple[Array, Array]]:
+def _find_overlaps(one: Array, other: Array) -> Iterator[tuple[Array, Array]]:
     """Yield index pairs of boxes (n, 2, 3) that overlap, some at a time, by halving both sets in space."""
     stack = [(np.arange(len(one)), np.arange(len(other)))]
     while stack:
@@ -113,8 +113,8 @@ def _lies_inside(piece: Array, other: Array, clear: float) -> bool:
     normal = np.cross(b - a, c - a)
     area = np.linalg.norm(normal, axis=1, keepdims=True)
     shift = 0.5 * clear * normal / np.where(area > 0, area, 1.0)
-    above = _winding(middles[chosen] + shift, other)
-    below = _winding(middles[chosen] - shift, other)
+    above = _winding_number(middles[chosen] + shift, other)
+    below = _winding_number(middles[chosen] - shift, other)
     same = above == below
     inside = above[same] != 0
     if inside.size == 0:
@@ -127,7 +127,7 @@ def _lies_inside(piece: Array, other: Array, clear: float) -> bool:
     return bool(inside[0])
 
 
-def _winding(points: Array, triangles: Array) -> Array:
+def _winding_number(points: Array, triangles: Array) -> Array:
     """Return how often closed triangles (m, 3, 3) wind around points (k, 3).
 
     Source: van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125, eq. 8.

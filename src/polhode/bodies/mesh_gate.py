@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from polhode.bodies.mesh_crossing import crossing_faces, depths
+from polhode.bodies.mesh_crossing import depths, find_crossing_faces
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
@@ -17,7 +17,7 @@ NO_VOLUME = 1e-12  # of the tetrahedra's own size: a flat surface leaves roundin
 ASKED = "repair = true in a spec, repair=True in Python"
 
 
-def checked_mesh(
+def check_mesh(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], several: bool = False, repaired: bool = False
 ) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
     """Return the mesh as arrays if it bounds a body.
@@ -33,7 +33,7 @@ def checked_mesh(
     """
     vertices, faces = as_mesh(vertices, faces)
     _check_edges(faces, repaired)
-    pieces = pieces_of(faces)
+    pieces = find_pieces(faces)
     corners = vertices[faces]
     volumes = np.array([_volume(corners[piece]) for piece in pieces])
     if not volumes.all():
@@ -49,7 +49,7 @@ def checked_mesh(
     return vertices, faces
 
 
-def repaired_mesh(
+def repair_mesh(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"]
 ) -> tuple[Float64[Array, "n 3"], Integer[Array, "kept 3"]]:
     """Return the mesh with its faces turned alike, bodies outward, cavities inward; what cannot be turned stays.
@@ -65,10 +65,10 @@ def repaired_mesh(
     edges, face, forward, uses = _edges(faces)
     if len(faces) == 0 or (uses < 2).any():
         return vertices, faces  # the gate will say that it is open
-    faces = _turned_alike(faces, *_neighbours(edges, face, forward, uses))
+    faces = _orient_faces(faces, *_neighbours(edges, face, forward, uses))
     if (uses > 2).any():
         return vertices, faces
-    pieces = pieces_of(faces)
+    pieces = find_pieces(faces)
     for piece, depth in zip(pieces, depths(vertices[faces], pieces), strict=True):
         if (_volume(vertices[faces[piece]]) < 0) == (depth % 2 == 0):
             faces[piece] = faces[piece][:, ::-1]
@@ -110,7 +110,7 @@ def triple_products(corners: Float64[Array, "m 3 3"]) -> Float64[Array, "m"]:
     return np.einsum("mi,mi->m", a, np.cross(b - a, c - a))
 
 
-def pieces_of(faces: Integer[Array, "m 3"]) -> list[Integer[Array, "_"]]:
+def find_pieces(faces: Integer[Array, "m 3"]) -> list[Integer[Array, "_"]]:
     """Return the indices of the faces of each piece of surface that hangs together by edges."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
@@ -138,7 +138,7 @@ def _neighbours(edges: Array, face: Array, forward: Array, uses: Array) -> tuple
     return face[one], face[other], forward[one] == forward[other]
 
 
-def _turned_alike(faces: Array, one: Array, other: Array, clash: Array) -> Array:
+def _orient_faces(faces: Array, one: Array, other: Array, clash: Array) -> Array:
     """Return the faces, in each piece turned like the first one.
 
     Each face stands twice in a graph, as it is and turned; neighbours are joined in the ways that agree. A surface
@@ -200,7 +200,7 @@ def _check_edges(faces: Array, repaired: bool) -> None:
 
 
 def _check_crossings(vertices: Array, faces: Array, pieces: list[Array]) -> None:
-    found = crossing_faces(vertices, faces)
+    found = find_crossing_faces(vertices, faces)
     if found is None:
         return
     labels = np.empty(len(faces), dtype=int)

@@ -64,12 +64,12 @@ class Surface:
             return self
         # fast-simplification's quadrics take a minute for a thin tube, and leave 50 % more or other shapes below 3 %
         coarse, fine = 1, 2  # cells along the longest edge
-        best = _clustered(self, coarse)
-        while fine < _FINEST and len((found := _clustered(self, fine)).faces) <= most:
+        best = _cluster_corners(self, coarse)
+        while fine < _FINEST and len((found := _cluster_corners(self, fine)).faces) <= most:
             coarse, fine, best = fine, 2 * fine, found
         while fine - coarse > 1:
             middle = (coarse + fine) // 2
-            found = _clustered(self, middle)
+            found = _cluster_corners(self, middle)
             coarse, fine, best = (middle, fine, found) if len(found.faces) <= most else (coarse, middle, best)
         return best
 
@@ -80,7 +80,7 @@ def cuboid(edges: Real[ArrayLike, "3"]) -> Surface:
     return Surface(_CORNERS * np.asarray(edges, dtype=float), _FACES)
 
 
-def joined(surfaces: Sequence[Surface]) -> Surface:
+def join_surfaces(surfaces: Sequence[Surface]) -> Surface:
     """Return several surfaces as one; it has colours if all of them do."""
     starts = np.cumsum([0, *(len(surface.vertices) for surface in surfaces[:-1])])
     faces = [np.asarray(surface.faces) + start for surface, start in zip(surfaces, starts, strict=True)]
@@ -89,7 +89,7 @@ def joined(surfaces: Sequence[Surface]) -> Surface:
     return replace(found, colors=np.concatenate(colors)) if len(colors) == len(surfaces) else found
 
 
-def _clustered(surface: Surface, cells: int) -> Surface:
+def _cluster_corners(surface: Surface, cells: int) -> Surface:
     """Return the surface with the corners in each cell of a grid as one, ``cells`` of them along its longest edge."""
     vertices = np.asarray(surface.vertices, dtype=float)
     low = vertices.min(axis=0)
@@ -98,7 +98,7 @@ def _clustered(surface: Surface, cells: int) -> Surface:
     return _with_one_corner_each(surface, place @ np.array([cells * cells, cells, 1]))
 
 
-def welded(surface: Surface) -> Surface:
+def weld_corners(surface: Surface) -> Surface:
     """Return the surface with the corners that are in the same place as one."""
     return _with_one_corner_each(surface, places(surface.vertices))
 

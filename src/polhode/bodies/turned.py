@@ -13,7 +13,7 @@ from polhode.types import ArrayLike, Real
 SECTIONS = 64  # of a full turn; an inscribed polygon of so many has 0.16 % less area than its circle
 
 
-def turned(profile: Real[ArrayLike, "k 2"], sections: int = SECTIONS, closed: bool = False) -> Surface:
+def revolve(profile: Real[ArrayLike, "k 2"], sections: int = SECTIONS, closed: bool = False) -> Surface:
     """Return the surface that a line swings out about z.
 
     Args:
@@ -22,7 +22,7 @@ def turned(profile: Real[ArrayLike, "k 2"], sections: int = SECTIONS, closed: bo
         sections: flat faces of a full turn.
         closed: whether the line runs back to where it began.
 
-    >>> cone = turned([(0.0, 0.0), (1.0, 0.0), (0.0, 2.0)], sections=4)
+    >>> cone = revolve([(0.0, 0.0), (1.0, 0.0), (0.0, 2.0)], sections=4)
     >>> cone.vertices.shape, cone.faces.shape
     ((6, 3), (8, 3))
     """
@@ -46,12 +46,12 @@ def tube(radius: float, height: float, inner_radius: float = 0.0, sections: int 
     """Return a cylinder about z with its middle at the origin, hollow if ``inner_radius`` is given [m]."""
     top, bottom = 0.5 * height, -0.5 * height
     profile = [(inner_radius, bottom), (radius, bottom), (radius, top), (inner_radius, top)]
-    return turned(profile, sections, closed=inner_radius > 0.0)
+    return revolve(profile, sections, closed=inner_radius > 0.0)
 
 
 def cone(radius: float, height: float, sections: int = SECTIONS) -> Surface:
     """Return a cone about z, apex up, its centre of mass at the origin, h/4 above the base [m]."""
-    return turned([(0.0, -0.25 * height), (radius, -0.25 * height), (0.0, 0.75 * height)], sections)
+    return revolve([(0.0, -0.25 * height), (radius, -0.25 * height), (0.0, 0.75 * height)], sections)
 
 
 def ball(sections: int = SECTIONS) -> Surface:
@@ -59,14 +59,14 @@ def ball(sections: int = SECTIONS) -> Surface:
     heights = np.linspace(-0.5 * math.pi, 0.5 * math.pi, sections // 2 + 1)
     profile = np.column_stack([np.cos(heights), np.sin(heights)])
     profile[[0, -1], 0] = 0.0  # cos(π/2) of the float nearest to π/2 is not
-    return turned(profile, sections)
+    return revolve(profile, sections)
 
 
 def torus(major_radius: float, minor_radius: float, sections: int = SECTIONS) -> Surface:
     """Return a ring torus about z [m]."""
     angles = 4.0 * math.pi / sections * np.arange(sections // 2)
     profile = np.column_stack([major_radius + minor_radius * np.cos(angles), minor_radius * np.sin(angles)])
-    return turned(np.maximum(profile, [0.0, -np.inf]), sections, closed=True)
+    return revolve(np.maximum(profile, [0.0, -np.inf]), sections, closed=True)
 
 
 def bar(start: Real[ArrayLike, "3"], end: Real[ArrayLike, "3"], radius: float, sections: int = 12) -> Surface:

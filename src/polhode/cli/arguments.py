@@ -15,7 +15,7 @@ _WHOLE = re.compile(r"[-+]?[0-9]{1,12}")
 
 
 def check_arguments(arguments: Sequence[str]) -> None:
-    """Refuse arguments that name nothing.
+    """Refuse empty arguments.
 
     Raises:
         InvalidInput: for one that is empty, as where a shell's variable has no value, or holds a NUL.
@@ -41,7 +41,7 @@ class StrictCommand(TyperCommand):
     """A command that refuses an option given twice; the last would be taken, and the others dropped silently."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Return what the parser of the base class leaves.
+        """Return what the parser of the base class returns.
 
         Raises:
             InvalidInput: naming the option.

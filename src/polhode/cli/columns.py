@@ -1,4 +1,4 @@
-"""Options that say what the columns of another tool's table are."""
+"""Options that describe the columns of another tool's table."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from polhode.errors import FormatError, InvalidInput
-from polhode.formats.column_mapping import ColumnMapping, mapping_of_words
+from polhode.formats.column_mapping import ColumnMapping, make_mapping
 from polhode.spec.parsing import read_tables
 from polhode.studies.tables import Table
 
@@ -14,7 +14,7 @@ SIDES = ("a", "b")
 
 
 class ColumnOptions(NamedTuple):
-    """The options as they are given, each None where it is not."""
+    """The options, each None where it is not given."""
 
     mapping: Path | None = None
     time: str | None = None
@@ -30,12 +30,12 @@ class ColumnOptions(NamedTuple):
 
     @property
     def words(self) -> dict[str, Any]:
-        """Those that are given, without the mapping file."""
+        """The given options, without the mapping file."""
         return {name: value for name, value in self._asdict().items() if value is not None and name != "mapping"}
 
 
 def table_to_import(options: ColumnOptions) -> Table | None:
-    """Return the mapping of the file to import; None where nothing is said.
+    """Return the mapping of the file to import; None without options for columns.
 
     Raises:
         InvalidInput: for words that are wrong, and for options beside a mapping file.
@@ -46,11 +46,11 @@ def table_to_import(options: ColumnOptions) -> Table | None:
     if sides := [side for side in SIDES if side in words]:
         why = f"has a table [{sides[0]}], which is for `polhode compare`"
         raise InvalidInput(f"{options.mapping}: {why}. Leave it out.")
-    return Table(_mapping(words, _place(options)), True)
+    return Table(_make_mapping(words, _place(options)), True)
 
 
 def tables_to_compare(options: ColumnOptions) -> tuple[Table | None, Table | None]:
-    """Return the mappings of A and of B; None where nothing is said of one.
+    """Return the mappings of A and of B; None for a file without one.
 
     Raises:
         InvalidInput: as ``table_to_import`` does.
@@ -67,7 +67,7 @@ def tables_to_compare(options: ColumnOptions) -> tuple[Table | None, Table | Non
         given = {**words, **own.get(side, {})}
         needed = side in own or not own  # with one side alone, the other needs no mapping
         where = f"{_place(options)}[{side}]: " if side in own else _place(options)
-        found.append(Table(_mapping(given, where), side in own) if needed else None)
+        found.append(Table(_make_mapping(given, where), side in own) if needed else None)
     return found[0], found[1]
 
 
@@ -87,14 +87,14 @@ def _place(options: ColumnOptions) -> str:
     return "" if options.mapping is None else f"{options.mapping}: "
 
 
-def _mapping(words: dict[str, Any], where: str) -> ColumnMapping:
+def _make_mapping(words: dict[str, Any], where: str) -> ColumnMapping:
     try:
-        return mapping_of_words(words)
+        return make_mapping(words)
     except InvalidInput as error:
         raise InvalidInput(*(f"{where}{line if where else _of_options(line)}" for line in error.args)) from None
 
 
 def _of_options(line: str) -> str:
-    """Return what is wrong with a word of a mapping as what is wrong with the option that gave it."""
+    """Return a mistake in a word of a mapping as a mistake in the option that gave it."""
     name, *rest = line.split(" ", 1)
     return " ".join([f"--{name.replace('_', '-')}", *rest]) if name in ColumnOptions._fields else line

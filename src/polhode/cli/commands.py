@@ -29,7 +29,7 @@ from polhode.cli.source_options import (
     TimeColumn,
     TimeUnit,
 )
-from polhode.formats.form_registry import written_forms
+from polhode.formats.form_registry import writable_forms
 
 app = typer.Typer(
     name="polhode",
@@ -42,9 +42,9 @@ app = typer.Typer(
 )
 
 
-def _listed_forms() -> str:
+def _list_forms() -> str:
     """Return the names of the forms of files, for the help."""
-    *names, last = written_forms()
+    *names, last = writable_forms()
     return f"{', '.join(names)} or {last}"
 
 
@@ -237,7 +237,7 @@ def export(
     spec: SpecPath,
     to: Annotated[
         list[str],
-        typer.Option("--to", metavar="FORM", help=f"{_listed_forms()}; may be repeated."),
+        typer.Option("--to", metavar="FORM", help=f"{_list_forms()}; may be repeated."),
     ],
     out: Annotated[
         Path | None,

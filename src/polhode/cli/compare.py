@@ -7,7 +7,7 @@ from pathlib import Path
 from polhode.cli.columns import ColumnOptions, tables_to_compare
 from polhode.cli.publish import publish
 from polhode.formats.form import Kernels
-from polhode.studies.clocks import offset_of
+from polhode.studies.clocks import parse_offset
 from polhode.studies.compare import compare_files
 
 
@@ -16,5 +16,5 @@ def run_compare(
     columns: ColumnOptions, offset: str | None = None,
 ) -> None:  # fmt: skip
     """Read both, compare, draw, and print the answers."""
-    report = compare_files(first, second, spec, kernels, tables_to_compare(columns), offset_of(offset))
+    report = compare_files(first, second, spec, kernels, tables_to_compare(columns), parse_offset(offset))
     publish(report, json, figures=out or Path(f"{first.stem}_and_{second.stem}"))

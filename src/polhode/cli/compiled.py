@@ -15,7 +15,7 @@ LARGEST = 300_000_000  # bytes of all that is kept; what was not used for the lo
 
 
 def compile_quickly(flags: str = QUICKLY) -> None:
-    """Let XLA leave out what costs most of the time and gains little where a function runs once or a few times.
+    """Switch off XLA's most expensive optimizations, which hardly pay where a function runs a few times.
 
     To be called before JAX is imported. Flags in the environment win.
     """

@@ -11,10 +11,10 @@ from functools import partial
 from pathlib import Path
 
 from polhode.cli.destinations import check_spares
-from polhode.cli.spec_reports import moving_report_of, report_of
+from polhode.cli.spec_reports import make_motion_report, make_report
 from polhode.errors import FormatError, InvalidInput, one_line, shown
 from polhode.formats.form import Content, Form, Molecule
-from polhode.formats.form_registry import check_importable, written_forms
+from polhode.formats.form_registry import check_importable, writable_forms
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
 from polhode.motion.trajectory import Trajectory
@@ -32,17 +32,17 @@ def run_export(path: Path, names: Sequence[str], out: Path | None) -> None:
         check_spares(out, path)
     spec = read_spec(path)
     moving = any(form.of_motion or (form.sampled and spec.kind.has_motion) for form in wanted)
-    content = content_of(spec, moving_report_of(path, spec) if moving else report_of(path, spec))
+    content = gather_content(spec, make_motion_report(path, spec) if moving else make_report(path, spec))
     for form in wanted:
         place = out or Path(f"{path.stem}{form.ending}")
         written = _write(form, content, place)
-        print(one_line(f"{written}: {_said(form, content)}"))
+        print(one_line(f"{written}: {_describe_file(form, content)}"))
         if form.of_attitudes and content.samples is not None:
             _warn_of_long_turns(content.samples, form.name)
 
 
 def _form(name: str) -> Form:
-    known = written_forms()
+    known = writable_forms()
     if name not in known:
         check_importable(name)
         near = difflib.get_close_matches(name.lower(), known, n=1)
@@ -51,8 +51,8 @@ def _form(name: str) -> Form:
     return known[name]
 
 
-def content_of(spec: Spec, report: SystemReport) -> Content:
-    """Return what there is to write of a spec and the report on it."""
+def gather_content(spec: Spec, report: SystemReport) -> Content:
+    """Return the content that a spec and its report offer for files."""
     moving = report if isinstance(report, MotionReport) else None
     return Content(
         spec.name, spec.labels, None if moving is None else moving.trajectory, None if moving is None else moving.shown,
@@ -74,7 +74,7 @@ def _lines(asked: SpecRotor) -> Lines | None:
 
 
 def _write(form: Form, content: Content, place: Path) -> Path:
-    """Write one file, with what its writer warns of on standard error."""
+    """Write one file; warnings of its writer go to standard error."""
     assert form.write is not None
     try:
         with warnings.catch_warnings(record=True) as caught:
@@ -89,8 +89,8 @@ def _write(form: Form, content: Content, place: Path) -> Path:
     return written
 
 
-def _said(form: Form, content: Content) -> str:
-    """Return what is in the file, and which part of the motion it shows, if not all of it."""
+def _describe_file(form: Form, content: Content) -> str:
+    """Return a description of the file, and of the part of the motion that it shows, if not all."""
     whole, part = content.samples, content.part
     if whole is None or part is None or form.sampled:
         count = f"{len(whole.times)} samples, " if whole is not None and form.sampled else ""
@@ -103,7 +103,7 @@ def _said(form: Form, content: Content) -> str:
 
 
 def _warn_of_long_turns(trajectory: Trajectory, form: str) -> None:
-    """Say so where the body turns so far between samples that readers, who interpolate, go wrong."""
+    """Warn where the body turns too far between samples for readers that interpolate."""
     from polhode.formats.animation_keys import FARTHEST, farthest_turn
 
     if (turn := farthest_turn(trajectory)) > FARTHEST:

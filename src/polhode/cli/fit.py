@@ -23,7 +23,7 @@ def run_fit(
     files: list[Path], free: str | None, options: ThrowOptions, columns: ColumnOptions, out: Path | None,
     figures: Path | None, json: bool,
 ) -> None:  # fmt: skip
-    """Fit what the files are of, print what they say, and write data and figures where asked for.
+    """Fit the files, print the report, and write data and figures where asked for.
 
     Raises:
         typer.Exit: with code 3 where the report says that the inertia is not determined.
@@ -35,19 +35,19 @@ def run_fit(
     unit = columns.unit if columns.mapping is None and columns.words.keys() == {"unit"} else None
     options = options._replace(table=None if unit else table_to_import(columns), unit=unit)
 
-    def called(name: str) -> str:
+    def name_option(name: str) -> str:
         if name == "columns":
             return ", ".join(map(as_option, columns.words or ["mapping"]))
         return as_option("window" if name == "windows" else name)  # which is given at a time here
 
-    report = fit_files(files, None if free is None else free.split(","), options, called, _progress)
+    report = fit_files(files, None if free is None else free.split(","), options, name_option, _progress)
     publish(report, json, out, figures)
     if not report.determined:
         raise typer.Exit(NOT_DETERMINED)
 
 
 def _progress(path: Path) -> Callable[[int], None]:
-    """Return what tells a person who waits how far the reading is; files of few lines tell nothing."""
+    """Return a function that shows how far the reading of a file is; short files show nothing."""
     told = 0
 
     def tell(line: int) -> None:

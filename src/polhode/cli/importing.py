@@ -22,15 +22,15 @@ from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, StateLay
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
 from polhode.reports.report import PlainReport
-from polhode.reports.wording import counted, drifts, rate
-from polhode.studies.sources import COUNTED_FROM, begin_of, body_of, kind_in_words, read_recorded
-from polhode.studies.tables import about_reading, notes_on_reading
+from polhode.reports.wording import drifts, rate, write_count
+from polhode.studies.sources import COUNTED_FROM, find_begin, kind_in_words, load_body, read_recorded
+from polhode.studies.tables import describe_reading, list_reading_notes
 
 
 def run_import(
     path: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels, columns: ColumnOptions
 ) -> None:
-    """Read the file, add momentum and energy where the spec tells the moments, and write and print what is there."""
+    """Read the file, add momentum and energy where a spec gives the moments, write and print the result."""
     from polhode.formats.dataset import write_dataset
 
     table = table_to_import(columns)
@@ -42,8 +42,8 @@ def run_import(
         raise InvalidInput(f"{path}: is {kind_in_words(kind)} of polhode's already; there is nothing to import.")
     notes, groups = [], []
     if kind == "table":
-        notes = notes_on_reading(trajectory, one_line(path.name))
-        groups = [about_reading(trajectory, "How the table is read", "read_as")]
+        notes = list_reading_notes(trajectory, one_line(path.name))
+        groups = [describe_reading(trajectory, "How the table is read", "read_as")]
     if trajectory.outcome.message:
         notes.append(f"{trajectory.outcome.message}.")
     kept = ""
@@ -53,12 +53,12 @@ def run_import(
     groups.append(about_file(trajectory, labels, kept))
     written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported to the same folder has
     check_spares(written, path)
-    begin = begin_of(path, trajectory)
+    begin = find_begin(path, trajectory)
     header = {"title": path.name if labels is None else labels.object_name}
     header |= {COUNTED_FROM: in_words(begin)} if begin else {}
     what = "sample" if trajectory.attitude is None else "attitude"
     name = kind_in_words(kind, article=False)
-    summary = f"{name[0].upper()}{name[1:]} with {counted(len(trajectory.times), what)}."
+    summary = f"{name[0].upper()}{name[1:]} with {write_count(len(trajectory.times), what)}."
     groups.append(Group("", [Answer("drift", trajectory.drift)]))
     report = PlainReport(str(path), name, summary, groups, notes, lambda out: write_dataset(trajectory, out, header))
     publish(report, json, written)
@@ -66,7 +66,7 @@ def run_import(
 
 def _with_moments(trajectory: Trajectory, spec: Path) -> tuple[Trajectory, str, list[str]]:
     """Return the trajectory along the principal axes of a spec's body, whose invariants it has, and notes."""
-    body = body_of(spec)
+    body = load_body(spec)
     if body.frame is None:
         raise InvalidInput(f"{spec}: has no [body], whose moments would be needed. Choose another spec.")
     trajectory = _with_body(trajectory, body.frame, body.mechanics)
@@ -107,7 +107,7 @@ def _with_body(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | 
 
 
 def _with_states(trajectory: Trajectory) -> Trajectory:
-    """Return the trajectory with the states that its parts make up."""
+    """Return the trajectory with states assembled from its parts."""
     named = [(ATTITUDE, trajectory.attitude), (MOMENTUM, trajectory.momentum)]
     parts = [(part, np.asarray(value)) for part, value in named if value is not None]
     parts = parts or [(ANGULAR_VELOCITY, np.asarray(trajectory.angular_velocity))]
@@ -116,7 +116,7 @@ def _with_states(trajectory: Trajectory) -> Trajectory:
 
 
 def about_file(trajectory: Trajectory, labels: AttitudeLabels | None, kept: str) -> Group:
-    """Return what a file holds; ``kept`` says whose invariants the drift is of."""
+    """Return the answers about a file's content; ``kept`` names whose invariants the drift is of."""
     times = np.asarray(trajectory.times)
     steps, velocity = np.diff(times), trajectory.angular_velocity
     several, turned = len(times) > 1, None

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 from pydantic import BaseModel
 
-from polhode.formats.opening import content_digest, files_recorded
+from polhode.formats.opening import content_digest, record_files
 from polhode.kinds.base import Spec
 from polhode.reports.base import SystemReport
 from polhode.reports.program import program_digest
@@ -31,8 +31,8 @@ FOLDER = "POLHODE_REPORTS_CACHE"  # in the environment: where reports are kept; 
 MOST, LARGEST = 32, 50_000_000  # reports, and bytes of one
 
 
-def kept_report(spec: Spec) -> SystemReport:
-    """Return the report on a spec, as it was kept or computed now.
+def load_or_make_report(spec: Spec) -> SystemReport:
+    """Return the report on a spec, from the cache or computed now.
 
     Raises:
         InvalidInput: as ``Spec.report`` does.
@@ -47,7 +47,7 @@ def kept_report(spec: Spec) -> SystemReport:
         return spec.report()
     found = _load(place)
     if found is None:
-        with files_recorded() as read:
+        with record_files() as read:
             found = spec.report()
         with contextlib.suppress(Exception):  # what cannot be kept is computed again
             _keep(found, read, place)
@@ -102,7 +102,7 @@ def _program() -> bytes:
 
 
 def _parts(value: Any) -> Iterator[bytes]:
-    """Yield bytes that are the same for equal values alone.
+    """Yield bytes that are the same only for equal values.
 
     Raises:
         TypeError: for a type whose values are not known here.

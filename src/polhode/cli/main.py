@@ -8,7 +8,7 @@ import sys
 import warnings
 from typing import Any, NoReturn
 
-from polhode.cli.stopping import SIGNALS, Stopped, said, stopped_by_signals
+from polhode.cli.stopping import SIGNALS, Stopped, describe_stop, stop_on_signals
 from polhode.cli.terminal import readable_output
 from polhode.errors import InvalidInput, PolhodeError, one_line
 
@@ -25,14 +25,14 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         SystemExit: always; with 128 and its number after a signal, and 1 where nobody reads the output any more.
     """
     try:
-        with readable_output(), stopped_by_signals(), warnings.catch_warnings():
+        with readable_output(), stop_on_signals(), warnings.catch_warnings():
             warnings.filterwarnings("ignore", category=RuntimeWarning)  # NumPy's; what is not finite is seen in the end
             warnings.showwarning = _say_warning
             code = _run(arguments)
     except Stopped as stop:
         if arguments is None:
             warnings.simplefilter("ignore")  # such as those of libraries whose work was not finished
-        _tell(said(stop.number))
+        _tell(describe_stop(stop.number))
         code = 128 + stop.number
     if arguments is None:
         for number in SIGNALS:  # while Python ends there is nothing more to clean up, and nothing to say
@@ -82,7 +82,7 @@ def _run(arguments: list[str] | None) -> int | str | None:
 
 
 def _singular() -> tuple[type[Exception], ...]:
-    """Return what NumPy raises for a matrix that is not finite; nothing where it has not been imported."""
+    """Return NumPy's error for a matrix that is not finite, as a tuple; empty where NumPy is not imported."""
     numpy = sys.modules.get("numpy")
     return () if numpy is None else (numpy.linalg.LinAlgError,)
 
@@ -101,7 +101,7 @@ def _tell(message: str) -> None:
 
 
 def _silence() -> None:
-    """Let what standard output still holds go nowhere; Python would complain at its end that it cannot be written."""
+    """Discard what standard output still holds; Python would report at exit that it cannot be written."""
     try:
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, sys.stdout.fileno())

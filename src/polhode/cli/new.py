@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import polhode
-from polhode.cli.terminal import as_typed
+from polhode.cli.terminal import spell_command
 from polhode.errors import InvalidInput, PolhodeError, one_line, printable, shown
-from polhode.formats.paths import written_together
+from polhode.formats.paths import write_together
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.registry import find_kind, kind_names
 
@@ -26,11 +26,11 @@ def run_new(example: str | None, out: Path | None) -> None:
             print(printable(f"{name:<{width}}  {_about(path.read_text('utf-8'))}"))
         for name, kind in foreign.items():
             print(printable(f"{name:<{width}}  {_about(kind.example)} (package {type(kind).__module__.split('.')[0]})"))
-        print(f"\nNext: {as_typed('new', 't_handle')} copies one of them.")
+        print(f"\nNext: {spell_command('new', 't_handle')} copies one of them.")
         return
     asked, folder = example.removesuffix(".toml"), Path() if out is None else out
     if asked not in known and asked in foreign:
-        with _copying([folder / f"{asked}.toml"], folder) as draft:
+        with _copy_together([folder / f"{asked}.toml"], folder) as draft:
             (draft / f"{asked}.toml").write_text(foreign[asked].example, "utf-8")
         return
     chosen = known.get(asked)
@@ -38,21 +38,21 @@ def run_new(example: str | None, out: Path | None) -> None:
         near = difflib.get_close_matches(example, [*known, *foreign], 1)
         meant = f"; did you mean {near[0]}?" if near else "."
         raise InvalidInput(f"no example is called {shown(example)}{meant} `polhode new` lists them.")
-    wanted = [chosen, *_needed(chosen)]
-    with _copying([folder / path.name for path in wanted], folder) as draft:
+    wanted = [chosen, *_list_needed_files(chosen)]
+    with _copy_together([folder / path.name for path in wanted], folder) as draft:
         for path in wanted:
             shutil.copyfile(path, draft / path.name)
 
 
 @contextlib.contextmanager
-def _copying(wanted: list[Path], folder: Path) -> Iterator[Path]:
+def _copy_together(wanted: list[Path], folder: Path) -> Iterator[Path]:
     """Yield a draft folder whose files take the names that are wanted, the spec first, and say what was written."""
     if there := [path for path in wanted if path.exists()]:
         raise InvalidInput(f"{there[0]}: is there already, and nothing was copied. Name another folder by --out.")
-    with written_together(folder) as draft:
+    with write_together(folder) as draft:
         yield draft
     print(f"Written: {', '.join(one_line(str(path)) for path in wanted)}")
-    print(f"Next: {as_typed('report', str(wanted[0]))}")
+    print(f"Next: {spell_command('report', str(wanted[0]))}")
 
 
 def kinds_of_others() -> dict[str, AbstractKind]:
@@ -89,7 +89,7 @@ def _about(spec: str) -> str:
     return " ".join(lines).split(". ")[0].split(": ")[0].rstrip(".") + "."
 
 
-def _needed(spec: Path) -> list[Path]:
+def _list_needed_files(spec: Path) -> list[Path]:
     """Return the files that a spec names, in any table."""
     tables = [table for table in tomllib.loads(spec.read_text("utf-8")).values() if isinstance(table, dict)]
     named = [value for table in tables for value in table.values() if isinstance(value, str)]

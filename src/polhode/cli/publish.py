@@ -8,7 +8,7 @@ from pathlib import Path
 from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput
-from polhode.formats.paths import written_together
+from polhode.formats.paths import write_together
 from polhode.reports.report import Report
 
 
@@ -19,9 +19,9 @@ def publish(
     """Write a report's data and figures where asked for, and print it.
 
     Args:
-        report: what was found out.
+        report: the report.
         json: whether it is printed as one JSON object, which always has name, kind, summary, units, notes and files.
-        data: file for what was found, of a report that has data.
+        data: file for the data of a report that has some.
         figures: folder for the figures.
         written: files that the command has written itself.
         removed: files of an earlier report that it has removed; None for a command that removes none.
@@ -49,6 +49,6 @@ def publish(
 def _figures(report: Report, folder: Path | None) -> Sequence[str]:
     if folder is None:
         return []
-    with written_together(folder) as draft:
+    with write_together(folder) as draft:
         drawn = report.draw(draft)
     return [str(folder / path.name) for path in drawn]

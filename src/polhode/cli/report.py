@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from polhode.cli.publish import publish
-from polhode.cli.spec_reports import report_of, shown_report_of
-from polhode.cli.terminal import as_typed
+from polhode.cli.spec_reports import make_page_report, make_report
+from polhode.cli.terminal import spell_command
 from polhode.errors import InvalidInput, shown
 from polhode.formats.figure_file import is_ours
-from polhode.formats.paths import written_together
+from polhode.formats.paths import write_together
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import known_figures, next_steps
 
@@ -37,8 +37,8 @@ def run_report(
     forms = figure_forms(figures)
     spec = read_spec(path)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
-    report = shown_report_of(path, spec) if html else report_of(path, spec)
-    with written_together(folder) as draft:
+    report = make_page_report(path, spec) if html else make_report(path, spec)
+    with write_together(folder) as draft:
         files = report.draw(draft, *forms)
         if report.data_file:
             files.append(report.save(draft / report.data_file))
@@ -48,14 +48,14 @@ def run_report(
             files.append(page_of_report(report, draft / "page.html", surface=spec.surface))
     names = [str(folder / file.name) for file in files]
     removed = _remove_outdated(folder, [file.name for file in files])
-    following = "; ".join(f"{as_typed(step.command, str(path))} {step.gives}" for step in next_steps(spec))
+    following = "; ".join(f"{spell_command(step.command, str(path))} {step.gives}" for step in next_steps(spec))
     publish(report, json, written=names, removed=removed, certificates=certificates, following=following)
 
 
 def _remove_outdated(folder: Path, written: list[str]) -> list[str]:
     """Remove the figures that an earlier report wrote into the folder and this one did not, by their names and content.
 
-    What another command wrote, or somebody renamed, stays.
+    Files of other commands, and renamed ones, stay.
     """
     known = {f"{name}.{form}" for name in known_figures() for form in FORMS}
     outdated = sorted(folder / name for name in known - set(written))

@@ -1,4 +1,4 @@
-"""Options that several commands have: kernels that go with a C-kernel, and what the columns of a table are."""
+"""Options that several commands share: kernels for a C-kernel, and the columns of a table."""
 
 from __future__ import annotations
 

@@ -4,27 +4,27 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from polhode.cli.kept import kept_report
-from polhode.kinds.base import Spec, motion_report_of
+from polhode.cli.kept import load_or_make_report
+from polhode.kinds.base import Spec, require_motion_report
 from polhode.reports.base import MotionReport, SystemReport
-from polhode.studies.naming import naming
+from polhode.studies.naming import name_file_in_errors
 
 
-def report_of(path: Path, spec: Spec) -> SystemReport:
-    """Return the report on a spec; what it refuses names the file."""
-    with naming(path):
-        return kept_report(spec)
+def make_report(path: Path, spec: Spec) -> SystemReport:
+    """Return the report on a spec; errors name the file."""
+    with name_file_in_errors(path):
+        return load_or_make_report(spec)
 
 
-def moving_report_of(path: Path, spec: Spec) -> MotionReport:
+def make_motion_report(path: Path, spec: Spec) -> MotionReport:
     """Return the report on a spec that has a motion; one without is refused before anything is computed."""
-    with naming(path):
+    with name_file_in_errors(path):
         spec.kind.check_motion()
-    return motion_report_of(report_of(path, spec))
+    return require_motion_report(make_report(path, spec))
 
 
-def shown_report_of(path: Path, spec: Spec) -> SystemReport:
+def make_page_report(path: Path, spec: Spec) -> SystemReport:
     """Return the report on a spec that has a page; one without is refused before anything is computed."""
-    with naming(path):
+    with name_file_in_errors(path):
         spec.kind.check_page()
-    return report_of(path, spec)
+    return make_report(path, spec)

@@ -33,10 +33,10 @@ class Stopped(BaseException):
 
 
 class _Watch:
-    """What came, and the thread that sees to it.
+    """The signals received, and the thread that acts on them.
 
     Attributes:
-        came: what the first signal raised, None before.
+        came: the exception of the first signal, None before.
     """
 
     def __init__(self) -> None:
@@ -71,7 +71,7 @@ class _Watch:
             raise self.came
 
     def _unraisable(self, lost: Any) -> None:
-        """Say nothing of a ``Stopped`` that Python lost in a callback; the thread sees to it."""
+        """Ignore a ``Stopped`` that Python lost in a callback; the thread acts on it."""
         if not isinstance(lost.exc_value, Stopped):
             self._told_before(lost)
 
@@ -86,7 +86,7 @@ class _Watch:
 
 
 @contextlib.contextmanager
-def stopped_by_signals() -> Iterator[None]:
+def stop_on_signals() -> Iterator[None]:
     """Raise ``Stopped`` out of the block on a signal, or at its end if the block lost it and did not expect it.
 
     Elsewhere than in the main thread it does nothing, as signals do not come there.
@@ -108,8 +108,8 @@ def stopped_by_signals() -> Iterator[None]:
             raise Stopped(watch.came.number) from None
 
 
-def said(number: int) -> str:
-    """Return the message of a command that a signal stopped."""
+def describe_stop(number: int) -> str:
+    """Return the message for a command stopped by a signal."""
     return f"polhode: stopped by {signal.Signals(number).name}.\n"
 
 
@@ -117,7 +117,7 @@ def _end_now(number: int) -> None:
     """End the process from another thread, whatever the main thread is in, and leave no drafts."""
     _remove_drafts()
     with contextlib.suppress(OSError, ValueError):
-        os.write(2, said(number).encode("ascii"))
+        os.write(2, describe_stop(number).encode("ascii"))
     os._exit(128 + number)
 
 

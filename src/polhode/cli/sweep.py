@@ -43,7 +43,7 @@ def run_sweep(path: Path, options: SweepOptions) -> None:
     if options.dry_run:
         _print_cost(sweep, out, seconds, workers, options)
         return
-    folder = _figures_of(out)
+    folder = _figures_folder(out)
     if not options.no_figures and folder.exists() and not folder.is_dir():
         raise InvalidInput(f"{folder}: is a file, where the figures' folder is needed. Choose another name with --out, "
                            "or leave the figures out with --no-figures.")  # fmt: skip
@@ -52,7 +52,7 @@ def run_sweep(path: Path, options: SweepOptions) -> None:
         with _progress(sweep, store) as tell:
             sweep.run(store, workers, options.scheduler, tell)
     except Stopped:
-        done = len(store.finished()) if store.home.is_dir() else 0
+        done = len(store.list_finished()) if store.home.is_dir() else 0
         kept = f"polhode: {done} of {sweep.chunks} chunks are finished and kept; the same command goes on from there.\n"
         sys.stderr.write(kept if done else "")
         raise
@@ -62,10 +62,10 @@ def run_sweep(path: Path, options: SweepOptions) -> None:
 
 @contextmanager
 def _progress(sweep: Sweep, store: Store) -> Iterator[Callable[[int], object]]:
-    """Show how far it is, how fast it goes and how long it will take, where somebody watches."""
+    """Show progress, speed and remaining time on a terminal."""
     from tqdm import tqdm
 
-    done = sum(high - low for low, high in map(sweep.layout.range_of, store.finished()))
+    done = sum(high - low for low, high in map(sweep.layout.sample_range, store.list_finished()))
     if not sys.stderr.isatty():
         yield _Lines(done, sweep.plan.design.count).add
         return
@@ -91,7 +91,7 @@ class _Lines:
         sys.stderr.flush()
 
 
-def _figures_of(out: Path) -> Path:
+def _figures_folder(out: Path) -> Path:
     """Return the folder beside a store, whose name may stand behind ``.`` or ``..``.
 
     Raises:

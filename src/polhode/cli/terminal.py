@@ -24,7 +24,7 @@ IN_ASCII = {
 }  # fmt: skip
 
 
-def as_typed(*arguments: str) -> str:
+def spell_command(*arguments: str) -> str:
     """Return a command that works where this one was given: as ``.venv/bin/polhode`` where the search path has none."""
     program = sys.argv[0]
     found = shutil.which("polhode")
@@ -47,13 +47,13 @@ def _plainer(character: str) -> str:
     return letters or character.encode("ascii", "backslashreplace").decode()
 
 
-def _replaced(error: UnicodeError) -> tuple[str, int]:
+def _replace_unencodable(error: UnicodeError) -> tuple[str, int]:
     if not isinstance(error, UnicodeEncodeError):
         raise error
     return in_ascii(error.object[error.start : error.end]), error.end
 
 
-codecs.register_error(HANDLER, _replaced)
+codecs.register_error(HANDLER, _replace_unencodable)
 
 
 @contextlib.contextmanager

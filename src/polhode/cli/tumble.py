@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.cli.publish import publish
 from polhode.cli.render import as_json
-from polhode.cli.terminal import as_typed
+from polhode.cli.terminal import spell_command
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.tumbling import MODES
 from polhode.formats.known_tumblers import known_tumbler, known_tumblers
@@ -48,7 +48,7 @@ def run_list(json: bool) -> None:
         moments = "moments unknown" if known.moments is None else " : ".join(known.moments)
         print(f"{known.key:<14}{known.name}: P_φ {known.precession}, P_ψ {known.rotation}, {moments}, {known.mode}\n"
               f"{'':<14}{known.source}")  # fmt: skip
-    print(f"\nNext: {as_typed('tumble', 'apophis')}")
+    print(f"\nNext: {spell_command('tumble', 'apophis')}")
 
 
 def run_tumble(body: str | None, options: TumbleOptions, json: bool) -> None:
@@ -58,7 +58,7 @@ def run_tumble(body: str | None, options: TumbleOptions, json: bool) -> None:
     known = None if body is None else known_tumbler(body)
     given = Given(
         options.precession, options.rotation, options.moments, options.semi_axes,
-        _one_of("--axis", options.axis, AXES) or "encircled", _one_of("--mode", options.mode, MODES),
+        _check_choice("--axis", options.axis, AXES) or "encircled", _check_choice("--mode", options.mode, MODES),
         _friction(options), _angle("--aspect", options.aspect, "60 deg", 180.0),
         _angle("--phase", options.phase, "20 deg", 170.0),
     )  # fmt: skip
@@ -89,7 +89,7 @@ def _angle(name: str, text: str | None, usual: str, most: float) -> float:
     return value
 
 
-def _one_of(name: str, text: str | None, known: tuple[str, ...]) -> Any:
+def _check_choice(name: str, text: str | None, known: tuple[str, ...]) -> Any:
     if text is not None and text not in known:
         raise InvalidInput(f"{name} must be {', '.join(known[:-1])} or {known[-1]}; got {shown(text)}.")
     return text

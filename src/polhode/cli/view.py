@@ -7,7 +7,7 @@ from pathlib import Path
 import typer
 
 from polhode.cli.destinations import check_spares
-from polhode.cli.spec_reports import shown_report_of
+from polhode.cli.spec_reports import make_page_report
 from polhode.errors import one_line
 from polhode.kinds.reading import read_spec
 
@@ -29,11 +29,11 @@ def _page(path: Path, out: Path | None) -> Path:
     target = out or Path(f"{path.stem}.html")
     check_spares(target, path)
     spec = read_spec(path)
-    return page_of_report(shown_report_of(path, spec), target, surface=spec.surface)
+    return page_of_report(make_page_report(path, spec), target, surface=spec.surface)
 
 
 def _playground(out: Path | None) -> Path:
     from polhode.cli.new import examples
     from polhode.kinds.playground import write_playground
 
-    return write_playground(out or Path("playground.html"), examples(), shown_report_of)
+    return write_playground(out or Path("playground.html"), examples(), make_page_report)

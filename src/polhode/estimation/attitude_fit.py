@@ -14,11 +14,11 @@ from polhode.errors import InvalidInput, shown
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.gyro_log import check_sizes
 from polhode.estimation.linear_start import linear_inertia
-from polhode.estimation.principal import Principal, principal, why_undetermined
+from polhode.estimation.principal import Principal, explain_undetermined, principal
 from polhode.estimation.throw_doubts import why_impossible
-from polhode.estimation.throw_fit import ROBUST, covariance_of, cross_matrix, right_jacobian
-from polhode.estimation.throw_models import D_MOMENTS, free_states, moments_of, shape_of
-from polhode.estimation.torqued_states import torqued_start, torqued_states
+from polhode.estimation.throw_fit import ROBUST, compute_covariance, cross_matrix, right_jacobian
+from polhode.estimation.throw_models import D_MOMENTS, compute_moments, compute_shape, free_states
+from polhode.estimation.torqued_states import estimate_torqued_start, integrate_torqued
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -102,27 +102,28 @@ def fit_attitude(
     """
     if torque not in (True, False, "auto"):
         raise InvalidInput(f'torque must be True, False or "auto"; got {shown(torque)}.')
-    t, measured, gyro = _cleaned(times, quaternions, rates)
+    t, measured, gyro = _clean(times, quaternions, rates)
     middle = len(t) // 2
     epoch = float(t[middle])
-    slow, turned, at = _differenced(t, measured)
+    slow, turned, at = _difference_attitudes(t, measured)
     linear = linear_inertia([slow], [turned])
     k = int(np.argmin(np.abs(at - epoch)))
     samples = _Samples(t - epoch, measured, gyro)
 
-    def begun(moments: Array, axes: Array, push: Array) -> _Solution:
-        x = np.concatenate([shape_of(moments), np.zeros(3), axes.T @ slow[k], np.zeros(3), push])
-        return _descended(_System(samples, axes, measured[middle] * Rotation.from_matrix(axes), len(push) > 0), x)
+    def descend_from(moments: Array, axes: Array, push: Array) -> _Solution:
+        x = np.concatenate([compute_shape(moments), np.zeros(3), axes.T @ slow[k], np.zeros(3), push])
+        return _descend(_System(samples, axes, measured[middle] * Rotation.from_matrix(axes), len(push) > 0), x)
 
     tried: dict[str, _Solution] = {}
     if torque is not True:
-        tried["free"] = begun(linear.moments, linear.axes, np.zeros(0))
+        tried["free"] = descend_from(linear.moments, linear.axes, np.zeros(0))
     if torque:
-        starts = [begun(*torqued_start(at, slow, turned)), begun(linear.moments, linear.axes, np.zeros(3))]
+        starts = [descend_from(*estimate_torqued_start(at, slow, turned)),
+                  descend_from(linear.moments, linear.axes, np.zeros(3))]  # fmt: skip
         tried["torque"] = min(starts, key=lambda solution: solution.aicc)
     best = min(tried.values(), key=lambda solution: solution.aicc)
     scores = {name: solution.aicc for name, solution in tried.items()}
-    return _told(best, t, epoch, slow, scores, linear.singular_values)
+    return _make_result(best, t, epoch, slow, scores, linear.singular_values)
 
 
 class _Samples(NamedTuple):
@@ -144,7 +145,7 @@ class _Solution(NamedTuple):
     aicc: float
 
 
-def _told(
+def _make_result(
     solution: _Solution, t: Array, epoch: float, rates: Array, scores: dict[str, float], singular: Array
 ) -> AttitudeFit:
     system, x = solution.system, solution.x
@@ -156,7 +157,7 @@ def _told(
     residuals = system.blocks(x)[0][0]
     rms = float(np.sqrt(np.mean(residuals**2)))
     sigma, rate_sigma = float(solution.noise[0]), float(solution.noise[1]) if len(solution.noise) > 1 else None
-    reason = why_impossible(found) if found.determined else why_undetermined([rates], found)
+    reason = why_impossible(found) if found.determined else explain_undetermined([rates], found)
     if reason is not None:
         return AttitudeFit(None, None, None, None, None, None, None, None, t, residuals, rms, sigma, rate_sigma, scores,
                            reason, singular)  # fmt: skip
@@ -173,7 +174,7 @@ def _told(
 def _torque(x: Array, covariance: Array, axes: Array, found: Principal, freedom: float) -> Estimate:
     """Return the torque over the largest moment along the device's axes, errors of moments and axes included."""
     third = int(np.argmax(found.order[:, 2] != 0))
-    largest = float(moments_of(x[PLACES["shape"]])[third])
+    largest = float(compute_moments(x[PLACES["shape"]])[third])
     own = x[TORQUE]
     value = axes @ own / largest
     by = np.zeros((3, len(x)))
@@ -183,7 +184,7 @@ def _torque(x: Array, covariance: Array, axes: Array, found: Principal, freedom:
     return Estimate(("Nx/I3", "Ny/I3", "Nz/I3"), value, by @ covariance @ by.T, freedom)
 
 
-def _descended(system: _System, x: Array) -> _Solution:
+def _descend(system: _System, x: Array) -> _Solution:
     """Return the solution from a start: least squares and the noise of each kind of data in turn."""
     size = len(x)
     data = sum(r.size for r, _ in system.blocks(x))
@@ -202,7 +203,7 @@ def _descended(system: _System, x: Array) -> _Solution:
             break
     system.noise = noise
     z, J = system.residuals(x), system.jacobian(x)
-    covariance = covariance_of(J) / np.mean(np.abs(z) < ROBUST) ** 2
+    covariance = compute_covariance(J) / np.mean(np.abs(z) < ROBUST) ** 2
     cost = sum(2.0 * r.size * np.log(s) for (r, _), s in zip(system.blocks(x), noise, strict=True))
     count = size + len(noise)
     return _Solution(system, x, covariance, noise, freedom, float(cost + 2 * count * data / max(data - count - 1, 1)))
@@ -215,7 +216,7 @@ def _noise(r: Array, share: float) -> float:
     return max(float(np.sqrt(np.mean(drawn**2) / share)), 1e-13)
 
 
-def _cleaned(times: ArrayLike, quaternions: ArrayLike, rates: ArrayLike | None) -> tuple[Array, Rotation, Array | None]:
+def _clean(times: ArrayLike, quaternions: ArrayLike, rates: ArrayLike | None) -> tuple[Array, Rotation, Array | None]:
     t, q = np.asarray(times, dtype=np.float64), np.asarray(quaternions, dtype=np.float64)
     if t.ndim != 1 or q.shape != (len(t), 4):
         raise InvalidInput(f"times of shape (n,) and quaternions of shape (n, 4) are needed; got {shown(t.shape)} and "
@@ -237,7 +238,7 @@ def _cleaned(times: ArrayLike, quaternions: ArrayLike, rates: ArrayLike | None) 
     return t, Rotation.from_quat(q, scalar_first=True), gyro
 
 
-def _differenced(t: Array, measured: Rotation) -> tuple[Array, Array, Array]:
+def _difference_attitudes(t: Array, measured: Rotation) -> tuple[Array, Array, Array]:
     """Return rates over steps of some tenths of a radian, and the attitudes xyzw and times in their middles."""
     turn = float(np.median((measured[:-1].inv() * measured[1:]).magnitude()))
     stride = int(np.clip(round(STEP / max(turn, 1e-12)), 1, max(len(t) // 8, 1)))
@@ -257,7 +258,7 @@ class _System:
 
     def _motion(self, x: Array) -> tuple[Array, Array, Array, Array]:
         if self.torque:
-            return torqued_states(x[:2], x[5:8], x[TORQUE], self.samples.elapsed)
+            return integrate_torqued(x[:2], x[5:8], x[TORQUE], self.samples.elapsed)
         q, rates, dq, d_rates = free_states(x[:2], x[5:8], self.samples.elapsed)
         w, v, dw, dv = q[:, :1], q[:, 1:], dq[..., :1], dq[..., 1:]
         return q, rates, 2.0 * (w * dv - dw * v - np.cross(v, dv)), d_rates  # of δq, the turn is 2 vec(q* δq)

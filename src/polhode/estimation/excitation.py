@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.estimation.pole_series import DAY, even, pole_of
+from polhode.estimation.pole_series import DAY, clean_pole, even
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 STEP = 10.0 * DAY
@@ -79,7 +79,7 @@ def polar_excitation(
         raise InvalidInput(f"`noise` must be a standard deviation in radians, zero for none; got {shown(noise)}.")
     if step > 0.1 * period:
         raise InvalidInput(f"`step` must be a tenth of the period at most; got {shown(step)} s. Leave it out for 10 d.")
-    raw = pole_of(times, x, y)
+    raw = clean_pole(times, x, y)
     step = max(step, float(np.median(np.diff(raw.times))))
     pole = even(raw, step)
     turn = np.exp(1j * 2.0 * np.pi / period * (1.0 + 0.5j / quality_factor) * step)

@@ -75,7 +75,7 @@ def free_flights(log: GyroLog, limit: float | None = None) -> list[Window]:
 
 def find_flights(log: GyroLog, limit: float | None = None) -> Flights:
     """Return what ``free_flights`` does, and what looks like a flight and is left out, with the reason."""
-    t, rates = _thinned(log.times, log.rates - _bias(log))
+    t, rates = _thin(log.times, log.rates - _bias(log))
     if log.acceleration is None:
         used, left = _by_momentum(t, rates)
     else:
@@ -110,7 +110,7 @@ def _bias(log: GyroLog) -> Array:
     return log.rates[still].mean(axis=0) if still.any() else np.zeros(3)
 
 
-def _thinned(t: Array, rates: Array) -> tuple[Array, Array]:
+def _thin(t: Array, rates: Array) -> tuple[Array, Array]:
     """Return means over a few samples where samples come faster than a flight needs them."""
     step = float(np.median(np.diff(t)))
     fastest = float(np.quantile(np.abs(rates).max(axis=1), 0.999))
@@ -137,7 +137,7 @@ def _by_weight(log: GyroLog, t: Array, rates: Array) -> tuple[list[Window], list
     assert clock is not None
     found = [Window(float(clock[one.first]), float(clock[one.last]), WEIGHTLESS, one.felt)
              for one in weightless_stretches(log, SHORTEST_TOLD)]  # fmt: skip
-    used = [_trimmed(t, rates, window) for window in found if window.end - window.start >= SHORTEST]
+    used = [_trim(t, rates, window) for window in found if window.end - window.start >= SHORTEST]
     left = [Window(one.start, one.end, f"{WEIGHTLESS}, for less than {SHORTEST} s", one.score)
             for one in found if one.end - one.start < SHORTEST]  # fmt: skip
     if not used:  # a device that turns on a bearing keeps a momentum too
@@ -146,7 +146,7 @@ def _by_weight(log: GyroLog, t: Array, rates: Array) -> tuple[list[Window], list
     return used, left
 
 
-def _trimmed(t: Array, rates: Array, window: Window) -> Window:
+def _trim(t: Array, rates: Array, window: Window) -> Window:
     """Return a window without ends at which a torque acts: a hand that carries no weight may still turn the device."""
     part = slice(int(np.searchsorted(t, window.start)), int(np.searchsorted(t, window.end, "right")))
     found = within(t[part], rates[part]) if part.stop - part.start >= MIN_SAMPLES else None

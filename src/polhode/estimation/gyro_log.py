@@ -74,14 +74,14 @@ def clean_log(
         >>> len(log.times), log.dropped
         (9, 1)
     """
-    t, x, dropped, repeats, reordered, spread = _cleaned("rates", times, rates)
+    t, x, dropped, repeats, reordered, spread = _clean("rates", times, rates)
     if len(t) < MIN_SAMPLES:
         raise InvalidInput(f"a gyro log must have {MIN_SAMPLES} finite samples at different times; got {len(t)}.")
     if (acceleration is None) != (acceleration_times is None):
         raise InvalidInput("acceleration and acceleration_times must be given together; got only one of them.")
     if acceleration is None or acceleration_times is None:
         return GyroLog(t, x, None, None, dropped, repeats, reordered, spread)
-    ta, a, *_ = _cleaned("acceleration", acceleration_times, acceleration)
+    ta, a, *_ = _clean("acceleration", acceleration_times, acceleration)
     some = len(ta) > 0
     return GyroLog(t, x, ta if some else None, a if some else None, dropped, repeats, reordered, spread)
 
@@ -111,7 +111,7 @@ def _check_steps(name: str, steps: Float64[Array, "_"]) -> None:
                            "has the times, and their unit.")  # fmt: skip
 
 
-def _cleaned(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Array, int, int, bool, int]:
+def _clean(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Array, int, int, bool, int]:
     t, x = (np.asarray(v, dtype=np.float64) for v in (times, values))
     if t.ndim != 1 or x.shape != (*t.shape, 3):
         raise InvalidInput(

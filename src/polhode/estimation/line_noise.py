@@ -37,7 +37,7 @@ class LineNoise(NamedTuple):
     frequencies: int
 
 
-def walked(influence: Complex128[Array, "n k"]) -> Complex128[Array, "n k"]:
+def accumulate_walk(influence: Complex128[Array, "n k"]) -> Complex128[Array, "n k"]:
     """Return the influence of each step of a random walk, given that of the walk itself.
 
     The walk counts from its own mean: the mean amplitude is what a fit of a constant line means to find.
@@ -60,7 +60,7 @@ def noise_about(
     span = times[-1] - times[0]
     many = max(4, int(REACH * span))
     k = np.concatenate([np.arange(-many, 0), np.arange(1, many + 1)])
-    power, white, walk = _expected(times, left, removed, rate + 2.0 * np.pi * k / span, rate)
+    power, white, walk = _expect_powers(times, left, removed, rate + 2.0 * np.pi * k / span, rate)
     kept = white > KEPT
     power, white, walk = power[kept], white[kept], walk[kept]
     level = power.sum() / white.sum()
@@ -94,11 +94,11 @@ def level_at(
     [rad/s]."""
     span = times[-1] - times[0]
     k = np.concatenate([np.arange(-NEXT, 0), np.arange(1, NEXT + 1)])
-    power, white, _ = _expected(times, left, removed, rate + 2.0 * np.pi * k / span, rate)
+    power, white, _ = _expect_powers(times, left, removed, rate + 2.0 * np.pi * k / span, rate)
     return float(power.sum() / white.sum())
 
 
-def _expected(
+def _expect_powers(
     times: Float64[Array, "n"], left: Complex128[Array, "n"], removed: Complex128[Array, "n r"],
     rates: Float64[Array, "k"], line: float,
 ) -> tuple[Float64[Array, "k"], Float64[Array, "k"], Float64[Array, "k"]]:  # fmt: skip
@@ -107,5 +107,5 @@ def _expected(
     power = np.abs(waves.conj().T @ left) ** 2
     waves -= removed @ (removed.conj().T @ waves)
     white = np.sum(np.abs(waves) ** 2, axis=0)
-    walk = np.sum(np.abs(walked(waves * np.exp(-1j * line * times)[:, None])) ** 2, axis=0)
+    walk = np.sum(np.abs(accumulate_walk(waves * np.exp(-1j * line * times)[:, None])) ** 2, axis=0)
     return power, white, walk

@@ -31,7 +31,7 @@ class LinearInertia(NamedTuple):
     rotor: Float64[Array, "3"]
 
 
-def turned_by(times: Float64[Array, "n"], rates: Float64[Array, "n 3"]) -> Float64[Array, "n 4"]:
+def integrate_rates(times: Float64[Array, "n"], rates: Float64[Array, "n 3"]) -> Float64[Array, "n 4"]:
     """Return the attitude quaternions xyzw that the rates add up to, from the unit one on.
 
     Each step is the Magnus expansion of rates that are linear in time between samples.

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 from scipy.ndimage import binary_closing
 
-from polhode.estimation.linear_start import OFF_DIAGONAL, ROOT, momentum_map, turned_by
+from polhode.estimation.linear_start import OFF_DIAGONAL, ROOT, integrate_rates, momentum_map
 from polhode.types import Array, Bool, Float64, Integer
 
 SPANS = (0.3, 0.6, 1.2, 2.4)  # s, over which stretches are judged; the slower the turning, the longer
@@ -54,7 +54,7 @@ def momentum_stretches(t: Float64[Array, "n"], rates: Float64[Array, "n 3"], sho
     """
     found: list[Stretch] = []
     speeds = np.linalg.norm(rates, axis=1)
-    for first, last in _turning(t, speeds):
+    for first, last in _find_turning_parts(t, speeds):
         for begin in range(first, last + 1, MOST_AT_ONCE // 2):
             end = min(begin + MOST_AT_ONCE, last + 1)
             if t[end - 1] - t[begin] >= shortest:
@@ -66,14 +66,14 @@ def momentum_stretches(t: Float64[Array, "n"], rates: Float64[Array, "n 3"], sho
 
 def within(t: Float64[Array, "n"], rates: Float64[Array, "n 3"]) -> Stretch | None:
     """Return the stretch without torque that holds the middle half of some samples; None where there is none."""
-    maps = momentum_map(turned_by(t, rates), rates)
+    maps = momentum_map(integrate_rates(t, rates), rates)
     begin, end = len(t) // 4, len(t) - len(t) // 4
-    grown = _grown(t, maps, begin, end, kept_by(maps[begin:end])[0])
+    grown = _grow_stretch(t, maps, begin, end, fit_inertia(maps[begin:end])[0])
     if grown is None or grown[0] > begin or grown[1] < end - 1:
         return None
     first, last, inertia = grown
     turn = float(np.sum(_speed(rates[first:last]) * np.diff(t[first : last + 1])))
-    return Stretch(first, last, inertia, change_of(maps[first : last + 1], inertia), turn)
+    return Stretch(first, last, inertia, measure_change(maps[first : last + 1], inertia), turn)
 
 
 def of_one_body(
@@ -111,7 +111,7 @@ class _Spread:
     @classmethod
     def of(cls, t: Array, rates: Array, one: Stretch) -> _Spread:
         part = slice(one.first, one.last + 1)
-        maps = momentum_map(turned_by(t[part], rates[part]), rates[part])
+        maps = momentum_map(integrate_rates(t[part], rates[part]), rates[part])
         mean = maps.mean(axis=0)
         spread = np.tensordot(maps, maps, axes=((0, 1), (0, 1))) / len(maps) - mean.T @ mean
         return cls(mean, spread, one.change)
@@ -128,18 +128,18 @@ def _agree(spreads: list[_Spread]) -> bool:
     return all(one.change_by(inertia) < max(UNEVEN, 3 * one.change) for one in spreads)
 
 
-def kept_by(maps: Float64[Array, "n 3 6"]) -> tuple[Float64[Array, "6"], float]:
+def fit_inertia(maps: Float64[Array, "n 3 6"]) -> tuple[Float64[Array, "6"], float]:
     """Return the inertia that keeps the momentum best, and the momentum's change relative to its size.
 
     One that no body has gives way to one that a body has where both keep it well; the change is infinite without one.
     """
     mean = maps.mean(axis=0)
     spread = np.tensordot(maps, maps, axes=((0, 1), (0, 1))) / len(maps) - mean.T @ mean
-    inertias, change = _kept(mean[None], spread[None])
+    inertias, change = _fit_inertias(mean[None], spread[None])
     return inertias[0], float(change[0])
 
 
-def _kept(mean: Float64[Array, "m 3 6"], spread: Float64[Array, "m 6 6"]) -> tuple[Array, Array]:
+def _fit_inertias(mean: Float64[Array, "m 3 6"], spread: Float64[Array, "m 6 6"]) -> tuple[Array, Array]:
     values, vectors = np.linalg.eigh(spread)
     # a short or steady turn leaves a plane of inertias: those in it are asked, the best of all first
     angles = np.concatenate([[0.0], np.pi / PLANE * np.arange(1, PLANE)])
@@ -153,7 +153,7 @@ def _kept(mean: Float64[Array, "m 3 6"], spread: Float64[Array, "m 6 6"]) -> tup
     return tried[rows, best], change[rows, best]
 
 
-def change_of(maps: Float64[Array, "n 3 6"], inertia: Float64[Array, "6"]) -> float:
+def measure_change(maps: Float64[Array, "n 3 6"], inertia: Float64[Array, "6"]) -> float:
     """Return how much an inertia's momentum changes, root mean square, relative to its size."""
     momentum = maps @ inertia
     mean = momentum.mean(axis=0)
@@ -161,7 +161,7 @@ def change_of(maps: Float64[Array, "n 3 6"], inertia: Float64[Array, "6"]) -> fl
     return float(spread / max(float(np.linalg.norm(mean)), 1e-12))
 
 
-def _turning(t: Float64[Array, "n"], speeds: Float64[Array, "n"]) -> list[tuple[int, int]]:
+def _find_turning_parts(t: Float64[Array, "n"], speeds: Float64[Array, "n"]) -> list[tuple[int, int]]:
     """Return the first and last sample of the parts of a log in which the device turns at all."""
     fast = binary_closing(speeds > SLOWEST, np.ones(5)) | (speeds > SLOWEST)
     whole = np.diff(t) < max(BROKEN, 5 * float(np.median(np.diff(t))))
@@ -171,20 +171,20 @@ def _turning(t: Float64[Array, "n"], speeds: Float64[Array, "n"]) -> list[tuple[
 
 
 def _within(t: Array, rates: Array, shortest: float, offset: int) -> list[Stretch]:
-    maps = momentum_map(turned_by(t, rates), rates)
+    maps = momentum_map(integrate_rates(t, rates), rates)
     angle = np.concatenate([[0.0], np.cumsum(0.5 * (_speed(rates[1:]) + _speed(rates[:-1])) * np.diff(t))])
     taken = np.zeros(len(t), dtype=bool)
     found = []
     for begin, end, inertia in _seeds(t, maps, angle):
         if taken[begin:end].mean() > 0.5:
             continue
-        grown = _grown(t, maps, begin, end, inertia)
+        grown = _grow_stretch(t, maps, begin, end, inertia)
         if grown is None:
             continue
         first, last, inertia = grown
         if t[last] - t[first] >= shortest:
             taken[first : last + 1] = True
-            change = change_of(maps[first : last + 1], inertia)
+            change = measure_change(maps[first : last + 1], inertia)
             found.append(Stretch(first + offset, last + offset, inertia, change, float(angle[last] - angle[first])))
     return found
 
@@ -204,7 +204,7 @@ def _seeds(t: Array, maps: Array, angle: Array) -> list[tuple[int, int, Array]]:
         begins = begins[angle[begins + size - 1] - angle[begins] >= TURN] if len(begins) else begins
         if not len(begins):
             continue
-        inertias, change = _kept_by_spans(maps, begins, size)
+        inertias, change = _fit_inertia_by_spans(maps, begins, size)
         # the best of each neighbourhood; one inertia of a hand's may be of no use a little further
         for part in np.array_split(np.arange(len(begins)), max(1, len(begins) // STRIDES)):
             best = part[np.argmin(change[part])]
@@ -213,17 +213,17 @@ def _seeds(t: Array, maps: Array, angle: Array) -> list[tuple[int, int, Array]]:
     return [(begin, end, inertia) for _, begin, end, inertia in sorted(seeds, key=lambda seed: seed[0])]
 
 
-def _kept_by_spans(maps: Array, begins: Integer[Array, "m"], size: int) -> tuple[Array, Array]:
+def _fit_inertia_by_spans(maps: Array, begins: Integer[Array, "m"], size: int) -> tuple[Array, Array]:
     """Return the inertia (6,) that each span of samples keeps best, and the momentum's change relative to its size."""
     total, squares = np.zeros((len(maps) + 1, 3, 6)), np.zeros((len(maps) + 1, 6, 6))
     np.cumsum(maps, axis=0, out=total[1:])
     np.cumsum(np.matmul(np.swapaxes(maps, 1, 2), maps), axis=0, out=squares[1:])
     mean = (total[begins + size] - total[begins]) / size
     spread = (squares[begins + size] - squares[begins]) / size - np.matmul(np.swapaxes(mean, 1, 2), mean)
-    return _kept(mean, spread)
+    return _fit_inertias(mean, spread)
 
 
-def _grown(t: Array, maps: Array, begin: int, end: int, inertia: Array) -> tuple[int, int, Array] | None:
+def _grow_stretch(t: Array, maps: Array, begin: int, end: int, inertia: Array) -> tuple[int, int, Array] | None:
     """Return first and last sample of the stretch around a span in which no torque acts, and the inertia it keeps."""
     first, last = begin, end - 1
     for _ in range(MOST_ROUNDS):
@@ -238,7 +238,7 @@ def _grown(t: Array, maps: Array, begin: int, end: int, inertia: Array) -> tuple
             high += 1
         if high - low < 6:
             return None
-        inertia, change = kept_by(maps[low : high + 1])
+        inertia, change = fit_inertia(maps[low : high + 1])
         if not np.isfinite(change):
             return None
         if (low, high) == (first, last):

@@ -19,8 +19,8 @@ from scipy.optimize import minimize_scalar
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.estimation.estimate import Estimate
-from polhode.estimation.line_noise import LineNoise, level_at, noise_about, walked
-from polhode.estimation.pole_series import DAY, YEAR, Pole, averaged, pole_of
+from polhode.estimation.line_noise import LineNoise, accumulate_walk, level_at, noise_about
+from polhode.estimation.pole_series import DAY, YEAR, Pole, average_steps, clean_pole
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 STEP = 5.0 * DAY  # means over it are fitted: nothing that the model has changes within
@@ -114,7 +114,7 @@ def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
         >>> [round(float(fit.estimate.value[0]) / 86400.0, 1), round(float(fit.estimate.value[1]) * 1e7, 2)]
         [433.0, 7.0]
     """
-    pole = averaged(pole_of(times, x, y), STEP)
+    pole = average_steps(clean_pole(times, x, y), STEP)
     if pole.span < BEATS:
         raise InvalidInput(f"the series must last {BEATS / YEAR:.1f} years, twice the beat of the wobble and the year, "
                            f"to tell the two apart; got {pole.span / YEAR:.2f} years. Give a longer series."
@@ -123,7 +123,7 @@ def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
     clock = pole.times - epoch
     rate = _best_rate(clock, pole)
     rates = {**SEASONS, "chandler_prograde": rate, "chandler_retrograde": -rate}
-    model = _solved(clock, pole.m, list(rates.values()), pole.span)
+    model = _solve(clock, pole.m, list(rates.values()), pole.span)
     _check_sense(abs(model.values[4]), abs(model.values[5]))
     noise, covariance, degrees, inflation = _errors(clock, model, list(rates.values()), pole.span)
     names = [f"{name}_{part}" for name in (*rates, "mean", "drift") for part in ("re", "im")]
@@ -147,7 +147,7 @@ def _best_rate(clock: Float64[Array, "n"], pole: Pole) -> float:
     fixed = list(SEASONS.values())
 
     def cost(rate: float) -> float:
-        left = _solved(clock, pole.m, [*fixed, rate, -rate], pole.span).left
+        left = _solve(clock, pole.m, [*fixed, rate, -rate], pole.span).left
         return float(np.vdot(left, left).real)
 
     low, high = 2.0 * np.pi / LONGEST, 2.0 * np.pi / SHORTEST
@@ -175,7 +175,7 @@ def _mean_over(clock: Float64[Array, "n"]) -> float:
     return STEP if usual < 1.5 * STEP else 0.0
 
 
-def _solved(clock: Float64[Array, "n"], m: Complex128[Array, "n"], rates: list[float], span: float) -> _Model:
+def _solve(clock: Float64[Array, "n"], m: Complex128[Array, "n"], rates: list[float], span: float) -> _Model:
     columns = _columns(clock, rates, span)
     values = np.linalg.lstsq(columns, m, rcond=None)[0]
     return _Model(columns, values, m - columns @ values)
@@ -209,7 +209,7 @@ def _errors(
     still = level_at(clock, left, removed, 0.0)
     each = np.sqrt(np.array([*np.repeat(levels, 2), *[still] * 4, noise.white]))
     steady = inverse @ (np.outer(each, each) * normal) @ inverse * 0.5
-    influence = walked((basis @ inverse) * np.exp(-1j * line * clock)[:, None])
+    influence = accumulate_walk((basis @ inverse) * np.exp(-1j * line * clock)[:, None])
     walking = 0.5 * (influence.conj().T @ influence).real
     covariance = steady + noise.walk * walking
     share = np.array([steady[-1, -1] / noise.white if noise.white > 0.0 else 0.0, walking[-1, -1]])

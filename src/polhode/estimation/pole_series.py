@@ -34,7 +34,7 @@ class Pole(NamedTuple):
         return float(self.times[-1] - self.times[0])
 
 
-def pole_of(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"]) -> Pole:
+def clean_pole(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"]) -> Pole:
     """Return the pole as clean arrays.
 
     Raises:
@@ -67,7 +67,7 @@ def pole_of(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayL
     return Pole(t, east - 1j * west, np.ones(len(t)))
 
 
-def averaged(pole: Pole, step: float) -> Pole:
+def average_steps(pole: Pole, step: float) -> Pole:
     """Return means over steps [s] that follow each other from the first time; steps without samples are left out."""
     place = np.floor((pole.times - pole.times[0]) / step + 1e-9).astype(int)
     sizes = np.bincount(place)

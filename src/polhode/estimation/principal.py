@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from polhode.estimation.estimate import Estimate
-from polhode.estimation.throw_models import D_MOMENTS, moments_of
+from polhode.estimation.throw_models import D_MOMENTS, compute_moments
 from polhode.types import Array, Float64
 
 STEADY = 5.0  # degrees: rates that stay so near one direction are those of a steady spin
@@ -58,7 +58,7 @@ def principal(
         axes: the fit's principal axes by columns [device frame].
         freedom: degrees of freedom of the residuals.
     """
-    given = moments_of(parameters[places["shape"]])
+    given = compute_moments(parameters[places["shape"]])
     which = np.argsort(given, kind="stable")
     order = np.eye(3)[:, which]
     order[:, 2] *= np.linalg.det(order)
@@ -87,7 +87,7 @@ def principal(
     return Principal(ratios, moments, axes @ order, turn, joint, forces, order, _equal(ratios), _is_narrow(ratios))
 
 
-def reaching(found: Principal, other: Principal) -> Principal:
+def widen_errors(found: Principal, other: Principal) -> Principal:
     """Return a solution whose errors of ratios and axes reach as far as another solution that may be the true one."""
     between = Rotation.from_matrix(found.axes.T @ other.axes)
     halves = [between * Rotation.from_matrix(np.diag(signs)) for signs in HALF_TURNS]  # the same axes
@@ -112,7 +112,7 @@ def _equal(ratios: Estimate) -> str | None:
     return "I2 = I3" if 1.0 - ratios.value[1] < 2 * ratios.standard_error[1] else None
 
 
-def why_undetermined(rates: list[Float64[Array, "n 3"]], found: Principal | None) -> str:
+def explain_undetermined(rates: list[Float64[Array, "n 3"]], found: Principal | None) -> str:
     """Return why throws do not determine the inertia, in a sentence.
 
     Args:

@@ -53,7 +53,7 @@ def rest_stretches(log: GyroLog) -> list[tuple[float, float]]:
     found = _alike(_stretches(still & (np.linalg.norm(means, axis=1) < LARGEST_BIAS), t), t, rates)
     if not found:
         found = _alike(_stretches(still & (np.abs(means) < LARGEST_OF_AN_AXIS).all(axis=1), t), t, rates)
-        found = found if weighed or _handled_between(found, rates) else []
+        found = found if weighed or _is_handled_between(found, rates) else []
     return [(float(t[i]), float(t[j])) for i, j in found]
 
 
@@ -66,7 +66,7 @@ def _alike(found: list[tuple[int, int]], t: Array, rates: Array) -> list[tuple[i
     return [each for each, mean in zip(found, means, strict=True) if np.linalg.norm(mean - bias) < BIASES_APART]
 
 
-def _handled_between(found: list[tuple[int, int]], rates: Array) -> bool:
+def _is_handled_between(found: list[tuple[int, int]], rates: Array) -> bool:
     """Whether the device was moved between two of the stretches, and shows the same rates before and after."""
     if len(found) < 2:
         return False

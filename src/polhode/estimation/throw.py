@@ -14,13 +14,13 @@ from polhode.errors import InvalidInput, shown
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.flight import Window, check_windows, free_flights
 from polhode.estimation.gyro_log import GyroLog
-from polhode.estimation.principal import Principal, principal, reaching
+from polhode.estimation.principal import Principal, principal, widen_errors
 from polhode.estimation.rest_bias import RestBias, rest_bias
 from polhode.estimation.saturation import saturation
 from polhode.estimation.throw_doubts import why_no_result, why_nothing_explains
 from polhode.estimation.throw_fit import PAIRS, Model, Solution, Throw, rms
-from polhode.estimation.throw_search import Start, covariance_beside_wheel, rival, solutions_of
-from polhode.estimation.unmodelled import Settled, settled
+from polhode.estimation.throw_search import Start, covariance_beside_wheel, fit_models, rival
+from polhode.estimation.unmodelled import Settled, allow_for_unmodelled
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, Float64
 
@@ -217,23 +217,23 @@ def fit_throw(
     if clip is not None and not clip > 0:
         raise InvalidInput(f"clip must be a positive rate, or infinity for no limit; got {shown(clip)} rad/s.")
     level = saturation(every) if clip is None else float(clip) if clip < math.inf else None
-    found = _windows_of(every, windows, level)
+    found = _choose_windows(every, windows, level)
     cut = [(k, window, *_cut(every[k], window, level)) for k, per_log in enumerate(found) for window in per_log]
     throws = [throw for *_, throw in cut]
     start = Start.of(throws)
     if start.degenerate:
-        return _nothing(cut, start, level)
+        return _make_empty_fit(cut, start, level)
     rest = rest_bias(every, found)
     plain = Model((), gain is True, len(throws), gain_spread)
     if rest is not None:
         plain = replace(plain, bias=tuple(rest.value.tolist()), bias_spread=tuple(rest.spread.tolist()))
-    tried = solutions_of(plain, start, throws, drag, rotor, gain)
+    tried = fit_models(plain, start, throws, drag, rotor, gain)
     best = tried[0]
     reason = why_nothing_explains(best, throws)
     if reason is not None:
-        return replace(_nothing(cut, start, level), degenerate=reason)
+        return replace(_make_empty_fit(cut, start, level), degenerate=reason)
     other = rival(tried)
-    found = settled(best, throws), None if other is None else settled(other, throws)
+    found = allow_for_unmodelled(best, throws), None if other is None else allow_for_unmodelled(other, throws)
     return _result(*found, rest, _scores(tried), cut, start, level)
 
 
@@ -247,7 +247,7 @@ def _check_choice(name: str, value: bool | str) -> None:
         raise InvalidInput(f"{name} must be True, False or 'auto'; got {shown(value)}.")
 
 
-def _windows_of(
+def _choose_windows(
     logs: list[GyroLog], windows: Sequence[Sequence[Window]] | None, level: float | None
 ) -> list[list[Window]]:
     if not logs:
@@ -293,10 +293,10 @@ def _result(
     best, throws = done.solution, [throw for *_, throw in cut]
     found = _principal(best)
     if other is not None:
-        found = reaching(found, _principal(other.solution))
+        found = widen_errors(found, _principal(other.solution))
     reason = why_no_result(best, found, throws)
     if reason is not None:
-        return replace(_nothing(cut, start, level), criterion=scores, degenerate=reason)
+        return replace(_make_empty_fit(cut, start, level), criterion=scores, degenerate=reason)
     parts = np.split(done.predicted, np.cumsum([len(throw.rates) for throw in throws])[:-1])
     told = [FittedThrow(k, window, times, throw.rates, part, *_motion(found, best, i, throw))
             for i, ((k, window, times, throw), part) in enumerate(zip(cut, parts, strict=True))]  # fmt: skip
@@ -334,7 +334,7 @@ def _motion(found: Principal, best: Solution, k: int, throw: Throw) -> tuple[Fre
     return motion, motion.regime
 
 
-def _nothing(cut: list[Any], start: Start, level: float | None) -> ThrowFit:
+def _make_empty_fit(cut: list[Any], start: Start, level: float | None) -> ThrowFit:
     """Return the fit of throws that say nothing of the inertia."""
     told = [FittedThrow(k, window, times, throw.rates, np.full_like(throw.rates, np.nan), None, None)
             for k, window, times, throw in cut]  # fmt: skip

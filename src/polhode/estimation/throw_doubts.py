@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from polhode.estimation.principal import Principal, why_undetermined
+from polhode.estimation.principal import Principal, explain_undetermined
 from polhode.estimation.throw_fit import Solution, Throw, explains, rms, variation
-from polhode.estimation.throw_search import at_bound
+from polhode.estimation.throw_search import find_bound
 
 FAR = 10.0  # times what a bias or a gain was known by beforehand
 DRIVEN = 0.02  # over I3 |ω|²: twice what slows a plate
@@ -31,20 +31,20 @@ def why_no_result(solution: Solution, found: Principal, throws: list[Throw]) -> 
         found: what it says of moments and axes.
         throws: the samples.
     """
-    bound = at_bound(solution)
+    bound = find_bound(solution)
     if bound is not None:
         return (f"the fit ended at a bound of the {CALLED[bound]}, where no body is: the motion is another one than "
                 "those that were tried, or the stretch is no free flight.")  # fmt: skip
-    far = _far_from_expected(solution)
+    far = _doubt_expectations(solution)
     if far is not None:
         return far
     if not found.determined:
-        return why_undetermined([throw.rates for throw in throws], found)
-    return why_impossible(found) or _driven_by_air(found, throws)
+        return explain_undetermined([throw.rates for throw in throws], found)
+    return why_impossible(found) or _doubt_drag(found, throws)
 
 
-def _far_from_expected(solution: Solution) -> str | None:
-    which, means, weights = solution.model.believed()
+def _doubt_expectations(solution: Solution) -> str | None:
+    which, means, weights = solution.model.prior()
     spread = np.sqrt(np.diagonal(np.linalg.inv(weights.T @ weights)))
     for name, what, unit in (("bias", "bias", " rad/s"), ("gain", "gain", ""), ("cross_axis", "cross-axis gain", "")):
         if name not in solution.model.places:
@@ -61,7 +61,7 @@ def _far_from_expected(solution: Solution) -> str | None:
     return None
 
 
-def _driven_by_air(found: Principal, throws: list[Throw]) -> str | None:
+def _doubt_drag(found: Principal, throws: list[Throw]) -> str | None:
     """Return that the drag would drive the body on, in a sentence, or None."""
     typical = float(np.median(np.linalg.norm(np.concatenate([throw.rates for throw in throws]), axis=1)))
     least, variance = np.zeros(3), np.zeros(3)

@@ -10,7 +10,7 @@ from scipy.linalg import block_diag
 from scipy.optimize import least_squares, minimize_scalar
 from scipy.spatial.transform import Rotation
 
-from polhode.estimation.throw_models import forced_rates, free_rates, moments_of
+from polhode.estimation.throw_models import compute_moments, free_rates, integrate_forced
 from polhode.types import Array, Float64, Integer
 
 ROBUST = 3.0  # standard deviations, beyond which residuals count linearly (Huber)
@@ -88,7 +88,7 @@ class Model:
         """Whether a wheel turns in the body."""
         return "rotor" in self.forces
 
-    def believed(self) -> tuple[Integer[Array, "k"], Float64[Array, "k"], Float64[Array, "k k"]]:
+    def prior(self) -> tuple[Integer[Array, "k"], Float64[Array, "k"], Float64[Array, "k k"]]:
         """Return which parameters are known beforehand, their means m and W, so that W (x − m) has unit covariance.
 
         Drag, and a bias that no rest shows, are known so loosely that no good log feels it; it keeps the iteration out
@@ -170,7 +170,7 @@ def right_jacobian(turn: Array) -> Float64[Array, "3 3"]:
     return np.eye(3) - (1 - np.cos(size)) / size**2 * hat + (size - np.sin(size)) / size**3 * hat @ hat
 
 
-def predicted(
+def predict_rates(
     model: Model, x: Array, axes0: Array, throws: list[Throw]
 ) -> tuple[Float64[Array, "n 3"], Float64[Array, "n 3 p"], Float64[Array, "n 3"]]:
     """Return rates (n, 3), their derivatives (n, 3, p), and the device's angular acceleration (n, 3).
@@ -185,7 +185,7 @@ def predicted(
     axes = axes0 @ Rotation.from_rotvec(x[places["turn"]]).as_matrix()
     moved = right_jacobian(x[places["turn"]])
     shape = x[places["shape"]]
-    moments = moments_of(shape)
+    moments = compute_moments(shape)
     gain = gain_matrix(model, x)
     forces = {name: x[places[name]] for name in model.forces}
     to_device = gain @ axes
@@ -214,9 +214,9 @@ def predicted(
 
 
 def _rates(shape: Array, start: Array, forces: dict[str, Array], elapsed: Array) -> tuple[Array, Array]:
-    if moments_of(shape).min() < LEAST_MOMENT:
+    if compute_moments(shape).min() < LEAST_MOMENT:
         return np.full((len(elapsed), 3), np.nan), np.zeros((5 + 3 * len(forces), len(elapsed), 3))
-    return forced_rates(shape, start, forces, elapsed) if forces else free_rates(shape, start, elapsed)
+    return integrate_forced(shape, start, forces, elapsed) if forces else free_rates(shape, start, elapsed)
 
 
 def gain_matrix(model: Model, x: Array) -> Float64[Array, "3 3"]:
@@ -245,7 +245,7 @@ def rms(x: Array) -> float:
     return float(np.sqrt(np.mean(x * x)))
 
 
-def whitening(fast: Array, sigma: float, jitter: float) -> Float64[Array, "n 3 3"]:
+def whitening_matrices(fast: Array, sigma: float, jitter: float) -> Float64[Array, "n 3 3"]:
     """Return Σ^(−1/2) (n, 3, 3) of Σ = σ² + τ² ω̇ ω̇ᵀ: a clock's error shows along the acceleration."""
     size = np.linalg.norm(fast, axis=1)
     u = fast / np.maximum(size, 1e-300)[:, None]
@@ -253,7 +253,7 @@ def whitening(fast: Array, sigma: float, jitter: float) -> Float64[Array, "n 3 3
     return np.eye(3) / sigma + (along - 1.0 / sigma)[:, None, None] * u[:, :, None] * u[:, None, :]
 
 
-def noise_of(residuals: Array, fast: Array, lost: float, latest: float) -> tuple[float, float, float]:
+def estimate_noise(residuals: Array, fast: Array, lost: float, latest: float) -> tuple[float, float, float]:
     """Return σ, τ and −2 ln(likelihood) by maximum likelihood, with what lies far out drawn in.
 
     Args:
@@ -287,7 +287,7 @@ def noise_of(residuals: Array, fast: Array, lost: float, latest: float) -> tuple
     return max(sigma, 1e-12), float(np.sqrt(ratio) * sigma), float(cost + count * (1 + np.log(2 * np.pi)))
 
 
-def fitted(
+def fit_model(
     model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tuple[float, float] | None,
     rounds: int = MAX_ROUNDS,
 ) -> Solution:  # fmt: skip
@@ -307,21 +307,21 @@ def fitted(
     x = x.copy()
     x[inside] = np.clip(x[inside], low[inside] + 1e-6, high[inside] - 1e-6)
     if noise is None:
-        values, _, fast = predicted(model, x, axes0, throws)
+        values, _, fast = predict_rates(model, x, axes0, throws)
         sigma, jitter = float(np.median(np.abs(data - values)) * 1.5 + 1e-9), 0.0
     else:
         sigma, jitter = noise
-    x, noise, cost, converged = _descended(model, x, axes0, throws, data, (sigma, jitter), rounds)
+    x, noise, cost, converged = _descend(model, x, axes0, throws, data, (sigma, jitter), rounds)
     sigma, jitter = noise
-    values, slopes, fast = predicted(model, x, axes0, throws)
-    white = whitening(fast, sigma, jitter)
+    values, slopes, fast = predict_rates(model, x, axes0, throws)
+    white = whitening_matrices(fast, sigma, jitter)
     J = (white @ slopes).reshape(-1, model.size)
     z = (white @ (data - values)[..., None]).ravel()
-    which, means, weights = model.believed()
-    covariance = covariance_of(np.concatenate([J, weights @ np.eye(model.size)[which]]))
+    which, means, weights = model.prior()
+    covariance = compute_covariance(np.concatenate([J, weights @ np.eye(model.size)[which]]))
     cost += float(((weights @ (x[which] - means)) ** 2).sum())
     count, size = data.size, float(np.einsum("ij,ik,kj->", J, J, covariance)) + 2.0
-    turned, change = turned_axes(model, x, axes0)
+    turned, change = turn_axes(model, x, axes0)
     covariance = change @ covariance @ change.T / np.mean(np.abs(z) < ROBUST) ** 2
     return Solution(
         model, x, turned, covariance, data - values, sigma, jitter, -0.5 * cost,
@@ -330,7 +330,7 @@ def fitted(
     )  # fmt: skip
 
 
-def turned_axes(model: Model, x: Array, axes0: Array) -> tuple[Float64[Array, "3 3"], Float64[Array, "p p"]]:
+def turn_axes(model: Model, x: Array, axes0: Array) -> tuple[Float64[Array, "3 3"], Float64[Array, "p p"]]:
     """Return the axes after the turn, and the Jacobian that makes changes of the turn those about these axes."""
     turn = model.places["turn"]
     change = np.eye(model.size)
@@ -338,7 +338,7 @@ def turned_axes(model: Model, x: Array, axes0: Array) -> tuple[Float64[Array, "3
     return axes0 @ Rotation.from_rotvec(x[turn]).as_matrix(), change
 
 
-def _descended(
+def _descend(
     model: Model, x: Array, axes0: Array, throws: list[Throw], data: Array, noise: tuple[float, float],
     rounds: int,
 ) -> tuple[Array, tuple[float, float], float, bool]:  # fmt: skip
@@ -354,9 +354,9 @@ def _descended(
             f_scale=ROBUST, x_scale="jac", xtol=1e-9, ftol=1e-4, gtol=1e-12, max_nfev=MAX_STEPS,
         )  # fmt: skip
         x = done.x
-        values, _, fast = predicted(model, x, axes0, throws)
+        values, _, fast = predict_rates(model, x, axes0, throws)
         before = noise[0]
-        sigma, jitter, cost = noise_of(data - values, fast, lost, latest)
+        sigma, jitter, cost = estimate_noise(data - values, fast, lost, latest)
         noise = sigma, jitter
         if done.status > 0 and abs(noise[0] / before - 1.0) < 0.02:
             return x, noise, cost, True
@@ -365,7 +365,7 @@ def _descended(
     return x, noise, cost, False
 
 
-def covariance_of(J: Array) -> Float64[Array, "p p"]:
+def compute_covariance(J: Array) -> Float64[Array, "p p"]:
     """Return (JᵀJ)⁻¹, very large along directions that nothing determines."""
     scale = np.linalg.norm(J, axis=0)
     scale = np.where(scale > 0, scale, 1.0)
@@ -388,12 +388,12 @@ class _System:
         if self.at is not None and np.array_equal(self.at, x):
             return
         model, axes0, throws = self.given
-        values, J, fast = predicted(model, x, axes0, throws)
+        values, J, fast = predict_rates(model, x, axes0, throws)
         if self.at is None:  # the weights stay as they are, or the sum of squares would reward fast motion
-            self.white = whitening(fast, *self.noise)
+            self.white = whitening_matrices(fast, *self.noise)
         r = (self.white @ (values - self.data)[..., None]).ravel()
         K = (self.white @ J).reshape(-1, model.size)
-        which, means, weights = model.believed()
+        which, means, weights = model.prior()
         r = np.concatenate([r, weights @ (x[which] - means)])
         K = np.concatenate([K, weights @ np.eye(model.size)[which]])
         self.at, self.r, self.K = x.copy(), np.nan_to_num(r, nan=1e6), np.nan_to_num(K)

@@ -22,13 +22,13 @@ Torque = tuple[Float64[Array, "3"], Float64[Array, "3 3"], Float64[Array, "3 3"]
 States = tuple[Float64[Array, "n 4"], Float64[Array, "n 3"], Float64[Array, "p n 4"], Float64[Array, "p n 3"]]
 
 
-def moments_of(shape: Float64[Array, "2"]) -> Float64[Array, "3"]:
+def compute_moments(shape: Float64[Array, "2"]) -> Float64[Array, "3"]:
     """Return the three moments, the third 1, of the parameters s and c."""
     s, c = shape
     return np.array([0.5 * (1.0 - s) + c, 0.5 * (1.0 + s) + c, 1.0])
 
 
-def shape_of(moments: Float64[Array, "3"]) -> Float64[Array, "2"]:
+def compute_shape(moments: Float64[Array, "3"]) -> Float64[Array, "2"]:
     """Return s and c of three moments."""
     x, y = moments[:2] / moments[2]
     return np.array([y - x, 0.5 * (x + y - 1.0)])
@@ -36,7 +36,7 @@ def shape_of(moments: Float64[Array, "3"]) -> Float64[Array, "2"]:
 
 def free_states(shape: Float64[Array, "2"], start: Float64[Array, "3"], elapsed: Float64[Array, "n"]) -> States:
     """Return attitudes, rates and their derivatives by s, c and the three starting rates, without torque."""
-    moments = moments_of(shape)
+    moments = compute_moments(shape)
     n = len(elapsed)
     attitude, momentum = FreeMotion(moments, momentum=moments * start).state(elapsed)
     d_moments, d_momentum = np.zeros((5, 3)), np.zeros((5, 3))
@@ -60,7 +60,7 @@ def free_rates(
     return rates, d_rates
 
 
-def forced_rates(
+def integrate_forced(
     shape: Float64[Array, "2"], start: Float64[Array, "3"], forces: dict[str, Array], elapsed: Float64[Array, "n"]
 ) -> tuple[Float64[Array, "n 3"], Float64[Array, "p n 3"]]:
     """Return the rates and their derivatives by s, c, the starting rates and each force, of air or a rotor.
@@ -74,7 +74,7 @@ def forced_rates(
         forces: three numbers of each of ``TORQUES`` that acts.
         elapsed: [s].
     """
-    field = _Field(moments_of(shape), forces)
+    field = _Field(compute_moments(shape), forces)
     count = 6 + 3 * len(forces)
     begin = np.zeros((count, 3))
     begin[0] = start
@@ -107,7 +107,7 @@ def _linear(c: Array, w: Array, size: float) -> Torque:
     return -c * w, -np.diag(c), -np.diag(w)
 
 
-def _one_sided(c: Array, w: Array, size: float) -> Torque:
+def _one_sided_drag(c: Array, w: Array, size: float) -> Torque:
     """−c_i |ω| |ω_i|, rounded off where ω_i changes its sign: what turns one way in air feels more than the other."""
     length = np.sqrt(w * w + (ROUNDED * size) ** 2) + 1e-300
     slope = np.diag(size * w / length) + np.outer(length / (size or 1.0) + ROUNDED**2 * size / length, w)
@@ -122,7 +122,7 @@ def _rotor(h: Array, w: Array, size: float) -> Torque:
 
 
 TORQUES: dict[str, Callable[[Array, Array, float], Torque]] = {
-    "drag": _quadratic, "linear_drag": _linear, "one_sided_drag": _one_sided, "rotor": _rotor,
+    "drag": _quadratic, "linear_drag": _linear, "one_sided_drag": _one_sided_drag, "rotor": _rotor,
 }  # fmt: skip
 """What may act beside inertia: torque (3,), its slopes (3, 3) by the rates, and by the coefficients (row by row)."""
 

@@ -6,21 +6,21 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from polhode.estimation.linear_start import linear_inertia, turned_by
-from polhode.estimation.principal import why_undetermined
+from polhode.estimation.linear_start import integrate_rates, linear_inertia
+from polhode.estimation.principal import explain_undetermined
 from polhode.estimation.throw_fit import (
     LIMITS,
     ROBUST,
     Model,
     Solution,
     Throw,
-    covariance_of,
+    compute_covariance,
     explains,
-    fitted,
-    predicted,
-    whitening,
+    fit_model,
+    predict_rates,
+    whitening_matrices,
 )
-from polhode.estimation.throw_models import shape_of
+from polhode.estimation.throw_models import compute_shape
 from polhode.types import Array, Float64
 
 MISFIT = 1.4  # times the noise of the samples: larger residuals ask for other starts
@@ -55,7 +55,7 @@ class Start:
     def of(cls, throws: list[Throw]) -> Start:
         """Return the start for throws of one body."""
         rates = [throw.rates for throw in throws]
-        found = linear_inertia(rates, [turned_by(t.elapsed, t.rates) for t in throws])
+        found = linear_inertia(rates, [integrate_rates(t.elapsed, t.rates) for t in throws])
         noise = _noise(throws)
         # noise of σ makes each singular value about σ √n; biases and drag make them larger, so the fit judges again
         floor = 6.0 * noise * np.sqrt(sum(len(r) for r in rates))
@@ -73,8 +73,8 @@ class Start:
         elif turned < MIN_TURN:
             reason = f"the body turned by {turned:.2g} rad only: nothing can be said of its inertia."
         elif found.singular_values[-2] < floor:
-            reason = why_undetermined(rates, None)
-        return cls(shape_of(found.moments), found.axes, found.singular_values, noise, reason)
+            reason = explain_undetermined(rates, None)
+        return cls(compute_shape(found.moments), found.axes, found.singular_values, noise, reason)
 
 
 def _typical(rates: Array) -> float:
@@ -87,7 +87,7 @@ def _noise(throws: list[Throw]) -> float:
     return float(np.median(np.concatenate(parts)) / (0.6745 * np.sqrt(20.0)))
 
 
-def solutions_of(
+def fit_models(
     plain: Model, start: Start, throws: list[Throw], drag: bool | str, rotor: bool | str, gain: bool | str
 ) -> list[Solution]:
     """Return the fits of the models that are asked for, the best of them first.
@@ -120,7 +120,7 @@ def solutions_of(
 
 def _again(model: Model, best: Solution, drag: bool | str, start: Start, throws: list[Throw]) -> list[Solution]:
     """Return the fit of a model from several starts, and with linear drag too where it does better than the best."""
-    again = _retried(model, start, throws)
+    again = _retry(model, start, throws)
     if drag is False or model.rotor or again.aicc >= best.aicc or not explains(again, throws):
         return [again]
     return [again, _richer(again, replace(model, forces=AIR[2]), throws)]
@@ -145,7 +145,7 @@ def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -
     """Return fits without a wheel; richer ones only while they do better."""
     begin = [start.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
     x = np.concatenate([start.shape, np.zeros(3), plain.bias, *_no_gains(plain), *begin])
-    last = _grown(plain, x, start.axes, throws)
+    last = _fit_growing(plain, x, start.axes, throws)
     found = [last]
     for forces in AIR[1:] if drag is not False else ():
         model = replace(plain, forces=forces)
@@ -153,7 +153,7 @@ def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -
             more = _richer(last, model, throws)
         elif len(forces) == 1:  # without drag the fit went to a wrong place: with it, from the linear method's again
             at = np.insert(x, model.places["drag"].start, np.zeros(3))
-            more = _best_of(model, [(at, start.axes)], throws)
+            more = _choose_best(model, [(at, start.axes)], throws)
         else:
             break
         found.append(more)
@@ -170,50 +170,50 @@ def _no_gains(plain: Model) -> list[Array]:
 def _with_wheel(plain: Model, throws: list[Throw], drag: bool | str) -> list[Solution]:
     """Return fits with a wheel, from the linear method's with one, over wholes or parts of the throws."""
     rates = [throw.rates - np.array(plain.bias) for throw in throws]
-    turns = [turned_by(t.elapsed, r) for t, r in zip(throws, rates, strict=True)]
+    turns = [integrate_rates(t.elapsed, r) for t, r in zip(throws, rates, strict=True)]
     starts = []
     for span in SPANS:
         parts = [np.array_split(np.arange(len(t.elapsed)), max(1, round((t.elapsed[-1] - t.elapsed[0]) / span)))
                  for t in throws]  # fmt: skip
         linear = linear_inertia(rates, turns, parts, rotor=True)
         begin = [linear.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
-        x = np.concatenate([shape_of(linear.moments), np.zeros(3), plain.bias, *_no_gains(plain),
+        x = np.concatenate([compute_shape(linear.moments), np.zeros(3), plain.bias, *_no_gains(plain),
                             linear.axes.T @ linear.rotor, *begin])  # fmt: skip
         starts.append((x, linear.axes))
-    found = [_best_of(replace(plain, forces=WHEEL[0]), starts, throws)]
+    found = [_choose_best(replace(plain, forces=WHEEL[0]), starts, throws)]
     if drag is not False:
         found.append(_richer(found[0], replace(plain, forces=WHEEL[1]), throws))
     return found[1:] if drag is True else found
 
 
-def _best_of(model: Model, starts: list[tuple[Array, Array]], throws: list[Throw]) -> Solution:
+def _choose_best(model: Model, starts: list[tuple[Array, Array]], throws: list[Throw]) -> Solution:
     """Return the fit from the best of several starts, which a glance at the middles of the throws tells."""
-    middles = [_middle(throw, _glanced(throw)) for throw in throws]
-    seen = [fitted(model, x, axes, middles, None, rounds=1) for x, axes in starts]
+    middles = [_middle(throw, _count_glance(throw)) for throw in throws]
+    seen = [fit_model(model, x, axes, middles, None, rounds=1) for x, axes in starts]
     best = max(seen, key=lambda one: one.log_likelihood)
     if not explains(best, middles):
-        return fitted(model, carried(best, model), best.axes, throws, None, rounds=0)
-    return _grown(model, carried(best, model), best.axes, throws)
+        return fit_model(model, carry_over(best, model), best.axes, throws, None, rounds=0)
+    return _fit_growing(model, carry_over(best, model), best.axes, throws)
 
 
 def _richer(base: Solution, model: Model, throws: list[Throw]) -> Solution:
-    return fitted(model, carried(base, model), base.axes, throws, (base.sigma, base.jitter))
+    return fit_model(model, carry_over(base, model), base.axes, throws, (base.sigma, base.jitter))
 
 
 def _in_a_valley(solution: Solution, start: Start) -> bool:
     """Whether a fit may have ended at a wrong place: at a bound, or with residuals beyond the samples' own noise."""
     misfit = np.median(np.abs(solution.residuals)) > MISFIT * 0.6745 * start.noise
-    return bool(misfit) or at_bound(solution) is not None
+    return bool(misfit) or find_bound(solution) is not None
 
 
 def _asks_for_wheel(solution: Solution, start: Start, throws: list[Throw]) -> bool:
     """Whether residuals are larger than the samples' noise, neighbouring ones alike, or what a wheel would lessen."""
     if _in_a_valley(solution, start) or alike(solution.residuals) > ALIKE:
         return True
-    return lessened_by_wheel(solution, throws) > ASKED
+    return score_wheel(solution, throws) > ASKED
 
 
-def lessened_by_wheel(solution: Solution, throws: list[Throw]) -> float:
+def score_wheel(solution: Solution, throws: list[Throw]) -> float:
     """Return by how much a small wheel would lessen χ², all else being free to follow (Rao's score test)."""
     model, A, z = _beside_wheel(solution, throws)
     scaled = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
@@ -231,16 +231,16 @@ def covariance_beside_wheel(solution: Solution, throws: list[Throw]) -> Float64[
     """
     model, A, _ = _beside_wheel(solution, throws)
     kept = np.delete(np.arange(model.size), np.r_[model.places["rotor"]])
-    return covariance_of(A)[np.ix_(kept, kept)]
+    return compute_covariance(A)[np.ix_(kept, kept)]
 
 
 def _beside_wheel(solution: Solution, throws: list[Throw]) -> tuple[Model, Array, Array]:
     """Return the model with a wheel too, its linear least squares about the solution, and the residuals for it."""
     model = replace(solution.model, forces=(*solution.model.forces, "rotor"))
-    x = carried(solution, model)
-    _, slopes, fast = predicted(model, x, solution.axes, throws)
-    white = whitening(fast, solution.sigma, solution.jitter)
-    which, means, weights = model.believed()
+    x = carry_over(solution, model)
+    _, slopes, fast = predict_rates(model, x, solution.axes, throws)
+    white = whitening_matrices(fast, solution.sigma, solution.jitter)
+    which, means, weights = model.prior()
     A = np.concatenate([(white @ slopes).reshape(-1, model.size), weights @ np.eye(model.size)[which]])
     z = np.clip((white @ solution.residuals[..., None]).ravel(), -ROBUST, ROBUST)
     return model, A, np.concatenate([z, weights @ (means - x[which])])
@@ -251,7 +251,7 @@ def alike(residuals: Array) -> float:
     return float((residuals[:-1] * residuals[1:]).sum() / max(float((residuals**2).sum()), 1e-300))
 
 
-def at_bound(solution: Solution) -> str | None:
+def find_bound(solution: Solution) -> str | None:
     """Return which of shape and drag ran to where no body is, where drag may do the work of a wrong shape."""
     x, places = solution.parameters, solution.model.places
     s, c = x[places["shape"]]
@@ -264,7 +264,7 @@ def at_bound(solution: Solution) -> str | None:
     return None
 
 
-def _grown(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution:
+def _fit_growing(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution:
     """Return a fit that begins with the middles of long throws, where a rough start keeps the count of turns.
 
     Where the model explains nothing of a middle, it is left at that.
@@ -272,14 +272,14 @@ def _grown(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution
     for samples in (500, 2500):
         if max(len(throw.elapsed) for throw in throws) > 2 * samples:
             middles = [_middle(throw, samples) for throw in throws]
-            found = fitted(model, x, axes, middles, None)
-            x, axes = carried(found, model), found.axes
+            found = fit_model(model, x, axes, middles, None)
+            x, axes = carry_over(found, model), found.axes
             if not explains(found, middles):
-                return fitted(model, x, axes, throws, None, rounds=0)
-    return fitted(model, x, axes, throws, None)
+                return fit_model(model, x, axes, throws, None, rounds=0)
+    return fit_model(model, x, axes, throws, None)
 
 
-def _glanced(throw: Throw) -> int:
+def _count_glance(throw: Throw) -> int:
     """Return how many samples from the middle are enough to compare starts."""
     between = np.median(np.linalg.norm(throw.rates, axis=1)) * np.median(np.diff(throw.elapsed))
     return int(np.clip(GLANCED_TURN / max(float(between), 1e-9), 24, GLANCED))
@@ -291,7 +291,7 @@ def _middle(throw: Throw, samples: int) -> Throw:
     return Throw(throw.elapsed[part], throw.rates[part], throw.epoch)
 
 
-def _retried(model: Model, start: Start, throws: list[Throw]) -> Solution:
+def _retry(model: Model, start: Start, throws: list[Throw]) -> Solution:
     """Return the best of several starts: shapes by the axes of the linear method and by those of the rates themselves.
 
     The linear method knows of no bias. Where the body turns about its middle axis, that may exchange its axes.
@@ -309,10 +309,10 @@ def _retried(model: Model, start: Start, throws: list[Throw]) -> Solution:
         for shape in RESTARTS:
             begin[model.places["shape"]] = shape
             starts.append((begin.copy(), axes))
-    return _best_of(model, starts, throws)
+    return _choose_best(model, starts, throws)
 
 
-def carried(base: Solution, model: Model) -> Float64[Array, "parameters"]:
+def carry_over(base: Solution, model: Model) -> Float64[Array, "parameters"]:
     """Return a solution's parameters where another model has them, its axes taken for the start."""
     x = np.zeros(model.size)
     for name, place in model.places.items():

@@ -10,7 +10,7 @@ from scipy.integrate import cumulative_trapezoid, solve_ivp
 from scipy.spatial.transform import Rotation
 
 from polhode.estimation.linear_start import inertia_matrix, momentum_map, possible_moments
-from polhode.estimation.throw_models import D_MOMENTS, moments_of
+from polhode.estimation.throw_models import D_MOMENTS, compute_moments
 from polhode.types import Array, Float64
 
 TOLERANCE, LOOSE = 1e-10, 1e-6  # of the motion, and of its derivatives, which only steer the iteration
@@ -18,7 +18,7 @@ COUNT = 8  # s, c, the starting rates and the torque
 Motion = tuple[Float64[Array, "n 4"], Float64[Array, "n 3"], Float64[Array, "p n 3"], Float64[Array, "p n 3"]]
 
 
-def torqued_states(
+def integrate_torqued(
     shape: Float64[Array, "2"], start: Float64[Array, "3"], torque: Float64[Array, "3"], elapsed: Float64[Array, "n"]
 ) -> Motion:
     """Return attitudes wxyz, rates, turns of the body by each parameter, and derivatives of the rates.
@@ -29,7 +29,7 @@ def torqued_states(
         torque: over the third moment [rad/s²].
         elapsed: increasing, of either sign [s].
     """
-    field = _Field(moments_of(shape), torque)
+    field = _Field(compute_moments(shape), torque)
     begin = np.zeros(7 + 6 * COUNT)
     begin[0], begin[4:7] = 1.0, start
     begin[7:].reshape(2, COUNT, 3)[1, 2:5] = np.eye(3)
@@ -85,7 +85,7 @@ class _Field:
         return out
 
 
-def torqued_start(
+def estimate_torqued_start(
     times: Float64[Array, "n"], rates: Float64[Array, "n 3"], attitudes: Float64[Array, "n 4"]
 ) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"], Float64[Array, "3"]]:
     """Return moments over the largest, principal axes by columns, and the torque over the largest moment.

@@ -109,20 +109,20 @@ def fit_tumbling(
         >>> apophis.mode, round(apophis.energy_ratio, 6)
         ('short-axis', 1.023637)
     """
-    moments = _checked_moments(moments)
+    moments = _check_moments(moments)
     for name, value in (("precession", precession), ("rotation", rotation)):
         if not 0 < value < np.inf:
             raise InvalidInput(f"`{name}` must be a positive period; got {shown(value)}.")
     if axis not in ("encircled", "long", "short"):
         raise InvalidInput(f'`axis` must be "encircled", "long" or "short"; got {shown(axis)}.')
-    sizes = _checked_errors(errors)
+    sizes = _check_errors(errors)
     found = []
     for mode in MODES:
-        solved = _solved(mode, np.array([precession]), np.array([rotation]), moments[None], axis)
+        solved = _solve(mode, np.array([precession]), np.array([rotation]), moments[None], axis)
         if not np.isfinite(solved.place[0]):
             continue
         interval = None if sizes is None else _interval(mode, precession, rotation, moments, axis, sizes, seed)
-        found.append(_tumbling(mode, solved, rotation, interval))
+        found.append(_make_motion(mode, solved, rotation, interval))
     if not found:
         raise InvalidInput(_why_none(precession, rotation, moments, axis))
     return tuple(found)
@@ -145,14 +145,14 @@ def least_period_ratios(moments: Real[ArrayLike, "3"]) -> tuple[float, float]:
         >>> [round(limit, 3) for limit in least_period_ratios([0.61, 0.965, 1.0])]
         [7.567, 1.64]
     """
-    i1, i2, i3 = _checked_moments(moments).tolist()
+    i1, i2, i3 = _check_moments(moments).tolist()
     with np.errstate(divide="ignore"):
         short = 1.0 + np.sqrt(np.divide(i1 * i2, (i3 - i1) * (i3 - i2)))
         long = np.sqrt(np.divide(i2 * i3, (i2 - i1) * (i3 - i1))) - 1.0
     return float(short), float(long)
 
 
-def _checked_moments(moments: ArrayLike) -> Float64[Array, "3"]:
+def _check_moments(moments: ArrayLike) -> Float64[Array, "3"]:
     values = np.asarray(moments, dtype=np.float64)
     if values.shape != (3,):
         raise InvalidInput(f"`moments` must be three numbers; got {shown(moments)}.")
@@ -167,7 +167,7 @@ def _checked_moments(moments: ArrayLike) -> Float64[Array, "3"]:
     return values / i3
 
 
-def _checked_errors(errors: ArrayLike | None) -> Float64[Array, "5"] | None:
+def _check_errors(errors: ArrayLike | None) -> Float64[Array, "5"] | None:
     if errors is None:
         return None
     sizes = np.asarray(errors, dtype=np.float64)
@@ -210,7 +210,7 @@ class _Solved:
         return first, second
 
 
-def _solved(mode: Mode, precession: Array, rotation: Array, moments: Array, axis: PrecessingAxis) -> _Solved:
+def _solve(mode: Mode, precession: Array, rotation: Array, moments: Array, axis: PrecessingAxis) -> _Solved:
     """Return the motion of a mode for each of n pairs of periods and moments (n, 3) over I3."""
     wanted = rotation / precession  # turns of the precession in a period of rotation
     if mode == "short-axis" and axis == "long":
@@ -252,7 +252,7 @@ def _interval(
     drawn = drawn / drawn[:, 2:]
     possible = (given[:, :2] > 0).all(axis=-1) & (drawn[:, 0] > 0) & (drawn[:, 0] + drawn[:, 1] >= 1.0)
     possible &= drawn[:, 0] < 1.0
-    solved = _solved(mode, given[possible, 0], given[possible, 1], drawn[possible], axis)
+    solved = _solve(mode, given[possible, 0], given[possible, 1], drawn[possible], axis)
     numbers = solved.numbers(mode)
     numbers = numbers[np.isfinite(numbers).all(axis=-1)]
     if len(numbers) < 2:
@@ -262,7 +262,7 @@ def _interval(
     return TumblingInterval(estimate, low, high, len(numbers) / DRAWS)
 
 
-def _tumbling(mode: Mode, solved: _Solved, rotation: float, interval: TumblingInterval | None) -> Tumbling:
+def _make_motion(mode: Mode, solved: _Solved, rotation: float, interval: TumblingInterval | None) -> Tumbling:
     energy, cone, rate = solved.numbers(mode)[0].tolist()
     angles = sorted(float(angle[0]) for angle in solved.angles(mode))
     moments = solved.moments[0]

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from polhode.estimation.throw_fit import ROBUST, Model, Solution, Throw, predicted, turned_axes, whitening
-from polhode.estimation.throw_models import moments_of
+from polhode.estimation.throw_fit import ROBUST, Model, Solution, Throw, predict_rates, turn_axes, whitening_matrices
+from polhode.estimation.throw_models import compute_moments
 from polhode.types import Array, Float64
 
 TORQUE = 0.003  # over I3 |ω|², to begin with: a third of what thin plates feel in air
@@ -43,19 +43,19 @@ class Settled:
     widened: float
 
 
-def settled(solution: Solution, throws: list[Throw]) -> Settled:
+def allow_for_unmodelled(solution: Solution, throws: list[Throw]) -> Settled:
     """Return a solution with all that its model leaves out allowed for."""
     model, x, axes0 = solution.model, solution.parameters.copy(), solution.axes
     x[model.places["turn"]] = 0.0
     data = np.concatenate([throw.rates for throw in throws])
-    mixed, response = _mixed(solution, x, throws, data, np.zeros(0), _Scales(model.gain_spread, TORQUE, 1.0, 1.0))
-    x, push = _stepped(solution, x, np.zeros(0), throws, data, mixed, response)
+    mixed, response = _solve_mixed(solution, x, throws, data, np.zeros(0), _Scales(model.gain_spread, TORQUE, 1.0, 1.0))
+    x, push = _take_step(solution, x, np.zeros(0), throws, data, mixed, response)
     for _ in range(ROUNDS - 1):
-        mixed, response = _mixed(solution, x, throws, data, push, mixed.scales)
-        x, push = _stepped(solution, x, push, throws, data, mixed, response)
+        mixed, response = _solve_mixed(solution, x, throws, data, push, mixed.scales)
+        x, push = _take_step(solution, x, push, throws, data, mixed, response)
     scales = mixed.scales
-    values = predicted(model, x, axes0, throws)[0] + response @ push
-    turned, change = turned_axes(model, x, axes0)
+    values = predict_rates(model, x, axes0, throws)[0] + response @ push
+    turned, change = turn_axes(model, x, axes0)
     keep = slice(0, model.size)
     covariance = change @ mixed.covariance[keep, keep] @ change.T
     done = replace(
@@ -65,22 +65,22 @@ def settled(solution: Solution, throws: list[Throw]) -> Settled:
     return Settled(done, values, float(np.sqrt(np.mean(push**2))), scales.gain, scales.widened)
 
 
-def _mixed(
+def _solve_mixed(
     solution: Solution, x: Array, throws: list[Throw], data: Array, push: Array, scales: _Scales
 ) -> tuple[_Mixed, Float64[Array, "n 3 m"]]:
     """Return the least squares about parameters, and how the rates follow the torque."""
     model = solution.model
-    values, slopes, fast = predicted(model, x, solution.axes, throws)
+    values, slopes, fast = predict_rates(model, x, solution.axes, throws)
     slopes = np.nan_to_num(slopes)  # as in the fit itself
     response = _responses(model, x, throws, slopes)
-    white = whitening(fast, solution.sigma, solution.jitter)
+    white = whitening_matrices(fast, solution.sigma, solution.jitter)
     A = np.concatenate([white @ slopes, white @ response], axis=2).reshape(data.size, -1)
     z = (white @ (data - values)[..., None]).ravel()
     size = np.abs(z - (A[:, model.size :] @ push if len(push) else 0.0))
-    return _Mixed(model, x, *_drawn_in(A, z, size), scales), response
+    return _Mixed(model, x, *_downweight(A, z, size), scales), response
 
 
-def _stepped(
+def _take_step(
     solution: Solution, x: Array, push: Array, throws: list[Throw], data: Array, mixed: _Mixed, response: Array
 ) -> tuple[Array, Array]:
     """Return parameters and torque after as much of a step as lowers the sum of squares that it is for.
@@ -90,8 +90,8 @@ def _stepped(
     model = solution.model
     low, high = model.limits()
     push = push if len(push) else np.zeros(response.shape[2])
-    values, _, fast = predicted(model, x, solution.axes, throws)
-    white = whitening(fast, solution.sigma, solution.jitter)
+    values, _, fast = predict_rates(model, x, solution.axes, throws)
+    white = whitening_matrices(fast, solution.sigma, solution.jitter)
 
     def cost(x: Array, push: Array, values: Array) -> float:
         z = np.abs((white @ (data - values - response @ push)[..., None]).ravel())
@@ -102,13 +102,13 @@ def _stepped(
         there = np.clip(x + part * mixed.step[: model.size], low, high)
         pushed = push + part * (mixed.step[model.size :] - push)
         with np.errstate(all="ignore"):
-            reached = cost(there, pushed, predicted(model, there, solution.axes, throws)[0])
+            reached = cost(there, pushed, predict_rates(model, there, solution.axes, throws)[0])
         if reached <= before:  # not so where a number is none
             return there, pushed
     return x, push
 
 
-def _drawn_in(A: Array, z: Array, size: Array) -> tuple[Array, Array]:
+def _downweight(A: Array, z: Array, size: Array) -> tuple[Array, Array]:
     """Return rows with Huber's weights: outliers count less."""
     weight = np.sqrt(np.minimum(1.0, ROBUST / np.maximum(size, 1e-300)))
     return A * weight[:, None], z * weight
@@ -119,7 +119,7 @@ def _responses(model: Model, x: Array, throws: list[Throw], slopes: Array) -> Fl
 
     By the variation of constants with the derivatives by the starting rates, Φ: ∫ Φ(t) Φ(s)⁻¹ I⁻¹ N(s) ds.
     """
-    over = 1.0 / moments_of(x[model.places["shape"]])
+    over = 1.0 / compute_moments(x[model.places["shape"]])
     parts, at = [], 0
     for k, throw in enumerate(throws):
         t = throw.elapsed
@@ -183,10 +183,10 @@ class _Mixed:
         self._solve()
         self.freedom = self._freedom()
 
-    def _believed(self) -> tuple[Array, Array, Array, Array]:
+    def _prior_precision(self) -> tuple[Array, Array, Array, Array]:
         """Return the precision of each group beforehand: what is fixed, of the gains, of the torque; and the pull."""
         size = self.model.size + self.torques
-        which, means, weights = replace(self.model, gain_spread=self.scales.gain).believed()
+        which, means, weights = replace(self.model, gain_spread=self.scales.gain).prior()
         precision = np.zeros((size, size))
         precision[np.ix_(which, which)] = weights.T @ weights
         pull = np.zeros(size)
@@ -201,7 +201,7 @@ class _Mixed:
         return precision - of_gains, of_gains, np.diag(torque), pull
 
     def _solve(self) -> None:
-        fixed, gains, torque, pull = self.parts = self._believed()
+        fixed, gains, torque, pull = self.parts = self._prior_precision()
         level = self.scales.noise * self.scales.widened
         whole = self.normal / level + fixed + gains + torque
         scale = 1.0 / np.sqrt(np.maximum(np.diagonal(whole), 1e-300))
@@ -213,7 +213,7 @@ class _Mixed:
 
     def cost(self, x: Array, push: Array, squares: float) -> float:
         """Return the sum of squares that the step makes least, of whitened residuals and what is known beforehand."""
-        which, means, weights = replace(self.model, gain_spread=self.scales.gain).believed()
+        which, means, weights = replace(self.model, gain_spread=self.scales.gain).prior()
         known = float(((weights @ (x[which] - means)) ** 2).sum()) + float(push @ push) / self.scales.torque**2
         return squares / (self.scales.noise * self.scales.widened) + known
 

@@ -117,14 +117,14 @@ def fit_chandler_process(
     best = min((minimize(cost, start, method="Nelder-Mead", bounds=BOUNDS, options={"xatol": 1e-5, "fatol": 1e-7})
                 for start in starts), key=lambda found: found.fun)  # fmt: skip
     intervals = [_intervals(cost, best.x, float(best.fun), k) for k in (0, 1)]
-    filtered = _filtered(best.x, band)
+    filtered = _filter(best.x, band)
     quality = float(np.exp(best.x[1]))
     slopes = np.array([UNIT, quality])
     covariance = np.linalg.pinv(_curvature(cost, best.x), hermitian=True)[:2, :2] * np.outer(slopes, slopes)
     if (np.diagonal(covariance) <= 0.0).any() or not np.isfinite(intervals[1][LEVELS[0]][1]):  # Q has no upper bound
         covariance = np.diag([(0.5 * UNIT * np.subtract(*intervals[0][LEVELS[0]])) ** 2, np.inf])
     estimate = Estimate(("period", "quality_factor"), np.array([best.x[0] * UNIT, quality]), covariance)
-    wobble, error = _smoothed(best.x, band, filtered)
+    wobble, error = _smooth(best.x, band, filtered)
     rate = 2.0 * np.pi / estimate.value[0]
     return ChandlerProcess(
         estimate, {level: (a * UNIT, b * UNIT) for level, (a, b) in intervals[0].items()},
@@ -135,7 +135,7 @@ def fit_chandler_process(
     )  # fmt: skip
 
 
-def _banded(line: ChandlerFit) -> tuple[_Band, Float64[Array, "n"]]:
+def _take_band(line: ChandlerFit) -> tuple[_Band, Float64[Array, "n"]]:
     """Return the band about the wobble, without what a fit finds far from it, and the middles of its steps."""
     clock = line.times - line.epoch
     rate = line.rates["chandler_prograde"]
@@ -158,7 +158,7 @@ def _covariance(p: Float64[Array, "3"], band: _Band) -> Complex128[Array, "n n"]
     return toeplitz(column)
 
 
-def _filtered(p: Float64[Array, "3"], band: _Band) -> _Filtered:
+def _filter(p: Float64[Array, "3"], band: _Band) -> _Filtered:
     """Return minus the restricted log-likelihood, the variance of the walk in a step, coefficients and innovations."""
     covariance = _covariance(p, band) + np.exp(p[2]) * np.eye(len(band.data))
     factor = cholesky(covariance, lower=True, check_finite=False)
@@ -226,7 +226,7 @@ def _end(rise: Callable[[float], float], start: float, reach: float, height: flo
     return float("inf") if reach > 0 else float(limit)
 
 
-def _smoothed(
+def _smooth(
     p: Float64[Array, "3"], band: _Band, filtered: _Filtered
 ) -> tuple[Complex128[Array, "n"], Float64[Array, "n"]]:
     """Return the wobble's means given all data, turned back, and the standard deviation of each component."""

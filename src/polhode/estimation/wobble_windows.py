@@ -106,7 +106,7 @@ def fit_chandler_windows(
         >>> (found.amplitude[[0, -1]] * 1e7).round(1).tolist()
         [6.4, 8.5]
     """
-    raw = pole_of(times, x, y)
+    raw = clean_pole(times, x, y)
     if not SHORTEST_WINDOW * 0.999 <= window <= raw.span:
         raise InvalidInput(f"the window must be from {SHORTEST_WINDOW / YEAR:g} years, which tell the wobble from the "
                            f"year, to the series' {raw.span / YEAR:.2f} years; got {shown(window / YEAR)}. Leave it "
@@ -116,7 +116,7 @@ def fit_chandler_windows(
     if not SHORTEST <= period <= LONGEST:
         raise InvalidInput(f"`period` must be from {SHORTEST / DAY:g} to {LONGEST / DAY:g} d, in seconds; got "
                            f"{shown(period)}. Leave it out to have it fitted.")  # fmt: skip
-    pole = averaged(raw, STEP)
+    pole = average_steps(raw, STEP)
     epoch = 0.5 * float(pole.times[0] + pole.times[-1])
     rate = 2.0 * np.pi / period
     steps = int((pole.span - window) / EACH + 1e-6)
@@ -167,7 +167,7 @@ def pole_spectrum(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[
         >>> bool(abs(found.frequencies[np.argmax(found.density)] * 2 * np.pi * 6e6 - 1) < 0.1)
         True
     """
-    raw = pole_of(times, x, y)
+    raw = clean_pole(times, x, y)
     step = max(STEP, float(np.median(np.diff(raw.times))))
     pole: Pole = even(raw, step)
     columns = np.stack([np.ones(len(pole.m)), (pole.times - pole.times.mean()) / pole.span], axis=1)

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.figures import style
 from polhode.figures.sphere import draw_curve, draw_disk, mark_point, view_frame
-from polhode.figures.top_shown import followed, top_shown
+from polhode.figures.top_shown import sample_axis, take_top
 from polhode.motion.trajectory import Trajectory
 
 VIEW = (0.62, -0.62, 0.48)
@@ -30,11 +30,11 @@ def axis_locus(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figur
     >>> axis_locus(LagrangeMotion((1.0, 1.0, 2.0), mgl=3.0, momentum=(1.0, 0.0, 6.0))).axes[0].get_title()[:16]
     'Path of the axis'
     """
-    top = top_shown(shown)
+    top = take_top(shown)
     figure, (axes,) = style.axes_for(axes)
     draw_disk(axes)
     frame = view_frame(VIEW)
-    path = followed(top)
+    path = sample_axis(top)
     curve, limits = path.axis, path.limits
     kind = ", space axes"
     if top.exact is not None:

@@ -52,7 +52,7 @@ def comparison(found: Comparison) -> Figure:
         style.tidy(axes)
     if len(found.times) == 1:
         upper.set_xticks([found.times[0] / unit])
-    _titled(figure, found.names)
+    _write_title(figure, found.names)
     (rest or [upper])[-1].set_xlabel(f"time of A  [{style.factor(power)}s]")
     return figure
 
@@ -101,7 +101,7 @@ def _logarithmic(axes: Any) -> None:
     axes.minorticks_off()
 
 
-def _titled(figure: Figure, names: tuple[str, str]) -> None:
+def _write_title(figure: Figure, names: tuple[str, str]) -> None:
     lines = [f"{side}: {name if len(name) <= LONGEST else name[: LONGEST - 1] + '…'}"
              for side, name in zip("AB", names, strict=True)]  # fmt: skip
     figure.suptitle("\n".join(lines), fontsize=style.FONT - 1, x=0.02, ha="left", color=style.DARK, parse_math=False)

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
-from polhode.figures.free_motion import free_motion_of
+from polhode.figures.free_motion import take_free_motion
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 
@@ -26,7 +26,7 @@ def components(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure:
     Raises:
         InvalidInput: for the motion of anything else, or of several bodies.
     """
-    motion, samples = free_motion_of(shown)
+    motion, samples = take_free_motion(shown)
     figure, (upper, lower) = style.axes_for(axes, 2, height=3.4)
     whole = end = float(np.asarray(samples.times)[-1])
     start = float(np.asarray(samples.times)[0])
@@ -43,7 +43,7 @@ def components(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure:
         power = style.power_of_ten(values)
         for k in range(3):
             panel.plot(times / 10.0**slow, values[:, k] * 10.0 ** (larger[k] - power), color=style.AXIS_COLOURS[k],
-                       lw=1.1, ls=("-", "--", "-.")[k], label=style.magnified(f"axis {k + 1}", larger[k]))  # fmt: skip
+                       lw=1.1, ls=("-", "--", "-.")[k], label=style.magnify(f"axis {k + 1}", larger[k]))  # fmt: skip
         panel.set_ylabel(f"{symbol}  [{style.factor(power)}{unit}]")
         panel.axhline(0.0, color=style.LIGHT, lw=0.6, zorder=0)
         panel.set_xlim(start / 10.0**slow, end / 10.0**slow)

@@ -18,7 +18,7 @@ from polhode.bodies.turned import ball
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.energy_levels import default_frame
-from polhode.figures.free_motion import free_motion_of
+from polhode.figures.free_motion import take_free_motion
 from polhode.figures.scene import Scene
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
@@ -38,7 +38,7 @@ def inertia_ellipsoid(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Fi
     Raises:
         InvalidInput: for the motion of anything else, or of several bodies.
     """
-    motion, samples = free_motion_of(shown)
+    motion, samples = take_free_motion(shown)
     if not motion.momentum_norm:
         return None
     moments = np.asarray(motion.moments)
@@ -51,7 +51,7 @@ def inertia_ellipsoid(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Fi
     ends = frame[:2] @ np.diag(shape + 0.30)
     reach = np.maximum([right, up], np.abs(ends).max(axis=-1)) + 0.10
     window = (-reach[0], reach[0], -up - 0.10, max(up, ends[1].max()) + 0.10)
-    figure, (axes,) = style.axes_for(axes, height=style.height_of(window, 1.0))
+    figure, (axes,) = style.axes_for(axes, height=style.choose_height(window, 1.0))
     scene = Scene(axes, frame, window)
     scene.solid(Surface(ball(96).vertices * shape, ball(96).faces), BODY, ambient=0.82)
     scene.finish(order=0.0)
@@ -94,7 +94,7 @@ def _direction(scene: Scene, curve: Array) -> None:
     """Put heads of arrows on a curve where it is seen, evenly along its length on the page."""
     x, y, _ = scene.project(curve)
     length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
-    seen, count = scene.seen(curve), int(length[-1] / APART + 0.5)
+    seen, count = scene.is_visible(curve), int(length[-1] / APART + 0.5)
     for part in (np.arange(count) + 0.5) / max(count, 1):
         k = int(np.searchsorted(length, part * length[-1]))
         ahead = min(len(x) - 1, int(np.searchsorted(length, part * length[-1] + 0.012)))
@@ -108,7 +108,7 @@ def _direction(scene: Scene, curve: Array) -> None:
 def _mark(scene: Scene, point: Array) -> None:
     x, y, _ = scene.project(point)
     scene.axes.plot([x], [y], "o", ms=4, color=style.BLUE, mec="white", mew=0.6, zorder=5.5,
-                    alpha=1.0 if scene.seen(point) else 0.4)  # fmt: skip
+                    alpha=1.0 if scene.is_visible(point) else 0.4)  # fmt: skip
 
 
 def _legend(scene: Scene, regime: str, family: bool, great: bool) -> None:

@@ -54,7 +54,7 @@ def label_axes(axes: Any, frame: Float64[Array, "3 3"], names: Sequence[str] = (
                   zorder=6, bbox={"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85})  # fmt: skip
 
 
-def legend_of(axes: Any, lines: Sequence[tuple[str, str, float]], verdicts: Sequence[str]) -> None:
+def draw_legend(axes: Any, lines: Sequence[tuple[str, str, float]], verdicts: Sequence[str]) -> None:
     """Draw the legend of lines (label, colour, width) and of verdicts marked."""
     handles = [axes.plot([], [], color=colour, lw=width, label=label)[0] for label, colour, width in lines]
     for word in MARKS:

@@ -14,7 +14,7 @@ from polhode.analysis.polhodes import separatrix
 from polhode.bodies.surface import Surface
 from polhode.bodies.turned import ball
 from polhode.figures import style
-from polhode.figures.level_curves import ROUND_A, ROUND_C, VIEW, curve_width, level_curves, moments_of, side_colour
+from polhode.figures.level_curves import ROUND_A, ROUND_C, VIEW, curve_width, level_curves, rotor_moments, side_colour
 from polhode.figures.quantum_sphere_figure import AXES
 from polhode.figures.scene import Scene
 from polhode.figures.sphere import view_frame
@@ -49,14 +49,14 @@ def energy_surface(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     right, up = np.abs(vertices @ frame[:2].T).max(axis=0)
     right, up = np.maximum((right, up), np.abs(frame[:2] * (scale + 0.22)).max(axis=-1))
     window = (-right - AROUND, right + AROUND, -up - AROUND, up + AROUND)
-    figure, (axes,) = style.axes_for(axes, height=style.height_of(window, 0.7))
+    figure, (axes,) = style.axes_for(axes, height=style.choose_height(window, 0.7))
     scene = Scene(axes, frame, window)
     scene.solid(Surface(vertices, faces), BODY, ambient=0.7)
     scene.finish(order=0.0)
     width = curve_width(J)
     for level in curves:
         scene.line(level.unit * _radius(level.unit, scale)[:, None], side_colour(level.above), width)
-    for curve in separatrix(moments_of(rotor)):
+    for curve in separatrix(rotor_moments(rotor)):
         scene.line(curve * scale[1], style.VERMILION, 1.0)
     for k, name in enumerate(AXES):
         end = np.eye(3)[k]

@@ -12,7 +12,7 @@ from polhode.motion.trajectory import Trajectory
 COUNT, SAMPLES = 3, 1000  # periods of a motion that is drawn, and samples of them
 
 
-def free_motion_of(shown: Trajectory | FreeMotion) -> tuple[FreeMotion, Trajectory]:
+def take_free_motion(shown: Trajectory | FreeMotion) -> tuple[FreeMotion, Trajectory]:
     """Return the exact motion of one free body, and its samples, both along the principal axes.
 
     Args:
@@ -23,7 +23,7 @@ def free_motion_of(shown: Trajectory | FreeMotion) -> tuple[FreeMotion, Trajecto
     """
     if not isinstance(shown, FreeMotion | Trajectory):
         raise InvalidInput(f"the figure is of a FreeMotion, or of samples of one; got {in_words(shown)}.")
-    samples = (_sampled(shown) if isinstance(shown, FreeMotion) else shown).along("principal")
+    samples = (_sample(shown) if isinstance(shown, FreeMotion) else shown).along("principal")
     motion = samples.motion
     if not isinstance(motion, FreeMotion):
         made = "a file" if samples.source is None else type(samples.source).__name__
@@ -36,7 +36,7 @@ def free_motion_of(shown: Trajectory | FreeMotion) -> tuple[FreeMotion, Trajecto
     return motion, samples
 
 
-def _sampled(motion: FreeMotion) -> Trajectory:
+def _sample(motion: FreeMotion) -> Trajectory:
     if motion.batch_shape:
         raise InvalidInput(f"the figure is of one body; got a batch of shape {motion.batch_shape}. Take one of it.")
     return motion.sample(float(motion.epoch) + np.linspace(0.0, COUNT * motion.cycle, SAMPLES))

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from polhode.analysis import poinsot
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
-from polhode.figures.free_motion import free_motion_of
+from polhode.figures.free_motion import take_free_motion
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
@@ -30,7 +30,7 @@ def herpolhode(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | 
     Raises:
         InvalidInput: for the motion of anything else, or of several bodies.
     """
-    motion, samples = free_motion_of(shown)
+    motion, samples = take_free_motion(shown)
     found = poinsot.herpolhode(motion)
     if found is None or found.outer_radius <= 1e-12 * found.plane_distance:
         return None

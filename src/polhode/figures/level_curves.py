@@ -35,7 +35,7 @@ class LevelCurve(NamedTuple):
     unit: Float64[Array, "time 3"]
 
 
-def polhodes_of(rotor: Rotor, J: int) -> LevelPolhodes:
+def find_polhodes(rotor: Rotor, J: int) -> LevelPolhodes:
     """Return the levels of one J with their polhodes.
 
     Raises:
@@ -50,14 +50,14 @@ def polhodes_of(rotor: Rotor, J: int) -> LevelPolhodes:
     return found
 
 
-def moments_of(rotor: Rotor) -> Float64[Array, "3"]:
+def rotor_moments(rotor: Rotor) -> Float64[Array, "3"]:
     """Return the moments 1/2A, 1/2B, 1/2C of the free body whose energy is E/h."""
     return 0.5 / np.array(rotor.constants)
 
 
 def level_curves(rotor: Rotor, J: int) -> Iterator[LevelCurve]:
     """Yield both polhodes of each level of one J, of a rigid asymmetric rotor, |L| = J + ½."""
-    found = polhodes_of(rotor, J)
+    found = find_polhodes(rotor, J)
     starts = level_directions(rotor.constants, J, found.semiclassical)
     for energy, above, start in zip(found.semiclassical.tolist(), found.above.tolist(), starts, strict=True):
         curve = polhode(FreeMotion(moments_of(rotor), momentum=start), POINTS)

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from polhode.figures import style
 from polhode.figures.level_curves import CROWDED, ROUND_A, ROUND_C, side_colour
 from polhode.quantum.level_polhodes import level_polhodes
-from polhode.quantum.rotor import Rotor, fallen
+from polhode.quantum.rotor import Rotor, find_fallen
 from polhode.types import Array
 
 WAVE_NUMBER = 29979245800.0  # Hz of 1 cm⁻¹
@@ -43,7 +43,7 @@ def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
     """
     levels = rotor.levels(j_max)
     energy, columns = levels.energy / WAVE_NUMBER, min(int(levels.Ka.max()), MOST_COLUMNS)
-    holds = ~fallen(levels.J, energy)  # distortion beyond its range lets levels fall below the ground state
+    holds = ~find_fallen(levels.J, energy)  # distortion beyond its range lets levels fall below the ground state
     top = float(energy[holds & ((levels.Ka == columns) | (columns == levels.Ka.max()))].max(initial=0.0))
     if axes is None:
         figure = style.new_figure(WIDE, HIGH)

@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 
 from polhode.analysis.polhodes import separatrix
 from polhode.figures import style
-from polhode.figures.energy_levels import label_axes, legend_of
-from polhode.figures.level_curves import ROUND_A, ROUND_C, VIEW, curve_width, level_curves, moments_of, side_colour
+from polhode.figures.energy_levels import draw_legend, label_axes
+from polhode.figures.level_curves import ROUND_A, ROUND_C, VIEW, curve_width, level_curves, rotor_moments, side_colour
 from polhode.figures.sphere import draw_curve, draw_disk, view_frame
 from polhode.quantum.rotor import Rotor
 
@@ -40,10 +40,10 @@ def quantum_sphere(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     draw_disk(axes)
     for level in curves:
         draw_curve(axes, frame, level.unit, side_colour(level.above), curve_width(J))
-    for curve in separatrix(moments_of(rotor)):
+    for curve in separatrix(rotor_moments(rotor)):
         draw_curve(axes, frame, curve, style.VERMILION, 1.0)
     label_axes(axes, frame, AXES)
     lines = [("round $a$", ROUND_A, 1.2), ("round $c$", ROUND_C, 1.2), ("separatrix", style.VERMILION, 0.9)]
-    legend_of(axes, lines, ())
+    draw_legend(axes, lines, ())
     axes.set_title(f"Levels of J = {J} as polhodes", fontsize=style.FONT, color=style.DARK)
     return figure

@@ -45,7 +45,7 @@ def racket_flip(racket: Racket, *, axes: Any = None) -> Figure:
     panels[0].plot(shown, racket.ensemble(times), color=style.ORANGE, lw=1.1, label="classical ensemble")
     panels[0].plot(shown, racket.classical(times), color=style.GREY, lw=0.8, ls="--", label="classical body")
     panels[0].plot(shown, racket.quantum(times), color=style.BLUE, lw=1.1, label="quantum")
-    _tidied(panels[0], power, shown[-1])
+    _tidy_panel(panels[0], power, shown[-1])
     if revival is not None:
         _draw_long(panels[1], racket, revival)
     style.legend_above(panels[0], axes, *panels[0].get_legend_handles_labels())
@@ -64,10 +64,10 @@ def _draw_long(panel: Any, racket: Racket, revival: float) -> None:
         panel.axvline(share * revival / 10.0**power, color=style.VERMILION, lw=0.7, ls=":")
         panel.text(share * revival / 10.0**power, 1.06, name, fontsize=style.FONT - 2, ha="center", va="bottom",
                    color=style.VERMILION)  # fmt: skip
-    _tidied(panel, power, shown[-1])
+    _tidy_panel(panel, power, shown[-1])
 
 
-def _tidied(panel: Any, power: int, end: float) -> None:
+def _tidy_panel(panel: Any, power: int, end: float) -> None:
     panel.set_xlim(0.0, end)
     panel.set_ylim(-1.05, 1.05)
     panel.set_xlabel(f"time  [{style.factor(power)}s]")

@@ -154,7 +154,7 @@ class Scene:
         self.axes.set_xlim(*self.window[:2])
         self.axes.set_ylim(*self.window[2:])
 
-    def seen(self, points: Real[ArrayLike, "*shape 3"]) -> Bool[Array, "*shape"]:
+    def is_visible(self, points: Real[ArrayLike, "*shape 3"]) -> Bool[Array, "*shape"]:
         """Return which points (…, 3) no solid hides."""
         x, y, depth = self.project(points)
         rows, columns = self.depth.shape
@@ -174,7 +174,7 @@ class Scene:
     ) -> None:
         """Draw a curve (T, 3), dimmed where it is hidden."""
         x, y, _ = self.project(points)
-        seen = self.seen(points)
+        seen = self.is_visible(points)
         for front in (False, True):
             wide = seen == front
             wide = wide | np.roll(wide, 1) if front else wide

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from polhode.analysis.polhodes import polhode_family, separatrix
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
-from polhode.figures.free_motion import free_motion_of
+from polhode.figures.free_motion import take_free_motion
 from polhode.figures.sphere import draw_curve, draw_disk, mark_point, view_frame
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
@@ -33,7 +33,7 @@ def momentum_sphere(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figu
     >>> momentum_sphere(FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))).axes[0].get_title()
     'Momentum sphere, body axes'
     """
-    motion, samples = free_motion_of(shown)
+    motion, samples = take_free_motion(shown)
     norm = motion.momentum_norm
     if not norm:
         return None

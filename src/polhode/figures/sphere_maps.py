@@ -39,7 +39,7 @@ class SphereMap(NamedTuple):
 
 def mollweide_maps(maps: Sequence[SphereMap], label: str, columns: int = 1) -> Figure:
     """Return Mollweide's equal-area maps, row by row, with one scale of colours."""
-    largest = largest_shown(np.stack([each.values for each in maps]))
+    largest = colour_limit(np.stack([each.values for each in maps]))
     rows = -(-len(maps) // columns)
     figure = style.new_figure(width=style.COLUMN * (1.0 if columns == 1 else 0.9 * columns),
                               height=0.1 + 0.6 * style.COLUMN * rows)  # fmt: skip
@@ -62,8 +62,8 @@ def mollweide_maps(maps: Sequence[SphereMap], label: str, columns: int = 1) -> F
 def both_sides(values: Float64[Array, "rows columns"], when: str) -> Figure:
     """Return a function from two opposite sides, in orthographic projection."""
     figure = style.new_figure(width=1.7 * style.COLUMN, height=0.95 * style.COLUMN)
-    sides = [_seen(np.asarray(values), longitude) for longitude in (0.0, np.pi)]
-    largest = largest_shown(np.stack(sides))
+    sides = [_project_globe(np.asarray(values), longitude) for longitude in (0.0, np.pi)]
+    largest = colour_limit(np.stack(sides))
     panels = list(figure.subplots(1, 2))
     for axes, field, longitude in zip(panels, sides, (0, 180), strict=True):
         axes.imshow(field, extent=(-1.0, 1.0, -1.0, 1.0), origin="lower", cmap=COLOURS, vmin=-largest, vmax=largest)
@@ -75,7 +75,7 @@ def both_sides(values: Float64[Array, "rows columns"], when: str) -> Figure:
     return figure
 
 
-def _seen(values: Array, longitude: float) -> Float64[np.ndarray, "across across"]:
+def _project_globe(values: Array, longitude: float) -> Float64[np.ndarray, "across across"]:
     """Return the function on a square around the globe's disk, NaN outside."""
     across = np.linspace(-1.0, 1.0, ACROSS)
     x, y = np.meshgrid(across, across)
@@ -90,6 +90,6 @@ def _seen(values: Array, longitude: float) -> Float64[np.ndarray, "across across
     return np.where(np.isfinite(depth), map_coordinates(padded, [row, column], order=1), np.nan)
 
 
-def largest_shown(fields: Array) -> float:
+def colour_limit(fields: Array) -> float:
     """Return the value at which colours end."""
     return float(np.nanpercentile(np.abs(fields), CLIP)) or 1.0

@@ -82,7 +82,7 @@ def legend_above(axes: Any, given: Any, handles: Any, labels: Any) -> None:
         axes.legend(handles, labels, loc="lower center", bbox_to_anchor=(0.5, 1.0), borderaxespad=0.2, **settings)
 
 
-def height_of(window: tuple[float, float, float, float], around: float = 0.6) -> float:
+def choose_height(window: tuple[float, float, float, float], around: float = 0.6) -> float:
     """Return the height [inches] of a column-wide picture of this window, with so much for title and legend."""
     left, right, bottom, top = window
     return float(np.clip(COLUMN * (top - bottom) / (right - left) + around, 2.0, 4.6))
@@ -108,7 +108,7 @@ def magnifications(series: Any, lost: float = LOST) -> list[int]:
     return [int(np.floor(np.log10(largest / x))) if largest * TOO_SMALL < x < lost * largest else 0 for x in sizes]
 
 
-def magnified(name: str, power: int) -> str:
+def magnify(name: str, power: int) -> str:
     """Return the name of a curve with what it is enlarged by."""
     return f"{name} × 10$^{{{power}}}$" if power > 1 else f"{name} × 10" if power else name
 

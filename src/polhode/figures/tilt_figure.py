@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.figures import style
-from polhode.figures.top_shown import TopShown, top_shown
+from polhode.figures.top_shown import TopShown, take_top
 from polhode.motion.inputs import finite
 from polhode.motion.trajectory import Trajectory
 
@@ -29,7 +29,7 @@ def top_motion(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figur
     Raises:
         InvalidInput: for the motion of anything else, or of several tops.
     """
-    times, tilt, velocity, words = _series(top_shown(shown))
+    times, tilt, velocity, words = _series(take_top(shown))
     figure, (upper, lower) = style.axes_for(axes, 2, height=3.4)
     slow = style.power_of_ten((times[0], times[-1]))
     upper.plot(times / 10.0**slow, np.degrees(tilt), color=style.DARK, lw=1.1)
@@ -39,7 +39,7 @@ def top_motion(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figur
     larger = style.magnifications(velocity, LOST)
     for k in range(3):
         lower.plot(times / 10.0**slow, velocity[:, k] * 10.0 ** (larger[k] - power), color=style.AXIS_COLOURS[k],
-                   lw=1.0, ls=("-", "--", "-.")[k], label=style.magnified(f"axis {k + 1}", larger[k]))  # fmt: skip
+                   lw=1.0, ls=("-", "--", "-.")[k], label=style.magnify(f"axis {k + 1}", larger[k]))  # fmt: skip
     lower.set_ylabel(f"Ω  [{style.factor(power)}rad/s]")
     style.label_time((upper, lower), f"time{words}  [{style.factor(slow)}s]")
     for panel in (upper, lower):

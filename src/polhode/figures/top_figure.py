@@ -9,12 +9,12 @@ from matplotlib.figure import Figure
 
 from polhode import rotation
 from polhode.bodies.surface import Surface, box_in_place
-from polhode.bodies.turned import turned
+from polhode.bodies.turned import revolve
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.figures import style
 from polhode.figures.scene import Scene, circle_about, draw_cone
 from polhode.figures.sphere import view_frame
-from polhode.figures.top_shown import Followed, TopShown, followed, top_shown
+from polhode.figures.top_shown import Followed, TopShown, sample_axis, take_top
 from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
 
@@ -46,22 +46,22 @@ def spinning_top(
     Raises:
         InvalidInput: for the motion of anything else, or of several tops.
     """
-    top = top_shown(shown)
+    top = take_top(shown)
     if top.weightless:
         return None
     solid, arm, words = _solid(top, surface)
-    path = followed(top)
+    path = sample_axis(top)
     k = int(np.argmin(path.axis[:, 2]))
-    placed = _placed(solid, path.attitude[k])
+    placed = _turn_surface(solid, path.attitude[k])
     reach = float(np.linalg.norm(placed.vertices, axis=-1).max())
     placed = Surface(placed.vertices / reach, placed.faces)
     axis = path.axis[k]
     ground = min(0.0, float(placed.vertices[:, 2].min()) - 0.04)
     frame = _view(axis)
     window = _window(frame, path, k, ground, placed)
-    figure, (axes,) = style.axes_for(axes, height=style.height_of(window))
+    figure, (axes,) = style.axes_for(axes, height=style.choose_height(window))
     scene = Scene(axes, frame, window)
-    _ground(scene, ground)
+    _draw_ground(scene, ground)
     scene.solid(placed, WOOD)
     scene.finish(order=1.5)
     if ground < 0.0:
@@ -87,12 +87,12 @@ def _solid(top: TopShown, surface: Surface | None) -> tuple[Surface, float, str]
         return found.along(frame), float(np.linalg.norm(np.asarray(frame.center_of_mass) - frame.origin)), ""
     if surface is not None:
         return surface, 0.5 * float(np.linalg.norm(np.asarray(surface.vertices), axis=-1).max()), ""
-    toy = turned(TOY)
+    toy = revolve(TOY)
     upright = rotation.shortest_between(np.array([0.0, 0.0, 1.0]), top.axis)
     return Surface(rotation.rotate(upright, toy.vertices), toy.faces), TOY_CENTER, "; its shape is not known"
 
 
-def _placed(surface: Surface, attitude: Array) -> Surface:
+def _turn_surface(surface: Surface, attitude: Array) -> Surface:
     turned = rotation.rotate(attitude, np.asarray(surface.vertices))
     return Surface(turned, surface.faces)
 
@@ -115,7 +115,7 @@ def _window(frame: Array, path: Followed, k: int, ground: float, placed: Surface
     return right.min() - pad, right.max() + pad, up.min() - 0.5 * pad, up.max() + pad
 
 
-def _ground(scene: Scene, height: float) -> None:
+def _draw_ground(scene: Scene, height: float) -> None:
     rim = np.array([0.0, 0.0, height]) + circle_about(np.array([0.0, 0.0, 1.0]), 0.5 * np.pi, 0.55)
     x, y, _ = scene.project(rim)
     scene.axes.fill(x, y, color="#ececec", lw=0, zorder=0.2)

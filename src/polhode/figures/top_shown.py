@@ -49,7 +49,7 @@ class TopShown:
         return rotation.rotate(np.asarray(self.trajectory.attitude), self.axis)
 
 
-def top_shown(shown: LagrangeMotion | Trajectory) -> TopShown:
+def take_top(shown: LagrangeMotion | Trajectory) -> TopShown:
     """Return one top's motion as the figures draw it.
 
     Args:
@@ -60,7 +60,7 @@ def top_shown(shown: LagrangeMotion | Trajectory) -> TopShown:
     """
     if not isinstance(shown, LagrangeMotion | Trajectory):
         raise InvalidInput(f"the figure is of a top; got {in_words(shown)}. {REMEDY}")
-    trajectory = (_sampled(shown) if isinstance(shown, LagrangeMotion) else shown).along("principal")
+    trajectory = (_sample(shown) if isinstance(shown, LagrangeMotion) else shown).along("principal")
     if trajectory.batch_shape or not len(trajectory):
         raise InvalidInput(
             f"the figure is of one top at one time at least; got {len(trajectory)} samples of a batch of shape "
@@ -76,7 +76,7 @@ def top_shown(shown: LagrangeMotion | Trajectory) -> TopShown:
     return TopShown(trajectory, None, np.asarray(source.axis), float(source.mgl) == 0.0)
 
 
-def _sampled(motion: LagrangeMotion) -> Trajectory:
+def _sample(motion: LagrangeMotion) -> Trajectory:
     if motion.batch_shape:
         raise InvalidInput(f"the figure is of one top; got a batch of shape {motion.batch_shape}. Take one of it.")
     return motion.sample(float(motion.epoch) + np.linspace(0.0, PERIODS * motion.cycle, SAMPLES))
@@ -102,7 +102,7 @@ class Followed(NamedTuple):
     words: str
 
 
-def followed(top: TopShown) -> Followed:
+def sample_axis(top: TopShown) -> Followed:
     """Return the first nutations of a Lagrange top, finely sampled, or all samples of another one."""
     exact = top.exact
     if exact is None:

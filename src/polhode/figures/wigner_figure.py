@@ -10,12 +10,12 @@ from matplotlib.figure import Figure
 
 from polhode.errors import InvalidInput
 from polhode.figures import style
-from polhode.figures.level_curves import polhodes_of
+from polhode.figures.level_curves import find_polhodes
 from polhode.quantum.operators import Representation, rigid_terms
 from polhode.quantum.racket import Racket
 from polhode.quantum.rotor import Rotor
-from polhode.quantum.strengths import states_of
-from polhode.quantum.symbols import summed, symbol_coefficients
+from polhode.quantum.strengths import compute_states
+from polhode.quantum.symbols import sum_harmonics, symbol_coefficients
 from polhode.types import Array, Float64
 
 LARGEST_J = 60  # work grows as its cube, and waves become finer than what is drawn
@@ -44,15 +44,15 @@ def level_wigner(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     >>> len(level_wigner(Rotor((27.0, 14.0, 9.0)), 1).axes)
     3
     """
-    check_drawn(J)
-    levels = polhodes_of(rotor, J)
-    chosen = _chosen(levels.above)
+    check_drawable(J)
+    levels = find_polhodes(rotor, J)
+    chosen = _choose_levels(levels.above)
     if axes is None:
         figure = style.new_figure(6.0, 4.4 if len(chosen) > 3 else 2.4)
         panels = list(np.atleast_1d(figure.subplots(math.ceil(len(chosen) / 3), 3)).flat)
     else:
         figure, panels = style.axes_for(axes, rows=len(chosen))
-    found = states_of(rigid_terms(rotor.constants, MIDDLE_IS_Z), J, MIDDLE_IS_Z)
+    found = compute_states(rigid_terms(rotor.constants, MIDDLE_IS_Z), J, MIDDLE_IS_Z)
     for panel, k in zip(panels, chosen, strict=False):
         state = found.vectors[::-1, k]  # their K ascends, m of a spin descends
         values = wigner_on_side(state, 1.0, J)
@@ -78,8 +78,8 @@ def racket_wigner(racket: Racket, *, axes: Any = None) -> Figure:
     Raises:
         InvalidInput: for a larger J.
     """
-    check_drawn(racket.J)
-    times = shown_times(racket)
+    check_drawable(racket.J)
+    times = choose_times(racket)
     if axes is None:
         figure = style.new_figure(7.2, 3.3)
         panels = list(figure.subplots(len(SIDES), len(times)).flat)
@@ -100,14 +100,14 @@ def racket_wigner(racket: Racket, *, axes: Any = None) -> Figure:
     return figure
 
 
-def shown_times(racket: Racket) -> Float64[Array, "time"]:
+def choose_times(racket: Racket) -> Float64[Array, "time"]:
     """Return five times (5,) [s] from the start to twice the first reversal."""
     first = racket.first_reversal
     end = (math.log(racket.J) + 2.3) / racket.rate if first is None else first.time
     return end * np.array([0.0, 0.5, 0.75, 1.0, 2.0])
 
 
-def check_drawn(J: int) -> None:
+def check_drawable(J: int) -> None:
     """Refuse a J whose waves are too fine.
 
     Raises:
@@ -121,7 +121,7 @@ def wigner_on_side(state: Array, side: float, J: int) -> Float64[Array, "n m"]:
     """Return the Wigner function on a hemisphere about ±z; polar angles from ±z by rows, azimuths by columns."""
     polar, azimuth = _grid(J)
     colatitude = polar if side > 0.0 else math.pi - polar
-    values = summed(symbol_coefficients(np.outer(state, state.conj())), colatitude[:, None], azimuth[None, :])
+    values = sum_harmonics(symbol_coefficients(np.outer(state, state.conj())), colatitude[:, None], azimuth[None, :])
     return np.real(values)
 
 
@@ -130,7 +130,7 @@ def _grid(J: int) -> tuple[Array, Array]:
     return np.linspace(0.0, 0.5 * math.pi, count), np.linspace(0.0, 2.0 * math.pi, 4 * count + 1)
 
 
-def _chosen(above: Array) -> list[int]:
+def _choose_levels(above: Array) -> list[int]:
     """Return which levels are shown: the ends of both sides, and what lies half way."""
     count, below = len(above), int((~above).sum())
     wanted = (0, below // 2, below - 1, below, (below + count) // 2, count - 1)

@@ -21,8 +21,8 @@ from polhode.errors import InvalidInput, shown
 from polhode.formats.animation_keys import exact_motion
 from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch, since
-from polhode.formats.labels import USUAL_ID, USUAL_ORIGINATOR, AttitudeLabels, is_in_spacecraft, labels_of
-from polhode.formats.paths import written_whole
+from polhode.formats.labels import USUAL_ID, USUAL_ORIGINATOR, AttitudeLabels, find_labels, is_in_spacecraft
+from polhode.formats.paths import write_whole
 from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
 
@@ -55,7 +55,7 @@ def write_aem(
     if rates not in TYPES:
         raise InvalidInput(f'`rates` must be None, "derivative" or "angular velocity"; got {shown(rates)}.')
     if labels is None:
-        labels = labels_of(trajectory) or AttitudeLabels()
+        labels = find_labels(trajectory) or AttitudeLabels()
     if is_in_spacecraft(labels.reference_frame) and not is_in_spacecraft(labels.body_frame):
         raise InvalidInput(f"`reference_frame` {labels.reference_frame} has a name for frames of a spacecraft, and "
                            f"`body_frame` {labels.body_frame} has not: readers would take one for the other. "
@@ -71,7 +71,7 @@ def write_aem(
     columns = _columns(trajectory, np.asarray(trajectory.attitude), rates)
     ends = as_text(whole[[0, -1]], picoseconds[[0, -1]], labels.time_system)
     head = _head(labels, TYPES[rates], *ends)
-    with written_whole(path) as draft, draft.open("w", encoding="ascii", newline="\n") as file:
+    with write_whole(path) as draft, draft.open("w", encoding="ascii", newline="\n") as file:
         file.writelines(f"{line}\n" for line in head)
         _write_lines(file, whole, picoseconds, labels.time_system, columns)
         file.write("DATA_STOP\n")

@@ -49,7 +49,7 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
         raise FormatError(f"{path}: its {len(segments)} segments are about different objects, frames or time systems. "
                           f"{ONE_ALONE}.")  # fmt: skip
     start = segments[0].epoch("START_TIME")
-    times, attitude, velocity = _joined([_history(one, start) for one in segments], segments)
+    times, attitude, velocity = _join([_history(one, start) for one in segments], segments)
     left_out = sum(int((~_useable(one)).sum()) for one in segments)
     message = f"{left_out} samples outside the useable times were left out" if left_out else ""
     labels = _labels(segments[0])
@@ -61,7 +61,7 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
 
 def _history(one: Segment, start: tuple[int, int]) -> tuple[Array, Array, Array | None]:
     """Return times, attitude and angular velocity of one segment over its useable time."""
-    meaning = _meaning(one)
+    meaning = _interpret(one)
     try:
         with np.errstate(all="ignore"):  # what overflows is not finite, and refused
             attitude, velocity = attitudes(meaning, one.columns)
@@ -86,7 +86,7 @@ def _useable(one: Segment) -> Array:
     return within
 
 
-def _joined(
+def _join(
     parts: list[tuple[Array, Array, Array | None]], segments: list[Segment]
 ) -> tuple[Array, Array, Array | None]:
     """Return histories one after another; where one ends when the next begins, the next one's sample stays."""
@@ -118,7 +118,7 @@ def _frames(one: Segment) -> tuple[str, str, bool]:
     return *((b, a) if first_is_body else (a, b)), first_is_body == (direction == "A2B")
 
 
-def _meaning(one: Segment) -> Meaning:
+def _interpret(one: Segment) -> Meaning:
     space, body, backward = _frames(one)
     family, _, rates = one.kind.partition("/")
     if family == "SPIN":

@@ -18,7 +18,7 @@ MOST_KEYS = 1_000_000
 SAME_ATTITUDE = 1e-9  # rad; a motion whose trajectory was not turned to other axes gives its first attitude again
 
 
-def keys_of(
+def make_keys(
     trajectory: Trajectory, speed: float, rate: float | None = None
 ) -> tuple[Float64[Array, "keys"], Trajectory]:
     """Return the clock (K,) [s] of an animation, as single precision has it, and the trajectory at its keys.

@@ -15,7 +15,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.errors import InvalidInput, shown
-from polhode.formats.header_words import ANGLE_UNITS, RATE_UNITS, TIME_UNITS, unit_named
+from polhode.formats.header_words import ANGLE_UNITS, RATE_UNITS, TIME_UNITS, find_unit
 
 Columns = tuple[str | int, ...]
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ class ColumnMapping:
             yield 'euler needs sequence, the axes of the turns in the order of the columns, like "ZYX".'
         if self.sequence and not self.euler:
             yield "sequence is that of Euler angles, and euler is not given. Give it, or leave sequence out."
-        if self.euler and (doubt := _reversed_names(self.euler, self.sequence)):
+        if self.euler and (doubt := _explain_reversed_names(self.euler, self.sequence)):
             yield doubt
         if self.direction and not self.attitude:
             yield "direction is that of an attitude, and neither quat nor euler is given. Leave it out."
@@ -133,7 +133,7 @@ class ColumnMapping:
                 yield f"unit {unit} is one {kind}, and {name} is not given. Give it, or leave the unit out."
 
 
-def mapping_of_words(words: Mapping[str, Any]) -> ColumnMapping:
+def make_mapping(words: Mapping[str, Any]) -> ColumnMapping:
     """Return the mapping that has these words.
 
     Raises:
@@ -183,7 +183,7 @@ def _units(given: Any, problems: list[str]) -> tuple[str, ...] | None:
         return None
     found: list[str] = []
     for word in words:
-        unit = unit_named(word, RATE_UNITS) or unit_named(word, ANGLE_UNITS)
+        unit = find_unit(word, RATE_UNITS) or find_unit(word, ANGLE_UNITS)
         if unit is None:
             choices = ", ".join((*ANGLE_UNITS, *RATE_UNITS))
             problems.append(f"unit must be one of {choices}; got {shown(word)}.")
@@ -195,7 +195,7 @@ def _units(given: Any, problems: list[str]) -> tuple[str, ...] | None:
     return tuple(found)
 
 
-def _reversed_names(columns: Sequence[str | int], sequence: Word) -> str:
+def _explain_reversed_names(columns: Sequence[str | int], sequence: Word) -> str:
     """Return what to say where columns are named in the opposite order of the turns; "" where nothing is.
 
     "roll, pitch, yaw" with "ZYX" usually means turns by yaw, pitch and roll, one after the other; taken as it stands

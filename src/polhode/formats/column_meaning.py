@@ -54,7 +54,7 @@ class Understood(NamedTuple):
     counted_from: str | None
 
 
-def rising(path: Path, times: Float64[Array, "rows"], table: PlainTable) -> np.ndarray:
+def keep_rising(path: Path, times: Float64[Array, "rows"], table: PlainTable) -> np.ndarray:
     """Return which rows to keep (n,): those that do not only repeat the one before.
 
     Raises:
@@ -79,7 +79,7 @@ def rising(path: Path, times: Float64[Array, "rows"], table: PlainTable) -> np.n
     return ~same
 
 
-def attitude_of(
+def make_attitude(
     path: Path, table: PlainTable, values: Float64[Array, "rows columns"], mapping: ColumnMapping, letters: str,
     angle_unit: str,
 ) -> tuple[Float64[Array, "rows 4"], float | None]:  # fmt: skip

@@ -10,7 +10,7 @@ import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.column_mapping import ORDERS, ColumnMapping
-from polhode.formats.column_meaning import Understood, agreement, attitude_of, rising
+from polhode.formats.column_meaning import Understood, agreement, keep_rising, make_attitude
 from polhode.formats.header_words import (
     ANGLE_UNITS,
     IN_RADIANS,
@@ -21,7 +21,7 @@ from polhode.formats.header_words import (
     unit_in,
 )  # fmt: skip
 from polhode.formats.labels import Recording
-from polhode.formats.plain_table import PlainTable, column_named, read_cells, table_form
+from polhode.formats.plain_table import PlainTable, name_column, read_cells, table_form
 from polhode.formats.stamps import in_words, read_clock
 from polhode.formats.table_form import DELIMITERS, TableForm
 from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, StateLayout
@@ -74,22 +74,22 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
     """
     path = Path(path)
     form = table_form(path)
-    resolved = resolved_on(path, form, mapping)
+    resolved = resolve_mapping(path, form, mapping)
     wanted = (resolved.time, *resolved.attitude, *resolved.gyro)
     decimal = mapping.decimal or "point"
     table = read_cells(path, form, wanted, decimal)
     clock = read_clock(path, form, resolved.time, resolved.time_unit, decimal, table.numbers[:, 0])
-    filled = _filled(path, form, wanted, table)
+    filled = _find_filled(path, form, wanted, table)
     left_out, times = int(len(filled) - filled.sum()), clock.times[filled]
     table = PlainTable(table.numbers[filled], table.lines[filled])
-    kept = rising(path, times, table)
+    kept = keep_rising(path, times, table)
     repeated = int(len(kept) - kept.sum())
     times, table = times[kept], PlainTable(table.numbers[kept], table.lines[kept])
     end = 1 + len(resolved.attitude)
     attitude, deviation = None, None
     if resolved.attitude:
         letters, unit = resolved.letters, resolved.angle_unit
-        attitude, deviation = attitude_of(path, table, table.numbers[:, 1:end], mapping, letters, unit)
+        attitude, deviation = make_attitude(path, table, table.numbers[:, 1:end], mapping, letters, unit)
     velocity = table.numbers[:, end:] * IN_RADIANS[resolved.rate_unit] if resolved.gyro else None
     understood = Understood(
         header=_header(form), delimiter=DELIMITERS[form.delimiter], time=_time_words(form, resolved),
@@ -108,7 +108,7 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
     )  # fmt: skip
 
 
-def resolved_on(path: Path, form: TableForm, mapping: ColumnMapping) -> Resolved:
+def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Resolved:
     """Return what a mapping means for a file.
 
     Raises:
@@ -119,7 +119,7 @@ def resolved_on(path: Path, form: TableForm, mapping: ColumnMapping) -> Resolved
               for name, columns in (("time", (mapping.time,)), ("attitude", mapping.attitude), ("gyro", mapping.gyro))}
     used = [place for group in places.values() for place in group if place is not None]
     for place in sorted({place for place in used if used.count(place) > 1}):
-        problems.append(f"{column_named(form, place)} is given twice. Every column has one meaning.")
+        problems.append(f"{name_column(form, place)} is given twice. Every column has one meaning.")
     found = {name: tuple(place for place in group if place is not None) for name, group in places.items()}
     notes: list[str] = []
 
@@ -203,7 +203,7 @@ def _there_are(form: TableForm, column: str) -> str:
     return f"{hint}Its columns are {listed}{more}."
 
 
-def _filled(path: Path, form: TableForm, columns: tuple[int, ...], table: PlainTable) -> np.ndarray:
+def _find_filled(path: Path, form: TableForm, columns: tuple[int, ...], table: PlainTable) -> np.ndarray:
     """Return which rows (n,) have values; the others have none.
 
     Raises:
@@ -214,7 +214,7 @@ def _filled(path: Path, form: TableForm, columns: tuple[int, ...], table: PlainT
     partly = missing.any(axis=1) & ~empty
     if partly.any():
         row = int(np.argmax(partly))
-        where = f"{path}, line {table.lines[row]}, {column_named(form, columns[int(np.argmax(missing[row]))])}"
+        where = f"{path}, line {table.lines[row]}, {name_column(form, columns[int(np.argmax(missing[row]))])}"
         raise FormatError(f"{where}: has no value, and others of the line have. Delete the line, or map only columns "
                           "that are filled together.")  # fmt: skip
     if empty.all():
@@ -227,14 +227,14 @@ def _header(form: TableForm) -> str:
 
 
 def _time_words(form: TableForm, resolved: Resolved) -> str:
-    return f"{column_named(form, resolved.time)}, in {resolved.time_unit}"
+    return f"{name_column(form, resolved.time)}, in {resolved.time_unit}"
 
 
 def _attitude_words(form: TableForm, resolved: Resolved, mapping: ColumnMapping) -> str | None:
     if not resolved.attitude:
         return None
     direction = "from space to body" if mapping.is_backward else "from body to space"
-    names = [column_named(form, place) for place in resolved.attitude]
+    names = [name_column(form, place) for place in resolved.attitude]
     if mapping.quat:
         parts = ", ".join(f"{letter} = {name}" for letter, name in zip(resolved.letters, names, strict=True))
         return f"quaternion {parts}; {direction}"
@@ -247,5 +247,5 @@ def _attitude_words(form: TableForm, resolved: Resolved, mapping: ColumnMapping)
 def _gyro_words(form: TableForm, resolved: Resolved) -> str | None:
     if not resolved.gyro:
         return None
-    parts = ", ".join(f"{axis} = {column_named(form, place)}" for axis, place in zip("xyz", resolved.gyro, strict=True))
+    parts = ", ".join(f"{axis} = {name_column(form, place)}" for axis, place in zip("xyz", resolved.gyro, strict=True))
     return f"{parts}, body axes, in {resolved.rate_unit}"

@@ -18,7 +18,7 @@ from polhode.formats.attitude_checks import check_recorded
 from polhode.formats.labels import Recording
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.motion.layout import ATTITUDE, MOMENTUM, StateLayout
 from polhode.motion.outcome import Ending, Outcome
 from polhode.motion.trajectory import Trajectory
@@ -49,7 +49,7 @@ def write_csv(trajectory: Trajectory, path: str | Path) -> Path:
     columns = _columns(trajectory.along("given"), "123" if trajectory.frame is None else "xyz")
     table = np.stack([values for _, values in columns], axis=-1)
     # RFC 4180 ends lines with CR LF, as the csv module does by itself
-    with written_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
+    with write_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file)
         writer.writerow([name for name, _ in columns])
         for begin in range(0, len(table), CHUNK):
@@ -74,7 +74,7 @@ def _columns(trajectory: Trajectory, axes: str) -> list[tuple[str, Array]]:
             add(values, [f"{symbol}_{axis} [{unit}]" for axis in axes])
     scalars = trajectory.layout.scalars
     for name, part in scalars.items():
-        add(trajectory.part(name), [_named(name, part.unit)])
+        add(trajectory.part(name), [_label_column(name, part.unit)])
     unnamed = not scalars and "angular_velocity" not in trajectory.layout.names
     if unnamed and trajectory.momentum is None and trajectory.attitude is None:
         add(trajectory.states, [f"state_{k}" for k in range(int(np.prod(np.shape(trajectory.states)[1:])))])
@@ -82,13 +82,13 @@ def _columns(trajectory: Trajectory, axes: str) -> list[tuple[str, Array]]:
         count = 1 if np.ndim(values) == 1 else np.shape(values)[1]
         vector = count == 3 and not trajectory.quantity(name).of_copies
         ends = [""] if np.ndim(values) == 1 else [f"_{part}" for part in ("xyz" if vector else range(count))]
-        add(values, [_named(f"{name}{end}", trajectory.quantity(name).unit) for end in ends])
+        add(values, [_label_column(f"{name}{end}", trajectory.quantity(name).unit) for end in ends])
     for name, values in trajectory.received.items():
-        add(values, [_named(f"{name}_received", trajectory.quantity(name).unit)])
+        add(values, [_label_column(f"{name}_received", trajectory.quantity(name).unit)])
     return found
 
 
-def _named(name: str, unit: str) -> str:
+def _label_column(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit not in ("", "1") else name
 
 
@@ -108,7 +108,7 @@ def read_csv(path: str | Path) -> Trajectory:
     if "time [s]" not in columns:
         raise FormatError(f'{path}, line 1: a column must be named "time [s]"; got {shown(names)}.')
 
-    def taken(wanted: list[str]) -> Array | None:
+    def take_columns(wanted: list[str]) -> Array | None:
         missing = [name for name in wanted if name not in columns]
         if len(missing) == len(wanted):
             return None
@@ -117,11 +117,11 @@ def read_csv(path: str | Path) -> Trajectory:
         return np.stack([columns.pop(name) for name in wanted], axis=-1)
 
     times = columns.pop("time [s]")
-    attitude = taken([f"q_{part}" for part in "wxyz"])
+    attitude = take_columns([f"q_{part}" for part in "wxyz"])
 
     def vector(attribute: str) -> Array | None:
         symbol, unit = _VECTORS[attribute]
-        own, given = (taken([f"{symbol}_{axis} [{unit}]" for axis in axes]) for axes in ("123", "xyz"))
+        own, given = (take_columns([f"{symbol}_{axis} [{unit}]" for axis in axes]) for axes in ("123", "xyz"))
         return given if own is None else own
 
     velocity, momentum = vector("angular_velocity"), vector("momentum")

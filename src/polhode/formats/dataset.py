@@ -13,9 +13,9 @@ import numpy as np
 
 from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset_rules import COMPLEX_PART, COUNTED, MEMORY, UNITS
-from polhode.formats.labels import AttitudeLabels, labels_of
+from polhode.formats.labels import AttitudeLabels, find_labels
 from polhode.formats.opening import MB, read_file
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.formats.zarr_gate import DOCUMENTS
 from polhode.motion.frame import BodyFrame
 from polhode.motion.outcome import Outcome
@@ -44,10 +44,10 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
     """
     import xarray as xr
 
-    return xr.Dataset(*_described(trajectory, attributes))
+    return xr.Dataset(*_describe(trajectory, attributes))
 
 
-def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tuple[Named, Named, dict[str, Any]]:
+def _describe(trajectory: Trajectory, attributes: dict[str, str] | None) -> tuple[Named, Named, dict[str, Any]]:
     """Return variables and coordinates, each (dimensions, values, attributes), and global attributes."""
     frame = trajectory.frame
     if frame is not None:
@@ -76,7 +76,7 @@ def _described(trajectory: Trajectory, attributes: dict[str, str] | None) -> tup
                 variables[name][2]["comment"] = "body axes are the principal ones; principal_axes has them"
     header = {"Conventions": "CF-1.11", "source": "polhode", **_outcome_attributes(trajectory.outcome)}
     header |= {f"{COUNTED}{name}": count for name, count in trajectory.statistics.items()}
-    return variables, coordinates, header | label_attributes(labels_of(trajectory)) | (attributes or {})
+    return variables, coordinates, header | label_attributes(find_labels(trajectory)) | (attributes or {})
 
 
 def _state_variables(trajectory: Trajectory, batch: list[str]) -> Named:
@@ -183,8 +183,8 @@ def write_dataset(trajectory: Trajectory, path: str | Path, attributes: dict[str
     _check_finite(trajectory)
     # HDF5 would try again to write what a full disk refused, and crash as Python ends: it gets memory, not the disk
     packed = BytesIO()
-    pack(packed, *_described(trajectory, attributes))
-    with written_whole(path) as draft:
+    pack(packed, *_describe(trajectory, attributes))
+    with write_whole(path) as draft:
         draft.write_bytes(packed.getbuffer())
     return path
 
@@ -225,7 +225,7 @@ def write_zarr(trajectory: Trajectory, path: str | Path, attributes: dict[str, s
     packed: dict[str, Any] = {}
     # format 3 has no settled form for the text that names a quaternion's components
     dataset.to_zarr(zarr.storage.MemoryStore(packed), zarr_format=2, consolidated=True)
-    with written_whole(path, replaces=_is_our_store) as draft:
+    with write_whole(path, replaces=_is_our_store) as draft:
         for key, part in packed.items():
             place, data = draft / key, part.to_bytes()
             place.parent.mkdir(parents=True, exist_ok=True)

@@ -40,7 +40,7 @@ def read_dataset(path: str | Path) -> Trajectory:
         FormatError: if it is not a dataset of polhode's, or a damaged one.
     """
     path = Path(path)
-    dataset = _loaded(path)
+    dataset = _load(path)
     if str(dataset.attrs.get("source")) != "polhode" or "time" not in dataset.coords:
         raise FormatError(f"{path}: is a dataset, but not one that polhode wrote. Read it with xarray.")
     check_variables(path, dataset)
@@ -58,7 +58,7 @@ def read_dataset(path: str | Path) -> Trajectory:
     layout, states = _states(arrays, {name: variables[name].attrs for name in roles["state"]}, own)
     kept = {name: variables[name].attrs for name in (*roles["invariant"], *roles["balance"])}
     return Trajectory(
-        source=_recording(path, dataset),
+        source=_make_recording(path, dataset),
         frame=_frame(variables),
         times=_doubles(dataset["time"].values),
         states=states,
@@ -101,7 +101,7 @@ def _of_copies(variable: Any) -> bool:
     return str(variable.dims[-1]).startswith("copy")
 
 
-def _loaded(path: Path) -> xarray.Dataset:
+def _load(path: Path) -> xarray.Dataset:
     import xarray as xr
 
     if not is_folder(path):
@@ -113,7 +113,7 @@ def _loaded(path: Path) -> xarray.Dataset:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # what is wrong is said below, in one message
             if store:
-                return _loaded_store(path)
+                return _load_store(path)
             check_hdf5(path)
             return xr.load_dataset(path, engine="h5netcdf", decode_times=False)
     except InvalidInput:
@@ -123,7 +123,7 @@ def _loaded(path: Path) -> xarray.Dataset:
         raise FormatError(f"{path}: cannot be read as a {kind}: it is broken or cut short. Write it again.") from None
 
 
-def _loaded_store(path: Path) -> xarray.Dataset:
+def _load_store(path: Path) -> xarray.Dataset:
     import xarray as xr
 
     try:
@@ -173,7 +173,7 @@ def _outcome(path: Path, attributes: Any) -> Outcome:
     return Outcome(known[said], event, message or "")
 
 
-def _recording(path: Path, dataset: xarray.Dataset) -> Recording:
+def _make_recording(path: Path, dataset: xarray.Dataset) -> Recording:
     attributes: dict[str, Any] = {str(key): value for key, value in dataset.attrs.items()}
     labels = _labels(path, attributes) if "body_frame" in attributes else None
     return Recording(str(attributes.get("title", "")), labels, attributes)

@@ -52,7 +52,7 @@ class Draft:
         """Make the folder and lock it."""
         self.home.mkdir()
         with contextlib.suppress(OSError):  # systems without locks; there, abandoned drafts stay
-            self._lock = _locked(self.home)
+            self._lock = _lock(self.home)
         self._old.mkdir()
         self.new.mkdir()  # last: a draft that has it has been locked
 
@@ -61,8 +61,8 @@ class Draft:
         written = sorted(self.new.iterdir())
         for path in written:
             for part in [path, *path.rglob("*")] if path.is_dir() else [path]:
-                _synced(part)
-        with _moving, signals_held():
+                _sync(part)
+        with _moving, hold_signals():
             for path in written:
                 target, aside = self.folder / path.name, self._old / path.name
                 if target.is_dir():
@@ -72,11 +72,11 @@ class Draft:
                 except BaseException:
                     _put_back(aside, target)
                     raise
-            _synced(self.folder)
+            _sync(self.folder)
 
     def remove(self) -> None:
         """Remove the folder and let go of the lock."""
-        with _moving, signals_held():
+        with _moving, hold_signals():
             shutil.rmtree(self.home, ignore_errors=True)
             if self._lock is not None:
                 os.close(self._lock)
@@ -102,7 +102,7 @@ def draft_in(folder: Path) -> Iterator[Draft]:
 
 
 @contextlib.contextmanager
-def folder_made(folder: Path) -> Iterator[None]:
+def make_folder(folder: Path) -> Iterator[None]:
     """Make a folder and those above it where they are missing; they are gone again if the block fails.
 
     Raises:
@@ -148,7 +148,7 @@ def remove_abandoned(folder: Path) -> None:
         with contextlib.suppress(OSError):  # in use, or gone meanwhile
             if not (home / "new").is_dir() and time.time() - home.stat().st_mtime < JUST_MADE:
                 continue
-            lock = _locked(home)
+            lock = _lock(home)
             try:
                 for aside in (home / "old").glob("*"):
                     _put_back(aside, folder / aside.name)
@@ -159,7 +159,7 @@ def remove_abandoned(folder: Path) -> None:
 
 
 @contextlib.contextmanager
-def signals_held() -> Iterator[None]:
+def hold_signals() -> Iterator[None]:
     """Let signals that come meanwhile act afterwards; only the main thread gets any."""
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -184,7 +184,7 @@ def _put_back(aside: Path, target: Path) -> None:
         aside.replace(target)
 
 
-def _locked(folder: Path) -> int | None:
+def _lock(folder: Path) -> int | None:
     """Return a descriptor that holds the folder's lock, None where the system has none.
 
     Raises:
@@ -201,7 +201,7 @@ def _locked(folder: Path) -> int | None:
         raise
 
 
-def _synced(path: Path) -> None:
+def _sync(path: Path) -> None:
     """Wait until a file's bytes are on the disk: some systems tell only then that there was no room for them."""
     folder = path.is_dir()
     if folder and fcntl is None:  # Windows cannot open folders

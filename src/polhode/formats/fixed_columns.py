@@ -50,7 +50,7 @@ class Field(NamedTuple):
             rule = "must be a whole number"
             raise ValueError(f"{self.place}: {self.name} {rule}; got {shown(word)}") from None
 
-    def written(self, value: float) -> str:
+    def write_value(self, value: float) -> str:
         """Return a number in as many columns as the field has.
 
         Raises:
@@ -103,7 +103,7 @@ def write_coded(value: int, width: int) -> str:
     return text.rjust(width)
 
 
-def rows_of(
+def read_rows(
     path: Path, text: str, read: Callable[[str], Row], remedy: str, ends_at_blank: bool = False
 ) -> Iterator[tuple[Row, str]]:
     """Yield what each line holds, and its text with its end and blank lines around it.
@@ -137,7 +137,7 @@ def rows_of(
     yield held[0], held[1] + pending
 
 
-def text_of(rows: Sequence[Row], kept: Sequence[str] | None, read: Callable[[str], Row],
+def write_rows(rows: Sequence[Row], kept: Sequence[str] | None, read: Callable[[str], Row],
             write: Callable[[Row], str]) -> str:  # fmt: skip
     """Return rows as the text of a file: as they were read, where they were and still say the same.
 

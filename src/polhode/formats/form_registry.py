@@ -52,7 +52,7 @@ def check_importable(name: str) -> None:
             _load(point)
 
 
-def written_forms() -> dict[str, Form]:
+def writable_forms() -> dict[str, Form]:
     """Return those that can be written, by name."""
     return {name: form for name, form in forms().items() if form.write is not None}
 

@@ -9,13 +9,13 @@ import numpy as np
 
 from polhode import rotation
 from polhode.bodies.surface import Surface, box_in_place
-from polhode.bodies.turned import turned
+from polhode.bodies.turned import revolve
 from polhode.errors import InvalidInput, shown
-from polhode.formats.animation_keys import keys_of
+from polhode.formats.animation_keys import make_keys
 from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.glb import Glb
 from polhode.formats.labels import AttitudeLabels
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
@@ -80,7 +80,7 @@ def write_gltf(
     if not np.isfinite(single_attitude(trajectory, "glTF")).all():
         raise InvalidInput("glTF holds finite attitudes, and not all of these are. Cut the trajectory where they end.")
     speed = _watchable_speed(float(trajectory.times[-1] - trajectory.times[0])) if speed is None else speed
-    clock, keyed = keys_of(trajectory, speed, rate)
+    clock, keyed = make_keys(trajectory, speed, rate)
     drawn = _about_origin(trajectory.frame, surface)
     reach = 0.0 if drawn is None else float(np.linalg.norm(drawn.vertices, axis=1).max())
     unit = _viewable_unit(reach)
@@ -97,7 +97,7 @@ def write_gltf(
         tracks.append((place, "translation", np.asarray(center(keyed.states)) / unit))
     tracks += _add_momentum(made, place, keyed, LONG * reach / unit or 1.0)
     made.animate("motion", clock, tracks)
-    with written_whole(path) as draft:
+    with write_whole(path) as draft:
         draft.write_bytes(made.as_bytes())
     return path
 
@@ -153,7 +153,7 @@ def _add_momentum(made: Glb, place: int, keyed: Trajectory, length: float) -> li
 
 def _arrow(length: float) -> Surface:
     profile = np.array([(0.0, 0.0), (0.012, 0.0), (0.012, 0.86), (0.036, 0.86), (0.0, 1.0)])
-    return turned(profile * length, sections=16)
+    return revolve(profile * length, sections=16)
 
 
 def _continuous(quaternions: Array) -> Array:

@@ -57,10 +57,10 @@ GYRO_FILES = ("Gyroscope.csv", "Raw Data.csv", "Gyroscope rotation rate.csv")
 ACCELERATION_UNITS = {"m/s²": 1.0, "m/s^2": 1.0, "m/s2": 1.0, "m/s/s": 1.0, "g": 9.80665}
 
 
-def places_of(names: Sequence[str], wanted: Sequence[str]) -> tuple[int, ...] | None:
+def find_places(names: Sequence[str], wanted: Sequence[str]) -> tuple[int, ...] | None:
     """Return where columns of these names stand, from 0; None where one is missing or comes twice.
 
-    >>> places_of(["Time (s)", "gyroADC[0] (deg/s)", "gyroADC[1]"], ["gyroadc[1]", "gyroadc[0]"])
+    >>> find_places(["Time (s)", "gyroADC[0] (deg/s)", "gyroADC[1]"], ["gyroadc[1]", "gyroadc[0]"])
     (2, 1)
     """
     known = [{name.strip().lower(), bare_name(name).strip().lower()} for name in names]
@@ -68,21 +68,21 @@ def places_of(names: Sequence[str], wanted: Sequence[str]) -> tuple[int, ...] | 
     return tuple(each[0] for each in found) if all(len(each) == 1 for each in found) else None
 
 
-def dialect_of(names: Sequence[str]) -> GyroDialect | None:
+def detect_dialect(names: Sequence[str]) -> GyroDialect | None:
     """Return whose header these names are; None for nobody's that is known.
 
-    >>> dialect_of(["Time (s)", "Gyroscope x (rad/s)", "Gyroscope y (rad/s)", "Gyroscope z (rad/s)"]).name
+    >>> detect_dialect(["Time (s)", "Gyroscope x (rad/s)", "Gyroscope y (rad/s)", "Gyroscope z (rad/s)"]).name
     'phyphox'
-    >>> dialect_of(["time", "seconds_elapsed", "z", "y", "x"]).name, dialect_of(["t", "a", "b", "c"])
+    >>> detect_dialect(["time", "seconds_elapsed", "z", "y", "x"]).name, detect_dialect(["t", "a", "b", "c"])
     ('Sensor Logger', None)
     """
-    known = (each for each in DIALECTS if places_of(names, each.gyro) and time_place(names, each) is not None)
+    known = (each for each in DIALECTS if find_places(names, each.gyro) and time_place(names, each) is not None)
     return next(known, None)
 
 
 def time_place(names: Sequence[str], dialect: GyroDialect) -> int | None:
     """Return where the column of times stands, from 0."""
-    found = (places_of(names, [name]) for name in dialect.time)
+    found = (find_places(names, [name]) for name in dialect.time)
     return next((places[0] for places in found if places), None)
 
 

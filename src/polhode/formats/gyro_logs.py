@@ -10,22 +10,22 @@ from typing import NamedTuple
 from polhode.errors import FormatError, InvalidInput, PolhodeError
 from polhode.estimation.gyro_log import GyroLog, clean_log
 from polhode.formats.column_mapping import ColumnMapping
-from polhode.formats.column_reading import COLUMNS_SHOWN, resolved_on
+from polhode.formats.column_reading import COLUMNS_SHOWN, resolve_mapping
 from polhode.formats.gyro_dialects import (
     DIALECTS,
     GYRO_FILES,
     GyroDialect,
     acceleration_unit,
-    dialect_of,
-    places_of,
+    detect_dialect,
+    find_places,
     time_place,
 )  # fmt: skip
 from polhode.formats.header_words import IN_RADIANS, RATE_UNITS, TIME_UNITS, unit_in
-from polhode.formats.log_archives import is_archive, unpacked
+from polhode.formats.log_archives import is_archive, unpack_log
 from polhode.formats.opening import check_is_file, is_folder
-from polhode.formats.plain_table import LARGEST_FILE, decimal_of, first_lines, read_cells
+from polhode.formats.plain_table import LARGEST_FILE, detect_decimal, first_lines, read_cells
 from polhode.formats.stamps import read_clock
-from polhode.formats.table_form import DELIMITERS, Line, TableForm, cells_of, form_of
+from polhode.formats.table_form import DELIMITERS, Line, TableForm, detect_form, split_cells
 from polhode.types import Array
 
 Told = Callable[[int], None] | None
@@ -85,7 +85,7 @@ def read_gyro_log(
     if not is_archive(path):
         return _read_table(path, mapping, told, rate_unit)
     beside = [name for dialect in DIALECTS for name in dialect.beside]
-    with unpacked(path, GYRO_FILES, beside) as (table, member):
+    with unpack_log(path, GYRO_FILES, beside) as (table, member):
         try:
             read = _read_table(table, mapping, told, rate_unit)
         except PolhodeError as error:
@@ -107,11 +107,11 @@ def _read_table(path: Path, mapping: ColumnMapping | None, told: Told, rate_unit
     notes: list[str] = []
     if mapping is None:
         assert dialect is not None
-        mapping = _mapping(form, dialect, rate_unit)
+        mapping = _make_mapping(form, dialect, rate_unit)
     if not mapping.gyro:
         raise InvalidInput(f"{path}: its angular velocities are needed. Say their columns by --gyro.")
-    resolved = resolved_on(path, form, mapping)
-    decimal = mapping.decimal or decimal_of(path, form)
+    resolved = resolve_mapping(path, form, mapping)
+    decimal = mapping.decimal or detect_decimal(path, form)
     felt = _acceleration(form, dialect, notes) if dialect else None
     columns = (resolved.time, *resolved.gyro, *(felt[0] if felt else ()))
     numbers = read_cells(path, form, columns, decimal, told).numbers
@@ -134,16 +134,16 @@ def _form(path: Path, mapping: ColumnMapping | None) -> tuple[TableForm, GyroDia
     """Return how the table is laid out, from the line on whose names are known, if there is one."""
     lines = first_lines(path)
     if mapping is not None:
-        return form_of(path, lines), None
+        return detect_form(path, lines), None
     for k, line in enumerate(lines):
         for delimiter in DELIMITERS:
             try:
-                dialect = dialect_of(cells_of(line.text, delimiter))
+                dialect = detect_dialect(split_cells(line.text, delimiter))
             except ValueError:
                 dialect = None
             if dialect is not None:
-                return form_of(path, _below(path, lines[k:])), dialect
-    form = form_of(path, lines)
+                return detect_form(path, _below(path, lines[k:])), dialect
+    form = detect_form(path, lines)
     more = ", …" if len(form.names) > COLUMNS_SHOWN else ""
     names = ", ".join(name or "(no name)" for name in form.names[:COLUMNS_SHOWN]) + more
     columns = f"has the columns {names}" if form.names else f"has {form.width} columns without names"
@@ -158,8 +158,8 @@ def _below(path: Path, lines: Sequence[Line]) -> Sequence[Line]:
     return lines
 
 
-def _mapping(form: TableForm, dialect: GyroDialect, rate_unit: str | None) -> ColumnMapping:
-    time, gyro = time_place(form.names, dialect), places_of(form.names, dialect.gyro)
+def _make_mapping(form: TableForm, dialect: GyroDialect, rate_unit: str | None) -> ColumnMapping:
+    time, gyro = time_place(form.names, dialect), find_places(form.names, dialect.gyro)
     assert time is not None and gyro is not None
     named = unit_in(form.names[time], TIME_UNITS), unit_in(form.names[gyro[0]], RATE_UNITS)
     return ColumnMapping(
@@ -170,7 +170,7 @@ def _mapping(form: TableForm, dialect: GyroDialect, rate_unit: str | None) -> Co
 
 def _acceleration(form: TableForm, dialect: GyroDialect, notes: list[str]) -> tuple[tuple[int, ...], float] | None:
     """Return the columns of accelerations in the gyro's own table, and their unit in m/s²; None without them."""
-    found = (places_of(form.names, names) for names in dialect.acceleration if names != dialect.gyro)
+    found = (find_places(form.names, names) for names in dialect.acceleration if names != dialect.gyro)
     places = next(filter(None, found), None)
     if places is None:
         return None
@@ -193,13 +193,13 @@ def _beside(
         other = path.with_name(name)
         if other == path or not other.is_file():
             continue
-        form = form_of(other, first_lines(other))
+        form = detect_form(other, first_lines(other))
         time = time_place(form.names, dialect)
-        places = next(filter(None, (places_of(form.names, names) for names in dialect.acceleration)), None)
+        places = next(filter(None, (find_places(form.names, names) for names in dialect.acceleration)), None)
         unit = acceleration_unit(form.names[places[0]], dialect) if places else None
         if time is None or places is None or unit is None:
             continue
-        decimal = decimal_of(other, form)
+        decimal = detect_decimal(other, form)
         numbers = read_cells(other, form, (time, *places), decimal, told).numbers
         time_unit = unit_in(form.names[time], TIME_UNITS) or dialect.time_unit
         clock = read_clock(other, form, time, time_unit, decimal, numbers[:, 0], begin)

@@ -28,10 +28,10 @@ IN_RADIANS = {"deg": math.pi / 180.0, "rad": 1.0, "deg/s": math.pi / 180.0, "rad
 _BRACKETED = re.compile(r"(?P<name>.*?)\s*[\[(](?P<unit>[^\])]*)[\])]\s*")
 
 
-def unit_named(word: str, units: Mapping[str, Iterable[str]]) -> str | None:
+def find_unit(word: str, units: Mapping[str, Iterable[str]]) -> str | None:
     """Return which of the units a word is, None for none.
 
-    >>> unit_named("Deg/Sec", RATE_UNITS), unit_named("Hz", RATE_UNITS)
+    >>> find_unit("Deg/Sec", RATE_UNITS), find_unit("Hz", RATE_UNITS)
     ('deg/s', None)
     """
     word = " ".join(word.lower().split())
@@ -57,10 +57,10 @@ def unit_in(name: str, units: Mapping[str, Iterable[str]]) -> str | None:
     (None, None)
     """
     if found := _BRACKETED.fullmatch(name):
-        return unit_named(found["unit"], units)
+        return find_unit(found["unit"], units)
     words = name.strip().lower().split("_")
     endings = ["_".join(words[-k:]) for k in range(min(4, len(words) - 1), 0, -1)]  # the longest first
-    return next((unit for ending in endings if (unit := unit_named(ending, units))), None)
+    return next((unit for ending in endings if (unit := find_unit(ending, units))), None)
 
 
 def components_in(names: Sequence[str]) -> str | None:

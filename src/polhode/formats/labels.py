@@ -68,7 +68,7 @@ class Recording:
     attributes: dict[str, Any] = field(default_factory=dict)
 
 
-def labels_of(trajectory: Trajectory) -> AttitudeLabels | None:
+def find_labels(trajectory: Trajectory) -> AttitudeLabels | None:
     """Return the labels that a trajectory was read with, None where it was not or had none."""
     return trajectory.source.labels if isinstance(trajectory.source, Recording) else None
 

@@ -35,7 +35,7 @@ def is_archive(path: Path) -> bool:
 
 
 @contextlib.contextmanager
-def unpacked(path: Path, wanted: Sequence[str], beside: Sequence[str]) -> Iterator[tuple[Path, str]]:
+def unpack_log(path: Path, wanted: Sequence[str], beside: Sequence[str]) -> Iterator[tuple[Path, str]]:
     """Yield the log of an archive as a file in a folder that goes afterwards, and its name in the archive.
 
     Args:
@@ -90,15 +90,15 @@ def _log_in(path: Path, members: Sequence[zipfile.ZipInfo], wanted: Sequence[str
               and not PurePosixPath(m.filename).name.startswith("._")]  # fmt: skip
     found = found or (tables if len(tables) == 1 else [])
     if not found:
-        has = f"; its tables are {_listed(tables)}" if tables else ""
+        has = f"; its tables are {_name_all(tables)}" if tables else ""
         raise InvalidInput(f"{path}: has no {' or '.join(wanted)}{has}. Unpack it, and name the file with the angular "
                            "velocities.")  # fmt: skip
     if len(found) > 1:
-        raise InvalidInput(f"{path}: has {len(found)} logs, {_listed(found)}. Unpack it, and name those of one body.")
+        raise InvalidInput(f"{path}: has {len(found)} logs, {_name_all(found)}. Unpack it, and name those of one body.")
     return found[0]
 
 
-def _listed(members: Sequence[zipfile.ZipInfo]) -> str:
+def _name_all(members: Sequence[zipfile.ZipInfo]) -> str:
     more = f" and {len(members) - SHOWN} more" if len(members) > SHOWN else ""
     return ", ".join(member.filename for member in members[:SHOWN]) + more
 

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from polhode.bodies.mesh_gate import repaired_mesh
+from polhode.bodies.mesh_gate import repair_mesh
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.mesh_checks import as_text, checked
+from polhode.formats.mesh_checks import as_text, check_content
 from polhode.formats.obj_mesh import read_obj
 from polhode.formats.opening import MB, read_file
 from polhode.formats.stl_mesh import read_stl
@@ -45,7 +45,7 @@ def read_mesh(
     path = Path(path)
     if isinstance(unit, str) or not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
         raise InvalidInput(f"`unit` must be a positive length in metres, like 1e-3 for millimetres; got {shown(unit)}.")
-    vertices, faces = _loaded(path, read_file(path, "mesh", LARGEST_FILE))
+    vertices, faces = _load(path, read_file(path, "mesh", LARGEST_FILE))
     if len(faces) == 0:
         raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it again, as a surface mesh.")
     if not np.isfinite(vertices).all():
@@ -55,16 +55,16 @@ def read_mesh(
     if (extent := float(np.abs(vertices).max())) > LARGEST_EXTENT / unit:
         raise FormatError(f"{path}: a corner is {extent:.3g} of its units away, and no body is that large. Check the "
                           "file and its unit.")  # fmt: skip
-    vertices, faces = _merged(vertices, faces.astype(np.int64))
+    vertices, faces = _merge(vertices, faces.astype(np.int64))
     if repair:
         try:
-            vertices, faces = repaired_mesh(*_filled(*_merged_nearby(vertices, faces)))
+            vertices, faces = repair_mesh(*_fill_holes(*_merge_nearby(vertices, faces)))
         except InvalidInput as error:
             raise InvalidInput(f"{path}: {error}") from None
     return vertices * unit, faces
 
 
-def _loaded(path: Path, content: bytes) -> tuple[Array, Array]:
+def _load(path: Path, content: bytes) -> tuple[Array, Array]:
     ending = path.suffix.lower().lstrip(".")
     if ending not in ENDINGS:
         known = ", ".join(ENDINGS)
@@ -74,7 +74,7 @@ def _loaded(path: Path, content: bytes) -> tuple[Array, Array]:
         return read_obj(path, as_text(path, content))
     if ending == "stl":
         return read_stl(path, content)
-    content = checked(path, ending, content)
+    content = check_content(path, ending, content)
     trimesh = _trimesh()
     try:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
@@ -99,12 +99,12 @@ def _trimesh() -> Any:
     return trimesh
 
 
-def _merged(vertices: Array, faces: Array) -> tuple[Array, Array]:
+def _merge(vertices: Array, faces: Array) -> tuple[Array, Array]:
     unique, index = np.unique(vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 makes −0.0 equal to 0.0
     return unique, index.reshape(-1)[faces]
 
 
-def _merged_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
+def _merge_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
     """Merge corners in chains of near neighbours; rounding to a grid instead would split some of them."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
@@ -122,7 +122,7 @@ def _merged_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
     return vertices[kept], labels[faces]
 
 
-def _filled(vertices: Array, faces: Array) -> tuple[Array, Array]:
+def _fill_holes(vertices: Array, faces: Array) -> tuple[Array, Array]:
     """Drop triangles that are degenerate or there twice, then close small holes."""
     trimesh = _trimesh()
     a, b, c = faces.T

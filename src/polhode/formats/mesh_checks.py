@@ -19,7 +19,7 @@ COPIES = 16  # of one mesh in a scene, on average by size
 _PLY_COUNT = re.compile(r"element[ \t]+\S+[ \t]+(\S+)", re.ASCII)
 
 
-def checked(path: Path, ending: str, content: bytes) -> bytes:
+def check_content(path: Path, ending: str, content: bytes) -> bytes:
     """Return a file's bytes as trimesh may have them: text in UTF-8, scenes without materials.
 
     Raises:

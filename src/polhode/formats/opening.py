@@ -32,7 +32,7 @@ _KINDS_OF_NODE = {
 
 
 @contextlib.contextmanager
-def files_recorded() -> Iterator[dict[Path, str]]:
+def record_files() -> Iterator[dict[Path, str]]:
     """Yield a dictionary that holds, once the block has ended well, every file that was read in it.
 
     Absolute path → SHA-256 of the content: of what was opened here, and of what ``check_is_file`` was asked about
@@ -128,15 +128,15 @@ class _File(io.FileIO):
         self.path = path
 
     def readinto(self, buffer: Any) -> int | None:
-        with self._named():
+        with self._name_errors():
             return super().readinto(buffer)
 
     def readall(self) -> bytes:
-        with self._named():
+        with self._name_errors():
             return super().readall()
 
     @contextlib.contextmanager
-    def _named(self) -> Iterator[None]:
+    def _name_errors(self) -> Iterator[None]:
         try:
             yield
         except OSError as error:
@@ -182,11 +182,11 @@ def _check(path: Path, kind: str, found: os.stat_result, limit: int | None) -> N
         remedy = "Check the path." if stat.S_ISDIR(found.st_mode) else "Save what it gives as a file first."
         raise InvalidInput(f"{path}: is {what}, not {_article(kind)} {kind} file. {remedy}")
     if limit is not None and found.st_size > limit:
-        raise FormatError(_too_large(path, kind, _sized(found.st_size), limit))
+        raise FormatError(_too_large(path, kind, _format_size(found.st_size), limit))
 
 
 def _too_large(path: Path, kind: str, size: str, limit: int) -> str:
-    most = f"{_article(kind)} {kind} file may have {_sized(limit)} at most"
+    most = f"{_article(kind)} {kind} file may have {_format_size(limit)} at most"
     return f"{path}: has {size}; {most}. Give a part of it, or check the path."
 
 
@@ -194,5 +194,5 @@ def _article(kind: str) -> str:
     return "an" if kind.startswith("A") else "a"
 
 
-def _sized(size: int) -> str:
+def _format_size(size: int) -> str:
     return f"{size // MB:,} MB" if size >= MB else f"{size} bytes"

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from polhode.errors import InvalidInput, PolhodeError, one_line, shown
-from polhode.formats.drafts import draft_in, folder_made
+from polhode.formats.drafts import draft_in, make_folder
 
 # what a disk without room says, and a limit of a user's
 FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
@@ -34,7 +34,7 @@ def as_path(name: str, given: str | os.PathLike[str]) -> Path:
 
 
 @contextlib.contextmanager
-def written_whole(path: str | Path, replaces: Callable[[Path], bool] | None = None) -> Iterator[Path]:
+def write_whole(path: str | Path, replaces: Callable[[Path], bool] | None = None) -> Iterator[Path]:
     """Yield a draft path that takes the place of ``path`` when the block ends well, and leaves no trace otherwise.
 
     The draft has the name of the file, ending included, in a hidden folder next to it. What is written there may be a
@@ -50,16 +50,16 @@ def written_whole(path: str | Path, replaces: Callable[[Path], bool] | None = No
             what the system refuses while the block writes.
     """
     path = Path(path)
-    with _worded(path):
+    with _reword_errors(path):
         _check_can_go(path, replaces)
         with draft_in(path.parent) as draft:
-            with _named_as_meant(draft.new, path.parent):
+            with _correct_paths_in_errors(draft.new, path.parent):
                 yield draft.new / path.name
             draft.take_place()
 
 
 @contextlib.contextmanager
-def written_together(folder: str | Path) -> Iterator[Path]:
+def write_together(folder: str | Path) -> Iterator[Path]:
     """Yield an empty draft folder whose files take their names in ``folder``, all of them when the block ends well.
 
     The folder is made where it is missing, and is gone again if the block fails.
@@ -68,14 +68,14 @@ def written_together(folder: str | Path) -> Iterator[Path]:
         folder: where the files have to go; those of the same names are replaced, all others stay.
 
     Raises:
-        InvalidInput: as ``written_whole`` does, and where a folder is in a file's place.
+        InvalidInput: as ``write_whole`` does, and where a folder is in a file's place.
     """
     folder = Path(folder)
-    with _worded(folder, "Choose another folder."):
+    with _reword_errors(folder, "Choose another folder."):
         if folder.exists() and not folder.is_dir():
             raise InvalidInput(f"{folder}: is a file, where a folder is needed. Choose another.")
-        with folder_made(folder), draft_in(folder) as draft:
-            with _named_as_meant(draft.new, folder):
+        with make_folder(folder), draft_in(folder) as draft:
+            with _correct_paths_in_errors(draft.new, folder):
                 yield draft.new
             for written in draft.new.iterdir():
                 _check_can_go(folder / written.name)
@@ -83,7 +83,7 @@ def written_together(folder: str | Path) -> Iterator[Path]:
 
 
 @contextlib.contextmanager
-def _named_as_meant(draft: Path, folder: Path) -> Iterator[None]:
+def _correct_paths_in_errors(draft: Path, folder: Path) -> Iterator[None]:
     """Let errors name the files where they have to go, not in the hidden draft that is gone by then."""
     hidden, inside, meant, inside_meant = (one_line(text) for place in (draft, folder) for text in (
         str(place), str(place / "x")[:-1]))
@@ -96,7 +96,7 @@ def _named_as_meant(draft: Path, folder: Path) -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def _worded(path: Path, remedy: str = "Choose a place that you may write to.") -> Iterator[None]:
+def _reword_errors(path: Path, remedy: str = "Choose a place that you may write to.") -> Iterator[None]:
     """Turn what the system refuses into one error that names the file."""
     try:
         yield

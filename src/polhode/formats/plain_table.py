@@ -15,7 +15,16 @@ import numpy as np
 from polhode.errors import FormatError, shown
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
-from polhode.formats.table_form import COMMENT, HEAD, MOST_COMMENTS, Line, TableForm, cells_of, form_of, is_comment
+from polhode.formats.table_form import (
+    COMMENT,
+    HEAD,
+    MOST_COMMENTS,
+    Line,
+    TableForm,
+    detect_form,
+    is_comment,
+    split_cells,
+)
 from polhode.types import Array, Float64, Integer
 
 LARGEST_FILE = 2000 * MB
@@ -47,15 +56,15 @@ def table_form(path: Path) -> TableForm:
         InvalidInput: for what is missing, not a regular file, or cannot be read.
         FormatError: for what is not text, or not a table.
     """
-    return form_of(path, first_lines(path))
+    return detect_form(path, first_lines(path))
 
 
 def first_lines(path: Path) -> list[Line]:
     """Return the lines from which the form is found; raises as ``table_form`` does."""
-    return list(islice(_lines_of(path), MOST_COMMENTS + HEAD))
+    return list(islice(_read_lines(path), MOST_COMMENTS + HEAD))
 
 
-def decimal_of(path: Path, form: TableForm) -> str:
+def detect_decimal(path: Path, form: TableForm) -> str:
     """Return "comma" where the first numbers have commas and none has a point, else "point"; of blanks neither is told.
 
     Raises:
@@ -87,7 +96,7 @@ def read_cells(
             number of cells.
     """
     numbers, places = [np.zeros((0, len(columns)))], [np.zeros(0, dtype=int)]
-    for first, texts in _blocks_of(path):
+    for first, texts in _read_blocks(path):
         at = np.arange(first, first + len(texts))
         last = first + len(texts) - 1
         if first < form.first or _NO_CELLS.search("\n".join(texts)):
@@ -99,10 +108,10 @@ def read_cells(
             places.append(at)
         if told is not None:
             told(last)
-    return PlainTable(_joined(numbers), _joined(places))
+    return PlainTable(_join_blocks(numbers), _join_blocks(places))
 
 
-def _joined(blocks: list[Array]) -> Array:
+def _join_blocks(blocks: list[Array]) -> Array:
     """Return blocks one below the other; each goes as soon as it is copied, so that memory holds the table once."""
     whole = np.empty((sum(map(len, blocks)), *blocks[0].shape[1:]), blocks[0].dtype)
     end = len(whole)
@@ -119,16 +128,16 @@ def read_texts(path: Path, form: TableForm, column: int) -> Iterator[str]:
     Raises:
         InvalidInput, FormatError: as ``table_form`` does.
     """
-    for line in _lines_of(path):
+    for line in _read_lines(path):
         if line.number >= form.first and not is_comment(line.text):
-            yield cells_of(line.text, form.delimiter)[column]
+            yield split_cells(line.text, form.delimiter)[column]
 
 
-def _lines_of(path: Path) -> Iterator[Line]:
-    return (Line(first + k, text) for first, texts in _blocks_of(path) for k, text in enumerate(texts))
+def _read_lines(path: Path) -> Iterator[Line]:
+    return (Line(first + k, text) for first, texts in _read_blocks(path) for k, text in enumerate(texts))
 
 
-def _blocks_of(path: Path) -> Iterator[tuple[int, list[str]]]:
+def _read_blocks(path: Path) -> Iterator[tuple[int, list[str]]]:
     """Yield the lines of a file in blocks, with the number of the first of each."""
     try:
         with io.TextIOWrapper(open_file(path, "table", LARGEST_FILE), "utf-8-sig") as file:
@@ -194,7 +203,7 @@ def _line_by_line(
     found = np.empty((len(texts), len(columns)))
     for row, number, text in zip(found, numbers.tolist(), texts, strict=True):
         try:
-            cells = cells_of(text, form.delimiter)
+            cells = split_cells(text, form.delimiter)
         except ValueError as error:
             raise FormatError(f"{path}, line {number}: {error}. Check the line.") from None
         while len(cells) > form.width and not cells[-1]:
@@ -211,7 +220,7 @@ def _line_by_line(
 def _number(path: Path, line: int, form: TableForm, column: int, cell: str, decimal: str) -> float:
     if cell.lower() in MISSING:
         return np.nan
-    where = f"{path}, line {line}, {column_named(form, column)}"
+    where = f"{path}, line {line}, {name_column(form, column)}"
     if decimal == "comma" and "." in cell:
         raise FormatError(f"{where}: {shown(cell)} has a point, and decimal commas are announced. Choose one of them.")
     text = cell.replace(",", ".") if decimal == "comma" and _DECIMAL_COMMA.fullmatch(cell) else cell
@@ -226,7 +235,7 @@ def _number(path: Path, line: int, form: TableForm, column: int, cell: str, deci
         raise FormatError(f"{where}: {shown(cell)} {error}. {remedy}") from None
 
 
-def column_named(form: TableForm, column: int) -> str:
+def name_column(form: TableForm, column: int) -> str:
     """Return how messages call a column, counted from 0."""
     name = form.names[column] if form.names else ""
     return f"column {column + 1} {shown(name)}" if name else f"column {column + 1}"

@@ -78,7 +78,7 @@ def read_polar_motion(path: str | Path | None = None) -> PoleSeries:
         FormatError: for anything else than those forms, with file, line and column.
     """
     if path is None:
-        path, source = _carried()
+        path, source = _find_installed()
     else:
         path = Path(path)
         source = path.name
@@ -101,7 +101,7 @@ def read_polar_motion(path: str | Path | None = None) -> PoleSeries:
     return PoleSeries(days, x, y, x_error, y_error, form, source, predicted)
 
 
-def _carried() -> tuple[Path, str]:
+def _find_installed() -> tuple[Path, str]:
     try:
         found = import_module("astropy_iers_data")
     except ImportError:
@@ -132,7 +132,7 @@ def _c04_rows(path: Path, lines: list[str], first: str) -> tuple[str, list[tuple
                               f"{form.fewest}, up to the errors of x and y. {_REMEDY}.")  # fmt: skip
         places = (form.mjd, form.x, form.x + 1, form.x_error, form.x_error + 1)
         row = tuple(_number(path, count, place + 1, words[place]) for place in places)
-        rows.append(_checked(path, count, row, rows[-1][0] if rows else None))
+        rows.append(_check_row(path, count, row, rows[-1][0] if rows else None))
     return form.name, rows
 
 
@@ -165,7 +165,7 @@ def _finals_rows(path: Path, lines: list[str]) -> tuple[list[tuple[float, ...]],
             continue
         cuts = ((7, 15), (18, 27), (37, 46), (27, 36), (46, 55))
         row = tuple(_number(path, count, a + 1, line[a:b].strip()) for a, b in cuts)
-        rows.append(_checked(path, count, row, rows[-1][0] if rows else None))
+        rows.append(_check_row(path, count, row, rows[-1][0] if rows else None))
     return rows, predicted
 
 
@@ -177,7 +177,7 @@ def _number(path: Path, line: int, column: int, word: str) -> float:
         raise FormatError(f"{path}, line {line}, column {column}: {what}. Correct the line, or leave it out.") from None
 
 
-def _checked(path: Path, line: int, row: tuple[float, ...], before: float | None) -> tuple[float, ...]:
+def _check_row(path: Path, line: int, row: tuple[float, ...], before: float | None) -> tuple[float, ...]:
     day, x, y, x_error, y_error = row
     where = f"{path}, line {line}"
     if not FIRST_DAY < day < LAST_DAY:
@@ -193,13 +193,13 @@ def _checked(path: Path, line: int, row: tuple[float, ...], before: float | None
     return row
 
 
-def day_of(text: str, option: str) -> float:
+def parse_day(text: str, option: str) -> float:
     """Return the modified Julian date of a calendar day like 1976-01-01.
 
     Raises:
         InvalidInput: for anything else, naming the option.
 
-    >>> day_of("2000-01-01", "--from")
+    >>> parse_day("2000-01-01", "--from")
     51544.0
     """
     try:
@@ -211,10 +211,10 @@ def day_of(text: str, option: str) -> float:
     return float((day - np.datetime64("1858-11-17", "D")).astype(int))
 
 
-def date_of(day: float) -> str:
+def format_day(day: float) -> str:
     """Return the calendar day of a modified Julian date.
 
-    >>> date_of(51544.3)
+    >>> format_day(51544.3)
     '2000-01-01'
     """
     return str(np.datetime64("1858-11-17", "D") + np.timedelta64(math.floor(day), "D"))

@@ -10,7 +10,7 @@ import numpy as np
 
 from polhode.errors import InvalidInput
 from polhode.formats.dataset import pack
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.quantum import Levels, Lines, Rotor
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ def spectrum_dataset(
     """
     import xarray as xr
 
-    return xr.Dataset(*_described(levels, lines, attributes))
+    return xr.Dataset(*_describe(levels, lines, attributes))
 
 
 def write_spectrum(
@@ -77,13 +77,13 @@ def write_spectrum(
         InvalidInput: without both, or if the file cannot be written there.
     """
     path, packed = Path(path), BytesIO()
-    pack(packed, *_described(levels, lines, attributes))
-    with written_whole(path) as draft:
+    pack(packed, *_describe(levels, lines, attributes))
+    with write_whole(path) as draft:
         draft.write_bytes(packed.getbuffer())
     return path
 
 
-def _described(
+def _describe(
     levels: Levels | None, lines: Lines | None, attributes: dict[str, Any] | None
 ) -> tuple[Named, Named, Named]:
     """Return variables and coordinates, each (dimensions, values, attributes), and global attributes."""

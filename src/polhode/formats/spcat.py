@@ -12,9 +12,9 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
-from polhode.formats.fixed_columns import Field, rows_of, text_of
+from polhode.formats.fixed_columns import Field, read_rows, write_rows
 from polhode.formats.opening import MB, read_text
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.quantum import Lines
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
@@ -79,13 +79,13 @@ def read_cat(path: str | Path) -> Catalogue:
     path = Path(path)
     text = read_text(path, "catalogue", LARGEST_FILE)
     remedy = "A catalogue has fixed columns: F13.4 F8.4 F8.4 I2 F10.4 I3 I7 I4 12I2."
-    found = list(rows_of(path, text, _row, remedy))
+    found = list(read_rows(path, text, _row, remedy))
     rows = [row for row, _ in found]
     kinds = (float, float, float, int, float, int, int, int)
     columns = zip(*(row.numbers for row in rows), strict=True)
     frequency, error, brightness, degrees, energy, degeneracy, tag, form = (
         np.array(column, kind) for column, kind in zip(columns, kinds, strict=True))  # fmt: skip
-    upper, lower = _filled([row.upper for row in rows]), _filled([row.lower for row in rows])
+    upper, lower = _pad_numbers([row.upper for row in rows]), _pad_numbers([row.lower for row in rows])
     kept = tuple(line for _, line in found)
     return Catalogue(frequency, error, brightness, degrees, energy, degeneracy, tag, form, upper, lower, kept)
 
@@ -105,8 +105,8 @@ def write_cat(catalogue: Catalogue, path: str | Path) -> None:
     for first, upper, lower in zip(numbers, catalogue.upper.tolist(), catalogue.lower.tolist(), strict=True):
         count = first[-1] % 10
         rows.append(_Row(first, tuple(upper[:count]), tuple(lower[:count])))
-    text = text_of(rows, catalogue.text, _row, _line)
-    with written_whole(path) as draft:
+    text = write_rows(rows, catalogue.text, _row, _line)
+    with write_whole(path) as draft:
         draft.write_bytes(text.encode())
 
 
@@ -154,7 +154,7 @@ def catalogue_of(
     )  # fmt: skip
 
 
-def _filled(numbers: list[tuple[int, ...]]) -> Array:
+def _pad_numbers(numbers: list[tuple[int, ...]]) -> Array:
     """Return quantum numbers as an array, zero beyond those that a line has."""
     count = max(len(row) for row in numbers)
     return np.array([row + (0,) * (count - len(row)) for row in numbers])
@@ -186,7 +186,7 @@ def _line(row: _Row) -> str:
         ValueError: naming columns that are too narrow.
     """
     fields = (*REALS, DEGREES, ENERGY, DEGENERACY, TAG, FORM)
-    text = "".join(field.written(value) for field, value in zip(fields, row.numbers, strict=True))
+    text = "".join(field.write_value(value) for field, value in zip(fields, row.numbers, strict=True))
     for own, values in ((UPPER, row.upper), (LOWER, row.lower)):
-        text += "".join(field.written(value) for field, value in zip(own, values, strict=False)).ljust(12)
+        text += "".join(field.write_value(value) for field, value in zip(own, values, strict=False)).ljust(12)
     return text.rstrip()

@@ -13,10 +13,10 @@ from pathlib import Path
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.fixed_columns import Field, read_coded, rows_of, text_of
+from polhode.formats.fixed_columns import Field, read_coded, read_rows, write_rows
 from polhode.formats.numerals import read_fortran
 from polhode.formats.opening import MB, read_text
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.formats.spcat import HERTZ_OF_WAVE_NUMBER
 from polhode.quantum import MeasuredLines
 from polhode.types import Array, Float64, Integer
@@ -91,7 +91,7 @@ def read_lin(path: str | Path) -> LineList:
     """
     path = Path(path)
     remedy = "A list of lines has twelve fields of three columns, then frequency, error and perhaps a weight."
-    found = list(rows_of(path, read_text(path, "line list", LARGEST_FILE), _row, remedy, True))
+    found = list(read_rows(path, read_text(path, "line list", LARGEST_FILE), _row, remedy, True))
     rows = [row for row, _ in found]
     for k, row in enumerate(rows):
         if len(row[0]) != len(rows[0][0]):
@@ -114,8 +114,8 @@ def write_lin(lines: LineList, path: str | Path) -> None:
     ends = ([tuple(row) for row in np.asarray(part).tolist()] for part in (lines.upper, lines.lower))
     numbers = (np.asarray(part, float).tolist() for part in (lines.value, lines.error, lines.weight))
     rows: list[Row] = list(zip(*ends, *numbers, strict=True))
-    text = text_of(rows, lines.text, _row, _line)
-    with written_whole(path) as draft:
+    text = write_rows(rows, lines.text, _row, _line)
+    with write_whole(path) as draft:
         draft.write_bytes(text.encode())
 
 
@@ -169,6 +169,6 @@ def _line(row: Row) -> str:
         ValueError: naming columns that are too narrow.
     """
     upper, lower, *numbers = row
-    fixed = "".join(field.written(value) for field, value in zip(NUMBERS, (*upper, *lower), strict=False))
+    fixed = "".join(field.write_value(value) for field, value in zip(NUMBERS, (*upper, *lower), strict=False))
     value, error, weight = (repr(number) for number in numbers)
     return f"{fixed.ljust(FREE)} {value:>18} {error:>12} {weight:>6}"

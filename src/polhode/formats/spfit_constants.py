@@ -20,9 +20,9 @@ import numpy as np
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.numerals import read_fortran, read_number
 from polhode.formats.opening import MB, read_text
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.quantum import Reduction, Representation, Rotor
-from polhode.quantum.derivatives import tied
+from polhode.quantum.derivatives import find_tied
 from polhode.quantum.operators import TERMS, Term
 from polhode.types import Array, Float64, Integer, Real
 
@@ -116,7 +116,7 @@ class ConstantTable:
             InvalidInput: for operators that the reduction does not have.
         """
         axes = AXES | BASES[basis]
-        names = {code_of(term): (name, term.sign) for name, term in TERMS[Reduction[self.reduction]].items()}
+        names = {encode(term): (name, term.sign) for name, term in TERMS[Reduction[self.reduction]].items()}
         rigid, distortion = np.zeros(3), {}
         for code, value, label in zip(np.abs(self.code).tolist(), self.value.tolist(), self.label, strict=True):
             bare = _bare(code)
@@ -145,10 +145,10 @@ def _bare(code: int) -> int:
     return code - 99 if code % 100 == 99 else code  # 99: in all states of vibration
 
 
-def code_of(term: Term) -> int:
+def encode(term: Term) -> int:
     """Return the code of an operator.
 
-    >>> code_of(TERMS[Reduction.S]["D_J"]), code_of(TERMS[Reduction.S]["d2"]), code_of(TERMS[Reduction.A]["delta_K"])
+    >>> encode(TERMS[Reduction.S]["D_J"]), encode(TERMS[Reduction.S]["d2"]), encode(TERMS[Reduction.A]["delta_K"])
     (200, 50000, 41000)
     """
     return (10000 * (term.of_ladder + 3) if term.of_ladder else 0) + 1000 * term.of_Jz + 100 * term.of_J
@@ -188,7 +188,7 @@ def constant_table(
     rows = [(_code_of_axis(rotor, "ABC"[k], names), value, "ABC"[k]) for k, value in enumerate(rotor.constants)]
     for name, value in rotor.distortion.items():
         term = TERMS[reduction][name]
-        rows.append((code_of(term), term.sign * value, name))
+        rows.append((encode(term), term.sign * value, name))
     error = [max(sigma.get(name, sigma.get(_first_equal(rotor, name, [name]), 0.0) if code < 0 else 0.0) / 1e6, FIXED)
              for code, _, name in rows]  # fmt: skip
     axis = float("abc".index(rotor.spin_axis) + 1)
@@ -209,7 +209,7 @@ def constant_table(
 
 def _first_equal(rotor: Rotor, name: str, free: Sequence[str]) -> str:
     """Return the name of a rotational constant, or of the first that it is equal to and goes with."""
-    return min(tied(rotor, name, free)) if name in rotor.equal else name
+    return min(find_tied(rotor, name, free)) if name in rotor.equal else name
 
 
 def _code_of_axis(rotor: Rotor, axis: str, free: Sequence[str]) -> int:
@@ -280,7 +280,7 @@ def write_par(table: ConstantTable, path: str | Path) -> None:
         factor = np.linalg.cholesky(matrix[::-1, ::-1])[::-1, ::-1]  # upper triangular
         packed = [f"{x:10.7f}" for x in factor.T[np.tril_indices(len(factor))].tolist()]
         lines += ["".join(packed[k : k + IN_A_ROW]) for k in range(0, len(packed), IN_A_ROW)]
-    with written_whole(path) as draft:
+    with write_whole(path) as draft:
         draft.write_bytes(("\n".join(lines) + "\n").encode())
 
 
@@ -359,7 +359,7 @@ def _reduction(letter: str, codes: Integer[Array, "n"]) -> str:
     own = {_bare(code) for code in np.abs(codes).tolist()} - shared
     first = "S" if letter == "S" else "A"
     other = "A" if first == "S" else "S"
-    missing = {name: own - {code_of(term) for term in TERMS[Reduction[name]].values()} for name in (first, other)}
+    missing = {name: own - {encode(term) for term in TERMS[Reduction[name]].values()} for name in (first, other)}
     return other if missing[first] and not missing[other] else first
 
 

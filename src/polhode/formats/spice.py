@@ -18,8 +18,8 @@ import numpy as np
 from polhode import rotation
 from polhode.errors import InvalidInput
 from polhode.formats.attitude_checks import single_attitude
-from polhode.formats.labels import AttitudeLabels, labels_of
-from polhode.formats.paths import written_whole
+from polhode.formats.labels import AttitudeLabels, find_labels
+from polhode.formats.paths import write_whole
 from polhode.formats.spice_kernels import (
     DIRECTORY,
     KINDS,
@@ -29,9 +29,9 @@ from polhode.formats.spice_kernels import (
     frame_kernel,
     instrument,
     reference,
+    reword,
     spice_alone,
     spiceypy,
-    worded,
 )
 from polhode.formats.time_scales import leap_seconds_kernel
 from polhode.motion.trajectory import Trajectory
@@ -76,7 +76,7 @@ def write_ck(
     given = trajectory.along("given")
     attitude, times = single_attitude(given, "A C-kernel"), np.asarray(trajectory.times)
     if labels is None:
-        labels = labels_of(trajectory) or AttitudeLabels()
+        labels = find_labels(trajectory) or AttitudeLabels()
     if not (np.diff(times) > 0).all():
         raise InvalidInput("a C-kernel needs times that rise from sample to sample; sort them, each once.")
     clock = Clock.of(float(times[0]), float(times[-1]))
@@ -92,11 +92,11 @@ def write_ck(
     ticks = clock.ticks(times)
     records = _Records(ticks, rotation.conjugate(attitude), velocity, ticks[_begins(times, velocity)])
     kept = [file for file in files[1:] if _is_anothers(file)]
-    with written_whole(path) as draft, spice_alone():
+    with write_whole(path) as draft, spice_alone():
         for ending, text in texts.items():
             if path.with_suffix(f".{ending}") not in kept:
                 draft.with_suffix(f".{ending}").write_text(text, "ascii")
-        with worded(path, "Choose a shorter path, or check the labels."):
+        with reword(path, "Choose a shorter path, or check the labels."):
             _write_segment(spice, draft, labels, records)
         _check_holds(spice, draft, records)
     return files

@@ -71,13 +71,13 @@ def check_ck(path: Path) -> list[Segment]:
     doubles = np.memmap(path, dtype=f"{order}f8", mode="r", shape=(size,)) if size else np.zeros(0)
     found = list(_segments(path, head, order, doubles))
     if not found:
-        _broken(path, "holds no segment")
+        _refuse(path, "holds no segment")
     for segment in found:
         _check_segment(path, segment, doubles)
     return found
 
 
-def _broken(path: Path, what: str) -> NoReturn:
+def _refuse(path: Path, what: str) -> NoReturn:
     raise FormatError(f"{path}: {what}. {_BROKEN}")
 
 
@@ -85,7 +85,7 @@ def _head(path: Path) -> bytes:
     with path.open("rb") as file:
         head = file.read(RECORD)
     if len(head) < RECORD:
-        _broken(path, "ends within its first record")
+        _refuse(path, "ends within its first record")
     return head
 
 
@@ -100,7 +100,7 @@ def byte_order(path: Path) -> str:
     for guess in [order] if order else "<>":
         if np.frombuffer(head[8:16], dtype=f"{guess}i4").tolist() == [2, 6]:
             return guess
-    _broken(path, "is not laid out as a C-kernel, with two doubles and six integers to a segment")
+    _refuse(path, "is not laid out as a C-kernel, with two doubles and six integers to a segment")
 
 
 def _segments(path: Path, head: bytes, order: str, doubles: Array) -> Iterator[Segment]:
@@ -108,19 +108,19 @@ def _segments(path: Path, head: bytes, order: str, doubles: Array) -> Iterator[S
     record, seen, per_record = first, set(), RECORD // 8
     while record:
         if record in seen or not 1 < record <= len(doubles) // per_record:
-            _broken(path, f"its list of segments leads to record {record}, of {len(doubles) // per_record}")
+            _refuse(path, f"its list of segments leads to record {record}, of {len(doubles) // per_record}")
         seen.add(record)
         summary = doubles[(record - 1) * per_record : record * per_record]
         control = [float(value) for value in summary[:3]]
         if not all(value.is_integer() and 0 <= value < 2**31 for value in control) or control[2] > MOST_SUMMARIES:
-            _broken(path, f"its list of segments has the pointers {shown(control)}")
+            _refuse(path, f"its list of segments has the pointers {shown(control)}")
         for k in range(int(control[2])):
             part = np.asarray(summary[3 + 5 * k : 8 + 5 * k])
             integers = np.frombuffer(part[2:].tobytes(), dtype=f"{order}i4").tolist()
             one = Segment(float(part[0]), float(part[1]), integers[0], integers[1], integers[2], integers[3] == 1,
                           integers[4], integers[5])  # fmt: skip
             if not per_record < one.start <= one.end < min(free, len(doubles) + 1):
-                _broken(path, f"a segment is at {one.start} to {one.end}, of {len(doubles)} numbers")
+                _refuse(path, f"a segment is at {one.start} to {one.end}, of {len(doubles)} numbers")
             yield one
         record = int(control[0])
 
@@ -128,22 +128,22 @@ def _segments(path: Path, head: bytes, order: str, doubles: Array) -> Iterator[S
 def _check_segment(path: Path, segment: Segment, doubles: Array) -> None:
     values = doubles[segment.start - 1 : segment.end]
     if not (np.isfinite([segment.first_tick, segment.last_tick]).all() and segment.first_tick <= segment.last_tick):
-        _broken(path, f"a segment is from {segment.first_tick:g} to {segment.last_tick:g} ticks")
+        _refuse(path, f"a segment is from {segment.first_tick:g} to {segment.last_tick:g} ticks")
     if not 1 <= segment.kind <= 6:
-        _broken(path, f"a segment is of type {segment.kind}, and there are six")
+        _refuse(path, f"a segment is of type {segment.kind}, and there are six")
     if not np.isfinite(values).all():
-        _broken(path, f"number {segment.start + int(np.argmin(np.isfinite(values)))} of it is not finite")
+        _refuse(path, f"number {segment.start + int(np.argmin(np.isfinite(values)))} of it is not finite")
     ticks, packets = record_ticks(path, segment, values)
     if ticks is None:
         return
     if not len(ticks) or (np.diff(ticks) <= 0).any() if segment.kind != 2 else (np.diff(ticks) < 0).any():
-        _broken(path, f"the times of a segment of type {segment.kind} do not ascend")
+        _refuse(path, f"the times of a segment of type {segment.kind} do not ascend")
     if segment.kind != 5 or packets.shape[1] != 14:
         with np.errstate(over="ignore"):  # an infinite length is not one
             wrong = np.abs(np.linalg.norm(packets[:, :4], axis=-1) - 1.0) > UNIT
         if wrong.any():
             k = int(np.argmax(wrong))
-            _broken(path, f"record {k} of a segment is not a unit quaternion; got {shown(packets[k, :4].tolist())}")
+            _refuse(path, f"record {k} of a segment is not a unit quaternion; got {shown(packets[k, :4].tolist())}")
 
 
 def record_ticks(
@@ -160,7 +160,7 @@ def record_ticks(
     if segment.kind == 2:  # start and stop of each, and a directory, but no count
         count = (DIRECTORY * size + DIRECTORY) // (10 * DIRECTORY + 1)
         if not count or 10 * count + _directory(count) != size:
-            _broken(path, f"a segment of type 2 has {size} numbers, which no count of records fills")
+            _refuse(path, f"a segment of type 2 has {size} numbers, which no count of records fills")
         ends = np.stack([values[8 * count : 9 * count], values[9 * count : 10 * count]], axis=-1)
         return ends.reshape(-1), values[: 8 * count].reshape(count, 8)
     if segment.kind not in (1, 3, 5):
@@ -168,7 +168,7 @@ def record_ticks(
     tail = {1: 1, 3: 2, 5: 5}[segment.kind]
     counts = [float(value) for value in values[-tail:]]
     if size <= tail or not all(value.is_integer() and 0 <= value <= size for value in counts[1 if tail == 5 else 0 :]):
-        _broken(path, f"a segment of type {segment.kind} has the counts {shown(counts)}, and {size} numbers")
+        _refuse(path, f"a segment of type {segment.kind} has the counts {shown(counts)}, and {size} numbers")
     count = int(counts[-1])
     needed = count + _directory(count) + tail
     if segment.kind > 1:
@@ -176,7 +176,7 @@ def record_ticks(
     if segment.kind == 5:
         width = PACKETS.get(int(counts[1]), size)
     if not count or width * count + needed != size:
-        _broken(path, f"a segment of type {segment.kind} claims {count} records, and has {size} numbers")
+        _refuse(path, f"a segment of type {segment.kind} claims {count} records, and has {size} numbers")
     return values[width * count : (width + 1) * count], values[: width * count].reshape(count, width)
 
 

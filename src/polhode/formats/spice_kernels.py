@@ -71,7 +71,7 @@ def spice_alone() -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def loaded(kernels: Sequence[Path]) -> Iterator[Any]:
+def load_kernels(kernels: Sequence[Path]) -> Iterator[Any]:
     """Load kernels and yield spiceypy, to one thread at a time; unload them in the end, those of others stay.
 
     Raises:
@@ -81,7 +81,7 @@ def loaded(kernels: Sequence[Path]) -> Iterator[Any]:
     with contextlib.ExitStack() as stack:
         stack.enter_context(spice_alone())
         for kernel in kernels:
-            with worded(kernel, "Check that it is a SPICE kernel, whole and of the kind that its option asks for."):
+            with reword(kernel, "Check that it is a SPICE kernel, whole and of the kind that its option asks for."):
                 try:
                     spice.furnsh(str(kernel))
                 except spice.exceptions.SpiceyError:
@@ -101,7 +101,7 @@ def _forget(spice: Any) -> None:
 
 
 @contextlib.contextmanager
-def worded(path: Path, remedy: str) -> Iterator[None]:
+def reword(path: Path, remedy: str) -> Iterator[None]:
     """Turn SPICE's errors into one of ours that names the file."""
     spice = spiceypy()
     try:

@@ -18,7 +18,7 @@ from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
 from polhode.formats.spice_checks import Segment, byte_order, check_ck, check_text_kernel, record_ticks
-from polhode.formats.spice_kernels import KINDS, loaded, worded
+from polhode.formats.spice_kernels import KINDS, load_kernels, reword
 from polhode.formats.time_scales import as_epoch, leap_seconds_kernel
 from polhode.motion.layout import ATTITUDE, StateLayout
 from polhode.motion.outcome import Ending, Outcome
@@ -73,19 +73,19 @@ def read_ck(
         if found["leap seconds"] is None:
             found["leap seconds"] = Path(folder, "polhode.tls")
             found["leap seconds"].write_text(leap_seconds_kernel(), "ascii")
-        return _read(path, [kernel for kernel in found.values() if kernel is not None], segments, spice_id)
+        return _load(path, [kernel for kernel in found.values() if kernel is not None], segments, spice_id)
 
 
-def _read(path: Path, kernels: Sequence[Path], segments: Sequence[Segment], spice_id: int | None) -> Trajectory:
+def _load(path: Path, kernels: Sequence[Path], segments: Sequence[Segment], spice_id: int | None) -> Trajectory:
     try:
-        with loaded([*kernels, path]) as spice, worded(path, NEEDED):
+        with load_kernels([*kernels, path]) as spice, reword(path, NEEDED):
             number = _whose(path, segments, spice_id)
             segments = [one for one in segments if one.instrument == number]
             clock = int(spice.ckmeta(number, "SCLK"))
             if _pool(spice, f"SCLK_DATA_TYPE_{-clock}") is None:
                 raise FormatError(f"{path}: no kernel loaded with it has its clock, of number {clock}. Check the "
                                   "clock kernel (.tsc).")  # fmt: skip
-            return _sampled(spice, path, number, clock, _ticks(path, segments), segments)
+            return _sample(spice, path, number, clock, _ticks(path, segments), segments)
     except InvalidInput:
         raise
     except Exception:  # what SPICE hands over need not be text, numbers, or as many as were asked for
@@ -126,7 +126,7 @@ def _ticks(path: Path, segments: Sequence[Segment]) -> Array:
     return np.unique(np.concatenate(found))
 
 
-def _sampled(spice: Any, path: Path, number: int, clock: int, ticks: Array, segments: Sequence[Segment]) -> Trajectory:
+def _sample(spice: Any, path: Path, number: int, clock: int, ticks: Array, segments: Sequence[Segment]) -> Trajectory:
     reference = spice.frmnam(segments[0].reference)
     has_rates = all(segment.has_rates for segment in segments)
     matrices, rates, found = np.empty((len(ticks), 3, 3)), np.empty((len(ticks), 3)), np.zeros(len(ticks), dtype=bool)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from polhode.errors import FormatError, shown
-from polhode.formats.header_words import ANGLE_UNITS, RATE_UNITS, TIME_UNITS, unit_named
+from polhode.formats.header_words import ANGLE_UNITS, RATE_UNITS, TIME_UNITS, find_unit
 
 COMMENT = ("#", "%")
 DELIMITERS = {";": "semicolons", "\t": "tabs", ",": "commas", " ": "blanks"}
@@ -55,13 +55,13 @@ def is_comment(text: str) -> bool:
     return not stripped or stripped.startswith(COMMENT)
 
 
-def cells_of(text: str, delimiter: str) -> list[str]:
+def split_cells(text: str, delimiter: str) -> list[str]:
     """Return the cells of a line, without the blanks around them and the quotes.
 
     Raises:
         ValueError: for quotes that do not close.
 
-    >>> cells_of('"t, s"; 1.5 ;', ";")
+    >>> split_cells('"t, s"; 1.5 ;', ";")
     ['t, s', '1.5', '']
     """
     if '"' not in text:
@@ -74,7 +74,7 @@ def cells_of(text: str, delimiter: str) -> list[str]:
         raise ValueError(f"has quotes that do not close ({error})") from None
 
 
-def form_of(path: Path, lines: Sequence[Line]) -> TableForm:
+def detect_form(path: Path, lines: Sequence[Line]) -> TableForm:
     """Return the form of a table from its first lines.
 
     Args:
@@ -85,13 +85,13 @@ def form_of(path: Path, lines: Sequence[Line]) -> TableForm:
         FormatError: where no line holds numbers in two columns or more.
     """
     content = [line for line in lines if not is_comment(line.text)][:HEAD]
-    tried = [(_agreeing(content, delimiter), delimiter) for delimiter in DELIMITERS]
+    tried = [(_count_agreeing(content, delimiter), delimiter) for delimiter in DELIMITERS]
     (count, begin), delimiter = max(tried, key=lambda one: one[0][0])  # the first of equals
     if not count:
         said = f"; its first line is {shown(content[0].text)}" if content else ""
         why = f"has no line of numbers in two columns or more, between commas, semicolons, tabs or blanks{said}"
         raise FormatError(f"{path}: {why}. Save it as a table with one sample in each line.")
-    row = cells_of(content[begin].text, delimiter)
+    row = split_cells(content[begin].text, delimiter)
     comments = [line for line in lines if is_comment(line.text) and line.text.strip()]
     comments = [line for line in comments if line.number < content[0].number][-1:] if begin == 0 else []
     if begin > 1 and (named := _with_units(content[begin - 2].text, content[begin - 1].text, delimiter, row)):
@@ -107,13 +107,13 @@ def form_of(path: Path, lines: Sequence[Line]) -> TableForm:
     return TableForm(delimiter, len(row), (), None, content[begin].number)
 
 
-def _agreeing(content: Sequence[Line], delimiter: str) -> tuple[int, int]:
+def _count_agreeing(content: Sequence[Line], delimiter: str) -> tuple[int, int]:
     """Return how many lines have as many cells as the first one of numbers, and which that is; 0 without one."""
     widths = []
     begin = None
     for k, line in enumerate(content):
         try:
-            cells = cells_of(line.text, delimiter)
+            cells = split_cells(line.text, delimiter)
         except ValueError:
             cells = []
         if begin is None and _has_numbers(cells):
@@ -149,11 +149,11 @@ def _with_units(text: str, units: str, delimiter: str, row: Sequence[str]) -> tu
 
 
 def _is_unit(word: str) -> bool:
-    return any(unit_named(word, units) for units in (TIME_UNITS, ANGLE_UNITS, RATE_UNITS))
+    return any(find_unit(word, units) for units in (TIME_UNITS, ANGLE_UNITS, RATE_UNITS))
 
 
 def _header_cells(text: str, delimiter: str) -> list[str]:
     try:
-        return cells_of(text.lstrip().lstrip("".join(COMMENT)), delimiter)
+        return split_cells(text.lstrip().lstrip("".join(COMMENT)), delimiter)
     except ValueError:
         return []

@@ -13,7 +13,7 @@ from polhode.estimation.attitude_fit import AttitudeFit
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import ThrowFit
 from polhode.formats.dataset import pack
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.types import Array
 
 SQUARED = {"1": "1", "s-1": "s-2", "rad s-1": "rad2 s-2", "rad s-2": "rad2 s-4"}
@@ -30,7 +30,7 @@ def write_throw(fit: ThrowFit, names: Sequence[str], path: str | Path) -> Path:
     Raises:
         InvalidInput: if the file cannot be written there.
     """
-    return _packed(path, *_described(fit, names))
+    return _pack(path, *_describe(fit, names))
 
 
 def write_attitude_fit(fit: AttitudeFit, name: str, path: str | Path) -> Path:
@@ -57,14 +57,14 @@ def write_attitude_fit(fit: AttitudeFit, name: str, path: str | Path) -> Path:
         ])  # fmt: skip
     header = {"Conventions": "CF-1.11", "source": "polhode", "title": f"inertia from attitudes of {name}"}
     header |= {} if fit.degenerate is None else {"degenerate": fit.degenerate}
-    return _packed(path, variables, _coordinates(), header)
+    return _pack(path, variables, _coordinates(), header)
 
 
-def _packed(path: str | Path, variables: dict[str, Any], coordinates: dict[str, Any], header: dict[str, str]) -> Path:
+def _pack(path: str | Path, variables: dict[str, Any], coordinates: dict[str, Any], header: dict[str, str]) -> Path:
     path = Path(path)
     packed = BytesIO()  # HDF5 would crash on a disk that is full
     pack(packed, variables, coordinates, header)
-    with written_whole(path) as draft:
+    with write_whole(path) as draft:
         draft.write_bytes(packed.getbuffer())
     return path
 
@@ -79,7 +79,7 @@ def _coordinates() -> dict[str, Any]:
             "device_pair": ("device_pair", np.array(["yz", "xz", "xy"]), {})}  # fmt: skip
 
 
-def _described(fit: ThrowFit, names: Sequence[str]) -> tuple[dict[str, Any], dict[str, Any], dict[str, str]]:
+def _describe(fit: ThrowFit, names: Sequence[str]) -> tuple[dict[str, Any], dict[str, Any], dict[str, str]]:
     counts = [len(throw.times) for throw in fit.throws]
     joined = lambda name: np.concatenate([getattr(throw, name) for throw in fit.throws])  # noqa: E731
     rates = {"units": "rad s-1", "long_name": "angular velocity along the device axes, measured"}

@@ -37,18 +37,18 @@ def terrestrial_time(epoch: str, time_system: str) -> Fraction:
     0.0
     """
     if time_system == "TDB":
-        barycentric = _elapsed(epoch, time_system)
+        barycentric = _time_since_noon(epoch, time_system)
         return barycentric - Fraction(periodic_term(float(barycentric)))
     if time_system not in TT_FROM:
         known = ", ".join([*TT_FROM, "TDB"])
         raise InvalidInput(f"`time_system` must be one of {known} here; got {shown(time_system)}.")
-    return _elapsed(epoch, time_system) + TT_FROM[time_system]
+    return _time_since_noon(epoch, time_system) + TT_FROM[time_system]
 
 
 def barycentric_time(epoch: str, time_system: str) -> Fraction:
     """Return the TDB seconds past J2000 of a calendar epoch, SPICE's ephemeris time; see ``terrestrial_time``."""
     if time_system == "TDB":
-        return _elapsed(epoch, time_system)
+        return _time_since_noon(epoch, time_system)
     terrestrial = terrestrial_time(epoch, time_system)
     barycentric = float(terrestrial)
     for _ in range(3):  # each pass gains nine digits
@@ -56,7 +56,7 @@ def barycentric_time(epoch: str, time_system: str) -> Fraction:
     return terrestrial + Fraction(periodic_term(barycentric))
 
 
-def _elapsed(epoch: str, time_system: str) -> Fraction:
+def _time_since_noon(epoch: str, time_system: str) -> Fraction:
     try:
         whole, picoseconds = read_epoch(epoch, time_system)
     except ValueError as error:

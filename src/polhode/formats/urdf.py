@@ -13,7 +13,7 @@ from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, read_file
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.types import Array
 
 LARGEST_FILE = 16 * MB  # robots of a thousand links take one
@@ -38,7 +38,7 @@ def read_urdf_inertial(path: str | Path, link: str | None = None) -> Body:
     Source: ROS, *URDF XML specification*, link and joint elements.
     """
     path = Path(path)
-    name, inertial = _inertial_of(path, _root(path), link)
+    name, inertial = _find_inertial(path, _root(path), link)
     where = f"{path}: link {shown(name)}"
     mass = _number(where, _child(where, inertial, "mass"), "value")
     entry = _child(where, inertial, "inertia")
@@ -86,11 +86,11 @@ def write_urdf_inertial(body: Body, path: str | Path, name: str = "body", princi
         inertia, angles = np.diag(body.principal_moments), _fixed_angles(body.principal_axes)
     robot = ET.Element("robot", name=name)
     inertial = ET.SubElement(ET.SubElement(robot, "link", name=name), "inertial")
-    ET.SubElement(inertial, "origin", xyz=_listed(body.center_of_mass), rpy=_listed(angles))
-    ET.SubElement(inertial, "mass", value=_listed([body.mass]))
-    ET.SubElement(inertial, "inertia", {key: _listed([inertia[at]]) for key, at in ENTRIES.items()})
+    ET.SubElement(inertial, "origin", xyz=_list_numbers(body.center_of_mass), rpy=_list_numbers(angles))
+    ET.SubElement(inertial, "mass", value=_list_numbers([body.mass]))
+    ET.SubElement(inertial, "inertia", {key: _list_numbers([inertia[at]]) for key, at in ENTRIES.items()})
     ET.indent(robot)
-    with written_whole(path) as draft:
+    with write_whole(path) as draft:
         draft.write_bytes(ET.tostring(robot, encoding="utf-8", xml_declaration=True) + b"\n")
     return path
 
@@ -114,7 +114,7 @@ def _root(path: Path) -> ET.Element:
     return root
 
 
-def _inertial_of(path: Path, root: ET.Element, link: str | None) -> tuple[str, ET.Element]:
+def _find_inertial(path: Path, root: ET.Element, link: str | None) -> tuple[str, ET.Element]:
     links = root.findall("link")
     names = [found.get("name", "") for found in links]
     massive = [name for name, found in zip(names, links, strict=True) if found.find("inertial") is not None]
@@ -187,5 +187,5 @@ def _fixed_angles(R: Array) -> Array:
     return np.array([math.atan2(-left[1, 2], left[1, 1]), math.atan2(-left[2, 0], left[0, 0]), yaw])
 
 
-def _listed(values: Any) -> str:
+def _list_numbers(values: Any) -> str:
     return " ".join(repr(float(value) + 0.0) for value in values)

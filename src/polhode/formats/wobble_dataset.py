@@ -10,7 +10,7 @@ from polhode.estimation.excitation import PolarExcitation
 from polhode.estimation.wobble_process import ChandlerProcess
 from polhode.estimation.wobble_windows import ChandlerWindows
 from polhode.formats.dataset import pack
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 
 CLOCK = {"units": "s", "long_name": "time since modified Julian date 0, UTC"}
 
@@ -52,6 +52,6 @@ def write_wobble(
     header = {"Conventions": "CF-1.11", "source": source, "title": "the Chandler wobble from polar motion"}
     packed = BytesIO()  # HDF5 would crash on a disk that is full
     pack(packed, variables, coordinates, header)
-    with written_whole(path) as draft:
+    with write_whole(path) as draft:
         draft.write_bytes(packed.getbuffer())
     return path

@@ -25,8 +25,8 @@ from polhode.integrators.equal_steps import (
     inner_windows,
     run_by_equal_steps,
     run_through_windows,
+    split_into_windows,
     step_counts,
-    windowed,
 )
 from polhode.integrators.probing import depends_on_time, jumps_between
 from polhode.systems.base import AbstractLiePoissonSystem
@@ -46,7 +46,7 @@ class Measured(NamedTuple):
     error: Float64[np.ndarray, "*batch"] | None
 
 
-def measured_run(
+def run_with_error(
     solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, quiet: Any, every: int = 1,
     memory: Memory | None = None,
@@ -74,7 +74,7 @@ def measured_run(
         others = np.where(failed, 0.5 * sizes, others)
         second = again(state, others)
     order = solver.order(None)
-    finer = _ends(solver.system, np.append(np.ravel(windowed(times, windows)[:, :-1]), times[-1]))
+    finer = _ends(solver.system, np.append(np.ravel(split_into_windows(times, windows)[:, :-1]), times[-1]))
     power, other_power = (_power(at, n, order) for at, n in ((ends, counts), (finer, step_counts(finer, others))))
     gain = np.abs(other_power / power - 1.0)
     longer = others > sizes
@@ -123,7 +123,7 @@ def run_to_tolerance(
     last = error = np.full(np.shape(rates), np.inf)
     stuck, wanted = np.zeros(np.shape(rates), bool), 0.0
     for _ in range(ROUNDS):
-        found = measured_run(solver, state, times, sizes, rates, meter, quiet, every)
+        found = run_with_error(solver, state, times, sizes, rates, meter, quiet, every)
         error = np.asarray(found.error)
         missed = error > tolerance
         if not missed.any():

@@ -21,18 +21,18 @@ import numpy as np
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import embedded
 from polhode.integrators.difference import EPS, LARGE, difference, starts_a_rounding_away
-from polhode.integrators.equal_steps import inner_windows, windowed
-from polhode.integrators.interrupts import interrupts_kept
+from polhode.integrators.equal_steps import inner_windows, split_into_windows
+from polhode.integrators.interrupts import keep_interrupts
 from polhode.integrators.probing import depends_on_time, jumps_between
 from polhode.integrators.sampled import (
     MOST_STEPS,
     Sampled,
     Scales,
-    sampled,
-    scaled,
+    sample_motion,
+    scale_system,
     scales,
     start,
-    unscaled,
+    unscale_run,
     with_jumps,
 )
 from polhode.motion.outcome import Ends, Status
@@ -170,7 +170,7 @@ def adaptive_error(
         None where a window fails: one may end where rates jump, which no sample does.
         """
         states = []
-        for part in windowed(times, windows):
+        for part in split_into_windows(times, windows):
             more = again(start, part)
             if not np.all(more.successful):
                 return None
@@ -243,11 +243,11 @@ def _by_stretches(
     tolerance: Array, meter: Any,
 ) -> Sampled:  # fmt: skip
     """Return the motion of one state or of a row of them, by an explicit method."""
-    by, run = _begun(system, states, times, kept)
+    by, run = _begin(system, states, times, kept)
     stretch = STRETCH // -(-(run.time.size) // AS_ONE)
     first, last = float(times[0]), float(times[-1])
     shown = meter.init()
-    with interrupts_kept() as check:
+    with keep_interrupts() as check:
         for limit in (*range(stretch, MOST_STEPS, stretch), MOST_STEPS):
             run = _stretch(system, solver, by, run, times, kept, largest, tolerance, jnp.asarray(limit))
             status = np.asarray(run.status)
@@ -257,11 +257,11 @@ def _by_stretches(
             if not (status == embedded.RUNNING).any():
                 break
     meter.close(shown)
-    return _unscaled(system, by, run)
+    return _unscale(system, by, run)
 
 
 @eqx.filter_jit
-def _begun(system: AbstractSystem, states: Array, times: Array, kept: Array) -> tuple[Scales, embedded.Run]:
+def _begin(system: AbstractSystem, states: Array, times: Array, kept: Array) -> tuple[Scales, embedded.Run]:
     def one(state: Array) -> tuple[Scales, embedded.Run]:
         by = scales(system, times[0], state)
         return by, embedded.begin(start(by, state), times, kept, lambda t, y: y)
@@ -277,15 +277,15 @@ def _stretch(
     ends, at_jumps = with_jumps(system, times)
 
     def one(by: Scales, run: embedded.Run) -> embedded.Run:
-        return embedded.advance(run, solver, scaled(system, by), ends, kept, largest, tolerance, limit, at_jumps)
+        return embedded.advance(run, solver, scale_system(system, by), ends, kept, largest, tolerance, limit, at_jumps)
 
     return (jax.vmap(one) if run.time.ndim else one)(by, run)
 
 
 @eqx.filter_jit
-def _unscaled(system: AbstractSystem, by: Scales, run: embedded.Run) -> Sampled:
+def _unscale(system: AbstractSystem, by: Scales, run: embedded.Run) -> Sampled:
     def one(by: Scales, run: embedded.Run) -> Sampled:
-        return unscaled(system, by, run.saved, run.end, run.end_state, run.status, run.steps)
+        return unscale_run(system, by, run.saved, run.end, run.end_state, run.status, run.steps)
 
     return (jax.vmap(one) if run.time.ndim else one)(by, run)
 
@@ -296,7 +296,7 @@ def _at_once(
     tolerance: Array, meter: Any,
 ) -> Sampled:  # fmt: skip
     """Return the motion of one state or of a row of them, by one of diffrax's other solvers."""
-    one = lambda state: sampled(system, solver, state, times, kept, largest, tolerance, meter)  # noqa: E731
+    one = lambda state: sample_motion(system, solver, state, times, kept, largest, tolerance, meter)  # noqa: E731
     return _over_copies(system, states, one)(states)
 
 

@@ -18,7 +18,7 @@ import jax
 import jax.numpy as jnp
 
 from polhode.integrators.difference import parts_with_units
-from polhode.integrators.reversal import Given, repeated
+from polhode.integrators.reversal import Given, repeat_steps
 from polhode.systems.agreement import check_generated
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayOrFloat, Bool, Double, Float64, Integer
@@ -145,7 +145,7 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         given = Given([], count, jnp.asarray(start, float), length, state, memory.lost,
                       memory.iterations, memory.fine, memory.hint)  # fmt: skip
         parts = parts_with_units(self.system, state)
-        found = repeated(step, given, parts, self.symmetric, type(self).__name__)
+        found = repeat_steps(step, given, parts, self.symmetric, type(self).__name__)
         fine = found.fine & jnp.all(jnp.isfinite(found.state))
         later = Memory(found.lost, memory.steps + found.steps, found.iterations, fine, found.hint)
         return jnp.where(fine, found.state, jnp.inf), later

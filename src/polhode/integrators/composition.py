@@ -72,15 +72,15 @@ def stage_times(order: int) -> Float64[np.ndarray, "stages"]:
     return np.cumsum(fractions) - fractions
 
 
-def composed(
+def compose(
     stage: Stage, order: int, t: Scalar, h: Scalar, state: Double[Array, "..."],
     beside: Callable[[Scalar], Scalar] | None = None,
 ) -> Change:  # fmt: skip
     """Return the change by stages of t, their length and state that make a step of the order."""
-    return composed_with_hints(lambda t, h, state, _: (stage(t, h, state), ()), order, t, h, state, (), beside)[0]
+    return compose_with_hints(lambda t, h, state, _: (stage(t, h, state), ()), order, t, h, state, (), beside)[0]
 
 
-def composed_with_hints(
+def compose_with_hints(
     stage: HintedStage, order: int, t: Scalar, h: Scalar, state: Double[Array, "..."], hints: Any,
     beside: Callable[[Scalar], Scalar] | None = None,
 ) -> tuple[Change, Any]:

@@ -9,7 +9,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, joined
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, join_state
 from polhode.types import Array, Double, Float64
 
 LARGE = 0.05  # of the state's size: runs that differ by more are not in the regime of small errors
@@ -73,12 +73,12 @@ def starts_a_rounding_away(system: AbstractSystem, state: Double[Array, "..."]) 
         return [jnp.asarray(state) + EPS * sizes * rng.normal(size=own) for _ in range(KICKS)]
     attitude, point = system.parts(state)
     return [
-        joined(None if attitude is None else attitude + EPS * _unit(rng, 4), _kicked(system, point, rng))
+        join_state(None if attitude is None else attitude + EPS * _unit(rng, 4), _perturb(system, point, rng))
         for _ in range(KICKS)
     ]
 
 
-def _kicked(system: AbstractLiePoissonSystem, point: Array, rng: np.random.Generator) -> Array:
+def _perturb(system: AbstractLiePoissonSystem, point: Array, rng: np.random.Generator) -> Array:
     """Return a point of the dual, off by a rounding of its size."""
     algebra = system.algebra
     vector = np.array(algebra.to_dual_vector(jnp.asarray(point)))

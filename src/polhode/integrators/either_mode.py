@@ -134,7 +134,7 @@ def _transpose(weights: Any, *args: Any, count: int, along: Any, back: Any, **mo
     return [None] * count + list(found)
 
 
-def _batched(args: Any, axes: Any, *, count: int, along: Any, back: Any, **more: Any) -> Any:
+def _batch(args: Any, axes: Any, *, count: int, along: Any, back: Any, **more: Any) -> Any:
     size = next(x.shape[axis] for x, axis in zip(args, axes, strict=True) if axis is not None)
 
     def each(function: Any) -> Any:
@@ -180,7 +180,7 @@ _linear.def_impl(lambda *args, along, **known: jax.jit(along)(*args))
 _linear.def_abstract_eval(_shapes)
 ad.primitive_jvps[_linear] = _jvp
 ad.primitive_transposes[_linear] = _transpose
-batching.primitive_batchers[_linear] = _batched
+batching.primitive_batchers[_linear] = _batch
 mlir.register_lowering(_linear, mlir.lower_fun(lambda *args, along, **known: along(*args), multiple_results=True))
 
 _identity = Primitive("forward_only")

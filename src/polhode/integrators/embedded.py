@@ -147,7 +147,7 @@ def advance(
         time = jnp.where(clipped, goal, run.time + jnp.where(seeking, middle, run.step))
         h = time - run.time  # of the times as they are rounded, or far from zero the state would run ahead of them
         moment = _within(run.time, time, forth) if jumps is not None else lambda t: t
-        later, error, slope = _stepped(method, lambda t, y: rates(moment(t), y), run.time, run.state, h, run.slope)
+        later, error, slope = _take_step(method, lambda t, y: rates(moment(t), y), run.time, run.state, h, run.slope)
         size = _size(error, run.state, later, tolerance)
         fine = size < 1.0
         # what is not a number any more is past as well: the margin ends there
@@ -179,7 +179,7 @@ def advance(
         found = (high != 0.0) & ((jnp.abs(high - low) <= width) | (seeking & split)) | (past & probing)
         status = jnp.where(reached & (run.index == count - 1), Status.COMPLETED, run.status)
         status = jnp.where(found, Status.EVENT, jnp.where(stuck, Status.NOT_CONVERGED, status))
-        saved = _saved(run.saved, place, seen(time, later), saves)
+        saved = _save(run.saved, place, seen(time, later), saves)
         chosen = lambda yes, new, old: jax.tree.map(lambda a, b: jnp.where(yes, a, b), new, old)  # noqa: E731
         return Run(
             run.index + reached, run.place + saves, jnp.where(advances, time, run.time),
@@ -214,7 +214,7 @@ def _within(begin: Array, end: Array, forth: Array) -> Callable[[Array], Array]:
     return lambda t: forth * jnp.clip(forth * t, low, jnp.maximum(low, high))
 
 
-def _stepped(method: Any, rates: Rates, time: Array, state: Any, h: Array, slope: Any) -> tuple[Any, Any, Any]:
+def _take_step(method: Any, rates: Rates, time: Array, state: Any, h: Array, slope: Any) -> tuple[Any, Any, Any]:
     """Return state and error of a step, and the rate of change at its last stage, from the rate at its start."""
     tableau = method.tableau
     stages = len(tableau.b_sol)
@@ -258,6 +258,6 @@ def _root_mean_square(values: Any) -> Float64[Array, ""]:
     return jnp.sqrt(total / sum(x.size for x in leaves))
 
 
-def _saved(saved: Any, place: Array, now: Any, saves: Bool[Array, ""]) -> Any:
+def _save(saved: Any, place: Array, now: Any, saves: Bool[Array, ""]) -> Any:
     """Return what was saved, with what is seen now if it is to be."""
     return jax.tree.map(lambda x, xs: xs.at[place].set(jnp.where(saves, x, xs[place])), now, saved)

@@ -20,7 +20,7 @@ import numpy as np
 
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Memory, step_count
-from polhode.integrators.interrupts import interrupts_kept
+from polhode.integrators.interrupts import keep_interrupts
 from polhode.types import Array, Bool, Double, Float64, Integer
 
 BLOCK = 64  # copies: enough that a step's fixed costs do not count, few enough that a fast copy slows few others
@@ -112,7 +112,7 @@ def run_through_windows(
     sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, windows: int,
 ) -> Run:  # fmt: skip
     """Return the motion at so many times as many times, by runs one after the other, for which nothing is compiled."""
-    first, *others = windowed(times, windows)
+    first, *others = split_into_windows(times, windows)
     run = run_by_equal_steps(solver, state, first, sizes, rates, meter)
     axis, states = np.ndim(sizes), [run.states]
     for part in others:
@@ -129,7 +129,7 @@ def inner_windows(times: int, steps: int) -> int:
     return int(np.clip(steps // STEPS_IN_PART, 1, -(-PLACES // (times - 1))))
 
 
-def windowed(times: Float64[np.ndarray, "time"], windows: int) -> Float64[np.ndarray, "windows time"]:
+def split_into_windows(times: Float64[np.ndarray, "time"], windows: int) -> Float64[np.ndarray, "windows time"]:
     """Return as many times in each of the windows, of which those of all contain the times."""
     fine = np.append(np.linspace(times[:-1], times[1:], windows, endpoint=False, axis=1).ravel(), times[-1])
     return np.stack([fine[k * (len(times) - 1) : (k + 1) * (len(times) - 1) + 1] for k in range(windows)])
@@ -158,7 +158,7 @@ def _run_block(
     # a place for every n-th sample, which those before it hold until it comes, and one for the samples behind the last
     places = -(-(len(times) - 1) // every)
     saved = jnp.zeros((*sizes.shape, places, *state.shape[axis:]), state.dtype)
-    with interrupts_kept() as check:
+    with keep_interrupts() as check:
         for first, last in stretches:
             limits = jnp.asarray(first), jnp.asarray(last), jnp.asarray(parts * every)
             state, carried, saved = go(solver, jnp.asarray(sizes), state, carried, saved, grid, limits)

@@ -60,26 +60,26 @@ def fixed_point(
     """
     everyone = jnp.ones(jnp.shape(scale), bool)
 
-    def iterated(_: Map, start: Array) -> tuple[Array, tuple[Array, Array]]:
+    def iterate(_: Map, start: Array) -> tuple[Array, tuple[Array, Array]]:
         if quick is None:
-            run = _iterated(function, start, scale, everyone)
+            run = _iterate(function, start, scale, everyone)
             count, settled = run.count, run.settled
         else:
-            first = _iterated(quick, start, scale, everyone, BLOWN_UP, ahead=True)
+            first = _iterate(quick, start, scale, everyone, BLOWN_UP, ahead=True)
             # from where the quick map began, as it may have gone far
             again = jnp.where(_wide(first.settled, start), first.value, start)
-            run = _iterated(function, again, scale, ~first.settled)
+            run = _iterate(function, again, scale, ~first.settled)
             count, settled = first.count + run.count, jnp.logical_or(first.settled, run.settled)
         # as floats, since custom_root has no derivatives of whole numbers
         return run.value, (count.astype(float), jnp.all(settled).astype(float))
 
     root = jax.lax.custom_root(
-        lambda x: function(x) - x, start, iterated, partial(_linear, jnp.ndim(scale)), has_aux=True)  # fmt: skip
+        lambda x: function(x) - x, start, iterate, partial(_linear, jnp.ndim(scale)), has_aux=True)  # fmt: skip
     x, (count, converged) = root
     return Found(x, count.astype(int), converged > 0.5)
 
 
-def _iterated(
+def _iterate(
     function: Map, start: Array, scale: Array, active: Array, most: float = jnp.inf, ahead: bool = False
 ) -> _Run:
     """Iterate in the active copies (batch…), as long as changes are within so many times the first.
@@ -88,20 +88,20 @@ def _iterated(
     """
     batch = jnp.ndim(scale)
 
-    def settled(change: Array, last: Array) -> Array:
+    def has_settled(change: Array, last: Array) -> Array:
         small = change <= ROUNDING * scale
         if ahead:
             next_one = change * jnp.maximum(change / jnp.where(last > 0.0, last, 1.0), LUCKY)
             small |= (change < 0.5 * last) & (next_one <= ROUNDING * scale)
         return small | ((change <= NEAR * scale + NOTHING) & (change >= last))
 
-    def improved(run: _Run) -> _Run:
+    def improve(run: _Run) -> _Run:
         better = function(run.value)
         change = _size(better - run.value, batch)
         if batch:
             better = jnp.where(_wide(run.active, better), better, run.value)
             change = jnp.where(run.active, change, run.change)
-        done = settled(change, run.change)
+        done = has_settled(change, run.change)
         limit = jnp.where(run.count == 0, most * change, run.limit)
         going = run.active & ~done & jnp.isfinite(change) & (change <= limit)
         return _Run(run.count + 1, better, change, limit, jnp.where(run.active, done, run.settled), going)
@@ -111,7 +111,7 @@ def _iterated(
 
     endless = jnp.full(jnp.shape(scale), jnp.inf)
     begun = _Run(jnp.zeros((), int), start, endless, endless, jnp.zeros(jnp.shape(scale), bool), active)
-    return jax.lax.while_loop(unfinished, improved, begun)
+    return jax.lax.while_loop(unfinished, improve, begun)
 
 
 def _size(x: Array, batch: int) -> Array:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 
 
 @contextlib.contextmanager
-def interrupts_kept() -> Iterator[Callable[[], None]]:
+def keep_interrupts() -> Iterator[Callable[[], None]]:
     """Yield a function that raises KeyboardInterrupt if Ctrl-C was pressed since, even if the exception was lost.
 
     Python raises it wherever the main thread is. In a callback of the garbage collector, as JAX has one, it is printed

@@ -10,7 +10,7 @@ import jax.numpy as jnp
 
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
-from polhode.integrators.composition import DEFAULT_ORDER, composed_with_hints, stages
+from polhode.integrators.composition import DEFAULT_ORDER, compose_with_hints, stages
 from polhode.integrators.fixed_point import fixed_point
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Double, Float64, Integer
@@ -62,7 +62,7 @@ class IsospectralMidpoint(AbstractOrbitSolver):
         return self.change_with_hint(t, h, state, self.no_hint(state))[0]
 
     def change_with_hint(self, t: Scalar, h: Scalar, state: Double[Array, "..."], hint: Any) -> tuple[Change, Any]:
-        return composed_with_hints(self._stage, self.own_order, t, h, state, hint, self.beside_jumps(t, h))
+        return compose_with_hints(self._stage, self.own_order, t, h, state, hint, self.beside_jumps(t, h))
 
     def no_hint(self, state: Double[Array, "..."]) -> Past:
         count = len(stages(self.own_order))
@@ -84,14 +84,14 @@ class IsospectralMidpoint(AbstractOrbitSolver):
             _, commutator, rest = terms(ahead)
             return commutator + rest
 
-        def by_solving(ahead: Array) -> Array:
+        def solve_change(ahead: Array) -> Array:
             return algebra.cayley_middle(turn(ahead), point) - point
 
         guess = h * jnp.tensordot(jnp.asarray(EXTRAPOLATION)[past.known], past.rates, 1)
         one_sided, commutator, rest = jax.lax.stop_gradient(terms(guess))
         # of the terms of W̃ − W, which do not vanish where it does
         scale = jnp.max(jnp.abs(one_sided), axis=tuple(range(-len(algebra.element_shape), 0)))
-        found = fixed_point(by_solving, commutator + rest, scale, quick=by_products)
+        found = fixed_point(solve_change, commutator + rest, scale, quick=by_products)
         change = Change(2.0 * terms(found.value)[1], found.iterations + 2, found.converged)
         rates = jnp.concatenate([(found.value / h)[None], past.rates[:-1]])
         return change, Past(rates, jnp.minimum(past.known + 1, KNOWN))

@@ -10,10 +10,10 @@ import jax.numpy as jnp
 
 from polhode.errors import InvalidInput, shown
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
-from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
+from polhode.integrators.composition import DEFAULT_ORDER, compose, stages
 from polhode.integrators.fixed_point import fixed_point
 from polhode.integrators.group import attitude_by_cayley, attitude_by_exp
-from polhode.systems.base import AbstractLiePoissonSystem, joined
+from polhode.systems.base import AbstractLiePoissonSystem, join_state
 from polhode.types import Array, Double, Float64
 
 
@@ -59,7 +59,7 @@ class LieMidpoint(AbstractOrbitSolver):
         return self.own_order
 
     def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
-        return composed(self._stage, self.own_order, t, h, state, self.beside_jumps(t, h))
+        return compose(self._stage, self.own_order, t, h, state, self.beside_jumps(t, h))
 
     def _stage(self, t: Array, h: Array, state: Array) -> Change:
         algebra, (attitude, point) = self.system.algebra, self.system.parts(state)
@@ -75,9 +75,9 @@ class LieMidpoint(AbstractOrbitSolver):
         found = fixed_point(lambda x: h * self.system.generator(half_way, middle(x)), start, scale)
         x = found.value
         if self.coordinates == "cayley":
-            moved = joined(attitude_by_cayley(attitude, x), algebra.cayley_change(x, point))
+            moved = join_state(attitude_by_cayley(attitude, x), algebra.cayley_change(x, point))
         else:
-            moved = joined(attitude_by_exp(attitude, x), algebra.exp_change(x, point))
+            moved = join_state(attitude_by_exp(attitude, x), algebra.exp_change(x, point))
         return Change(moved, found.iterations, found.converged)
 
 

@@ -9,7 +9,7 @@ import equinox as eqx
 from polhode.errors import InvalidInput, shown
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar, explicit
 from polhode.integrators.group import attitude_by_exp
-from polhode.systems.base import AbstractLiePoissonSystem, joined
+from polhode.systems.base import AbstractLiePoissonSystem, join_state
 from polhode.types import Array, Double, Float64
 
 
@@ -59,4 +59,4 @@ class MuntheKaas(AbstractOrbitSolver):
             k2 = slope(half_way, 0.5 * k1)
             k3 = slope(half_way, 0.5 * k2)
             u = (k1 + 2.0 * k2 + 2.0 * k3 + slope(end, k3)) / 6.0
-        return explicit(joined(attitude_by_exp(attitude, u), algebra.exp_change(u, point)))
+        return explicit(join_state(attitude_by_exp(attitude, u), algebra.exp_change(u, point)))

@@ -85,7 +85,7 @@ def _uses_time(system: AbstractSystem, shape: Any) -> bool:
     return bool(used[0])
 
 
-def undeclared_jumps(
+def find_undeclared_jumps(
     system: AbstractSystem, state: Double[Array, "..."], times: Float64[np.ndarray, "time"]
 ) -> Float64[np.ndarray, "found"]:
     """Return times [s] between the first and the last at which steps have to end, beside the system's own ``jumps``.
@@ -99,14 +99,14 @@ def undeclared_jumps(
     """
     copies = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))
     ends = np.asarray(times, dtype=float)[[0, -1]]
-    chosen = _spread(len(copies))
+    chosen = _choose_copies(len(copies))
     return _together(ends, [_changes(system, copies[[k]], ends, trials) for k, trials in chosen], warned=True)
 
 
 def jumps_along(
     system: AbstractSystem, states: Double[np.ndarray, "..."], times: Float64[np.ndarray, "time"]
 ) -> Float64[np.ndarray, "found"]:
-    """Return what ``undeclared_jumps`` does, tried at the states of a motion, each from its time up to the next.
+    """Return what ``find_undeclared_jumps`` does, tried at the states of a motion, each from its time up to the next.
 
     Args:
         system: what moves.
@@ -115,14 +115,14 @@ def jumps_along(
     """
     own = np.shape(states)[np.ndim(states) - system.state_axes :]
     copies, found = np.reshape(states, (-1, len(times), *own)), []
-    for k, trials in _spread(len(copies)):
+    for k, trials in _choose_copies(len(copies)):
         there = np.isfinite(copies[k]).reshape(len(times), -1).all(axis=-1)
         if there.sum() > 1:
             found.append(_changes(system, copies[k][there][:-1], times[there], trials))
     return _together(times, found)
 
 
-def _spread(copies: int) -> list[tuple[int, int]]:
+def _choose_copies(copies: int) -> list[tuple[int, int]]:
     """Return which copies of a batch are tried, and at how many times each."""
     chosen = np.unique(np.linspace(0, copies - 1, min(copies, COPIES)).round().astype(int))
     return [(int(k), TRIALS if k == 0 else TRIALS // (len(chosen) - 1)) for k in chosen]
@@ -174,7 +174,7 @@ def _changes(
     cells = np.unique(np.concatenate([begins, ends, np.flatnonzero(acts & (changes > ABOVE * beside))]))
     long = ends - begins >= INSIDE
     inside = low[begins[long]] + INNER[:, None] * (high[ends[long]] - low[begins[long]])
-    found = [_bisected(rates, low[cells], high[cells], which[cells]), low[begins], high[ends], np.ravel(inside)]
+    found = [_bisect(rates, low[cells], high[cells], which[cells]), low[begins], high[ends], np.ravel(inside)]
     return jumps_between(times, np.concatenate(found))
 
 
@@ -194,18 +194,18 @@ class _Rates:
         more = -count % together
         rows = np.append(times, np.full(more, times[-1])).reshape(-1, together)
         at = np.append(which, np.full(more, which[-1])).reshape(-1, together)
-        found = [np.asarray(_evaluated(self.system, self.states[k], t)) for t, k in zip(rows, at, strict=True)]
+        found = [np.asarray(_evaluate(self.system, self.states[k], t)) for t, k in zip(rows, at, strict=True)]
         return np.concatenate(found)[:count] / self.sizes
 
 
 @eqx.filter_jit
-def _evaluated(system: AbstractSystem, states: Array, times: Array) -> Array:
+def _evaluate(system: AbstractSystem, states: Array, times: Array) -> Array:
     found = jax.vmap(lambda t, y: system.vector_field(t, y))(jnp.asarray(times), jnp.asarray(states))
     found = found.reshape(times.shape[0], -1)
     return jnp.concatenate([found.real, found.imag], axis=-1) if jnp.iscomplexobj(found) else found
 
 
-def _bisected(rates: _Rates, low: Array, high: Array, which: Array) -> Array:
+def _bisect(rates: _Rates, low: Array, high: Array, which: Array) -> Array:
     """Return where between two times each the larger part of the change is, to a rounding: the time behind it."""
     at_low, at_high = rates(low, which), rates(high, which)
     for _ in range(BISECTIONS):
@@ -219,13 +219,13 @@ def _bisected(rates: _Rates, low: Array, high: Array, which: Array) -> Array:
     return high
 
 
-def naming_jumps(system: System, jumps: Float64[np.ndarray, "jumps"]) -> System:
+def name_jumps(system: System, jumps: Float64[np.ndarray, "jumps"]) -> System:
     """Return a system that moves alike and names these jumps beside its own; itself if there are none."""
     if not len(jumps):
         return system
     kind = type(system)
     known = getattr(system, FURTHER, None)
-    named: Any = object.__new__(kind if known is not None else _naming(kind))
+    named: Any = object.__new__(kind if known is not None else _make_naming_class(kind))
     for field in dataclasses.fields(system):
         object.__setattr__(named, field.name, getattr(system, field.name))
     object.__setattr__(named, FURTHER, jnp.asarray(jumps if known is None else np.concatenate([known, jumps])))
@@ -233,7 +233,7 @@ def naming_jumps(system: System, jumps: Float64[np.ndarray, "jumps"]) -> System:
 
 
 @cache
-def _naming(kind: type[AbstractSystem]) -> type[AbstractSystem]:
+def _make_naming_class(kind: type[AbstractSystem]) -> type[AbstractSystem]:
     """Return the class of the same systems with further jumps, one for each class, as what it computes is compiled."""
 
     def jumps(self: Any) -> Array:

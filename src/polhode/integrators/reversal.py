@@ -75,7 +75,7 @@ class Reached(NamedTuple):
     hint: Any
 
 
-def repeated(step: Step, given: Given, parts: Sequence[Any], symmetric: bool, name: str) -> Reached:
+def repeat_steps(step: Step, given: Given, parts: Sequence[Any], symmetric: bool, name: str) -> Reached:
     """Return where equal steps lead, with derivatives of either mode; ``held`` is found here, whatever is given.
 
     Args:
@@ -90,7 +90,7 @@ def repeated(step: Step, given: Given, parts: Sequence[Any], symmetric: bool, na
     given = given._replace(held=[jnp.asarray(x) for x in made.consts])
     jaxpr, hints = made.jaxpr, jax.tree.structure(given.hint)
 
-    def stepped(held: Any, t: Array, h: Array, state: Array, lost: Array, hint: Any) -> tuple[Any, ...]:
+    def take_step(held: Any, t: Array, h: Array, state: Array, lost: Array, hint: Any) -> tuple[Any, ...]:
         out = jax.core.eval_jaxpr(jaxpr, held, t, h, state, lost, *jax.tree.leaves(hint))  # type: ignore[attr-defined]
         return *out[:4], jax.tree.map(jax.lax.stop_gradient, jax.tree.unflatten(hints, out[4:]))
 
@@ -100,7 +100,7 @@ def repeated(step: Step, given: Given, parts: Sequence[Any], symmetric: bool, na
 
         def once(now: Reached) -> Reached:
             t = given.start + now.steps * given.h
-            state, lost, iterations, fine, hint = stepped(given.held, t, given.h, now.state, now.lost, now.hint)
+            state, lost, iterations, fine, hint = take_step(given.held, t, given.h, now.state, now.lost, now.hint)
             return Reached(now.steps + 1, state, lost, now.iterations + iterations, fine, hint)
 
         hint = jax.tree.map(jax.lax.stop_gradient, given.hint)
@@ -108,7 +108,7 @@ def repeated(step: Step, given: Given, parts: Sequence[Any], symmetric: bool, na
         return jax.lax.while_loop(unfinished, once, first)
 
     def back(whole: Callable[[Any], Given], moved: Any, reached: Reached, weights: Any) -> Any:
-        return _Way(stepped, whole, moved, parts).back(reached, weights, SEGMENT if symmetric else 1)
+        return _Way(take_step, whole, moved, parts).back(reached, weights, SEGMENT if symmetric else 1)
 
     return by_either_mode(forward, back, given, name, twice=True)
 
@@ -170,7 +170,7 @@ class _Way:
             cut = length > longest
             ahead = jnp.max(jnp.where(length > POWERS, POWERS, 1))
             reached = self._ahead(begin, jnp.where(cut, ahead, 0), state)
-            tried, regained = self._gone_back(now, jnp.where(cut, 0, length), state)
+            tried, regained = self._go_back(now, jnp.where(cut, 0, length), state)
             gone = ~cut & (regained | (length <= 1))
             shorter = jnp.max(jnp.where(length >= SHORTER * POWERS, POWERS, 1))
             now = jax.tree.map(lambda new, old: jnp.where(gone, new, old), tried, now)
@@ -190,7 +190,7 @@ class _Way:
         once = lambda k, now: self.one(self.moved, begin + k, *now)  # noqa: E731
         return jax.lax.fori_loop(0, count, once, state)
 
-    def _gone_back(self, now: _Back, count: Array, first: Pair) -> tuple[_Back, Array]:
+    def _go_back(self, now: _Back, count: Array, first: Pair) -> tuple[_Back, Array]:
         """Return the way back over a segment of so many steps, and whether its first state was regained."""
         given, begin = self.given, now.at - count
 

@@ -72,7 +72,7 @@ def scales(system: AbstractSystem, t: Float64[Array, ""], state: Double[Array, "
     return Scales(jnp.where(jnp.isinf(own), jnp.where(largest > 0.0, largest, 1.0), own), sizes)
 
 
-def scaled(system: AbstractSystem, by: Scales, observe: Observe | None = None) -> embedded.Problem:
+def scale_system(system: AbstractSystem, by: Scales, observe: Observe | None = None) -> embedded.Problem:
     """Return a system's equations of motion in scaled states, with the first of its events."""
 
     @jax.jit  # so that it is traced once, however often it is asked for
@@ -100,7 +100,7 @@ def start(by: Scales, state: Double[Array, "..."]) -> Carried:
     return Carried(state / by.state, jnp.zeros(len(by.received)))
 
 
-def sampled(
+def sample_motion(
     system: AbstractSystem, solver: Any, state: Double[Array, "..."], times: Float64[Array, "time"],
     kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
     meter: Any = None, observe: Observe | None = None, reverse: bool = False,
@@ -122,17 +122,17 @@ def sampled(
     if reverse or not embedded.is_embedded(solver):
         return _by_diffrax(system, solver, state, times, kept, largest, tolerance, meter, observe, reverse)
     by = scales(system, times[0], state)
-    own = scaled(system, by, observe)
+    own = scale_system(system, by, observe)
     run = embedded.begin(start(by, state), times, kept, own.seen)
     ends, at_jumps = with_jumps(system, times)
     run = embedded.advance(run, solver, own, ends, kept, largest, tolerance, MOST_STEPS, at_jumps)
     ending = run.end, run.end_state
     if own.margin:
         ending = embedded.at_event(run, own.rates, own.margin)
-    return unscaled(system, by, run.saved, *ending, run.status, run.steps, observe is None)
+    return unscale_run(system, by, run.saved, *ending, run.status, run.steps, observe is None)
 
 
-def unscaled(
+def unscale_run(
     system: AbstractSystem, by: Scales, saved: Any, time: Float64[Array, ""], last: Carried,
     status: Integer[Array, ""], steps: Integer[Array, ""], of_states: bool = True,
 ) -> Sampled:  # fmt: skip
@@ -157,7 +157,7 @@ def _by_diffrax(
 ) -> Sampled:  # fmt: skip
     """Return the motion by diffrax's own loop, which goes back from checkpoints and takes implicit methods."""
     by = scales(system, times[0], state)
-    own = scaled(system, by, observe)
+    own = scale_system(system, by, observe)
 
     def lowest(t: Array, y: Carried, args: Any, **more: Any) -> Array:
         return own.margin(t, y)  # type: ignore[misc]
@@ -184,7 +184,7 @@ def _by_diffrax(
     saved, last = solution.ys
     last = jax.tree.map(lambda y: y[0], last)
     steps = solution.stats["num_steps"]
-    return unscaled(system, by, saved, solution.ts[1][0], last, status, steps, observe is None)
+    return unscale_run(system, by, saved, solution.ts[1][0], last, status, steps, observe is None)
 
 
 def with_jumps(
@@ -234,18 +234,18 @@ class PresentTimeControl(diffrax.PIDController):
         return self._at(t0, t1).adapt_step_size(t0, t1, *args, **named)
 
 
-def sampled_by_either_mode(
+def sample_by_either_mode(
     system: AbstractSystem, solver: Any, state: Double[Array, "..."], times: Float64[Array, "time"],
     kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
     observe: Observe | None,
 ) -> Sampled:  # fmt: skip
-    """Return what ``sampled`` does, with derivatives of either mode."""
+    """Return what ``sample_motion`` does, with derivatives of either mode."""
 
     def forward(given: tuple[Any, ...]) -> Sampled:
-        return sampled(*given[:-1], observe=given[-1])
+        return sample_motion(*given[:-1], observe=given[-1])
 
     def reverse(given: tuple[Any, ...]) -> Sampled:
-        return sampled(*given[:-1], observe=given[-1], reverse=True)
+        return sample_motion(*given[:-1], observe=given[-1], reverse=True)
 
     operands = (system, solver, state, times, kept, largest, tolerance, observe)
     return by_either_mode(forward, by_transposing(reverse), operands, "solve by adaptive steps")

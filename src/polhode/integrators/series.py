@@ -13,15 +13,15 @@ import numpy as np
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators.adaptive import AdaptiveMotion, check_events
 from polhode.integrators.difference import EPS, LARGE, difference, starts_a_rounding_away
-from polhode.integrators.interrupts import interrupts_kept
+from polhode.integrators.interrupts import keep_interrupts
 from polhode.integrators.probing import jumps_between
 from polhode.motion.outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.array_series import Place, runs_of_arrays
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.flight import MOST_STEPS
-from polhode.taylor.machine import machine_of, operations_of
-from polhode.taylor.runs import EXTENDED_LOCAL, LOCAL, Precision, Runs, precision_of, runs_of
+from polhode.taylor.machine import build_machine, count_operations
+from polhode.taylor.runs import EXTENDED_LOCAL, LOCAL, Precision, Runs, choose_precision, run_copies
 from polhode.types import Array, Double, Float64
 
 LOWEST, HIGHEST = 4, 60  # orders
@@ -88,12 +88,12 @@ def is_series(method: Any) -> bool:
 
 def has_short_series(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
     """Return whether the rates of change at states (batch…, …) are of so few operations that series pay."""
-    return system.series_of_arrays or operations_of(system, _one(system, state)) <= LARGEST
+    return system.series_of_arrays or count_operations(system, _one(system, state)) <= LARGEST
 
 
 def goes_by_arrays(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
     """Return whether the system's series are of whole arrays; such a motion can be resumed to the same bits."""
-    return system.series_of_arrays or operations_of(system, _one(system, state)) > LARGEST
+    return system.series_of_arrays or count_operations(system, _one(system, state)) > LARGEST
 
 
 def _one(system: AbstractSystem, state: Double[Array, "..."]) -> Array:
@@ -106,7 +106,7 @@ def has_series(system: AbstractSystem, state: Double[Array, "*shape"], times: tu
         check_sizes(np.asarray(state)[None])
         if goes_by_arrays(system, state):
             return False
-        machine_of(system, state, times)
+        build_machine(system, state, times)
     except (NoSeries, Untraceable):
         return False
     return True
@@ -130,9 +130,9 @@ def solve_by_series(
     check_events(system, times[0], state)
     check_sizes(states)
     jumps_between(times, system.jumps)  # refuses what is not a finite time
-    precision = precision_of(tolerance, method.order, method.is_extended)
-    place = None if memory is None else _place_of(memory, states, times[0])
-    found, place = _checked_runs(system, states, kept, times[-1], precision, longest, meter, place)
+    precision = choose_precision(tolerance, method.order, method.is_extended)
+    place = None if memory is None else _find_place(memory, states, times[0])
+    found, place = _run_or_refuse(system, states, kept, times[-1], precision, longest, meter, place)
     shaped = lambda x: x.reshape((*batch, *x.shape[1:]))  # noqa: E731
     ends = Ends(shaped(found.status), shaped(found.event), shaped(found.end), shaped(found.end_state),
                 tuple(system.events))  # fmt: skip
@@ -165,14 +165,14 @@ def series_error(
     """
     parts = max(1, math.ceil(COMPARED / (len(times) - 1)))
     fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
-    precision = precision_of(tolerance, method.order, method.is_extended)
+    precision = choose_precision(tolerance, method.order, method.is_extended)
     better = precision._replace(order=precision.order + FINER, reach=CLOSER * precision.reach)
     batch = np.shape(state)[: np.ndim(state) - system.state_axes]
     longest = math.inf if step is None else float(step)
 
     def again(start: Array, by: Precision) -> Runs:
         states = np.reshape(np.asarray(start), (-1, *np.shape(start)[len(batch) :]))
-        return _checked_runs(system, states, fine, fine[-1], by, longest, None)[0]
+        return _run_or_refuse(system, states, fine, fine[-1], by, longest, None)[0]
 
     first, second = again(state, precision), again(state, better)
     off, failed = _apart(system, fine, first, second)
@@ -240,10 +240,10 @@ def _by_arrays_or_tape(
         except Untraceable:
             if place is not None:
                 raise
-    return runs_of(system, states, times, precision, longest, check), None
+    return run_copies(system, states, times, precision, longest, check), None
 
 
-def _place_of(memory: Sequence[Array], states: Double[Array, "copies ..."], first: float) -> Place:
+def _find_place(memory: Sequence[Array], states: Double[Array, "copies ..."], first: float) -> Place:
     """Return where the last step of an earlier motion began; ``memory`` says how long before its end that was."""
     shapes = [np.shape(x) for x in memory]
     if shapes != [(), np.shape(states[0]), ()] or len(states) > 1:
@@ -254,22 +254,22 @@ def _place_of(memory: Sequence[Array], states: Double[Array, "copies ..."], firs
     return Place(first - float(memory[0]), np.asarray(memory[1], states.dtype), float(memory[2]))
 
 
-def _checked_runs(
+def _run_or_refuse(
     system: AbstractSystem, states: Array, times: Array, last: float, precision: Precision, longest: float, meter: Any,
     place: Place | None = None,
 ) -> tuple[Runs, Place | None]:  # fmt: skip
     """Return runs up to a last time, which need not be a sample, and where to resume; or say why there are none."""
-    with interrupts_kept() as check:
+    with keep_interrupts() as check:
         shown_state = [None if meter is None else meter.init()]
 
-        def seen(share: float) -> None:
+        def report_progress(share: float) -> None:
             check()
             if meter is not None:
                 shown_state[0] = meter.step(shown_state[0], jnp.asarray(share))
 
         whole = times if times[-1] == last else np.append(times, last)
         try:
-            found, place = _by_arrays_or_tape(system, states, whole, precision, longest, seen, place)
+            found, place = _by_arrays_or_tape(system, states, whole, precision, longest, report_progress, place)
         except Untraceable as error:
             instead = ('Give `precision` "double".' if precision.extended
                        else "Leave out `method`, or give a solver of diffrax.")  # fmt: skip

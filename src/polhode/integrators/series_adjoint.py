@@ -17,7 +17,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.systems.base import AbstractSystem
-from polhode.taylor.runs import Precision, runs_back, runs_of
+from polhode.taylor.runs import Precision, run_copies, runs_back
 from polhode.types import Array, Bool, Float64
 
 PARTS = (1, 8, 64)  # of each time between samples, in which the motion is found again before it goes back
@@ -74,7 +74,7 @@ def weights_back(
         none, scales = np.zeros((left.size, received)), np.full((left.size, n + received + count), np.inf)
         scales[:, :n] = sizes
         states = np.concatenate([start, none, numbers], axis=1)
-        known = runs_of(motion, states, fine, precision, longest, scales=scales).states[..., :n]
+        known = run_copies(motion, states, fine, precision, longest, scales=scales).states[..., :n]
         kicks = np.zeros((left.size, len(fine), 2 * n + received + 2 * count))
         kicks[:, ::parts, n : 2 * n + received] = weights[left]
         kicks[:, -1, 2 * n + received : 2 * n + received + count] = numbers

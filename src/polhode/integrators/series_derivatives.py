@@ -22,8 +22,8 @@ from polhode.motion.outcome import Status
 from polhode.systems.base import AbstractSystem
 from polhode.systems.forms import rates_of_change
 from polhode.taylor.expressions import Untraceable
-from polhode.taylor.machine import Form, machine_of
-from polhode.taylor.runs import Precision, runs_of
+from polhode.taylor.machine import Form, build_machine
+from polhode.taylor.runs import Precision, run_copies
 from polhode.taylor.structure import Structure
 from polhode.types import Array, Bool, Float64, Integer
 
@@ -143,7 +143,7 @@ class Motion:
         self.directed, self.back = Directed(plain.flow, sizes), Returning(plain.flow, sizes)
         # traced now, as JAX must not be called from within its own computations
         with jax.ensure_compile_time_eval():
-            machine_of(plain, np.zeros(self.rows + m), None)
+            build_machine(plain, np.zeros(self.rows + m), None)
             along = [(part, self.rows + m + self.rows * len(part.varied)) for part in self.varied]
             self.has_derivatives = all(_is_traced(*each) for each in [*along, (self.directed, 2 * (self.rows + m))])
             self.comes_back = _is_traced(self.back, self.n + self.rows + 2 * m)
@@ -228,14 +228,14 @@ class Motion:
         samples = np.full((copies, self.count, y.shape[1]), np.nan)
         failed, steps = np.ones(copies, np.int64), np.zeros(copies, np.int64)
         for times_of_some, some in _by_times(late, _finite(late, y)):
-            found = runs_of(moving, y[some], times_of_some, self.precision, self.longest, scales=sizes[some])
+            found = run_copies(moving, y[some], times_of_some, self.precision, self.longest, scales=sizes[some])
             samples[some], steps[some] = found.states, found.steps
             failed[some] = found.status == Status.NOT_CONVERGED
         return Runs(samples.reshape(*batch, self.count, -1), failed.reshape(batch), steps.reshape(batch))
 
 
 @lru_cache(maxsize=32)
-def operation_of(plain: Sensitive, count: int, precision: Precision, longest: float) -> Elementwise:
+def make_operation(plain: Sensitive, count: int, precision: Precision, longest: float) -> Elementwise:
     """Return the operation of start, times, numbers and sizes of components; see ``Motion``."""
     return Motion(plain, count, precision, longest).operation()
 
@@ -243,7 +243,7 @@ def operation_of(plain: Sensitive, count: int, precision: Precision, longest: fl
 def _is_traced(system: AbstractSystem, size: int) -> bool:
     """Return whether a system has a series, now that it is traced; it may have too many operations."""
     try:
-        machine_of(system, np.zeros(size), None)
+        build_machine(system, np.zeros(size), None)
     except Untraceable:
         return False
     return True

@@ -10,12 +10,12 @@ import numpy as np
 
 from polhode.arrays.elementwise import Elementwise
 from polhode.errors import InvalidInput
-from polhode.integrators.series_derivatives import Sensitive, Skeleton, operation_of
+from polhode.integrators.series_derivatives import Sensitive, Skeleton, make_operation
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.machine import TRACING, Form
 from polhode.taylor.runs import Precision
-from polhode.taylor.structure import parted
+from polhode.taylor.structure import split_numbers
 from polhode.types import Array, Double, Float64
 
 
@@ -54,7 +54,7 @@ def series_solution(
             "diffrax.Dopri8()."
         )
     try:
-        structure, arrays = parted(system)
+        structure, arrays = split_numbers(system)
     except TypeError:
         raise InvalidInput(f"{name} has parts that cannot be hashed; make them arrays or fields of a module.") from None
     parameters = jnp.concatenate([jnp.zeros(0), *(jnp.ravel(x) for x in arrays)])
@@ -64,16 +64,16 @@ def series_solution(
     balances = tuple(jax.eval_shape(lambda t, x: system.balances(t, x), *shape))
     skeleton = Skeleton(structure, form, balances)
     try:
-        operation = operation_of(Sensitive(skeleton, range(0)), len(times), precision, longest)
+        operation = make_operation(Sensitive(skeleton, range(0)), len(times), precision, longest)
     except (Untraceable, *TRACING) as error:
         raise InvalidInput(
             f"{name} has no Taylor series in its numbers, which `solve` needs: {str(error).splitlines()[0]}. Leave out "
             "`method`, or call `simulate`."
         ) from None
-    return _placed(system, skeleton, operation, state, times, parameters)
+    return _place(system, skeleton, operation, state, times, parameters)
 
 
-def _placed(
+def _place(
     system: AbstractSystem, skeleton: Skeleton, operation: Elementwise, state: Array, times: Array, parameters: Array
 ) -> Series:
     form, still = skeleton.form, jax.lax.stop_gradient

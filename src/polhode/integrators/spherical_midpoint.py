@@ -10,7 +10,7 @@ import jax.numpy as jnp
 from polhode.algebra.so3 import scaled_norm
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
-from polhode.integrators.composition import DEFAULT_ORDER, composed, stages
+from polhode.integrators.composition import DEFAULT_ORDER, compose, stages
 from polhode.integrators.fixed_point import fixed_point
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Double, Float64
@@ -46,20 +46,20 @@ class SphericalMidpoint(AbstractOrbitSolver):
         attitude, point = self.system.parts(state)
         if attitude is not None:
             raise InvalidInput("`SphericalMidpoint` moves momenta only, not an attitude; take LieMidpoint.")
-        return composed(self._stage, self.own_order, t, h, point, self.beside_jumps(t, h))
+        return compose(self._stage, self.own_order, t, h, point, self.beside_jumps(t, h))
 
     def _stage(self, t: Array, h: Array, point: Array) -> Change:
         half_way = t + 0.5 * h
         length = scaled_norm(point)[..., None]
 
-        def improved(change: Array) -> Array:
+        def improve(change: Array) -> Array:
             middle = point + 0.5 * change
             size = scaled_norm(middle)[..., None]
             middle = middle * (length / jnp.where(size > 0, size, 1.0))
             return h * self.system.algebra.coadjoint(self.system.generator(half_way, middle), middle)
 
-        start = improved(jnp.zeros_like(point))
+        start = improve(jnp.zeros_like(point))
         # the size of the change's terms, which do not vanish where the change does
         scale = jnp.abs(h) * jnp.max(jnp.abs(self.system.generator(half_way, point))) * jnp.max(length)
-        found = fixed_point(improved, start, scale)
+        found = fixed_point(improve, start, scale)
         return Change(*found)

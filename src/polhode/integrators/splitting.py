@@ -12,7 +12,7 @@ import jax.numpy as jnp
 
 from polhode.errors import InvalidInput
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar, explicit
-from polhode.integrators.composition import DEFAULT_ORDER, NYSTROM, composed, stages
+from polhode.integrators.composition import DEFAULT_ORDER, NYSTROM, compose, stages
 from polhode.systems.agreement import has_own_flows
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick, Round, components
 from polhode.types import Array, Double, Float64
@@ -66,17 +66,17 @@ class Splitting(AbstractOrbitSolver):
             return _kicks_and_drifts(flows[0], flows[1], self.own_order, h, state)
         rounds = [flow for flow in flows if isinstance(flow, Round)]
         if MOST_UNROLLED < len(rounds) == len(flows):
-            return composed(partial(_rounds, rounds[0].flow, len(rounds)), self.own_order, t, h, state)
+            return compose(partial(_rounds, rounds[0].flow, len(rounds)), self.own_order, t, h, state)
         parts = [(flow, 0.5) for flow in flows[:-1]]
         parts = [*parts, (flows[-1], 1.0), *parts[::-1]]
 
         def stage(_: Array, h: Array, state: Array) -> Change:
             now, total = components(state), (jnp.zeros_like(state[..., 0]),) * state.shape[-1]
             for flow, share in parts:
-                now, total = _moved(flow, share * h, now, total)
-            return _stacked(total)
+                now, total = _apply_flow(flow, share * h, now, total)
+            return _stack(total)
 
-        return composed(stage, self.own_order, t, h, state)
+        return compose(stage, self.own_order, t, h, state)
 
 
 def _rounds(flow: Callable[..., Components], count: int, _: Scalar, h: Scalar, state: Array) -> Change:
@@ -98,21 +98,21 @@ def _kicks_and_drifts(kick: Flow, drift: Flow, order: int, h: Scalar, state: Arr
 
     def add(k: Array, carried: tuple[Array, Array]) -> tuple[Array, Array]:
         now, total = carried
-        moved = _moved(drift, drifts[k] * h, components(now), (jnp.zeros_like(now[..., 0]),) * now.shape[-1])
-        change = _stacked(_moved(kick, kicks[k + 1] * h, *moved)[1]).state
+        moved = _apply_flow(drift, drifts[k] * h, components(now), (jnp.zeros_like(now[..., 0]),) * now.shape[-1])
+        change = _stack(_apply_flow(kick, kicks[k + 1] * h, *moved)[1]).state
         return now + change, total + change
 
     first = jnp.stack(kick(kicks[0] * h, components(state)), axis=-1)
     return explicit(jax.lax.fori_loop(0, len(drifts), add, (state + first, first))[1])
 
 
-def _moved(flow: Flow, time: Scalar, now: Components, total: Components) -> tuple[Components, Components]:
+def _apply_flow(flow: Flow, time: Scalar, now: Components, total: Components) -> tuple[Components, Components]:
     """Return components and their whole change after one more flow."""
     moved = flow(time, now)
     after = tuple(x + d for x, d in zip(now, moved, strict=True))
     return after, tuple(x + d for x, d in zip(total, moved, strict=True))
 
 
-def _stacked(total: Components) -> Change:
+def _stack(total: Components) -> Change:
     # XLA would compute the whole stage again for each use of the sum
     return explicit(jax.lax.optimization_barrier(jnp.stack(total, axis=-1)))

@@ -91,7 +91,7 @@ class NoiseDriftNoise(AbstractOrbitSolver):
         return Change(moved + exp_change(size * other, state + moved), drift.iterations, drift.converged)
 
     def _drift(self, t: Array, h: Scalar, point: Array, length: Array) -> Change:
-        def improved(change: Array) -> Array:
+        def improve(change: Array) -> Array:
             middle = point + 0.5 * change
             size = scaled_norm(middle)[..., None]
             middle = middle * (length / jnp.where(size > 0, size, 1.0))
@@ -99,6 +99,6 @@ class NoiseDriftNoise(AbstractOrbitSolver):
             pull = self.bath.damping / jnp.where(length > 0, length, 1.0) * jnp.cross(middle, field)
             return h * jnp.cross(middle, field - pull)
 
-        start = improved(jnp.zeros_like(point))
+        start = improve(jnp.zeros_like(point))
         scale = jnp.abs(h) * jnp.max(jnp.abs(self.system.generator(t, point))) * jnp.max(length)
-        return Change(*fixed_point(improved, start, scale))
+        return Change(*fixed_point(improve, start, scale))

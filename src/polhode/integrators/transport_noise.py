@@ -14,7 +14,7 @@ from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
 from polhode.integrators.group import attitude_by_exp
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.step_noise import normals_of_step
-from polhode.systems.base import AbstractLiePoissonSystem, joined
+from polhode.systems.base import AbstractLiePoissonSystem, join_state
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 
@@ -91,18 +91,18 @@ class TransportNoise(AbstractOrbitSolver):
     def change_by(self, t: Scalar, h: Scalar, state: Double[Array, "..."], normals: Float64[Array, "2 m"]) -> Change:
         """Return what a step does whose noise is made of given normal numbers."""
         sizes = jnp.sqrt(0.5 * jnp.abs(h)) * jnp.asarray(normals)
-        moved = self._stirred(state, jnp.zeros_like(state), sizes[0], self.fields)
+        moved = self._stir(state, jnp.zeros_like(state), sizes[0], self.fields)
         drifted = self.drift.change(t, h, state + moved)
-        moved = self._stirred(state, moved + drifted.state, sizes[1], self.fields[::-1])
+        moved = self._stir(state, moved + drifted.state, sizes[1], self.fields[::-1])
         return Change(moved, drifted.iterations, drifted.converged)
 
-    def _stirred(self, state: Array, moved: Array, sizes: Array, fields: Array) -> Array:
+    def _stir(self, state: Array, moved: Array, sizes: Array, fields: Array) -> Array:
         """Return the change since ``state`` after turns by all fields, one after the other."""
 
         def turn(moved: Array, given: tuple[Array, Array]) -> tuple[Array, None]:
             size, field = given
             attitude, point = self.system.parts(state + moved)
             x = size * field
-            return moved + joined(attitude_by_exp(attitude, x), self.system.algebra.exp_change(x, point)), None
+            return moved + join_state(attitude_by_exp(attitude, x), self.system.algebra.exp_change(x, point)), None
 
         return jax.lax.scan(turn, moved, (sizes, fields))[0]

@@ -1,7 +1,7 @@
 """Kinds of motion that a spec can name: one folder each, which is found without being registered.
 
 ``docs/add_a_kind.md`` says what a folder holds, and how another package adds a kind of its own. What an author needs
-for one is here.
+for one is exported here.
 """
 
 import lazy_loader

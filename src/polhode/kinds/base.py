@@ -43,11 +43,11 @@ NOT_FINITE = re.compile(r"(?<![\w'\"])-?(inf|nan)(?![\w'\"])")  # as Python writ
 
 
 class SpecMotion(NamedTuple):
-    """What a spec moves, without the answers about it.
+    """The motion of a spec, without the answers about it.
 
     Attributes:
         trajectory: its samples.
-        mechanics: what energy and momentum of this body are made of; None where that is not known.
+        mechanics: from which energy and momentum of this body follow; None where it is not known.
     """
 
     trajectory: Trajectory
@@ -55,11 +55,11 @@ class SpecMotion(NamedTuple):
 
 
 class NextStep(NamedTuple):
-    """A command to go on with.
+    """A command that a report suggests next.
 
     Attributes:
         command: of ``polhode``, which takes the spec.
-        gives: what it does with it, as it goes on from the command: "shows the motion".
+        gives: what the command does, as the rest of a sentence: "shows the motion".
     """
 
     command: str
@@ -80,17 +80,17 @@ class Bodies(NamedTuple):
     refused: dict[int, str]
 
 
-def motion_report_of(report: SystemReport) -> MotionReport:
+def require_motion_report(report: SystemReport) -> MotionReport:
     """Return the report of a kind that has a motion, as one that has a trajectory."""
     assert isinstance(report, MotionReport), f"a report of kind {report.kind} must be on a motion"
     return report
 
 
 class ManySpecs(NamedTuple):
-    """Samples that differ from one spec by some numbers.
+    """Samples of a sweep: specs that share all but some numbers.
 
     Attributes:
-        spec: of one sample, whose other numbers all share.
+        spec: of one sample; its fixed numbers hold for all.
         varied: key → values (sample, …) of the spec's numbers that differ, SI.
         bodies: of the samples; None for kinds without a body.
         spec_of: the spec of a sample; raises InvalidInput where it breaks a rule.
@@ -108,7 +108,7 @@ class ManySpecs(NamedTuple):
 
 
 class Ensemble(NamedTuple):
-    """What is asked of many samples.
+    """Answers for many samples.
 
     Attributes:
         values: name of an answer, as the JSON has it → values (sample, …), NaN where it is not defined; of
@@ -121,9 +121,9 @@ class Ensemble(NamedTuple):
 
 
 Figures = Mapping[str, "Callable[[Any], Figure | None]"]
-"""What draws each figure of a report, or None, by the name of its file."""
+"""The function that draws each figure of a report, or None, by the name of its file."""
 Overview = Sequence["tuple[Callable[..., Figure | None], int]"]
-"""What is drawn side by side of a motion or trajectory, each called with ``axes``, and how many axes each needs."""
+"""The pictures of a motion that are drawn side by side, each called with ``axes``, and how many axes each needs."""
 TableT = TypeVar("TableT", bound=SystemTable)
 
 
@@ -132,19 +132,19 @@ class AbstractKind(abc.ABC, Generic[TableT]):
 
     A folder of ``polhode.kinds``, or a module that another package names in the entry-point group ``polhode.kinds``,
     offers one object of a subclass as ``KIND``. Importing it must be cheap: the methods import the other files of the
-    folder when they are needed. ``report`` must be overridden; all else may be. A system or motion says of which kind
-    it is by its ``kind``, so that its pages and ``plot`` show the pictures of this kind.
+    folder when they are needed. ``report`` must be overridden; every other method may be. A system or motion
+    names its kind by ``kind``, so that its pages and ``plot`` show the pictures of this kind.
 
     Attributes:
         name: as specs write it; the folder's name has underscores for its hyphens.
         table: the model of the table [system].
-        figure_names: of the files of ``figures``, which a later report may remove.
-        subject: what moves, in a word, where other kinds may move the same in another way.
+        figure_names: file names of ``figures``; a later report may remove outdated ones.
+        subject: the moving thing in a word, where several kinds compute its motion in different ways.
         in_closed_form: whether the motion is known exactly at any time, without steps.
         has_motion: whether something moves in time, so that its report is a ``MotionReport``.
         has_attitude: whether the motion is that of a body that turns in space.
         is_default: whether a spec without [system] means this kind; of the kinds here one does.
-        reach: the largest size, in SI, that its spec may give to a number, and one over the smallest.
+        reach: the largest number that a spec may give, in SI units, and one over the smallest.
     """
 
     name: ClassVar[str]
@@ -182,12 +182,13 @@ class AbstractKind(abc.ABC, Generic[TableT]):
             InvalidInput, NotConverged: as ``report`` does.
         """
         self.check_motion()
-        report = motion_report_of(self.report(spec))
+        report = require_motion_report(self.report(spec))
         return SpecMotion(report.trajectory, report.mechanics)
 
     def answers_without_motion(self, spec: Spec[TableT]) -> Iterable[Group | Table]:
-        """Return those of the report's answers that take no motion; none unless overridden. They are computed one
-        after the other as they are taken, the quickest first.
+        """Return the answers that need no trajectory, the quickest first; none unless overridden.
+
+        They are computed one after the other as they are asked for.
 
         Raises:
             InvalidInput: for values that the system refuses.
@@ -195,19 +196,19 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         return ()
 
     def panel(self) -> KindPanel | None:
-        """Return what the page of this kind shows of its own; None where it is that of any body."""
+        """Return this kind's own pictures of a page; None where the page is that of any body."""
         return None
 
     def next_steps(self, spec: Spec) -> Sequence[NextStep]:
-        """Return the commands to go on with from a report of this kind."""
+        """Return the commands that a report of this kind suggests next."""
         return (NextStep("view", "shows the motion"),) if self._has_pictures() else ()
 
     def offers(self, spec: Spec) -> Sequence[NextStep]:
-        """Return the commands by which this kind makes something of a spec of another kind; none without a reason."""
+        """Return commands that a report of another kind suggests, because this kind can use its spec; mostly none."""
         return ()
 
     def check_page(self) -> None:
-        """Refuse a page of what neither moves nor has a panel that says how it is to be shown.
+        """Refuse a page for a kind that has neither a motion nor a panel of its own.
 
         Raises:
             InvalidInput: for such a kind.
@@ -232,14 +233,14 @@ class AbstractKind(abc.ABC, Generic[TableT]):
             )
 
     def rotor(self, spec: Spec) -> SpecRotor:
-        """Return the quantum rotor that a spec's body is, of kinds that have constants of their own with these.
+        """Return the quantum rotor that a spec describes, with the kind's own constants if it has some.
 
         Raises:
             InvalidInput: for a spec without [body], or a body that is no rotor.
         """
-        from polhode.spec.rotors import asked_of, rotor_of_body
+        from polhode.spec.rotors import complete_rotor, rotor_of_body
 
-        return asked_of(rotor_of_body(spec.body, spec.source, spec.folder)[0])
+        return complete_rotor(rotor_of_body(spec.body, spec.source, spec.folder)[0])
 
     def ensemble(
         self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]
@@ -254,19 +255,19 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         return None
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
-        """Yield what the raw tables of a file break beyond what each field says, and where."""
+        """Yield violations of rules between keys of a file's raw tables, and where they are."""
         yield from ()
 
     def figures(self) -> Figures:
-        """Return what draws each figure of a report, by the names in ``figure_names``."""
+        """Return the functions that draw the figures of a report, by the names in ``figure_names``."""
         return {}
 
     def overview(self) -> Overview:
-        """Return what ``motion.plot()`` draws side by side; without any, a trajectory is drawn part by part."""
+        """Return the pictures of ``motion.plot()``; without any, each part of the state is drawn against time."""
         return ()
 
     def shown(self, report: SystemReport) -> Trajectory:
-        """Return what moves on the page of a report without a motion of its own.
+        """Return the motion that the page of a report without a motion shows.
 
         Raises:
             InvalidInput: where there is nothing to show.
@@ -283,14 +284,14 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         panel = self.panel()
         if panel is None:
             return None
-        from polhode.viewer.panels import Content, content_of, moves_as_one_of
+        from polhode.viewer.panels import Content, choose_content, keeps_motion_of
 
         # the page goes on by the equations of the class that names the kind, which an heir may have changed
         names_it = next(one for one in type(trajectory.source).__mro__ if "kind" in vars(one))
-        model = panel.model(trajectory) if moves_as_one_of((names_it,), trajectory.source) else None
+        model = panel.model(trajectory) if keeps_motion_of((names_it,), trajectory.source) else None
         panels = panel.panels(trajectory, samples, surface)
         if panels is None:
-            return replace(content_of(trajectory.source, samples, surface), model=model)
+            return replace(choose_content(trajectory.source, samples, surface), model=model)
         return Content(panels, self._scripts(), model, **panel.plots(trajectory, samples))
 
     def _scripts(self) -> tuple[str, ...]:
@@ -318,16 +319,16 @@ class Spec(Generic[TableT]):
     """A spec in SI units.
 
     Attributes:
-        name: what to call the body.
+        name: of the body.
         kind: what moves.
         system: the table [system], with its defaults.
         body: its mass properties; None where the system has sizes of its own.
         spin: as it stands in the file, None for rest.
         until: end of the samples [s], None for the kind's own choice.
         samples: how many.
-        labels: what attitude files say of it.
-        source: where the body comes from, as it stands in the file; None where the system has sizes of its own.
-        folder: that paths count from.
+        labels: metadata for attitude files.
+        source: the table that describes the body; None where the system has sizes of its own.
+        folder: that relative paths start from.
         instants: times [s], zero first, in place of equal steps up to ``until``, their last.
     """
 
@@ -345,7 +346,7 @@ class Spec(Generic[TableT]):
 
     @cached_property
     def surface(self) -> Surface | None:
-        """What the body looks like, made when first asked for; see ``AbstractKind.surface``."""
+        """The body's surface, made when first asked for; see ``AbstractKind.surface``."""
         return self.kind.surface(self)
 
     @property
@@ -357,7 +358,7 @@ class Spec(Generic[TableT]):
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What a report should say of how the body and its spin were taken, a note each."""
+        """Notes for a report on how body and spin were understood."""
         return remarks_on(self.body, self.spin)
 
     def start(
@@ -385,7 +386,7 @@ class Spec(Generic[TableT]):
 
     @contextmanager
     def _within_double_precision(self) -> Iterator[None]:
-        """Refuse, in words, what leaves double precision on the way to the answers.
+        """Raise an error that explains an overflow of double precision on the way to the answers.
 
         NumPy says nothing meanwhile: what is not finite in the end is seen there.
         """

@@ -7,14 +7,14 @@ from pathlib import Path
 
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.kinds.base import Spec
 from polhode.kinds.registry import find_kind, kind_of_source
 from polhode.motion.base import AbstractMotion
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import MotionReport, SystemReport
 from polhode.viewer.encoding import with_powers
-from polhode.viewer.page import NotebookPage, Page, page_of
+from polhode.viewer.page import NotebookPage, Page, make_page
 from polhode.viewer.panels import Content
 from polhode.viewer.samples import Samples
 
@@ -49,12 +49,12 @@ def write_page(
     ...     path.stat().st_size < 1_500_000
     True
     """
-    return write_text_of(_page(moved, name, summary, surface, notes), Path(path))
+    return write_page_text(_page(moved, name, summary, surface, notes), Path(path))
 
 
-def write_text_of(page: Page, path: Path) -> Path:
+def write_page_text(page: Page, path: Path) -> Path:
     """Write a page as a file that appears whole or not at all."""
-    with written_whole(path) as draft:
+    with write_whole(path) as draft:
         draft.write_text(page.text, "utf-8")
     return path
 
@@ -95,7 +95,7 @@ def _page(
         return page_of_answers(moved.report(), name or moved.name, moved.surface if surface is None else surface)
     if isinstance(moved, AbstractMotion):
         moved = moved.sample()
-    return page_of(moved, name=name, summary=summary, surface=surface, notes=notes, content=_content)
+    return make_page(moved, name=name, summary=summary, surface=surface, notes=notes, content=_content)
 
 
 def page_of_report(report: SystemReport, path: str | Path, *, surface: Surface | None = None) -> Path:
@@ -109,25 +109,25 @@ def page_of_report(report: SystemReport, path: str | Path, *, surface: Surface |
     Raises:
         InvalidInput: as ``write_page`` does.
     """
-    return write_text_of(page_of_answers(report, report.name, surface), Path(path))
+    return write_page_text(page_of_answers(report, report.name, surface), Path(path))
 
 
 def page_of_answers(report: SystemReport, name: str, surface: Surface | None) -> Page:
-    """Return what the page of a report is filled with."""
+    """Return the content of a report's page."""
     kind = find_kind(report.kind)
     said = {"name": name, "summary": with_powers(report.summary), "surface": surface}
     if isinstance(report, MotionReport):
         notes = [with_powers(note) for note in [*report.notes, *filter(None, [report.shown_part])]]
         panel = None if kind is None else kind.panel()
         scatters = () if panel is None else panel.scatters(report)
-        return page_of(report.shown, **said, notes=notes, scatters=scatters, content=_content)
+        return make_page(report.shown, **said, notes=notes, scatters=scatters, content=_content)
     assert kind is not None, f"a report of kind {report.kind} has no kind"
     notes = [with_powers(note) for note in report.notes]
-    return page_of(kind.shown(report), **said, notes=notes,
+    return make_page(kind.shown(report), **said, notes=notes,
                    content=lambda _, samples, drawn: kind.content_of_report(report, samples, drawn))  # fmt: skip
 
 
 def _content(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content | None:
-    """Return the pictures that the kind of the motion has of its own."""
+    """Return the own pictures of the motion's kind."""
     kind = kind_of_source(trajectory.source)
     return None if kind is None else kind.content(trajectory, samples, surface)

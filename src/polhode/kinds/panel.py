@@ -39,11 +39,11 @@ class KindPanel:
         return None
 
     def scatters(self, report: Any) -> tuple[dict[str, Any], ...]:
-        """Return what a report's page draws beyond the part of the motion that it shows."""
+        """Return what a report's page draws besides the motion."""
         return ()
 
     def shown(self, report: Any) -> Trajectory:
-        """Return what moves on the page of a report without a motion of its own.
+        """Return the motion that the page of a report without a motion shows.
 
         Raises:
             InvalidInput: where there is nothing to show.

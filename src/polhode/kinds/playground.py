@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from polhode.kinds.base import Spec
-from polhode.kinds.page import page_of_answers, write_text_of
+from polhode.kinds.page import page_of_answers, write_page_text
 from polhode.kinds.reading import read_spec
 from polhode.reports.base import SystemReport
-from polhode.viewer.page import Page, playground_of
+from polhode.viewer.page import Page, make_playground
 
 SAMPLED = ("attitude", "momentum", "velocity", "energy")
 SAMPLES = 600  # of motions that the page cannot solve itself
@@ -32,11 +32,11 @@ def write_playground(
     Raises:
         InvalidInput: for a path that cannot be written.
     """
-    return write_text_of(playground_of([_preset(words, examples, report_of) for words in presets()]), path)
+    return write_page_text(make_playground([_preset(words, examples, report_of) for words in presets()]), path)
 
 
 def presets() -> list[dict[str, Any]]:
-    """Return what the playground says: example, title and story of each motion."""
+    """Return example, title and story of each motion of the playground."""
     text = (resources.files("polhode.viewer") / "playground.toml").read_text("utf-8")
     return tomllib.loads(text)["preset"]
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def plot(moved: AbstractMotion | Trajectory) -> Figure:
-    """Return the picture that shows most of a motion: what its kind has for it, else its state against time.
+    """Return the most telling picture of a motion: that of its kind, else its state against time.
 
     A free body's is its momentum sphere, with Ω and L over time; a top's is the path of its axis, with tilt and Ω.
 

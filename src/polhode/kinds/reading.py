@@ -19,12 +19,12 @@ from polhode.kinds.registry import default_kind, find_kind, kind_names
 from polhode.reports.base import SystemReport
 from polhode.reports.report import with_inputs
 from polhode.spec.building import build_body, build_part
-from polhode.spec.export import labels_of
-from polhode.spec.mistakes import as_message, mistakes_of
+from polhode.spec.export import make_labels
+from polhode.spec.mistakes import as_message, list_mistakes
 from polhode.spec.models import BodyTable, PartTable, SpecFile, SystemTable
 from polhode.spec.parsing import read_tables
 from polhode.spec.reach import beyond_reach
-from polhode.spec.rules import SOURCES, Location, Mistake, broken_rules, table_rules
+from polhode.spec.rules import SOURCES, Location, Mistake, find_broken_rules, table_rules
 
 SWEEP = "sweep"  # the table that asks for many motions, of which a spec is one
 
@@ -39,7 +39,7 @@ def read_spec(path: str | Path) -> Spec:
     path = Path(path)
     tables = read_tables(path)
     tables.pop(SWEEP, None)
-    return spec_of_tables(tables, path)
+    return build_spec(tables, path)
 
 
 def read_spec_or_molecule(path: str | Path) -> Spec:
@@ -50,11 +50,11 @@ def read_spec_or_molecule(path: str | Path) -> Spec:
     """
     path = Path(path)
     if path.suffix.lower().lstrip(".") in FORMS:
-        return spec_of_tables({"body": {"molecule": path.name}}, path)
+        return build_spec({"body": {"molecule": path.name}}, path)
     return read_spec(path)
 
 
-def spec_of_tables(tables: dict[str, Any], path: Path) -> Spec:
+def build_spec(tables: dict[str, Any], path: Path) -> Spec:
     """Return the spec of a file's tables, as ``read_spec`` does.
 
     Args:
@@ -62,20 +62,20 @@ def spec_of_tables(tables: dict[str, Any], path: Path) -> Spec:
         path: of the file, which messages name and from whose folder paths count.
     """
     table = dict(tables)
-    raw, kind, found = _system_of(table.pop("system", default_kind().name))
+    raw, kind, found = _read_system(table.pop("system", default_kind().name))
     mistakes, model = [], None
-    mistakes += broken_rules(table, _rules_of_kind(kind, table | {"system": raw}))
+    mistakes += find_broken_rules(table, _rules_of_kind(kind, table | {"system": raw}))
     system, wrong = (None, []) if kind is None else _system(kind, raw)
     mistakes += found + wrong
     try:
         model = SpecFile.model_validate(table)
     except ValidationError as error:
-        mistakes += mistakes_of(error)
+        mistakes += list_mistakes(error)
     if kind is not None:
         beyond = [*beyond_reach(system, ("system",), kind.reach), *beyond_reach(model, (), kind.reach)]
         told = {location for location, _ in mistakes}
         mistakes += [mistake for mistake in beyond if mistake[0] not in told]
-    body, unphysical = _built_body(table.get("body"), path.parent, mistakes)
+    body, unphysical = _build_body(table.get("body"), path.parent, mistakes)
     if model is None or kind is None or system is None or mistakes or unphysical:
         found = mistakes + [(location, str(error)) for location, error in unphysical]
         of_files = not mistakes and all(isinstance(error, FormatError) for _, error in unphysical)
@@ -83,7 +83,7 @@ def spec_of_tables(tables: dict[str, Any], path: Path) -> Spec:
     name = printable(model.name or path.stem).replace("\n", " ")
     return Spec(
         name=name, kind=kind, system=system, body=body, spin=model.spin,
-        until=model.time.until, samples=model.time.samples, labels=labels_of(model.export, model.name or path.stem),
+        until=model.time.until, samples=model.time.samples, labels=make_labels(model.export, model.name or path.stem),
         source=model.body, folder=path.parent,
     )  # fmt: skip
 
@@ -122,13 +122,13 @@ def kind_of_tables(tables: dict[str, Any], path: Path) -> AbstractKind:
     Raises:
         InvalidInput: where there is no such kind.
     """
-    _, kind, mistakes = _system_of(tables.get("system", default_kind().name))
+    _, kind, mistakes = _read_system(tables.get("system", default_kind().name))
     if kind is None:
         raise InvalidInput(*as_message(path, mistakes))
     return kind
 
 
-def _system_of(raw: Any) -> tuple[Any, AbstractKind | None, list[Mistake]]:
+def _read_system(raw: Any) -> tuple[Any, AbstractKind | None, list[Mistake]]:
     """Return the table [system] in its long form, the kind that it names, and what is wrong with it."""
     raw = {"kind": raw} if isinstance(raw, str) else raw
     if isinstance(raw, dict):
@@ -160,13 +160,13 @@ def _system(kind: AbstractKind, raw: dict[str, Any]) -> tuple[SystemTable | None
     try:
         return kind.table.model_validate(raw), []
     except ValidationError as error:
-        return None, mistakes_of(error, kind.table, ("system",))
+        return None, list_mistakes(error, kind.table, ("system",))
 
 
-def _built_body(
+def _build_body(
     raw: Any, folder: Path, mistakes: list[Mistake]
 ) -> tuple[Body | None, list[tuple[Location, InvalidInput]]]:
-    """Return the body, or what of it no body has.
+    """Return the body, or the mistakes in its table.
 
     Beside mistakes, what is right in itself is tried on its own: each part, and the source of the body with its other
     keys as if they were right.
@@ -182,7 +182,7 @@ def _built_body(
     for k, part in enumerate(parts if isinstance(parts, list) else []):
         location = ("body", "parts", k)
         if clean(location):
-            errors += _tried(location, lambda part=part: build_part(PartTable.model_validate(part)))[1]
+            errors += _attempt(location, lambda part=part: build_part(PartTable.model_validate(part)))[1]
     sources = [key for key in SOURCES if key in raw]
     if errors or len(sources) != 1 or not clean(("body", sources[0])):
         return None, errors
@@ -191,10 +191,10 @@ def _built_body(
         kept = {"mesh_unit": "m", **kept}
         if ("mass" in kept) == ("density" in kept):
             kept = {key: value for key, value in kept.items() if key != "density"} | {"mass": "1 kg"}
-    return _tried(("body",), lambda: build_body(BodyTable.model_validate(kept), folder))
+    return _attempt(("body",), lambda: build_body(BodyTable.model_validate(kept), folder))
 
 
-def _tried(location: Location, build: Callable[[], Body]) -> tuple[Body | None, list[tuple[Location, InvalidInput]]]:
+def _attempt(location: Location, build: Callable[[], Body]) -> tuple[Body | None, list[tuple[Location, InvalidInput]]]:
     try:
         return build(), []
     except InvalidInput as error:

@@ -65,13 +65,13 @@ def default_kind() -> AbstractKind:
 
 
 def other_kind(subject: str, in_closed_form: bool) -> AbstractKind | None:
-    """Return the first kind that moves the same, in closed form or by steps, for a remedy to name; None without any."""
+    """Return another kind with the same subject, in closed form or by steps, for a remedy to name; None without one."""
     alike = (kind for kind in _importable() if kind.subject == subject != "")
     return next((kind for kind in alike if kind.in_closed_form == in_closed_form), None)
 
 
 def known_figures() -> set[str]:
-    """Return what the figures of all kinds are called that can be imported."""
+    """Return the names of the figures of all kinds that can be imported."""
     return {name for kind in _importable() for name in kind.figure_names}
 
 
@@ -84,7 +84,7 @@ def kind_of_source(source: Any) -> AbstractKind | None:
 
 
 def next_steps(spec: Spec) -> list[NextStep]:
-    """Return the commands to go on with from a report: those of its own kind, and what other kinds make of its body."""
+    """Return the commands that a report suggests: those of its own kind, and of other kinds that can use its body."""
     others = (kind for kind in _importable() if kind is not spec.kind)
     return [*spec.kind.next_steps(spec), *(step for kind in others for step in kind.offers(spec))]
 

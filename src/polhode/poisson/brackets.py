@@ -32,7 +32,7 @@ def bracket(algebra: AbstractLieAlgebra, F: Function, G: Function, sign: int = -
     >>> float(L3(jnp.array([1.0, 2.0, 5.0])))
     -5.0
     """
-    dF, dG, sign = differential(algebra, F), differential(algebra, G), _checked_sign(sign)
+    dF, dG, sign = differential(algebra, F), differential(algebra, G), _check_sign(sign)
 
     def value(mu: ArrayLike) -> Float64[Array, "..."]:
         mu = as_points(algebra, mu)
@@ -43,7 +43,7 @@ def bracket(algebra: AbstractLieAlgebra, F: Function, G: Function, sign: int = -
 
 def hamiltonian_field(algebra: AbstractLieAlgebra, H: Function, sign: int = -1) -> Function:
     """Return X_H: μ̇ = −sign · ad*_{dH} μ, as a function of points."""
-    dH, sign = differential(algebra, H), _checked_sign(sign)
+    dH, sign = differential(algebra, H), _check_sign(sign)
 
     def field(mu: ArrayLike) -> Double[Array, "..."]:
         mu = as_points(algebra, mu)
@@ -90,7 +90,7 @@ def poisson_tensor(
     mu, depth = as_points(algebra, mu), len(algebra.element_shape)
     basis = algebra.from_vector(jnp.eye(algebra.dim))
     rows = algebra.coadjoint(basis, jnp.expand_dims(mu, mu.ndim - depth))
-    return _checked_sign(sign) * algebra.to_dual_vector(rows)
+    return _check_sign(sign) * algebra.to_dual_vector(rows)
 
 
 def as_points(algebra: AbstractLieAlgebra, mu: ArrayLike) -> Double[Array, "..."]:
@@ -110,7 +110,7 @@ def as_points(algebra: AbstractLieAlgebra, mu: ArrayLike) -> Double[Array, "..."
     return mu
 
 
-def _checked_sign(sign: int) -> int:
+def _check_sign(sign: int) -> int:
     if sign not in (-1, 1):
         raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {shown(sign)}.")
     return sign

@@ -19,7 +19,7 @@ from polhode.types import Array, Float64, Integer
 AXES = ("A", "B", "C")
 
 
-def checked_names(rotor: Rotor, free: Sequence[str]) -> list[str]:
+def check_names(rotor: Rotor, free: Sequence[str]) -> list[str]:
     """Return names of constants that a rotor may have.
 
     Raises:
@@ -37,15 +37,15 @@ def checked_names(rotor: Rotor, free: Sequence[str]) -> list[str]:
     return list(free)
 
 
-def value_of(rotor: Rotor, name: str) -> float:
+def get_constant(rotor: Rotor, name: str) -> float:
     """Return a constant [Hz], zero if the rotor does not have it."""
     return float(rotor.constants[AXES.index(name)]) if name in AXES else float(rotor.distortion.get(name, 0.0))
 
 
-def tied(rotor: Rotor, name: str, free: Sequence[str]) -> list[str]:
+def find_tied(rotor: Rotor, name: str, free: Sequence[str]) -> list[str]:
     """Return the rotational constants that go with a free one: itself, and its equal in a symmetric top, if not free.
 
-    >>> tied(Rotor((9.0, 3.0, 3.0)), "B", ["B"]), tied(Rotor((9.0, 3.0, 3.0)), "B", ["B", "C"])
+    >>> find_tied(Rotor((9.0, 3.0, 3.0)), "B", ["B"]), find_tied(Rotor((9.0, 3.0, 3.0)), "B", ["B", "C"])
     (['B', 'C'], ['B'])
     """
     return [axis for axis in AXES if axis == name or ({axis, name} <= set(rotor.equal) and axis not in free)]
@@ -81,13 +81,13 @@ class LevelModel:
 
     def __init__(self, rotor: Rotor, names: list[str], labels: Integer[Array, "n 3"]) -> None:
         representation = rotor.representation or RIGID
-        together = {name: tied(rotor, name, names) if name in AXES else [name] for name in names}
-        terms = [[one for each in together[name] for one in _terms_of(rotor, each)] for name in names]
+        together = {name: find_tied(rotor, name, names) if name in AXES else [name] for name in names}
+        terms = [[one for each in together[name] for one in _make_terms(rotor, each)] for name in names]
         moved = {each for names in together.values() for each in names}
         rest = [
             (value * part, term)
             for name in (*AXES, *rotor.distortion) if name not in moved
-            for value in [value_of(rotor, name)] for part, term in _terms_of(rotor, name)
+            for value in [get_constant(rotor, name)] for part, term in _make_terms(rotor, name)
         ]  # fmt: skip
         self.count, self.size, self._blocks = len(labels), len(names), []
         for J in np.unique(labels[:, 0]).tolist():
@@ -114,7 +114,7 @@ class LevelModel:
         return energy, slope
 
 
-def _terms_of(rotor: Rotor, name: str) -> list[tuple[float, Term]]:
+def _make_terms(rotor: Rotor, name: str) -> list[tuple[float, Term]]:
     """Return ∂H/∂p."""
     if name in AXES:
         unit = [float(name == axis) for axis in AXES]

@@ -15,8 +15,8 @@ from scipy.optimize import least_squares
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged
-from polhode.quantum.derivatives import AXES, LevelModel, checked_names, once_each, tied, value_of
-from polhode.quantum.measured import MeasuredLines, Observations, checked_labels, observations
+from polhode.quantum.derivatives import AXES, LevelModel, check_names, find_tied, get_constant, once_each
+from polhode.quantum.measured import MeasuredLines, Observations, check_labels, observations
 from polhode.quantum.rotor import Rotor
 from polhode.types import Array, Float64, Integer
 
@@ -78,7 +78,7 @@ class RotorFit:
         Raises:
             InvalidInput: for labels that no level has.
         """
-        ends = checked_labels("upper", upper), checked_labels("lower", lower)
+        ends = check_labels("upper", upper), check_labels("lower", lower)
         frequency, slope, _ = _LineModel(self.rotor, list(self.names), *ends)(self.values)
         # by the scaled correlation: entries of the covariance differ by thirty powers of ten
         scaled = slope * self.sigma
@@ -114,12 +114,12 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str] | None = N
     if rotor.is_linear:
         raise InvalidInput("`rotor` must not be linear: its lines are a polynomial in J + 1, which `np.polyfit` fits.")
     seen = observations(lines)
-    names = once_each(rotor, checked_names(rotor, [*AXES, *rotor.distortion] if free is None else free))
+    names = once_each(rotor, check_names(rotor, [*AXES, *rotor.distortion] if free is None else free))
     if free is None:
-        names = _felt(rotor, names, seen)
+        names = _find_sensitive(rotor, names, seen)
     model = _LineModel(rotor, names, seen.upper, seen.lower)
-    start = np.array([value_of(rotor, name) for name in names])
-    _, scale, _, _ = _decomposed(*_at(model, seen, start)[1:], names)
+    start = np.array([get_constant(rotor, name) for name in names])
+    _, scale, _, _ = _decompose(*_at(model, seen, start)[1:], names)
 
     def residual(steps: Array) -> Array:
         return _at(model, seen, start + steps * scale)[0]
@@ -135,15 +135,15 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str] | None = N
     return _fit_at(rotor, names, values, model, seen)
 
 
-def _felt(rotor: Rotor, names: list[str], seen: Observations) -> list[str]:
+def _find_sensitive(rotor: Rotor, names: list[str], seen: Observations) -> list[str]:
     """Return the constants that change any line; all where none does, so that they are named as undetermined."""
     _, slope, size = _at(_LineModel(rotor, names, seen.upper, seen.lower), seen,
-                         np.array([value_of(rotor, name) for name in names]))  # fmt: skip
-    alone = _of_rounding(slope, size)
+                         np.array([get_constant(rotor, name) for name in names]))  # fmt: skip
+    alone = _is_rounding(slope, size)
     return [name for name, silent in zip(names, alone, strict=True) if not silent] or names
 
 
-def _of_rounding(slope: Array, size: Array) -> Array:
+def _is_rounding(slope: Array, size: Array) -> Array:
     """Whether derivatives by a constant (p,) are nothing but rounding."""
     return np.linalg.norm(slope, axis=0) <= ROUNDING * np.linalg.norm(size, axis=0)
 
@@ -169,14 +169,14 @@ def _at(model: _LineModel, seen: Observations, values: Array) -> tuple[Array, Ar
     return (seen.frequency - frequency) / seen.error, slope / error, size / error
 
 
-def _decomposed(slope: Array, size: Array, names: list[str]) -> tuple[Array, Array, Array, Array]:
+def _decompose(slope: Array, size: Array, names: list[str]) -> tuple[Array, Array, Array, Array]:
     """Return U, the scale, S and Vᵀ of slope · scale = U S Vᵀ, whose columns have length one.
 
     Raises:
         InvalidInput: naming constants without which S has no zeros.
     """
     length = np.linalg.norm(slope, axis=0)
-    alone = _of_rounding(slope, size)
+    alone = _is_rounding(slope, size)
     scale = 1.0 / np.where(alone, 1.0, length)
     few = len(slope) < len(names)  # only then does what no line determines need the whole of V
     U, S, V = np.linalg.svd(slope * scale * ~alone, full_matrices=few)
@@ -194,7 +194,7 @@ def _decomposed(slope: Array, size: Array, names: list[str]) -> tuple[Array, Arr
 
 def _fit_at(rotor: Rotor, names: list[str], values: Array, model: _LineModel, seen: Observations) -> RotorFit:
     weighted, slope, size = _at(model, seen, values)
-    U, scale, S, V = _decomposed(slope, size, names)
+    U, scale, S, V = _decompose(slope, size, names)
     spread = (V.T / S) * scale[:, None]
     sigma = np.linalg.norm(spread, axis=1)
     unit = spread / sigma[:, None]
@@ -211,7 +211,7 @@ def _with(rotor: Rotor, names: list[str], values: Array) -> Rotor:
     """Return the rotor with other constants."""
     fitted = dict(zip(names, values.tolist(), strict=True))
     axes = dict(zip(AXES, rotor.constants, strict=True))
-    axes |= {axis: fitted[name] for name in names if name in AXES for axis in tied(rotor, name, names)}
+    axes |= {axis: fitted[name] for name in names if name in AXES for axis in find_tied(rotor, name, names)}
     A, B, C = axes.values()
     if not A >= B >= C >= 0.0:
         raise InvalidInput(

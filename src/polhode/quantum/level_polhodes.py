@@ -14,7 +14,7 @@ import numpy as np
 
 from polhode.quantum.orbits import orbit
 from polhode.quantum.rotor import Rotor, equal_constants
-from polhode.quantum.semiclassics import LOWEST_SECOND, doublet_splitting, quantised, without_casimir
+from polhode.quantum.semiclassics import LOWEST_SECOND, doublet_splitting, quantise, without_casimir
 from polhode.types import Array, Bool, Float64, Integer
 
 
@@ -73,7 +73,7 @@ def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhod
     G, (rest, d) = J + 0.5, without_casimir(constants)
     shared = d * J * (J + 1.0)
     exact = Rotor(rest).levels_of(J)
-    found, _, _ = quantised(rest, J, 2 if J >= LOWEST_SECOND else 1)
+    found, _, _ = quantise(rest, J, 2 if J >= LOWEST_SECOND else 1)
     step = np.full(2 * J + 1, np.nan)
     step[:-2] = exact.energy[2:] - exact.energy[:-2]  # every second level is of the same ladder
     between = exact.energy[:-2] + 0.5 * step[:-2]

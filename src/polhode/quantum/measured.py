@@ -44,7 +44,7 @@ class Observations(NamedTuple):
         return total
 
 
-def checked_labels(name: str, labels: Array) -> Integer[Array, "n 3"]:
+def check_labels(name: str, labels: Array) -> Integer[Array, "n 3"]:
     """Return levels' labels.
 
     Raises:
@@ -71,7 +71,7 @@ def observations(lines: MeasuredLines) -> Observations:
         InvalidInput: for labels that no level has, numbers that are not finite, errors and weights that are not
             positive, and arrays of other lengths.
     """
-    upper, lower = checked_labels("upper", lines.upper), checked_labels("lower", lines.lower)
+    upper, lower = check_labels("upper", lines.upper), check_labels("lower", lines.lower)
     given = {"frequency": lines.frequency, "error": lines.error}
     given["weight"] = np.ones(len(upper)) if lines.weight is None else lines.weight
     if not len(upper):

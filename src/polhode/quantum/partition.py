@@ -16,7 +16,7 @@ THERMAL = constants.k / constants.h  # Hz/K
 NEGLIGIBLE = 45.0  # of E/kT: e^−45 = 3e-20
 
 
-def checked_temperature(temperature: Real[ArrayLike, "*batch"]) -> Float64[Array, "*batch"]:
+def check_temperature(temperature: Real[ArrayLike, "*batch"]) -> Float64[Array, "*batch"]:
     """Return temperatures (…) [K].
 
     Raises:

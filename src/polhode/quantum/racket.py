@@ -22,7 +22,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body import FreeMotion
 from polhode.quantum.operators import Representation, matrix_elements, rigid_terms
 from polhode.quantum.orbits import orbit
-from polhode.quantum.rotor import Rotor, checked_j, equal_constants
+from polhode.quantum.rotor import Rotor, check_j, equal_constants
 from polhode.quantum.spin import coherent_state
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
@@ -93,7 +93,7 @@ class Racket:
                 f"`constants` must be three different ones, A > B > C > 0; got {A:g}, {B:g}, {C:g}. A symmetric body "
                 "has no middle axis."
             )
-        self.constants, self.J = (A, B, C), checked_j("J", J)
+        self.constants, self.J = (A, B, C), check_j("J", J)
         if not 1 <= self.J <= LARGEST_J:
             raise InvalidInput(f"`J` must be from 1 to {LARGEST_J:,}; got {self.J}.")
         if not 0.0 <= tilt <= STEEPEST:
@@ -143,7 +143,7 @@ class Racket:
         Raises:
             InvalidInput: for times that are not finite.
         """
-        t = _checked_times(times)
+        t = _check_times(times)
         found = np.zeros(len(t))
         for chain in self._chains:
             # phases as parts of a turn, since energies in Hz may be large
@@ -164,7 +164,7 @@ class Racket:
         Raises:
             InvalidInput: for times that are not finite.
         """
-        t = _checked_times(times)
+        t = _check_times(times)
         found = np.zeros((len(t), 2 * self.J + 1), complex)
         for chain in self._chains:
             phases = np.exp(2j * math.pi * np.remainder(np.multiply.outer(t, chain.energy), 1.0))
@@ -213,7 +213,7 @@ class Racket:
             if np.abs(psi).max() > 0.0:
                 K = np.arange(self.J - first, -self.J - 1, -2.0)
                 diagonal = matrix_elements(terms, self.J, K, 0)
-                energy, vectors = _diagonalised(diagonal - middle, matrix_elements(terms, self.J, K[1:], 1))
+                energy, vectors = _diagonalise(diagonal - middle, matrix_elements(terms, self.J, K[1:], 1))
                 found.append(Chain(K, energy, vectors, vectors.T @ psi))
         return found
 
@@ -227,7 +227,7 @@ class Racket:
         Raises:
             InvalidInput: for times that are not finite.
         """
-        return self._moved(self.direction[None], _checked_times(times))[0]
+        return self._simulate(self.direction[None], _check_times(times))[0]
 
     @known_numbers_only
     def ensemble(self, times: Real[ArrayLike, "time"], members: int = MEMBERS) -> Float64[Array, "time"]:
@@ -246,7 +246,7 @@ class Racket:
         """
         if isinstance(members, bool) or not isinstance(members, int | np.integer) or members < 10:
             raise InvalidInput(f"`members` must be a whole number of at least 10; got {shown(members)}.")
-        t = _checked_times(times)
+        t = _check_times(times)
         index = np.arange(members)
         share = ((index + 0.5) / members) ** (1.0 / (4.0 * self.J + 1.0))
         around, polar = 2.0 * math.pi * np.remainder(index * GOLDEN, 1.0), 2.0 * np.arcsin(np.sqrt(1.0 - share))
@@ -255,7 +255,7 @@ class Racket:
         second = np.cross(third, middle)
         beside = np.outer(np.cos(around), second) + np.outer(np.sin(around), third)
         units = np.cos(polar)[:, None] * middle + np.sin(polar)[:, None] * beside
-        return self._moved(units, t).mean(axis=0) * self._G / self.J
+        return self._simulate(units, t).mean(axis=0) * self._G / self.J
 
     @property
     def _energy(self) -> float:
@@ -267,21 +267,21 @@ class Racket:
         A, B, C = self.constants
         return abs(self._energy / self._G**2 - B) < 1e-12 * (A - C)
 
-    def _moved(self, units: Float64[Array, "n 3"], times: Float64[Array, "time"]) -> Float64[Array, "n time"]:
+    def _simulate(self, units: Float64[Array, "n 3"], times: Float64[Array, "time"]) -> Float64[Array, "n time"]:
         """Return L_b/|L| (n, T) of free bodies, whose energies E/ħ are 2π times the constants times L²."""
         moments = 1.0 / (4.0 * math.pi * np.array(self.constants))
         motion: Any = FreeMotion(moments, momentum=(self._G * units)[:, None, :])
         return np.asarray(motion.momentum(times))[..., 1] / self._G
 
 
-def _diagonalised(diagonal: Array, beside: Array) -> tuple[Array, Array]:
+def _diagonalise(diagonal: Array, beside: Array) -> tuple[Array, Array]:
     if len(diagonal) == 1:
         return diagonal, np.ones((1, 1))
     found: Any = eigh_tridiagonal(diagonal, beside)
     return found
 
 
-def _checked_times(times: Any) -> Array:
+def _check_times(times: Any) -> Array:
     refuse_single_precision(times=times)
     t = np.asarray(times, dtype=float)
     if t.ndim != 1 or not np.isfinite(t).all():

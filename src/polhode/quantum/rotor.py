@@ -15,8 +15,8 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.quantum import wang
 from polhode.quantum.operators import Reduction, Representation, Term, distortion_terms, rigid_terms
-from polhode.quantum.partition import THERMAL, checked_temperature, partition_sum
-from polhode.quantum.strengths import EINSTEIN, INTENSITY, Lines, lines_between, states_of
+from polhode.quantum.partition import THERMAL, check_temperature, partition_sum
+from polhode.quantum.strengths import EINSTEIN, INTENSITY, Lines, compute_states, lines_between
 from polhode.types import Array, ArrayLike, Bool, Float64, Integer, Real
 
 Kind = TypeVar("Kind", bound=enum.Enum)
@@ -99,7 +99,7 @@ class Rotor:
         spin_axis: str = "b",
     ) -> None:
         refuse_single_precision(constants=constants, dipole=dipole)
-        self.constants = _checked_constants(constants)
+        self.constants = _check_constants(constants)
         self.reduction = _member(Reduction, "reduction", reduction)
         self.representation = _member(Representation, "representation", representation)
         self.distortion = dict(distortion or {})
@@ -111,7 +111,7 @@ class Rotor:
         self.dipole = np.asarray(dipole, float)
         if self.dipole.shape != (3,) or not np.isfinite(self.dipole).all():
             raise InvalidInput(f"`dipole` must be three finite numbers along a, b, c [C m]; got {shown(dipole)}.")
-        self.spin_weights, self.spin_axis = _checked_spins(spin_weights, spin_axis)
+        self.spin_weights, self.spin_axis = _check_spins(spin_weights, spin_axis)
 
     @classmethod
     def from_body(cls, body: Body, **options: object) -> Rotor:
@@ -154,18 +154,18 @@ class Rotor:
         Raises:
             InvalidInput: for a J that is not a whole number, negative, or above 10,000.
         """
-        first, last = (checked_j(name, J) for name, J in (("j_min", j_min), ("j_max", j_max)))
+        first, last = (check_j(name, J) for name, J in (("j_min", j_min), ("j_max", j_max)))
         if first > last:
             raise InvalidInput(f"`j_min` must not be above `j_max`; got {first} and {last}.")
-        return joined([self.levels_of(J) for J in range(first, last + 1)])
+        return join_levels([self.levels_of(J) for J in range(first, last + 1)])
 
     def levels_of(self, J: int) -> Levels:
         """Return the 2J + 1 levels of one J, ascending as the labels of a rigid rotor do."""
-        J = checked_j("J", J)
+        J = check_j("J", J)
         if self.is_linear:
             j = J * (J + 1.0)
             energy = sum(value * term.sign * j**term.of_J for value, term in self._terms)
-            return self._weighted(np.array([J]), np.array([0]), np.array([J]), np.array([energy]))
+            return self._weigh_levels(np.array([J]), np.array([0]), np.array([J]), np.array([energy]))
         representation = self.representation or RIGID
         found = []
         for block in wang.blocks(J):
@@ -173,7 +173,7 @@ class Rotor:
             found.append((*wang.labels(J, block, representation), energy))
         Ka, Kc, energy = (np.concatenate(parts) for parts in zip(*found, strict=True))
         order = np.lexsort((-Kc, Ka))
-        return self._weighted(np.full(2 * J + 1, J), Ka[order], Kc[order], energy[order])
+        return self._weigh_levels(np.full(2 * J + 1, J), Ka[order], Kc[order], energy[order])
 
     @known_numbers_only
     def partition_function(self, temperature: Real[ArrayLike, "*batch"]) -> Float64[Array, "*batch"]:
@@ -185,7 +185,7 @@ class Rotor:
         Raises:
             InvalidInput: for temperatures that are not positive, or a rotor with C = 0, whose levels never end.
         """
-        values = checked_temperature(temperature)
+        values = check_temperature(temperature)
         if self.constants[2] == 0.0:
             raise InvalidInput("a rotor with C = 0 has no partition function: infinitely many levels lie below any.")
 
@@ -215,22 +215,22 @@ class Rotor:
         >>> (found.frequency / 1e9).round(6).tolist(), found.upper.tolist(), found.lower.tolist()
         ([18.0, 36.0], [[1, 1, 0], [1, 1, 1]], [[1, 0, 1], [0, 0, 0]])
         """
-        highest = checked_j("j_max", j_max)
+        highest = check_j("j_max", j_max)
         if not self.dipole.any():
             raise InvalidInput("`dipole` must not be zero: a rotor without a dipole has no dipole lines.")
         if self.is_linear:
-            return self._weighed(_linear_lines(self, highest), temperature)
+            return self._weigh_lines(_linear_lines(self, highest), temperature)
         representation = self.representation or RIGID
-        parts, low = [], states_of(self._terms, 0, representation)
+        parts, low = [], compute_states(self._terms, 0, representation)
         for J in range(highest + 1):
             parts.append(lines_between(low, low, self.dipole, representation))
             if J < highest:
-                high = states_of(self._terms, J + 1, representation)
+                high = compute_states(self._terms, J + 1, representation)
                 parts.append(lines_between(low, high, self.dipole, representation))
                 low = high
-        return self._weighed(tuple(np.concatenate(x) for x in zip(*parts, strict=True)), temperature)
+        return self._weigh_lines(tuple(np.concatenate(x) for x in zip(*parts, strict=True)), temperature)
 
-    def _weighed(self, found: tuple[Array, ...], temperature: float | None) -> Lines:
+    def _weigh_lines(self, found: tuple[Array, ...], temperature: float | None) -> Lines:
         """Return lines by frequency, with what temperature and spins make of them."""
         order = np.argsort(found[2], kind="stable")
         upper, lower, frequency, strength, energy = (x[order] for x in found)
@@ -238,11 +238,11 @@ class Rotor:
         einstein = EINSTEIN * frequency**3 * strength / (2 * upper[:, 0] + 1)
         intensity = np.full(len(order), np.nan)
         if temperature is not None:
-            kT = THERMAL * float(checked_temperature(temperature))
-            if (said := below_ground(lower[:, 0], energy)) is not None:
+            kT = THERMAL * float(check_temperature(temperature))
+            if (said := warn_of_fallen(lower[:, 0], energy)) is not None:
                 warnings.warn(said, stacklevel=4)
             share = np.exp(-np.maximum(energy, 0.0) / kT) * -np.expm1(-frequency / kT)
-            share[fallen(lower[:, 0], energy)] = 0.0
+            share[find_fallen(lower[:, 0], energy)] = 0.0
             intensity = INTENSITY * frequency * weight * strength * share / self.partition_function(temperature)
         return Lines(upper, lower, frequency, strength, energy, weight, intensity, einstein)
 
@@ -252,7 +252,7 @@ class Rotor:
             return [(0.5 * (B + C), Term(1.0, 1, 0))]
         return rigid_terms((A, B, C), self.representation or RIGID)
 
-    def _weighted(self, J: Array, Ka: Array, Kc: Array, energy: Array) -> Levels:
+    def _weigh_levels(self, J: Array, Ka: Array, Kc: Array, energy: Array) -> Levels:
         return Levels(J, Ka, Kc, energy, self._spin_weight(Ka, Kc))
 
     def _spin_weight(self, Ka: Array, Kc: Array) -> Array:
@@ -276,9 +276,9 @@ def equal_constants(constants: tuple[float, float, float]) -> str:
     return "AB" if A - B <= SYMMETRIC * (A - C) else ""
 
 
-def below_ground(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> str | None:
+def warn_of_fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> str | None:
     """Return what is to be said of levels below the ground state, as no rigid body has them; None without any."""
-    wrong = fallen(J, energy)
+    wrong = find_fallen(J, energy)
     if not wrong.any():
         return None
     return (
@@ -287,18 +287,18 @@ def below_ground(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> str | N
     )
 
 
-def fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> Bool[Array, "n"]:
+def find_fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> Bool[Array, "n"]:
     """Return which levels are of a J from the first on of which one lies below the ground state, whose energy is 0."""
     below = energy < -RUNAWAY * np.abs(energy).max(initial=0.0)
     return J >= J[below].min() if below.any() else below
 
 
-def joined(parts: list[Levels]) -> Levels:
+def join_levels(parts: list[Levels]) -> Levels:
     """Return levels one behind the other."""
     return Levels(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
-def checked_j(name: str, J: int) -> int:
+def check_j(name: str, J: int) -> int:
     """Return a whole J.
 
     Raises:
@@ -310,7 +310,7 @@ def checked_j(name: str, J: int) -> int:
     return int(J)
 
 
-def _checked_constants(constants: Array) -> tuple[float, float, float]:
+def _check_constants(constants: Array) -> tuple[float, float, float]:
     try:
         values = np.asarray(constants, float)
     except (TypeError, ValueError):
@@ -343,7 +343,7 @@ def _member(kind: type[Kind], name: str, value: Any) -> Kind | None:
     return kind[value]
 
 
-def _checked_spins(weights: tuple[float, float], axis: str) -> tuple[tuple[float, float], str]:
+def _check_spins(weights: tuple[float, float], axis: str) -> tuple[tuple[float, float], str]:
     try:
         even, odd = (float(x) for x in weights)
     except (TypeError, ValueError):

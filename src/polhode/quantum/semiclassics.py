@@ -21,7 +21,7 @@ from scipy.special import loggamma
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.quantum.orbits import Three, orbit
-from polhode.quantum.rotor import Rotor, checked_j, equal_constants
+from polhode.quantum.rotor import Rotor, check_j, equal_constants
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
 REST = 1e-3  # of A − C: what C becomes when d J² is taken out of H
@@ -69,7 +69,7 @@ def semiclassical_levels(constants: Real[ArrayLike, "3"], J: int, order: int = 2
     (1083.7342, 1083.7274)
     """
     checked = _asymmetric(constants)
-    J = checked_j("J", J)
+    J = check_j("J", J)
     if order not in (1, 2) or (order == 2 and J < LOWEST_SECOND):
         raise InvalidInput(
             f"`order` must be 1, or 2 for J of at least {LOWEST_SECOND}; got {shown(order)} at J = {J}. Take the exact "
@@ -77,13 +77,13 @@ def semiclassical_levels(constants: Real[ArrayLike, "3"], J: int, order: int = 2
         )
     index = np.arange(2 * J + 1)
     Ka, Kc = (index + 1) // 2, J - index // 2
-    found, period, roomless = quantised(checked, J, order)
+    found, period, roomless = quantise(checked, J, order)
     if order == 2:
         _warn_of_no_room(checked, J + 0.5, roomless)
     return SemiclassicalLevels(Ka, Kc, found, period)
 
 
-def quantised(
+def quantise(
     constants: Three, J: int, order: int
 ) -> tuple[Float64[Array, "n"], Float64[Array, "n"], int]:
     """Return energies and periods (2J+1,) of levels, and how many of order 2 are of order 1, without room for it.
@@ -173,7 +173,7 @@ def doublet_splitting(
     Source: Harter & Patterson, J. Chem. Phys. 80 (1984) 4241.
     """
     checked = _asymmetric(constants)
-    G = checked_j("J", J) + 0.5
+    G = check_j("J", J) + 0.5
     rest, d = without_casimir(checked)
     values = np.asarray(energy, float) - d * J * (J + 1.0)
     if not ((values > rest[2] * G * G) & (values < rest[0] * G * G)).all():
@@ -190,7 +190,7 @@ def phase(
     if order == 1:
         at = orbit(constants, G, energy)
         epsilon = -at.barrier / math.pi
-        return at.action + _mending(epsilon, 0.0 * epsilon), _tunnelling(epsilon)
+        return at.action + _phase_correction(epsilon, 0.0 * epsilon), _tunnelling_phase(epsilon)
     A, B, C = constants
     saddle, width = B * G * G, AT_SADDLE * min(A - B, B - C) * G * G
     off = (energy - saddle) / width
@@ -209,17 +209,17 @@ def _second(constants: Three, G: float, energy: Array) -> tuple[Array, Array]:
     small = first * logarithm - first + second * logarithm + 1.0 / (24.0 * first)
     large = epsilon * np.log(np.abs(epsilon)) - epsilon + 1.0 / (24.0 * epsilon)
     mended = np.where(np.abs(first) < SERIES * G, small, large) - _gamma_phase(epsilon)
-    return at.action + at.action_correction + mended, _tunnelling(epsilon)
+    return at.action + at.action_correction + mended, _tunnelling_phase(epsilon)
 
 
-def _mending(epsilon: Array, at_zero: Array) -> Array:
+def _phase_correction(epsilon: Array, at_zero: Array) -> Array:
     """Return φ = ε ln|ε| − ε − Im ln Γ(½ + iε), zero at ε = 0."""
     nonzero = epsilon != 0.0
     safe = np.where(nonzero, epsilon, 1.0)
     return np.where(nonzero, safe * np.log(np.abs(safe)) - safe - _gamma_phase(safe), at_zero)
 
 
-def _tunnelling(epsilon: Array) -> Array:
+def _tunnelling_phase(epsilon: Array) -> Array:
     """Return δ = arctan e^{−πε}."""
     with np.errstate(over="ignore"):
         return np.arctan(np.exp(-math.pi * epsilon))
@@ -235,17 +235,17 @@ def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -
     low, high = C * G * G, A * G * G
     inset = NEAR_ENDS * (high - low)
 
-    def missing(energy: Array, n: Array, sign: Array, order: int) -> Array:
+    def phase_defect(energy: Array, n: Array, sign: Array, order: int) -> Array:
         found, delta = phase(constants, G, energy, order)
         return found - sign * delta - math.pi * n
 
     ends = np.full(len(quanta), low + inset), np.full(len(quanta), high - inset)
-    first = elementwise.find_root(lambda e, n, s: missing(e, n, s, 1), ends, args=(quanta, sign)).x
+    first = elementwise.find_root(lambda e, n, s: phase_defect(e, n, s, 1), ends, args=(quanta, sign)).x
     if order == 1:
         return first, 0
     spacing = 2.0 * math.pi / orbit(constants, G, first).period
     ends = np.maximum(first - 0.45 * spacing, ends[0]), np.minimum(first + 0.05 * spacing, ends[1])
-    second = elementwise.find_root(lambda e, n, s: missing(e, n, s, 2), ends, args=(quanta, sign))
+    second = elementwise.find_root(lambda e, n, s: phase_defect(e, n, s, 2), ends, args=(quanta, sign))
     # nearly symmetric rotors of low J have no room for the expansion next to their saddle
     return np.where(second.success, second.x, first), int((~second.success).sum())
 

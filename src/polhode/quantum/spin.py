@@ -38,11 +38,11 @@ def spin_matrices(s: float) -> Complex128[Array, "3 n n"]:
     m = magnetic_numbers(s)
     if s > LARGEST_SPIN:
         raise InvalidInput(f"`s` must be at most {LARGEST_SPIN:g} for dense matrices; got {shown(s)}.")
-    up = np.diag(raising(s, m[1:]), 1)
+    up = np.diag(raising_elements(s, m[1:]), 1)
     return np.array([0.5 * (up + up.T), -0.5j * (up - up.T), np.diag(m)])
 
 
-def raising(s: float, m: Float64[Array, "k"]) -> Float64[Array, "k"]:
+def raising_elements(s: float, m: Float64[Array, "k"]) -> Float64[Array, "k"]:
     """Return ⟨m+1|S₊|m⟩ = √((s−m)(s+m+1)), the product form, which does not cancel."""
     return np.sqrt((s - m) * (s + m + 1.0))
 

@@ -58,7 +58,7 @@ class States(NamedTuple):
     vectors: Float64[Array, "n n"]
 
 
-def states_of(terms: list[tuple[float, Term]], J: int, representation: Representation) -> States:
+def compute_states(terms: list[tuple[float, Term]], J: int, representation: Representation) -> States:
     """Return levels and states of one J, by label."""
     parts = []
     for block in wang.blocks(J):

@@ -90,10 +90,10 @@ def symbol(
     n = unit_vectors("directions", directions)
     coefficients = symbol_coefficients(operator, kind)
     theta, phi = np.arctan2(np.hypot(n[..., 0], n[..., 1]), n[..., 2]), np.arctan2(n[..., 1], n[..., 0])
-    return summed(coefficients, theta, phi)
+    return sum_harmonics(coefficients, theta, phi)
 
 
-def summed(coefficients: Array, colatitude: Array, azimuth: Array) -> Complex128[Array, "..."]:
+def sum_harmonics(coefficients: Array, colatitude: Array, azimuth: Array) -> Complex128[Array, "..."]:
     """Return Σ c_kq Y_kq at angles that broadcast, those of a grid as (n, 1) and (1, m), which is quickest.
 
     Args:

@@ -1,4 +1,4 @@
-"""From answers to text and JSON: what a report is, and the words that all of them share."""
+"""Reports: how answers become text and JSON, and the wording that all reports share."""
 
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport, SystemReport

@@ -23,8 +23,8 @@ def about_body(body: Body, of_moments: str = "") -> Group:
     """Return the mass properties.
 
     Args:
-        body: whose.
-        of_moments: what else must be known of the principal moments and axes.
+        body: the body described.
+        of_moments: what else to explain about the principal moments and axes.
     """
     size = math.sqrt(max(body.principal_moments)) / math.sqrt(body.mass) if body.mass else 0.0
     center, moments = body.center_of_mass, body.principal_moments
@@ -57,7 +57,7 @@ def about_axes(name: str, axes: Float64[Array, "3 3"], explanation: str = "") ->
 
 
 def accuracy(trajectory: Trajectory, label: str = "drift") -> list[Answer]:
-    """Return how well the motion keeps what it should, and how far its states may be from the true ones."""
+    """Return how well the motion conserves its invariants, and an estimate of the error of its states."""
     error = trajectory.error_estimate
     words = None if error is None or not np.isfinite(error) else f"{float(error):.1e}"
     return [
@@ -118,7 +118,7 @@ def verdicts(
     Args:
         name: in the JSON.
         title: above the table.
-        head: of the column that says what a verdict is on.
+        head: heading of the column that names the subject of each verdict.
         cell: that column, from the values of a row.
         rows: the values, those of ``stability_values`` among them.
         units: of the values, that of the rate apart.

@@ -1,4 +1,4 @@
-"""Answers as data: values with name, unit and label, from which the text, the JSON and the units in it follow."""
+"""Answers as data: values with name, unit and label, from which text, JSON and units are made."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.reports.wording import worded
+from polhode.reports.wording import write_value
 
 
 class Answer(NamedTuple):
-    """One thing that a report says.
+    """One value in a report.
 
     Attributes:
         name: its place in the JSON, a dot between levels: "rotor.moment". Empty for what is only said in the text.
@@ -35,7 +35,7 @@ class Answer(NamedTuple):
         """The value for people; None where there is nothing to say."""
         if isinstance(self.value, float) and math.isnan(self.value):
             return None
-        return worded(self.value, self.unit) if self.text is None else self.text
+        return write_value(self.value, self.unit) if self.text is None else self.text
 
 
 class Group(NamedTuple):
@@ -84,10 +84,10 @@ class Table(NamedTuple):
         return self._replace(columns={**self.columns, **self.proofs})
 
 
-def values_of(groups: Iterable[Group | Table]) -> dict[str, Any]:
+def collect_values(groups: Iterable[Group | Table]) -> dict[str, Any]:
     """Return the answers by name, levels as nested dictionaries."""
     found: dict[str, Any] = {}
-    for name, value in _named(groups):
+    for name, value in _list_named(groups):
         *parents, last = name.split(".")
         level = found
         for parent in parents:
@@ -97,7 +97,7 @@ def values_of(groups: Iterable[Group | Table]) -> dict[str, Any]:
     return found
 
 
-def units_of(groups: Iterable[Group | Table]) -> dict[str, str]:
+def collect_units(groups: Iterable[Group | Table]) -> dict[str, str]:
     """Return the units by the names of the answers, explanations after them."""
     found: dict[str, str] = {}
     for group in groups:
@@ -112,7 +112,7 @@ def units_of(groups: Iterable[Group | Table]) -> dict[str, str]:
     return found
 
 
-def _named(groups: Iterable[Group | Table]) -> Iterator[tuple[str, Any]]:
+def _list_named(groups: Iterable[Group | Table]) -> Iterator[tuple[str, Any]]:
     for group in groups:
         if isinstance(group, Group):
             yield from ((answer.name, answer.value) for answer in group.answers if answer.name)

@@ -22,12 +22,12 @@ Drawings = Mapping[str, "Callable[[Any], Figure | None]"]
 
 @dataclass(frozen=True, kw_only=True)
 class SystemReport(Report):
-    """What a spec's system is like.
+    """A report on the system of a spec.
 
     Attributes:
         kind: the system, as a spec names it.
         name: what the spec calls it.
-        drawings: returns what draws each figure from the report; both are filled in by ``Spec.report``.
+        drawings: returns the functions that draw the figures; ``Spec.report`` fills in name and drawings.
     """
 
     kind: ClassVar[str]
@@ -39,8 +39,8 @@ class SystemReport(Report):
         return {name: partial(draw, self) for name, draw in drawings.items()}
 
 
-def left_out(kind: type) -> Any:
-    """Return what stands for an object of a class in a report of which no answer that takes it is asked."""
+def make_placeholder(kind: type) -> Any:
+    """Return a placeholder for an object that a partial report does not need; any use of it is an error."""
 
     class LeftOut(kind):
         def __getattribute__(self, name: str) -> Any:
@@ -51,7 +51,7 @@ def left_out(kind: type) -> Any:
     return tuple.__new__(LeftOut) if issubclass(kind, tuple) else object.__new__(LeftOut)
 
 
-WITHOUT_MOTION: Trajectory = left_out(Trajectory)
+WITHOUT_MOTION: Trajectory = make_placeholder(Trajectory)
 
 
 class MotionReport(SystemReport):
@@ -74,17 +74,17 @@ class MotionReport(SystemReport):
 
     @property
     def shown(self) -> Trajectory:
-        """The motion as it is to be watched: all of it, or a part with samples close enough."""
+        """The motion for figures and pages: all of it, or a part that is sampled closely enough."""
         return self.trajectory
 
     @property
     def shown_part(self) -> str:
-        """Which part of the motion that is, as a sentence; empty for all of it, or where it goes without saying."""
+        """A sentence that says which part of the motion ``shown`` is; empty where it is all of it."""
         return ""
 
     @property
     def mechanics(self) -> Mechanics | None:
-        """What energy and momentum of an attitude history of this body are made of; None where it tells no energy."""
+        """The mechanics from which energy and momentum of an attitude history follow; None where there is no energy."""
         return None
 
     def as_json_dict(self) -> dict[str, Any]:

@@ -123,12 +123,12 @@ def duration(seconds: float) -> str:
     """
     for size, unit in DURATIONS:
         if seconds < 2.0 * size:
-            return f"{_rounded(seconds)} {unit}"
+            return f"{_round(seconds)} {unit}"
         seconds /= size
-    return f"{_rounded(seconds)} years"
+    return f"{_round(seconds)} years"
 
 
-def _rounded(value: float) -> str:
+def _round(value: float) -> str:
     """Return two digits of a number, written out up to a million."""
     return f"{float(f'{value:.2g}'):,.0f}" if 100.0 <= value < 1e6 else f"{value:.2g}"
 

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from polhode.errors import InvalidInput, printable, shown
 from polhode.formats.figure_file import save_figure
-from polhode.formats.opening import files_recorded
-from polhode.formats.paths import as_path, written_together
-from polhode.reports.answer import Group, Table, plain, units_of, values_of
+from polhode.formats.opening import record_files
+from polhode.formats.paths import as_path, write_together
+from polhode.reports.answer import Group, Table, collect_units, collect_values, plain
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -22,17 +22,17 @@ if TYPE_CHECKING:
 
 
 class Report(abc.ABC):
-    """What was found out about something: in words, as values by name, in figures and in a file of data.
+    """The results of one question: as text, as values by name, as figures and as a data file.
 
     A notebook shows it as it is; ``values`` has its numbers, ``json`` a text for other programs.
 
     Attributes:
-        name: of what it is about.
+        name: of its subject.
         kind: of report, like "tumble"; of one on a spec, the system that moves.
         trajectory: the motion, where there is one.
-        determined: whether the question could be answered.
+        determined: whether the data sufficed to answer the question.
         data_file: name of the file that ``write`` saves the data under; empty where there are none.
-        inputs: the files that it was made from, which are not written over.
+        inputs: the files that it was made from; they are never overwritten.
 
     >>> import polhode as ph
     >>> found = ph.tumble("apophis")
@@ -67,11 +67,11 @@ class Report(abc.ABC):
 
     @property
     def notes(self) -> Sequence[str]:
-        """What a reader should know in addition to the numbers."""
+        """Caveats that a reader should know besides the numbers."""
         return ()
 
     def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
-        """Return what draws each figure, by its name; it draws None where there is nothing to see."""
+        """Return the functions that draw the figures, by name; one returns None where there is nothing to draw."""
         return {}
 
     def save(self, path: str | Path) -> Path:
@@ -92,17 +92,17 @@ class Report(abc.ABC):
 
     def values(self) -> dict[str, Any]:
         """Return the answers by name, levels as nested dictionaries, SI units, arrays and infinite numbers included."""
-        return values_of(self.answers)
+        return collect_values(self.answers)
 
     def units(self) -> dict[str, str]:
         """Return the units by the names of the answers, explanations after them."""
-        return units_of(self.answers)
+        return collect_units(self.answers)
 
     def as_json_dict(self) -> dict[str, Any]:
         """Return all of it as plain lists, numbers, strings and None; undefined or infinite numbers are None."""
         answers = self.answers
         head = {"name": self.name, "kind": self.kind, "summary": self.summary}
-        return plain({**head, **values_of(answers), "units": self.units(), "notes": list(self.notes)})
+        return plain({**head, **collect_values(answers), "units": self.units(), "notes": list(self.notes)})
 
     def json(self) -> str:
         """Return the same as a text in ASCII."""
@@ -151,7 +151,7 @@ class Report(abc.ABC):
         place = as_path("folder", folder)
         if self.data_file and any(one.resolve() == (place / self.data_file).resolve() for one in self.inputs):
             raise InvalidInput(f"{place / self.data_file}: is a file that was read. Name another folder.")
-        with written_together(place) as draft:
+        with write_together(place) as draft:
             written = self.draw(draft, *forms)
             if self.data_file:
                 written.append(self._write_data(draft / self.data_file))
@@ -159,26 +159,26 @@ class Report(abc.ABC):
 
     def _repr_html_(self) -> str:
         """Return the text as a notebook shows it."""
-        parts = [f"<b>{_escaped(self.name)}</b>", f"<p>{_escaped(self.summary)}</p>" if self.summary else ""]
+        parts = [f"<b>{_escape(self.name)}</b>", f"<p>{_escape(self.summary)}</p>" if self.summary else ""]
         for group in self.answers:
             head = list(group.columns) if isinstance(group, Table) else []
             rows = group.cells if isinstance(group, Table) else group.lines
             if rows:
                 parts.append(_html_table(group.title, head, rows))
-        return "".join([*parts, *(f"<p><i>Note: {_escaped(note)}</i></p>" for note in self.notes)])
+        return "".join([*parts, *(f"<p><i>Note: {_escape(note)}</i></p>" for note in self.notes)])
 
 
 ReportT = TypeVar("ReportT", bound=Report)
 
 
 class StudyReport(Report):
-    """A report on something else than one motion."""
+    """A report whose subject is not a single motion."""
 
     trajectory: Trajectory | None = None
 
 
 class PlainReport(StudyReport):
-    """A report whose parts are given."""
+    """A report made from given parts."""
 
     def __init__(
         self, name: str, kind: str, summary: str, answers: Sequence[Group | Table], notes: Sequence[str] = (),
@@ -206,17 +206,17 @@ class PlainReport(StudyReport):
 
 def with_inputs(make: Callable[[], ReportT]) -> ReportT:
     """Return what ``make`` returns, with the files that it read meanwhile as its ``inputs``."""
-    with files_recorded() as read:
+    with record_files() as read:
         report = make()
     object.__setattr__(report, "inputs", tuple(read))
     return report
 
 
 def _html_table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    top = f"<tr>{''.join(f'<th>{_escaped(cell)}</th>' for cell in head)}</tr>" if head else ""
-    body = "".join(f"<tr>{''.join(f'<td>{_escaped(cell)}</td>' for cell in row)}</tr>" for row in rows)
-    return f"<table><caption>{_escaped(title)}</caption>{top}{body}</table>"
+    top = f"<tr>{''.join(f'<th>{_escape(cell)}</th>' for cell in head)}</tr>" if head else ""
+    body = "".join(f"<tr>{''.join(f'<td>{_escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
+    return f"<table><caption>{_escape(title)}</caption>{top}{body}</table>"
 
 
-def _escaped(text: str) -> str:
+def _escape(text: str) -> str:
     return html.escape(printable(text))

@@ -25,7 +25,7 @@ def label(J: int, Ka: int, Kc: int) -> str:
 
 
 def frequency(value: float, digits: int = 9) -> str:
-    """Return a frequency [Hz] in the unit that it is read by; what spectra hold in MHz.
+    """Return a frequency [Hz] in words, in a fitting unit; the frequencies of spectra in MHz.
 
     >>> frequency(835840.288e6), frequency(3.2e3), frequency(0.0)
     ('835.840288 GHz', '3.2 kHz', '0 Hz')

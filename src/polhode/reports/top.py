@@ -23,7 +23,7 @@ from polhode.reports.about import GIVEN, about_axes, accuracy, stability_values,
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
 from polhode.reports.wording import distinct, unit_in_words, vector
-from polhode.spec.building import momentum_of
+from polhode.spec.building import compute_momentum
 from polhode.spec.models import SpinTable
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -35,16 +35,16 @@ AT_REST = 0.1  # s, of a body that nothing moves
 
 @dataclass(frozen=True)
 class TopReport(MotionReport):
-    """What both kinds of top have: the body about its pivot, the path of its axis, and its upright and hanging rest.
+    """What both kinds of top report: inertia about the pivot, path of the axis, and verdicts on its rests.
 
     Attributes:
         body: as given.
-        surface: what it looks like, in the given axes, or None.
+        surface: its shape, in the given axes, or None.
         top: moments, axis and weight at the pivot.
-        trajectory: which knows the principal axes at the pivot.
+        trajectory: its frame has the principal axes at the pivot.
         verdicts: on the axis upright and hanging, at the spin about it that the motion starts with.
-        warned: what the integrator had to say.
-        remarks: on how the spec was taken.
+        warned: warnings of the integrator.
+        remarks: on how the spec was understood.
     """
 
     body: Body
@@ -73,12 +73,12 @@ class TopReport(MotionReport):
 
     @property
     def constant_tilt(self) -> bool:
-        """Whether the axis goes round at constant tilt, steadily but for rounding."""
+        """Whether the precession is steady: constant tilt to rounding."""
         return self.exact is not None and keeps_its_tilt(self.exact)
 
     @property
     def mechanics(self) -> Mechanics:
-        return mechanics_of(self.top, self.frame)
+        return build_mechanics(self.top, self.frame)
 
     @property
     def axis_in_space(self) -> Float64[Array, "time 3"]:
@@ -153,12 +153,12 @@ class TopReport(MotionReport):
         ]  # fmt: skip
 
     def motion(self) -> Group:
-        """Return what is said of the motion."""
+        """Return the answers about the motion."""
         return Group("Motion", [*self.kept(), *accuracy(self.trajectory)])
 
 
 def about_body(body: Body, top: HeavyTop, frame: BodyFrame) -> Group:
-    """Return what is said of the body about the fixed point, its frame that of the principal axes there."""
+    """Return the answers about the body at the fixed point, along its principal axes there."""
     case = None if top.case is None else top.case[0]
     axes, axis, pivot = np.asarray(top.axes), np.asarray(top.axis), frame.origin
     moments, there = np.asarray(top.moments), "about the pivot"
@@ -182,7 +182,7 @@ def about_rests(found: dict[str, Stability]) -> Table:
     return verdicts("equilibria", title, "position", lambda row: row["position"], rows, key="position")
 
 
-def top_of(body: Body, pivot: Real[ArrayLike, "3"], gravity: float) -> HeavyTop:
+def build_top(body: Body, pivot: Real[ArrayLike, "3"], gravity: float) -> HeavyTop:
     """Return the top that a spec asks for; that its body may be free is said in the report.
 
     Raises:
@@ -195,17 +195,17 @@ def top_of(body: Body, pivot: Real[ArrayLike, "3"], gravity: float) -> HeavyTop:
         return HeavyTop.from_body(body, pivot, gravity)
 
 
-def frame_of(top: HeavyTop, body: Body, pivot: Real[ArrayLike, "3"]) -> BodyFrame:
+def build_frame(top: HeavyTop, body: Body, pivot: Real[ArrayLike, "3"]) -> BodyFrame:
     """Return the principal axes at the fixed point, and the mass properties."""
     return BodyFrame(np.asarray(top.moments), np.asarray(top.axes), body.center_of_mass, body.mass, np.asarray(pivot))
 
 
-def mechanics_of(top: HeavyTop, frame: BodyFrame) -> Mechanics:
-    """Return what energy and momentum of a top are made of, along the given axes."""
+def build_mechanics(top: HeavyTop, frame: BodyFrame) -> Mechanics:
+    """Return the mechanics from which energy and momentum of a top follow, along the given axes."""
     return Mechanics(frame.inertia, np.asarray(top.weight))
 
 
-def attitude_of(top: HeavyTop, attitude: Float64[Array, "4"], lean: float | None) -> Float64[Array, "4"]:
+def build_attitude(top: HeavyTop, attitude: Float64[Array, "4"], lean: float | None) -> Float64[Array, "4"]:
     """Return the attitude (4,) of the principal axes at the start: as given, or leaning by an angle [rad].
 
     Raises:
@@ -218,23 +218,23 @@ def attitude_of(top: HeavyTop, attitude: Float64[Array, "4"], lean: float | None
     return top.leaning(lean)
 
 
-def start_of(
+def build_start(
     top: HeavyTop, spin: SpinTable | None, momentum: Float64[Array, "3"], attitude: Float64[Array, "4"],
     lean: float | None,
 ) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:  # fmt: skip
     """Return momentum (3,) along, and attitude (4,) of, the principal axes at the start.
 
     Args:
-        top: that starts.
+        top: the top.
         spin: as the spec has it.
-        momentum: (3,) that it gives, unless it tells spin, precession and nutation.
-        attitude: (4,) that it gives, unless the top leans.
+        momentum: (3,) as given, unless the spec gives spin, precession and nutation.
+        attitude: (4,) as given, unless the spec gives a tilt.
         lean: of the axis from the upward vertical [rad], or None.
 
     Raises:
         InvalidInput: for a body without an axis that leans, or a spin at which nothing precesses as it is wanted.
     """
-    attitude = attitude_of(top, attitude, lean)
+    attitude = build_attitude(top, attitude, lean)
     if spin is None or not spin.is_of_a_top:
         return _bearable(top, momentum), attitude
     if float(top.mgl) == 0.0:
@@ -249,7 +249,7 @@ def start_of(
             raise InvalidInput('there is one steady precession alone at this tilt; write `spin.precession = "slow"`.')
         precession = wanted
     velocity = top_velocity(top, attitude, turn, precession, spin.nutation_rate or 0.0)
-    return _bearable(top, momentum_of(np.asarray(top.moments), velocity)), attitude
+    return _bearable(top, compute_momentum(np.asarray(top.moments), velocity)), attitude
 
 
 def _bearable(top: HeavyTop, momentum: Float64[Array, "3"]) -> Float64[Array, "3"]:
@@ -274,5 +274,5 @@ def rest_verdicts(top: HeavyTop, momentum: Float64[Array, "3"]) -> dict[str, Sta
 def usual_times(
     span: float | None, top: HeavyTop, momentum: Float64[Array, "3"], samples: int
 ) -> Float64[Array, "{samples}"]:
-    """Return times (T,) of ten spans [s]; of ten swings or turns where there is none."""
+    """Return times (T,) over ten spans [s]; over ten swings or turns where no span is given."""
     return np.linspace(0.0, PERIODS * (span or top_period(top, momentum) or AT_REST), samples)

@@ -12,7 +12,7 @@ import numpy as np
 
 MINUTE, HOUR, DAY, YEAR = 60.0, 3600.0, 86400.0, 365.25 * 86400.0
 LONG = ((2.0 * YEAR, YEAR, "a"), (2.0 * DAY, DAY, "d"), (2.0 * HOUR, HOUR, "h"), (2.0 * MINUTE, MINUTE, "min"))
-"""From which time on [s] a unit is read, the unit [s], and its name; a year is Julian."""
+"""Least time [s] that is read in a unit, the unit [s], and its name; a year is Julian."""
 SHORT = 1e-2  # s; shorter times are read in ms, µs …
 PREFIXES = {1e-3: "m", 1e-6: "µ", 1e-9: "n", 1e-12: "p", 1e-15: "f"}
 LARGE_PREFIXES = {1e15: "P", 1e12: "T", 1e9: "G", 1e6: "M", 1e3: "k"}
@@ -31,8 +31,8 @@ def number(value: float | None, unit: str = "") -> str | None:
     return _unless_infinite(value, lambda x: f"{x:.8g} {unit}".rstrip())
 
 
-def counted(count: int, thing: str) -> str:
-    """Return how many there are of a thing."""
+def write_count(count: int, thing: str) -> str:
+    """Return a count with its noun: "1 body", "3 bodies"."""
     return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
 
 
@@ -65,10 +65,10 @@ def uncertain(value: float, error: float | None, unit: str = "", digits: int = 1
     return f"{words} ± {said} {unit}".rstrip()
 
 
-def known_digits(value: float, error: float | None, most: int = 8) -> int:
+def count_known_digits(value: float, error: float | None, most: int = 8) -> int:
     """Return how many digits of a value, at least one, are no finer than its uncertainty.
 
-    >>> known_digits(6.143323e-06, 2.2e-11), known_digits(0.5, 0.01), known_digits(0.5, None)
+    >>> count_known_digits(6.143323e-06, 2.2e-11), count_known_digits(0.5, 0.01), count_known_digits(0.5, None)
     (6, 2, 8)
     """
     if error is None or not (math.isfinite(error) and error > 0.0 and value and math.isfinite(value)):
@@ -84,7 +84,7 @@ def angle(value: float | None, error: float | None = None) -> str | None:
     """
 
     def words(x: float) -> str:
-        digits = known_digits(x, error)
+        digits = count_known_digits(x, error)
         return f"{x:.{digits}g} rad = {degrees(x, min(digits, 6))}"
 
     return _unless_infinite(value, words)
@@ -113,10 +113,10 @@ def rate(value: float | None) -> str | None:
     >>> rate(7.292115e-5), rate(2.0), rate(3e12)
     ('7.292115e-05 rad/s = 360.986°/d', '2 rad/s = 19.0986 rpm', '3e+12 rad/s = 0.477465 THz')
     """
-    return _unless_infinite(value, lambda x: f"{x:.8g} rad/s = {turning(x)}")
+    return _unless_infinite(value, lambda x: f"{x:.8g} rad/s = {write_rate(x)}")
 
 
-def turning(value: float) -> str:
+def write_rate(value: float) -> str:
     """Return a rate [rad/s] in the unit that it is read by."""
     size = abs(value)
     if 0.0 < size < SLOW:
@@ -154,10 +154,10 @@ def in_its_unit(value: float) -> str:
     return f"{value / unit:.6g} {PREFIXES[unit]}s"
 
 
-def worded(value: Any, unit: str = "") -> str | None:
+def write_value(value: Any, unit: str = "") -> str | None:
     """Return a value for people, by its unit; None for None and for text that is empty.
 
-    >>> worded(0.5, "rad"), worded((1.0, 2.0), "m"), worded("none")
+    >>> write_value(0.5, "rad"), write_value((1.0, 2.0), "m"), write_value("none")
     ('0.5 rad = 28.6479°', '(1, 2) m', 'none')
     """
     if value is None or isinstance(value, str):

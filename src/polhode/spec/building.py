@@ -99,14 +99,14 @@ def build_spin(
     if table.momentum is not None or table.angular_velocity is not None:
         vector = np.asarray(table.momentum if table.momentum is not None else table.angular_velocity, dtype=float)
         vector = vector if table.frame == "principal" else _components(vector, axes)
-        return vector if table.momentum is not None else momentum_of(moments, vector), attitude
+        return vector if table.momentum is not None else compute_momentum(moments, vector), attitude
     about = table.about
     index = about - 1 if isinstance(about, int) else "xyz".index(str(about))
     rate, tilt = np.broadcast_arrays(np.asarray(table.rate, dtype=float), np.asarray(table.tilt, dtype=float))
     direction = np.zeros((*rate.shape, 3))
     direction[..., index], direction[..., (index + 1) % 3] = _cosine_and_sine(tilt)
     direction = direction if isinstance(about, int) else _components(direction, axes)
-    return momentum_of(moments, rate[..., None] * direction), attitude
+    return compute_momentum(moments, rate[..., None] * direction), attitude
 
 
 def _components(vector: Array, axes: Array) -> Array:
@@ -114,7 +114,7 @@ def _components(vector: Array, axes: Array) -> Array:
     return (vector[..., None, :] @ axes)[..., 0, :]
 
 
-def momentum_of(
+def compute_momentum(
     moments: Float64[Array, "*#batch 3"], velocity: Float64[Array, "*#batch 3"]
 ) -> Float64[Array, "*batch 3"]:
     """Return the momentum (…, 3) of an angular velocity (…, 3) along the principal axes.

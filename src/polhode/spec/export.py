@@ -109,7 +109,7 @@ def _frame_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...],
         yield ("export", given), f"is an inertial frame, and the body turns; got {got}. Name its own"
 
 
-def labels_of(table: ExportTable, name: str) -> AttitudeLabels:
+def make_labels(table: ExportTable, name: str) -> AttitudeLabels:
     """Return the labels that a spec asks for; the object is named after the spec if nothing names it."""
     given: dict[str, Any] = {"object_name": _in_ascii(name)}
     given |= {key: value for key, value in table.model_dump().items() if value is not None}

@@ -12,7 +12,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, StrictI
 
 from polhode import rotation
 from polhode.errors import shown
-from polhode.spec.units import example_of, parse_quantity, parse_spectroscopic
+from polhode.spec.units import find_example, parse_quantity, parse_spectroscopic
 
 LARGEST = sys.float_info.max
 UNIT = "unit"  # attribute of what reads quantities
@@ -54,7 +54,7 @@ def quantity(unit: str, *, positive: bool = False) -> Any:
 
 
 def _three(unit: str) -> BeforeValidator:
-    example = example_of(unit)
+    example = find_example(unit)
 
     def check(value: Any) -> Any:
         if not isinstance(value, list) or len(value) != 3:
@@ -234,7 +234,7 @@ def _thickness(value: float) -> float:
     return value
 
 
-def _standing(value: float) -> float:
+def _check_tilt(value: float) -> float:
     if not 0.0 < value < math.pi:
         raise ValueError(
             f"must lie between 0 and 180 deg; got {_in_degrees(value)}. A disk that lies flat touches with all "
@@ -301,7 +301,7 @@ Orbits = Annotated[StrictInt, Field(ge=1, le=100_000)]
 Thickness = Annotated[float, _reader("m"), AfterValidator(_thickness)]
 Lean = Annotated[Angle, AfterValidator(_lean)]
 RacketTilt = Annotated[Angle, AfterValidator(_racket_tilt)]
-Tilt = Annotated[Angle, AfterValidator(_standing)]
+Tilt = Annotated[Angle, AfterValidator(_check_tilt)]
 Power = Annotated[float, _reader("W", positive=True)]
 Viscosity = Annotated[float, _reader("Pa*s", positive=True)]
 Speed = Annotated[float, _reader("m/s")]

@@ -122,8 +122,8 @@ def _place(at: dict[str, Any] | list[Any], name: str, key: str) -> str | int:
     return int(name) - 1
 
 
-def as_written(value: Any, unit: str) -> Any:
+def write_quantity(value: Any, unit: str) -> Any:
     """Return a number, or a list of them, as a spec has it: text with its unit, or plain without one."""
     if isinstance(value, list | tuple):
-        return [as_written(item, unit) for item in value]
+        return [write_quantity(item, unit) for item in value]
     return f"{float(value)} {unit}" if unit else float(value)

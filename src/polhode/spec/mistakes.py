@@ -28,9 +28,9 @@ WORDS = {
 }
 
 
-def mistakes_of(error: ValidationError, root: type[BaseModel] = SpecFile, at: Location = ()) -> list[Mistake]:
+def list_mistakes(error: ValidationError, root: type[BaseModel] = SpecFile, at: Location = ()) -> list[Mistake]:
     """Return what pydantic found in a model, worded, with the model's own place in the file."""
-    return [((*at, *mistake["loc"]), _said(mistake, root)) for mistake in error.errors()]
+    return [((*at, *mistake["loc"]), _word_mistake(mistake, root)) for mistake in error.errors()]
 
 
 def as_message(path: Path, mistakes: list[Mistake]) -> list[str]:
@@ -53,7 +53,7 @@ def _key(location: Location) -> str:
     return text or "the file"
 
 
-def _said(mistake: Any, root: type[BaseModel]) -> str:
+def _word_mistake(mistake: Any, root: type[BaseModel]) -> str:
     kind, last = mistake["type"], mistake["loc"][-1]
     if kind == "extra_forbidden":
         model = _model_at(mistake["loc"][:-1], root)

@@ -120,7 +120,7 @@ def _has_half_turn(atoms: Atoms, axis: int) -> bool:
     return bool(np.where(same, apart, np.inf).min(axis=1).max() < SAME_PLACE)
 
 
-def asked_of(
+def complete_rotor(
     rotor: Rotor, temperature: float | None = None, j_max: int | None = None, notes: tuple[str, ...] = ()
 ) -> SpecRotor:
     """Return a rotor with temperature and largest J, those that are usual where they are not given."""

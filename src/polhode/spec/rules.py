@@ -21,7 +21,7 @@ WAYS = ("angular_velocity", "momentum", "rate", "temperature")
 OF_A_TOP = ("spin", "precession", "nutation_rate")
 
 
-def broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) -> Iterator[Mistake]:
+def find_broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) -> Iterator[Mistake]:
     """Yield where a spec's tables break a rule, and how it is said; those of the table [system] in their place."""
     body = table.get("body")
     if isinstance(body, dict):
@@ -51,8 +51,8 @@ def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | Non
     if model is not None and not model.leans and isinstance(spin, dict):
         if told := [key for key in OF_A_TOP if key in spin]:
             verb = "tells" if len(told) == 1 else "tell"
-            yield ("spin",), (f"{listed(told)} {verb} how a top goes about the vertical, which the system {kind} "
-                              f"has not; give {listed(WAYS, 'or')} instead")  # fmt: skip
+            yield ("spin",), (f"{list_words(told)} {verb} how a top goes about the vertical, which the system {kind} "
+                              f"has not; give {list_words(WAYS, 'or')} instead")  # fmt: skip
     if model is None:
         return  # what such a system needs is not known
     if "body" in model.needs and "body" not in table:
@@ -65,7 +65,7 @@ def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | Non
 def _body_rules(body: dict[str, Any]) -> Iterator[str]:
     sources = [key for key in SOURCES if key in body]
     if len(sources) != 1:
-        yield f"needs exactly one of {listed(SOURCES)}; got {listed(sources)}"
+        yield f"needs exactly one of {list_words(SOURCES)}; got {list_words(sources)}"
     if "mesh" in body:
         if "mesh_unit" not in body:
             yield 'needs mesh_unit, like "mm": mesh files carry no units'
@@ -74,7 +74,7 @@ def _body_rules(body: dict[str, Any]) -> Iterator[str]:
     elif sources:
         if extra := [key for key in ("mesh_unit", "density", "repair", "several") if key in body]:
             verb = "goes" if len(extra) == 1 else "go"
-            yield f"{listed(extra)} {verb} with a mesh, not with {sources[0]}; leave it out"
+            yield f"{list_words(extra)} {verb} with a mesh, not with {sources[0]}; leave it out"
         if "mass" in body and sources[0] in ("parts", "molecule", "urdf"):
             yield f"mass follows from the {sources[0]}; leave it out"
     if "allow_vibration" in body and "rotational_constants" not in body:
@@ -91,7 +91,7 @@ def _part_rules(part: dict[str, Any]) -> Iterator[str]:
     allowed = {*needed, *(("inner_radius",) if shape in MAY_BE_HOLLOW else ())}
     measures = {key for keys in SHAPE_KEYS.values() for key in keys} | {"inner_radius"}
     if missing := [key for key in needed if key not in part]:
-        yield f"a {shape} needs {listed(missing)}"
+        yield f"a {shape} needs {list_words(missing)}"
     if extra := sorted((measures & set(part)) - allowed):
         yield f"a {shape} has no {' or '.join(extra)}; it takes {', '.join(needed)}"
 
@@ -100,7 +100,8 @@ def _spin_rules(spin: dict[str, Any]) -> Iterator[str]:
     ways, of_a_top = [key for key in WAYS if key in spin], [key for key in OF_A_TOP if key in spin]
     ways += of_a_top[:1]
     if len(ways) > 1 or (not ways and {"frame", "about", "tilt"} & set(spin)):
-        yield f"needs exactly one of {listed(WAYS)}, or of a top {listed(OF_A_TOP)} together; got {listed(ways)}"
+        known = f"{list_words(WAYS)}, or of a top {list_words(OF_A_TOP)} together"
+        yield f"needs exactly one of {known}; got {list_words(ways)}"
     if spin.get("precession") in ("slow", "fast") and "nutation_rate" in spin:
         yield f'precession = "{spin["precession"]}" keeps the tilt; leave nutation_rate out'
     if "rate" in spin:
@@ -121,10 +122,10 @@ def _vanishes(rate: Any) -> bool:
         return False
 
 
-def listed(keys: Sequence[str], last: str = "and") -> str:
+def list_words(keys: Sequence[str], last: str = "and") -> str:
     """Return keys in words.
 
-    >>> listed(["a", "b", "c"]), listed(["a", "b"], "or"), listed([])
+    >>> list_words(["a", "b", "c"]), list_words(["a", "b"], "or"), list_words([])
     ('a, b and c', 'a or b', 'none')
     """
     return f" {last} ".join(filter(None, (", ".join(keys[:-1]), *keys[-1:]))) or "none"

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from polhode.bodies.surface import Surface, cuboid, joined
+from polhode.bodies.surface import Surface, cuboid, join_surfaces
 from polhode.bodies.turned import SECTIONS, ball, bar, cone, torus, tube
 from polhode.formats.mesh import read_mesh
 from polhode.formats.molecule import ANGSTROM, read_molecule
@@ -38,7 +38,7 @@ def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
     if table.mesh is not None:
         return Surface(*read_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair))
     if table.parts is not None:
-        return joined([surface_of_part(part) for part in table.parts])
+        return join_surfaces([surface_of_part(part) for part in table.parts])
     if table.molecule is not None:
         symbols, positions, _ = read_molecule(folder / table.molecule)
         return surface_of_atoms(symbols, positions)
@@ -52,11 +52,11 @@ def surface_of_disk(radius: float, thickness: float, sections: int = SECTIONS) -
 
 def surface_of_part(table: PartTable) -> Surface:
     """Return one part in its place."""
-    made = _made(table)
+    made = _make_shape(table)
     return Surface(made.vertices @ TURNS[table.axis].T + np.asarray(table.at), made.faces)
 
 
-def _made(part: PartTable) -> Surface:
+def _make_shape(part: PartTable) -> Surface:
     """Return a shape about its centre of mass, its axis along z."""
     # the rules have seen to it that each shape has its own measures; 0.0 stands for those of the others
     radius, height, length = part.radius or 0.0, part.height or 0.0, part.length or 0.0
@@ -78,7 +78,7 @@ def _made(part: PartTable) -> Surface:
     if part.shape == "ellipsoid":
         return Surface(vertices * np.asarray(part.semi_axes), faces)
     cavity = [Surface(vertices * inner, faces[:, ::-1])] if inner else []
-    return joined([Surface(vertices * radius, faces), *cavity])
+    return join_surfaces([Surface(vertices * radius, faces), *cavity])
 
 
 def surface_of_atoms(symbols: Sequence[str], positions: Float64[Array, "n 3"]) -> Surface:
@@ -94,12 +94,12 @@ def surface_of_atoms(symbols: Sequence[str], positions: Float64[Array, "n 3"]) -
     looks = [_looks().get(symbol, UNKNOWN) for symbol in symbols]
     radii = np.array([radius for radius, _ in looks]) * ANGSTROM
     vertices, faces = ball(24 if len(radii) <= MANY_ATOMS else 12)
-    shown = [_colored(Surface(vertices * (BALL * radius * ANGSTROM) + at, faces), color)
+    shown = [_color(Surface(vertices * (BALL * radius * ANGSTROM) + at, faces), color)
              for (radius, color), at in zip(looks, positions, strict=True)]  # fmt: skip
     for i, j in KDTree(positions).query_pairs(2.0 * BONDED * radii.max(), output_type="ndarray"):
         if 0.0 < np.linalg.norm(positions[i] - positions[j]) <= BONDED * (radii[i] + radii[j]):
-            shown.append(_colored(bar(positions[i], positions[j], BAR), BOND))
-    return joined(shown)
+            shown.append(_color(bar(positions[i], positions[j], BAR), BOND))
+    return join_surfaces(shown)
 
 
 @functools.cache
@@ -110,5 +110,5 @@ def _looks() -> dict[str, tuple[float, int]]:
     return {symbol: (float(radius), int(color, 16)) for symbol, radius, color in rows}
 
 
-def _colored(surface: Surface, color: int) -> Surface:
+def _color(surface: Surface, color: int) -> Surface:
     return replace(surface, colors=np.full(len(surface.vertices), color))

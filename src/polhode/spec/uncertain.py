@@ -47,7 +47,7 @@ def uncertain(name: str, given: Uncertain, unit: str, bare: bool = False) -> tup
         InvalidInput: for what cannot be read, and for numbers that are not positive and finite.
     """
     if isinstance(given, str):
-        value, error = _read(name, given, unit, bare)
+        value, error = _read_value(name, given, unit, bare)
     else:
         try:
             value, error = np.asarray(given if np.ndim(given) else (given, 0.0), float).tolist()
@@ -63,7 +63,7 @@ def uncertain(name: str, given: Uncertain, unit: str, bare: bool = False) -> tup
     return value, error
 
 
-def _read(name: str, text: str, unit: str, bare: bool) -> tuple[float, float]:
+def _read_value(name: str, text: str, unit: str, bare: bool) -> tuple[float, float]:
     value, *rest = _ERROR.split(text.strip())
     if len(rest) > 1:
         raise InvalidInput(f'{name} must be like "27.38 ± 0.07 h"; got {shown(text)}.')

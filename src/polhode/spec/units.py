@@ -83,11 +83,11 @@ def parse_quantity(value: Any, unit: str) -> float:
         ValueError: with what is wrong and what would be right; pydantic collects it with the key's path.
     """
     if isinstance(value, bool) or not isinstance(value, str):
-        raise ValueError(f'needs a number with its unit in quotes, like "{example_of(unit)}"; got {shown(value)}')
-    return _parsed(value, unit)
+        raise ValueError(f'needs a number with its unit in quotes, like "{find_example(unit)}"; got {shown(value)}')
+    return _parse(value, unit)
 
 
-def example_of(unit: str) -> str:
+def find_example(unit: str) -> str:
     """Return a quantity in a unit, as a message shows it."""
     return EXAMPLES.get(unit, f"1 {unit}")
 
@@ -111,8 +111,8 @@ def parse_spectroscopic(value: Any) -> float:
 
 
 @lru_cache(maxsize=1024)
-def _parsed(value: str, unit: str) -> float:
-    example = example_of(unit)
+def _parse(value: str, unit: str) -> float:
+    example = find_example(unit)
     unreadable = ValueError(f'cannot be read as a quantity: {shown(value)}; write it like "{example}"')
     if len(value) > LONGEST:
         raise ValueError(f'must have at most {LONGEST} characters; got {shown(value)}; write it like "{example}"')

@@ -30,7 +30,7 @@ def carlson_rf(
     """
     xp, (x, y, z) = _arguments(x=x, y=y, z=z)
     _check(xp, {"x": x, "y": y, "z": z}, (x + y > 0) & (y + z > 0) & (z + x > 0))
-    root, (x, y, z) = _scaled(xp, x, y, z)
+    root, (x, y, z) = _scale(xp, x, y, z)
 
     def step(now: tuple[Array, ...]) -> tuple[Array, ...]:
         a, b, c = now
@@ -70,7 +70,7 @@ def carlson_rd(
     """
     xp, (x, y, z) = _arguments(x=x, y=y, z=z)
     _check(xp, {"x": x, "y": y, "z": z}, (x + y > 0) & (z > 0))
-    root, (x, y, z) = _scaled(xp, x, y, z)
+    root, (x, y, z) = _scale(xp, x, y, z)
 
     def step(now: tuple[Array, ...]) -> tuple[Array, ...]:
         a, b, c, total, power = now
@@ -85,7 +85,7 @@ def carlson_rd(
     Z = -(X + Y) / 3.0
     E2, E3 = X * Y - 6.0 * Z * Z, (3.0 * X * Y - 8.0 * Z * Z) * Z
     E4, E5 = 3.0 * (X * Y - Z * Z) * Z * Z, X * Y * Z**3
-    return (power * _closing(E2, E3, E4, E5) / (mean * xp.sqrt(mean)) + 3.0 * total) / root**3
+    return (power * _closing_series(E2, E3, E4, E5) / (mean * xp.sqrt(mean)) + 3.0 * total) / root**3
 
 
 def carlson_rj(
@@ -112,7 +112,7 @@ def carlson_rj(
 
 def _third_kind(x: Array, y: Array, z: Array, p: Array) -> Array:
     xp = namespace(x)
-    root, (x, y, z, p) = _scaled(xp, x, y, z, p)
+    root, (x, y, z, p) = _scale(xp, x, y, z, p)
 
     def step(*now: Array) -> tuple[Array, ...]:
         a, b, c, r, total, power = now
@@ -136,7 +136,7 @@ def _third_kind(x: Array, y: Array, z: Array, p: Array) -> Array:
     E2 = X * Y + X * Z + Y * Z - 3.0 * P * P
     E3 = X * Y * Z + 2.0 * E2 * P + 4.0 * P**3
     E4, E5 = (2.0 * X * Y * Z + E2 * P + 3.0 * P**3) * P, X * Y * Z * P * P
-    return (power * _closing(E2, E3, E4, E5) / (mean * xp.sqrt(mean)) + 6.0 * total) / root**3
+    return (power * _closing_series(E2, E3, E4, E5) / (mean * xp.sqrt(mean)) + 6.0 * total) / root**3
 
 
 def _rc_beside_one(xp: Any, sa: Array, sb: Array, sc: Array, sr: Array) -> Array:
@@ -154,7 +154,7 @@ def _rc_beside_one(xp: Any, sa: Array, sb: Array, sc: Array, sr: Array) -> Array
     return xp.where(small, series, xp.where(e < 0, artanh, xp.atan(size)) / size)
 
 
-def _closing(E2: Array, E3: Array, E4: Array, E5: Array) -> Array:
+def _closing_series(E2: Array, E3: Array, E4: Array, E5: Array) -> Array:
     value = 1.0 - 3.0 * E2 / 14.0 + E3 / 6.0 + 9.0 * E2 * E2 / 88.0 - 3.0 * E4 / 22.0 - 9.0 * E2 * E3 / 52.0
     value = value + 3.0 * E5 / 26.0 - E2**3 / 16.0 + 3.0 * E3 * E3 / 40.0 + 3.0 * E2 * E4 / 20.0
     return value + 45.0 * E2 * E2 * E3 / 272.0 - 9.0 * (E3 * E4 + E2 * E5) / 68.0
@@ -165,7 +165,7 @@ def _lambda(xp: Any, x: Array, y: Array, z: Array) -> Array:
     return a * b + b * c + c * a
 
 
-def _scaled(xp: Any, *values: Array) -> tuple[Array, tuple[Array, ...]]:
+def _scale(xp: Any, *values: Array) -> tuple[Array, tuple[Array, ...]]:
     """Return √s and the values over s, a power of four near the largest."""
     largest = values[0]
     for value in values[1:]:

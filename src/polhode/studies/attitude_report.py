@@ -34,7 +34,7 @@ EXACT = 1e-9  # rad; residuals of computed attitudes, which rounding makes alike
 
 @dataclass(frozen=True)
 class AttitudeReport(StudyReport):
-    """The inertia of a body from a log of its attitude.
+    """The report on a body's inertia from a log of its attitude.
 
     Attributes:
         name: of the log.

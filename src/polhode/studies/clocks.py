@@ -10,7 +10,7 @@ import numpy as np
 
 from polhode.analysis.comparison import SAME_TIME
 from polhode.errors import InvalidInput, shown
-from polhode.formats.header_words import TIME_UNITS, unit_named
+from polhode.formats.header_words import TIME_UNITS, find_unit
 from polhode.formats.stamps import IN_DECIMAL_SECONDS, exact_number, in_words
 from polhode.formats.time_scales import terrestrial_time
 from polhode.studies.sources import Source
@@ -20,14 +20,14 @@ _TIME = re.compile(r"\s*(?P<number>[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(?P<unit>
 
 
 class Laid(NamedTuple):
-    """A's time at B's time zero [s], of the times that the two histories have, and how that is known."""
+    """A's time at B's time zero [s] in the times of the two histories, and how it is known."""
 
     offset: float
     words: str
 
 
-def offset_of(text: str | None, name: str = "--offset") -> Decimal | str | None:
-    """Return what an offset says: A's clock at B's zero [s], exactly, or START; None where it says nothing.
+def parse_offset(text: str | None, name: str = "--offset") -> Decimal | str | None:
+    """Return the parsed offset: A's clock at B's zero [s], exactly, or START; None where none is given.
 
     Raises:
         InvalidInput: for what is neither.
@@ -35,7 +35,7 @@ def offset_of(text: str | None, name: str = "--offset") -> Decimal | str | None:
     if text is None or text == START:
         return text
     found = _TIME.fullmatch(text)
-    unit = unit_named(found["unit"], TIME_UNITS) if found else None
+    unit = find_unit(found["unit"], TIME_UNITS) if found else None
     if found and unit and _is_number(found["number"]):
         try:
             return exact_number(found["number"]) * IN_DECIMAL_SECONDS[unit]
@@ -54,20 +54,20 @@ def _is_number(text: str) -> bool:
 
 
 def lay_side_by_side(a: Source, b: Source, told: Decimal | str | None) -> Laid:
-    """Return how B's time goes with A's.
+    """Return the relation between A's and B's times.
 
     Args:
         a, b: the two.
-        told: what ``offset_of`` made of ``--offset``.
+        told: what ``parse_offset`` made of ``--offset``.
 
     Raises:
-        InvalidInput: where nothing says that both have one clock, and they begin at different times.
+        InvalidInput: where nothing shows that both share a clock, and they begin at different times.
     """
     begins = [side.begin + Decimal(float(side.history.times[0])) for side in (a, b)]
     if told == START:
-        return _laid(a, b, begins[0] - begins[1], "both begin at the same moment, as --offset says")
+        return _make_laid(a, b, begins[0] - begins[1], "both begin at the same moment, as --offset says")
     if isinstance(told, Decimal):
-        return _laid(a, b, told, f"B's time zero is at {in_words(told)} s of A, as --offset says")
+        return _make_laid(a, b, told, f"B's time zero is at {in_words(told)} s of A, as --offset says")
     if a.labels is not None and b.labels is not None:
         epochs = [terrestrial_time(side.labels.epoch, side.labels.time_system) for side in (a, b) if side.labels]
         words = [f"{side.labels.epoch} {side.labels.time_system}" for side in (a, b) if side.labels]
@@ -80,18 +80,18 @@ def lay_side_by_side(a: Source, b: Source, told: Decimal | str | None) -> Laid:
     same = a.history.resolution + b.history.resolution + SAME_TIME * shortest
     if abs(float(begins[1] - begins[0])) > same:
         raise InvalidInput(
-            f"nothing says that A and B have one clock: A begins at {_seconds(begins[0])}, B at {_seconds(begins[1])}, "
+            f"nothing shows that A and B share a clock: A begins at {_seconds(begins[0])}, B at {_seconds(begins[1])}, "
             f"and {unsaid}. Say --offset {START} if both begin at the same moment, --offset 0s if the clocks are one, "
             f"else A's time at B's time zero, like --offset={_seconds(begins[0] - begins[1]).replace(' ', '')}."
         )
-    return _laid(a, b, Decimal(0), f"assumed to be one: both begin at {_seconds(begins[0])}, and {unsaid}")
+    return _make_laid(a, b, Decimal(0), f"assumed to be one: both begin at {_seconds(begins[0])}, and {unsaid}")
 
 
-def _laid(a: Source, b: Source, told: Decimal, words: str) -> Laid:
-    """Return the offset of the times that are kept, of which each side's may count from its first stamp."""
+def _make_laid(a: Source, b: Source, told: Decimal, words: str) -> Laid:
+    """Return the offset between the stored times, each of which may count from its file's first stamp."""
     return Laid(float(told + b.begin - a.begin), words)
 
 
 def _seconds(time: Decimal) -> str:
-    """Return a time to the nanosecond, and no digits that are but a double's."""
+    """Return a time to the nanosecond, without the digits that only double precision adds."""
     return f"{in_words(time.quantize(Decimal('1e-9')) if abs(time) < Decimal('1e15') else time)} s"

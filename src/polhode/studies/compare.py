@@ -16,11 +16,11 @@ from polhode.formats.form import Kernels
 from polhode.formats.labels import plain as same_name
 from polhode.formats.paths import as_path
 from polhode.reports.answer import Group
-from polhode.studies.clocks import lay_side_by_side, offset_of
+from polhode.studies.clocks import lay_side_by_side, parse_offset
 from polhode.studies.comparison_report import ComparisonReport
-from polhode.studies.naming import naming
-from polhode.studies.sources import Source, body_of, kind_in_words, source_of
-from polhode.studies.tables import Table, about_reading, notes_on_reading
+from polhode.studies.naming import name_file_in_errors
+from polhode.studies.sources import Source, kind_in_words, load_body, load_source
+from polhode.studies.tables import Table, describe_reading, list_reading_notes
 
 SAME_INERTIA = 1e-6  # relative; what seven digits of a file leave
 History = comparison.Source | Path | str
@@ -35,7 +35,7 @@ def compare(
     of two sampled ones B is interpolated by a spline of rotations. ``polhode.analysis.compare`` has the numbers alone.
 
     Args:
-        a: the one that times are counted by: a history, a trajectory with attitudes, a motion in closed form, or a file
+        a: the reference for times: a history, a trajectory with attitudes, a motion in closed form, or a file
             with one: spec, dataset, CSV of polhode's, CCSDS AEM, C-kernel with its own kernels next to it.
         b: the other.
         spec: of files, that of the body's spec, for its moments where the two do not tell energy and momentum.
@@ -55,10 +55,10 @@ def compare(
     if not (offset is None or isinstance(offset, str) or (isinstance(offset, int | float) and math.isfinite(offset))):
         raise InvalidInput(f"`offset` must be a time in seconds, or a text like `-68.5 s`; got {shown(offset)}.")
     if isinstance(a, str | Path) and isinstance(b, str | Path):
-        told = offset_of(offset, "`offset`") if offset is None or isinstance(offset, str) else Decimal(offset)
+        told = parse_offset(offset, "`offset`") if offset is None or isinstance(offset, str) else Decimal(offset)
         body = None if spec is None else as_path("spec", spec)
         return compare_files(as_path("a", a), as_path("b", b), body, offset=told)
-    sides = [source_of(Path(side), Kernels()).history if isinstance(side, str | Path) else side for side in (a, b)]
+    sides = [load_source(Path(side), Kernels()).history if isinstance(side, str | Path) else side for side in (a, b)]
     if spec is not None or isinstance(offset, str):
         name, got = ("spec", spec) if spec is not None else ("offset", offset)
         rule = "left out" if name == "spec" else "a time in seconds"
@@ -78,8 +78,8 @@ def compare_files(
     Args:
         first: spec, dataset or CSV of polhode's, CCSDS AEM, C-kernel, or any table; times are counted by it.
         second: the same.
-        spec: whose body it is, for its moments.
-        kernels: that go with C-kernels.
+        spec: of the body, for its moments.
+        kernels: clock, frame and leap-second kernels for C-kernels.
         tables: what is said of the columns of each, where it is a table of another tool.
         offset: A's clock at B's zero [s], or "start" if both begin at the same moment; None to find it out.
 
@@ -87,14 +87,14 @@ def compare_files(
         InvalidInput: for files that cannot be read or have no time in common.
         NotConverged: for a spec whose motion could not be followed.
     """
-    a, b = (source_of(path, kernels or Kernels(), table)
+    a, b = (load_source(path, kernels or Kernels(), table)
             for path, table in zip((first, second), tables, strict=True))  # fmt: skip
     _check_used(a, b, tables)
-    shared = None if spec is None else _mechanics_of(spec)
+    shared = None if spec is None else _find_mechanics(spec)
     known = shared or a.history.mechanics or b.history.mechanics
     others = [] if shared is None else [side.history.name for side in (a, b) if _has_other_moments(side, shared)]
     histories = [replace(side.history, mechanics=shared or side.history.mechanics or known) for side in (a, b)]
-    with naming(f"{first}, {second}"):
+    with name_file_in_errors(f"{first}, {second}"):
         laid = lay_side_by_side(a, b, offset)
         found = comparison.compare(*histories, offset=laid.offset)
     reading, notes = _readings(a, b)
@@ -106,15 +106,15 @@ def compare_files(
 
 
 def _has_other_moments(side: Source, shared: Mechanics) -> bool:
-    """Whether a file's own moments are others than those of the spec that is given for both."""
+    """Whether a file's own moments differ from those of the spec given for both."""
     own = side.history.mechanics
     if own is None:
         return False
     return float(np.abs(own.inertia - shared.inertia).max()) > SAME_INERTIA * float(np.abs(own.inertia).max())
 
 
-def _mechanics_of(spec: Path) -> Mechanics:
-    found = body_of(spec).mechanics
+def _find_mechanics(spec: Path) -> Mechanics:
+    found = load_body(spec).mechanics
     if found is None:
         raise InvalidInput(f"{spec}: is neither of a free body nor of a top, so what would be kept is not known here.")
     return found
@@ -141,13 +141,13 @@ def _readings(a: Source, b: Source) -> tuple[list[Group], list[str]]:
     for name, side in (("a", a), ("b", b)):
         if side.kind == "table":
             title = f"How {side.history.name} ({name.upper()}) is read"
-            groups.append(about_reading(side.trajectory, title, f"read_as.{name}"))
-            notes += notes_on_reading(side.trajectory, side.history.name)
+            groups.append(describe_reading(side.trajectory, title, f"read_as.{name}"))
+            notes += list_reading_notes(side.trajectory, side.history.name)
     return groups, notes
 
 
 def _unknown(a: Source, b: Source, known: Mechanics | None) -> str | None:
-    """Say why there is neither energy nor momentum, unless it is for want of a spec."""
+    """Explain missing energy and momentum, unless a spec is all that is missing."""
     if known is not None:
         return "energy and momentum need angular velocities, and the samples are too few to find these."
     specs = [side for side in (a, b) if side.system is not None]
@@ -158,7 +158,7 @@ def _unknown(a: Source, b: Source, known: Mechanics | None) -> str | None:
 
 
 def _kinds(a: Source, b: Source) -> list[str]:
-    """Say of specs that are not evaluated exactly how they were come by."""
+    """Note specs whose motion is sampled, not evaluated exactly."""
     return [
         f"{side.history.name} is a motion without a closed form: its samples are compared."
         for side in (a, b) if side.kind == "spec" and side.history.exact is None
@@ -166,7 +166,7 @@ def _kinds(a: Source, b: Source) -> list[str]:
 
 
 def _names(a: Source, b: Source) -> list[str]:
-    """Say where the labels differ: the comparison takes the axes as they are."""
+    """Note labels that differ; the comparison takes the axes as given."""
     if a.labels is None or b.labels is None:
         return []
     found = []

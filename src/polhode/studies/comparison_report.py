@@ -13,7 +13,7 @@ from polhode.analysis.comparison import Comparison, Invariants
 from polhode.errors import one_line
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
-from polhode.reports.wording import angle, known_digits, number, vector
+from polhode.reports.wording import angle, count_known_digits, number, vector
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -25,13 +25,13 @@ INVARIANT_UNITS = {"energy": "J"}
 
 @dataclass(frozen=True)
 class ComparisonReport(StudyReport):
-    """A comparison, and what its reader should know of how it was made.
+    """The report on a comparison of two attitude histories.
 
     Attributes:
         comparison: the numbers.
-        clocks: how the two times were laid side by side.
-        warned: what else there is to know.
-        unknown: why energy and momentum of neither are known, where they are not.
+        clocks: how the two clocks were related.
+        warned: further caveats.
+        unknown: why energy and momentum are unknown for both, where they are.
         reading: how tables among the two were understood.
     """
 
@@ -57,8 +57,8 @@ class ComparisonReport(StudyReport):
                 return f"Both agree to {size} at the only time they have in common; nothing is known of other times."
             return f"Both agree to {size}: to rounding."
         if len(found.times) == 1:
-            return f"They differ by {self._known(found.largest)} at the only time they have in common."
-        text = f"They differ by up to {self._known(found.largest)}, {self._known(found.rms)} rms."
+            return f"They differ by {self._word_angle(found.largest)} at the only time they have in common."
+        text = f"They differ by up to {self._word_angle(found.largest)}, {self._word_angle(found.rms)} rms."
         if found.alignment is not None:
             rest = float(found.alignment.remaining.max())
             text += " Constant misalignments and a constant rate"
@@ -96,7 +96,7 @@ class ComparisonReport(StudyReport):
         growth = None if found.growth is None or found.is_rounding else f"{found.growth:.{self._digits(6)}g} rad/s"
         said = "" if growth is None else "growth, best line"
         return Group("Angle between them", [
-            *(Answer(f"angle.{name}", x, "rad", name, "", self._seen(float(x))) for name, x in sizes.items()),
+            *(Answer(f"angle.{name}", x, "rad", name, "", self._word_tiny(float(x))) for name, x in sizes.items()),
             Answer("growth", found.growth, "rad/s", said, "", growth),
         ])  # fmt: skip
 
@@ -105,7 +105,7 @@ class ComparisonReport(StudyReport):
         assert fit is not None
         largest, turning = float(fit.remaining.max()), vector(fit.rate, "rad/s, space axes", digits=self._digits(6))
         missed = self.comparison.interpolation_error
-        most, mean = (f"{x:.{known_digits(x, missed, 6)}g} rad" for x in (largest, fit.rms))
+        most, mean = (f"{x:.{count_known_digits(x, missed, 6)}g} rad" for x in (largest, fit.rms))
         rest, share = f"{most}, {mean} rms", fit.rms / self.comparison.rms
         explains = "yes" if self.comparison.explained else f"no, {100.0 * share:.3g} % of the rms angle remains"
         axes = {side: vector(getattr(fit, side), "rad", digits=self._digits(6)) for side in ("body", "space")}
@@ -119,17 +119,17 @@ class ComparisonReport(StudyReport):
             Answer("alignment.explains", self.comparison.explained, "", "explains it", "", explains),
         ])  # fmt: skip
 
-    def _known(self, value: float) -> str | None:
-        """Return an angle [rad] in words, without digits finer than what interpolation may miss."""
+    def _word_angle(self, value: float) -> str | None:
+        """Return an angle [rad] in words, without digits finer than the error of interpolation."""
         return angle(value, self.comparison.interpolation_error)
 
-    def _seen(self, value: float) -> str | None:
-        """Return an angle [rad] in words, without digits of those that are less than rounding of a quaternion."""
-        return "0" if value == 0.0 else f"less than {LEAST:.0e} rad" if value < LEAST else self._known(value)
+    def _word_tiny(self, value: float) -> str | None:
+        """Return an angle [rad] in words; angles below the rounding of a quaternion have no digits."""
+        return "0" if value == 0.0 else f"less than {LEAST:.0e} rad" if value < LEAST else self._word_angle(value)
 
     def _digits(self, most: int) -> int:
-        """Return how many digits are known of what is fitted to the angles."""
-        return known_digits(self.comparison.largest, self.comparison.interpolation_error, most)
+        """Return the number of known digits of quantities fitted to the angles."""
+        return count_known_digits(self.comparison.largest, self.comparison.interpolation_error, most)
 
     def _invariants(self) -> list[Group | Table]:
         both = self.comparison.invariants
@@ -154,9 +154,9 @@ class ComparisonReport(StudyReport):
     def notes(self) -> list[str]:
         found, notes = self.comparison, list(self.warned)
         if found.alignment is not None and not found.alignment.determined:
-            notes.append("the motion does not tell all misalignments and the rate apart: others would explain as much.")
+            notes.append("the motion does not determine all misalignments and the rate: others would fit equally well.")
         if found.interpolation_error is not None and found.largest <= found.interpolation_error:
-            notes.append("the angle is no larger than what interpolation may miss: it may be the interpolation's own.")
+            notes.append("the angle is no larger than the error of interpolation, and may be due to it.")
         if found.invariants == (None, None):
             notes.append(self.unknown)
         return notes

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from polhode.errors import InvalidInput, shown
-from polhode.formats.column_mapping import mapping_of_words
+from polhode.formats.column_mapping import make_mapping
 from polhode.formats.paths import as_path
 from polhode.reports.report import Report, with_inputs
 from polhode.studies.naming import Called, in_python
@@ -25,7 +25,7 @@ def fit(
     clip: str | float | None = None, moment: str | None = None, mass: str | None = None,
     added_weight: str | None = None, weighted: Sequence[Path | str] = (), columns: Mapping[str, Any] | None = None,
 ) -> Report:  # fmt: skip
-    """Fit what the files are of, and return the report.
+    """Fit the model that the files determine, and return the report.
 
     Gyro logs of throws of one body, and a log of its attitude, tell its ratios of inertia; a spec or a file of atoms
     with measured lines (.lin) the constants of a molecule.
@@ -60,7 +60,7 @@ def fit(
         raise InvalidInput(f"`{wrong[0]}` must be a list; got {shown(lists[wrong[0]])}.")
     if columns is not None and not isinstance(columns, Mapping):
         raise InvalidInput(f'`columns` must be words by name, like {{"time": "t"}}; got {shown(columns)}.')
-    table = None if columns is None else Table(mapping_of_words(columns), True)
+    table = None if columns is None else Table(make_mapping(columns), True)
     options = ThrowOptions(windows, drag, torque, rotor, gain, clip, moment, mass, added_weight,
                            [as_path("weighted", path) for path in weighted], table)  # fmt: skip
     paths = [as_path("files", path) for path in files]

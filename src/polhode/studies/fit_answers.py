@@ -11,7 +11,7 @@ from polhode.estimation.attitude_fit import AttitudeFit
 from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import ThrowFit
 from polhode.reports.answer import Answer, Group
-from polhode.reports.wording import known_digits, uncertain
+from polhode.reports.wording import count_known_digits, uncertain
 from polhode.types import Array
 
 ALIKE = 0.5  # correlation of neighbouring residuals, above which a fit does not explain its data
@@ -27,7 +27,7 @@ def about_inertia(fit: ThrowFit | AttitudeFit) -> Group:
     intervals = fit.ratios.interval()
     answers = []
     for (name, value, error), (low, high) in zip(each(fit.ratios), intervals.tolist(), strict=True):
-        digits = known_digits(value, error, 16) + 2
+        digits = count_known_digits(value, error, 16) + 2
         words = f"{uncertain(value, error)}, 95 %: {low:.{digits}g} to {high:.{digits}g}"
         found = {"value": value, "standard_error": error, "interval": [low, high]}
         answers.append(Answer(f"ratios.{name}", found, "", name, "interval of 95 %", words))

@@ -1,4 +1,4 @@
-"""What was left out of logs of throws, and why."""
+"""Parts of logs of throws that were left out, and why."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ import numpy as np
 from polhode.errors import InvalidInput, shown
 from polhode.formats.spfit import read_lin
 from polhode.kinds.reading import read_spec_or_molecule
-from polhode.quantum.derivatives import AXES, once_each, value_of
+from polhode.quantum.derivatives import AXES, get_constant, once_each
 from polhode.quantum.fitting import RotorFit, fit_rotor
 from polhode.quantum.measured import MeasuredLines
 from polhode.quantum.rotor import Rotor
@@ -29,15 +29,15 @@ CLOSE = 0.95  # correlation from which two constants are said to go together
 
 @dataclass(frozen=True)
 class LineFitReport(StudyReport):
-    """A molecule's constants from measured lines.
+    """The report on a molecule's constants from measured lines.
 
     Attributes:
         name: of the molecule.
         start: the rotor that the fit started from.
         measured: the lines.
         fit: the numbers.
-        asked: names of the constants to fit; None for all that lines depend on.
-        warned: what the readers and the fit had to say.
+        asked: names of the constants to fit; None for all that change a line.
+        warned: warnings of the readers and the fit.
     """
 
     kind: ClassVar[str] = "line fit"
@@ -63,7 +63,7 @@ class LineFitReport(StudyReport):
     @property
     def notes(self) -> list[str]:
         start, fit, asked = self.start, self.fit, self.asked
-        return [*self.warned, *_together(start, fit, asked), *_fixed(start, fit, asked), *_remarks(fit)]
+        return [*self.warned, *_together(start, fit, asked), *_list_fixed(start, fit, asked), *_remarks(fit)]
 
     def _write_data(self, path: Path) -> Path:
         """Write the constants as a ``.par`` file, or with their correlations as ``.var``."""
@@ -113,8 +113,8 @@ def _together(start: Rotor, fit: RotorFit, asked: Sequence[str] | None) -> list[
     return [f"{both} are equal at the start and fitted as one, {first}; to fit each, start from values that differ."]
 
 
-def _fixed(start: Rotor, fit: RotorFit, asked: Sequence[str] | None) -> list[str]:
-    """Return which constants that the spec gives were left as they are, as no line depends on them."""
+def _list_fixed(start: Rotor, fit: RotorFit, asked: Sequence[str] | None) -> list[str]:
+    """Return a note on constants that were kept as given, as no line depends on them."""
     if asked is not None:
         return []
     left = [name for name in once_each(start, [*AXES, *start.distortion]) if name not in fit.names]
@@ -140,7 +140,7 @@ def _quality(fit: RotorFit, measured: MeasuredLines) -> Group:
 
 def _constants(fit: RotorFit, start: Rotor) -> Table:
     columns = zip(fit.names, fit.values.tolist(), fit.sigma.tolist(), strict=True)
-    rows = [{"constant": name, "value": value, "standard_error": sigma, "start": value_of(start, name)}
+    rows = [{"constant": name, "value": value, "standard_error": sigma, "start": get_constant(start, name)}
             for name, value, sigma in columns]  # fmt: skip
     return Table("constants", "Constants", {
         "constant": lambda row: row["constant"],
@@ -169,7 +169,7 @@ def _worst(fit: RotorFit, measured: MeasuredLines) -> Table:
 
 
 def _remarks(fit: RotorFit) -> list[str]:
-    """Return what a reader should know of errors that go together, and of lines that decide alone."""
+    """Return notes on strongly correlated constants, and on lines that alone determine a constant."""
     found = []
     pairs = np.argwhere(np.triu(np.abs(fit.correlation), 1) > CLOSE)
     if len(pairs):

@@ -32,7 +32,7 @@ def as_option(name: str) -> str:
 
 
 @contextlib.contextmanager
-def naming(path: Path | str) -> Iterator[None]:
+def name_file_in_errors(path: Path | str) -> Iterator[None]:
     """Name the file in what is refused."""
     try:
         yield
@@ -44,7 +44,7 @@ def naming(path: Path | str) -> Iterator[None]:
 def warnings_as_notes(path: Path | str) -> Iterator[list[str]]:
     """Name the file in what is refused, and yield a list that takes the warnings as notes."""
     notes: list[str] = []
-    with warnings.catch_warnings(record=True) as caught, naming(path):
+    with warnings.catch_warnings(record=True) as caught, name_file_in_errors(path):
         warnings.simplefilter("always", UserWarning)
         yield notes
     notes += dict.fromkeys(str(warning.message) for warning in caught)

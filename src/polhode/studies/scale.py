@@ -26,13 +26,13 @@ class Weight(NamedTuple):
 
 
 class KnownScale(NamedTuple):
-    """What is known beside the ratios: a moment (which, and how large in kg m²), or a weight."""
+    """The known scale of the moments: one of them (which, and its value [kg m²]), or an added weight."""
 
     moment: tuple[int, float] | None
     weight: Weight | None
 
     def moments(self, fit: ThrowFit | AttitudeFit, with_weight: ThrowFit | None) -> Estimate | None:
-        """Return the three moments [kg m²]; None where nothing is known, or the ratios are not."""
+        """Return the three moments [kg m²]; None where scale or ratios are unknown."""
         if fit.degenerate is not None:
             return None
         if self.moment is not None:
@@ -40,14 +40,14 @@ class KnownScale(NamedTuple):
         if self.weight is None or with_weight is None:
             return None
         if with_weight.degenerate is not None:
-            raise InvalidInput(f"the throws with the weight tell no inertia: {with_weight.degenerate}")
+            raise InvalidInput(f"the throws with the weight do not determine the inertia: {with_weight.degenerate}")
         return moments_from_weight(fit, with_weight, *self.weight)
 
 
 def read_scale(
     moment: str | None, mass: str | None, added_weight: str | None, has_logs: bool, called: Called
 ) -> KnownScale:
-    """Return what is known beside the ratios.
+    """Return the known scale of the moments.
 
     Args:
         moment: like "I3 = 1.2e-4 kg m^2".
@@ -65,7 +65,7 @@ def read_scale(
         raise InvalidInput(f"{names} belong together: the body's mass, the weight with its place, and logs of throws "
                            "with it. Give all three.")  # fmt: skip
     if any(parts) and moment is not None:
-        raise InvalidInput(f"{called('moment')} and {called('added_weight')} both tell the moments. Leave one out.")
+        raise InvalidInput(f"{called('moment')} and {called('added_weight')} both give the moments. Leave one out.")
     if mass is None or added_weight is None:
         return KnownScale(None if moment is None else _moment(moment, called("moment")), None)
     name, found = called("added_weight"), _PLACE.fullmatch(added_weight)

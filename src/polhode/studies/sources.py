@@ -16,14 +16,14 @@ from polhode.errors import FormatError, InvalidInput, PolhodeError, one_line, sh
 from polhode.formats.attitude_checks import check_recorded, single_attitude
 from polhode.formats.form import Form, Kernels
 from polhode.formats.form_registry import form_that_begins, forms
-from polhode.formats.labels import AttitudeLabels, Recording, labels_of
+from polhode.formats.labels import AttitudeLabels, Recording, find_labels
 from polhode.formats.opening import is_folder, open_file
 from polhode.formats.stamps import exact_number
-from polhode.formats.table_form import Line, form_of, is_comment
+from polhode.formats.table_form import Line, detect_form, is_comment
 from polhode.kinds.reading import read_spec
 from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
-from polhode.studies.naming import naming
+from polhode.studies.naming import name_file_in_errors
 from polhode.studies.tables import Table, needs_mapping
 
 HEAD = 65536  # bytes in which a file shows what it is
@@ -38,7 +38,7 @@ COUNTED_FROM = "counted_from"
 
 @dataclass(frozen=True)
 class Source:
-    """An attitude history and where it is from.
+    """An attitude history and its source.
 
     Attributes:
         kind: name of its form, "spec" or "table".
@@ -57,7 +57,7 @@ class Source:
     begin: Decimal = Decimal(0)
 
 
-def begin_of(path: Path, trajectory: Trajectory) -> Decimal:
+def find_begin(path: Path, trajectory: Trajectory) -> Decimal:
     """Return the stamp of its file's clock that a trajectory's times count from [s], exactly; 0 for the clock's zero.
 
     Raises:
@@ -71,7 +71,7 @@ def begin_of(path: Path, trajectory: Trajectory) -> Decimal:
 
 
 def kind_in_words(kind: str, article: bool = True) -> str:
-    """Return what people call a kind of file, like "an AEM".
+    """Return the usual name of a kind of file, like "an AEM".
 
     >>> kind_in_words("aem"), kind_in_words("spec", article=False)
     ('an AEM', 'spec')
@@ -81,8 +81,8 @@ def kind_in_words(kind: str, article: bool = True) -> str:
     return f"{'an' if name[0] == 'A' else 'a'} {name}" if article else name
 
 
-def kind_of(path: Path, table: Table | None = None) -> str:
-    """Return which form a file has, by what it begins with; what has none may be a spec, or a table of another tool.
+def detect_kind(path: Path, table: Table | None = None) -> str:
+    """Return the form of a file, detected by its first bytes; other text is a spec, or a table of another tool.
 
     Args:
         path: of the file.
@@ -98,7 +98,7 @@ def kind_of(path: Path, table: Table | None = None) -> str:
         head = file.read(HEAD)
     begin = head.removeprefix(b"\xef\xbb\xbf")
     found = form_that_begins(begin)
-    if found is not None and not (found.name == "csv" and _is_told(begin, table)):
+    if found is not None and not (found.name == "csv" and _is_chosen(begin, table)):
         return found.name
     if b"<aem" in head or b"<ndm" in head:
         raise FormatError(f"{path}: is XML; AEMs are read as text of keyword = value. Convert it.")
@@ -112,8 +112,8 @@ def kind_of(path: Path, table: Table | None = None) -> str:
     return TABLE if table is not None or _looks_like_table(path, head) else SPEC
 
 
-def _is_told(begin: bytes, table: Table | None) -> bool:
-    """Whether a table of polhode's is to be read as the columns are told: where that is for it, or as it needs it."""
+def _is_chosen(begin: bytes, table: Table | None) -> bool:
+    """Whether the mapping applies to a table of polhode's: if it is for this file, or if the table needs it."""
     return table is not None and (table.only or not begin.startswith(OWN_ATTITUDE))
 
 
@@ -124,7 +124,7 @@ def _looks_like_table(path: Path, head: bytes) -> bool:
     if any(_OF_TOML.match(line.text) for line in content if not is_comment(line.text)):
         return False
     try:
-        form_of(path, content)
+        detect_form(path, content)
     except FormatError:
         return False
     return True
@@ -138,7 +138,7 @@ def read_recorded(
     Raises:
         InvalidInput: for a spec, which holds none, for a table that nothing is said of, or as the readers do.
     """
-    kind = kind_of(path, table) if kind is None else kind
+    kind = detect_kind(path, table) if kind is None else kind
     if kind == TABLE:
         from polhode.formats.column_reading import read_columns
 
@@ -149,13 +149,13 @@ def read_recorded(
     if form is None or form.read is None:
         raise InvalidInput(f"{path}: is no AEM, C-kernel, table or dataset, as it does not begin like one. Check the "
                            "file.")  # fmt: skip
-    found = _read(form, path, kernels)
-    labels = labels_of(found) if form.has_labels else None
-    return kind, found, _told(labels) if form.is_own else labels
+    found = _read_form(form, path, kernels)
+    labels = find_labels(found) if form.has_labels else None
+    return kind, found, _keep_chosen(labels) if form.is_own else labels
 
 
-def _read(form: Form, path: Path, kernels: Kernels) -> Trajectory:
-    """Return what is in a file, of forms of other packages too, whose readers may let anything pass.
+def _read_form(form: Form, path: Path, kernels: Kernels) -> Trajectory:
+    """Return the content of a file; readers of other packages may return or raise anything, so it is checked.
 
     Raises:
         FormatError: for what cannot be read, holds nothing, or is no attitude.
@@ -175,14 +175,14 @@ def _read(form: Form, path: Path, kernels: Kernels) -> Trajectory:
     return found
 
 
-def source_of(path: Path, kernels: Kernels, table: Table | None = None, kind: str | None = None) -> Source:
-    """Return the attitude history of any file, of which ``kind_of`` may have found the kind already.
+def load_source(path: Path, kernels: Kernels, table: Table | None = None, kind: str | None = None) -> Source:
+    """Return the attitude history of any file, of which ``detect_kind`` may have found the kind already.
 
     Raises:
         InvalidInput: for what is missing, has no attitude, or holds several bodies.
         NotConverged: for a spec whose motion could not be followed.
     """
-    kind = kind_of(path, table) if kind is None else kind
+    kind = detect_kind(path, table) if kind is None else kind
     if kind == SPEC:
         return _from_spec(path)
     _, found, labels = read_recorded(path, kernels, table, kind)
@@ -192,15 +192,15 @@ def source_of(path: Path, kernels: Kernels, table: Table | None = None, kind: st
     trajectory = found.along("given")
     history = replace(
         _history(path, trajectory), resolution=0.0 if kind == TABLE else forms()[kind].resolution,
-        mechanics=_recorded_mechanics(trajectory, found.frame),
+        mechanics=_find_mechanics(trajectory, found.frame),
     )  # fmt: skip
-    return Source(kind, trajectory, history, labels, None, begin_of(path, found))
+    return Source(kind, trajectory, history, labels, None, find_begin(path, found))
 
 
-def _recorded_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanics | None:
+def _find_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanics | None:
     """Return the mechanics of a free body's dataset, whose momentum is the moments times the velocity.
 
-    Of a top the dataset does not tell the weight, and a rotor's momentum is not in the moments.
+    A dataset does not have the weight of a top, and a rotor's momentum is not in the moments.
     """
     kept = {"energy", "momentum_space"} <= trajectory.invariants.keys()
     if frame is None or frame.pivot is not None or not kept:
@@ -218,7 +218,7 @@ class SpecBody(NamedTuple):
     Attributes:
         kind: the spec's system.
         frame: the axes that its motion is along, moments about the point that it turns about; None for none.
-        mechanics: what energy and momentum are made of, along the given axes; None unless it is free, or a top.
+        mechanics: from which energy and momentum follow, along the given axes; None unless it is free, or a top.
     """
 
     kind: str
@@ -226,17 +226,17 @@ class SpecBody(NamedTuple):
     mechanics: Mechanics | None
 
 
-def body_of(path: Path) -> SpecBody:
+def load_body(path: Path) -> SpecBody:
     """Return the body of a spec.
 
     Raises:
         InvalidInput: for another kind of file, and as reading the spec does.
     """
-    if (kind := kind_of(path)) != SPEC:
+    if (kind := detect_kind(path)) != SPEC:
         why = f"is {kind_in_words(kind)}, and --spec wants a spec, whose [body] has the moments"
         raise InvalidInput(f"{path}: {why}. Give a TOML file like those of `polhode report`.")
     spec = read_spec(path)
-    with naming(path):
+    with name_file_in_errors(path):
         motion = spec.motion()
     return SpecBody(spec.kind.name, motion.trajectory.frame, motion.mechanics)
 
@@ -245,7 +245,7 @@ def _from_spec(path: Path) -> Source:
     spec = read_spec(path)
     if not spec.kind.has_attitude:
         raise _without_attitudes(path)
-    with naming(path):
+    with name_file_in_errors(path):
         moved = spec.motion()
     trajectory = moved.trajectory.along("given")
     history = replace(_history(path, trajectory), mechanics=moved.mechanics)
@@ -257,7 +257,7 @@ def _from_spec(path: Path) -> Source:
             return found.attitude, found.angular_velocity
 
         history = replace(history, exact=exact)
-    return Source("spec", trajectory, history, _told(spec.labels), spec.kind.name)
+    return Source("spec", trajectory, history, _keep_chosen(spec.labels), spec.kind.name)
 
 
 def _without_attitudes(path: Path) -> InvalidInput:
@@ -265,8 +265,8 @@ def _without_attitudes(path: Path) -> InvalidInput:
     return InvalidInput(f"{path}: {why}. Choose the motion of a body that turns in space.")
 
 
-def _told(labels: AttitudeLabels | None) -> AttitudeLabels | None:
-    """Return labels that somebody chose: the usual epoch says nothing about when the motion was."""
+def _keep_chosen(labels: AttitudeLabels | None) -> AttitudeLabels | None:
+    """Return labels with a chosen epoch, else None: the default epoch carries no information."""
     usual = AttitudeLabels()
     unsaid = labels is None or (labels.epoch, labels.time_system) == (usual.epoch, usual.time_system)
     return None if unsaid else labels

@@ -16,13 +16,13 @@ from polhode.formats.paths import as_path
 from polhode.formats.rotor_dataset import rotor_attributes, write_spectrum
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec_or_molecule
-from polhode.quantum.rotor import Levels, Rotor, below_ground
+from polhode.quantum.rotor import Levels, Rotor, warn_of_fallen
 from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport, with_inputs
 from polhode.reports.spectra import AREA, frequency, level_table, line_table
 from polhode.spec.reach import check_reach
-from polhode.spec.rotors import SpecRotor, asked_of, check_summable, doubts_of_weights
+from polhode.spec.rotors import SpecRotor, check_summable, complete_rotor, doubts_of_weights
 from polhode.spec.units import parse_quantity, parse_spectroscopic
 from polhode.studies.naming import Called, in_python, warnings_as_notes
 
@@ -39,7 +39,7 @@ class LevelsReport(StudyReport):
         rotor: its constants.
         levels: to ``j_max``.
         j_max: the largest J.
-        warned: what a reader should know of them.
+        warned: caveats.
     """
 
     kind: ClassVar[str] = "levels"
@@ -62,7 +62,7 @@ class LevelsReport(StudyReport):
 
     @property
     def notes(self) -> list[str]:
-        return [*self.warned, *filter(None, [below_ground(self.levels.J, self.levels.energy)])]
+        return [*self.warned, *filter(None, [warn_of_fallen(self.levels.J, self.levels.energy)])]
 
     @property
     def _table(self) -> Table:
@@ -87,7 +87,7 @@ class SpectrumReport(StudyReport):
         lines: the strongest within the bounds, by frequency.
         within: how many lines there are within the bounds.
         partition: the partition function.
-        warned: what the reader and the rotor had to say.
+        warned: warnings of the reader and the rotor.
     """
 
     kind: ClassVar[str] = "lines"
@@ -191,8 +191,8 @@ def spectrum_within(
     called: Called,
 ) -> SpectrumReport:  # fmt: skip
     """Return the report of ``spectrum``; ``called`` says how arguments are called where they are given."""
-    kelvin = _read(called("temperature"), temperature, lambda text: parse_quantity(text, "K"))
-    low, high = (_read(called(name), given, parse_spectroscopic) for name, given in bounds.items())
+    kelvin = _read_option(called("temperature"), temperature, lambda text: parse_quantity(text, "K"))
+    low, high = (_read_option(called(name), given, parse_spectroscopic) for name, given in bounds.items())
     low, high = 0.0 if low is None else low, math.inf if high is None else high
     if low > high:
         ends = " and ".join(map(str, bounds.values()))
@@ -205,7 +205,7 @@ def spectrum_within(
     moment = None if dipole is None else _dipole(dipole, called("dipole"))
     with warnings_as_notes(_place(molecule)) as notes:
         spec = _spec(molecule)
-        asked = _asked(spec.kind.rotor(spec), kelvin, j_max, moment)
+        asked = _apply_options(spec.kind.rotor(spec), kelvin, j_max, moment)
         if not asked.rotor.dipole.any():
             example = f'{called("dipole")} "0,1.857,0"' if called("dipole").startswith("--") else "dipole=(0, 1.857, 0)"
             raise InvalidInput(f"there is no dipole, and no lines without one. Give it, like {example}.")
@@ -227,10 +227,10 @@ def _place(molecule: Path | str | Spec) -> str:
     return molecule.name if isinstance(molecule, Spec) else str(molecule)
 
 
-def _asked(
+def _apply_options(
     found: SpecRotor, temperature: float | None, j_max: int | None, dipole: tuple[float, ...] | None
 ) -> SpecRotor:
-    """Return what a spec asks for, with what is given in place of it."""
+    """Return the request of a spec, with the given options in place of its own."""
     rotor, notes = found.rotor, found.notes
     if dipole is not None:
         reduction, representation = (None if x is None else x.name for x in (rotor.reduction, rotor.representation))
@@ -240,10 +240,10 @@ def _asked(
         notes = notes or doubts_of_weights(rotor, None)
     if temperature is None or temperature == found.temperature:
         return SpecRotor(rotor, found.temperature, found.j_max if j_max is None else j_max, notes)
-    return asked_of(rotor, temperature, j_max, notes)
+    return complete_rotor(rotor, temperature, j_max, notes)
 
 
-def _read(name: str, given: float | str | None, read: Callable[[str], float]) -> float | None:
+def _read_option(name: str, given: float | str | None, read: Callable[[str], float]) -> float | None:
     if given is None:
         return None
     try:

@@ -23,7 +23,7 @@ class Table(NamedTuple):
 
 
 def needs_mapping(path: Path) -> InvalidInput:
-    """Return the error for a table that nothing is said of, with its columns."""
+    """Return the error for a table without a mapping; it lists the columns."""
     from polhode.formats.column_reading import COLUMNS_SHOWN
     from polhode.formats.plain_table import table_form
 
@@ -34,7 +34,7 @@ def needs_mapping(path: Path) -> InvalidInput:
     return InvalidInput(f"{path}: is a table {columns}. Say what they are, like {EXAMPLE}.")
 
 
-def about_reading(trajectory: Trajectory, title: str, level: str) -> Group:
+def describe_reading(trajectory: Trajectory, title: str, level: str) -> Group:
     """Return how a table was understood.
 
     Args:
@@ -67,12 +67,12 @@ def about_reading(trajectory: Trajectory, title: str, level: str) -> Group:
     ])  # fmt: skip
 
 
-def notes_on_reading(trajectory: Trajectory, name: str) -> list[str]:
-    """Return what a reader should know of how a table was understood."""
+def list_reading_notes(trajectory: Trajectory, name: str) -> list[str]:
+    """Return caveats about how a table was understood."""
     assert isinstance(trajectory.source, Recording)
     found = trajectory.source.attributes
     notes = [f"{name}: {note}" for note in found["notes"]]
     if (found["rates_apart"] or 0.0) > APART:
-        notes.append(f"{name}: the attitude does not turn as the angular velocity says. Check direction, order, "
+        notes.append(f"{name}: the attitude does not follow the angular velocity. Check direction, order, "
                      "sequence and units.")  # fmt: skip
     return notes

@@ -16,7 +16,7 @@ from polhode.estimation.throw_fit import BIAS_SPREAD
 from polhode.formats.gyro_logs import ReadLog
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
-from polhode.reports.wording import counted, uncertain
+from polhode.reports.wording import uncertain, write_count
 from polhode.studies.fit_answers import (
     about_axes,
     about_inertia,
@@ -42,12 +42,12 @@ BARELY = 2.0  # AICc less than this apart: the criterion hardly prefers one mode
 
 @dataclass(frozen=True)
 class ThrowReport(StudyReport):
-    """The inertia of a thrown body from gyro logs.
+    """The report on the inertia of a thrown body from gyro logs.
 
     Attributes:
         fit: the numbers.
         names: of the logs.
-        logs: what was read of them.
+        logs: as they were read.
         flights: of each log, what was fitted and what was left out.
         moments: I1, I2, I3 [kg m²]; None where only their ratios are known.
     """
@@ -71,7 +71,7 @@ class ThrowReport(StudyReport):
     @property
     def summary(self) -> str:
         fit = self.fit
-        what = counted(len(fit.throws), "throw")
+        what = write_count(len(fit.throws), "throw")
         if fit.degenerate is not None or fit.ratios is None:
             return f"{what}: the inertia cannot be told. {sentence(fit.degenerate or '')}"
         said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in each(fit.ratios))
@@ -120,16 +120,16 @@ class ThrowReport(StudyReport):
 
 
 def _doubts(fit: ThrowFit) -> list[str]:
-    """Return notes on what makes numbers of a fit less sure than they look."""
+    """Return notes on reasons to doubt numbers of a fit."""
     notes = []
     if fit.rotor is not None:
         size = float(np.linalg.norm(fit.rotor.value))
-        notes.append(f"a wheel turns in the body, by what the rates say: its momentum is {size:.3g} rad/s of the "
+        notes.append(f"the rates indicate a wheel that turns in the body: its momentum is {size:.3g} rad/s of the "
                      "largest moment. The moments are of the body with the wheel; where no motor keeps its speed, "
                      "without the wheel's own moment about its axis.")  # fmt: skip
     if fit.with_or_without:
-        notes.append("the log can hardly tell whether a wheel turns in the body: the intervals reach from what it says "
-                     "with one to what it says without. --rotor or --no-rotor decides it.")  # fmt: skip
+        notes.append("the log hardly distinguishes a body with a wheel from one without: the intervals cover both. "
+                     "Choose by --rotor or --no-rotor.")  # fmt: skip
     size = float(np.abs(fit.bias.value).max())
     if size > LARGE_BIAS and fit.rest is None:
         notes.append(f"the bias is large, {size:.2g} rad/s, and no rest in the log confirms it: it may stand for "
@@ -143,12 +143,12 @@ def _doubts(fit: ThrowFit) -> list[str]:
         both = np.stack([fit.beside_wheel, fit.ratios.standard_error])
         if (both[0] > HIDDEN * both[1]).any():
             first, second = (f"{error:.2g}" for error in both[0])
-            notes.append("it is assumed that no wheel turns in the body: if one might, the log would tell I1/I3 only "
-                         f"to ± {first} and I2/I3 to ± {second}, and the intervals are too narrow. Throw it longer, "
-                         "or with more tumble, to tell them apart.")  # fmt: skip
+            notes.append("it is assumed that no wheel turns in the body. If one does, the intervals are too narrow: "
+                         f"the log then determines I1/I3 only to ± {first} and I2/I3 to ± {second}. A longer throw, or "
+                         "one with more tumble, distinguishes the two.")  # fmt: skip
     if fit.unmodelled > PUSHED:
-        notes.append(f"a torque acts that no model has, about {fit.unmodelled:.2g} I3 |ω|²: the intervals allow for "
-                     "it.")  # fmt: skip
+        notes.append(f"a torque of about {fit.unmodelled:.2g} I3 |ω|² acts that no model has; the intervals allow "
+                     "for it.")  # fmt: skip
     if fit.gain is not None and fit.gain_spread > LARGER * GAIN_SPREAD:
         notes.append(f"the gyro's gains are off by about {100 * fit.gain_spread:.2g} %, more than expected: the "
                      "intervals allow for it.")  # fmt: skip
@@ -170,9 +170,9 @@ def _gyro(fit: ThrowFit) -> Group:
                "of y and z, x and z, x and y", None if cross is None else in_words(cross)),
         Answer("gain_spread", fit.gain_spread if sure and gain is not None else None, "", "",
                "standard deviation of the gains, by the log and by what was known beforehand"),
-        _torque_of("drag", fit.drag, "", "drag c/I3", "−c_i |ω| ω_i", "none" if sure else None),
-        _torque_of("linear_drag", fit.linear_drag, "1/s", "linear drag b/I3", "−b_i ω_i"),
-        _torque_of("one_sided_drag", fit.one_sided_drag, "", "one-sided drag d/I3", "−d_i |ω| |ω_i|"),
+        _describe_torque("drag", fit.drag, "", "drag c/I3", "−c_i |ω| ω_i", "none" if sure else None),
+        _describe_torque("linear_drag", fit.linear_drag, "1/s", "linear drag b/I3", "−b_i ω_i"),
+        _describe_torque("one_sided_drag", fit.one_sided_drag, "", "one-sided drag d/I3", "−d_i |ω| |ω_i|"),
         Answer("rotor", None if fit.rotor is None else values(fit.rotor), "rad/s", "wheel's momentum h/I3",
                "along the principal axes; null where none is fitted",
                ("none assumed" if sure else None) if fit.rotor is None else f"{in_words(fit.rotor)} rad/s"),
@@ -190,7 +190,7 @@ def _bias_in_words(fit: ThrowFit) -> str:
     return f"{in_words(fit.bias)} rad/s{assumed}"
 
 
-def _torque_of(key: str, found: Estimate | None, unit: str, label: str, torque: str, words: str | None = None
+def _describe_torque(key: str, found: Estimate | None, unit: str, label: str, torque: str, words: str | None = None
                ) -> Answer:  # fmt: skip
     if found is None:
         return Answer(key, None, unit, label if words else "", "", words)
@@ -202,7 +202,7 @@ def _quality(fit: ThrowFit) -> Group:
     sure = fit.degenerate is None and len(fit.residuals) > 0
     first = fit.throws[0]
     how = "as given" if first.window.reason == "given" else first.window.reason
-    how += f"; {counted(len(fit.throws) - 1, 'more throw')} below" if len(fit.throws) > 1 else ""
+    how += f"; {write_count(len(fit.throws) - 1, 'more throw')} below" if len(fit.throws) > 1 else ""
     return Group("Fit", [
         Answer("rms", fit.rms if sure else None, "rad/s", "residuals", "root mean square",
                f"{fit.rms:.3g} rad/s rms" if sure else None),

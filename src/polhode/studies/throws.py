@@ -25,16 +25,16 @@ from polhode.studies.attitude_report import AttitudeReport
 from polhode.studies.left_out import left_out_words
 from polhode.studies.naming import Called
 from polhode.studies.scale import read_scale
-from polhode.studies.sources import kind_of, source_of
+from polhode.studies.sources import detect_kind, load_source
 from polhode.studies.tables import Table
 from polhode.studies.throw_report import ThrowReport
 
 Progress = Callable[[Path], Callable[[int], None] | None]
-"""Returns what is told how many lines of a file are read."""
+"""Returns the function that is called with the number of lines read of a file."""
 
 
 class ThrowOptions(NamedTuple):
-    """What is said of logs beside their files; None and empty where nothing is. See ``fit``."""
+    """Options for logs, None or empty where they are not given. See ``fit``."""
 
     windows: Sequence[str | tuple[float, float]] = ()
     drag: bool | None = None
@@ -51,7 +51,7 @@ class ThrowOptions(NamedTuple):
 
     @property
     def given(self) -> list[str]:
-        """The names of those that are given, without what is said of columns."""
+        """The names of the given options, without those for columns."""
         values = self._replace(table=None, unit=None)._asdict()
         return [name for name, value in values.items() if value is not None and len(np.atleast_1d(value))]
 
@@ -61,9 +61,9 @@ def fit_logs(paths: Sequence[Path], options: ThrowOptions, called: Called, progr
 
     Args:
         paths: of the logs.
-        options: what is said of them.
+        options: for the logs.
         called: returns how an argument is called where it is given, for messages.
-        progress: is told how far the reading of a log is.
+        progress: called with how far the reading of a log is.
 
     Raises:
         InvalidInput: for what cannot be read or fitted, and for options that are of the other kind of log.
@@ -86,12 +86,12 @@ def fit_logs(paths: Sequence[Path], options: ThrowOptions, called: Called, progr
 
 
 def _attitude_kind(path: Path, table: Table | None) -> str | None:
-    """Return which kind of log of attitudes a file is, by its content or by what is said of its columns; else None."""
+    """Return the form of a log of attitudes, by its content or its mapping; None for other files."""
     if table is not None and table.mapping.attitude:
-        return kind_of(path, table)
+        return detect_kind(path, table)
     if not path.is_file() or is_archive(path):
         return None
-    kind = kind_of(path, table)
+    kind = detect_kind(path, table)
     return kind if kind in forms() else None
 
 
@@ -101,7 +101,7 @@ def _fit_attitudes(path: Path, kind: str, options: ThrowOptions, called: Called)
         raise InvalidInput(f"{called('windows')} must be given once at most for a log of attitudes; got "
                            f"{len(windows)}.")  # fmt: skip
     known = read_scale(options.moment, options.mass, options.added_weight, bool(options.weighted), called)
-    trajectory = source_of(path, Kernels(), options.table, kind).trajectory
+    trajectory = load_source(path, Kernels(), options.table, kind).trajectory
     times, attitude = np.asarray(trajectory.times), np.asarray(trajectory.attitude)
     rates = None if trajectory.angular_velocity is None else np.asarray(trajectory.angular_velocity)
     for window in windows:
@@ -151,7 +151,7 @@ def _flights(
     given: Sequence[str | tuple[float, float]], names: Sequence[str], logs: Sequence[ReadLog], clip: float | None,
     called: Called,
 ) -> list[Flights]:  # fmt: skip
-    """Return what is fitted of each log: the windows that are given, else all flights that are found."""
+    """Return the stretches of each log to fit: the given windows, else all flights found."""
     if given:
         return [Flights(windows, []) for windows in _windows(given, len(logs), called)]
     found = [find_flights(read.log, clip) for read in logs]
@@ -168,7 +168,7 @@ def _flights(
 
 
 def _windows(given: Sequence[str | tuple[float, float]], logs: int, called: Called) -> list[list[Window]]:
-    """Return the windows of each log: all are of a single log, otherwise one is for each."""
+    """Return the windows of each log: all windows for a single log, otherwise one for each log."""
     windows = [_window(one, called) for one in given]
     if logs == 1:
         return [windows]

@@ -24,7 +24,7 @@ AXES: tuple[Axis, ...] = ("encircled", "long", "short")
 
 
 class Friction(NamedTuple):
-    """What the time of damping by internal friction is made of.
+    """Constants from which the time of damping by internal friction follows.
 
     Attributes:
         diameter: mean [m].
@@ -90,7 +90,7 @@ def tumble(
 
 
 class Given(NamedTuple):
-    """What is known of a body; see ``tumble``."""
+    """The data on a body; see ``tumble``."""
 
     precession: Uncertain | None = None
     rotation: Uncertain | None = None
@@ -107,14 +107,14 @@ def tumble_report(known: KnownTumbler | None, given: Given, called: Called) -> T
     """Return the report on a body's motion.
 
     Args:
-        known: a body, if it is one of those that are known.
-        given: what takes the place of what is known.
+        known: the catalogued body, if it is one.
+        given: data that replace those of the catalogue.
         called: returns how an argument is called where it is given, for messages.
 
     Raises:
         InvalidInput: as ``tumble`` does.
     """
-    periods, moments, errors = _measured(known, given, called)
+    periods, moments, errors = _gather_measured(known, given, called)
     motions = fit_tumbling(*periods, moments, given.axis, errors if any(errors) else None)
     mode: Mode = given.mode or (motions[0].mode if known is None else known.mode)  # type: ignore[assignment]
     chosen = [motion for motion in motions if motion.mode == mode]
@@ -132,12 +132,12 @@ def tumble_report(known: KnownTumbler | None, given: Given, called: Called) -> T
     )  # fmt: skip
 
 
-def _measured(
+def _gather_measured(
     known: KnownTumbler | None, given: Given, called: Called
 ) -> tuple[tuple[float, float], list[float], list[float]]:
     """Return both periods [s], the moments by size, and the errors of all five."""
     if given.moments is not None and given.semi_axes is not None:
-        raise InvalidInput(f"{called('moments')} and {called('semi_axes')} both tell the moments. Leave one out.")
+        raise InvalidInput(f"{called('moments')} and {called('semi_axes')} both give the moments. Leave one out.")
     texts = {"precession": given.precession or (known and known.precession),
              "rotation": given.rotation or (known and known.rotation)}  # fmt: skip
     moments = given.moments

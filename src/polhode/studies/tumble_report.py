@@ -13,7 +13,7 @@ import numpy as np
 
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.tumbling import Tumbling
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
 from polhode.reports.wording import angle, duration, in_its_unit, order_words, uncertain
@@ -23,20 +23,21 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 CALM = {"short-axis": 3, "long-axis": 1}
+EXTREME = {"short-axis": "largest", "long-axis": "smallest"}
 WORDS = {"short-axis": "short-axis mode (SAM)", "long-axis": "long-axis mode (LAM)"}
 
 
 @dataclass(frozen=True)
 class TumbleReport(StudyReport):
-    """How a body tumbles.
+    """The report on a tumbling body's motion.
 
     Attributes:
         name: of the body.
-        source: where its periods are from; empty for what the caller gave.
+        source: of its periods; empty where the caller gave them.
         motion: the motion that has these periods.
         others: those of the other mode with the same periods.
         limits: least ratio of rotation to precession in each mode.
-        light: its light curve; None of a flat body.
+        light: its light curve; None for a flat body.
         damping: None where the friction is not known.
     """
 
@@ -54,28 +55,29 @@ class TumbleReport(StudyReport):
         motion = self.motion
         low, high = (f"{np.degrees(x):.4g}°" for x in motion.tilts)
         mode = WORDS[motion.mode]
+        axis = f"the axis of {EXTREME[motion.mode]} moment, axis {CALM[motion.mode]}"
         return (
-            f"{mode[0].upper()}{mode[1:]}: the energy is {_energy(motion)} times the least for "
-            f"this angular momentum, and axis {CALM[motion.mode]} is tilted against L by {low} to {high}."
+            f"{mode[0].upper()}{mode[1:]}: L circles {axis}, at {low} to {high}; the energy is {_energy(motion)} times "
+            "the least for this angular momentum."
         )
 
     @property
     def notes(self) -> list[str]:
         notes = []
         if self.others:
-            notes.append(f"the {WORDS[self.others[0].mode]} has the same periods; a light curve or an image must tell "
-                         f"which it is. --mode {self.others[0].mode} takes the other.")  # fmt: skip
+            notes.append(f"the {WORDS[self.others[0].mode]} has the same periods; only a light curve or an image can "
+                         f"decide. --mode {self.others[0].mode} takes the other.")  # fmt: skip
         interval = self.motion.interval
         if interval is not None and interval.admissible < 0.975:
             notes.append(f"only {100 * interval.admissible:.0f} % of the periods and moments within the errors have a "
-                         "motion in this mode; the intervals are of those.")  # fmt: skip
+                         "motion in this mode; the intervals are computed from these.")  # fmt: skip
         if self.light is None:
             notes.append("I1 + I2 = I3: the body is flat, and there is no ellipsoid to draw a light curve of.")
         return notes
 
     @property
     def answers(self) -> list[Group | Table]:
-        return [_state(self.motion), _periods(self.motion), _body(self), *_damping(self.damping),
+        return [_state(self.motion), _periods(self.motion), _body(self), *_describe_damping(self.damping),
                 *_others(self.others), *_light(self)]  # fmt: skip
 
     def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
@@ -95,13 +97,13 @@ class TumbleReport(StudyReport):
         if ending not in (".csv", ".toml"):
             raise InvalidInput(f"{path}: must end in .csv (light curve) or .toml (spec); got {shown(path.suffix)}.")
         if ending == ".toml":
-            with written_whole(path) as draft:
+            with write_whole(path) as draft:
                 draft.write_text(_spec(self), "utf-8")
             return path
         if self.light is None:
             why = "a flat body, I1 + I2 = I3, has no light curve here. Give moments of a solid body."
             raise InvalidInput(f"{path}: {why}")
-        with written_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
+        with write_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file)
             writer.writerow(["time [s]", "magnitude [mag]"])
             writer.writerows(zip(self.light.times.tolist(), self.light.magnitudes.tolist(), strict=True))
@@ -171,7 +173,7 @@ def _body(found: TumbleReport) -> Group:
     ])  # fmt: skip
 
 
-def _damping(damping: Damping | None) -> list[Group]:
+def _describe_damping(damping: Damping | None) -> list[Group]:
     if damping is None:
         return []
     assumed = (f"D = {damping.diameter:.4g} m, ρ = {damping.density:.4g} kg/m³, μQ = {damping.rigidity:.3g} Pa, "

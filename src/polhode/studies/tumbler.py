@@ -9,7 +9,7 @@ from polhode.types import Array, Float64
 
 
 class Damping(NamedTuple):
-    """Time of damping [s], and what was assumed: diameter [m], density [kg/m³], μQ [Pa], K₃²."""
+    """Time of damping [s], and the assumptions: diameter [m], density [kg/m³], μQ [Pa], K₃²."""
 
     time: float
     diameter: float

@@ -13,7 +13,7 @@ from polhode.estimation.pole_series import DAY, YEAR
 from polhode.estimation.wobble_process import fit_chandler_process
 from polhode.estimation.wobble_windows import fit_chandler_windows, pole_spectrum
 from polhode.formats.paths import as_path
-from polhode.formats.polar_motion import PoleSeries, date_of, day_of, read_polar_motion
+from polhode.formats.polar_motion import PoleSeries, format_day, parse_day, read_polar_motion
 from polhode.reports.report import with_inputs
 from polhode.studies.wobble_report import WobbleReport
 
@@ -48,8 +48,8 @@ def wobble_report(
     called: tuple[str, str],
 ) -> WobbleReport:  # fmt: skip
     """Return the report; ``called`` says how start and end are called where they are given, for messages."""
-    first = None if start is None else day_of(start, called[0])
-    last = None if end is None else day_of(end, called[1])
+    first = None if start is None else parse_day(start, called[0])
+    last = None if end is None else parse_day(end, called[1])
     if first is not None and last is not None and first >= last:
         raise InvalidInput(f"{called[0]} must be before {called[1]}; got {start} and {end}. Swap them.")
     if not isinstance(series, PoleSeries):
@@ -68,8 +68,8 @@ def wobble_report(
 def _between(series: PoleSeries, start: float | None, end: float | None, called: tuple[str, str]) -> PoleSeries:
     inside = (series.days >= (-1.0 if start is None else start)) & (series.days < (1e9 if end is None else end))
     if not inside.any():
-        raise InvalidInput(f"nothing of {series.source} stands between {called[0]} and {called[1]}: it has days from "
-                           f"{date_of(float(series.days[0]))} to {date_of(float(series.days[-1]))}. Choose among these."
-                           )  # fmt: skip
+        first, last = (format_day(float(series.days[k])) for k in (0, -1))
+        raise InvalidInput(f"{series.source} has no data between {called[0]} and {called[1]}: its days go from {first} "
+                           f"to {last}. Choose among these.")  # fmt: skip
     names = ("days", "x", "y", "x_error", "y_error")
     return replace(series, **{name: getattr(series, name)[inside] for name in names})

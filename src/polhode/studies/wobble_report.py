@@ -16,7 +16,7 @@ from polhode.estimation.excitation import PolarExcitation
 from polhode.estimation.polar_motion import ChandlerFit
 from polhode.estimation.wobble_process import ChandlerProcess
 from polhode.estimation.wobble_windows import ChandlerWindows, PoleSpectrum
-from polhode.formats.polar_motion import PoleSeries, date_of
+from polhode.formats.polar_motion import PoleSeries, format_day
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
 from polhode.reports.wording import uncertain
@@ -168,7 +168,7 @@ def _terms(found: WobbleReport) -> Table:
 
 def _windows(windows: ChandlerWindows) -> Table:
     rows: list[dict[str, Any]] = [
-        {"centre": date_of(centre / DAY), "amplitude_mas": a / MAS, "amplitude_mas_error": b / MAS, "phase": p,
+        {"centre": format_day(centre / DAY), "amplitude_mas": a / MAS, "amplitude_mas_error": b / MAS, "phase": p,
          "phase_error": q}
         for centre, a, b, p, q in zip(windows.centres, windows.amplitude, windows.amplitude_error, windows.phase,
                                       windows.phase_error, strict=True)
@@ -208,7 +208,7 @@ def _chain(found: WobbleReport) -> Table:
 
 def _data(found: WobbleReport) -> Group:
     days = found.series.days
-    span = [date_of(float(days[0])), date_of(float(days[-1]))]
+    span = [format_day(float(days[0])), format_day(float(days[-1]))]
     return Group("Data", [
         Answer("source", found.series.source, "", "source"),
         Answer("form", found.series.form, "", "form"),

@@ -24,7 +24,7 @@ from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep, default_workers
 from polhode.sweeps.sensitivity import sobol_indices
 from polhode.sweeps.store import Store
-from polhode.sweeps.summary import Numbers, Summary, joined
+from polhode.sweeps.summary import Numbers, Summary, join_summaries
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -89,7 +89,7 @@ class SweepReport(StudyReport):
     @cached_property
     def summaries(self) -> dict[str, Summary]:
         """Each input, output and the status in summary."""
-        return {column.name: joined(mark.arrays[column.name].summary for mark in self.marks)
+        return {column.name: join_summaries(mark.arrays[column.name].summary for mark in self.marks)
                 for column in self.sweep.columns}  # fmt: skip
 
     @cached_property
@@ -221,7 +221,7 @@ def _tables(
 ) -> Iterator[Table]:  # fmt: skip
     """Yield the tables that have rows."""
 
-    def said(name: str) -> Any:
+    def format_cell(name: str) -> Any:
         return lambda row: "–" if row[name] is None else f"{row[name]:.5g}"
 
     def output(row: dict[str, Any]) -> str:
@@ -231,8 +231,8 @@ def _tables(
     if numbers:
         columns = {
             "output": output, "mean": _mean,
-            "deviation": said("standard_deviation"), "median": said("quantile_50"),
-            "5 to 95 %": lambda row: f"{said('quantile_05')(row)} to {said('quantile_95')(row)}",
+            "deviation": format_cell("standard_deviation"), "median": format_cell("quantile_50"),
+            "5 to 95 %": lambda row: f"{format_cell('quantile_05')(row)} to {format_cell('quantile_95')(row)}",
         }  # fmt: skip
         if any(row["count"] != done for row in numbers):
             columns["samples"] = lambda row: f"{row['count']:,}"

@@ -13,14 +13,14 @@ from polhode.bodies.inertia import ROUNDING
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Bodies, Spec
 from polhode.spec.building import build_body
-from polhode.spec.keys import as_written, with_value
-from polhode.spec.mistakes import mistakes_of
+from polhode.spec.keys import with_value, write_quantity
+from polhode.spec.mistakes import list_mistakes
 from polhode.spec.models import BodyTable
 
 OF_MOMENTS = ("body.moments", "body.moments.1", "body.moments.2", "body.moments.3")
 
 
-def bodies_of(spec: Spec, tables: dict[str, Any], varied: Mapping[str, Any], units: Mapping[str, str]) -> Bodies | None:
+def vary_body(spec: Spec, tables: dict[str, Any], varied: Mapping[str, Any], units: Mapping[str, str]) -> Bodies | None:
     """Return the bodies of samples, one for all where none of their numbers is varied; None for kinds without one.
 
     Args:
@@ -67,12 +67,12 @@ def _one_by_one(folder: Path, tables: dict[str, Any], varied: Mapping[str, Any],
     for k in range(count):
         changed = {"body": tables["body"]}
         for key, values in varied.items():
-            changed = with_value(changed, key, as_written(np.asarray(values[k]).tolist(), units[key]))
+            changed = with_value(changed, key, write_quantity(np.asarray(values[k]).tolist(), units[key]))
         try:
             body = build_body(BodyTable.model_validate(changed["body"]), folder)
             moments[k], axes[k] = body.principal_moments, body.principal_axes
         except ValidationError as error:
-            wrong = mistakes_of(error, BodyTable, ("body",))
+            wrong = list_mistakes(error, BodyTable, ("body",))
             refused[k] = "; ".join(f"{'.'.join(map(str, place))}: {text}" for place, text in wrong)
         except InvalidInput as error:
             refused[k] = str(error)

@@ -172,7 +172,7 @@ class LogEven(AbstractRandom):
         return self.low * np.exp(uniform[:, 0] * math.log(self.high / self.low))
 
 
-def _length_of(value: Any, reader: Reader, folder: Path) -> AbstractRandom | float:
+def _read_length(value: Any, reader: Reader, folder: Path) -> AbstractRandom | float:
     """Return the length of vectors: a quantity, or itself spread."""
     if not isinstance(value, dict):
         length = reader(value)
@@ -202,7 +202,7 @@ class OnSphere(AbstractRandom):
 
     @classmethod
     def read(cls, value: Any, reader: Reader, folder: Path) -> OnSphere:
-        return cls(_length_of(value, reader, folder))
+        return cls(_read_length(value, reader, folder))
 
     def values(self, uniform: Uniform) -> Values:
         height = 2.0 * uniform[:, 0] - 1.0
@@ -238,7 +238,7 @@ class VonMisesFisher(AbstractRandom):
         if not (size > 0.0 and math.isfinite(size)) or not concentration > 0.0:
             raise ValueError(f"needs a direction and a positive concentration; got {shown(value)}")
         x, y, z = (part / size for part in mean)
-        return cls((x, y, z), concentration, _length_of(value["length"], reader, folder))
+        return cls((x, y, z), concentration, _read_length(value["length"], reader, folder))
 
     def values(self, uniform: Uniform) -> Values:
         below = -np.log1p(uniform[:, 0] * np.expm1(-2.0 * self.concentration)) / self.concentration  # 1 − cos θ
@@ -400,8 +400,8 @@ def _column(path: Path, name: str, scale: Callable[[float], float]) -> tuple[np.
     return np.array(found), str(path)
 
 
-def _all_of(base: type) -> list[type]:
-    return [each for sub in base.__subclasses__() for each in ([sub] if hasattr(sub, "key") else _all_of(sub))]
+def _list_subclasses(base: type) -> list[type]:
+    return [each for sub in base.__subclasses__() for each in ([sub] if hasattr(sub, "key") else _list_subclasses(sub))]
 
 
 def read_distribution(
@@ -418,7 +418,7 @@ def read_distribution(
     Raises:
         ValueError: in words.
     """
-    known = {each.key: each for each in _all_of(AbstractDistribution)}
+    known = {each.key: each for each in _list_subclasses(AbstractDistribution)}
     if lengths:
         known = {key: each for key, each in known.items() if issubclass(each, AbstractRandom) and each.dimensions == 1}
     keys = [key for key in known if isinstance(value, dict) and key in value]

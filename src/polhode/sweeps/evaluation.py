@@ -13,11 +13,11 @@ import numpy as np
 
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.kinds.base import Ensemble, ManySpecs, Spec
-from polhode.kinds.reading import spec_of_tables
+from polhode.kinds.reading import build_spec
 from polhode.motion.trajectory import Trajectory
-from polhode.reports.answer import Group, Table, plain, values_of
-from polhode.spec.keys import as_written, with_value
-from polhode.sweeps.bodies import bodies_of
+from polhode.reports.answer import Group, Table, collect_values, plain
+from polhode.spec.keys import with_value, write_quantity
+from polhode.sweeps.bodies import vary_body
 from polhode.sweeps.plan import STATES, Plan
 
 WORDS = 24  # characters of a word that a sample may have; other texts are no outputs
@@ -76,10 +76,10 @@ class Evaluator:
 
     plan: Plan
 
-    def inputs_of(self, low: int, high: int) -> dict[str, Any]:
+    def draw_inputs(self, low: int, high: int) -> dict[str, Any]:
         return self.plan.design.values(low, high)
 
-    def spec_of(self, inputs: Mapping[str, Any], k: int) -> Spec:
+    def make_spec(self, inputs: Mapping[str, Any], k: int) -> Spec:
         """Return the spec of one of the samples with these inputs.
 
         Raises:
@@ -89,10 +89,10 @@ class Evaluator:
         for key, values in inputs.items():
             value = np.asarray(values[k]).tolist()
             try:
-                tables = with_value(tables, key, as_written(value, self.plan.units[key]))
+                tables = with_value(tables, key, write_quantity(value, self.plan.units[key]))
             except ValueError as error:
                 raise InvalidInput(f"{self.plan.path}: sweep.inputs.{key}: {error}.") from None
-        return spec_of_tables(tables, self.plan.path)
+        return build_spec(tables, self.plan.path)
 
     @cached_property
     def _probe(self) -> tuple[Spec, list[Column], int]:
@@ -109,7 +109,7 @@ class Evaluator:
             if found is not None and place >= first:
                 break
             try:
-                spec = self.spec_of(self.inputs_of(k, k + 1), 0)
+                spec = self.make_spec(self.draw_inputs(k, k + 1), 0)
                 columns = self._columns(spec)
             except (InvalidInput, NotConverged) as refusal:
                 if isinstance(refusal, _NoSuchAnswer):
@@ -150,7 +150,7 @@ class Evaluator:
     @cached_property
     def _first(self) -> Ensemble | None:
         number = self._probe[2]
-        return self._ensemble(self.inputs_of(number, number + 1))
+        return self._ensemble(self.draw_inputs(number, number + 1))
 
     @property
     def at_once(self) -> bool:
@@ -164,13 +164,13 @@ class Evaluator:
 
     def chunk(self, low: int, high: int) -> Chunk:
         """Return the samples low, …, high − 1."""
-        inputs = self.inputs_of(low, high)
+        inputs = self.draw_inputs(low, high)
         values, refused, lost = self._together(inputs) if self.at_once else self._one_by_one(inputs, high - low)
         status = np.full(high - low, DONE, dtype=f"<U{WORDS}")
         status[list(refused)], status[list(lost)] = REFUSED, LOST
         wrong, outputs = [*refused, *lost], {}
         for column in self.columns:
-            array = np.array(_of(values, column.name), dtype=column.type)
+            array = np.array(_take_output(values, column.name), dtype=column.type)
             array[wrong] = "" if column.text else math.nan
             if not column.text:
                 array[~np.isfinite(array)] = math.nan
@@ -183,9 +183,9 @@ class Evaluator:
         for column in self._probe[1]:
             whole, _, place = column.name.rpartition(".")
             names.append(whole if place.isdecimal() else column.name)
-        bodies = bodies_of(spec, self.plan.tables, inputs, self.plan.units)
+        bodies = vary_body(spec, self.plan.tables, inputs, self.plan.units)
         times = np.asarray(self.plan.times, dtype=float)
-        samples = ManySpecs(spec, inputs, bodies, lambda k: self.spec_of(inputs, k))
+        samples = ManySpecs(spec, inputs, bodies, lambda k: self.make_spec(inputs, k))
         return spec.kind.ensemble(samples, list(dict.fromkeys(names)), times)
 
     def _together(self, inputs: dict[str, Any]) -> tuple[dict[str, Any], dict[int, str], dict[int, str]]:
@@ -193,7 +193,7 @@ class Evaluator:
         if refused:
             # in place of what cannot be, a sample that can: the others are computed as they would be beside it
             number = self._probe[2]
-            good, wrong = self.inputs_of(number, number + 1), list(refused)
+            good, wrong = self.draw_inputs(number, number + 1), list(refused)
             inputs = {key: np.array(values) for key, values in inputs.items()}
             for key, values in inputs.items():
                 values[wrong] = good[key][0]
@@ -209,13 +209,13 @@ class Evaluator:
             if high - low > 1:
                 middle = (low + high) // 2
                 return self._impossible(inputs, low, middle) | self._impossible(inputs, middle, high)
-            return {low: self._worded(inputs, low) or str(error)}
+            return {low: self._explain_refusal(inputs, low) or str(error)}
         return {}
 
-    def _worded(self, inputs: dict[str, Any], k: int) -> str:
+    def _explain_refusal(self, inputs: dict[str, Any], k: int) -> str:
         """Return what reading the sample's own spec has to say against it, which names the key."""
         try:
-            self.spec_of(inputs, k).report()
+            self.make_spec(inputs, k).report()
         except InvalidInput as error:
             return str(error)
         return ""
@@ -225,14 +225,14 @@ class Evaluator:
         refused, lost = {}, {}
         for k in range(count):
             try:
-                spec = self.spec_of(inputs, k)
+                spec = self.make_spec(inputs, k)
                 answers, _ = self._answers(spec)
                 trajectory = self._trajectory(spec) if self.plan.states else None
                 for column in self.columns:
                     if trajectory is not None and column.name in self.plan.states:
                         found = _state(column.name, trajectory, self.plan.times)
                     else:
-                        found = _fitting(column, _picked(answers, column.name))
+                        found = _fit_to_column(column, _pick(answers, column.name))
                     values[column.name][k] = found
             except InvalidInput as error:
                 refused[k] = str(error)
@@ -251,7 +251,7 @@ class Evaluator:
             return {}, groups
         for group in spec.kind.answers_without_motion(spec):
             groups.append(group)
-            found = plain(values_of(groups))
+            found = plain(collect_values(groups))
             if all(_has(found, name) for name in wanted):
                 return found, groups
         report = spec.report()
@@ -267,7 +267,7 @@ class _NoSuchAnswer(InvalidInput):
     """A name that no answer has."""
 
 
-def _of(values: Mapping[str, Any], name: str) -> Any:
+def _take_output(values: Mapping[str, Any], name: str) -> Any:
     """Return the values of an output, which may be one component of what was computed."""
     if name in values:
         return values[name]
@@ -275,7 +275,7 @@ def _of(values: Mapping[str, Any], name: str) -> Any:
     return values[whole][:, int(place) - 1]
 
 
-def _picked(values: Any, name: str) -> Any:
+def _pick(values: Any, name: str) -> Any:
     """Return an answer by its name in the JSON; places in lists count from 1. None where there is none."""
     for part in name.split("."):
         if isinstance(values, dict):
@@ -287,7 +287,7 @@ def _picked(values: Any, name: str) -> Any:
     return values
 
 
-def _fitting(column: Column, value: Any) -> Any:
+def _fit_to_column(column: Column, value: Any) -> Any:
     """Return a value as its column takes it.
 
     Raises:
@@ -314,7 +314,7 @@ def _answer_column(name: str, values: dict[str, Any], units: dict[str, str]) -> 
         hint = f"did you mean {near[0]}?" if near else f"some that it has: {', '.join(known[:12])}, …"
         raise _NoSuchAnswer(f"sweep.outputs: the report has no answer {shown(name)}; {hint} `polhode report SPEC "
                             "--json` shows all; places in lists count from 1.")  # fmt: skip
-    value = _picked(values, name)
+    value = _pick(values, name)
     unit = _unit(units, name)
     if isinstance(value, bool):
         return Column(name, text=True)
@@ -335,7 +335,7 @@ def _has(values: Any, name: str) -> bool:
     for part in name.split("."):
         if values is None:
             return True
-        inside = _picked(values, part)
+        inside = _pick(values, part)
         if inside is None and not (isinstance(values, dict) and part in values):
             return False
         values = inside

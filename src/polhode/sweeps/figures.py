@@ -112,7 +112,7 @@ def verdict_map(report: SweepReport) -> Figure | None:
     for power, key, say in zip(powers, axes_of, (axes.set_xlabel, axes.set_ylabel), strict=True):
         unit = plan.units[key].replace("*", " ").replace("^2", "²").replace("^3", "³")
         say(f"{key}  [{style.factor(power)}{unit}]" if unit or power else key)
-    handles = [style_of(word, known) for word in known]
+    handles = [make_style(word, known) for word in known]
     axes.set_title(words.name, fontsize=style.FONT)
     figure.legend(handles=handles, loc="outside upper center", ncols=3, fontsize=style.FONT - 1, frameon=False)
     style.tidy(axes)
@@ -123,7 +123,7 @@ def _colour(word: str, k: int) -> str:
     return style.LIGHT if word in (REFUSED, LOST) else PALETTE[k % len(PALETTE)]
 
 
-def style_of(word: str, known: list[str]) -> Any:
+def make_style(word: str, known: list[str]) -> Any:
     """Return how a word stands in the legend."""
     from matplotlib.lines import Line2D
 

@@ -71,12 +71,12 @@ class Layout:
         """The columns that are kept as arrays, by name."""
         return {column.name: column for column in self.columns} if self.keep == "all" else {}
 
-    def range_of(self, number: int) -> tuple[int, int]:
+    def sample_range(self, number: int) -> tuple[int, int]:
         """Return the samples low, …, high − 1 of a chunk."""
         low = number * self.chunk
         return low, min(low + self.chunk, self.samples)
 
-    def file_of(self, column: Column, number: int) -> str:
+    def chunk_path(self, column: Column, number: int) -> str:
         """Return the path of a chunk of an array, within the store."""
         return f"{column.name}/{'.'.join([str(number), *['0'] * len(column.shape)])}"
 

@@ -16,7 +16,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from polhode.sweeps.evaluation import Chunk, Column
 from polhode.sweeps.layout import Layout
-from polhode.sweeps.summary import KNOTS, Numbers, Summary, summary_of
+from polhode.sweeps.summary import KNOTS, Numbers, Summary, summarise
 
 SEAL = 64  # characters of the first line
 LONGEST_REASON = 100_000  # characters
@@ -58,7 +58,7 @@ class Mark(_Sealed):
 
     @classmethod
     def of(cls, chunk: Chunk, number: int, layout: Layout) -> Mark:
-        arrays = {name: OfArray(digest=digest_of(values), summary=summary_of(values))
+        arrays = {name: OfArray(digest=hash_array(values), summary=summarise(values))
                   for name, values in chunk.values.items()}  # fmt: skip
         reasons = [(sample, why[:LONGEST_REASON]) for sample, why in chunk.reasons]
         return cls(sweep=layout.fingerprint, chunk=number, arrays=arrays, reasons=reasons)
@@ -69,7 +69,7 @@ class Mark(_Sealed):
         return {name: array.digest for name, array in self.arrays.items()}
 
 
-def sealed(mark: Mark) -> bytes:
+def seal(mark: Mark) -> bytes:
     """Return a mark as the bytes of its file."""
     content = mark.model_dump_json().encode()
     return f"{hashlib.sha256(content).hexdigest()}\n".encode() + content
@@ -85,7 +85,7 @@ def read_mark(content: bytes, number: int, layout: Layout) -> Mark | None:
     except ValidationError:
         return None
     columns = {column.name: column for column in layout.columns}
-    low, high = layout.range_of(number)
+    low, high = layout.sample_range(number)
     fits = (mark.sweep == layout.fingerprint and mark.chunk == number and mark.arrays.keys() == columns.keys()
             and len(mark.reasons) <= 3 and all(low <= sample < high for sample, _ in mark.reasons)
             and all(_fits(array.summary, columns[name], high - low)
@@ -98,10 +98,10 @@ def _fits(summary: Summary, column: Column, samples: int) -> bool:
     if isinstance(summary, dict):
         return column.text and sum(summary.values()) == samples and all(count > 0 for count in summary.values())
     many = int(np.prod(column.shape, dtype=int))
-    return not column.text and len(summary) == many and all(_are_of(numbers, samples) for numbers in summary)
+    return not column.text and len(summary) == many and all(_can_summarise(numbers, samples) for numbers in summary)
 
 
-def _are_of(numbers: Numbers, samples: int) -> bool:
+def _can_summarise(numbers: Numbers, samples: int) -> bool:
     """Whether numbers can be the summary of one part of at most so many."""
     if not numbers.count:
         return numbers == Numbers()
@@ -112,7 +112,7 @@ def _are_of(numbers: Numbers, samples: int) -> bool:
     return count == numbers.count and len(knots) == min(KNOTS, count) and in_order and (knots[0], knots[-1]) == ends
 
 
-def digest_of(values: Any) -> str:
+def hash_array(values: Any) -> str:
     """Return the SHA-256 of an array, its type and form."""
     array = np.ascontiguousarray(values)
     found = hashlib.sha256(f"{array.dtype.str} {array.shape}\n".encode())

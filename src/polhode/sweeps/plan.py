@@ -11,12 +11,12 @@ import numpy as np
 from pydantic import Field, StrictInt, ValidationError
 
 from polhode.errors import InvalidInput, shown
-from polhode.formats.opening import files_recorded
+from polhode.formats.opening import record_files
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.reading import SWEEP, kind_of_tables
 from polhode.spec.fields import Duration, Flag, one_of
 from polhode.spec.keys import number_at
-from polhode.spec.mistakes import as_message, mistakes_of
+from polhode.spec.mistakes import as_message, list_mistakes
 from polhode.spec.models import Strict
 from polhode.spec.parsing import read_tables
 from polhode.spec.rules import Mistake
@@ -111,10 +111,10 @@ def read_plan(path: str | Path) -> Plan:
     try:
         table = SweepTable.model_validate(raw)
     except ValidationError as error:
-        raise InvalidInput(*as_message(path, mistakes_of(error, SweepTable, (SWEEP,)))) from None
+        raise InvalidInput(*as_message(path, list_mistakes(error, SweepTable, (SWEEP,)))) from None
     mistakes: list[Mistake] = []
     inputs, units = {}, {}
-    with files_recorded() as read:
+    with record_files() as read:
         for key, value in table.inputs.items():
             try:
                 reader = Reader(number_at(key, kind.table))
@@ -122,7 +122,7 @@ def read_plan(path: str | Path) -> Plan:
                 units[key] = reader.unit or ""
             except ValueError as error:
                 mistakes.append(((SWEEP, "inputs", key), str(error)))
-    mistakes += _broken(table, inputs)
+    mistakes += _find_broken(table, inputs)
     if mistakes:
         raise InvalidInput(*as_message(path, mistakes))
     rows = [how.count for how in inputs.values() if isinstance(how, AbstractPlaced) and not isinstance(how, Grid)]
@@ -145,7 +145,7 @@ def _flat(inputs: dict[str, Any], before: str = "") -> dict[str, Any]:
     return found
 
 
-def _broken(table: SweepTable, inputs: dict[str, Any]) -> list[Mistake]:
+def _find_broken(table: SweepTable, inputs: dict[str, Any]) -> list[Mistake]:
     """Return what keys ask of each other."""
     found: list[Mistake] = []
     placed = [how for how in inputs.values() if isinstance(how, AbstractPlaced)]

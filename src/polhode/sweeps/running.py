@@ -19,13 +19,13 @@ from pathlib import Path
 from typing import Any
 
 from polhode.errors import InvalidInput, PolhodeError, not_installed
-from polhode.formats.opening import files_recorded
+from polhode.formats.opening import record_files
 from polhode.formats.paths import FULL
 from polhode.reports.program import program_digest
 from polhode.sweeps.evaluation import STATUS, Column, Evaluator
 from polhode.sweeps.layout import Layout
 from polhode.sweeps.plan import Plan
-from polhode.sweeps.store import Store, check_room, size_of
+from polhode.sweeps.store import Store, check_room, compute_size
 
 IN_HAND = 2  # chunks that each thread of a cluster has, so that none waits for the next
 ALONE = 20.0  # s of computing for which starting a cluster does not pay
@@ -69,7 +69,7 @@ class Sweep:
         evaluator = Evaluator(plan)
         inputs = [Column(key, (how.length,) if how.length else (), unit=plan.units[key])
                   for key, how in plan.design.inputs.items()]  # fmt: skip
-        with files_recorded() as read:
+        with record_files() as read:
             columns = (*inputs, *evaluator.columns, Column(STATUS, text=True))
             chunk = evaluator.chunk_size
         read, program = plan.read | read, program_digest(_package(plan))
@@ -91,12 +91,12 @@ class Sweep:
     def bytes(self) -> int:
         """Room that the store may need, with a mark for each chunk."""
         marks = self.chunks * 7000 * len(self.columns)
-        return marks + (size_of(self.columns, self.plan.design.count) if self.plan.keep == "all" else 0)
+        return marks + (compute_size(self.columns, self.plan.design.count) if self.plan.keep == "all" else 0)
 
     @property
     def chunk_bytes(self) -> int:
         """What the arrays of a chunk take in memory."""
-        return size_of(self.columns, self.evaluator.chunk_size)
+        return compute_size(self.columns, self.evaluator.chunk_size)
 
     def cost(self) -> float:
         """Return about how many seconds one core will take, by a measurement."""
@@ -122,7 +122,7 @@ class Sweep:
             InvalidInput: where it cannot be made, or is of another sweep.
         """
         store = Store(path, self.layout)
-        done = len(store.finished()) if store.home.is_dir() else 0
+        done = len(store.list_finished()) if store.home.is_dir() else 0
         check_room(store.path, int(self.bytes * (1.0 - done / self.chunks)))
         store.begin()
         return store
@@ -142,7 +142,7 @@ class Sweep:
         Raises:
             InvalidInput: where the cluster or the disk fails; what is finished stays.
         """
-        with store.locked():
+        with store.lock():
             try:
                 damage = store.settle()
                 if damage.chunks:
@@ -159,18 +159,18 @@ class Sweep:
     def _run_missing(
         self, store: Store, workers: int, scheduler: str | None, tell: Callable[[int], object]
     ) -> None:
-        finished = store.finished()
+        finished = store.list_finished()
         missing = [number for number in range(self.chunks) if number not in finished]
         if scheduler is None and min(workers, len(missing)) <= 1:
             for number in missing:
-                with _explained(self, store):
+                with _explain_failure(self, store):
                     _compute(self.evaluator, store, number, self.read)
                 tell(self._samples(number))
         elif missing:
             self._distribute(store, missing, min(workers, len(missing)), scheduler, tell)
 
     def _samples(self, number: int) -> int:
-        low, high = self.layout.range_of(number)
+        low, high = self.layout.sample_range(number)
         return high - low
 
     def _distribute(
@@ -178,7 +178,7 @@ class Sweep:
     ) -> None:
         from distributed import as_completed
 
-        with _cluster(workers, scheduler) as client, _explained(self, store):
+        with _cluster(workers, scheduler) as client, _explain_failure(self, store):
             # workers elsewhere have another present folder
             plan = replace(self.plan, path=self.plan.path.absolute())
             job = client.scatter(_Job(plan, self.layout, self.read, self.program), broadcast=True, hash=False)
@@ -226,8 +226,8 @@ def _compute(evaluator: Evaluator, store: Store, number: int, read: dict[Path, s
     Raises:
         InvalidInput: naming the file that is not.
     """
-    with files_recorded() as found:
-        chunk = evaluator.chunk(*store.layout.range_of(number))
+    with record_files() as found:
+        chunk = evaluator.chunk(*store.layout.sample_range(number))
     for path, digest in found.items():
         if read.get(path, digest) != digest:
             raise InvalidInput(f"{path}: changed while the sweep ran, whose samples would be of two kinds. Put it back "
@@ -236,7 +236,7 @@ def _compute(evaluator: Evaluator, store: Store, number: int, read: dict[Path, s
 
 
 @lru_cache(maxsize=4)
-def _checked_evaluator(job: _Job) -> Evaluator:
+def _make_evaluator(job: _Job) -> Evaluator:
     """Return what a worker computes with, for as long as it has the same job.
 
     Raises:
@@ -251,7 +251,7 @@ def _checked_evaluator(job: _Job) -> Evaluator:
 
 def _compute_remotely(job: _Job, path: str, number: int) -> int:
     """Compute a chunk in a worker; errors travel as plain ones, whatever the client has imported."""
-    _compute(_checked_evaluator(job), Store(path, job.layout), number, job.read)
+    _compute(_make_evaluator(job), Store(path, job.layout), number, job.read)
     return number
 
 
@@ -339,14 +339,14 @@ def _start_tracker() -> None:
 
 
 @contextlib.contextmanager
-def _explained(sweep: Sweep, store: Store) -> Iterator[None]:
+def _explain_failure(sweep: Sweep, store: Store) -> Iterator[None]:
     """Say in one error what stopped a sweep, and what of it is kept."""
     try:
         yield
     except (PolhodeError, KeyboardInterrupt):
         raise
     except Exception as error:
-        done, again = len(store.finished()), "Run the same command again to go on."
+        done, again = len(store.list_finished()), "Run the same command again to go on."
         kept = f"{done} of {sweep.chunks} chunks are finished and kept. {again}"
         if isinstance(error, OSError):
             room = "Make room there." if error.errno in FULL else "Check the disk."

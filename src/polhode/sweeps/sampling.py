@@ -56,7 +56,7 @@ class Design:
         """Return the inputs of the samples low, …, high − 1."""
         samples = np.arange(low, high)
         if self.crossed:
-            return self._crossed(samples)
+            return self._cross(samples)
         uniform, point, found = self._uniform(low, high), samples // self.draws, {}
         for key, how in reversed(self.inputs.items()):  # the last grid runs fastest
             if isinstance(how, Grid):
@@ -98,7 +98,7 @@ class Design:
             warnings.simplefilter("ignore", UserWarning)
             return np.clip(engine.random(high - low), SMALLEST, 1.0 - 2.0 * SMALLEST)
 
-    def _crossed(self, samples: Any) -> dict[str, Any]:
+    def _cross(self, samples: Any) -> dict[str, Any]:
         base, which = samples // self.group, samples % self.group
         low, high = int(base[0]), int(base[-1]) + 1
         uniform, found = self._uniform(low, high, parts=2), {}

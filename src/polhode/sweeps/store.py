@@ -23,11 +23,11 @@ import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.opening import MB, read_file
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.sweeps.evaluation import Chunk, Column
 from polhode.sweeps.layout import CHUNKS, FORMAT, HOME, LOCK, PLAN, Layout, import_zarr
-from polhode.sweeps.marks import Mark, digest_of, read_mark, sealed
-from polhode.sweeps.store_checks import AGAIN, check_file, check_folder, says, unpacked
+from polhode.sweeps.marks import Mark, hash_array, read_mark, seal
+from polhode.sweeps.store_checks import AGAIN, check_file, check_folder, says, unpack_chunk
 
 SPARE = 1.1  # of the room that a store may need, in what the disk must have
 
@@ -76,7 +76,7 @@ class Store:
         if os.path.lexists(self.path):
             raise InvalidInput(f"{self.path}: is there already, and not the store of a sweep. Choose another name "
                                "with --out, or move it away.")  # fmt: skip
-        with written_whole(self.path) as draft:
+        with write_whole(self.path) as draft:
             for name, content in self.layout.documents.items():
                 (draft / name).parent.mkdir(parents=True, exist_ok=True)
                 (draft / name).write_bytes(content)
@@ -85,7 +85,7 @@ class Store:
 
     def remove_if_empty(self) -> None:
         """Remove a store that was made in vain."""
-        if self.is_new and not self.finished():
+        if self.is_new and not self.list_finished():
             shutil.rmtree(self.path, ignore_errors=True)
 
     def _check_home(self) -> None:
@@ -121,7 +121,7 @@ class Store:
                               "one.")  # fmt: skip
 
     @contextlib.contextmanager
-    def locked(self) -> Iterator[None]:
+    def lock(self) -> Iterator[None]:
         """Keep other processes from the same sweep; the lock goes with the process, however it ends.
 
         Raises:
@@ -130,7 +130,7 @@ class Store:
         from filelock import FileLock, Timeout
 
         lock = FileLock(self.home / LOCK)
-        with worded(self.path):
+        with reword_errors(self.path):
             try:
                 lock.acquire(timeout=0)
             except Timeout:
@@ -152,12 +152,12 @@ class Store:
             FormatError: where there are pipes, links or folders in place of files.
             InvalidInput: where nothing can be written.
         """
-        with worded(self.path):
+        with reword_errors(self.path):
             self._check_places()
             (self.home / CHUNKS).mkdir(exist_ok=True)
-            restored = sum(self._restored(name, content) for name, content in self.layout.documents.items())
+            restored = sum(self._restore(name, content) for name, content in self.layout.documents.items())
             dropped = 0
-            for number in sorted(self.finished()):
+            for number in sorted(self.list_finished()):
                 if self._is_whole(number):
                     continue
                 self._mark(number).unlink(missing_ok=True)
@@ -177,7 +177,7 @@ class Store:
             for draft in (*folder.glob(".*.mark.*"), *folder.glob("*.partial")):  # our own, and zarr's
                 draft.unlink(missing_ok=True)
 
-    def _restored(self, name: str, content: bytes) -> bool:
+    def _restore(self, name: str, content: bytes) -> bool:
         """Put a document back that is missing or says something else, and return whether it was."""
         path = self.path / name
         if says(path, content):
@@ -191,13 +191,13 @@ class Store:
         try:
             digests = self.mark(number).digests
             for column in self.layout.arrays.values():
-                self._chunk_of(column, number, digests[column.name])
+                self._load_chunk(column, number, digests[column.name])
         except InvalidInput:
             return False
         self._digests[number] = digests
         return True
 
-    def finished(self) -> set[int]:
+    def list_finished(self) -> set[int]:
         """Return which chunks have marks, whole or not."""
         found = set()
         for path in (self.home / CHUNKS).glob("*.mark"):
@@ -239,16 +239,16 @@ class Store:
         Raises:
             OSError: as the system does, such as on a full disk; no mark is left then.
         """
-        low, high = self.layout.range_of(number)
+        low, high = self.layout.sample_range(number)
         if self.layout.arrays:
             group = import_zarr().open_group(str(self.path), mode="r+", zarr_format=2, use_consolidated=False)
             for name, column in self.layout.arrays.items():
-                file = self.path / self.layout.file_of(column, number)
+                file = self.path / self.layout.chunk_path(column, number)
                 file.unlink(missing_ok=True)  # zarr would read it first, where the last chunk has fewer samples
                 group[name][low:high] = chunk.values[name]
-                _written_through(file)  # the mark must not outlive the data in a power cut
+                _write_through(file)  # the mark must not outlive the data in a power cut
         mark = Mark.of(chunk, number, self.layout)
-        _write_whole(self._mark(number), sealed(mark))
+        _write_whole(self._mark(number), seal(mark))
 
     def read(self, name: str, most: int | None = None) -> Any:
         """Return an array, or evenly chosen chunks of it with about so many samples.
@@ -262,25 +262,25 @@ class Store:
         if most is not None and count > most:
             chosen = np.unique(np.linspace(0, layout.chunks - 1, max(1, most // each)).astype(int))
         column = layout.arrays[name]
-        return np.concatenate([self._chunk_of(column, k, self._digest(k, name)) for k in chosen.tolist()])
+        return np.concatenate([self._load_chunk(column, k, self._digest(k, name)) for k in chosen.tolist()])
 
     def _digest(self, number: int, name: str) -> str:
         if number not in self._digests:
             self._digests[number] = self.mark(number).digests
         return self._digests[number][name]
 
-    def _chunk_of(self, column: Column, number: int, digest: str) -> Any:
+    def _load_chunk(self, column: Column, number: int, digest: str) -> Any:
         """Return the values (sample, …) of a chunk, which are those of the digest.
 
         Raises:
             FormatError: if they are not.
         """
-        path, (low, high) = self.path / self.layout.file_of(column, number), self.layout.range_of(number)
+        path, (low, high) = self.path / self.layout.chunk_path(column, number), self.layout.sample_range(number)
         if os.path.lexists(path):
-            values = unpacked(path, column, self.layout.chunk)[: high - low]
+            values = unpack_chunk(path, column, self.layout.chunk)[: high - low]
         else:
             values = column.blank(high - low)  # of which zarr writes no file
-        if digest_of(values) != digest:
+        if hash_array(values) != digest:
             raise FormatError(f"{path}: is not what was written. {AGAIN}")
         return values
 
@@ -288,7 +288,7 @@ class Store:
         return self.home / CHUNKS / f"{number:09d}.mark"
 
 
-def size_of(columns: tuple[Column, ...], samples: int) -> int:
+def compute_size(columns: tuple[Column, ...], samples: int) -> int:
     """Return the bytes of all arrays before they are compressed."""
     each = sum(column.type.itemsize * int(np.prod(column.shape, dtype=int)) for column in columns)
     return each * samples
@@ -320,7 +320,7 @@ def in_bytes(count: float) -> str:
 
 
 @contextlib.contextmanager
-def worded(path: Path) -> Iterator[None]:
+def reword_errors(path: Path) -> Iterator[None]:
     """Turn what the system refuses into one error that names the store."""
     try:
         yield
@@ -329,7 +329,7 @@ def worded(path: Path) -> Iterator[None]:
                            "to, with --out.") from None  # fmt: skip
 
 
-def _written_through(path: Path) -> None:
+def _write_through(path: Path) -> None:
     """Have the system write a file and its folder's entry to the disk; what is all blank has no file."""
     for one in (path, path.parent):
         if not one.exists() or (one.is_dir() and os.name == "nt"):

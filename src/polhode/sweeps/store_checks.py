@@ -74,7 +74,7 @@ def _holds(found: Any, wanted: Any) -> bool:
     return type(found) is type(wanted) and found == wanted
 
 
-def unpacked(path: Path, column: Column, count: int) -> Any:
+def unpack_chunk(path: Path, column: Column, count: int) -> Any:
     """Return the values (count, …) in the file of a chunk, whose size is checked before it is unpacked.
 
     Raises:

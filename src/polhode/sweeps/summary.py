@@ -46,7 +46,7 @@ class Numbers:
         knots = known[places].tolist()
         return cls(known.size, mean, squares, float(known[0]), float(known[-1]), [(known.size, knots)])
 
-    def joined(self, other: Numbers) -> Numbers:
+    def join(self, other: Numbers) -> Numbers:
         """Return the summary of both. Source: Chan, Golub & LeVeque, Am. Stat. 37 (1983) 242."""
         if not (self.count and other.count):
             return self if self.count else other
@@ -80,7 +80,7 @@ class Numbers:
 Summary = dict[str, int] | list[Numbers]  # how often each word occurs, or numbers by component
 
 
-def summary_of(values: Any) -> Summary:
+def summarise(values: Any) -> Summary:
     """Return values (sample, …) in summary."""
     if values.dtype.kind == "U":
         return dict(sorted(Counter(values.tolist()).items()))
@@ -88,7 +88,7 @@ def summary_of(values: Any) -> Summary:
     return [Numbers.of(flat[:, k]) for k in range(flat.shape[1])]
 
 
-def joined(summaries: Iterable[Summary]) -> Summary:
+def join_summaries(summaries: Iterable[Summary]) -> Summary:
     """Return the summary of all parts, in their order."""
     words: Counter[str] = Counter()
     numbers: list[Numbers] = []
@@ -96,5 +96,5 @@ def joined(summaries: Iterable[Summary]) -> Summary:
         if isinstance(summary, dict):
             words.update(summary)
         else:
-            numbers = [a.joined(b) for a, b in zip(numbers, summary, strict=True)] if numbers else summary
+            numbers = [a.join(b) for a, b in zip(numbers, summary, strict=True)] if numbers else summary
     return numbers or dict(sorted(words.items()))

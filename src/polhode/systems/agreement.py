@@ -14,7 +14,7 @@ import numpy as np
 
 from polhode.arrays import in_jax_numpy
 from polhode.errors import InvalidInput
-from polhode.systems.base import AbstractLiePoissonSystem, components, joined
+from polhode.systems.base import AbstractLiePoissonSystem, components, join_state
 from polhode.types import Array, ArrayLike, Double, Real
 
 TOLERANCE = 1e-5  # of rates, relative to the largest of each component; a changed model differs by far more
@@ -123,7 +123,7 @@ def _misfits(
         size = size + NOISE * jnp.linalg.norm(field, axis=-1) * jnp.linalg.norm(as_vector(gradient), axis=-1)
         found["generator", "energy"] = _largest(power / jnp.where(size > 0, size, 1.0))
     if by_flows:
-        states = points if attitude is None else jax.vmap(lambda mu: joined(attitude, mu))(points)
+        states = points if attitude is None else jax.vmap(lambda mu: join_state(attitude, mu))(points)
         fields = jnp.stack([AbstractLiePoissonSystem.vector_field(system, t, states) for t in times])
         rate = jnp.max(jnp.nan_to_num(algebra.rate(generators)))
         step = FLOW_ANGLE / jnp.where(rate > 0, rate, 1.0)

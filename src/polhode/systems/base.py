@@ -380,7 +380,7 @@ def components(state: Double[Array, "*shape n"]) -> Components:
     return tuple(state[..., k] for k in range(state.shape[-1]))
 
 
-def joined(attitude: Float64[Array, "... 4"] | None, point: Double[Array, "..."]) -> Double[Array, "..."]:
+def join_state(attitude: Float64[Array, "... 4"] | None, point: Double[Array, "..."]) -> Double[Array, "..."]:
     """Return the packed state, or change of one, of attitude and point."""
     return point if attitude is None else jnp.concatenate([attitude, point], axis=-1)
 

@@ -92,13 +92,13 @@ def rotor_in_body(
 
     Source: Hughes, *Spacecraft Attitude Dynamics*, §3.4.
     """  # fmt: skip
-    axis = direction_of(rotor_axis)
+    axis = find_direction(rotor_axis)
     if why := rotor_misfit(body, axis, rotor_moment):
         raise InvalidInput(f"`rotor_moment` {why}")
     moments, axes = body.principal_moments, body.principal_axes
     if free:
         moments, axes = principal_axes(body.inertia - rotor_moment * np.outer(axis, axis))
-    along, velocity = cleaned(axes.T @ axis), axes.T @ np.asarray(angular_velocity, dtype=float)
+    along, velocity = clean_direction(axes.T @ axis), axes.T @ np.asarray(angular_velocity, dtype=float)
     turned = rotation.multiply(np.asarray(attitude, dtype=float), rotation.from_matrix(axes))
     momentum = rotor_moment * (rotor_rate + (float(along @ velocity) if free else 0.0))
     return RotorInBody(moments, axes, along, momentum, velocity, moments * velocity + momentum * along, turned,
@@ -106,7 +106,7 @@ def rotor_in_body(
 
 
 @known_numbers_only
-def direction_of(vector: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
+def find_direction(vector: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
     """Return the direction of a vector (3,), however long it is.
 
     Raises:
@@ -130,7 +130,7 @@ def rotor_misfit(body: Body, rotor_axis: Real[ArrayLike, "3"], rotor_moment: flo
         rotor_axis: (3,) of any length [given axes].
         rotor_moment: about that axis [kg m²].
     """
-    axis = direction_of(rotor_axis)
+    axis = find_direction(rotor_axis)
     inertia = body.inertia - 0.5 * rotor_moment * (np.eye(3) + np.outer(axis, axis))
     try:
         fits = bool(Body(None, (0.0, 0.0, 0.0), inertia, body.effective).principal_moments[0] > 0)
@@ -146,6 +146,6 @@ def rotor_misfit(body: Body, rotor_axis: Real[ArrayLike, "3"], rotor_moment: flo
     )
 
 
-def cleaned(direction: Float64[Array, "3"]) -> Float64[Array, "3"]:
+def clean_direction(direction: Float64[Array, "3"]) -> Float64[Array, "3"]:
     """Return a unit vector whose components that are rounding are zero."""
     return np.where(np.abs(direction) < CLEAN, 0.0, direction)

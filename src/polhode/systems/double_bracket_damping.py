@@ -79,7 +79,7 @@ class DoubleBracketDamping(AbstractLiePoissonSystem):
 
     def generator(self, t: Real[ArrayLike, "..."], point: Double[Array, "..."]) -> Double[Array, "..."]:
         velocity = self.velocity(point)
-        return self.system.generator(t, point) + self.rate * self._raised(self.algebra.coadjoint(velocity, point))
+        return self.system.generator(t, point) + self.rate * self._raise_index(self.algebra.coadjoint(velocity, point))
 
     @property
     def conserves_energy(self) -> bool:
@@ -88,10 +88,10 @@ class DoubleBracketDamping(AbstractLiePoissonSystem):
     def balances(self, t: Real[ArrayLike, "..."], state: Double[Array, "..."]) -> dict[str, Balance]:
         point = self.parts(state).point
         along = self.algebra.coadjoint(self.velocity(point), point)
-        lost = self.rate * self.algebra.pairing(along, self._raised(along))
+        lost = self.rate * self.algebra.pairing(along, self._raise_index(along))
         return {"energy": Balance(self.energy(point), -lost)}
 
-    def _raised(self, dual: Array) -> Array:
+    def _raise_index(self, dual: Array) -> Array:
         """Return the element of the algebra that the scalar product makes of a dual one."""
         if self.metric is None:
             # of half the sum of squares: JAX gives gradients by complex entries conjugated

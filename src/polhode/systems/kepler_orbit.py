@@ -88,22 +88,22 @@ class KeplerOrbit(eqx.Module):
 
     def eccentric_anomaly(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         """Return E at times (…) [rad], growing without bound."""
-        within, turns = _reduced(self.mean_anomaly(t))
+        within, turns = _reduce_anomaly(self.mean_anomaly(t))
         return solve_kepler(within, self.eccentricity) + turns
 
     def true_anomaly(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         """Return f at times (…) [rad], growing without bound."""
-        within, turns = _reduced(self.mean_anomaly(t))
+        within, turns = _reduce_anomaly(self.mean_anomaly(t))
         return true_from_eccentric(solve_kepler(within, self.eccentricity), self.eccentricity) + turns
 
     def distance_ratio(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         """Return r/a at times (…)."""
-        within, _ = _reduced(self.mean_anomaly(t))
+        within, _ = _reduce_anomaly(self.mean_anomaly(t))
         return ratio_from_eccentric(solve_kepler(within, self.eccentricity), self.eccentricity)
 
     def direction(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape 3"]:
         """Return the unit vector (…, 3) from the attracting centre to the body, in space."""
-        within, _ = _reduced(self.mean_anomaly(t))
+        within, _ = _reduce_anomaly(self.mean_anomaly(t))
         e, half = self.eccentricity, 0.5 * solve_kepler(within, self.eccentricity)
         sine, cosine = jnp.sin(half), jnp.cos(half)
         ratio = (1.0 - e) + 2.0 * e * sine * sine
@@ -145,12 +145,12 @@ def solve_kepler(
     E = jnp.minimum(jnp.minimum(M + e, M / (1.0 - e)), jnp.where(e > 0, cubic, jnp.inf))
     E = jnp.minimum(E, math.pi)
 
-    def improved(k: Array, E: Array) -> Array:
+    def improve(k: Array, E: Array) -> Array:
         sine = jnp.sin(0.5 * E)
         slope = (1.0 - e) + 2.0 * e * sine * sine
         return E - (((1.0 - e) * E - M) + e * _less_sine(E)) / slope
 
-    E = jax.lax.fori_loop(0, NEWTON_STEPS, improved, E)
+    E = jax.lax.fori_loop(0, NEWTON_STEPS, improve, E)
     return jnp.copysign(jnp.clip(E, 0.0, math.pi), mean_anomaly)
 
 
@@ -170,7 +170,7 @@ def _less_sine(angle: Array) -> Array:
     return jnp.where(angle < 1.0, angle * square * series, angle - jnp.sin(angle))
 
 
-def _reduced(mean_anomaly: Array) -> tuple[Array, Array]:
+def _reduce_anomaly(mean_anomaly: Array) -> tuple[Array, Array]:
     """Return M within [−π, π] and the whole turns left out [rad]."""
     turns = _whole_turns(jax.lax.stop_gradient(mean_anomaly))
     return mean_anomaly - turns, turns

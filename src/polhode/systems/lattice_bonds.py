@@ -65,7 +65,7 @@ def checked_bonds(lattice: Lattice, bonds: Sequence[Bond]) -> tuple[BondType, ..
     return tuple(found)
 
 
-def existing(lattice: Lattice, bond: BondType) -> np.ndarray | None:
+def find_cells(lattice: Lattice, bond: BondType) -> np.ndarray | None:
     """Return for which cells (L1, L2, L3) the second end is in the lattice; None for all."""
     if all(closed or n == 0 for closed, n in zip(lattice.periodic, bond.cell, strict=True)):
         return None
@@ -83,7 +83,7 @@ def classes(lattice: Lattice, bond: BondType) -> list[np.ndarray]:
     Raises:
         InvalidInput: for a periodic lattice so small that the bond's ends are one site.
     """
-    whole = existing(lattice, bond)
+    whole = find_cells(lattice, bond)
     mask = np.ones(lattice.shape, bool) if whole is None else whole
     if bond.i != bond.j:
         return [mask]
@@ -111,7 +111,7 @@ def classes(lattice: Lattice, bond: BondType) -> list[np.ndarray]:
     return best
 
 
-def shifted(values: Shaped[Array, "..."], cell: Sequence[int], back: bool = False) -> Shaped[Array, "..."]:
+def shift_cells(values: Shaped[Array, "..."], cell: Sequence[int], back: bool = False) -> Shaped[Array, "..."]:
     """Return values (…, L1, L2, L3) as seen by the first end of a bond: those of the cell that is so much further."""
     moved = [(n if back else -n, axis) for n, axis in zip(cell, CELLS, strict=True) if n]
     return jnp.roll(values, [n for n, _ in moved], [axis for _, axis in moved]) if moved else values
@@ -145,16 +145,16 @@ def bond_flows(lattice: Lattice, bond: BondType) -> list[Flow]:
     """
     masks, exchange = classes(lattice, bond), bond.exchange
     if exchange is not None:
-        halves = halving(lattice, bond)
+        halves = find_halving(lattice, bond)
         if halves is not None and exchange:
-            return [_halved_flow(bond, *halves, colour, existing(lattice, bond), exchange) for colour in (0, 1)]
+            return [_halve_flow(bond, *halves, colour, find_cells(lattice, bond), exchange) for colour in (0, 1)]
         return [_flow(bond, mask, None, exchange) for mask in masks] if exchange else []
     left, sizes, right = np.linalg.svd(np.array(bond.matrix))
     terms = [(left[:, k], right[k], float(sizes[k])) for k in range(3) if sizes[k] > EQUAL * sizes[0]]
     return [_flow(bond, mask, (tuple(u.tolist()), tuple(v.tolist())), size) for u, v, size in terms for mask in masks]
 
 
-def halving(lattice: Lattice, bond: BondType) -> tuple[int, int] | None:
+def find_halving(lattice: Lattice, bond: BondType) -> tuple[int, int] | None:
     """Return axis and length of the blocks of cells of which every second one starts bonds; None where none fit.
 
     Then a class of bonds joins one half of the cells with the other, which takes half the turns of masks.
@@ -167,7 +167,7 @@ def halving(lattice: Lattice, bond: BondType) -> tuple[int, int] | None:
     return None
 
 
-def _halved_flow(
+def _halve_flow(
     bond: BondType, axis: int, length: int, colour: int, whole: np.ndarray | None, exchange: float
 ) -> Flow:
     place, rest = axis - 3, [0 if k == axis else n for k, n in enumerate(bond.cell)]
@@ -186,7 +186,7 @@ def _halved_flow(
     def second_ends(values: Array) -> Array:
         taken = blocks(values, 1 - colour)
         taken = jnp.roll(taken, -length, place) if colour else taken
-        return shifted(taken, rest)
+        return shift_cells(taken, rest)
 
     def flow(time: Array, state: Components) -> Components:
         ones = [first_ends(x[..., 0]) for x in state]
@@ -195,11 +195,11 @@ def _halved_flow(
         if whole is not None:
             share = jnp.where(first_ends(jnp.asarray(whole)), share, 0.0)
         moved = turn(ones, [share * (a + b) for a, b in zip(ones, others, strict=True)])
-        return tuple(jax.lax.optimization_barrier([_joined(x)[..., None] for x in moved]))
+        return tuple(jax.lax.optimization_barrier([_join_halves(x)[..., None] for x in moved]))
 
-    def _joined(change: Array) -> Array:
+    def _join_halves(change: Array) -> Array:
         """Return the changes of both halves, of which the second is minus the first, on all cells."""
-        back = shifted(change, rest, back=True)
+        back = shift_cells(change, rest, back=True)
         back = jnp.roll(back, length, place) if colour else back
         shape, size, before = change.shape, change.shape[place], change.ndim + place
         halves = [x.reshape(*shape[:before], size // length, length, *shape[before + 1 :]) for x in (change, -back)]
@@ -217,7 +217,7 @@ def _flow(bond: BondType, mask: np.ndarray, axes: tuple[Vector3, Vector3] | None
         ones, others = [x[..., i] for x in whole], [x[..., j] for x in whole]
         if i == j:
             return _within(time, ones, whole)
-        partners = [shifted(x, cell) for x in others]
+        partners = [shift_cells(x, cell) for x in others]
         share = -strength * time if mask.all() else jnp.where(mask, -strength * time, 0.0)
         if axes is None:
             first = turn(ones, [share * (a + b) for a, b in zip(ones, partners, strict=True)])
@@ -225,7 +225,7 @@ def _flow(bond: BondType, mask: np.ndarray, axes: tuple[Vector3, Vector3] | None
         else:
             (u, v), one, other = axes, share * dot(axes[1], partners), share * dot(axes[0], ones)
             first, second = turn(ones, [one * x for x in u]), turn(partners, [other * x for x in v])
-        back = [shifted(x, cell, back=True) for x in second]
+        back = [shift_cells(x, cell, back=True) for x in second]
         still = jnp.zeros_like(ones[0])
         of_site = {i: first, j: back}
         count = whole[0].shape[-1]
@@ -234,8 +234,8 @@ def _flow(bond: BondType, mask: np.ndarray, axes: tuple[Vector3, Vector3] | None
 
     def _within(time: Array, ones: list[Array], whole: list[Array]) -> Components:
         # each end turns itself: within a class a site is the first end of one bond, or the second, or of none
-        ends = shifted(jnp.asarray(mask), cell, back=True)
-        partners = [jnp.where(mask, shifted(x, cell), shifted(x, cell, back=True)) for x in ones]
+        ends = shift_cells(jnp.asarray(mask), cell, back=True)
+        partners = [jnp.where(mask, shift_cells(x, cell), shift_cells(x, cell, back=True)) for x in ones]
         share = -strength * time * (mask | ends)
         if axes is None:
             along = [share * (a + b) for a, b in zip(ones, partners, strict=True)]

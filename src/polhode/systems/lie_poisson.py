@@ -65,12 +65,12 @@ class LiePoisson(AbstractLiePoissonSystem):
 
     @property
     def extra_invariants(self) -> dict[str, Function]:
-        return {name: self._batched(function) for name, function in self.conserved.items()}
+        return {name: self._batch(function) for name, function in self.conserved.items()}
 
     def energy(self, point: Real[ArrayLike, "..."]) -> Float64[Array, "..."]:
-        return self._batched(self.hamiltonian)(point)
+        return self._batch(self.hamiltonian)(point)
 
-    def _batched(self, function: Function) -> Function:
+    def _batch(self, function: Function) -> Function:
         def values(point: Array) -> Array:
             refuse_single_precision(point=point)
             point = jnp.asarray(point, dtype=self.algebra.dtype)

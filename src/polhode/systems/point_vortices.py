@@ -132,9 +132,9 @@ class SphereVortices(AbstractLiePoissonSystem):
     @property
     def flows(self) -> dict[str, Flow]:
         count = len(rounds_of_pairs(len(self.strengths)))
-        return {f"pairs, round {k + 1}": Round(self._turned, k) for k in range(count)}
+        return {f"pairs, round {k + 1}": Round(self._turn_pairs, k) for k in range(count)}
 
-    def _turned(self, number: Integer[Array, ""], time: Array, state: Components) -> Components:
+    def _turn_pairs(self, number: Integer[Array, ""], time: Array, state: Components) -> Components:
         mates = jnp.asarray(np.stack(rounds_of_pairs(len(self.strengths))))[number]
         other = tuple(x[..., mates] for x in state)
         ratios = 1.0 / self.strengths
@@ -255,9 +255,9 @@ class PlaneVortices(AbstractLiePoissonSystem):
     @property
     def flows(self) -> dict[str, Flow]:
         count = len(rounds_of_pairs(len(self.strengths)))
-        return {f"pairs, round {k + 1}": Round(self._turned, k) for k in range(count)}
+        return {f"pairs, round {k + 1}": Round(self._turn_pairs, k) for k in range(count)}
 
-    def _turned(self, number: Integer[Array, ""], time: Array, state: Components) -> Components:
+    def _turn_pairs(self, number: Integer[Array, ""], time: Array, state: Components) -> Components:
         mates = jnp.asarray(np.stack(rounds_of_pairs(len(self.strengths))))[number]
         y, x, level = state
         dy, dx = y - y[..., mates], x - x[..., mates]

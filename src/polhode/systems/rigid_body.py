@@ -114,9 +114,9 @@ class AbstractRigidBody(AbstractSystem):
         return self._torque(jnp.asarray(t), body, self._velocity(body))
 
     def _velocity(self, body: BodyState) -> Array:
-        return _solved(self.carrier, self._carried(body))
+        return _solve(self.carrier, self._carried_momentum(body))
 
-    def _carried(self, body: BodyState) -> Array:
+    def _carried_momentum(self, body: BodyState) -> Array:
         """Return KΩ, the momentum of what turns with Ω."""
         momentum = body.momentum
         for mount, own in zip(self.mounts, body.mounts, strict=True):
@@ -151,7 +151,7 @@ class AbstractRigidBody(AbstractSystem):
 
     def _energy(self, body: BodyState, velocity: Array) -> Array:
         own = [mount.energy(values) for mount, values in zip(self.mounts, body.mounts, strict=True)]
-        return sum(own, 0.5 * jnp.sum(self._carried(body) * velocity, axis=-1))
+        return sum(own, 0.5 * jnp.sum(self._carried_momentum(body) * velocity, axis=-1))
 
     def _inner_power(self, t: Array, body: BodyState, velocity: Array) -> Array:
         pairs = zip(self.mounts, body.mounts, strict=True)
@@ -243,7 +243,7 @@ class AbstractRigidBody(AbstractSystem):
         if momentum is not None:
             starts = zip(self.mounts, values, strict=True)
             inside = sum(mount.momentum(mount.start(rate, jnp.zeros(3))) for mount, rate in starts)
-            velocity = _solved(self._locked(), jnp.asarray(momentum, dtype=float) - inside)
+            velocity = _solve(self._locked_inertia(), jnp.asarray(momentum, dtype=float) - inside)
         own = [mount.start(rate, velocity) for mount, rate in zip(self.mounts, values, strict=True)]
         total = _times(self.carrier, velocity)
         for mount, part in zip(self.mounts, own, strict=True):
@@ -275,7 +275,7 @@ class AbstractRigidBody(AbstractSystem):
                 )
         return own
 
-    def _locked(self) -> Array:
+    def _locked_inertia(self) -> Array:
         turning, carrier = self._turning_inertia(), self.carrier
         return (jnp.diag(carrier) if carrier.ndim == 1 else carrier) + sum(turning) if turning else carrier
 
@@ -426,7 +426,7 @@ def _times(inertia: Array, vector: Array) -> Array:
     return inertia * vector if inertia.ndim == 1 else vector @ inertia
 
 
-def _solved(inertia: Array, vector: Array) -> Array:
+def _solve(inertia: Array, vector: Array) -> Array:
     """Return the vectors whose product with an inertia is given, by Cramer's rule."""
     if inertia.ndim == 1:
         return vector / inertia

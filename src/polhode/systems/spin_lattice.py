@@ -17,7 +17,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, Balance, Components, Flow
 from polhode.systems.dipoles import dipole_field, dipole_kernel
 from polhode.systems.lattice import Bond, Lattice
-from polhode.systems.lattice_bonds import BondType, Matrix, bond_flows, checked_bonds, dot, existing, turn
+from polhode.systems.lattice_bonds import BondType, Matrix, bond_flows, checked_bonds, dot, find_cells, turn
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 KEPT = 1e-12  # relative: what the Hamiltonian breaks by less is rounding of its matrices
@@ -96,7 +96,7 @@ class SpinLattice(AbstractLiePoissonSystem):
         self.field = jnp.asarray(numbers) if numbers.any() else None
         self.damping, self.dipolar = jnp.asarray(damping), jnp.asarray(dipolar)
         self.kernel = jnp.asarray(dipole_kernel(lattice)) if dipolar else None
-        self.kept = _kept(self.bonds, self.onsite, numbers) if not dipolar else ()
+        self.kept = _find_conserved(self.bonds, self.onsite, numbers) if not dipolar else ()
         self.is_damped = damping > 0.0
 
     @property
@@ -150,20 +150,20 @@ class SpinLattice(AbstractLiePoissonSystem):
 
     def generator(self, t: Real[ArrayLike, "..."], point: Double[Array, "..."]) -> Double[Array, "..."]:
         field = self.effective_field(point)
-        return damped(field, point, self.damping) if self.is_damped else field
+        return add_damping(field, point, self.damping) if self.is_damped else field
 
     def _of_bonds(self, point: Array, both: bool) -> Array:
         """Return Σ J S_j at first ends and, if wanted, Σ Jᵀ S_i at second ends."""
         sites: list[Array] = [jnp.zeros_like(point[..., 0, :]) for _ in range(self.lattice.sites)]
         for bond in self.bonds:
-            matrix, mask = jnp.asarray(bond.matrix), existing(self.lattice, bond)
+            matrix, mask = jnp.asarray(bond.matrix), find_cells(self.lattice, bond)
             inside = 1.0 if mask is None else mask[..., None].astype(float)
             further = (*bond.cell, 0)
-            there = _rolled(point[..., bond.j, :], further)
+            there = _roll(point[..., bond.j, :], further)
             sites[bond.i] = sites[bond.i] + inside * (there @ matrix.T)
             if both:
                 pulled = inside * (point[..., bond.i, :] @ matrix)
-                sites[bond.j] = sites[bond.j] + _rolled(pulled, tuple(-n for n in further))
+                sites[bond.j] = sites[bond.j] + _roll(pulled, tuple(-n for n in further))
         return jnp.stack(sites, axis=-2)
 
     @property
@@ -207,7 +207,7 @@ class SpinLattice(AbstractLiePoissonSystem):
         return {"energy": Balance(self.energy(state), power)}
 
 
-def damped(
+def add_damping(
     field: Float64[Array, "*shape"], spins: Float64[Array, "*shape"], damping: Real[ArrayLike, ""]
 ) -> Float64[Array, "*shape"]:
     """Return B − (λ/|S|) S × B, about which spins turn with damping λ."""
@@ -215,7 +215,7 @@ def damped(
     return field - damping / jnp.where(length > 0, length, 1.0) * jnp.cross(spins, field)
 
 
-def _rolled(values: Array, further: Sequence[int]) -> Array:
+def _roll(values: Array, further: Sequence[int]) -> Array:
     moved = [(-n, axis) for n, axis in zip(further, (-4, -3, -2, -1), strict=True) if n]
     return jnp.roll(values, [n for n, _ in moved], [axis for _, axis in moved]) if moved else values
 
@@ -243,7 +243,7 @@ def _checked_onsite(onsite: ArrayLike | None, count: int) -> tuple[Matrix, ...] 
     return tuple(tuple(map(tuple, one)) for one in given.tolist())
 
 
-def _kept(bonds: Sequence[BondType], onsite: Sequence[Matrix] | None, field: np.ndarray) -> tuple:
+def _find_conserved(bonds: Sequence[BondType], onsite: Sequence[Matrix] | None, field: np.ndarray) -> tuple:
     """Return rows c with c·ΣS constant: those about which turns of all spins change no term of H."""
     hats = np.stack([np.cross(np.eye(3)[k], np.eye(3)).T for k in range(3)])
     matrices = [np.array(bond.matrix) for bond in bonds] + [np.array(one) for one in onsite or ()]

@@ -18,7 +18,7 @@ from polhode.types import Array, Double, Float64
 TINY = 1e-150  # a state whose squares lose digits, or are zero
 
 
-def trajectory_of(
+def make_trajectory(
     system: AbstractSystem, times: Float64[np.ndarray, "time"], states: Double[Array, "..."], outcome: Outcome,
     statistics: dict[str, int], received: dict[str, Float64[Array, "*batch time"]],
     error_estimate: Float64[Array, "*batch"] | None = None, ends: Ends | None = None,
@@ -96,18 +96,18 @@ def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
     """
     own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
 
-    def chosen(x: Array, of_copies: bool) -> dict[str, Array]:
+    def choose(x: Array, of_copies: bool) -> dict[str, Array]:
         wanted = system.invariants(x).items()
         return {name: value for name, value in wanted if (name in own if of_copies else not jnp.ndim(value))}
 
     def of_one(x: Array) -> dict[str, Array]:
-        values, back = jax.vjp(lambda y: chosen(y, False), x)
+        values, back = jax.vjp(lambda y: choose(y, False), x)
         found = {}
         for name in values:
             picked = {other: jnp.asarray(other == name, values[other].dtype) for other in values}
             found[name] = jnp.sum(jnp.abs(x * back(picked)[0]))
-        for name, each in chosen(x, True).items():
-            found[name] = _of_copies(lambda y, name=name: chosen(y, True)[name], x, each.size)
+        for name, each in choose(x, True).items():
+            found[name] = _of_copies(lambda y, name=name: choose(y, True)[name], x, each.size)
         return found
 
     for _ in range(jnp.ndim(state) - system.state_axes):

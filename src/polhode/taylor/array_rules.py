@@ -66,7 +66,7 @@ class Unrolled:
         self.steps: list[Step] = []
         self._moves: list[bool] = []
         self.arguments = [self._place(does) for does in moves]
-        self.results = self._inlined(closed.jaxpr, closed.consts, self.arguments)
+        self.results = self._inline(closed.jaxpr, closed.consts, self.arguments)
         self.size = len(self._moves)
 
     def is_moving(self, place: int) -> bool:
@@ -77,34 +77,34 @@ class Unrolled:
         self._moves.append(moves)
         return len(self._moves) - 1
 
-    def _known(self, value: Any) -> int:
+    def _add_constant(self, value: Any) -> int:
         place = self._place(False)
         self.constants[place] = value
         return place
 
-    def _inlined(self, jaxpr: Any, constants: Any, arguments: list[int]) -> list[int]:
+    def _inline(self, jaxpr: Any, constants: Any, arguments: list[int]) -> list[int]:
         at = dict(zip(jaxpr.invars, arguments, strict=True))
-        at.update(zip(jaxpr.constvars, map(self._known, constants), strict=True))
+        at.update(zip(jaxpr.constvars, map(self._add_constant, constants), strict=True))
 
-        def place_of(variable: Any) -> int:
-            return self._known(variable.val) if isinstance(variable, Literal) else at[variable]
+        def find_place(variable: Any) -> int:
+            return self._add_constant(variable.val) if isinstance(variable, Literal) else at[variable]
 
         for equation in jaxpr.eqns:
-            given = [place_of(v) for v in equation.invars]
+            given = [find_place(v) for v in equation.invars]
             inner = next((equation.params[k] for k in INNER if k in equation.params), None)
             if inner is not None and equation.primitive.name not in ("scan", "while", "cond"):
                 plain, consts = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
-                at.update(zip(equation.outvars, self._inlined(plain, consts, given), strict=True))
+                at.update(zip(equation.outvars, self._inline(plain, consts, given), strict=True))
                 continue
             moving = tuple(k for k, place in enumerate(given) if self._moves[place])
             results = tuple(self._place(bool(moving)) for _ in equation.outvars)
-            rule = _rule_of(equation, moving) if moving else None
+            rule = _find_rule(equation, moving) if moving else None
             self.steps.append(Step(equation, tuple(given), results, rule, moving))
             at.update(zip(equation.outvars, results, strict=True))
-        return [place_of(v) for v in jaxpr.outvars]
+        return [find_place(v) for v in jaxpr.outvars]
 
 
-def _rule_of(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
+def _find_rule(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
     name = equation.primitive.name
     if _is_affine(equation, moving):
         return _Affine(equation, moving)
@@ -152,7 +152,7 @@ def _all_affine(jaxpr: Any, moving: set[int]) -> bool:
     return True
 
 
-def bound(equation: Any, given: list[Any]) -> list[Shaped[Array, "..."]]:
+def bind(equation: Any, given: list[Any]) -> list[Shaped[Array, "..."]]:
     """Return what an operation makes of values."""
     found = equation.primitive.bind(*given, **equation.params)
     return list(found) if equation.primitive.multiple_results else [found]
@@ -169,7 +169,7 @@ class _Affine:
             whole = [x[0] if j in self.moving else x for j, x in enumerate(given)]
             for j, value in zip(self.moving, values, strict=True):
                 whole[j] = value
-            return bound(self.equation, whole)
+            return bind(self.equation, whole)
 
         if k == 0:
             found, self.linear = jax.linearize(of, *(given[j][0] for j in self.moving))
@@ -215,7 +215,7 @@ def _power(exponent_of: Callable[[Any], float]) -> Callable[..., Any]:
             if float(p).is_integer() and 0 < p <= MOST_FACTORS:
                 return [_whole_power(x, int(p), k)]
             if k == 0:
-                return bound(equation, [x[0], *given[1:]])
+                return bind(equation, [x[0], *given[1:]])
             value = sum((p * (k - j) - j) * own[0][j] * x[k - j] for j in range(k))
             return [value / (k * x[0])]
 
@@ -234,7 +234,7 @@ def _whole_power(x: Series, p: int, k: int) -> Array:
     return found[k]
 
 
-def _known_exponent(given: list[Any]) -> float:
+def _read_exponent(given: list[Any]) -> float:
     try:
         return float(given[1])
     except (TypeError, jax.errors.ConcretizationTypeError):
@@ -280,7 +280,7 @@ def _circular(which: int) -> Callable[..., Any]:
 
 RULES: dict[str, Callable[..., Any]] = {
     "mul": _product, "dot_general": _product, "square": _product, "div": _quotient, "exp": _exponential,
-    "log": _logarithm, "sin": _circular(0), "cos": _circular(1), "pow": _power(_known_exponent),
+    "log": _logarithm, "sin": _circular(0), "cos": _circular(1), "pow": _power(_read_exponent),
     "integer_pow": _power(lambda equation: equation.params["y"]), "sqrt": _power(lambda equation: 0.5),
     "rsqrt": _power(lambda equation: -0.5), "cbrt": _power(lambda equation: 1.0 / 3.0),
 }  # fmt: skip

@@ -18,7 +18,7 @@ import numpy as np
 from polhode.motion.outcome import Status
 from polhode.systems.base import AbstractSystem
 from polhode.systems.forms import rates_of_change
-from polhode.taylor.array_rules import Unrolled, bound
+from polhode.taylor.array_rules import Unrolled, bind
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import Precision, Runs
 from polhode.types import Array, Double, Float64
@@ -78,7 +78,7 @@ def runs_of_arrays(
     for k, state in enumerate(states):
         part = lambda share, k=k: check((k + share) / len(states))  # noqa: E731
         scale = np.abs(np.broadcast_to(np.asarray(system.scales(jnp.asarray(state))), np.shape(state)))
-        run = array_run(system, state, times, precision.order, precision.reach, longest, scale, part, place)
+        run = run_arrays(system, state, times, precision.order, precision.reach, longest, scale, part, place)
         found.append(run)
     end, none = np.array([run.end for run in found]), np.full(len(found), -1)
     status = np.where(np.isfinite(end), Status.COMPLETED, Status.NOT_CONVERGED)
@@ -115,7 +115,7 @@ def coefficients(
             given = [z[place] for place in step.arguments]
             if step.rule is None:
                 if k == 0:
-                    for place, value in zip(step.results, bound(step.equation, given), strict=True):
+                    for place, value in zip(step.results, bind(step.equation, given), strict=True):
                         z[place] = value
                 continue
             own = [[] if k == 0 else z[place] for place in step.results]
@@ -129,7 +129,7 @@ def coefficients(
     return jnp.stack(z[moving])
 
 
-def array_run(
+def run_arrays(
     system: AbstractSystem, state: Double[Array, "..."], times: Float64[np.ndarray, "time"], order: int, reach: float,
     longest: float = math.inf, scale: Double[Array, "..."] | float = 1.0,
     check: Callable[[float], None] = lambda share: None, place: Place | None = None,
@@ -155,7 +155,7 @@ def array_run(
     states[0] = state
     now, sample, steps = Place(first, np.asarray(state), 1.0) if place is None else place, 1, 0
     while sample < len(times):
-        series, unit, h = _fitted(system, now, forth, order, reach, abs(last - now.time), scale)
+        series, unit, h = _fit_series(system, now, forth, order, reach, abs(last - now.time), scale)
         h = _short(min(h, longest))
         later = now.time + forth * h
         if not h > SHORTEST * abs(now.time):
@@ -170,7 +170,7 @@ def array_run(
     return ArrayRun(states, last, steps, now)
 
 
-def _fitted(
+def _fit_series(
     system: AbstractSystem, now: Place, forth: float, order: int, reach: float, left: float, scale: Any
 ) -> tuple[Array, float, float]:
     """Return the coefficients by a unit of time that fits them, the unit, and the length of a step [s]."""

@@ -20,10 +20,10 @@ import numpy as np
 from polhode.systems.base import AbstractSystem
 from polhode.systems.forms import rates_of_change
 from polhode.taylor.expressions import Expression, Operation, Tape, Untraceable, gradient
-from polhode.taylor.jaxprs import uses_first, written
+from polhode.taylor.jaxprs import uses_first, write_jaxpr
 from polhode.taylor.machine import TRACING, Form, tape_value
-from polhode.taylor.program import needed
-from polhode.taylor.tracing import evaluated
+from polhode.taylor.program import find_needed
+from polhode.taylor.tracing import evaluate
 from polhode.types import Array, Float64
 
 Ball = Any  # of python-flint, real or complex
@@ -56,20 +56,20 @@ class BallSystem:
         _, unravel = jax.flatten_util.ravel_pytree(arrays)
         self.exact = True
         try:
-            made = self._traced(lambda p: eqx.combine(unravel(p), rest), numbers_of(system))
+            made = self._trace(lambda p: eqx.combine(unravel(p), rest), collect_numbers(system))
         except (*TRACING, TypeError, Untraceable):
             self.exact = False  # some of them are looked at as numbers, or go into functions without a recurrence
-            made = self._traced(lambda p: system, np.zeros(0))
+            made = self._trace(lambda p: system, np.zeros(0))
         self._tape, self._rates, self.size, self.parameters, self.timed = made
         self.looked_at = sorted(place - self.size for place in self._tape.looked_at)
         slopes = [gradient(x) for x in self._rates]
         self._slopes = [x for row in slopes for x in row[: self.size]]
         self._by_parameters = [row[self.size :] for row in slopes]
         self._still = self._that_do_not_move()
-        self._of_rates, self._of_slopes = needed(self._tape, self._rates), needed(self._tape, self._slopes)
-        self._of_parameters = needed(self._tape, [x for row in self._by_parameters for x in row])
+        self._of_rates, self._of_slopes = find_needed(self._tape, self._rates), find_needed(self._tape, self._slopes)
+        self._of_parameters = find_needed(self._tape, [x for row in self._by_parameters for x in row])
 
-    def _traced(
+    def _trace(
         self, system_of: Callable[[Any], AbstractSystem], parameters: Array
     ) -> tuple[Tape, list[Expression], int, Array, bool]:
         form = self.form
@@ -77,7 +77,7 @@ class BallSystem:
         def everything(t: Any, numbers: Any, p: Any) -> Any:
             return form.numbers(rates_of_change(system_of(p), t, form.state(numbers)))
 
-        closed = written(everything, (), (form.size,), np.shape(parameters))
+        closed = write_jaxpr(everything, (), (form.size,), np.shape(parameters))
         timed = uses_first(closed)
         size = form.size + timed
         tape = Tape(size + len(parameters), form.size if timed else None)
@@ -85,7 +85,7 @@ class BallSystem:
         known = np.empty(tape.size, object)
         known[:] = tape.state()
         t = np.asarray(known[form.size] if timed else 0.0, object if timed else float)
-        found = np.ravel(evaluated(closed, t, known[: form.size], known[size:])[0])
+        found = np.ravel(evaluate(closed, t, known[: form.size], known[size:])[0])
         rates = [tape_value(tape, x) for x in found] + [tape.constant(1.0)] * timed
         return tape, rates, size, parameters, timed
 
@@ -139,7 +139,7 @@ class BallSystem:
         return z[: self.size]
 
 
-def numbers_of(system: AbstractSystem) -> Float64[np.ndarray, "parameters"]:
+def collect_numbers(system: AbstractSystem) -> Float64[np.ndarray, "parameters"]:
     """Return the numbers in a system's fields."""
     return np.asarray(jax.flatten_util.ravel_pytree(eqx.filter(system, eqx.is_inexact_array))[0], float)
 

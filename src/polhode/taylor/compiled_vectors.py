@@ -64,8 +64,8 @@ KIND = Vector()
 def of_one_copy() -> dict[str, Any]:
     """Return how vectors are loaded, stored and gathered from flat arrays; nothing is checked."""
     _define_arithmetic()
-    made = {"load": _load, "store": _store, "gather": _gather, "borrowed": _declare_borrowed,
-            "run_code": _run_code, "vectors": _seen_as(types.float64)}  # fmt: skip
+    made = {"load": _load, "store": _store, "gather": _gather, "borrow": _declare_borrow,
+            "run_code": _run_code, "vectors": _declare_view(types.float64)}  # fmt: skip
     return {name: intrinsic(given) for name, given in made.items()}
 
 
@@ -73,11 +73,12 @@ def of_one_copy() -> dict[str, Any]:
 def of_lanes() -> dict[str, Any]:
     """Return what takes the places of the functions in ``lanes``."""
     _define_arithmetic()
-    made = {"borrowed": _declare_borrowed, "run_code": _run_code, "vectors": _seen_as(KIND), "spread": _spread,
+    made = {"borrow": _declare_borrow, "run_code": _run_code, "vectors": _declare_view(KIND), "spread": _spread,
             "where_less": _where_less, "square_root": _square_root}  # fmt: skip
-    each = {"powered": math.pow, "exponential": math.exp, "logarithm": math.log, "sine": math.sin, "cosine": math.cos}
+    each = {"raise_power": math.pow, "exponential": math.exp, "logarithm": math.log, "sine": math.sin,
+            "cosine": math.cos}  # fmt: skip
     return {name: intrinsic(given) for name, given in made.items()} | {
-        name: intrinsic(_of_each(of, 2 if name == "powered" else 1)) for name, of in each.items()
+        name: intrinsic(_of_each(of, 2 if name == "raise_power" else 1)) for name, of in each.items()
     }
 
 
@@ -118,10 +119,10 @@ def _gather(typing: Any, array: Any, places: Any, first: Any, base: Any) -> Any:
     return KIND(array, places, types.int64, types.int64), generate
 
 
-def _declare_borrowed(typing: Any, given: Any) -> Any:
+def _declare_borrow(typing: Any, given: Any) -> Any:
     """Declare the same without owners: flat arrays of numbers as their addresses, in tuples too."""
     made = _bare(given)
-    return made(given), lambda context, builder, sig, args: _made_bare(context, builder, given, args[0])
+    return made(given), lambda context, builder, sig, args: _make_bare(context, builder, given, args[0])
 
 
 def _bare(kind: Any) -> Any:
@@ -133,11 +134,11 @@ def _bare(kind: Any) -> Any:
     return kind
 
 
-def _made_bare(context: Any, builder: Any, kind: Any, value: Any) -> Any:
+def _make_bare(context: Any, builder: Any, kind: Any, value: Any) -> Any:
     if isinstance(kind, types.BaseTuple):
         members: Any = kind
         parts = [builder.extract_value(value, k) for k in range(len(members.types))]
-        made = [_made_bare(context, builder, of, part) for of, part in zip(members.types, parts, strict=True)]
+        made = [_make_bare(context, builder, of, part) for of, part in zip(members.types, parts, strict=True)]
         return context.make_tuple(builder, _bare(kind), made)
     if isinstance(_bare(kind), Numbers):
         return _data(context, builder, kind, value)
@@ -166,7 +167,7 @@ def _run_code(typing: Any, address: Any, flat: Any, a: Any, b: Any, number: Any,
     return types.void(types.int64, flat, a, b, number, types.int64, units), generate
 
 
-def _seen_as(of: Any) -> Callable[..., Any]:
+def _declare_view(of: Any) -> Callable[..., Any]:
     """Return the declaration of the same memory as numbers of one kind."""
     kind = Numbers(of)
 

@@ -85,7 +85,7 @@ class Tape:
         """Return a number as an expression."""
         return Expression(self, {}, float(value))
 
-    def number_of(self, x: Any) -> float | None:
+    def find_number(self, x: Any) -> float | None:
         """Return the number that an expression is, if it is known, and note that it was asked for."""
         if not isinstance(x, Expression):
             return float(x)
@@ -153,7 +153,7 @@ class Tape:
             case _:
                 raise Untraceable("a branch on a place in an orbit")
 
-    def decided(self, answers: np.ndarray) -> bool:
+    def decide(self, answers: np.ndarray) -> bool:
         """Return what a branch on the time comes to, which must be the same at all instants."""
         if answers.any() != answers.all():
             raise Untraceable("a branch on the time that changes where no jump is named")
@@ -232,7 +232,7 @@ class Expression:
     def _like(self, other: Any) -> Expression:
         return other if isinstance(other, Expression) else Expression(self.tape, {}, float(other))
 
-    def scaled(self, factor: float) -> Expression:
+    def scale(self, factor: float) -> Expression:
         """Return a multiple."""
         if factor == 0.0:
             return Expression(self.tape, {})
@@ -246,7 +246,7 @@ class Expression:
     __radd__ = __add__
 
     def __neg__(self) -> Expression:
-        return self.scaled(-1.0)
+        return self.scale(-1.0)
 
     def __sub__(self, other: Any) -> Any:
         return self + (-other)
@@ -258,10 +258,10 @@ class Expression:
         if isinstance(other, Complex | complex):
             return Complex.of(other) * self
         if not isinstance(other, Expression):
-            return self.scaled(float(other))
+            return self.scale(float(other))
         if not self.terms:
-            return other.scaled(self.constant)
-        return self.tape.product(self, other) if other.terms else self.scaled(other.constant)
+            return other.scale(self.constant)
+        return self.tape.product(self, other) if other.terms else self.scale(other.constant)
 
     __rmul__ = __mul__
 

@@ -12,7 +12,7 @@ from polhode.motion.outcome import Status
 from polhode.taylor import kernel
 from polhode.taylor.kernel_extended import PAIRS
 from polhode.taylor.kernel_space import EVENT, NEXT, STEPS, TIME, Copies, Course, exact_for, lanes_for, series_for
-from polhode.taylor.kernels import Kernel, chosen_kernel, note, written_code
+from polhode.taylor.kernels import Kernel, choose_kernel, note, write_code
 from polhode.taylor.machine import Machine
 from polhode.types import Array, Float64, Integer
 
@@ -22,7 +22,7 @@ WORTH = 64  # copies: fewer are not worth a thread
 TRIED = 256  # copies at a time, of which Python computes what is conserved before it asks for a better kernel
 
 
-def starting(
+def begin_flight(
     machine: Machine, y: Float64[Array, "copies n"], scale: Float64[Array, "copies n"],
     samples: Float64[Array, "copies time n"], first: float, hits: int,
 ) -> Copies:  # fmt: skip
@@ -31,7 +31,7 @@ def starting(
     now, counts = np.tile([first, 0.0, 1.0], (copies, 1)), np.tile([0, 1, 0, -1], (copies, 1))
     crossed = np.zeros((copies, hits, 2 + n))
     if machine.exact is None:
-        wanted, slack = _kept_at(machine, y, scale)
+        wanted, slack = _evaluate_conserved(machine, y, scale)
     else:  # what has more digits is not to be put back by numbers that have fewer
         wanted = slack = np.zeros((copies, 0))
     low = np.zeros((copies, 0 if machine.exact is None else n))
@@ -55,7 +55,7 @@ def fly(
     if machine.clock >= 0:
         copies.y[:, machine.clock] = copies.now[:, TIME]
     while (running := np.flatnonzero(status == kernel.RUNNING)).size:
-        use = chosen_kernel(running.size, machine.exact is not None)
+        use = choose_kernel(running.size, machine.exact is not None)
         # Python's runs are long enough to ask how much of the processor they took, whatever else it does
         clock = time.perf_counter if use.is_compiled else time.process_time
         before = clock()
@@ -82,7 +82,7 @@ def outcome(
 
 
 def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, running: Array) -> None:
-    code, limit = written_code(use, machine.program), max(1, use.stretch // machine.program.length)
+    code, limit = write_code(use, machine.program), max(1, use.stretch // machine.program.length)
     orders, watched, conserved = course.order + 1, len(course.falling), copies.wanted.shape[1]
 
     def fill(low: int, high: int) -> None:
@@ -109,7 +109,7 @@ def integrals_at(
     count, n = len(machine.names), machine.form.size
     found, first = np.zeros((len(y), count * (1 + n))), 0
     while count and first < len(y):
-        use = chosen_kernel(len(y) - first)
+        use = choose_kernel(len(y) - first)
         part = slice(first, len(y) if use.is_compiled else first + TRIED)
         states, given = np.zeros(n * use.lanes), np.ascontiguousarray(y[part])
         # the system is asked only where the answer counts, as asking takes longer than a compiled run
@@ -122,7 +122,7 @@ def integrals_at(
     return found[:, :count], found[:, count:].reshape(len(y), count, n)
 
 
-def _kept_at(machine: Machine, y: Array, scale: Array) -> tuple[Array, Array]:
+def _evaluate_conserved(machine: Machine, y: Array, scale: Array) -> tuple[Array, Array]:
     """Return what is conserved (C, K) at starts (C, n), and the slack that it leaves."""
     n = machine.form.size
     values, slopes = integrals_at(machine, y[:, :n])

@@ -12,7 +12,7 @@ from jax.extend.core import Literal
 INNER = ("jaxpr", "call_jaxpr", "fun_jaxpr")
 
 
-def written(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:
+def write_jaxpr(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:
     """Return the jaxpr of a function of real arrays of given shapes."""
     return jax.make_jaxpr(function)(*[jax.ShapeDtypeStruct(shape, float) for shape in shapes])
 
@@ -50,7 +50,7 @@ def _operations(jaxpr: Any, given: list[bool]) -> int:
     return count
 
 
-def needed_for(outputs: list[Any], equations: list[Any]) -> list[Any]:
+def select_needed(outputs: list[Any], equations: list[Any]) -> list[Any]:
     """Return those equations, in order, without which the outputs cannot be computed."""
     needed, found = {v for v in outputs if not isinstance(v, Literal)}, []
     for equation in reversed(equations):

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.taylor.kernel_invariants import back_onto, output, outputs_of
-from polhode.taylor.kernel_series import advanced, combination, fitted_series, nodes, power_of_two, sampled
+from polhode.taylor.kernel_invariants import back_onto, compute_outputs, output
+from polhode.taylor.kernel_series import advance_lanes, combination, fit_series, nodes, power_of_two, sample_copy
 from polhode.taylor.kernel_space import (
     EVENT,
     HITS,
@@ -24,9 +24,9 @@ from polhode.taylor.kernel_space import (
     Lanes,
     Series,
 )
-from polhode.taylor.kernel_zeros import first_zero, reach_of
+from polhode.taylor.kernel_zeros import find_reach, first_zero
 from polhode.taylor.program import CONSTANT, FIRST, SIZE, SLOTS
-from polhode.taylor.vectors import LANES, borrowed, vectors
+from polhode.taylor.vectors import LANES, borrow, vectors
 from polhode.types import Array
 
 RUNNING, DONE, STOPPED, FULL, FAILED = 0, 1, 2, 3, 4
@@ -43,27 +43,27 @@ def advance(rates: Series, integrals: Series, copies: Copies, lanes: Lanes, cour
         copies, lanes, course: see there.
         limit: of the steps.
     """
-    rates, integrals, copies, lanes = in_lanes(rates), in_lanes(integrals), borrowed(copies), borrowed(lanes)
-    course = borrowed(course)
+    rates, integrals, copies, lanes = in_lanes(rates), in_lanes(integrals), borrow(copies), borrow(lanes)
+    course = borrow(course)
     z, states, status, which = rates.z, vectors(lanes.states), copies.status, lanes.which
     order, watched, following = course.order, lanes.p.shape[0], 0
     for lane in range(LANES):
         which[lane] = NOBODY
     for _ in range(limit):
-        following, taken = seated(copies, lanes, course, following)
+        following, taken = seat_copies(copies, lanes, course, following)
         if taken == 0:
             return
         for i in range(rates.whole[SIZE]):
             z[i] = states[i]
-        fitted_series(rates, lanes, course)
+        fit_series(rates, lanes, course)
         if watched:
             nodes(rates, order)
-            series_of_watched(rates, lanes, order, course.forth)
+            expand_watched(rates, lanes, order, course.forth)
         for lane in range(LANES):
             lanes.steps[lane] = 0.0
             if which[lane] != NOBODY:
-                status[which[lane]] = planned(rates, copies, lanes, course, lane)
-        advanced(rates, lanes, course)
+                status[which[lane]] = plan_step(rates, copies, lanes, course, lane)
+        advance_lanes(rates, lanes, course)
         if course.clock >= 0:
             for lane in range(LANES):
                 lanes.states[course.clock * LANES + lane] = lanes.later[lane]
@@ -72,18 +72,18 @@ def advance(rates: Series, integrals: Series, copies: Copies, lanes: Lanes, cour
         for lane in range(LANES):
             k = which[lane]
             if k != NOBODY and status[k] == RUNNING:
-                status[k] = arrived(copies, lanes, course, lane)
+                status[k] = finish_step(copies, lanes, course, lane)
             if k != NOBODY and status[k] != RUNNING:
                 which[lane] = NOBODY
 
 
 def in_lanes(series: Series) -> Series:
     """Return a series as a kernel computes with it."""
-    own = borrowed(series)
+    own = borrow(series)
     return Series(own.whole, own.number, own.flat, vectors(own.flat), own.a, own.b, own.code)
 
 
-def seated(copies: Copies, lanes: Lanes, course: Course, following: Any) -> tuple[Any, Any]:
+def seat_copies(copies: Copies, lanes: Lanes, course: Course, following: Any) -> tuple[Any, Any]:
     """Give free lanes to copies that wait, and return which copy is the next one, and how many lanes are taken."""
     taken, count = 0, copies.y.shape[0]
     for lane in range(LANES):
@@ -105,7 +105,7 @@ def seated(copies: Copies, lanes: Lanes, course: Course, following: Any) -> tupl
     return following, taken
 
 
-def series_of_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> None:
+def expand_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> None:
     """Set the coefficients of what is watched, of powers of the units of time that pass."""
     whole, found = rates.whole, vectors(lanes.watched)
     n, width = whole[SIZE], whole[SLOTS]
@@ -117,7 +117,7 @@ def series_of_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> No
         found[start] = found[start] + rates.number[whole[CONSTANT] + n + w]
 
 
-def planned(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
+def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
     """Set how far a copy goes, put samples on the way where they belong, and return how it stands."""
     k, unit, p, order = lanes.which[lane], lanes.units[lane], lanes.p, course.order
     for w in range(p.shape[0]):
@@ -127,7 +127,7 @@ def planned(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane: A
     h = min(lanes.lengths[lane] * unit, course.longest)
     for w in range(p.shape[0]):  # which may shorten the step
         ahead = min(h, left)
-        reached = unit * reach_of(p[w], order, ahead / unit, course.reach)
+        reached = unit * find_reach(p[w], order, ahead / unit, course.reach)
         if reached < ahead:
             h = reached
     if not h > SHORTEST * abs(t) or not h > 0.0:
@@ -146,7 +146,7 @@ def planned(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane: A
         sample = course.times[following]
         if sample == later and event < 0:
             break  # samples at the end of a step have its state, put back onto what is conserved
-        sampled(rates, order, (sample - t) / unit, lane, lanes.point)
+        sample_copy(rates, order, (sample - t) / unit, lane, lanes.point)
         for i in range(copies.y.shape[1]):
             copies.out[k, following, i] = lanes.point[i]
         if course.clock >= 0:
@@ -178,7 +178,7 @@ def event_in(copies: Copies, lanes: Lanes, course: Course, lane: Any, h: Any) ->
     return event, first
 
 
-def arrived(copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
+def finish_step(copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
     """Note that a copy has come to the end of a step, and return how it stands."""
     k, later, event = lanes.which[lane], lanes.later[lane], lanes.event[lane]
     n, following = copies.y.shape[1], copies.counts[k, NEXT]
@@ -215,7 +215,7 @@ def conserved_values(integrals: Series, y: Array, states: Array, values: Array) 
         for lane in range(there):
             for i in range(n):
                 states[i * LANES + lane] = y[first + lane, i]
-        outputs_of(series, given)
+        compute_outputs(series, given)
         for c in range(values.shape[1]):
             given[0] = output(series, c)
             for lane in range(there):

@@ -27,7 +27,7 @@ from polhode.taylor.program import (
     SLOTS,
     START,
 )
-from polhode.taylor.vectors import powered
+from polhode.taylor.vectors import raise_power
 
 PAIRS = 12  # coefficients in two parts: roundings of the others, which have one sign, are 1e-26 of the state a step
 SPLITTING = 134217729.0  # 2²⁷ + 1
@@ -42,7 +42,7 @@ def two_product(a: Any, b: Any) -> Pair:
     return p, ((ah * bh - p) + ah * bl + al * bh) + al * bl
 
 
-def advanced(series: Series, lanes: Lanes, course: Course) -> None:
+def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
     """Set state and its low part to those after a step, in place of the function of ``kernel_series``."""
     exact, width, h = lanes.exact, series.whole[SLOTS], lanes.steps[0]
     rows, size = exact.whole[SLOTS], series.whole[SIZE]
@@ -132,7 +132,7 @@ def power_in_pairs(exact: Exact, k: Any, out: Any, x: Any, exponent: Any) -> Pai
 
 def power_of_pair(x: Pair, exponent: Any) -> Pair:
     """Return x to half a whole number: u of which the square is x to the whole one, by one step of Newton's."""
-    first = powered(x[0], exponent)
+    first = raise_power(x[0], exponent)
     square = multiply((first, 0.0), (first, 0.0))
     whole = 1.0, 0.0
     for _ in range(int(abs(2.0 * exponent))):

@@ -25,7 +25,7 @@ def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
     y, scale, wanted, rows = vectors(lanes.states), vectors(lanes.scales), vectors(lanes.wanted), vectors(lanes.rows)
     slack, due = vectors(lanes.slack), vectors(lanes.due)
     n, none, infinite = integrals.whole[SIZE], spread(0.0), spread(np.inf)
-    outputs_of(integrals, y)
+    compute_outputs(integrals, y)
     due[0] = none
     for c in range(count):
         off = wanted[c] - output(integrals, c)
@@ -67,7 +67,7 @@ def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
             y[i] = where_less(none, due[0], where_less(scale[i], infinite, moved, y[i]), y[i])
 
 
-def outputs_of(integrals: Series, y: Array) -> None:
+def compute_outputs(integrals: Series, y: Array) -> None:
     """Compute what ``output`` gives, at states."""
     for i in range(integrals.whole[SIZE]):
         integrals.z[i] = y[i]

@@ -32,7 +32,7 @@ from polhode.taylor.vectors import (
     cosine,
     exponential,
     logarithm,
-    powered,
+    raise_power,
     run_code,
     sine,
     spread,
@@ -63,7 +63,7 @@ def function(
     u, y, total = out, base + x, spread(0.0)
     if operation == 2:
         if k == 0:
-            z[base + out] = powered(z[x], exponent)
+            z[base + out] = raise_power(z[x], exponent)
             return
         for j in range(k):
             total = total + (exponent * (k - j) - j) * (z[u] * z[y])
@@ -230,7 +230,7 @@ def power_of_two(x: Any) -> Any:
     return math.ldexp(1.0, math.frexp(x)[1] - 1)
 
 
-def fitted_series(series: Series, lanes: Lanes, course: Course) -> None:
+def fit_series(series: Series, lanes: Lanes, course: Course) -> None:
     """Set the coefficients by units of time that fit them, the units, and the lengths of steps in them.
 
     The search begins with units such as the last steps' lengths, and goes up to the times that are left.
@@ -255,7 +255,7 @@ def fitted_series(series: Series, lanes: Lanes, course: Course) -> None:
             break
 
 
-def advanced(series: Series, lanes: Lanes, course: Course) -> None:
+def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
     """Set the lanes' states to those after a step; ``kernel_extended`` has the same with twice as many digits."""
     width, z, y, steps = series.whole[SLOTS], series.z, vectors(lanes.states), vectors(lanes.steps)[0]
     for i in range(series.whole[SIZE]):
@@ -265,7 +265,7 @@ def advanced(series: Series, lanes: Lanes, course: Course) -> None:
         y[i] = value
 
 
-def sampled(series: Series, order: Any, h: Any, lane: Any, out: Array) -> None:
+def sample_copy(series: Series, order: Any, h: Any, lane: Any, out: Array) -> None:
     """Set out to the state of one copy after h units of time: the same bits as those of all."""
     width, flat = series.whole[SLOTS], series.flat
     for i in range(series.whole[SIZE]):

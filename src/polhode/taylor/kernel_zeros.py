@@ -13,7 +13,7 @@ ROUNDS = 6  # each of which leaves at most an eighth of the powers of ten by whi
 NEAREST = 1e-300  # of the last time: the first part ends no earlier
 
 
-def reach_of(p: Array, order: Any, h: Any, reach: Any) -> Any:
+def find_reach(p: Array, order: Any, h: Any, reach: Any) -> Any:
     """Return how far a series may be followed, h at most; 0 where a coefficient is not finite.
 
     Its first terms tell its size, as the function itself may be at a zero: of a step that is found, not of h.

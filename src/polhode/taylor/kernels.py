@@ -73,26 +73,26 @@ class _Spent:
     called: ClassVar[set[Kernel]] = set()
 
 
-def chosen_kernel(copies: int, extended: bool = False) -> Kernel:
+def choose_kernel(copies: int, extended: bool = False) -> Kernel:
     """Return the fastest kernel for so many copies that is there or worth its while."""
     if extended:
-        made = compiled_kernel if _is_worth(EXTENDED, _Spent.by_python) else python_kernel
+        made = compile_kernel if _is_worth(EXTENDED, _Spent.by_python) else python_kernel
         return made(EXTENDED)
     if not _is_worth(1, _Spent.by_python):
         return python_kernel(1)
     if copies >= lanes.LANES and _is_worth(lanes.LANES, _Spent.one_by_one):
-        return compiled_kernel(lanes.LANES)
-    return compiled_kernel(1)
+        return compile_kernel(lanes.LANES)
+    return compile_kernel(1)
 
 
-def written_code(use: Kernel, program: Program) -> Any:
+def write_code(use: Kernel, program: Program) -> Any:
     """Return ``straight_line.Code`` of a program that has run for as long as it takes to write that, else None."""
     spent = _Spent.by_program.get(program.form, 0.0)
     if program.length > LONGEST or spent < WRITTEN * program.length:
         return None
-    from polhode.taylor.straight_line import code_of
+    from polhode.taylor.straight_line import generate
 
-    return code_of(program, use.lanes)
+    return generate(program, use.lanes)
 
 
 def note(use: Kernel, copies: int, program: Program, seconds: float) -> None:
@@ -116,12 +116,12 @@ def _is_worth(width: int, spent: float) -> bool:
 @cache
 def python_kernel(width: int) -> Kernel:
     """Return the kernel as it is written."""
-    space = _joined(width, lambda function, name: function, {})
+    space = _join_modules(width, lambda function, name: function, {})
     return Kernel(_lanes(width), False, *(space[name] for name in ENTRIES), stretch=1_000)
 
 
 @cache
-def compiled_kernel(width: int) -> Kernel:
+def compile_kernel(width: int) -> Kernel:
     """Return the kernel as Numba compiles it when it is first called, or has it on the disk."""
     from polhode.exact import compiling
     from polhode.taylor import compiled_vectors
@@ -141,7 +141,7 @@ def compiled_kernel(width: int) -> Kernel:
         return take(error_model="numpy", nogil=True, forceinline=name not in CALLED, no_cpython_wrapper=True,
                     no_cfunc_wrapper=True)(function)  # fmt: skip
 
-    space = _joined(width, compiled, operations)
+    space = _join_modules(width, compiled, operations)
     return Kernel(_lanes(width), True, *(space[name] for name in ENTRIES), stretch=2_000_000)
 
 
@@ -157,11 +157,11 @@ def use_compiled_kernel(*widths: int) -> None:
 @cache
 def _is_on_disk(width: int) -> bool:
     """Whether Numba has compiled it before."""
-    kept = [Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi") for entry in compiled_kernel(width)[2:4]]
+    kept = [Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi") for entry in compile_kernel(width)[2:4]]
     return all(any(found) for found in kept)
 
 
-def _joined(
+def _join_modules(
     width: int, made: Callable[[FunctionType, str], Any], operations: dict[str, Any]
 ) -> dict[str, Any]:  # fmt: skip
     """Return the names of all modules, in which functions, made into what is wanted, call each other."""

@@ -12,7 +12,7 @@ from polhode.types import Array, Float64
 LANES = one.WIDTH
 
 
-def borrowed(x: Any) -> Any:
+def borrow(x: Any) -> Any:
     return x
 
 
@@ -36,8 +36,8 @@ def square_root(x: Any) -> Float64[Array, "8"]:
     return np.array([one.square_root(value) for value in x])
 
 
-def powered(x: Any, exponent: Any) -> Float64[Array, "8"]:
-    return np.array([one.powered(value, exponent) for value in x])
+def raise_power(x: Any, exponent: Any) -> Float64[Array, "8"]:
+    return np.array([one.raise_power(value, exponent) for value in x])
 
 
 def exponential(x: Any) -> Float64[Array, "8"]:

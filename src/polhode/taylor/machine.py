@@ -17,10 +17,10 @@ from polhode.arrays import in_jax_numpy
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.systems.forms import distances, rates_of_change
 from polhode.taylor.expressions import Expression, Operation, Tape, Untraceable, gradient
-from polhode.taylor.jaxprs import operations_on, uses_first, written
-from polhode.taylor.program import Program, program_of
-from polhode.taylor.structure import Structure, itself, structure_of
-from polhode.taylor.tracing import evaluated
+from polhode.taylor.jaxprs import operations_on, uses_first, write_jaxpr
+from polhode.taylor.program import Program, make_program
+from polhode.taylor.structure import Structure, itself, take_structure
+from polhode.taylor.tracing import evaluate
 from polhode.types import Array, Double, Float64
 
 MOST_GRADIENTS = 600  # numbers in the gradients of what is conserved, from which projecting costs more than it gives
@@ -100,7 +100,7 @@ class Machine(NamedTuple):
     numbers: Float64[Array, "numbers"]
 
 
-def machine_of(
+def build_machine(
     system: AbstractSystem, state: Array, between: Span, through: Event | None = None, extended: bool = False
 ) -> Machine:
     """Return the programs of a system for states like one.
@@ -125,10 +125,10 @@ def machine_of(
     return _machine(system, form, between, through, extended)
 
 
-def operations_of(system: AbstractSystem, state: Double[Array, "..."]) -> int:
+def count_operations(system: AbstractSystem, state: Double[Array, "..."]) -> int:
     """Return about how many operations a system's rates, balances and events take at a state."""
     form = Form(np.shape(state), np.iscomplexobj(state))
-    return _of_any_numbers(_written, system, form, None)[0].operations
+    return _of_any_numbers(_write_programs, system, form, None)[0].operations
 
 
 class _Written(NamedTuple):
@@ -151,16 +151,16 @@ def _of_any_numbers(
     written_of: Callable[..., Any], system: AbstractSystem, *given: Any
 ) -> tuple[Any, Float64[Array, "numbers"]]:
     """Return what is written of a system's structure, and its numbers; of itself alone if it asks for their values."""
-    structure, numbers = structure_of(system)
-    found = _kept(written_of, structure, *given)
+    structure, numbers = take_structure(system)
+    found = _write_unless_traced(written_of, structure, *given)
     if found is None:
         structure, numbers = itself(system)
-        found = _kept(written_of, structure, *given)
+        found = _write_unless_traced(written_of, structure, *given)
     return found, numbers
 
 
 @lru_cache(maxsize=512)
-def _kept(written_of: Callable[..., Any], structure: Structure, *given: Any) -> Any:
+def _write_unless_traced(written_of: Callable[..., Any], structure: Structure, *given: Any) -> Any:
     """Return what is written, or None where that takes the numbers."""
     if not structure.size:
         with in_jax_numpy("systems"):
@@ -171,7 +171,7 @@ def _kept(written_of: Callable[..., Any], structure: Structure, *given: Any) -> 
         return None
 
 
-def _written(structure: Structure, form: Form, through: Event | None) -> _Written:
+def _write_programs(structure: Structure, form: Form, through: Event | None) -> _Written:
     balances: list[str] = []
 
     def everything(t: Any, moving: Any, numbers: Any) -> Any:
@@ -183,7 +183,7 @@ def _written(structure: Structure, form: Form, through: Event | None) -> _Writte
         rates = form.numbers(rates_of_change(system, t, state))
         return rates, *(jnp.ravel(balance.rate) for balance in received.values()), *watched
 
-    closed = written(everything, (), (form.size,), (structure.size,))
+    closed = write_jaxpr(everything, (), (form.size,), (structure.size,))
     return _Written(closed, tuple(balances), uses_first(closed), operations_on(closed, (0, 1)))
 
 
@@ -191,19 +191,19 @@ def _written(structure: Structure, form: Form, through: Event | None) -> _Writte
 def _machine(
     system: AbstractSystem, form: Form, between: Span, through: Event | None, extended: bool
 ) -> Machine:  # fmt: skip
-    written, numbers = _of_any_numbers(_written, system, form, through)
+    written, numbers = _of_any_numbers(_write_programs, system, form, through)
     inside = _instants(between)
-    tape, rates, watched = _taped(written, form, numbers, inside)
+    tape, rates, watched = _make_tape(written, form, numbers, inside)
     size = len(rates)
     exact = None
     if extended:
-        exact = _exact_program(*_taped(written, form, numbers, inside, moving=True)[:2])
+        exact = _exact_program(*_make_tape(written, form, numbers, inside, moving=True)[:2])
     names, integrals = _integrals(system, form)
-    return Machine(form, program_of(tape, rates + watched), integrals, names, written.balances, tuple(system.events),
+    return Machine(form, make_program(tape, rates + watched), integrals, names, written.balances, tuple(system.events),
                    size - 1 if written.timed else -1, exact, numbers)  # fmt: skip
 
 
-def _taped(
+def _make_tape(
     written: _Written, form: Form, numbers: Array, inside: Array, moving: bool = False
 ) -> tuple[Tape, list[Expression], list[Expression]]:
     """Return a tape with rates and what is watched; the system's numbers may be components of the state that follow."""
@@ -213,7 +213,7 @@ def _taped(
     known = np.empty(tape.size, object)
     known[:] = tape.state()
     t = np.asarray(known[size - 1] if written.timed else 0.0, object if written.timed else float)
-    found = evaluated(written.closed, t, known[: form.size], known[size:] if moving else numbers)
+    found = evaluate(written.closed, t, known[: form.size], known[size:] if moving else numbers)
     parts = [[tape_value(tape, x) for x in np.ravel(part)] for part in found]
     rates, watched = parts[: 1 + len(written.balances)], parts[1 + len(written.balances) :]
     return tape, [*chain(*rates), *([tape.constant(1.0)] if written.timed else [])], [*chain(*watched)]
@@ -230,7 +230,7 @@ def _exact_program(tape: Tape, rates: list[Expression]) -> Program:
             f"the power {other[0]:g}, and with twice as many digits only halves of whole numbers up to {HIGHEST_POWER} "
             "have a recurrence"
         )
-    return program_of(tape, rates)
+    return make_program(tape, rates)
 
 
 def _instants(between: Span) -> Float64[np.ndarray, "instants"]:
@@ -256,21 +256,21 @@ def _integrals(system: AbstractSystem, form: Form) -> tuple[tuple[str, ...], Pro
     tape = Tape(form.size)
     state = np.empty(form.size, object)
     state[:] = tape.state()
-    for name, found in _evaluated_if_possible(closed, places, state, numbers).items():
+    for name, found in _evaluate_if_possible(closed, places, state, numbers).items():
         values = [tape_value(tape, x) for x in np.ravel(found)]
         outputs.extend((value, gradient(value)) for value in values)
         names.extend([name] * len(values))
     rows = [value for value, _ in outputs] + [x for _, slopes in outputs for x in slopes]
-    return tuple(names), program_of(tape, rows)
+    return tuple(names), make_program(tape, rows)
 
 
-def _evaluated_if_possible(closed: Any, places: dict[str, int], state: Array, numbers: Array) -> dict[str, Array]:
+def _evaluate_if_possible(closed: Any, places: dict[str, int], state: Array, numbers: Array) -> dict[str, Array]:
     """Return those named values of a jaxpr that have recurrences; all at once takes the least time."""
     try:
-        return dict(zip(places, evaluated(closed, state, numbers, places=list(places.values())), strict=True))
+        return dict(zip(places, evaluate(closed, state, numbers, places=list(places.values())), strict=True))
     except Untraceable:
         each = places.items() if len(places) > 1 else ()
-        alone = [_evaluated_if_possible(closed, {name: place}, state, numbers) for name, place in each]
+        alone = [_evaluate_if_possible(closed, {name: place}, state, numbers) for name, place in each]
         return {name: value for found in alone for name, value in found.items()}
 
 

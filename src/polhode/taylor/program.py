@@ -94,9 +94,9 @@ class Program(NamedTuple):
         return int(self.whole[PRODUCTS])
 
 
-def program_of(tape: Tape, outputs: list[Expression]) -> Program:
+def make_program(tape: Tape, outputs: list[Expression]) -> Program:
     """Return the program that computes outputs, without the nodes that they do not need."""
-    wanted = needed(tape, outputs)
+    wanted = find_needed(tape, outputs)
     level = [0] * tape.size
     for node in tape.nodes:
         level.append(1 + max((level[k] for k in node.arguments), default=0))
@@ -159,7 +159,7 @@ def program_of(tape: Tape, outputs: list[Expression]) -> Program:
     return Program(whole, np.concatenate([np.array(values, float) for values in numbers.values()]))
 
 
-def needed(tape: Tape, outputs: list[Expression]) -> list[int]:
+def find_needed(tape: Tape, outputs: list[Expression]) -> list[int]:
     """Return the nodes that outputs are made of, in order; a sine and its cosine together, and so on."""
     found: set[int] = set()
     left = [k for x in outputs for k in x.terms]

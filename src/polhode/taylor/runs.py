@@ -14,9 +14,9 @@ import numpy as np
 
 from polhode.systems.base import AbstractSystem, Event
 from polhode.taylor import kernel
-from polhode.taylor.flight import fly, outcome, starting
+from polhode.taylor.flight import begin_flight, fly, outcome
 from polhode.taylor.kernel_space import HITS, STEPS, Copies, Course
-from polhode.taylor.machine import Machine, machine_of
+from polhode.taylor.machine import Machine, build_machine
 from polhode.taylor.program import Program
 from polhode.types import Array, Double, Float64, Integer
 
@@ -41,7 +41,7 @@ class Precision(NamedTuple):
     extended: bool = False
 
 
-def precision_of(tolerance: float | None, order: int | None = None, extended: bool = False) -> Precision:
+def choose_precision(tolerance: float | None, order: int | None = None, extended: bool = False) -> Precision:
     """Return order and reach of steps whose error is a tolerance of the state's size; to rounding if it is None.
 
     Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §3.1 for the order, §3.2 for the reach.
@@ -90,18 +90,18 @@ class Plan(NamedTuple):
     forth: float
 
 
-def _planned(
+def _plan(
     system: AbstractSystem, state: Array, times: np.ndarray, precision: Precision, longest: float,
     through: Event | None = None,
 ) -> Plan:  # fmt: skip
     forth = 1.0 if times[-1] > times[0] else -1.0
     borders = _borders(system, times, forth)
-    machines = [machine_of(system, state, between, through, precision.extended)
+    machines = [build_machine(system, state, between, through, precision.extended)
                 for between in itertools.pairwise(borders)]  # fmt: skip
     return Plan(borders, machines, times, precision, longest, forth)
 
 
-def runs_of(
+def run_copies(
     system: AbstractSystem,
     states: Double[Array, "..."],
     times: Float64[np.ndarray, "time"],
@@ -124,7 +124,7 @@ def runs_of(
     Raises:
         Untraceable: if the system's rates are not made of operations that have a recurrence.
     """
-    plan = _planned(system, states[0], times, precision, longest)
+    plan = _plan(system, states[0], times, precision, longest)
     form, program = plan.machines[0].form, plan.machines[0].program
     y = np.zeros((len(states), program.size))
     y[:, : form.size] = form.flat(states)
@@ -135,7 +135,7 @@ def runs_of(
         scale[:, : form.size] = scales
     samples = np.full((len(states), len(times), program.size), np.inf)
     samples[:, 0] = y  # without the time, which no state has
-    copies = starting(plan.machines[0], y, scale, samples, times[0], hits=1)
+    copies = begin_flight(plan.machines[0], y, scale, samples, times[0], hits=1)
     _fly_through(plan, copies, check)
     balances = plan.machines[0].balances
     extra = slice(form.size, form.size + len(balances))
@@ -159,19 +159,19 @@ def runs_back(
         times: (T,) [s], of the motion ahead.
         precision: of the steps.
         longest: step [s].
-        scales: sizes of the components, as of ``runs_of``.
+        scales: sizes of the components, as of ``run_copies``.
 
     Returns:
         The states at the first time, with its kicks, and by how much the way back missed what is known, at most, in
         sizes of the components; infinite where steps shrank to nothing.
     """
     size, some = kicks.shape[2], known.shape[2]
-    plan = _planned(system, kicks[0, -1], times[::-1], precision, longest)
+    plan = _plan(system, kicks[0, -1], times[::-1], precision, longest)
     machine = plan.machines[0]
     y, scale = np.zeros((len(known), machine.program.size)), np.full((len(known), machine.program.size), np.inf)
     scale[:, :size] = scales
     y[:, :some], y[:, some:size] = known[:, -1], kicks[:, -1, some:]
-    copies = starting(machine, y, scale, np.zeros((len(known), 0, machine.program.size)), times[-1], hits=1)
+    copies = begin_flight(machine, y, scale, np.zeros((len(known), 0, machine.program.size)), times[-1], hits=1)
     follows, nothing, missed = _followers(machine.program, scale), np.zeros(0, bool), np.zeros(len(known))
 
     def give_up(share: float) -> None:
@@ -210,7 +210,7 @@ class Crossings(NamedTuple):
     end: float
 
 
-def crossings_of(
+def find_crossings(
     system: AbstractSystem,
     state: Double[Array, "..."],
     through: Event,
@@ -235,12 +235,12 @@ def crossings_of(
     Raises:
         Untraceable: if rates, events or the function are not made of operations that have a recurrence.
     """
-    plan = _planned(system, state, times, precision, math.inf, through)
+    plan = _plan(system, state, times, precision, math.inf, through)
     form, size = plan.machines[0].form, plan.machines[0].program.size
     y = np.zeros((1, size))
     y[0, : form.size] = form.flat(state)
     scale = _scales(system, np.asarray(state)[None], times[0], plan.machines[0], size)
-    copies = starting(plan.machines[0], y, scale, np.full((1, 2, size), np.inf), times[0], min(most, FIRST_HITS))
+    copies = begin_flight(plan.machines[0], y, scale, np.full((1, 2, size), np.inf), times[0], min(most, FIRST_HITS))
     copies = _fly_through(plan, copies, check, Watch(falling, most))
     status, event, end = outcome(copies)
     hits = copies.hits[0, : copies.counts[0, HITS]]

@@ -56,17 +56,17 @@ class Code(NamedTuple):
     engine: Any
 
 
-def code_of(program: Program, lanes: int) -> Code:
+def generate(program: Program, lanes: int) -> Code:
     """Return the code that computes coefficients of so many copies at a time; see ``kernel_series.coefficients``."""
     factors = program.number[program.whole[FACTOR] : program.whole[CONSTANT]]
     signs = np.where(np.abs(factors) == 1.0, factors, 0.0).astype(np.int8)
     counts = program.number[program.whole[NUMBER] : program.whole[FACTOR]].astype(np.int64)
     counts *= program.operations == Operation.PRODUCT  # other operations have a constant or an exponent there
-    return _compiled(program.whole.tobytes(), signs.tobytes(), counts.tobytes(), lanes)
+    return _compile(program.whole.tobytes(), signs.tobytes(), counts.tobytes(), lanes)
 
 
 @lru_cache(maxsize=128)
-def _compiled(whole: bytes, signs: bytes, counts: bytes, lanes: int) -> Code:
+def _compile(whole: bytes, signs: bytes, counts: bytes, lanes: int) -> Code:
     tables = np.frombuffer(whole, np.int64), np.frombuffer(signs, np.int8), np.frombuffer(counts, np.int64)
     written = _Writer(*tables, lanes)
     binding.initialize_native_target()
@@ -141,11 +141,11 @@ class _Writer:
         """Return the coefficient of a node, of the order whose row begins there."""
         return self._load(row, slot * self.lanes)
 
-    def _given(self, place: int) -> Any:
+    def _load_number(self, place: int) -> Any:
         """Return one of the program's numbers."""
         return self.builder.load(self.builder.gep(self.number, [INTEGER(place)]))
 
-    def _row_of(self, j: Any) -> Any:
+    def _locate_row(self, j: Any) -> Any:
         return self.builder.gep(self.flat, [self.builder.mul(j, INTEGER(self.row))])
 
     def _loop(
@@ -174,7 +174,7 @@ class _Writer:
     # ------------------------------------------------------------------ one order
 
     def _of_order(self, k: Any) -> list[Any]:
-        whole, now = self.whole, self._row_of(k)
+        whole, now = self.whole, self._locate_row(k)
         products: list[int] = []
         for q in range(whole[OPERATIONS]):
             operation = Operation(whole[whole[CODE] + q])
@@ -202,7 +202,7 @@ class _Writer:
         for q in range(first, last):
             z, sign = self._z(row, whole[whole[INDEX] + q]), self.signs[q]
             if sign == 0:
-                z = builder.fmul(self._spread(self._given(whole[FACTOR] + q)), z)
+                z = builder.fmul(self._spread(self._load_number(whole[FACTOR] + q)), z)
             if q == first:
                 value = builder.fneg(z) if sign < 0 else z
             else:
@@ -216,7 +216,7 @@ class _Writer:
         for i in range(whole[SIZE]):
             value = self._combination(now, whole[FIRST] + i)
             if divisor is None:
-                value = builder.fadd(value, self._spread(self._given(whole[CONSTANT] + i)))
+                value = builder.fadd(value, self._spread(self._load_number(whole[CONSTANT] + i)))
             value = builder.fmul(value, self.unit)
             self._store(value if divisor is None else builder.fdiv(value, divisor), now, self.row + i * self.lanes)
 
@@ -253,7 +253,7 @@ class _Writer:
         """Return what gives the terms of products, whose common factors are loaded once; see ``kernel_lanes``."""
 
         def terms(left: Any, right: Any) -> list[Any]:
-            lefts, rights = self._row_of(left), self._row_of(right)
+            lefts, rights = self._locate_row(left), self._locate_row(right)
             x = {i: self._z(lefts, i) for i, _, _ in products}
             y = {j: self._z(rights, j) for _, j, _ in products}
             return [self.builder.fmul(x[i], y[j]) for i, j, _ in products]
@@ -267,14 +267,14 @@ class _Writer:
             for lane in range(WIDTH):
                 factor = self._z(now, self.whole[self.whole[table] + first + lane])
                 value = self.builder.insert_element(value, factor, ir.IntType(32)(lane))
-            self._store(value, self._kept_row(store, k), first)
+            self._store(value, self._locate_kept_row(store, k), first)
 
-    def _kept_row(self, store: Any, order: Any) -> Any:
+    def _locate_kept_row(self, store: Any, order: Any) -> Any:
         return self.builder.gep(store, [self.builder.mul(order, INTEGER(self.whole[PRODUCTS]))])
 
     def _of_blocks(self, firsts: Sequence[int]) -> Terms:
         def terms(left: Any, right: Any) -> list[Any]:
-            lefts, rights = self._kept_row(self.a, left), self._kept_row(self.b, right)
+            lefts, rights = self._locate_kept_row(self.a, left), self._locate_kept_row(self.b, right)
             return [self.builder.fmul(self._load(lefts, m, VECTOR), self._load(rights, m, VECTOR)) for m in firsts]
 
         return terms
@@ -315,31 +315,31 @@ class _Writer:
         def past(j: Any) -> tuple[Any, Any]:
             """Return k − j as a double, and the coefficient of x of that order."""
             late = builder.sub(k, j)
-            return builder.sitofp(late, DOUBLE), self._z(self._row_of(late), x)
+            return builder.sitofp(late, DOUBLE), self._z(self._locate_row(late), x)
 
-        def weighted(weight: Any, j: Any, node: int, z: Any) -> Any:
-            return builder.fmul(self._spread(weight), builder.fmul(self._z(self._row_of(j), node), z))
+        def weigh(weight: Any, j: Any, node: int, z: Any) -> Any:
+            return builder.fmul(self._spread(weight), builder.fmul(self._z(self._locate_row(j), node), z))
 
         def of_power(j: Any, total: Any) -> list[Any]:
             late, z = past(j)
             weight = builder.fsub(builder.fmul(exponent, late), builder.sitofp(j, DOUBLE))
-            return [builder.fadd(total, weighted(weight, j, out, z))]
+            return [builder.fadd(total, weigh(weight, j, out, z))]
 
         def of_exponential(j: Any, total: Any) -> list[Any]:
             late, z = past(j)
-            return [builder.fadd(total, weighted(late, j, out, z))]
+            return [builder.fadd(total, weigh(late, j, out, z))]
 
         def of_logarithm(j: Any, total: Any) -> list[Any]:
-            return [builder.fadd(total, weighted(builder.sitofp(j, DOUBLE), j, out, past(j)[1]))]
+            return [builder.fadd(total, weigh(builder.sitofp(j, DOUBLE), j, out, past(j)[1]))]
 
         def of_sine(j: Any, sine: Any, cosine: Any) -> list[Any]:
             late, z = past(j)
-            weight, row = builder.fmul(self._spread(late), z), self._row_of(j)
+            weight, row = builder.fmul(self._spread(late), z), self._locate_row(j)
             return [builder.fadd(sine, builder.fmul(weight, self._z(row, out + 1))),
                     builder.fsub(cosine, builder.fmul(weight, self._z(row, out)))]  # fmt: skip
 
         if operation is Operation.POWER:
-            exponent = self._given(number)
+            exponent = self._load_number(number)
             (total,) = self._loop(INTEGER(0), k, 1, [zero], of_power)
             found = [builder.fdiv(total, builder.fmul(self._spread(whole_k), first))]
         elif operation is Operation.EXPONENTIAL:
@@ -350,7 +350,7 @@ class _Writer:
             rest = builder.fdiv(total, self._spread(whole_k))
             found = [builder.fdiv(builder.fsub(self._z(now, x), rest), first)]
         elif operation is Operation.ECCENTRIC:
-            found = self._orbital(k, now, out, x, self._spread(self._given(number)))
+            found = self._orbital(k, now, out, x, self._spread(self._load_number(number)))
         else:
             totals = self._loop(INTEGER(0), k, 1, [zero, zero], of_sine)
             found = [builder.fdiv(total, self._spread(whole_k)) for total in totals]
@@ -363,14 +363,14 @@ class _Writer:
         by_k = self._spread(builder.sitofp(k, DOUBLE))
 
         def of_anomaly(j: Any, total: Any) -> list[Any]:
-            past = self._z(self._row_of(builder.sub(k, j)), out + 2)
-            term = builder.fmul(self._z(self._row_of(j), out), past)
+            past = self._z(self._locate_row(builder.sub(k, j)), out + 2)
+            term = builder.fmul(self._z(self._locate_row(j), out), past)
             weighted = builder.fmul(self._spread(builder.sitofp(j, DOUBLE)), term)
             return [builder.fadd(total, builder.fmul(eccentricity, weighted))]
 
         def of_sine(j: Any, sine: Any, cosine: Any) -> list[Any]:
-            weight = builder.fmul(self._spread(builder.sitofp(j, DOUBLE)), self._z(self._row_of(j), out))
-            row = self._row_of(builder.sub(k, j))
+            weight = builder.fmul(self._spread(builder.sitofp(j, DOUBLE)), self._z(self._locate_row(j), out))
+            row = self._locate_row(builder.sub(k, j))
             return [builder.fadd(sine, builder.fmul(weight, self._z(row, out + 2))),
                     builder.fsub(cosine, builder.fmul(weight, self._z(row, out + 1)))]  # fmt: skip
 

@@ -48,7 +48,7 @@ class Structure:
         return isinstance(other, Structure) and self.key == other.key
 
 
-def parted(system: AbstractSystem) -> tuple[Structure, list[Float64[Array, "..."]]]:
+def split_numbers(system: AbstractSystem) -> tuple[Structure, list[Float64[Array, "..."]]]:
     """Return a system's structure, and the arrays of its real numbers, which may be traced.
 
     Raises:
@@ -64,10 +64,10 @@ def parted(system: AbstractSystem) -> tuple[Structure, list[Float64[Array, "..."
     return Structure(key, rest, form, shapes), leaves
 
 
-def structure_of(system: AbstractSystem) -> tuple[Structure, Float64[Array, "numbers"]]:
+def take_structure(system: AbstractSystem) -> tuple[Structure, Float64[Array, "numbers"]]:
     """Return a system's structure and its numbers; itself where it cannot be without them."""
     try:
-        structure, leaves = parted(system)
+        structure, leaves = split_numbers(system)
     except TypeError:
         return itself(system)
     if not leaves:

@@ -27,7 +27,7 @@ from polhode.taylor.expressions import (
     sine_and_cosine,
     total,
 )
-from polhode.taylor.jaxprs import INNER, needed_for
+from polhode.taylor.jaxprs import INNER, select_needed
 from polhode.types import Array
 
 Rule = Callable[[list[Array], dict[str, Any], Any], list[Array]]
@@ -37,7 +37,7 @@ MOST_ROUNDS = 1000  # of a loop that is written out
 LARGEST_LINEAR = 4096  # numbers that an operation may take, of which unit vectors are made
 
 
-def evaluated(closed: Any, *arguments: Array, places: Sequence[int] | None = None) -> list[Any]:
+def evaluate(closed: Any, *arguments: Array, places: Sequence[int] | None = None) -> list[Any]:
     """Return the values of a jaxpr: all, or those at some places, with what these need.
 
     Args:
@@ -52,10 +52,10 @@ def evaluated(closed: Any, *arguments: Array, places: Sequence[int] | None = Non
         Untraceable: if they are not made of operations that have a recurrence.
     """
     outputs = closed.jaxpr.outvars if places is None else [closed.jaxpr.outvars[k] for k in places]
-    return _evaluated(closed.jaxpr, closed.consts, [np.asarray(a) for a in arguments], outputs)
+    return _evaluate(closed.jaxpr, closed.consts, [np.asarray(a) for a in arguments], outputs)
 
 
-def _evaluated(jaxpr: Any, constants: Any, arguments: list[Array], outputs: list[Any]) -> list[Array]:
+def _evaluate(jaxpr: Any, constants: Any, arguments: list[Array], outputs: list[Any]) -> list[Array]:
     known: dict[Any, Array] = {}
 
     def read(variable: Any) -> Array:
@@ -63,20 +63,20 @@ def _evaluated(jaxpr: Any, constants: Any, arguments: list[Array], outputs: list
 
     known.update(zip(jaxpr.constvars, map(np.asarray, constants), strict=True))
     known.update(zip(jaxpr.invars, arguments, strict=True))
-    for equation in needed_for(outputs, jaxpr.eqns):
+    for equation in select_needed(outputs, jaxpr.eqns):
         given = [read(v) for v in equation.invars]
-        known.update(zip(equation.outvars, _applied(equation, given), strict=True))
+        known.update(zip(equation.outvars, _apply(equation, given), strict=True))
     return [read(v) for v in outputs]
 
 
-def _applied(equation: Any, given: list[Array]) -> list[Array]:
+def _apply(equation: Any, given: list[Array]) -> list[Array]:
     name, parameters = equation.primitive.name, equation.params
     inner = next((parameters[k] for k in INNER if k in parameters), None)
     if parameters.get("name") in NAMED and any(a.dtype == object for a in given):
         return [NAMED[parameters["name"]](*given)]
     if name not in RULES and inner is not None and name not in ("scan", "while", "cond"):
         plain, constants = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
-        return _evaluated(plain, constants, given, plain.outvars)
+        return _evaluate(plain, constants, given, plain.outvars)
     if not any(a.dtype == object for a in given):
         return _by_numbers(equation, given)
     if name not in RULES:
@@ -114,7 +114,7 @@ def _rule(*names: str) -> Callable[[Rule], Rule]:
     return register
 
 
-def _tape_of(*arrays: Array) -> Tape:
+def _find_tape(*arrays: Array) -> Tape:
     for a in arrays:
         for x in a.flat:
             for part in (x.real, x.imag) if isinstance(x, Complex) else (x,):
@@ -150,7 +150,7 @@ def _power(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Ar
 
 def _elementary(function: Callable[[Expression], Expression]) -> Rule:
     def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-        tape = _tape_of(x[0])
+        tape = _find_tape(x[0])
 
         def of(a: Any) -> Expression:
             if isinstance(a, Complex):
@@ -164,9 +164,9 @@ def _elementary(function: Callable[[Expression], Expression]) -> Rule:
 
 def _place_in_orbit(mean_anomaly: Array, eccentricity: Array) -> Array:
     anomalies, e = np.broadcast_arrays(mean_anomaly, eccentricity)
-    tape, numbers = _tape_of(mean_anomaly), []
+    tape, numbers = _find_tape(mean_anomaly), []
     for x in e.flat:
-        number = tape.number_of(x)
+        number = tape.find_number(x)
         if number is None:
             raise Untraceable("an eccentricity that moves")
         numbers.append(number)
@@ -219,11 +219,11 @@ BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
 
 def _comparison(compare: Callable[[Any, Any], Any]) -> Rule:
     def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-        tape = _tape_of(*x)
+        tape = _find_tape(*x)
         one, other = np.broadcast_arrays(*x)
         found = np.empty(one.shape, bool)
         for k in np.ndindex(found.shape):
-            found[k] = tape.decided(compare(tape.at_instants(one[k]), tape.at_instants(other[k])))
+            found[k] = tape.decide(compare(tape.at_instants(one[k]), tape.at_instants(other[k])))
         return [found]
 
     return rule
@@ -233,18 +233,18 @@ for _name, _compare in (("lt", operator.lt), ("le", operator.le), ("gt", operato
     RULES[_name] = _comparison(_compare)
 
 
-def _chosen(first: Callable[[Any, Any], Any]) -> Rule:
+def _choose_rule(first: Callable[[Any, Any], Any]) -> Rule:
     def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-        tape = _tape_of(*x)
-        is_first = lambda a, b: tape.decided(first(tape.at_instants(a), tape.at_instants(b)))  # noqa: E731
+        tape = _find_tape(*x)
+        is_first = lambda a, b: tape.decide(first(tape.at_instants(a), tape.at_instants(b)))  # noqa: E731
         return [_pairs(lambda a, b: a if is_first(a, b) else b, *np.broadcast_arrays(*x))]
 
     return rule
 
 
-RULES["max"], RULES["min"] = _chosen(operator.ge), _chosen(operator.le)
-RULES["abs"] = _elementary(lambda a: a if a.tape.decided(a.tape.at_instants(a) >= 0.0) else -a)
-RULES["sign"] = _elementary(lambda a: a.tape.constant(1.0 if a.tape.decided(a.tape.at_instants(a) >= 0.0) else -1.0))
+RULES["max"], RULES["min"] = _choose_rule(operator.ge), _choose_rule(operator.le)
+RULES["abs"] = _elementary(lambda a: a if a.tape.decide(a.tape.at_instants(a) >= 0.0) else -a)
+RULES["sign"] = _elementary(lambda a: a.tape.constant(1.0 if a.tape.decide(a.tape.at_instants(a) >= 0.0) else -1.0))
 
 
 # ---------------------------------------------------------------------- sums
@@ -252,7 +252,7 @@ RULES["sign"] = _elementary(lambda a: a.tape.constant(1.0 if a.tape.decided(a.ta
 
 @_rule("reduce_sum")
 def _sum(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    axes, tape = tuple(parameters["axes"]), _tape_of(x[0])
+    axes, tape = tuple(parameters["axes"]), _find_tape(x[0])
     kept = [k for k in range(x[0].ndim) if k not in axes]
     moved = np.transpose(x[0], (*kept, *axes))
     shape = moved.shape[: len(kept)]
@@ -263,7 +263,7 @@ def _sum(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Arra
 
 
 @_rule("reduce_prod")
-def _all_multiplied(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+def _multiply_all(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
     return [np.multiply.reduce(x[0], axis=tuple(parameters["axes"]))]
 
 
@@ -276,7 +276,7 @@ def _dot(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Arra
     batch = [a.shape[k] for k in batch_a]
     left = np.transpose(a, (*batch_a, *free_a, *summed_a)).reshape(*batch, *(a.shape[k] for k in free_a), -1)
     right = np.transpose(b, (*batch_b, *free_b, *summed_b)).reshape(*batch, *(b.shape[k] for k in free_b), -1)
-    tape = _tape_of(a, b)
+    tape = _find_tape(a, b)
     found = np.empty((*batch, *(a.shape[k] for k in free_a), *(b.shape[k] for k in free_b)), object)
     for k in np.ndindex(found.shape):
         place, rest = k[: len(batch)], k[len(batch) :]
@@ -320,7 +320,7 @@ RULES["concatenate"] = lambda x, p, e: [np.concatenate([np.asarray(a, object) fo
 
 
 @_rule("convert_element_type")
-def _converted(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+def _convert(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
     if not jnp.issubdtype(parameters["new_dtype"], jnp.inexact):
         raise Untraceable(f"conversion to {parameters['new_dtype']}")
     return [x[0]]
@@ -347,7 +347,7 @@ def _split(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Ar
 
 
 @_rule("select_n")
-def _selected(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+def _select(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
     if x[0].dtype == object:
         raise Untraceable("a branch on something that moves (`select_n`)")
     which, *cases = np.broadcast_arrays(*x)
@@ -358,7 +358,7 @@ def _selected(x: list[Array], parameters: dict[str, Any], equation: Any) -> list
 
 
 @_rule("gather", "dynamic_slice", "scatter", "pad", "dynamic_update_slice", "unstack", "stack")
-def _moved(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+def _rearrange(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
     """Do to numbers of elements what is to be done to elements, and read from it which goes where."""
     elements: list[Any] = []
     numbered = []
@@ -402,7 +402,7 @@ def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
     for k in moving:
         for a in x[k].flat:
             elements.extend([Complex.of(a).real, Complex.of(a).imag] if parts[k] == 2 else [a])
-    tape = _tape_of(*(x[k] for k in moving))
+    tape = _find_tape(*(x[k] for k in moving))
     found = np.empty(len(matrix), object)
     for row, (start, coefficients) in enumerate(zip(zero, matrix, strict=True)):
         where = np.flatnonzero(coefficients)
@@ -422,7 +422,7 @@ def _scan(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Arr
     constants, now, streams = x[:known], x[known : known + carried], x[known + carried :]
     outputs: list[list[Array]] = []
     for k in reversed(range(rounds)) if parameters["reverse"] else range(rounds):
-        found = evaluated(closed, *constants, *now, *(s[k, ...] for s in streams))
+        found = evaluate(closed, *constants, *now, *(s[k, ...] for s in streams))
         now, rest = found[:carried], found[carried:]
         outputs.append([np.asarray(a, object) for a in rest])
     if parameters["reverse"]:
@@ -436,4 +436,4 @@ def _branch(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
         raise Untraceable("a branch on something that moves (`cond`)")
     branches = parameters["branches"]
     chosen = branches[int(np.clip(int(x[0]), 0, len(branches) - 1))]
-    return evaluated(chosen, *x[1:])
+    return evaluate(chosen, *x[1:])

@@ -18,7 +18,7 @@ WIDTH = 8  # doubles in a vector
 LANES = 1  # copies side by side
 
 
-def borrowed(x: Any) -> Any:
+def borrow(x: Any) -> Any:
     """Return arrays, or tuples of them, that somebody else keeps: Numba counts no references to them."""
     return x
 
@@ -55,7 +55,7 @@ def square_root(x: Any) -> Any:
     return math.sqrt(x) if x >= 0.0 else np.nan
 
 
-def powered(x: Any, exponent: Any) -> Any:
+def raise_power(x: Any, exponent: Any) -> Any:
     return x**exponent
 
 

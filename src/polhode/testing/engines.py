@@ -86,7 +86,7 @@ class EngineComparison:
         lines = [head, f"{'family':20}{'motions':>8}" + "".join(f"{title:>15}" for title in titles)]
         for name, found in {**self.families, "all": self.worst}.items():
             sizes = (found.attitude, found.attitude / self.eps, *found[2:])
-            lines.append(f"{name:20}{found.motions:8}" + "".join(f"{_shown_size(x):>15}" for x in sizes))
+            lines.append(f"{name:20}{found.motions:8}" + "".join(f"{_write_size(x):>15}" for x in sizes))
         return "\n".join(lines)
 
 
@@ -111,13 +111,13 @@ def compare_engine(engine: Engine, motions: Sequence[ReferenceMotion] | None = N
     motions = reference_motions(up_to=MODERATE) if motions is None else motions
     if not len(motions):
         raise InvalidInput("`motions` must be motions of the table; got none. Take them from reference_motions().")
-    answers = [_checked(engine(motion), motion) for motion in motions]
+    answers = [_check_answer(engine(motion), motion) for motion in motions]
     precision = max((np.result_type(*answer) for answer in answers), key=lambda dtype: np.finfo(dtype).eps)
     pairs = zip(motions, answers, strict=True)
     return EngineComparison(tuple(_errors(motion, *answer, precision) for motion, answer in pairs), precision)
 
 
-def _checked(answer: Any, motion: ReferenceMotion) -> tuple[np.ndarray, np.ndarray]:
+def _check_answer(answer: Any, motion: ReferenceMotion) -> tuple[np.ndarray, np.ndarray]:
     if not (isinstance(answer, tuple | list) and len(answer) == 2):
         raise InvalidInput(f"`engine` must return attitudes and momenta, two arrays; got {shown(answer)}.")
     attitudes, momenta = map(np.asarray, answer)
@@ -142,7 +142,7 @@ def _errors(
             _size(np.max(np.abs(L - motion.momenta), axis=-1) / (sizes.max() or 1.0)),
             _size(energies / ((speeds.max() * sizes.max() + abs(motion.mgl)) or 1.0)),
             _size(np.linalg.norm(q, axis=-1) - 1.0),
-            _by_rounding(motion, precision),
+            _estimate_rounding(motion, precision),
         )
 
 
@@ -156,15 +156,15 @@ def _size(values: np.ndarray) -> np.ndarray:
     return np.where(np.isfinite(values), np.abs(values), np.inf)
 
 
-def _by_rounding(motion: ReferenceMotion, precision: np.dtype) -> np.ndarray:
+def _estimate_rounding(motion: ReferenceMotion, precision: np.dtype) -> np.ndarray:
     if precision == np.float64:
         return np.zeros(motion.times.shape)
 
-    def given(values: Any) -> np.ndarray:
+    def round_to(values: Any) -> np.ndarray:
         return np.asarray(values).astype(precision).astype(np.float64)
 
     with np.errstate(over="ignore", under="ignore"):
-        moments, momentum, attitude, mgl = map(given, (motion.moments, motion.momentum, motion.attitude, motion.mgl))
+        moments, momentum, attitude, mgl = map(round_to, (motion.moments, motion.momentum, motion.attitude, motion.mgl))
     lost = not momentum.any() and motion.momentum.any()
     if lost or not (np.isfinite(moments).all() and (moments > 0.0).all() and np.isfinite(momentum).all()):
         return np.full(motion.times.shape, np.inf)
@@ -185,5 +185,5 @@ def _worst(errors: Sequence[MotionErrors]) -> FamilyErrors:
                         largest("momentum"), largest("energy"), largest("length"))  # fmt: skip
 
 
-def _shown_size(value: float) -> str:
+def _write_size(value: float) -> str:
     return "-" if value == 0.0 else f"{value:.2g}"

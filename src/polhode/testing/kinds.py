@@ -17,8 +17,8 @@ from polhode.formats.dataset_reading import read_dataset
 from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.page import page_of_report
 from polhode.kinds.panel import KindPanel
-from polhode.kinds.reading import spec_of_tables
-from polhode.reports.answer import Table, plain, values_of
+from polhode.kinds.reading import build_spec
+from polhode.reports.answer import Table, collect_values, plain
 from polhode.reports.base import MotionReport, SystemReport
 from polhode.spec.models import SystemTable
 from polhode.spec.parsing import read_tables
@@ -88,13 +88,13 @@ def _require(holds: Any, law: str) -> None:
 def _check_spec(kind: AbstractKind, path: Path) -> Spec:
     _require(NAME.fullmatch(kind.name), f"a name is words with hyphens; got {shown(kind.name)}")
     tables = read_tables(path)
-    spec = spec_of_tables(tables, path)
+    spec = build_spec(tables, path)
     _require(spec.kind is kind, f"the example is of the kind {kind.name}, found by its name; it is of {spec.kind.name}")
     _require(isinstance(spec.system, kind.table), "the table [system] is read by the kind's `table`")
     system = tables.get("system", {"kind": kind.name})
     system = system if isinstance(system, dict) else {"kind": system}
     try:
-        spec_of_tables({**tables, "system": {**system, "nonsense": 1}}, path)
+        build_spec({**tables, "system": {**system, "nonsense": 1}}, path)
     except InvalidInput as error:
         said = str(error)
     else:
@@ -134,7 +134,7 @@ def _check_json(kind: AbstractKind, report: SystemReport) -> None:
 def _check_answers_without_motion(kind: AbstractKind, spec: Spec, report: SystemReport) -> None:
     whole = report.as_json_dict()
     for group in kind.answers_without_motion(spec):
-        for name, value in plain(values_of([group])).items():
+        for name, value in plain(collect_values([group])).items():
             inside = value if isinstance(value, dict) else {}
             same = whole.get(name) == value or (inside and all(whole[name][key] == inside[key] for key in inside))
             _require(same, f"what takes no motion is what the report says; {name} differs")

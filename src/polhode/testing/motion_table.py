@@ -74,9 +74,9 @@ def reference_motions(
     """
     if not up_to >= 0.0:
         raise InvalidInput(f"`up_to` must be 0 rad or more; got {shown(up_to)}.")
-    motions = _shipped()
+    motions = _load_shipped()
     for name, wanted in (("family", family), ("kind", kind)):
-        known = dict.fromkeys(getattr(motion, name) for motion in _shipped())
+        known = dict.fromkeys(getattr(motion, name) for motion in _load_shipped())
         if wanted is not None and wanted not in known:
             raise InvalidInput(f"`{name}` must be one of {', '.join(known)}; got {shown(wanted)}.")
         motions = tuple(motion for motion in motions if wanted in (None, getattr(motion, name)))
@@ -85,7 +85,7 @@ def reference_motions(
     return motions if up_to == inf else tuple(_cut(motion, up_to) for motion in motions)
 
 
-def motions_of(table: dict[str, Any]) -> Iterator[ReferenceMotion]:
+def parse_motions(table: dict[str, Any]) -> Iterator[ReferenceMotion]:
     """Yield the motions of a table as JSON has it.
 
     Raises:
@@ -110,6 +110,6 @@ def _cut(motion: ReferenceMotion, up_to: float) -> ReferenceMotion:
 
 
 @cache
-def _shipped() -> tuple[ReferenceMotion, ...]:
+def _load_shipped() -> tuple[ReferenceMotion, ...]:
     text = files("polhode.testing").joinpath(TABLE).read_text(encoding="utf-8")
-    return tuple(motions_of(json.loads(text)))
+    return tuple(parse_motions(json.loads(text)))

@@ -46,7 +46,7 @@ def check_system(
         raise InvalidInput(f"`system` must be one of polhode.systems, or your own; got {shown(system)}.")
     if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
         raise InvalidInput(f"`seed` must be a whole number, not negative; got {shown(seed)}. Give states by `states=`.")
-    for batch in _states_of(system, seed, size) if states is None else [_checked(system, states)]:
+    for batch in _draw_states(system, seed, size) if states is None else [_check_states(system, states)]:
         if isinstance(system, AbstractLiePoissonSystem):
             point = system.parts(batch).point
             gradient = jax.grad(lambda m: jnp.sum(system.energy(m)))(point)
@@ -56,7 +56,7 @@ def check_system(
             _check_flows(system, batch, system.vector_field(jnp.asarray(0.0), batch))
 
 
-def _states_of(system: AbstractSystem, seed: int, size: float) -> list[Array]:
+def _draw_states(system: AbstractSystem, seed: int, size: float) -> list[Array]:
     """Return random states, with and without an attitude where they may have one."""
     if not isinstance(system, AbstractLiePoissonSystem):
         name = type(system).__name__
@@ -72,7 +72,7 @@ def _states_of(system: AbstractSystem, seed: int, size: float) -> list[Array]:
     return [point, jnp.concatenate([q / np.linalg.norm(q, axis=1, keepdims=True), point], axis=-1)]
 
 
-def _checked(system: AbstractSystem, states: Any) -> Array:
+def _check_states(system: AbstractSystem, states: Any) -> Array:
     given = system.check_state(states)
     if given.ndim != system.state_axes + 1 or not len(given):
         raise InvalidInput(f"`states` must be several states, (m, …); got shape {given.shape}. Put one in brackets.")
@@ -94,10 +94,10 @@ def _check_laws(system: AbstractSystem, state: Array) -> None:
         scale = jnp.maximum(jnp.max(jnp.abs(values[name])), 1.0)
         hold(f"{name} is constant along the motion", rate / scale, jnp.zeros_like(rate), EXACT)
 
-    def balanced(t: Array, x: Array) -> dict[str, Array]:
+    def evaluate_balances(t: Array, x: Array) -> dict[str, Array]:
         return {name: balance.value for name, balance in system.balances(t, x).items()}
 
-    _, changes = jax.jvp(balanced, (time, state), (jnp.ones_like(time), flow))
+    _, changes = jax.jvp(evaluate_balances, (time, state), (jnp.ones_like(time), flow))
     for name, balance in system.balances(time, state).items():
         hold(f"{name} changes at the rate that its balance tells", changes[name], balance.rate, EXACT)
 
@@ -105,11 +105,11 @@ def _check_laws(system: AbstractSystem, state: Array) -> None:
 def _check_flows(system: AbstractLiePoissonSystem, state: Array, field: Array) -> None:
     if not system.flows:
         return
-    def compiled(flow: Any) -> Any:
+    def compile_flow(flow: Any) -> Any:
         moved = jax.jit(lambda time, now: jnp.stack(flow(time, components(now)), axis=-1))
         return lambda time, now: moved(jnp.asarray(time), now)
 
-    flows = {name: compiled(flow) for name, flow in system.flows.items()}
+    flows = {name: compile_flow(flow) for name, flow in system.flows.items()}
     total = sum(moved(SHORT, state) for moved in flows.values())
     hold("flows of the parts add up to the field", total / SHORT, field, FLOWS)
     casimirs = system.algebra.casimirs

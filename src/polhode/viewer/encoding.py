@@ -15,7 +15,7 @@ RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 EXPONENT = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)e([+-]?\d+)\b")
 
 
-def packed(values: Shaped[Array, "..."], kind: str = "f8") -> dict[str, Any]:
+def pack(values: Shaped[Array, "..."], kind: str = "f8") -> dict[str, Any]:
     """Return an array for JSON: its numbers little-endian in base64.
 
     Args:

@@ -9,7 +9,7 @@ import numpy as np
 from polhode.motion.trajectory import Trajectory
 
 
-def start_of(trajectory: Trajectory) -> dict[str, Any] | None:
+def find_start(trajectory: Trajectory) -> dict[str, Any] | None:
     """Return moments and the first state of one body, along the principal axes; None without attitude or momentum."""
     if trajectory.attitude is None or trajectory.momentum is None or trajectory.batch_shape or not len(trajectory):
         return None

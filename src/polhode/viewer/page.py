@@ -17,9 +17,9 @@ from polhode.errors import InvalidInput, shown
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.wording import unit_in_words
 from polhode.types import Array
-from polhode.viewer.encoding import as_script_json, packed, with_powers
-from polhode.viewer.panels import Content, content_of, free_moments_of, moves_as_one_of, title_of, up_of
-from polhode.viewer.samples import Samples, samples_of
+from polhode.viewer.encoding import as_script_json, pack, with_powers
+from polhode.viewer.panels import Content, choose_content, choose_title, choose_up, find_free_moments, keeps_motion_of
+from polhode.viewer.samples import Samples, take_samples
 
 UNTRUSTED = "Here stands the page of a motion. Run this cell, or trust the notebook, to see it."
 
@@ -67,10 +67,10 @@ class Page(NamedTuple):
     @property
     def text(self) -> str:
         """The whole HTML; characters that UTF-8 cannot write, as half a pair is, become "?"."""
-        return _filled(self.title, self.data, self.scripts).encode("utf-8", "replace").decode("utf-8")
+        return _fill_template(self.title, self.data, self.scripts).encode("utf-8", "replace").decode("utf-8")
 
 
-def page_of(
+def make_page(
     trajectory: Trajectory, *, name: str | None, summary: str, surface: Surface | None,
     notes: Sequence[str], content: Callable[[Trajectory, Samples, Surface | None], Content | None],
     scatters: Sequence[dict[str, Any]] = (),
@@ -90,17 +90,17 @@ def page_of(
         InvalidInput: for a trajectory that is empty, a batch, not finite, or has nothing to draw.
     """
     check_given(trajectory, name, summary, notes)
-    samples = samples_of(trajectory)
+    samples = take_samples(trajectory)
     frame = trajectory.frame
     drawn = surface if surface is None or frame is None else surface.along(frame)
-    shown = content(trajectory, samples, drawn) or content_of(trajectory.source, samples, drawn)
+    shown = content(trajectory, samples, drawn) or choose_content(trajectory.source, samples, drawn)
     if not shown.panels:
         raise InvalidInput(
             "the page has nothing to draw: this motion has neither an attitude nor a momentum that a sphere could "
             "show. Give the state its attitude, or write a dataset instead."
         )
-    title = name or title_of(trajectory.source)
-    model = shown.model or model_of(trajectory)
+    title = name or choose_title(trajectory.source)
+    model = shown.model or make_model(trajectory)
     # how samples were chosen is of no concern where the page solves the motion at any time
     solved = shown.solved if shown.model else model is not None
     chosen = () if solved else samples.notes
@@ -115,7 +115,7 @@ def page_of(
     return Page(title, data, shown.scripts)
 
 
-def playground_of(presets: Sequence[tuple[Page, dict[str, Any]]]) -> Page:
+def make_playground(presets: Sequence[tuple[Page, dict[str, Any]]]) -> Page:
     """Return what a page of many motions is filled with, of which one is shown at a time.
 
     Args:
@@ -143,13 +143,13 @@ def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
         )
 
 
-def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
+def make_model(trajectory: Trajectory) -> dict[str, Any] | None:
     """Return what the page's own solver needs of an exact motion, along its principal axes; None of others."""
     motion = trajectory.motion
     if motion is None or motion.batch_shape or not motion.page_solver:
         return None
     names_it = next(one for one in type(motion).__mro__ if "page_solver" in vars(one))
-    if not moves_as_one_of((names_it,), motion):
+    if not keeps_motion_of((names_it,), motion):
         return None
     along = motion.along("principal")
     numbers = {name: float(getattr(along, name)) for name in along.body_numbers}
@@ -163,19 +163,19 @@ def model_of(trajectory: Trajectory) -> dict[str, Any] | None:
 
 def _arrays(system: Any, samples: Samples, solved: bool) -> dict[str, Any]:
     """Return the samples; of a motion that the page solves itself in closed form their times alone."""
-    turn, up = up_of(system, samples)
+    turn, up = choose_up(system, samples)
 
     def array(values: Array | None, kind: str = "f8") -> dict[str, Any] | None:
-        return None if values is None else packed(values, kind)
+        return None if values is None else pack(values, kind)
 
     return {
-        "times": packed(samples.times),
+        "times": pack(samples.times),
         **({} if solved else {
             "attitude": array(samples.attitude), "momentum": array(samples.momentum),
             "velocity": array(samples.angular_velocity, "f4"), "energy": array(samples.energy),
         }),
         "energyName": samples.energy_name, "energyUnit": samples.energy_unit, "joined": samples.joined,
-        "free": free_moments_of(system, samples),
+        "free": find_free_moments(system, samples),
         "space": turn.tolist(), "up": up,
     }  # fmt: skip
 
@@ -187,12 +187,12 @@ def _plots(trajectory: Trajectory, samples: Samples) -> list[dict[str, Any]]:
     layout = trajectory.layout
     return [
         {"title": name.replace("_", " "), "unit": unit_in_words(part.unit),
-         "series": [{"name": name, "values": packed(layout.part(samples.states, name), "f4")}]}
+         "series": [{"name": name, "values": pack(layout.part(samples.states, name), "f4")}]}
         for name, part in layout.scalars.items()
     ]  # fmt: skip
 
 
-def _filled(title: str, data: dict[str, Any], scripts: tuple[str, ...]) -> str:
+def _fill_template(title: str, data: dict[str, Any], scripts: tuple[str, ...]) -> str:
     """Return the template with style, script and data in their places, and the policy that allows only these."""
     assets = resources.files("polhode.viewer") / "assets"
     template, style, script = (

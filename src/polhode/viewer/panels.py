@@ -12,7 +12,7 @@ from polhode import rotation
 from polhode.analysis.polhodes import level_segments, saddle_energies
 from polhode.bodies.surface import Surface
 from polhode.types import Array, Float64
-from polhode.viewer.encoding import packed
+from polhode.viewer.encoding import pack
 from polhode.viewer.samples import Samples
 from polhode.viewer.shapes import body_shape, is_celestial, semi_axes_squared, top_shape
 
@@ -50,7 +50,7 @@ class Content:
     words: dict[str, Any] = field(default_factory=dict)
 
 
-def content_of(source: Any, samples: Samples, surface: Surface | None) -> Content:
+def choose_content(source: Any, samples: Samples, surface: Surface | None) -> Content:
     """Return what fits any body, the body first, by what its system or exact motion says of itself.
 
     Args:
@@ -58,13 +58,13 @@ def content_of(source: Any, samples: Samples, surface: Surface | None) -> Conten
         samples: of it.
         surface: of the body, along the axes of the samples.
     """
-    moments = moments_of(source)
+    moments = find_moments(source)
     if is_mechanical(source) and source.has_vertical:
         return Content(top_panels(source, samples, moments, surface))
     found = body_panels(samples, moments, surface)
     if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
         return Content(found)
-    if free_moments_of(source, samples) is None:
+    if find_free_moments(source, samples) is None:
         levels = moments if _turns_as_one(samples, moments) else None
         return Content([*found, sphere_of_levels(samples.momentum, levels)])
     found.append(_sphere_of_polhodes())
@@ -78,7 +78,7 @@ def is_mechanical(source: Any) -> bool:
     return hasattr(source, "has_vertical") and hasattr(source, "free_moments")
 
 
-def moves_as_one_of(classes: Iterable[type], source: Any) -> bool:
+def keeps_motion_of(classes: Iterable[type], source: Any) -> bool:
     """Whether a source is of one of these classes and keeps all of it: an heir may be called or moved otherwise."""
     ancestors = type(source).__mro__
     own = next((kind for kind in ancestors if kind in set(classes)), None)
@@ -96,12 +96,12 @@ def _turns_as_one(samples: Samples, moments: Array | None) -> bool:
     return bool(np.abs(momentum - moments * velocity).max() <= KEPT * np.abs(momentum).max())
 
 
-def title_of(source: Any) -> str:
+def choose_title(source: Any) -> str:
     """Return what a motion without a name is called: what moves in a file, or the kind of motion."""
     return getattr(source, "title", None) or "Motion"
 
 
-def moments_of(source: Any) -> Float64[Array, "3"] | None:
+def find_moments(source: Any) -> Float64[Array, "3"] | None:
     """Return the principal moments (3,) of the one body that a system has, or None."""
     moments = getattr(source, "moments", None)
     if moments is None or np.shape(moments) != (3,):
@@ -109,19 +109,19 @@ def moments_of(source: Any) -> Float64[Array, "3"] | None:
     return np.asarray(moments, dtype=float)
 
 
-def free_moments_of(source: Any, samples: Samples) -> list[float] | None:
+def find_free_moments(source: Any, samples: Samples) -> list[float] | None:
     """Return the principal moments of a body without torques that turns, or None: the page then knows how L goes on."""
     if not is_mechanical(source) or source.free_moments is None:
         return None
     says_so = next(kind for kind in type(source).__mro__ if "free_moments" in vars(kind))
-    if not moves_as_one_of((says_so,), source):
+    if not keeps_motion_of((says_so,), source):
         return None
     if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).all():
         return None
     return np.asarray(source.free_moments, dtype=float).tolist()
 
 
-def up_of(source: Any, samples: Samples) -> tuple[Float64[Array, "4"], str]:
+def choose_up(source: Any, samples: Samples) -> tuple[Float64[Array, "4"], str]:
     """Return the unit quaternion (4,) that turns space for the page, and what then points up.
 
     The momentum points up where it is kept in space, else the space axis z.
@@ -150,10 +150,10 @@ def _body(samples: Samples, moments: Array | None, surface: Surface | None, word
     panel: Panel = {"type": "body", "traced": int(np.abs(nearest).argmax()), "shape": words}
     if surface is not None:
         wide = len(surface.vertices) > 65535
-        panel["surface"] = {"vertices": packed(surface.vertices, "f4"),
-                            "faces": packed(surface.faces, "u4" if wide else "u2")}  # fmt: skip
+        panel["surface"] = {"vertices": pack(surface.vertices, "f4"),
+                            "faces": pack(surface.faces, "u4" if wide else "u2")}  # fmt: skip
         if surface.colors is not None:
-            panel["surface"]["colors"] = packed(surface.colors, "u4")
+            panel["surface"]["colors"] = pack(surface.colors, "u4")
     elif moments is not None and is_celestial(moments):
         panel |= {"ellipsoid": np.sqrt(semi_axes_squared(moments)).tolist(), "round": True}
     elif moments is not None:
@@ -226,4 +226,4 @@ def sphere_of_levels(
         return 0.5 * np.sum((norm * u - inner) ** 2 / moments, axis=-1)
 
     borders = level_segments(energy, saddle_energies(moments, inner, norm))
-    return panel | {"family": packed(level_segments(energy), "f4"), "separatrix": packed(borders, "f4")}
+    return panel | {"family": pack(level_segments(energy), "f4"), "separatrix": pack(borders, "f4")}

@@ -45,7 +45,7 @@ class Samples:
     notes: tuple[str, ...] = field(default=())
 
 
-def samples_of(trajectory: Trajectory) -> Samples:
+def take_samples(trajectory: Trajectory) -> Samples:
     """Return what a page shows: exact motions evaluated again at times close enough to each other, others thinned.
 
     Raises:
@@ -54,8 +54,8 @@ def samples_of(trajectory: Trajectory) -> Samples:
     _check(trajectory)
     trajectory = trajectory.along("principal")
     if trajectory.motion is not None:
-        return _evaluated(trajectory, trajectory.motion)
-    return _thinned(trajectory)
+        return _evaluate(trajectory, trajectory.motion)
+    return _thin(trajectory)
 
 
 def _check(trajectory: Trajectory) -> None:
@@ -71,7 +71,7 @@ def _check(trajectory: Trajectory) -> None:
             raise InvalidInput(f"the page shows finite motions; `{name}` of the trajectory has NaN or infinity in it.")
 
 
-def _evaluated(trajectory: Trajectory, motion: AbstractMotion) -> Samples:
+def _evaluate(trajectory: Trajectory, motion: AbstractMotion) -> Samples:
     """Return an exact motion at steps that are small for the eye, its first part where it has too many turns."""
     times = np.asarray(trajectory.times, dtype=float)
     start, end = float(times.min()), float(times.max())
@@ -80,7 +80,7 @@ def _evaluated(trajectory: Trajectory, motion: AbstractMotion) -> Samples:
     turn = fastest * (end - start)
     notes, shown = [], end
     if len(times) == 1 or not turn < np.inf:
-        return replace(_thinned(trajectory), joined=False)
+        return replace(_thin(trajectory), joined=False)
     if turn > COARSE * (MOST - 1):
         shown = start + (end - start) * COARSE * (MOST - 1) / turn
         notes.append(f"Shown: the first {COARSE * (MOST - 1) / (2 * np.pi):.0f} turns, "
@@ -92,7 +92,7 @@ def _evaluated(trajectory: Trajectory, motion: AbstractMotion) -> Samples:
     return replace(_plain(again), joined=True, notes=tuple(notes))
 
 
-def _thinned(trajectory: Trajectory) -> Samples:
+def _thin(trajectory: Trajectory) -> Samples:
     """Return every k-th sample."""
     found = _plain(trajectory)
     count = len(found.times)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from polhode.bodies.surface import Surface, box_of_same_inertia, joined, welded
+from polhode.bodies.surface import Surface, box_of_same_inertia, join_surfaces, weld_corners
 from polhode.bodies.turned import tube
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -22,7 +22,7 @@ def body_shape(moments: Real[ArrayLike, "3"] | None, surface: Surface | None) ->
         surface: of the body, if known.
     """
     if surface is not None:
-        whole = welded(surface)
+        whole = weld_corners(surface)
         small = whole.coarsened(MOST_FACES)
         return small, "" if small is whole else "its mesh, coarsened"
     if moments is None:
@@ -71,7 +71,7 @@ def top_shape(
     size = max(abs(h), a, b)
     disk, stem = tube(1.0, 0.06 * size, sections=RIM), tube(0.035 * size, abs(h), sections=RIM)
     middle = np.array([0.0, 0.0, h])
-    made = joined([Surface(disk.vertices * [a, b, 1.0] + middle, disk.faces),
+    made = join_surfaces([Surface(disk.vertices * [a, b, 1.0] + middle, disk.faces),
                    Surface(stem.vertices + 0.5 * middle, stem.faces)])  # fmt: skip
     order = np.empty(3, dtype=int)
     order[[i, j, k]] = 0, 1, 2

@@ -7,7 +7,7 @@ import numpy as np
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
-from polhode.viewer.encoding import packed
+from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
@@ -18,4 +18,4 @@ class PendulumPanel(KindPanel):
     def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
         """Return the rod, the mass and its path, in lengths of the rod."""
         place = np.asarray(samples.states)[:, :3] / float(trajectory.source.length)
-        return [{"type": "pendulum", "place": packed(place)}]
+        return [{"type": "pendulum", "place": pack(place)}]

@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode.errors import InvalidInput
 from polhode.figures import style
-from polhode.formats.paths import written_whole
+from polhode.formats.paths import write_whole
 from polhode.reports import Answer, Group, StudyReport, Table
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class SwingReport(StudyReport):
         return {"residuals": partial(_drawn, self)}
 
     def _write_data(self, path: Path) -> Path:
-        with written_whole(path) as draft:
+        with write_whole(path) as draft:
             draft.write_text("".join(f"{x!r}\n" for x in self.residuals))
         return path
 

@@ -25,14 +25,14 @@ class DampedBodyKind(AbstractKind[DampedBodyTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("momentum_sphere", "motion")
 
     def report(self, spec: Spec[DampedBodyTable]) -> DampedBodyReport:
-        from polhode.kinds.damped_body.answers import report_of
+        from polhode.kinds.damped_body.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def motion(self, spec: Spec[DampedBodyTable]) -> SpecMotion:
-        from polhode.kinds.damped_body.answers import motion_of
+        from polhode.kinds.damped_body.answers import simulate_motion
 
-        return motion_of(spec)
+        return simulate_motion(spec)
 
     def answers_without_motion(self, spec: Spec[DampedBodyTable]) -> Iterator[Group | Table]:
         from polhode.kinds.damped_body.answers import answers_without_motion
@@ -50,9 +50,9 @@ class DampedBodyKind(AbstractKind[DampedBodyTable]):
         return DampedBodyPanel()
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
-        from polhode.kinds.damped_body.rules import damped_rules
+        from polhode.kinds.damped_body.rules import find_broken_rules
 
-        return damped_rules(tables["system"])
+        return find_broken_rules(tables["system"])
 
 
 KIND = DampedBodyKind()

@@ -46,11 +46,11 @@ MOST_TURNS = 20_000.0  # of the start, followed where no end is given
 
 @dataclass(frozen=True)
 class DampedStart:
-    """What the start of a body with losses tells, without its motion.
+    """The answers about a body with losses that follow from its start alone.
 
     Attributes:
         spec: as it was read.
-        table: the losses as they stand in the spec.
+        table: the losses as the spec gives them.
         momentum: (3,) L at the start [kg m²/s, principal axes].
         attitude: (4,) at the start, of the principal axes.
         system: what moves.
@@ -79,7 +79,7 @@ class DampedStart:
 
     @property
     def time_constant(self) -> float | None:
-        """Of the last approach to the major axis, or of the spin about it that drag brakes, at the start [s]."""
+        """Time constant [s] at the start: of the approach to the major axis or, with drag, of the spin about it."""
         if self.table.inside or not self.axes:
             return time_constant(self.axes[2]) if self.axes else None
         moment = float(self.body.principal_moments[2])
@@ -87,13 +87,13 @@ class DampedStart:
 
     @property
     def damping(self) -> float | None:
-        """α |L| of losses inside; None of others."""
+        """α |L| of internal losses; None with other losses."""
         if not (self.table.inside and self.norm):
             return self.table.damping
         return self.norm * _sink_rate(self.table, self.body.principal_moments, self.momentum)
 
     def from_one_degree(self) -> float | None:
-        """Return when a spin 1° off the axis that this one starts on comes to a flat spin [s]; None elsewhere."""
+        """Return the time [s] to a flat spin from 1° off the axis of the start; None unless that is a minor axis."""
         moments, norm = self.body.principal_moments, self.norm
         at = [k for k in (0, 1) if norm and moments[k] < moments[2] and angle_to_axis(self.momentum, k) <= ON_AXIS]
         if not self.table.inside or self.damping is None or not at:
@@ -103,7 +103,7 @@ class DampedStart:
         return flat_spin_time(moments, norm * off, self.damping / norm)
 
     def losses(self) -> Group:
-        """Return what is lost, and how it was given."""
+        """Return the answers about the losses, and how they were given."""
         orbiting = self.table.orbital_period is not None
         return Group("Losses", [
             Answer("damping", self.damping, "", "losses inside", "α |L|"),
@@ -146,8 +146,8 @@ class DampedBodyReport(MotionReport):
     """A body with losses.
 
     Attributes:
-        start: what it tells without the motion.
-        cut: whether the motion was ended before it settled.
+        start: the answers that need no motion.
+        cut: whether the motion ends before it has settled.
     """
 
     kind: ClassVar[str] = "damped-body"
@@ -171,7 +171,7 @@ class DampedBodyReport(MotionReport):
 
     @property
     def inside(self) -> bool:
-        """Whether the losses are inside the body, which keeps L."""
+        """Whether the losses are internal, which conserves L."""
         return self.table.inside
 
     @property
@@ -216,7 +216,7 @@ class DampedBodyReport(MotionReport):
         return notes
 
     def _leaving(self) -> list[str]:
-        """Return what losses inside make of a spin that is not about the major axis."""
+        """Return what internal losses do to a spin that is not about the major axis."""
         start, moments = self.start.momentum, self.body.principal_moments
         norm, settles = self.start.norm, self.angle_to_major_axis[-1] <= math.radians(1.0)
         at = [k for k in (0, 1) if moments[k] < moments[2] and angle_to_axis(start, k) <= ON_AXIS]
@@ -263,7 +263,7 @@ class DampedBodyReport(MotionReport):
         ])  # fmt: skip
 
     def _flat_spin_seen(self) -> list[Answer]:
-        """Return when L comes to stay within 5° of the major axis in the motion."""
+        """Return the time after which L stays within 5° of the major axis."""
         if not self.start.flat_spin():
             return []
         away = np.flatnonzero(self.angle_to_major_axis > FLAT)
@@ -282,23 +282,23 @@ class DampedBodyReport(MotionReport):
         ]
 
 
-def report_of(spec: Spec[DampedBodyTable]) -> DampedBodyReport:
+def make_report(spec: Spec[DampedBodyTable]) -> DampedBodyReport:
     """Return the report on a body that loses energy inside, as a double bracket, or by drag.
 
     Raises:
         InvalidInput: for a body with a vanishing moment.
     """
-    start = _start_of(spec)
-    return DampedBodyReport(start, *_moved(spec, start))
+    start = _make_start(spec)
+    return DampedBodyReport(start, *_simulate(spec, start))
 
 
-def motion_of(spec: Spec[DampedBodyTable]) -> SpecMotion:
+def simulate_motion(spec: Spec[DampedBodyTable]) -> SpecMotion:
     """Return the motion alone.
 
     Raises:
         InvalidInput: for a body with a vanishing moment.
     """
-    return SpecMotion(_moved(spec, _start_of(spec))[0], None)
+    return SpecMotion(_simulate(spec, _make_start(spec))[0], None)
 
 
 def answers_without_motion(spec: Spec[DampedBodyTable]) -> Iterator[Group | Table]:
@@ -307,7 +307,7 @@ def answers_without_motion(spec: Spec[DampedBodyTable]) -> Iterator[Group | Tabl
     Raises:
         InvalidInput: for a body with a vanishing moment.
     """
-    start = _start_of(spec)
+    start = _make_start(spec)
     yield about_body(start.body)
     yield start.losses()
     yield Group("Motion", start.flat_spin())
@@ -315,7 +315,7 @@ def answers_without_motion(spec: Spec[DampedBodyTable]) -> Iterator[Group | Tabl
     yield Group("Motion", [start.settling()])
 
 
-def _start_of(spec: Spec[DampedBodyTable]) -> DampedStart:
+def _make_start(spec: Spec[DampedBodyTable]) -> DampedStart:
     table = spec.system
     assert spec.body is not None
     moments = spec.body.principal_moments
@@ -328,7 +328,7 @@ def _start_of(spec: Spec[DampedBodyTable]) -> DampedStart:
     return DampedStart(spec, table, momentum, attitude, _system(table, moments, momentum))
 
 
-def _moved(spec: Spec[DampedBodyTable], start: DampedStart) -> tuple[Trajectory, bool]:
+def _simulate(spec: Spec[DampedBodyTable], start: DampedStart) -> tuple[Trajectory, bool]:
     """Return the motion, and whether it is cut short."""
     times, moments, cut = spec.times, start.body.principal_moments, False
     if times is None:

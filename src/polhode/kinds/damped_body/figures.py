@@ -1,4 +1,4 @@
-"""How a body with losses ends: its momentum's path on the sphere, its energy and the angle to the major axis."""
+"""The figures of a body with losses: path of L on the momentum sphere, energy, and angle to the major axis."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-from polhode.figures.energy_levels import default_frame, draw_levels, label_axes, legend_of, mark_verdict
+from polhode.figures.energy_levels import default_frame, draw_legend, draw_levels, label_axes, mark_verdict
 from polhode.figures.sphere import draw_curve, draw_disk, mark_point
 from polhode.kinds.damped_body.answers import DampedBodyReport
 from polhode.types import Array
@@ -42,7 +42,7 @@ def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
     mark_point(axes, frame, unit[0])
     path = "direction of L" if joined else "L at the samples"
     lines = [(path, style.BLUE, 0.9), ("levels of energy", style.LIGHT, 0.5)]
-    legend_of(axes, lines, [found.verdict for found in report.axes])
+    draw_legend(axes, lines, [found.verdict for found in report.axes])
     words = "Momentum sphere" if report.inside else "Direction of L"
     axes.set_title(f"{words}, body axes", fontsize=style.FONT, color=style.DARK)
     return figure

@@ -7,15 +7,15 @@ from typing import Any
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.systems.double_bracket import DoubleBracket
-from polhode.viewer.models import start_of
+from polhode.viewer.models import find_start
 
 
 class DampedBodyPanel(KindPanel):
-    """What the page needs to go on with a body that loses energy itself; its pictures are those of any body."""
+    """What a page needs to simulate a body with losses; its pictures are those of any body."""
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
         """Return the body, its losses inside and its start; None under torques, and without attitudes."""
-        system, start = trajectory.source, start_of(trajectory)
+        system, start = trajectory.source, find_start(trajectory)
         if start is None or not isinstance(system, DoubleBracket):
             return None
         return {"solver": "DampedBody", "rate": float(system.rate), **start}

@@ -5,24 +5,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from polhode.spec.rules import Mistake, listed
+from polhode.spec.rules import Mistake, list_words
 
 
-def damped_rules(system: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield where a raw table [system] breaks a rule, and how it is said."""
+def find_broken_rules(system: dict[str, Any]) -> Iterator[Mistake]:
+    """Yield the places where a raw table [system] breaks a rule, and the messages."""
     outer = [key for key in ("linear_drag", "quadratic_drag", "orbital_period", "eccentricity") if key in system]
     inside = [key for key in ("damping", "damping_time", "loss_rate") if key in system]
     if len(inside) > 1:
         text = f"goes without {inside[0]}, as either says how strong the losses are; leave out one"
         yield ("system", inside[1]), text
     elif inside and outer:
-        text = f"is for losses inside, which keep L, and goes without {listed(outer)}; leave out one or the other"
+        text = f"is for losses inside, which keep L, and goes without {list_words(outer)}; leave out one or the other"
         yield ("system", inside[0]), text
     elif not inside and not {"linear_drag", "quadratic_drag"} & set(system):
         text = (
             'needs damping, like 0.01, damping_time, like "30 min", or loss_rate, like "2 mW"; or linear_drag, like '
             '"0.01 N*m*s", or quadratic_drag'
         )
-        yield ("system",), f"{text}; got {listed(outer)}"
+        yield ("system",), f"{text}; got {list_words(outer)}"
     elif "eccentricity" in system and "orbital_period" not in system:
         yield ("system", "eccentricity"), 'goes with orbital_period; give it like "90 min", or leave eccentricity out'

@@ -17,8 +17,8 @@ class DampedBodyTable(SystemTable):
     """A body that loses energy, inside or by drag.
 
     Attributes:
-        damping: α |L| of the double bracket; or α is given by one of the next two.
-        damping_time: in which the last approach to the major axis falls to 1/e [s].
+        damping: α |L| of the double bracket; one of the next two may give α instead.
+        damping_time: time in which the final approach to the major axis falls to 1/e [s].
         loss_rate: mean power lost on the polhode of the start [W].
     """
 

@@ -27,9 +27,9 @@ class EulerDiskKind(AbstractKind[EulerDiskTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("rolling_disk", "tilt", "contact_path")
 
     def report(self, spec: Spec[EulerDiskTable]) -> EulerDiskReport:
-        from polhode.kinds.euler_disk.answers import report_of
+        from polhode.kinds.euler_disk.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def answers_without_motion(self, spec: Spec[EulerDiskTable]) -> Iterator[Group | Table]:
         from polhode.kinds.euler_disk.answers import answers_without_motion

@@ -24,7 +24,7 @@ from polhode.kinds.euler_disk.table import EulerDiskTable
 from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table
-from polhode.reports.base import WITHOUT_MOTION, left_out
+from polhode.reports.base import WITHOUT_MOTION, make_placeholder
 from polhode.reports.length import Watch
 from polhode.simulation import simulate
 from polhode.systems.euler_disk import EulerDisk
@@ -36,11 +36,11 @@ TURN_SAMPLES = 125
 UPRIGHT = 1e-9  # rad
 
 
-def report_of(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
+def make_report(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
     """Return the report on a rolling disk.
 
-    With dissipation and without times it is followed to its end, else for these times, or for ten nutations. What ends
-    it before the last of the times ends the samples too.
+    With dissipation and without times it is followed to its end, else for these times, or for ten nutations. An event
+    that ends the motion earlier ends the samples too.
 
     Raises:
         InvalidInput: for sizes that no disk has, and starts that do not roll or are not steady.
@@ -50,7 +50,7 @@ def report_of(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
     disk, ideal = _disks(table)
     start, steady = _start(table, disk), _steady(table, ideal)
     if table.dissipation and times is None:
-        found = _ended(disk, start)
+        found = _simulate_end(disk, start)
         trajectory = found.trajectory
         path = last_turns(trajectory, TURNS, spec.samples)
         turn = 2.0 * math.pi / abs(float(disk.precession(start)))
@@ -74,7 +74,7 @@ def report_of(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
 
 
 def answers_without_motion(spec: Spec[EulerDiskTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion.
+    """Yield the answers of the report that need no trajectory.
 
     Raises:
         InvalidInput: for sizes that no disk has, and starts that do not roll or are not steady.
@@ -83,7 +83,7 @@ def answers_without_motion(spec: Spec[EulerDiskTable]) -> Iterator[Group | Table
     disk, ideal = _disks(table)
     yield from EulerDiskReport(
         table=table, disk=disk, trajectory=WITHOUT_MOTION, begin=_start(table, disk), steady=_steady(table, ideal),
-        laws=[], spin_down=None, end_by_energy=None, path=left_out(DiskPath), opening=None,
+        laws=[], spin_down=None, end_by_energy=None, path=make_placeholder(DiskPath), opening=None,
         thresholds=_thresholds(table, ideal),
     ).without_motion()  # fmt: skip
 
@@ -100,7 +100,7 @@ def _steady(table: EulerDiskTable, ideal: EulerDisk) -> SteadyRolling | None:
 
 
 def _thresholds(table: EulerDiskTable, ideal: EulerDisk) -> tuple[float, float] | None:
-    """Return speed and rate above which an upright thin disk rolls and spins stably; None of another one."""
+    """Return speed and rate above which an upright thin disk rolls and spins stably; None for other disks."""
     upright = not table.thickness and abs(table.tilt - 0.5 * math.pi) < UPRIGHT
     return (critical_rolling_speed(ideal), critical_spin_rate(ideal)) if upright else None
 
@@ -124,7 +124,7 @@ def _start(table: EulerDiskTable, disk: EulerDisk) -> Array:
     return state
 
 
-def _ended(disk: EulerDisk, start: Array) -> SpinDown:
+def _simulate_end(disk: EulerDisk, start: Array) -> SpinDown:
     try:
         return spin_down(disk, start)
     except (InvalidInput, NotConverged) as error:
@@ -133,7 +133,7 @@ def _ended(disk: EulerDisk, start: Array) -> SpinDown:
 
 
 def _shares(table: EulerDiskTable, disk: EulerDisk, trajectory: Trajectory, found: SpinDown | None) -> list[LawShare]:
-    """Return what each law takes."""
+    """Return the power that each law dissipates."""
     powers = np.asarray(disk.powers(trajectory.states))
     shares = powers / powers.sum(axis=-1, keepdims=True)
     late = [None if found is None else float(np.mean(share[found.late])) for share in shares.T]

@@ -51,7 +51,7 @@ def _against_time(panels: Any, times: Array, values: tuple[Array, Array], words:
 
 
 def _towards_the_end(panels: Any, found: SpinDown, values: tuple[Array, Array]) -> None:
-    """Draw against t0 − t, which falls to the right."""
+    """Draw against t0 − t, which decreases to the right."""
     left = np.asarray(found.remaining)
     ahead = left > 0.0
     fitted = found.late
@@ -77,7 +77,7 @@ def _towards_the_end(panels: Any, found: SpinDown, values: tuple[Array, Array]) 
 
 
 def _mark(axes: Any, name: str, time: float, found: SpinDown) -> None:
-    """Mark an event; one after t0 has no place here, and the legend says so."""
+    """Mark an event; one after t0 is outside the axes, so only the legend names it."""
     k = int(np.argmin(np.abs(np.asarray(found.trajectory.times) - time)))
     left = float(np.asarray(found.remaining)[k])
     colour = COLOURS.get(name, style.VERMILION)

@@ -23,7 +23,7 @@ class Law(NamedTuple):
     Attributes:
         model: the law's class in ``systems.rolling_dissipation``, imported when it is built, as reading a spec needs no
             JAX.
-        key: what the constant is called.
+        key: the name of the law's constant.
         unit: of it, empty for a plain number.
         example: how a spec writes it.
     """
@@ -79,7 +79,7 @@ class LawTable(Strict):
 
 
 def law_rules(law: dict[str, Any]) -> Iterator[str]:
-    """Yield what the keys of a raw law break."""
+    """Yield violations of rules by the keys of a raw law."""
     name = law.get("law")
     if not isinstance(name, str) or name not in LAWS:
         return

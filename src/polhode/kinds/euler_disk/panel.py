@@ -12,7 +12,7 @@ from polhode.kinds.euler_disk.report import EulerDiskReport
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.systems import rolling_dissipation
-from polhode.viewer.encoding import packed
+from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
@@ -29,11 +29,11 @@ class EulerDiskPanel(KindPanel):
         return [{
             "type": "disk", "radius": float(disk.mechanics.radius),
             "thickness": 2.0 * float(disk.mechanics.half_thickness),
-            "contact": packed(contact), "center": packed(np.asarray(disk.center(samples.states))), "elevation": STEEP,
+            "contact": pack(contact), "center": pack(np.asarray(disk.center(samples.states))), "elevation": STEEP,
         }]  # fmt: skip
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
-        """Return the disk, its losses and its start; None with a law that a spec has no name for."""
+        """Return the disk, its losses and its start; None with a law that specs do not know."""
         disk, found = trajectory.source, trajectory.source.mechanics
         names = {getattr(rolling_dissipation, law.model): name for name, law in LAWS.items()}
         laws = [(names.get(type(law)), law) for law in disk.dissipation]
@@ -49,7 +49,7 @@ class EulerDiskPanel(KindPanel):
         }  # fmt: skip
 
     def scatters(self, report: EulerDiskReport) -> tuple[dict[str, Any], ...]:
-        """Return tilt and precession over the whole motion against the time left to its end, of one that ends."""
+        """Return tilt and precession against the time left, for a motion that ends."""
         found = report.spin_down
         if found is None or found.remaining is None:
             return ()
@@ -60,7 +60,7 @@ class EulerDiskPanel(KindPanel):
         rate = np.abs(report.disk.precession(states))
         words = "the whole motion: log₁₀ {} against log₁₀ of the time left [s], which runs to the left"
         return tuple(
-            {"title": title, "words": words.format(unit), "x": packed(np.log10(left[ahead]), "f4"),
-             "y": packed(np.log10(np.asarray(values)), "f4")}
+            {"title": title, "words": words.format(unit), "x": pack(np.log10(left[ahead]), "f4"),
+             "y": pack(np.log10(np.asarray(values)), "f4")}
             for title, unit, values in (("Tilt", "[°]", tilt), ("Precession", "[rad/s]", rate))
         )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Where a rolling disk touches the plane: the path of its contact and of its centre, seen from above."""
+"""The paths of a rolling disk's contact and centre, seen from above."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ def draw_contact_path(report: EulerDiskReport) -> Figure:
         first = report.opening.contact * MILLI
         panels[0].plot(*first.T, color=style.GREY, lw=0.9, ls="--", label="contact, first turn")
     for line, colour, words, order in ((contact, style.BLUE, "contact", 2), (center, style.VERMILION, "centre", 3)):
-        _faded(panels[0], line * MILLI, shade, colour, order)
+        _draw_fading(panels[0], line * MILLI, shade, colour, order)
         what = f"{words}, last turns" if ends else words
         panels[0].plot([], [], color=colour, lw=1.1, marker="o", ms=3.5, label=what)
     if closer:
-        _faded(panels[1], (center - center[-1]) * MICRO, shade, style.VERMILION, 3)
+        _draw_fading(panels[1], (center - center[-1]) * MICRO, shade, style.VERMILION, 3)
         panels[1].set_xlabel("centre, from where it ends  [µm]")
         panels[1].set_ylabel("[µm]")
     panels[0].set_xlabel("X  [mm]")
@@ -66,7 +66,7 @@ def _centers(report: EulerDiskReport, states: Array) -> Array:
 
 
 def _bar(axes: Any, colour: str, clock: Array, words: str, ends: bool) -> None:
-    """Say next to a panel what the strength of its colour means, of a grey one for several."""
+    """Explain next to a panel what the strength of its colour means; in grey where it holds for several panels."""
     norm = Normalize(float(clock.min()), float(clock.max()))
     faded = ScalarMappable(norm, _fade(colour, reverse=ends))
     bar = axes.figure.colorbar(faded, ax=axes, fraction=0.05, pad=0.02)
@@ -77,7 +77,7 @@ def _bar(axes: Any, colour: str, clock: Array, words: str, ends: bool) -> None:
         bar.ax.invert_yaxis()
 
 
-def _faded(axes: Any, line: Array, shade: Array, colour: str, order: int) -> None:
+def _draw_fading(axes: Any, line: Array, shade: Array, colour: str, order: int) -> None:
     """Draw a line (T, 2) that grows from pale to full colour, and where it ends."""
     pieces: Any = np.stack([line[:-1], line[1:]], axis=1)
     drawn = LineCollection(pieces, colors=_fade(colour)(shade[1:]), linewidths=1.1, zorder=order, capstyle="round")

@@ -29,7 +29,7 @@ ENDS = {"flat": "lies flat", "lift-off": "lifts off the table", "on edge": "stan
 
 
 class LawShare(NamedTuple):
-    """What a law takes.
+    """The dissipation of one law.
 
     Attributes:
         law: as a spec names it.
@@ -47,15 +47,15 @@ class LawShare(NamedTuple):
 
 @dataclass(frozen=True)
 class EulerDiskReport(MotionReport):
-    """What is said of one motion of a disk.
+    """The report on one motion of a rolling disk.
 
     Attributes:
-        table: what the spec asks for.
-        disk: what moves.
+        table: the table [system] of the spec.
+        disk: the system.
         begin: state at the start.
         steady: None where no steady motion is near the start.
         laws: of dissipation.
-        spin_down: how it ends; None without dissipation, or where it is only watched for a time.
+        spin_down: how the motion ends; None without dissipation, or for a motion over a given time.
         end_by_energy: t0 by energy alone [s], None where it diverges or the motion does not end.
         path: the last turns of the contact of a motion that is followed to its end, else the first ones.
         opening: of a motion that is followed to its end, the first turn.
@@ -92,13 +92,13 @@ class EulerDiskReport(MotionReport):
 
     @property
     def dominant(self) -> LawShare | None:
-        """The law that takes most of the power where exponents are fitted."""
+        """The law that dissipates most of the power over the samples that exponents are fitted to."""
         found = [law for law in self.laws if law.share_late is not None]
         return max(found, key=lambda law: law.share_late or 0.0, default=None)
 
     @property
     def turns(self) -> float:
-        """How often the contact goes round."""
+        """Number of turns of the contact."""
         heading = np.asarray(self.trajectory.part("heading"))
         return abs(float(heading[-1] - heading[0])) / (2.0 * math.pi)
 
@@ -212,7 +212,7 @@ class EulerDiskReport(MotionReport):
             "power at first": lambda row: f"{row['power']:.4g} W",
             "share": lambda row: f"{row['share']:.4g}",
             "share when fitted": lambda row: "–" if row["share_late"] is None else f"{row['share_late']:.4g}",
-            "its exponent n": lambda row: _predicted(row["exponent"]),
+            "its exponent n": lambda row: _word(row["exponent"]),
         }
         units = {
             "power": "W, at the start", "share": "of the power, at the start",
@@ -234,7 +234,7 @@ class EulerDiskReport(MotionReport):
             "fitted": lambda row: uncertain(row["fitted"], row["uncertainty"]) + (
                 ", too uncertain to compare" if row["uncertainty"] > TELLING * abs(row["fitted"]) else ""),
             "predicted": lambda row: (
-                "–" if row["predicted"] is None else f"{_predicted(row['predicted'])} ({said[row['name']][1]}{of_whom})"
+                "–" if row["predicted"] is None else f"{_word(row['predicted'])} ({said[row['name']][1]}{of_whom})"
             ),
         }
         title = f"Exponents, fitted where |tilt rate|/(tilt·Ω) < {ASYMPTOTIC_FIT:g}"
@@ -292,13 +292,13 @@ def _exponent(fit: PowerLaw, predicted: float | None) -> dict[str, float | None]
 
 
 def _before(end: float | None, time: float, uncertainty: float | None) -> str:
-    """Return how long before t0 [s] something happens, in words; empty where t0 is not known as well as that."""
+    """Return in words how long before t0 [s] an event happens; empty where t0 is less certain than that."""
     if end is None or uncertainty is None or not uncertainty < abs(time - end):
         return ""
     return f", t0 − {uncertain(end - time, uncertainty, 's')}" if time < end else ", after t0"
 
 
-def _predicted(exponent: float) -> str:
+def _word(exponent: float) -> str:
     names = {1 / 3: "1/3", 4 / 9: "4/9", 1 / 2: "1/2", 2 / 3: "2/3", 2 / 9: "2/9", 1 / 6: "1/6", 1 / 4: "1/4"}
     word = names.get(abs(exponent), f"{abs(exponent):.4g}")
     return f"−{word}" if exponent < 0 else word

@@ -28,9 +28,9 @@ MILLI = 1e3
 
 
 def draw_rolling_disk(report: EulerDiskReport) -> Figure:
-    """Return the disk from its first position, faint, to its last one in sight, and what it has rolled along."""
+    """Return the disk from its first position, faint, to its last visible one, with the paths of contact and centre."""
     a = report.table.radius
-    times, states = _moments_shown(report)
+    times, states = _choose_moments(report)
     placed = [_disk(report, state) for state in states]
     first, last = _paths(report)
     centers = np.asarray(report.disk.center(np.asarray(report.path.states)))
@@ -41,7 +41,7 @@ def draw_rolling_disk(report: EulerDiskReport) -> Figure:
     frame = view_frame(np.array(VIEW))
     plane = _plane(placing(_flat(last)), a / half)
     window = _window(frame, [placing(surface.vertices) for surface in placed] + [plane])
-    figure = style.new_figure(height=style.height_of(window, 1.0))
+    figure = style.new_figure(height=style.choose_height(window, 1.0))
     axes = figure.add_subplot()
     ground = Scene(axes, frame, window, EYE)
     x, y, _ = ground.project(plane)
@@ -73,7 +73,7 @@ def draw_rolling_disk(report: EulerDiskReport) -> Figure:
 
 
 def _words(times: Array, tilts: Array) -> str:
-    """Return when the positions are, and how tilted."""
+    """Return a title with the times and tilts of the positions."""
     slow = style.power_of_ten((times[0], times[-1]))
     clock = [f"{x / 10.0**slow:.3g}" for x in times]
     unit = f"[{style.factor(slow)}s]"
@@ -83,7 +83,7 @@ def _words(times: Array, tilts: Array) -> str:
     return f"Rolling disk tilted by {', '.join(f'{x:.1f}°' for x in tilts)}\nat times {', '.join(clock)}  {unit}"
 
 
-def _moments_shown(report: EulerDiskReport) -> tuple[Array, Array]:
+def _choose_moments(report: EulerDiskReport) -> tuple[Array, Array]:
     """Return times (n,) and states (n, 8): while it falls, at tilts evenly spread; else evenly in time."""
     if report.opening is not None:
         motion: Any = report.trajectory
@@ -99,7 +99,7 @@ def _moments_shown(report: EulerDiskReport) -> tuple[Array, Array]:
 
 
 def _paths(report: EulerDiskReport) -> tuple[Array | None, Array]:
-    """Return the contact's first turn where it is another than what follows, and its path (T, 2) [m]."""
+    """Return the state of the contact's first turn, if it differs from later ones, and its path (T, 2) [m]."""
     opening = None if report.opening is None else report.opening.contact
     return opening, report.path.contact
 

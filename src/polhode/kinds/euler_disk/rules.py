@@ -14,7 +14,7 @@ RATES = ("precession", "spin")
 
 
 def disk_rules(system: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...], str]]:
-    """Yield where a raw table [system] of a disk breaks a rule, and how it is said."""
+    """Yield the places where a raw table [system] of a disk breaks a rule, and the messages."""
     measures = (("thickness", "m"), ("radius", "m"), ("tilt", "rad"))
     thickness, radius, tilt = (_value(system.get(key), unit) for key, unit in measures)
     if thickness is not None and radius is not None and 0.0 < 2.0 * radius < thickness:
@@ -38,7 +38,7 @@ def disk_rules(system: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...], 
 
 
 def _value(raw: Any, unit: str) -> float | None:
-    """Return a quantity, None if it is missing or wrong, which its field says."""
+    """Return a quantity, None if it is missing or wrong; its field reports a wrong one."""
     try:
         return None if raw is None else parse_quantity(raw, unit)
     except ValueError:

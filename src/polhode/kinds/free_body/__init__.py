@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class FreeBody(AbstractKind[FreeBodyTable]):
-    """The body that nothing acts on."""
+    """The free rigid body."""
 
     name: ClassVar[str] = "free-body"
     table: ClassVar[type[SystemTable]] = FreeBodyTable
@@ -28,9 +28,9 @@ class FreeBody(AbstractKind[FreeBodyTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("momentum_sphere", "inertia_ellipsoid", "components", "herpolhode")
 
     def report(self, spec: Spec[FreeBodyTable]) -> FreeBodyReport:
-        from polhode.kinds.free_body.answers import report_of
+        from polhode.kinds.free_body.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def figures(self) -> Figures:
         from polhode.kinds.free_body.figures import FIGURES
@@ -45,9 +45,9 @@ class FreeBody(AbstractKind[FreeBodyTable]):
     def ensemble(
         self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]
     ) -> Ensemble | None:
-        from polhode.kinds.free_body.ensemble import ensemble_of
+        from polhode.kinds.free_body.ensemble import evaluate_ensemble
 
-        return ensemble_of(samples, names, times)
+        return evaluate_ensemble(samples, names, times)
 
 
 KIND = FreeBody()

@@ -43,11 +43,11 @@ LARGEST = 1e200  # of energies and momenta in SI; products of the two stay withi
 
 @dataclass(frozen=True)
 class FreeBodyReport(MotionReport):
-    """Everything said about one body and its motion; undefined or infinite values are None.
+    """The report on a free body and its motion; undefined or infinite values are None.
 
     Attributes:
-        twist_per_flip: turn about L from one flip to the next [rad]; None of a body that cones or tumbles.
-        remarks: on how the spec was taken.
+        twist_per_flip: turn about L from one flip to the next [rad]; None for a body that cones or tumbles.
+        remarks: on how the spec was understood.
     """
 
     kind: ClassVar[str] = "free-body"
@@ -171,7 +171,7 @@ class FreeBodyReport(MotionReport):
         return headline(self.motion)
 
 
-def report_of(spec: Spec[FreeBodyTable]) -> FreeBodyReport:
+def make_report(spec: Spec[FreeBodyTable]) -> FreeBodyReport:
     """Return the report on the free motion of a spec's body."""
     assert spec.body is not None
     momentum, attitude = spec.start(spec.body.principal_moments, spec.body.principal_axes)

@@ -22,7 +22,7 @@ STATES = "states."
 
 
 class FreeBodies:
-    """Free motions of many bodies, and what the report on each would say.
+    """Free motions of many bodies, with the answers that a report on each would give.
 
     Attributes:
         motion: of all, along their principal axes.
@@ -59,7 +59,7 @@ class FreeBodies:
         return np.linalg.norm(self.velocity, axis=-1)
 
     def verdict(self, k: int) -> Any:
-        """Return whether turning about an axis is stable; what all three say is in ``analysis.free_axes``."""
+        """Return whether rotation about an axis is stable; ``analysis.free_axes`` has the verdicts in full."""
         about, one, other = self._about(k)
         middle = (one - about) * (about - other) > 0.0
         equatorial = ((one == about) | (other == about)) & (one != other)
@@ -67,7 +67,7 @@ class FreeBodies:
         return np.where((middle | equatorial) & moving, "unstable", "stable")
 
     def growth(self, k: int) -> Any:
-        """Return the rate |L| √((I_i − I_j)(I_k − I_i)/(I_j I_k))/I_i at which neighbours of an axis leave."""
+        """Return the rate |L| √((I_i − I_j)(I_k − I_i)/(I_j I_k))/I_i at which motions near an axis leave it."""
         about, one, other = self._about(k)
         product = ((about - one) / one) * ((other - about) / other)
         return self.motion.momentum_norm / about * np.sqrt(np.maximum(product, 0.0))
@@ -77,7 +77,7 @@ class FreeBodies:
         return moments[:, k], moments[:, (k + 1) % 3], moments[:, (k + 2) % 3]
 
 
-def _encircled(found: FreeBodies) -> Any:
+def _find_encircled(found: FreeBodies) -> Any:
     axis = np.asarray(found.motion.encircled_axis)
     return np.where(axis >= 0, axis + 1.0, math.nan)
 
@@ -104,7 +104,7 @@ NUMBERS: dict[str, Callable[[FreeBodies], Any]] = {
     "principal_moments": lambda found: np.broadcast_to(found.motion.moments, found.momentum.shape),
     "form": lambda found: found.form,
     "regime": lambda found: found.regime,
-    "encircled_axis": _encircled,
+    "encircled_axis": _find_encircled,
     "modulus": lambda found: found.motion.modulus,
     "energy": lambda found: found.motion.energy,
     "momentum_norm": lambda found: found.motion.momentum_norm,
@@ -129,14 +129,14 @@ NUMBERS: dict[str, Callable[[FreeBodies], Any]] = {
 PARTS = ("attitude", "momentum", "angular_velocity")
 
 
-def ensemble_of(samples: ManySpecs, names: Sequence[str], times: Any) -> Ensemble | None:
+def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> Ensemble | None:
     """Return what ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
     spec, varied, bodies, count = samples.spec, samples.varied, samples.bodies, samples.size
     spins = {key.removeprefix("spin."): values for key, values in varied.items() if key.startswith("spin.")}
     known = {*NUMBERS, *(STATES + part for part in PARTS)}
     if bodies is None or not set(names) <= known or len(spins) + _of_body(varied) < len(varied):
         return None
-    momentum, attitude = build_spin(_spun(spec.spin, spins, count), bodies.moments, bodies.axes)
+    momentum, attitude = build_spin(_vary_spin(spec.spin, spins, count), bodies.moments, bodies.axes)
     momentum = np.array(np.broadcast_to(momentum, (count, 3)), dtype=float)
     moments, refused = np.array(np.broadcast_to(bodies.moments, (count, 3))), dict(bodies.refused)
     _refuse(moments, momentum, refused)
@@ -152,7 +152,7 @@ def _of_body(varied: Mapping[str, Any]) -> int:
     return sum(key.startswith("body.") for key in varied)
 
 
-def _spun(table: SpinTable | None, spins: Mapping[str, Any], count: int) -> SpinTable | None:
+def _vary_spin(table: SpinTable | None, spins: Mapping[str, Any], count: int) -> SpinTable | None:
     """Return the table [spin] with arrays where it is varied, whole or by components."""
     if table is None:
         return None
@@ -169,7 +169,7 @@ def _spun(table: SpinTable | None, spins: Mapping[str, Any], count: int) -> Spin
 
 
 def _refuse(moments: Any, momentum: Any, refused: dict[int, str]) -> None:
-    """Note what ``answers.free_body_report`` would refuse."""
+    """Note the bodies that ``answers.free_body_report`` would refuse."""
     with np.errstate(all="ignore"):
         energy, size = 0.5 * np.sum(momentum / moments * momentum, axis=1), norm(np, momentum)
         far = ~((energy < LARGEST) & (size < LARGEST))

@@ -20,8 +20,8 @@ def headline(motion: FreeMotion) -> str:
             "Exactly on the separatrix: in all of time L goes once from one end of the intermediate axis to the other."
         )
     return {
-        "rest": lambda motion: "The body is at rest.", "steady": _steady, "coning": _coning, "tumbling": _tumbling,
-        "flipping": _flipping,
+        "rest": lambda motion: "The body is at rest.", "steady": _steady, "coning": _describe_coning,
+        "tumbling": _describe_tumbling, "flipping": _describe_flipping,
     }[rotation_form(motion)](motion)  # fmt: skip
 
 
@@ -36,7 +36,7 @@ def _steady(motion: FreeMotion) -> str:
     return f"Steady spin about {about}, fixed in the body and in space, once in {turn}."
 
 
-def _coning(motion: FreeMotion) -> str:
+def _describe_coning(motion: FreeMotion) -> str:
     axis = motion.encircled_axis
     return (
         f"Spin about axis {axis + 1}{_rank(motion, axis)}, which cones (nutates): it leans {_cone(motion)} from "
@@ -45,7 +45,7 @@ def _coning(motion: FreeMotion) -> str:
     )
 
 
-def _tumbling(motion: FreeMotion) -> str:
+def _describe_tumbling(motion: FreeMotion) -> str:
     axis = motion.encircled_axis
     return (
         f"Tumbling: axis {axis + 1}{_rank(motion, axis)} leans {_cone(motion)} from the angular momentum L and "
@@ -54,7 +54,7 @@ def _tumbling(motion: FreeMotion) -> str:
     )
 
 
-def _flipping(motion: FreeMotion) -> str:
+def _describe_flipping(motion: FreeMotion) -> str:
     moments = np.asarray(motion.moments)
     middle, axis = int(np.argsort(moments, kind="stable")[1]), motion.encircled_axis
     turns = 0.5 * motion.precession_per_period / (2.0 * math.pi)
@@ -72,7 +72,7 @@ def _cone(motion: FreeMotion) -> str:
 
 
 def _rank(motion: FreeMotion, axis: int) -> str:
-    """Return which moment an axis has, among three that differ or two of which do."""
+    """Return in words whether an axis has the largest, middle or smallest moment."""
     moments = np.asarray(motion.moments)
     if (moments == moments[axis]).sum() > 1:
         return ""

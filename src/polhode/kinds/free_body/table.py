@@ -6,6 +6,6 @@ from polhode.spec.models import SystemTable
 
 
 class FreeBodyTable(SystemTable):
-    """A body that nothing acts on; a spec without [system] means it."""
+    """A body without torques; the default of a spec without [system]."""
 
     kind: str = "free-body"

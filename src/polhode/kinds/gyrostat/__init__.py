@@ -25,14 +25,14 @@ class GyrostatKind(AbstractKind[GyrostatTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("momentum_sphere", "motion")
 
     def report(self, spec: Spec[GyrostatTable]) -> GyrostatReport:
-        from polhode.kinds.gyrostat.answers import report_of
+        from polhode.kinds.gyrostat.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def motion(self, spec: Spec[GyrostatTable]) -> SpecMotion:
-        from polhode.kinds.gyrostat.answers import motion_of
+        from polhode.kinds.gyrostat.answers import simulate_motion
 
-        return motion_of(spec)
+        return simulate_motion(spec)
 
     def answers_without_motion(self, spec: Spec[GyrostatTable]) -> Iterator[Group | Table]:
         from polhode.kinds.gyrostat.answers import answers_without_motion

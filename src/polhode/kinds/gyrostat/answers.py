@@ -19,7 +19,7 @@ from polhode.analysis.gyrostat_rotations import (
 )
 from polhode.bodies.body import Body
 from polhode.kinds.base import Spec, SpecMotion
-from polhode.kinds.gyrostat.build import built, sampled
+from polhode.kinds.gyrostat.build import build, simulate_samples
 from polhode.kinds.gyrostat.table import GyrostatTable
 from polhode.motion.frame import BodyFrame
 from polhode.motion.trajectory import Trajectory
@@ -27,7 +27,7 @@ from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, stabi
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.wording import distinct, vector
-from polhode.systems.body_with_rotor import RotorInBody, direction_of
+from polhode.systems.body_with_rotor import RotorInBody, find_direction
 from polhode.systems.gyrostat import Gyrostat
 from polhode.types import Array, Float64
 
@@ -37,12 +37,12 @@ class GyrostatReport(MotionReport):
     """A body with a rotor.
 
     Attributes:
-        table: the rotor as it stands in the spec.
+        table: the rotor as the spec gives it.
         moments: (3,) of the motion: rotor locked, or of a free rotor less its axial moment [kg m²].
         axes: (3, 3) their axes by columns in the given ones.
         along: (3,) unit vector of the rotor's axis along these axes.
         rotor: its momentum at the start [kg m²/s], relative to the body or, of a free one, whole.
-        equilibria: on the momentum sphere, lowest energy first; with a motor as the rotor is at the end.
+        equilibria: on the momentum sphere, lowest energy first; with a motor, those for the rotor's final momentum.
         rates: of L about the axis of a symmetric carrier; None for others, and with a motor.
     """
 
@@ -64,7 +64,7 @@ class GyrostatReport(MotionReport):
 
     @property
     def free(self) -> bool:
-        """Whether nothing, or a motor of given torque, turns the rotor."""
+        """Whether the rotor is free, or turned by a motor of given torque, and not held at a constant rate."""
         return self.motor or self.table.rotor_drive == "free"
 
     @property
@@ -96,7 +96,7 @@ class GyrostatReport(MotionReport):
 
     @property
     def motor_work(self) -> float | None:
-        """What the motor put into body and rotor up to the end [J]; None without one."""
+        """Work of the motor on body and rotor up to the end [J]; None without a motor."""
         return float(self.trajectory.received["energy"][-1]) if self.motor else None
 
     @property
@@ -123,11 +123,11 @@ class GyrostatReport(MotionReport):
 
     @property
     def rotor_at_start(self) -> float:
-        """Of ``rotor_momentum`` the first."""
+        """The first value of ``rotor_momentum``."""
         return float(self.rotor_momentum[0]) if self.motor else self.rotor
 
     def without_motion(self) -> list[Group | Table]:
-        """Return those answers that take no motion, of a rotor without a motor."""
+        """Return the answers that need no trajectory, for a rotor without a motor."""
         return [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations()]
 
     @property
@@ -135,7 +135,7 @@ class GyrostatReport(MotionReport):
         return [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations(), self._motion()]
 
     def _about_rotor(self) -> Group:
-        axis, torque = direction_of(self.table.rotor_axis), self.table.motor_torque
+        axis, torque = find_direction(self.table.rotor_axis), self.table.motor_torque
         drive = "free" if self.free else "constant-rate"
         meaning = "whole" if self.free else "relative to the body"
         less = "less the rotor's axial one" if self.free else "rotor locked"
@@ -212,24 +212,24 @@ class GyrostatReport(MotionReport):
         ]
 
 
-def report_of(spec: Spec[GyrostatTable]) -> GyrostatReport:
+def make_report(spec: Spec[GyrostatTable]) -> GyrostatReport:
     """Return the report on a body with a rotor, driven at a constant rate, free, or turned by a motor.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
     """
-    made = built(spec)
-    return _report_on(spec, made, _moved(spec, made))
+    made = build(spec)
+    return _report_on(spec, made, _simulate(spec, made))
 
 
 def answers_without_motion(spec: Spec[GyrostatTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion; none with a motor, which makes steady rotations of the end.
+    """Yield the answers that need no trajectory; none with a motor, as the steady rotations depend on the end.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
     """
     if spec.system.motor_torque is None:
-        yield from _report_on(spec, built(spec), WITHOUT_MOTION).without_motion()
+        yield from _report_on(spec, build(spec), WITHOUT_MOTION).without_motion()
 
 
 def _report_on(spec: Spec[GyrostatTable], made: RotorInBody, trajectory: Trajectory) -> GyrostatReport:
@@ -242,16 +242,16 @@ def _report_on(spec: Spec[GyrostatTable], made: RotorInBody, trajectory: Traject
     )
 
 
-def motion_of(spec: Spec[GyrostatTable]) -> SpecMotion:
+def simulate_motion(spec: Spec[GyrostatTable]) -> SpecMotion:
     """Return the motion alone.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
     """
-    return SpecMotion(_moved(spec, built(spec)), None)
+    return SpecMotion(_simulate(spec, build(spec)), None)
 
 
-def _moved(spec: Spec[GyrostatTable], made: RotorInBody) -> Trajectory:
+def _simulate(spec: Spec[GyrostatTable], made: RotorInBody) -> Trajectory:
     assert spec.body is not None
     frame = BodyFrame(made.moments, made.axes, spec.body.center_of_mass, spec.body.mass)
-    return replace(sampled(spec, made), frame=frame)
+    return replace(simulate_samples(spec, made), frame=frame)

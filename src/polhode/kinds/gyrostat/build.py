@@ -13,15 +13,15 @@ from polhode.kinds.gyrostat.table import GyrostatTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.length import Watch
 from polhode.simulation import simulate
-from polhode.systems.body_with_rotor import RotorInBody, direction_of, rotor_in_body, rotor_misfit
+from polhode.systems.body_with_rotor import RotorInBody, find_direction, rotor_in_body, rotor_misfit
 from polhode.systems.gyrostat import TorquedGyrostat
 from polhode.types import Array
 
 TURNS = 10
 
 
-def built(spec: Spec[GyrostatTable]) -> RotorInBody:
-    """Return what a spec asks for.
+def build(spec: Spec[GyrostatTable]) -> RotorInBody:
+    """Return the gyrostat of a spec and its start.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
@@ -30,7 +30,7 @@ def built(spec: Spec[GyrostatTable]) -> RotorInBody:
     assert spec.body is not None
     if why := rotor_misfit(spec.body, table.rotor_axis, table.rotor_moment):
         raise InvalidInput(f"`system.rotor_moment` {why}")
-    rotor = table.rotor_moment * table.rotor_rate * direction_of(table.rotor_axis)
+    rotor = table.rotor_moment * table.rotor_rate * find_direction(table.rotor_axis)
     velocity, attitude = _start(spec, rotor)
     free = table.rotor_drive == "free" or table.motor_torque is not None
     return rotor_in_body(
@@ -38,7 +38,7 @@ def built(spec: Spec[GyrostatTable]) -> RotorInBody:
     )
 
 
-def sampled(spec: Spec[GyrostatTable], made: RotorInBody) -> Trajectory:
+def simulate_samples(spec: Spec[GyrostatTable], made: RotorInBody) -> Trajectory:
     """Return the motion at the times of the spec, or for ten turns.
 
     Raises:

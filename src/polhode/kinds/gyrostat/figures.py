@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-from polhode.figures.energy_levels import default_frame, draw_levels, label_axes, legend_of, mark_verdict
+from polhode.figures.energy_levels import default_frame, draw_legend, draw_levels, label_axes, mark_verdict
 from polhode.figures.sphere import draw_curve, draw_disk, mark_point
 from polhode.kinds.gyrostat.answers import GyrostatReport
 from polhode.types import Array
@@ -39,7 +39,7 @@ def draw_gyrostat_sphere(report: GyrostatReport) -> Figure | None:
     lines = [("this motion", style.BLUE, 1.8), ("levels of energy", style.GREY, 0.5)]
     if saddles:
         lines.insert(1, ("separatrix", style.VERMILION, 0.9))
-    legend_of(axes, lines, [e.verdict.verdict for e in report.equilibria])
+    draw_legend(axes, lines, [e.verdict.verdict for e in report.equilibria])
     end = "; levels and rests at the end" if report.motor else ""
     axes.set_title(f"Momentum sphere, body axes{end}", fontsize=style.FONT, color=style.DARK)
     return figure
@@ -74,7 +74,7 @@ def draw_gyrostat_motion(report: GyrostatReport) -> Figure:
 
 
 def _not_narrower(axes: Any, values: Array) -> None:
-    """Keep the axis from showing rounding as if it were motion."""
+    """Widen the axis so that rounding errors do not look like motion."""
     middle, half = 0.5 * (values.min() + values.max()), 0.5 * (values.max() - values.min())
     if half < 1e-3 * max(abs(middle), 1e-3):
         axes.set_ylim(middle - 0.05 * max(abs(middle), 1e-3), middle + 0.05 * max(abs(middle), 1e-3))

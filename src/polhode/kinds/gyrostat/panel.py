@@ -10,13 +10,13 @@ from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.systems.gyrostat import Gyrostat
-from polhode.viewer.encoding import packed
-from polhode.viewer.models import start_of
-from polhode.viewer.panels import Panel, body_panels, moments_of, sphere_of_levels
+from polhode.viewer.encoding import pack
+from polhode.viewer.models import find_start
+from polhode.viewer.panels import Panel, body_panels, find_moments, sphere_of_levels
 from polhode.viewer.samples import Samples
 
 
-def _turning(trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
+def _find_rotor(trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
     """Return the rotor's axis along those of the samples, and its rate against the body there, if that is known."""
     system, velocity, rates = trajectory.source, samples.angular_velocity, None
     if isinstance(system, Gyrostat):
@@ -29,7 +29,7 @@ def _turning(trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
         if velocity is not None:
             momentum = trajectory.layout.part(samples.states, "rotor_momentum")
             rates = momentum / float(system.rotor_moment) - np.asarray(velocity) @ axis
-    return {"axis": axis.tolist(), "rates": None if rates is None else packed(rates, "f8")}
+    return {"axis": axis.tolist(), "rates": None if rates is None else pack(rates, "f8")}
 
 
 class GyrostatPanel(KindPanel):
@@ -37,7 +37,7 @@ class GyrostatPanel(KindPanel):
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
         """Return the body, its rotor and its start; None of one whose motor turns the rotor, and without attitudes."""
-        system, start = trajectory.source, start_of(trajectory)
+        system, start = trajectory.source, find_start(trajectory)
         if start is None or not isinstance(system, Gyrostat):
             return None
         rotor = np.asarray(system.rotor, dtype=float)
@@ -47,10 +47,10 @@ class GyrostatPanel(KindPanel):
 
     def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
         """Return the body and the momentum sphere with levels of the carrier's energy."""
-        system, moments = trajectory.source, moments_of(trajectory.source)
+        system, moments = trajectory.source, find_moments(trajectory.source)
         found = body_panels(samples, moments, surface)
         for panel in found:
-            panel["rotor"] = _turning(trajectory, samples)
+            panel["rotor"] = _find_rotor(trajectory, samples)
         if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
             return found
         if isinstance(system, Gyrostat):

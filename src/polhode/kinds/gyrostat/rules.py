@@ -9,6 +9,6 @@ from polhode.spec.rules import Mistake
 
 
 def gyrostat_rules(system: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield where a raw table [system] breaks a rule, and how it is said."""
+    """Yield the places where a raw table [system] breaks a rule, and the messages."""
     if "motor_torque" in system and system.get("rotor_drive") == "constant-rate":
         yield ("system", "motor_torque"), 'turns a rotor that is free; give rotor_drive = "free", or leave one out'

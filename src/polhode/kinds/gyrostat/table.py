@@ -16,7 +16,7 @@ class GyrostatTable(SystemTable):
     Attributes:
         rotor_axis: in the given axes, of any length.
         rotor_rate: relative to the body.
-        rotor_drive: where it is left out, free with a motor torque and constant-rate without.
+        rotor_drive: by default "free" with a motor torque and "constant-rate" without.
     """
 
     rotor_axis: Direction = Field(description="give it like [0.0, 0.0, 1.0], along the given axes")

@@ -26,14 +26,14 @@ class HeavyTopKind(AbstractKind[HeavyTopTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("spinning_top", "axis_locus", "motion")
 
     def report(self, spec: Spec[HeavyTopTable]) -> HeavyTopReport:
-        from polhode.kinds.heavy_top.answers import report_of
+        from polhode.kinds.heavy_top.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def motion(self, spec: Spec[HeavyTopTable]) -> SpecMotion:
-        from polhode.kinds.heavy_top.answers import motion_of
+        from polhode.kinds.heavy_top.answers import simulate_motion
 
-        return motion_of(spec)
+        return simulate_motion(spec)
 
     def answers_without_motion(self, spec: Spec[HeavyTopTable]) -> Iterator[Group | Table]:
         from polhode.kinds.heavy_top.answers import answers_without_motion

@@ -21,11 +21,11 @@ from polhode.reports.top import (
     TopReport,
     about_body,
     about_rests,
-    frame_of,
-    mechanics_of,
+    build_frame,
+    build_mechanics,
+    build_start,
+    build_top,
     rest_verdicts,
-    start_of,
-    top_of,
     usual_times,
 )
 from polhode.simulation import simulate
@@ -46,44 +46,44 @@ class HeavyTopReport(TopReport):
     kind: ClassVar[str] = "heavy-top"
 
 
-def report_of(spec: Spec[HeavyTopTable]) -> HeavyTopReport:
+def make_report(spec: Spec[HeavyTopTable]) -> HeavyTopReport:
     """Return the report on any body about a fixed point, by Taylor series or splitting into exact flows.
 
     Raises:
         InvalidInput: for a body without mass.
     """
-    moved = _moved(spec)
+    moved = _simulate(spec)
     assert spec.body is not None
     verdicts = rest_verdicts(moved.top, moved.momentum)
     return HeavyTopReport(spec.body, spec.surface, moved.top, moved.trajectory, verdicts, moved.warned, spec.remarks)
 
 
-def motion_of(spec: Spec[HeavyTopTable]) -> SpecMotion:
+def simulate_motion(spec: Spec[HeavyTopTable]) -> SpecMotion:
     """Return the motion alone.
 
     Raises:
         InvalidInput: for a body without mass.
     """
-    moved = _moved(spec)
+    moved = _simulate(spec)
     assert moved.trajectory.frame is not None
-    return SpecMotion(moved.trajectory, mechanics_of(moved.top, moved.trajectory.frame))
+    return SpecMotion(moved.trajectory, build_mechanics(moved.top, moved.trajectory.frame))
 
 
 def answers_without_motion(spec: Spec[HeavyTopTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion.
+    """Yield the answers of the report that need no trajectory.
 
     Raises:
         InvalidInput: for a body without mass.
     """
     table, body = spec.system, spec.body
     assert body is not None
-    top = top_of(body, table.pivot, table.gravity)
-    yield about_body(body, top, frame_of(top, body, table.pivot))
+    top = build_top(body, table.pivot, table.gravity)
+    yield about_body(body, top, build_frame(top, body, table.pivot))
     yield about_rests(rest_verdicts(top, _start(spec, top)[0]))
 
 
 class _Moved(NamedTuple):
-    """The top, its momentum (3,) at the start along the principal axes, its motion, and what there was to say."""
+    """A top, its momentum (3,) at the start along the principal axes, its motion, and warnings."""
 
     top: HeavyTop
     momentum: Float64[Array, "3"]
@@ -91,10 +91,10 @@ class _Moved(NamedTuple):
     warned: tuple[str, ...]
 
 
-def _moved(spec: Spec[HeavyTopTable]) -> _Moved:
+def _simulate(spec: Spec[HeavyTopTable]) -> _Moved:
     table, body, times = spec.system, spec.body, spec.times
     assert body is not None
-    top = top_of(body, table.pivot, table.gravity)
+    top = build_top(body, table.pivot, table.gravity)
     momentum, attitude = _start(spec, top)
     state = top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
                       momentum=np.asarray(top.axes) @ momentum)  # fmt: skip
@@ -103,26 +103,26 @@ def _moved(spec: Spec[HeavyTopTable]) -> _Moved:
     watch = Watch(spec.until, times, _remedy(spec))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
-        trajectory = _called(simulate(top, state, times, step=table.step, order=table.order, progress=watch))
-    trajectory = replace(trajectory, frame=frame_of(top, body, table.pivot))
+        trajectory = _rename_invariants(simulate(top, state, times, step=table.step, order=table.order, progress=watch))
+    trajectory = replace(trajectory, frame=build_frame(top, body, table.pivot))
     return _Moved(top, momentum, trajectory, tuple(str(warning.message) for warning in caught))
 
 
 def _start(spec: Spec[HeavyTopTable], top: HeavyTop) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
     """Return momentum along the principal axes, and their attitude, at the start."""
     momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
-    return start_of(top, spec.spin, momentum, attitude, spec.system.lean)
+    return build_start(top, spec.spin, momentum, attitude, spec.system.lean)
 
 
 def _remedy(spec: Spec[HeavyTopTable]) -> str:
-    """Return what helps against a long run: longer steps, or a kind of top that takes none."""
+    """Return the remedies for a long run: longer steps, or a kind of top in closed form."""
     exact = other_kind(spec.kind.subject, in_closed_form=True)
     longer = "" if spec.system.step is None else "A longer `system.step` takes less. "
     return longer + ("" if exact is None else f'kind = "{exact.name}" takes no steps, if it is one.')
 
 
-def _called(trajectory: Trajectory) -> Trajectory:
-    """Return the trajectory with its invariants called by what they are for a top."""
+def _rename_invariants(trajectory: Trajectory) -> Trajectory:
+    """Return the trajectory with its invariants named as usual for a top."""
     rename = lambda values: {NAMES.get(k, k): v for k, v in values.items() if k != "linear_space"}  # noqa: E731
     return replace(
         trajectory, invariants=rename(trajectory.invariants), drift=rename(trajectory.drift),

@@ -30,14 +30,14 @@ class LagrangeTopKind(AbstractKind[LagrangeTopTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("spinning_top", "axis_locus", "motion")
 
     def report(self, spec: Spec[LagrangeTopTable]) -> LagrangeTopReport:
-        from polhode.kinds.lagrange_top.answers import report_of
+        from polhode.kinds.lagrange_top.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def motion(self, spec: Spec[LagrangeTopTable]) -> SpecMotion:
-        from polhode.kinds.lagrange_top.answers import motion_of
+        from polhode.kinds.lagrange_top.answers import simulate_motion
 
-        return motion_of(spec)
+        return simulate_motion(spec)
 
     def figures(self) -> Figures:
         from polhode.kinds.lagrange_top.figures import FIGURES
@@ -52,9 +52,9 @@ class LagrangeTopKind(AbstractKind[LagrangeTopTable]):
     def ensemble(
         self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]
     ) -> Ensemble | None:
-        from polhode.kinds.lagrange_top.ensemble import ensemble_of
+        from polhode.kinds.lagrange_top.ensemble import evaluate_ensemble
 
-        return ensemble_of(samples, names, times)
+        return evaluate_ensemble(samples, names, times)
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         from polhode.spec.top_rules import top_rules

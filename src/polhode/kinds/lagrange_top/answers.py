@@ -26,11 +26,11 @@ from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group
 from polhode.reports.top import (
     TopReport,
-    frame_of,
-    mechanics_of,
+    build_frame,
+    build_mechanics,
+    build_start,
+    build_top,
     rest_verdicts,
-    start_of,
-    top_of,
     usual_times,
 )
 from polhode.systems.heavy_top import HeavyTop
@@ -77,7 +77,7 @@ class LagrangeTopReport(TopReport):
 
     @property
     def mean_rates(self) -> TopRates:
-        """Of the motion, in closed form."""
+        """The motion in closed form."""
         period = None if self.constant_tilt else finite(self.exact.nutation_period)
         precession = None if self.exact.regime == "planar" else finite(self.exact.precession_rate)
         return TopRates(precession, None if period is None else 2.0 * math.pi / period)
@@ -126,14 +126,14 @@ _REGIMES = {
 }
 
 
-def report_of(spec: Spec[LagrangeTopTable]) -> LagrangeTopReport:
+def make_report(spec: Spec[LagrangeTopTable]) -> LagrangeTopReport:
     """Return the report on a symmetric body about a point of its axis, exactly.
 
     Raises:
         InvalidInput: for a body without mass, or one not symmetric about the line to its centre of mass.
     """
     assert spec.body is not None
-    top, exact, trajectory = _moved(spec)
+    top, exact, trajectory = _simulate(spec)
     I1, _, I3 = (float(x) for x in exact.moments)
     return LagrangeTopReport(
         spec.body, spec.surface, top, trajectory, rest_verdicts(top, exact.momentum_at_epoch), remarks=spec.remarks,
@@ -141,47 +141,47 @@ def report_of(spec: Spec[LagrangeTopTable]) -> LagrangeTopReport:
     )  # fmt: skip
 
 
-def motion_of(spec: Spec[LagrangeTopTable]) -> SpecMotion:
+def simulate_motion(spec: Spec[LagrangeTopTable]) -> SpecMotion:
     """Return the motion alone.
 
     Raises:
-        InvalidInput: as ``report_of`` does.
+        InvalidInput: as ``make_report`` does.
     """
-    top, _, trajectory = _moved(spec)
+    top, _, trajectory = _simulate(spec)
     assert trajectory.frame is not None
-    return SpecMotion(trajectory, mechanics_of(top, trajectory.frame))
+    return SpecMotion(trajectory, build_mechanics(top, trajectory.frame))
 
 
-def _moved(spec: Spec[LagrangeTopTable]) -> tuple[HeavyTop, LagrangeMotion, Trajectory]:
+def _simulate(spec: Spec[LagrangeTopTable]) -> tuple[HeavyTop, LagrangeMotion, Trajectory]:
     body, times = spec.body, spec.times
     assert body is not None
     top, momentum, attitude = started(spec)
     exact = LagrangeMotion(np.asarray(top.moments), mgl=float(top.mgl), momentum=momentum, attitude=attitude)
     if times is None:
         times = usual_times(finite(exact.nutation_period), top, momentum, spec.samples)
-    return top, exact, replace(exact.sample(times), frame=frame_of(top, body, spec.system.pivot))
+    return top, exact, replace(exact.sample(times), frame=build_frame(top, body, spec.system.pivot))
 
 
-def started(spec: Spec[LagrangeTopTable]) -> tuple[HeavyTop, Float64[Array, "3"], Float64[Array, "4"]]:
+def make_start(spec: Spec[LagrangeTopTable]) -> tuple[HeavyTop, Float64[Array, "3"], Float64[Array, "4"]]:
     """Return the top of a spec, its axis third, with momentum (3,) along and attitude (4,) of its axes at the start.
 
     Raises:
-        InvalidInput: as ``report_of`` does.
+        InvalidInput: as ``make_report`` does.
     """
     table, body = spec.system, spec.body
     assert body is not None
-    top = _standing(body, table, spec.kind.subject)
+    top = _build_top(body, table, spec.kind.subject)
     momentum, attitude = spec.start(np.asarray(top.moments), np.asarray(top.axes))
-    return top, *start_of(top, spec.spin, momentum, attitude, table.lean)
+    return top, *build_start(top, spec.spin, momentum, attitude, table.lean)
 
 
-def _standing(body: Body, table: LagrangeTopTable, subject: str) -> HeavyTop:
+def _build_top(body: Body, table: LagrangeTopTable, subject: str) -> HeavyTop:
     """Return the top, with its axis third.
 
     Raises:
         InvalidInput: for a body without mass, or one that is not a Lagrange top about its pivot.
     """
-    top_of(body, table.pivot, table.gravity)  # refuses what no top has
+    build_top(body, table.pivot, table.gravity)  # refuses what no top has
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # that the body is free is said in the report
         try:

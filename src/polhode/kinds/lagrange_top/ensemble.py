@@ -12,7 +12,7 @@ from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.exact.lagrange_top.geometry import REGIMES
 from polhode.exact.lagrange_top.steady_precession import sleeping_threshold
 from polhode.kinds.base import Ensemble, ManySpecs
-from polhode.kinds.lagrange_top.answers import started
+from polhode.kinds.lagrange_top.answers import make_start
 
 STATES = "states."
 PARTS = ("attitude", "momentum", "angular_velocity")
@@ -24,7 +24,7 @@ def _regime(motion: LagrangeMotion) -> Any:
 
 
 def _unless_planar(motion: LagrangeMotion, values: Any) -> Any:
-    """Return rates, which in a plane are not defined."""
+    """Return rates, NaN for motions in a plane, where they are undefined."""
     return np.where(_regime(motion) == "planar", np.nan, values)
 
 
@@ -45,14 +45,14 @@ NUMBERS: dict[str, Callable[[LagrangeMotion], Any]] = {
 }
 
 
-def ensemble_of(samples: ManySpecs, names: Sequence[str], times: Any) -> Ensemble | None:
+def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> Ensemble | None:
     """Return what ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
     if not set(names) <= {*NUMBERS, *(STATES + part for part in PARTS)}:
         return None
     starts, refused = [RESTING] * samples.size, {}
     for k in range(samples.size):
         try:
-            top, momentum, attitude = started(samples.spec_of(k))
+            top, momentum, attitude = make_start(samples.spec_of(k))
             starts[k] = np.asarray(top.moments), float(top.mgl), momentum, attitude
         except InvalidInput as error:
             refused[k] = str(error)

@@ -26,9 +26,9 @@ class PointVorticesKind(AbstractKind[VorticesTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("tracks", "streamlines")
 
     def report(self, spec: Spec[VorticesTable]) -> VorticesReport:
-        from polhode.kinds.point_vortices.answers import report_of
+        from polhode.kinds.point_vortices.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def answers_without_motion(self, spec: Spec[VorticesTable]) -> Iterator[Group | Table]:
         from polhode.kinds.point_vortices.answers import answers_without_motion

@@ -31,15 +31,15 @@ LARGEST_VERDICT = 40  # vortices: second derivatives of all pairs are dense
 
 @dataclass(frozen=True)
 class VorticesReport(MotionReport):
-    """Point vortices: what they conserve, whether they turn as a whole and stay so, and where they go.
+    """Point vortices: conserved quantities, rigid rotation and its stability, and the motion.
 
     Attributes:
         system: the vortices; on a sphere those of the unit sphere, with the same rates.
         sphere_radius: [m]; None in a plane.
         trajectory: samples of the motion.
-        turn: of the whole; None where distances between vortices change.
-        verdict: on that turn; None without one, or where there is none to be had.
-        no_verdict: why there is none, though they turn; empty otherwise.
+        turn: of a rigid rotation; None where distances between vortices change.
+        verdict: on that rotation; None without a rotation or a verdict.
+        no_verdict: why a rotation has no verdict; empty otherwise.
     """
 
     kind: ClassVar[str] = "point-vortices"
@@ -80,7 +80,7 @@ class VorticesReport(MotionReport):
         who = f"{len(self.strengths)} vortices {place}"
         if self.turn is None:
             return f"The {who} change their distances; the closest two come to {self.closest[0]:.4g} m."
-        return f"The {who} {self._moves()}{self._judged()}."
+        return f"The {who} {self._moves()}{self._describe_verdict()}."
 
     def _moves(self) -> str:
         turn = self.turn
@@ -91,7 +91,7 @@ class VorticesReport(MotionReport):
             return f"move straight at {float(np.linalg.norm(turn.velocity)):.6g} m/s"
         return "rest"
 
-    def _judged(self) -> str:
+    def _describe_verdict(self) -> str:
         if self.verdict is None:
             return ""
         if self.verdict.verdict == "unstable" and self.verdict.rate:
@@ -193,7 +193,7 @@ def _plain(degrees: float) -> float:
     return 0.0 if abs(degrees) < 1e-9 else degrees
 
 
-def report_of(spec: Spec[VorticesTable]) -> VorticesReport:
+def make_report(spec: Spec[VorticesTable]) -> VorticesReport:
     """Return the report on point vortices.
 
     Raises:
@@ -204,21 +204,21 @@ def report_of(spec: Spec[VorticesTable]) -> VorticesReport:
     state = system.check_state(state)
     times = np.linspace(0.0, _usual_end(system, state), spec.samples) if spec.times is None else spec.times
     trajectory = simulate(system, state, times, progress=Watch(spec.until, times))
-    turn = _turn_of(system, state)
-    verdict, why = _verdict_of(system, state, turn)
+    turn = _find_turn(system, state)
+    verdict, why = _judge(system, state, turn)
     return VorticesReport(system, radius, trajectory, turn, verdict, why)
 
 
 def answers_without_motion(spec: Spec[VorticesTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion.
+    """Yield the answers of the report that need no trajectory.
 
     Raises:
         InvalidInput: for two vortices at one place.
     """
     system, state, radius = _start(spec.system)
     state = system.check_state(state)
-    turn = _turn_of(system, state)
-    yield VorticesReport(system, radius, WITHOUT_MOTION, turn, *_verdict_of(system, state, turn)).about_turn()
+    turn = _find_turn(system, state)
+    yield VorticesReport(system, radius, WITHOUT_MOTION, turn, *_judge(system, state, turn)).about_turn()
 
 
 def _start(table: VorticesTable) -> tuple[SphereVortices | PlaneVortices, Array, float | None]:
@@ -239,13 +239,13 @@ def _start(table: VorticesTable) -> tuple[SphereVortices | PlaneVortices, Array,
 
 
 def _usual_end(system: SphereVortices | PlaneVortices, state: Array) -> float:
-    """Return some times in which vortices as far from each other as these go round [s]."""
+    """Return the default length of a motion [s]: some turns of vortices at such distances."""
     places = np.asarray(system.positions(state))
     size = float(np.linalg.norm(places - places.mean(axis=0), axis=-1).mean())
     return TURNOVERS * 4.0 * math.pi**2 * size**2 / float(np.abs(np.asarray(system.strengths)).sum())
 
 
-def _verdict_of(
+def _judge(
     system: SphereVortices | PlaneVortices, state: Array, turn: VortexTurn | None
 ) -> tuple[Stability | None, str]:
     """Return the verdict, or why there is none."""
@@ -259,7 +259,7 @@ def _verdict_of(
         return None, str(error)
 
 
-def _turn_of(system: SphereVortices | PlaneVortices, state: Array) -> VortexTurn | None:
+def _find_turn(system: SphereVortices | PlaneVortices, state: Array) -> VortexTurn | None:
     try:
         return vortex_turn(system, state)
     except InvalidInput:  # distances change

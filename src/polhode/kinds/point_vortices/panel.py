@@ -10,7 +10,7 @@ from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.systems.point_vortices import SphereVortices
-from polhode.viewer.encoding import packed
+from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
@@ -31,8 +31,8 @@ class PointVorticesPanel(KindPanel):
             places = np.concatenate([places, np.zeros((*places.shape[:-1], 1))], axis=-1)
         strengths = np.asarray(system.strengths)
         return [{
-            "type": "vortices", "flat": flat, "count": len(strengths), "place": packed(np.swapaxes(places, 0, 1), "f4"),
-            "strength": packed(strengths / np.abs(strengths).max(), "f4"),
+            "type": "vortices", "flat": flat, "count": len(strengths), "place": pack(np.swapaxes(places, 0, 1), "f4"),
+            "strength": pack(strengths / np.abs(strengths).max(), "f4"),
         }]  # fmt: skip
 
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
@@ -47,6 +47,6 @@ class PointVorticesPanel(KindPanel):
             curves = {"x": (places[..., 0], "m"), "y": (places[..., 1], "m")}
         return {"plots": [
             {"title": title, "unit": unit,
-             "series": [{"name": str(k + 1), "values": packed(values[:, k], "f4")} for k in range(values.shape[1])]}
+             "series": [{"name": str(k + 1), "values": pack(values[:, k], "f4")} for k in range(values.shape[1])]}
             for title, (values, unit) in curves.items()
         ]}  # fmt: skip

@@ -5,23 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from polhode.spec.rules import Mistake, listed
+from polhode.spec.rules import Mistake, list_words
 
 IN_PLANE, ON_SPHERE = ("positions", "ring_radius"), ("coordinates", "ring_latitude")
 
 
 def vortex_rules(system: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield what the places are asked for, which go by one way of four, one for each vortex."""
+    """Yield mistakes in the positions: exactly one of four keys may give them, one for each vortex."""
     ways = (*IN_PLANE, *ON_SPHERE)
     given = [key for key in ways if key in system]
     if len(given) != 1:
         yield ("system",), (
-            f"needs exactly one of {listed(ways)}: the first two put the vortices into a plane, the others on a "
-            f"sphere; got {listed(given)}"
+            f"needs exactly one of {list_words(ways)}: the first two put the vortices into a plane, the others on a "
+            f"sphere; got {list_words(given)}"
         )
         return
     if "sphere_radius" in system and given[0] in IN_PLANE:
-        yield ("system", "sphere_radius"), f"goes with {listed(ON_SPHERE, 'or')}, not with {given[0]}; leave it out"
+        yield ("system", "sphere_radius"), f"goes with {list_words(ON_SPHERE, 'or')}, not with {given[0]}; leave it out"
     strengths, places = system.get("strengths"), system[given[0]]
     if isinstance(strengths, list) and isinstance(places, list) and len(strengths) != len(places):
         yield ("system", given[0]), (

@@ -35,8 +35,8 @@ def new_sides(axis: Float64[Array, "3"]) -> tuple[Any, list[Any], Float64[Array,
     return figure, axes, np.stack([first, np.cross(axis, first), axis])
 
 
-def seen(places: Float64[Array, "*batch 3"], front: bool) -> Float64[Array, "*batch 2"]:
-    """Return what of turned places is on one side (…, 2), as disks show it; NaN for what is on the other."""
+def flatten_side(places: Float64[Array, "*batch 3"], front: bool) -> Float64[Array, "*batch 2"]:
+    """Return turned places as points of one side's disk (…, 2); NaN for places on the other side."""
     shown = np.where((places[..., 2] >= 0.0) == front, 1.0, np.nan)
     flipped = np.stack([places[..., 0] * (1.0 if front else -1.0), places[..., 1]], axis=-1)
     return flipped * shown[..., None]

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from polhode.figures import style
 from polhode.kinds.point_vortices.answers import VorticesReport
 from polhode.kinds.point_vortices.sides import disk, new_sides
-from polhode.kinds.point_vortices.tracks_figure import SENSES, axis_of
+from polhode.kinds.point_vortices.tracks_figure import SENSES, choose_axis
 from polhode.systems.point_vortices import PlaneVortices
 from polhode.types import Array
 
@@ -21,7 +21,7 @@ SPREAD = (1.5, 98.5)  # percentiles of the stream function between which lines a
 
 
 def draw_streamlines(report: VorticesReport) -> Figure:
-    """Return lines along which the fluid moves at the start, seen by one who turns or moves with the vortices."""
+    """Return the streamlines at the start, in a frame that turns or moves with the vortices."""
     if report.sphere_radius is not None:
         return _on_sphere(report)
     system, start = report.system, report.positions[0]
@@ -43,13 +43,13 @@ def draw_streamlines(report: VorticesReport) -> Figure:
     axes.set_aspect("equal")
     axes.set_xlabel("x  [m]")
     axes.set_ylabel("y  [m]")
-    axes.set_title(_seen_by(report), fontsize=style.FONT)
+    axes.set_title(_describe_view(report), fontsize=style.FONT)
     style.tidy(axes)
     return figure
 
 
 def _on_sphere(report: VorticesReport) -> Figure:
-    figure, panels, turned = new_sides(axis_of(report))
+    figure, panels, turned = new_sides(choose_axis(report))
     system, state, turn = report.system, report.trajectory.states[0], report.turn
     places = np.asarray(system.positions(state)) @ turned.T
     sides = [disk(GRID, front) for front in (True, False)]
@@ -64,12 +64,12 @@ def _on_sphere(report: VorticesReport) -> Figure:
         here = (places[:, 2] >= 0.0) == front
         marked = np.where(here[:, None], places[:, :2] * np.array([1.0 if front else -1.0, 1.0]), np.nan)
         _mark(axes, report, marked)
-    figure.suptitle(_seen_by(report), fontsize=style.FONT)
+    figure.suptitle(_describe_view(report), fontsize=style.FONT)
     return figure
 
 
 def _levels(psi: Array) -> Array:
-    """Return levels without the poles of the stream function, which would take all of them."""
+    """Return levels away from the poles of the stream function, near which all levels would crowd."""
     low, high = np.nanpercentile(psi, SPREAD)
     return np.linspace(low, high, LEVELS)
 
@@ -79,7 +79,7 @@ def _mark(axes: Any, report: VorticesReport, places: Array) -> None:
         axes.plot(*place, "o", ms=4, color=SENSES[float(np.sign(strength))][1])
 
 
-def _seen_by(report: VorticesReport) -> str:
+def _describe_view(report: VorticesReport) -> str:
     turn = report.turn
     if turn is None:
         return "streamlines at the start"

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from polhode.figures import style
 from polhode.kinds.point_vortices.answers import VorticesReport
-from polhode.kinds.point_vortices.sides import new_sides, seen
+from polhode.kinds.point_vortices.sides import flatten_side, new_sides
 from polhode.types import Array, Float64
 
 SENSES = {1.0: ("anticlockwise", style.BLUE), -1.0: ("clockwise", style.VERMILION)}
@@ -31,15 +31,15 @@ def draw_tracks(report: VorticesReport) -> Figure:
 
 
 def _on_sphere(report: VorticesReport) -> Figure:
-    figure, panels, turned = new_sides(axis_of(report))
+    figure, panels, turned = new_sides(choose_axis(report))
     places = np.asarray(report.system.positions(report.trajectory.states)) @ turned.T
     for axes, front in zip(panels, (True, False), strict=True):
-        _draw(axes, report, seen(places, front))
+        _draw(axes, report, flatten_side(places, front))
     _legend(figure, panels[0])
     return figure
 
 
-def axis_of(report: VorticesReport) -> Float64[Array, "3"]:
+def choose_axis(report: VorticesReport) -> Float64[Array, "3"]:
     """Return the axis (3,) from which a sphere is looked at: that of the turn, of J, or the north pole."""
     pole = np.array([0.0, 0.0, 1.0])
     if report.turn is not None and report.turn.axis is not None and report.turn.rate:

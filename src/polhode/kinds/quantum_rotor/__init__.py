@@ -29,9 +29,9 @@ class QuantumRotorKind(AbstractKind[QuantumRotorTable]):
     )  # fmt: skip
 
     def report(self, spec: Spec[QuantumRotorTable]) -> QuantumRotorReport:
-        from polhode.kinds.quantum_rotor.answers import report_of
+        from polhode.kinds.quantum_rotor.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def figures(self) -> Figures:
         from polhode.kinds.quantum_rotor.figures import FIGURES
@@ -49,9 +49,9 @@ class QuantumRotorKind(AbstractKind[QuantumRotorTable]):
         return rotor_rules(tables)
 
     def rotor(self, spec: Spec) -> SpecRotor:
-        from polhode.kinds.quantum_rotor.build import built
+        from polhode.kinds.quantum_rotor.build import build
 
-        return built(spec)
+        return build(spec)
 
     def next_steps(self, spec: Spec) -> Sequence[NextStep]:
         rotor = self.rotor(spec).rotor

@@ -12,14 +12,14 @@ import numpy as np
 
 from polhode.bodies.atoms import ATOMIC_MASS_UNIT
 from polhode.kinds.base import Spec
-from polhode.kinds.quantum_rotor.build import built
+from polhode.kinds.quantum_rotor.build import build
 from polhode.kinds.quantum_rotor.flip import about_flip
 from polhode.kinds.quantum_rotor.table import QuantumRotorTable
 from polhode.motion.frame import BodyFrame
 from polhode.quantum.level_polhodes import LevelPolhodes, level_polhodes
 from polhode.quantum.partition import THERMAL
 from polhode.quantum.racket import Racket
-from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED, Levels, Rotor, below_ground, fallen
+from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED, Levels, Rotor, find_fallen, warn_of_fallen
 from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import SystemReport
@@ -47,7 +47,7 @@ class QuantumRotorReport(SystemReport):
         J: of these.
         racket: the flip that the spec asks for.
         frame: principal axes of the molecule in its given ones; None of constants alone.
-        warned: what was warned of while these were computed.
+        warned: warnings of the computation.
     """
 
     kind: ClassVar[str] = "quantum-rotor"
@@ -143,7 +143,7 @@ class QuantumRotorReport(SystemReport):
 
     def _levels(self) -> Iterator[Group | Table]:
         levels, T = self.levels, self.asked.temperature
-        boltzmann = np.exp(-np.maximum(levels.energy, 0.0) / (T * THERMAL)) * ~fallen(levels.J, levels.energy)
+        boltzmann = np.exp(-np.maximum(levels.energy, 0.0) / (T * THERMAL)) * ~find_fallen(levels.J, levels.energy)
         populated = (2 * levels.J + 1) * levels.weight * boltzmann
         most = int(np.argmax(populated))
         numbers = (int(levels.J[most]), int(levels.Ka[most]), int(levels.Kc[most]))
@@ -207,7 +207,7 @@ def _rows(found: LevelPolhodes) -> list[dict[str, Any]]:
 
 
 def is_split(splitting: float, classical_step: float) -> bool:
-    """Whether two levels are a pair at all: at the saddle all steps are alike."""
+    """Whether two levels form a pair; near the saddle all steps are alike."""
     return not splitting > PAIRED * classical_step  # of the highest pair there is no step
 
 
@@ -225,7 +225,7 @@ def _shape(kappa: float | None) -> str:
     return "A nearly oblate molecule" if kappa > OBLATE else "An asymmetric molecule"
 
 
-def report_of(spec: Spec[QuantumRotorTable]) -> QuantumRotorReport:
+def make_report(spec: Spec[QuantumRotorTable]) -> QuantumRotorReport:
     """Return the report on a molecule.
 
     Raises:
@@ -234,7 +234,7 @@ def report_of(spec: Spec[QuantumRotorTable]) -> QuantumRotorReport:
     table = spec.system
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
-        asked = built(spec)
+        asked = build(spec)
         check_summable(asked)
         rotor, temperature, j_max, _ = asked
         levels = rotor.levels(j_max)
@@ -243,7 +243,7 @@ def report_of(spec: Spec[QuantumRotorTable]) -> QuantumRotorReport:
         polhodes = level_polhodes(rotor.constants, table.j)
         wanted = table.racket
         racket = None if wanted is None else Racket(rotor.constants, table.j, wanted.tilt, wanted.towards)
-    found = (*asked.notes, below_ground(levels.J, levels.energy), *(str(warning.message) for warning in caught))
+    found = (*asked.notes, warn_of_fallen(levels.J, levels.energy), *(str(warning.message) for warning in caught))
     said = tuple(dict.fromkeys(word for word in found if word))
     return QuantumRotorReport(
         asked, levels, lines, partition, polhodes, table.j, racket,

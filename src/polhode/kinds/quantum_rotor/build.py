@@ -7,11 +7,11 @@ import math
 from polhode.kinds.base import Spec
 from polhode.kinds.quantum_rotor.table import QuantumRotorTable
 from polhode.quantum.rotor import Rotor
-from polhode.spec.rotors import SpecRotor, asked_of, doubts_of_weights, rotor_of_body
+from polhode.spec.rotors import SpecRotor, complete_rotor, doubts_of_weights, rotor_of_body
 
 
-def built(spec: Spec[QuantumRotorTable]) -> SpecRotor:
-    """Return the molecule of a spec, its temperature, and how far its levels are wanted.
+def build(spec: Spec[QuantumRotorTable]) -> SpecRotor:
+    """Return the molecule of a spec, its temperature, and the largest J of its levels.
 
     Raises:
         InvalidInput: for constants that no rotor has.
@@ -27,4 +27,4 @@ def built(spec: Spec[QuantumRotorTable]) -> SpecRotor:
         rotor, atoms = rotor_of_body(spec.body, spec.source, spec.folder, **options)
     else:
         rotor = Rotor((math.inf, given[0], given[0]) if len(given) == 1 else given, **options)
-    return asked_of(rotor, table.temperature, table.j_max, doubts_of_weights(rotor, atoms))
+    return complete_rotor(rotor, table.temperature, table.j_max, doubts_of_weights(rotor, atoms))

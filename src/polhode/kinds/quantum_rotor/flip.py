@@ -1,4 +1,4 @@
-"""The answers about a quantum body that turns over about its middle axis."""
+"""The answers about a quantum rotor that flips about its intermediate axis."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from polhode.reports.wording import in_its_unit
 
 
 def about_flip(racket: Racket) -> Group:
-    """Return when the body turns over, and when it comes back."""
+    """Return the answers about flips and their return."""
     first, revival = racket.first_reversal, racket.revival_time
     half, period = racket.half_time, None if math.isinf(racket.period) else racket.period
     tilt = f"{math.degrees(racket.tilt):.6g}° towards {racket.towards}"

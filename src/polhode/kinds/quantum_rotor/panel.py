@@ -19,12 +19,12 @@ from polhode.quantum.level_polhodes import LevelPolhodes, level_directions
 from polhode.quantum.operators import Representation, rigid_terms
 from polhode.quantum.racket import Racket
 from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED
-from polhode.quantum.strengths import States, states_of
+from polhode.quantum.strengths import States, compute_states
 from polhode.quantum.symbols import pole_values
 from polhode.reports.spectra import WAVE_NUMBER, frequency, label, wave_number
 from polhode.reports.wording import in_its_unit
 from polhode.types import Array, Float64
-from polhode.viewer.encoding import packed
+from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Content, body_panels
 from polhode.viewer.samples import Samples
 
@@ -85,7 +85,7 @@ def _polhodes(report: QuantumRotorReport) -> tuple[Float64[Array, "n 3"], Array]
 
 def _states(report: QuantumRotorReport) -> States:
     """Return the levels of the rigid rotor, with states of a spin whose x, y, z are c, a, b, from K = −J up."""
-    return states_of(rigid_terms(report.rotor.constants, MIDDLE_IS_Z), report.J, MIDDLE_IS_Z)
+    return compute_states(rigid_terms(report.rotor.constants, MIDDLE_IS_Z), report.J, MIDDLE_IS_Z)
 
 
 def _moments(report: QuantumRotorReport) -> Float64[Array, "3"]:
@@ -109,16 +109,16 @@ def _span(report: QuantumRotorReport, motion: FreeMotion) -> float:
 
 
 def _model(report: QuantumRotorReport, directions: Float64[Array, "n 3"]) -> dict[str, Any]:
-    """Return what the page's script needs to move classical body and spin."""
+    """Return what the page's script needs to simulate classical body and spin."""
     level, direction = _start(report)
     states = _states(report)
     names = [label(report.J, Ka, Kc) for Ka, Kc in zip(states.Ka.tolist(), states.Kc.tolist(), strict=True)]
     levels = [
         {"name": name, "start": start, "said": said}
-        for name, start, said in zip(names, directions.tolist(), _said(report, states), strict=True)
+        for name, start, said in zip(names, directions.tolist(), _describe_levels(report, states), strict=True)
     ]  # fmt: skip
     spin = {} if report.J > LARGEST_J else {
-        "vectors": packed(states.vectors[::-1]), "energies": states.energy.tolist(),
+        "vectors": pack(states.vectors[::-1]), "energies": states.energy.tolist(),
         "kernel": pole_values(report.J).tolist(),
     }  # fmt: skip
     return {
@@ -129,7 +129,7 @@ def _model(report: QuantumRotorReport, directions: Float64[Array, "n 3"]) -> dic
     }  # fmt: skip
 
 
-def _said(report: QuantumRotorReport, states: States) -> list[list[list[str]]]:
+def _describe_levels(report: QuantumRotorReport, states: States) -> list[list[list[str]]]:
     """Return pairs of a name and a value for each level."""
     found = report.polhodes
     if found is None:
@@ -153,7 +153,7 @@ def _of_level(found: LevelPolhodes, k: int) -> list[list[str]]:
 
 
 def _of_flip(racket: Racket) -> list[list[str]]:
-    """Return what is known of the flip, pairs of a name and a value."""
+    """Return pairs of a name and a value about the flip."""
     half, first, revival = racket.half_time, racket.first_reversal, racket.revival_time
     said = [] if half is None else [["⟨L_b⟩ falls to J/2 after", in_its_unit(half)]]
     if first is not None:

@@ -9,7 +9,7 @@ from polhode.spec.rules import Mistake
 
 
 def rotor_rules(tables: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield where the raw tables of a file break a rule, and how it is said."""
+    """Yield the places where the raw tables of a file break a rule, and the messages."""
     system = tables["system"]
     if ("constants" in system) == ("body" in tables):
         both = "constants" in system

@@ -26,9 +26,9 @@ class SphereFluidKind(AbstractKind[FluidTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("vorticity", "globe", "spectrum", "zonal")
 
     def report(self, spec: Spec[FluidTable]) -> FluidReport:
-        from polhode.kinds.sphere_fluid.answers import report_of
+        from polhode.kinds.sphere_fluid.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def answers_without_motion(self, spec: Spec[FluidTable]) -> Iterator[Group | Table]:
         from polhode.kinds.sphere_fluid.answers import answers_without_motion

@@ -13,7 +13,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint
 from polhode.kinds.base import Spec
-from polhode.kinds.sphere_fluid.start import earlier_run, start_of
+from polhode.kinds.sphere_fluid.start import build_start, load_earlier_run
 from polhode.kinds.sphere_fluid.table import FluidTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
@@ -36,14 +36,14 @@ LISTED = 12  # degrees of the spectrum in the text
 
 @dataclass(frozen=True)
 class FluidReport(MotionReport):
-    """A fluid on a sphere: what it keeps, and where its energy goes.
+    """A fluid on a sphere: conserved quantities, and the spectrum of its energy.
 
     Attributes:
         system: on the unit sphere, whose vorticities and times are those of the fluid's.
         table: as the spec has it.
         start: state at the start.
         trajectory: samples of the motion.
-        asked: how many samples the spec asks for; fewer are kept of large matrices.
+        asked: number of samples that the spec asks for; of large matrices fewer are kept.
     """
 
     kind: ClassVar[str] = "sphere-fluid"
@@ -75,12 +75,12 @@ class FluidReport(MotionReport):
 
     @property
     def mean_degrees(self) -> Float64[Array, "2"]:
-        """(2,) degree at which the energy is on average, at start and end."""
+        """(2,) mean degree of the energy, at start and end."""
         return (self.energies @ np.arange(self.system.size)) / self.energies.sum(axis=1)
 
     @property
     def mean_degrees_of_enstrophy(self) -> Float64[Array, "2"]:
-        """(2,) degree at which the squared vorticity is on average."""
+        """(2,) mean degree of the squared vorticity."""
         degree = np.arange(self.system.size)
         enstrophy = self.energies * degree * (degree + 1.0)
         return (enstrophy @ degree) / enstrophy.sum(axis=1)
@@ -110,7 +110,7 @@ class FluidReport(MotionReport):
         return [self.about_fluid(), self._spectrum(), self._motion()]
 
     def about_fluid(self) -> Group:
-        """Return what is said of the fluid at the start."""
+        """Return the answers about the fluid at the start."""
         system, size = self.system, self.system.size
         energy = float(np.asarray(system.energy_spectrum(self.start)).sum())
         speed = self.table.radius * math.sqrt(2.0 * energy / (4.0 * math.pi))
@@ -166,7 +166,7 @@ class FluidReport(MotionReport):
         ])  # fmt: skip
 
 
-def report_of(spec: Spec[FluidTable]) -> FluidReport:
+def make_report(spec: Spec[FluidTable]) -> FluidReport:
     """Return the report on a fluid on a sphere.
 
     Raises:
@@ -194,7 +194,7 @@ def report_of(spec: Spec[FluidTable]) -> FluidReport:
 
 
 def answers_without_motion(spec: Spec[FluidTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion.
+    """Yield the answers of the report that need no trajectory.
 
     Raises:
         InvalidInput: for a fluid at rest or a vorticity beyond the numbers.
@@ -211,10 +211,10 @@ def _vorticity(fluid: SphereFluid, state: Array) -> float:
 
 
 def _start(spec: Spec[FluidTable], table: FluidTable) -> tuple[SphereFluid, Array, Trajectory | None]:
-    """Return the fluid, its first state, and the run that it goes on from, if any."""
+    """Return the fluid, its first state, and the earlier run that it continues, if any."""
     fluid = SphereFluid(table.resolution, table.rotation)
-    earlier = None if table.start_from is None else earlier_run(spec.folder / table.start_from, fluid)
-    state = start_of(fluid, table) if earlier is None else earlier.states[-1]
+    earlier = None if table.start_from is None else load_earlier_run(spec.folder / table.start_from, fluid)
+    state = build_start(fluid, table) if earlier is None else earlier.states[-1]
     vorticity = _vorticity(fluid, state)
     if not 1.0 / EXTREME <= vorticity <= EXTREME:
         raise InvalidInput(

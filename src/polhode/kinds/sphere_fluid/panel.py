@@ -9,7 +9,7 @@ import numpy as np
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
-from polhode.viewer.encoding import packed
+from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
@@ -33,16 +33,16 @@ class SphereFluidPanel(KindPanel):
         largest = float(np.percentile(np.abs(fields), CLIP)) or 1.0
         levels = np.clip(127.5 + 127.5 * fields / largest, 0.0, 255.0)
         return [{
-            "type": "vorticity", "rows": rows, "columns": 2 * rows, "frames": packed(frames, "u4"),
-            "levels": packed(np.round(levels), "u1"), "largest": largest,
+            "type": "vorticity", "rows": rows, "columns": 2 * rows, "frames": pack(frames, "u4"),
+            "levels": pack(np.round(levels), "u1"), "largest": largest,
         }]  # fmt: skip
 
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
-        """Return how much of the energy is in the largest eddies over time."""
+        """Return the share of the energy in the largest eddies against time."""
         energies = np.cumsum(np.asarray(trajectory.source.energy_spectrum(samples.states)), axis=1)
         shares = energies / energies[:, -1:]
         found = [
-            {"name": f"up to degree {k}", "values": packed(shares[:, k], "f4")}
+            {"name": f"up to degree {k}", "values": pack(shares[:, k], "f4")}
             for k in CURVES if k < trajectory.source.size
         ]  # fmt: skip
         return {"plots": [{"title": "energy in eddies", "unit": "of all", "series": found}]}

@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from polhode.spec.rules import Mistake, listed
+from polhode.spec.rules import Mistake, list_words
 from polhode.spec.sphere_start import degree_rules, harmonic_rules
 
 STARTS = ("random", "vortices", "waves")
 
 
 def fluid_rules(system: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield which starts are missing or too many, and which harmonics are not resolved."""
+    """Yield missing or conflicting starts, and harmonics beyond the resolution."""
     given = [key for key in STARTS if key in system]
     if "start_from" in system and given:
-        yield ("system", "start_from"), f"goes without {listed(given)}; leave out one or the other"
+        yield ("system", "start_from"), f"goes without {list_words(given)}; leave out one or the other"
     if not given and "start_from" not in system:
-        yield ("system",), f"needs a start: {listed(STARTS)}, which add up, or start_from, the file of an earlier run"
+        yield ("system",), f"needs a start: {list_words(STARTS)}, which add up, or start_from, an earlier run's file"
     size = system.get("resolution")
     if type(size) is int:
         yield from degree_rules(size, system.get("random"), "random")

@@ -16,7 +16,7 @@ from polhode.systems.sphere_fluid import SphereFluid
 from polhode.types import Array, Complex128
 
 
-def start_of(fluid: SphereFluid, table: FluidTable) -> Complex128[Array, "n n"]:
+def build_start(fluid: SphereFluid, table: FluidTable) -> Complex128[Array, "n n"]:
     """Return the matrix of the absolute vorticity [rad/s]."""
     state = fluid.planetary
     if table.random is not None:
@@ -41,8 +41,8 @@ def _random(fluid: SphereFluid, table: RandomTable) -> Array:
     return found * (table.vorticity / size)
 
 
-def earlier_run(path: Path, fluid: SphereFluid) -> Trajectory:
-    """Return the run that is to go on.
+def load_earlier_run(path: Path, fluid: SphereFluid) -> Trajectory:
+    """Return the earlier run that is continued.
 
     Raises:
         InvalidInput: for one of another resolution.

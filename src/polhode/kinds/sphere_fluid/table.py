@@ -12,7 +12,7 @@ from polhode.spec.sphere_start import RandomTable, VortexTable, WaveTable
 
 
 class FluidTable(SystemTable):
-    """How finely, on which sphere, and the vorticity at the start: the sum of what is given."""
+    """Resolution, sphere, and the vorticity at the start, the sum of all that is given."""
 
     takes: ClassVar[tuple[str, ...]] = ("time",)
     needs: ClassVar[tuple[str, ...]] = ()

@@ -26,9 +26,9 @@ class SphereMHDKind(AbstractKind[MagneticFluidTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("maps", "globe", "energies", "spectrum")
 
     def report(self, spec: Spec[MagneticFluidTable]) -> MagneticReport:
-        from polhode.kinds.sphere_mhd.answers import report_of
+        from polhode.kinds.sphere_mhd.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def answers_without_motion(self, spec: Spec[MagneticFluidTable]) -> Iterator[Group | Table]:
         from polhode.kinds.sphere_mhd.answers import answers_without_motion

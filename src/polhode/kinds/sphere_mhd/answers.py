@@ -15,7 +15,7 @@ from polhode.analysis.zonal_growth import zonal_growth
 from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint
 from polhode.kinds.base import Spec
-from polhode.kinds.sphere_mhd.start import earlier_run, start_of, wave_speed
+from polhode.kinds.sphere_mhd.start import build_start, load_earlier_run, wave_speed
 from polhode.kinds.sphere_mhd.table import MagneticFluidTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import accuracy
@@ -43,14 +43,14 @@ PRODUCTS = 3.0  # of matrices, for each one of a fluid without a field
 
 @dataclass(frozen=True)
 class MagneticReport(MotionReport):
-    """A conducting fluid on a sphere: what it and its field keep, and what they exchange.
+    """A conducting fluid on a sphere and its field: conserved quantities, and the energy they exchange.
 
     Attributes:
         system: on the unit sphere.
         table: as the spec has it.
         start: state at the start.
         trajectory: samples of the motion.
-        asked: how many samples the spec asks for; fewer are kept of large matrices.
+        asked: number of samples that the spec asks for; of large matrices fewer are kept.
     """
 
     kind: ClassVar[str] = "sphere-mhd"
@@ -98,7 +98,7 @@ class MagneticReport(MotionReport):
 
     @cached_property
     def is_zonal(self) -> bool:
-        """Whether the start is a zonal flow and field but for small waves."""
+        """Whether the start is a zonal flow and field with small waves on it."""
         first = self.energies_by_order[0]
         return bool(0.0 < first[1:].sum() < (1.0 - ZONAL) * first.sum())
 
@@ -154,7 +154,7 @@ class MagneticReport(MotionReport):
         return [*found, self._motion()]
 
     def about_start(self) -> Group:
-        """Return what is said of fluid and field at the start."""
+        """Return the answers about fluid and field at the start."""
         system, size = self.system, self.system.size
         start = np.asarray(self.start)
         theta, relative = start[0], start[1] - np.asarray(system.fluid.planetary)
@@ -243,7 +243,7 @@ def _mean_square(system: SphereMHD, matrix: Array) -> float:
     return math.sqrt(float(system.sphere.pairing(matrix, matrix)) / (4.0 * math.pi))
 
 
-def report_of(spec: Spec[MagneticFluidTable]) -> MagneticReport:
+def make_report(spec: Spec[MagneticFluidTable]) -> MagneticReport:
     """Return the report on a conducting fluid on a sphere.
 
     Raises:
@@ -274,7 +274,7 @@ def report_of(spec: Spec[MagneticFluidTable]) -> MagneticReport:
 
 
 def answers_without_motion(spec: Spec[MagneticFluidTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion.
+    """Yield the answers of the report that need no trajectory.
 
     Raises:
         InvalidInput: for a fluid and field at rest or beyond the numbers.
@@ -290,10 +290,10 @@ def _size(system: SphereMHD, state: Array) -> float:
 
 
 def _start(spec: Spec[MagneticFluidTable], table: MagneticFluidTable) -> tuple[SphereMHD, Array, Trajectory | None]:
-    """Return the system, its first state, and the run that it goes on from, if any."""
+    """Return the system, its first state, and the earlier run that it continues, if any."""
     system = SphereMHD(table.resolution, table.rotation)
-    earlier = None if table.start_from is None else earlier_run(spec.folder / table.start_from, system)
-    state = jnp.asarray(start_of(system, table) if earlier is None else earlier.states[-1])
+    earlier = None if table.start_from is None else load_earlier_run(spec.folder / table.start_from, system)
+    state = jnp.asarray(build_start(system, table) if earlier is None else earlier.states[-1])
     size = _size(system, state)
     if not 1.0 / EXTREME <= size <= EXTREME:
         raise InvalidInput(

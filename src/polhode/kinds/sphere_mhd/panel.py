@@ -10,7 +10,7 @@ from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
-from polhode.viewer.encoding import packed
+from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
@@ -23,7 +23,7 @@ BANDS = 14  # between the lines of the field
 def _levels(fields: Array) -> dict[str, Any]:
     largest = float(np.percentile(np.abs(fields), CLIP)) or 1.0
     levels = np.clip(127.5 + 127.5 * fields / largest, 0.0, 255.0)
-    return {"levels": packed(np.round(levels), "u1"), "largest": largest}
+    return {"levels": pack(np.round(levels), "u1"), "largest": largest}
 
 
 class SphereMHDPanel(KindPanel):
@@ -42,7 +42,7 @@ class SphereMHDPanel(KindPanel):
         current = np.asarray(system.fluid.on_grid(system.current(states) + system.fluid.planetary, theta, phi))
         reach = float(np.abs(potential).max()) or 1.0
         lines = np.round(127.5 + 127.5 * potential / reach)
-        common = {"rows": rows, "columns": 2 * rows, "frames": packed(frames, "u4"), "lines": packed(lines, "u1"),
+        common = {"rows": rows, "columns": 2 * rows, "frames": pack(frames, "u4"), "lines": pack(lines, "u1"),
                   "bands": BANDS}  # fmt: skip
         return [{"type": f"magnetic_{name}", **common, **_levels(field)}
                 for name, field in (("vorticity", vorticity), ("current", current))]  # fmt: skip
@@ -50,5 +50,5 @@ class SphereMHDPanel(KindPanel):
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
         """Return kinetic and magnetic energy over time."""
         totals = np.asarray(trajectory.source.energy_spectrum(samples.states)).sum(axis=-1)
-        found = [{"name": name, "values": packed(totals[:, k], "f4")} for k, name in enumerate(("kinetic", "magnetic"))]
+        found = [{"name": name, "values": pack(totals[:, k], "f4")} for k, name in enumerate(("kinetic", "magnetic"))]
         return {"plots": [{"title": "energy", "unit": "rad²/s²", "series": found}]}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from polhode.spec.rules import Mistake, listed
+from polhode.spec.rules import Mistake, list_words
 from polhode.spec.sphere_start import degree_rules, harmonic_rules
 
 SUMMED = ("random", "waves", "random_field", "field_waves")
@@ -13,14 +13,14 @@ ALONE = ("alfven_wave", "start_from")
 
 
 def magnetic_rules(system: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield which starts are missing or too many, and which harmonics are not resolved."""
+    """Yield missing or conflicting starts, and harmonics beyond the resolution."""
     summed, alone = ([key for key in keys if key in system] for keys in (SUMMED, ALONE))
     if alone and len(summed) + len(alone) > 1:
         others = [*summed, *alone[1:]]
-        yield ("system", alone[0]), f"goes without {listed(others)}; leave out one or the other"
+        yield ("system", alone[0]), f"goes without {list_words(others)}; leave out one or the other"
     if not summed and not alone:
         yield ("system",), (
-            f"needs a start: {listed(SUMMED)}, which add up; alfven_wave; or start_from, the file of an earlier run"
+            f"needs a start: {list_words(SUMMED)}, which add up; alfven_wave; or start_from, the file of an earlier run"
         )
     size = system.get("resolution")
     if type(size) is not int:

@@ -21,11 +21,11 @@ from polhode.types import Array, Complex128
 Harmonics = dict[tuple[int, int], complex]
 
 
-def start_of(system: SphereMHD, table: MagneticFluidTable) -> Complex128[Array, "2 n n"]:
+def build_start(system: SphereMHD, table: MagneticFluidTable) -> Complex128[Array, "2 n n"]:
     """Return the state (Θ, W) of the absolute vorticity [rad/s]."""
     if table.alfven_wave is not None:
         return _exact_wave(system, table.alfven_wave)
-    vorticity, potential = (_summed(waves) for waves in (
+    vorticity, potential = (_sum_waves(waves) for waves in (
         [(wave, wave.vorticity) for wave in table.waves or []],
         [(wave, wave.field / math.sqrt(wave.degree * (wave.degree + 1))) for wave in table.field_waves or []],
     ))  # fmt: skip
@@ -67,7 +67,7 @@ def _table(n: int, wave: AlfvenWaveTable) -> Array:
     return jnp.asarray(found)
 
 
-def _summed(waves: Sequence[tuple[Any, float]]) -> Harmonics:
+def _sum_waves(waves: Sequence[tuple[Any, float]]) -> Harmonics:
     found: Harmonics = {}
     for wave, size in waves:
         place = wave.degree, wave.order
@@ -76,7 +76,7 @@ def _summed(waves: Sequence[tuple[Any, float]]) -> Harmonics:
 
 
 def _random(system: SphereMHD, table: Degrees, part: int, size: float) -> Array:
-    """Return a random W or Θ of which the vorticity or the field has a root mean square."""
+    """Return a random W or Θ whose vorticity or field has a given root mean square."""
     first, last = table.degrees
     energies, none = (np.arange(last + 1) >= first).astype(float), np.zeros(2)
     given = (none, energies) if part == 0 else (energies, none)
@@ -88,8 +88,8 @@ def _random(system: SphereMHD, table: Degrees, part: int, size: float) -> Array:
     return relative * (size * math.sqrt(4.0 * math.pi / float(system.sphere.pairing(relative, relative))))
 
 
-def earlier_run(path: Path, system: SphereMHD) -> Trajectory:
-    """Return the run that is to go on.
+def load_earlier_run(path: Path, system: SphereMHD) -> Trajectory:
+    """Return the earlier run that is continued.
 
     Raises:
         InvalidInput: for one of another resolution.

@@ -41,7 +41,7 @@ class AlfvenWaveTable(Harmonic):
 
 
 class MagneticFluidTable(SystemTable):
-    """How finely, on which sphere, and vorticity and field at the start: the sum of what is given."""
+    """Resolution, sphere, and vorticity and field at the start, the sum of all that is given."""
 
     takes: ClassVar[tuple[str, ...]] = ("time",)
     needs: ClassVar[tuple[str, ...]] = ()

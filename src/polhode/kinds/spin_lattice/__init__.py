@@ -26,9 +26,9 @@ class SpinLatticeKind(AbstractKind[SpinLatticeTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("spins", "energy", "waves")
 
     def report(self, spec: Spec[SpinLatticeTable]) -> SpinLatticeReport:
-        from polhode.kinds.spin_lattice.answers import report_of
+        from polhode.kinds.spin_lattice.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def answers_without_motion(self, spec: Spec[SpinLatticeTable]) -> Iterator[Group | Table]:
         from polhode.kinds.spin_lattice.answers import answers_without_motion

@@ -18,7 +18,7 @@ from polhode.errors import InvalidInput
 from polhode.integrators import Bath, NoiseDriftNoise, SphericalMidpoint, Splitting
 from polhode.integrators.base import AbstractOrbitSolver
 from polhode.kinds.base import Spec
-from polhode.kinds.spin_lattice.build import lattice_of, start_of, wave_path
+from polhode.kinds.spin_lattice.build import build_lattice, build_start, wave_path
 from polhode.kinds.spin_lattice.table import SpinLatticeTable
 from polhode.motion.layout import ENERGY
 from polhode.motion.trajectory import Trajectory
@@ -49,7 +49,7 @@ class SpinLatticeReport(MotionReport):
         system: the spins, energies over ħ [rad/s].
         table: as the spec has it.
         trajectory: samples of the motion.
-        asked: how many samples the spec asks for.
+        asked: number of samples that the spec asks for.
     """
 
     kind: ClassVar[str] = "spin-lattice"
@@ -95,7 +95,7 @@ class SpinLatticeReport(MotionReport):
 
     @property
     def skyrmions(self) -> Float64[Array, "2"] | None:
-        """(2,) how often the spins of a plane cover the sphere, at start and end; None of other lattices."""
+        """(2,) how often the spins of a plane cover the sphere, at start and end; None for other lattices."""
         lattice = self.system.lattice
         if lattice.dimension != 2 or lattice.sites != 1 or min(lattice.shape[:2]) < 2:
             return None
@@ -137,7 +137,7 @@ class SpinLatticeReport(MotionReport):
         return found
 
     def without_motion(self) -> list[Group | Table]:
-        """Return those answers that take no motion."""
+        """Return the answers that need no trajectory."""
         return [self._about_lattice(), self._bonds(), self._about_waves()]
 
     @property
@@ -213,15 +213,15 @@ def _whole(value: float) -> str:
     return f"{value:.0f}" if abs(value - round(value)) < 1e-6 else f"{value:.3f}"
 
 
-def report_of(spec: Spec[SpinLatticeTable]) -> SpinLatticeReport:
+def make_report(spec: Spec[SpinLatticeTable]) -> SpinLatticeReport:
     """Return the report on spins on a lattice.
 
     Raises:
         InvalidInput: for bonds and places that make no lattice, or a time that takes too many steps.
     """
     table = spec.system
-    system = lattice_of(table)
-    state = start_of(system, table)
+    system = build_lattice(table)
+    state = build_start(system, table)
     fastest = _fastest(system)
     until = spec.until
     if until is None:
@@ -250,22 +250,22 @@ def report_of(spec: Spec[SpinLatticeTable]) -> SpinLatticeReport:
 
 def _in_joules(trajectory: Trajectory) -> Trajectory:
     """Return the trajectory with its energy in J; the system's is over ħ, as its spins are."""
-    def scaled(values: Mapping[str, Any]) -> dict[str, Any]:
+    def scale_energies(values: Mapping[str, Any]) -> dict[str, Any]:
         return {name: hbar * value if name == "energy" else value for name, value in values.items()}
 
     return replace(
-        trajectory, invariants=scaled(trajectory.invariants), balances=scaled(trajectory.balances),
+        trajectory, invariants=scale_energies(trajectory.invariants), balances=scale_energies(trajectory.balances),
         quantities=trajectory.quantities | {"energy": ENERGY},
     )  # fmt: skip
 
 
 def answers_without_motion(spec: Spec[SpinLatticeTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion.
+    """Yield the answers of the report that need no trajectory.
 
     Raises:
         InvalidInput: for bonds and places that make no lattice.
     """
-    yield from SpinLatticeReport(lattice_of(spec.system), spec.system, WITHOUT_MOTION, spec.samples).without_motion()
+    yield from SpinLatticeReport(build_lattice(spec.system), spec.system, WITHOUT_MOTION, spec.samples).without_motion()
 
 
 def _fastest(system: SpinLattice) -> float:
@@ -285,7 +285,7 @@ def _fastest(system: SpinLattice) -> float:
 def _method(
     system: SpinLattice, table: SpinLatticeTable, times: Float64[Array, "time"], step: float
 ) -> tuple[type[AbstractOrbitSolver] | AbstractOrbitSolver, int]:
-    """Return how the spins move: in a bath, damped, or by exact turns of bonds; and of which order."""
+    """Return the integrator: for a bath, for damping, or by exact rotations of bonds; and its order."""
     if table.temperature is not None:
         between = float(times[1] - times[0])
         even = between / math.ceil(between / step - 1e-9)  # noise is keyed by whole steps

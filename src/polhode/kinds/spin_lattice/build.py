@@ -1,4 +1,4 @@
-"""From a table to spins on a lattice and how they start."""
+"""From a table to spins on a lattice and their start."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from polhode.types import Array, Float64
 BOHR_MAGNETON = physical_constants["Bohr magneton"][0]  # J/T
 
 
-def lattice_of(table: SpinLatticeTable) -> SpinLattice:
+def build_lattice(table: SpinLatticeTable) -> SpinLattice:
     """Return the spins, energies over ħ in rad/s, so that times are in seconds.
 
     Raises:
@@ -41,7 +41,7 @@ def lattice_of(table: SpinLatticeTable) -> SpinLattice:
     )  # fmt: skip
 
 
-def start_of(system: SpinLattice, table: SpinLatticeTable) -> Float64[Array, "..."]:
+def build_start(system: SpinLattice, table: SpinLatticeTable) -> Float64[Array, "..."]:
     """Return spins (L1, L2, L3, b, 3) along the directions, disturbed, or along random ones."""
     rng = np.random.default_rng(table.seed)
     shape = system.algebra.element_shape

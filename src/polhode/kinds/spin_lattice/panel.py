@@ -9,7 +9,7 @@ import numpy as np
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
-from polhode.viewer.encoding import packed
+from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
@@ -37,13 +37,13 @@ class SpinLatticePanel(KindPanel):
         apart = np.linalg.norm(places[1:] - places[0], axis=1).min(initial=size) if len(places) > 1 else size
         levels = np.round(np.clip(127.5 + 127.5 * spins[frames], 0.0, 255.0))
         return [{
-            "type": "spins", "flat": True, "place": packed(places / size, "f4"), "apart": float(apart / size),
-            "frames": packed(frames, "u4"), "spins": packed(levels, "u1"),
+            "type": "spins", "flat": True, "place": pack(places / size, "f4"), "apart": float(apart / size),
+            "frames": pack(frames, "u4"), "spins": pack(levels, "u1"),
         }]  # fmt: skip
 
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
         """Return the components of the magnetisation over time."""
         states = np.asarray(samples.states)
         mean = states.mean(axis=(1, 2, 3, 4)) / float(np.mean(trajectory.source.spin))
-        series = [{"name": name, "values": packed(mean[:, k], "f4")} for k, name in enumerate("xyz")]
+        series = [{"name": name, "values": pack(mean[:, k], "f4")} for k, name in enumerate("xyz")]
         return {"plots": [{"title": "magnetisation", "unit": "of the largest", "series": series}]}

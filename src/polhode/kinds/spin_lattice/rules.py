@@ -11,7 +11,7 @@ from polhode.spec.rules import Mistake
 
 
 def spin_rules(system: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield lists whose lengths do not fit each other, and what does not go together."""
+    """Yield lists whose lengths do not fit each other, and keys that exclude each other."""
     vectors, cells, basis = (system.get(key) for key in ("vectors", "cells", "basis"))
     count = len(vectors) if isinstance(vectors, list) else None
     if count and isinstance(cells, list) and len(cells) != count:

@@ -34,7 +34,7 @@ class AxisTable(Strict):
 
 
 class SpinLatticeTable(SystemTable):
-    """Where the spins are, what they feel, and how they start."""
+    """Places of the spins, their interactions, and their start."""
 
     takes: ClassVar[tuple[str, ...]] = ("time",)
     needs: ClassVar[tuple[str, ...]] = ()

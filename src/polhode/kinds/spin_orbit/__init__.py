@@ -26,9 +26,9 @@ class SpinOrbitKind(AbstractKind[SpinOrbitTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("section", "motion")
 
     def report(self, spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
-        from polhode.kinds.spin_orbit.answers import report_of
+        from polhode.kinds.spin_orbit.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def answers_without_motion(self, spec: Spec[SpinOrbitTable]) -> Iterator[Group | Table]:
         from polhode.kinds.spin_orbit.answers import answers_without_motion

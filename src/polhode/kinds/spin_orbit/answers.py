@@ -19,7 +19,7 @@ from polhode.kinds.spin_orbit.table import SpinOrbitTable
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import WITHOUT_MOTION, MotionReport, left_out
+from polhode.reports.base import WITHOUT_MOTION, MotionReport, make_placeholder
 from polhode.reports.length import Watch
 from polhode.reports.wording import number
 from polhode.simulation import simulate
@@ -37,16 +37,16 @@ TOLERANCE = 1e-12  # of the samples' adaptive steps
 
 @dataclass(frozen=True)
 class SpinOrbitReport(MotionReport):
-    """Resonances of a body on its orbit, and what one spin does among them.
+    """Resonances of a body on its orbit, and the motion of one spin.
 
     Attributes:
-        body: None where the spec gave the asphericity itself.
+        body: None where the spec gives the asphericity itself.
         system: the spin-orbit problem.
         trajectory: samples of the motion by adaptive steps.
         resonances: p = 1/2, 1, … up to 3 or more.
         motion: exponent, verdict, mean rate and libration over thousands of orbits.
         section_orbits: how many the figure shows.
-        remarks: on how the spec was taken.
+        remarks: on how the spec was understood.
     """
 
     kind: ClassVar[str] = "spin-orbit"
@@ -65,7 +65,7 @@ class SpinOrbitReport(MotionReport):
 
     @property
     def threshold(self) -> float | None:
-        """Asphericity from which two neighbouring zones touch; None on a circular orbit, which has one zone alone."""
+        """Least asphericity at which neighbouring zones touch; None on a circular orbit, which has a single zone."""
         return overlap_of(self.resonances)
 
     @property
@@ -75,7 +75,7 @@ class SpinOrbitReport(MotionReport):
 
     @property
     def predictable_time(self) -> float | None:
-        """Time in which a chaotic motion's neighbours part from the samples' tolerance to one radian [s]."""
+        """Time in which an error of the samples' tolerance grows to one radian in a chaotic motion [s]."""
         return self.motion.predictable_time(TOLERANCE)
 
     @property
@@ -85,7 +85,7 @@ class SpinOrbitReport(MotionReport):
         return [*body, *missing, self._orbit(), self._resonances(), self._motion()]
 
     def without_motion(self) -> list[Group | Table]:
-        """Return those answers that take no motion."""
+        """Return the answers that need no trajectory."""
         return [*([] if self.body is None else [about_body(self.body)]), self._orbit(), self._resonances()]
 
     def _orbit(self) -> Group:
@@ -135,8 +135,8 @@ class SpinOrbitReport(MotionReport):
         if not chaotic:
             exponent += f"; a regular motion shows about {level:.{ABOUT}g} /s by then, falling as ln t/t"
         kept = "none" if held is None else (
-            f"in {ratio(held.order)}, about {_cleaned(math.degrees(held.angle)):.5g}° by "
-            f"±{_cleaned(math.degrees(held.amplitude)):.5g}° at periapsis"
+            f"in {ratio(held.order)}, about {_clean_degrees(math.degrees(held.angle)):.5g}° by "
+            f"±{_clean_degrees(math.degrees(held.amplitude)):.5g}° at periapsis"
         )  # fmt: skip
         # the weighted mean of a quasi-periodic motion has many digits, that of chaos as few as the square root says
         digits, lasting = 4 if chaotic else 8, motion.lyapunov_time
@@ -184,7 +184,7 @@ class SpinOrbitReport(MotionReport):
         sure = "Regular" if motion.verdict == "regular" else f"Undecided after {motion.orbits} orbits"
         if motion.libration is not None:
             held = motion.libration
-            swing = _cleaned(math.degrees(held.amplitude))
+            swing = _clean_degrees(math.degrees(held.amplitude))
             return f"{sure}: it librates by ±{swing:.4g}° in the {ratio(held.order)} resonance of spin and orbit."
         return f"{sure}: it turns {motion.mean_rate / n:.8g} times per orbit on average, caught in no resonance."
 
@@ -195,7 +195,7 @@ def ratio(order: float) -> str:
     return f"{found.numerator}:{found.denominator}"
 
 
-def report_of(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
+def make_report(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
     """Return the report on a spin that starts at periapsis.
 
     Raises:
@@ -210,22 +210,22 @@ def report_of(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
     frame = None if spec.body is None else spec.body.frame
     trajectory = replace(simulate(system, state, times, progress=Watch(spec.until, times)), frame=frame)
     return SpinOrbitReport(
-        spec.body, system, trajectory, _listed(system, table), spin_motion(system, state),
+        spec.body, system, trajectory, _list_resonances(system, table), spin_motion(system, state),
         table.section_orbits, spec.remarks,
     )  # fmt: skip
 
 
 def answers_without_motion(spec: Spec[SpinOrbitTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take neither trajectory nor exponent."""
+    """Yield the answers of the report that need neither trajectory nor exponent."""
     table = spec.system
     system = _system(spec, table)
-    listed = _listed(system, table)
+    listed = _list_resonances(system, table)
     yield from SpinOrbitReport(
-        spec.body, system, WITHOUT_MOTION, listed, left_out(SpinMotion), table.section_orbits, spec.remarks
+        spec.body, system, WITHOUT_MOTION, listed, make_placeholder(SpinMotion), table.section_orbits, spec.remarks
     ).without_motion()
 
 
-def _listed(system: SpinOrbit, table: SpinOrbitTable) -> list[Resonance]:
+def _list_resonances(system: SpinOrbit, table: SpinOrbitTable) -> list[Resonance]:
     """Return the resonances that the report lists."""
     # strengths are largest near the orbit's own rate at periapsis
     fastest = max(abs(table.spin_ratio), float(system.orbit.rate_at_periapsis) / float(system.mean_motion))
@@ -261,5 +261,5 @@ def _about(seconds: float | None) -> str | None:
     return f"{short(seconds)} s = {short(seconds / DAY)} d"
 
 
-def _cleaned(degrees: float) -> float:
+def _clean_degrees(degrees: float) -> float:
     return 0.0 if abs(degrees) < 1e-9 else degrees

@@ -13,7 +13,7 @@ from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
 from polhode.simulation import simulate
 from polhode.types import Array
-from polhode.viewer.encoding import packed
+from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
@@ -22,7 +22,7 @@ ORBITS = 1500  # of the section
 
 
 def _series(name: str, values: Array) -> dict[str, Any]:
-    return {"name": name, "values": packed(values, "f4")}
+    return {"name": name, "values": pack(values, "f4")}
 
 
 class SpinOrbitPanel(KindPanel):
@@ -33,13 +33,13 @@ class SpinOrbitPanel(KindPanel):
         system, orbit = trajectory.source, trajectory.source.orbit
         place = np.asarray(orbit.direction(samples.times)) * np.asarray(orbit.distance_ratio(samples.times))[:, None]
         return [{
-            "type": "orbit", "place": packed(place[:, :2]),
-            "angle": packed(trajectory.layout.part(samples.states, "angle")),
+            "type": "orbit", "place": pack(place[:, :2]),
+            "angle": pack(trajectory.layout.part(samples.states, "angle")),
             "eccentricity": float(orbit.eccentricity), "asphericity": float(system.asphericity), "flat": True,
         }]  # fmt: skip
 
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
-        """Return angle and rate, how far a twin that starts a little apart strays, and the section at periapsis."""
+        """Return angle and rate, the distance to a motion from a nearby start, and the section at periapsis."""
         system, n = trajectory.source, float(trajectory.source.mean_motion)
         angle, rate = (trajectory.layout.part(samples.states, name) for name in ("angle", "rate"))
         found = [
@@ -57,5 +57,5 @@ class SpinOrbitPanel(KindPanel):
         points = poincare_section(system, start, ORBITS, steps_for(system, float(rate[0]) / n))
         turned = points[:, 0] - np.pi * np.round(points[:, 0] / np.pi)
         section = {"title": "Section at periapsis", "words": f"{ORBITS} orbits: θ̇/n against θ [°]",
-                   "x": packed(np.degrees(turned), "f4"), "y": packed(points[:, 1] / n, "f4")}  # fmt: skip
+                   "x": pack(np.degrees(turned), "f4"), "y": pack(points[:, 1] / n, "f4")}  # fmt: skip
         return {"plots": found, "scatters": (section,)}

@@ -1,4 +1,4 @@
-"""Spins at one periapsis after another: a family of starts, one of them, and the zones of the resonances."""
+"""The stroboscopic section at periapsis: a family of starts, the motion, and the zones of the resonances."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ def draw_spin_section(report: SpinOrbitReport) -> Figure:
     """Return θ̇/n against θ at periapsis, with bars at the side for the resonances' zones."""
     system, n = report.system, float(report.system.mean_motion)
     steps = steps_for(system, float(report.trajectory.part("rate")[0]) / n)
-    own = _folded(poincare_section(system, report.start, report.section_orbits, steps), n)
+    own = _fold_angles(poincare_section(system, report.start, report.section_orbits, steps), n)
     low, high = _window(report, own[:, 1])
     rates = np.linspace(low, high, STARTS + 2)[1:-1] * n
     starts = np.stack(np.meshgrid([0.0, 0.5 * np.pi], rates), axis=-1).reshape(-1, 2)
-    others = _folded(poincare_section(system, starts, report.section_orbits, steps), n).reshape(-1, 2)
+    others = _fold_angles(poincare_section(system, starts, report.section_orbits, steps), n).reshape(-1, 2)
     figure = style.new_figure(height=3.9)
     axes, side = figure.subplots(1, 2, sharey=True, width_ratios=(8, 1))
     axes.plot(*others.T, ".", color=style.GREY, ms=1.2, mew=0, label="other starts", rasterized=True)
@@ -45,7 +45,7 @@ def draw_spin_section(report: SpinOrbitReport) -> Figure:
 
 
 def _zones(report: SpinOrbitReport, side: Any, low: float, high: float) -> Any:
-    """Draw a bar for each zone in sight, neighbours side by side so that an overlap shows; None without any."""
+    """Draw a bar for each visible zone, neighbours side by side to show an overlap; None without any."""
     n = float(report.system.mean_motion)
     handle, named = None, -np.inf
     for k, found in enumerate(report.resonances):
@@ -79,7 +79,7 @@ def _window(report: SpinOrbitReport, rates: Array) -> tuple[float, float]:
     return min(low, float(rates.min()) - pad), max(high, float(rates.max()) + pad)
 
 
-def _folded(points: Array, n: float) -> Array:
+def _fold_angles(points: Array, n: float) -> Array:
     """Return angles within ±90°, as half a turn looks the same, and rates in units of n."""
     angles = np.degrees(points[..., 0] - np.pi * np.round(points[..., 0] / np.pi))
     return np.stack([angles, points[..., 1] / n], axis=-1)

@@ -26,9 +26,9 @@ class VlasovPoissonKind(AbstractKind[PlasmaTable]):
     figure_names: ClassVar[tuple[str, ...]] = ("field", "phase_space")
 
     def report(self, spec: Spec[PlasmaTable]) -> PlasmaReport:
-        from polhode.kinds.vlasov_poisson.answers import report_of
+        from polhode.kinds.vlasov_poisson.answers import make_report
 
-        return report_of(spec)
+        return make_report(spec)
 
     def answers_without_motion(self, spec: Spec[PlasmaTable]) -> Iterator[Group | Table]:
         from polhode.kinds.vlasov_poisson.answers import answers_without_motion

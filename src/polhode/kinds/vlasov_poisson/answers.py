@@ -35,7 +35,7 @@ REACH = 6.0  # thermal speeds up to which a beam has electrons
 
 @dataclass(frozen=True)
 class PlasmaReport(MotionReport):
-    """A wave in a plasma: what linear theory says, what the run shows, and how long the two can agree.
+    """A wave in a plasma: linear theory, the simulation, and how long the two can agree.
 
     Attributes:
         system: the plasma.
@@ -43,8 +43,8 @@ class PlasmaReport(MotionReport):
         beams: of the electrons.
         fastest: speed up to which there are particles.
         trajectory: samples of the motion, in inverse plasma frequencies.
-        wave: the mode that grows fastest, or is damped least; None where none was found.
-        asked: how many samples the spec asks for.
+        wave: the mode that grows fastest or is damped least; None where none was found.
+        asked: number of samples that the spec asks for.
     """
 
     kind: ClassVar[str] = "vlasov-poisson"
@@ -63,7 +63,7 @@ class PlasmaReport(MotionReport):
 
     @property
     def recurrence_time(self) -> float:
-        """When equally spaced velocities are in step again, and the field of a damped wave comes back."""
+        """Recurrence time: equally spaced velocities are in phase again, and the field of a damped wave comes back."""
         return 2.0 * math.pi / (self.table.wavenumber * 2.0 * self.fastest / self.table.velocities)
 
     @cached_property
@@ -105,12 +105,12 @@ class PlasmaReport(MotionReport):
         return found
 
     def distribution(self, states: Float64[Array, "n 3"]) -> Float64[Array, "n"]:
-        """Return f at the particles of the first sample (n,), which each of them keeps for ever."""
+        """Return f at the particles (n,), which each particle conserves."""
         v, x = np.asarray(states)[:, 0], np.asarray(states)[:, 1]
         return velocity_distribution(self.beams, v) * (1.0 + self.table.amplitude * np.cos(self.table.wavenumber * x))
 
     def without_motion(self) -> list[Group | Table]:
-        """Return those answers that take no motion."""
+        """Return the answers that need no trajectory."""
         return [self._about_plasma(), self._beams(), self._about_wave()]
 
     @property
@@ -168,7 +168,7 @@ class PlasmaReport(MotionReport):
         ])  # fmt: skip
 
 
-def report_of(spec: Spec[PlasmaTable]) -> PlasmaReport:
+def make_report(spec: Spec[PlasmaTable]) -> PlasmaReport:
     """Return the report on a plasma.
 
     Raises:
@@ -196,7 +196,7 @@ def report_of(spec: Spec[PlasmaTable]) -> PlasmaReport:
 
 
 def answers_without_motion(spec: Spec[PlasmaTable]) -> Iterator[Group | Table]:
-    """Yield the answers of the report that take no motion."""
+    """Yield the answers of the report that need no trajectory."""
     yield from _without_motion(spec).without_motion()
 
 

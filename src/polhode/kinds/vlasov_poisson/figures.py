@@ -16,7 +16,7 @@ SHOWN = 5.0  # spreads of the fastest beam that are shown
 
 
 def draw_field(report: PlasmaReport) -> Figure:
-    """Return the amplitude of the longest wave over time, with what linear theory says of it."""
+    """Return the amplitude of the longest wave against time, with the prediction of linear theory."""
     figure = style.new_figure(height=0.85 * style.COLUMN)
     axes = figure.subplots()
     times, field = np.asarray(report.trajectory.times), report.field
@@ -50,7 +50,7 @@ def draw_phase_space(report: PlasmaReport) -> Figure:
     fastest = min(report.fastest, max(abs(beam.drift) + SHOWN * beam.spread for beam in report.beams))
     for axes, k in zip(panels, chosen, strict=True):
         try:
-            found = _pictured(states[k], values, length, fastest)
+            found = _grid_density(states[k], values, length, fastest)
             axes.imshow(found, extent=(0.0, length, -fastest, fastest), origin="lower", aspect="auto", cmap="viridis",
                         vmin=0.0, vmax=float(values.max()), interpolation="nearest")  # fmt: skip
         except QhullError:  # particles of one velocity span no area between them
@@ -62,7 +62,7 @@ def draw_phase_space(report: PlasmaReport) -> Figure:
     return figure
 
 
-def _pictured(state: Array, values: Array, length: float, fastest: float) -> Array:
+def _grid_density(state: Array, values: Array, length: float, fastest: float) -> Array:
     """Return f (rows of v, columns of x) between the particles that are nearest, the box closed."""
     v, x = state[:, 0], np.mod(state[:, 1], length)
     near = 0.15 * length

@@ -10,7 +10,7 @@ from scipy.spatial import KDTree
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
 from polhode.motion.trajectory import Trajectory
-from polhode.viewer.encoding import packed
+from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
@@ -36,13 +36,13 @@ class VlasovPoissonPanel(KindPanel):
             tree = KDTree(np.column_stack([np.where(x < 1.0, x, 0.0), v]), boxsize=(1.0, 4.0))
             levels.append(255.0 * weights[tree.query(asked)[1]] / weights.max())
         return [{
-            "type": "phase_space", "rows": ROWS, "columns": COLUMNS, "frames": packed(frames, "u4"),
-            "levels": packed(np.round(np.array(levels)), "u1"), "flat": True,
+            "type": "phase_space", "rows": ROWS, "columns": COLUMNS, "frames": pack(frames, "u4"),
+            "levels": pack(np.round(np.array(levels)), "u1"), "flat": True,
         }]  # fmt: skip
 
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
         """Return the logarithm of the field's waves over time."""
         field = np.asarray(trajectory.source.field_amplitudes(samples.states))
         shown = np.log10(np.maximum(field, 1e-12 * (field.max() or 1.0)))[:, :4]
-        series = [{"name": f"wave {k + 1}", "values": packed(shown[:, k], "f4")} for k in range(shown.shape[1])]
+        series = [{"name": f"wave {k + 1}", "values": pack(shown[:, k], "f4")} for k in range(shown.shape[1])]
         return {"plots": [{"title": "field", "unit": "log₁₀", "series": series}]}

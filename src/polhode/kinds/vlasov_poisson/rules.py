@@ -13,7 +13,7 @@ WHOLE = 1e-9  # by which shares may miss one
 
 
 def plasma_rules(system: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield beams whose shares are not all of the electrons, and runs that are too large."""
+    """Yield beams whose shares do not add up to one, and runs that are too large."""
     beams = system.get("beams")
     if isinstance(beams, list) and all(isinstance(beam, dict) for beam in beams):
         shares = [beam.get("share", 1.0) for beam in beams]
