@@ -13,7 +13,7 @@ import polhode as ph
 from polhode import systems
 from polhode.errors import InvalidInput
 from polhode.integrators import LieMidpoint, MuntheKaas
-from polhode.integrators.probing import undeclared_jumps
+from polhode.integrators.probing import find_undeclared_jumps
 from polhode.systems import AbstractTorque, LaggedTorque, RigidBody, Wheel
 
 MOMENTS = (1.0, 2.0, 3.0)

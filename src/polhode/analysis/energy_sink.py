@@ -88,7 +88,7 @@ def sink_rate_by_loss(moments: Real[ArrayLike, "3"], momentum: Real[ArrayLike, "
     >>> round(sink_rate_by_loss((1.0, 1.0, 2.0), (0.8, 0.0, 0.6), 0.01 * (0.5 * 0.8 * 0.6) ** 2), 12)
     0.01
     """
-    I, L = _checked(moments, momentum, power, FLAT)  # noqa: E741
+    I, L = _check_arguments(moments, momentum, power, FLAT)  # noqa: E741
     motion = FreeMotion(I, momentum=L)
     if motion.period is None:
         raise InvalidInput(

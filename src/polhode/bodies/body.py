@@ -238,7 +238,7 @@ class Body:
         """
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
             offset = self.center_of_mass - finite_array("point", point, (3,))
-            inertia = self.inertia + self._known_mass("the inertia about another point") * point_inertia(offset)
+            inertia = self.inertia + self._require_mass("the inertia about another point") * point_inertia(offset)
         if not np.isfinite(inertia).all():
             raise InvalidInput(f"the inertia about `point` overflows; got {shown(point)} m. Check its unit.")
         return inertia

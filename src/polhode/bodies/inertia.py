@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode.arrays import as_float64, is_traced
-from polhode.bodies.digits import judged
+from polhode.bodies.digits import judge_moments
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -68,7 +68,7 @@ def principal_axes(inertia: Float64[Array, "3 3"]) -> tuple[Float64[Array, "3"],
         moments, axes = _jacobi(inertia / scale)
         # what relative rounding of the entries does to each moment: v · |J| v with |v|
         unsure = ROUNDING * np.einsum("ik,ij,jk->k", np.abs(axes), np.abs(inertia / scale), np.abs(axes))
-        moments, groups = judged(moments, unsure)
+        moments, groups = judge_moments(moments, unsure)
         columns = [axis for group in groups for axis in _nearest_axes(axes[:, group])]
         moments, axes = moments * scale, np.column_stack(columns)
     leading = [_first_largest(np.abs(axes[:, k])) for k in range(3)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from polhode.bodies.inertia import MassProperties
-from polhode.bodies.mesh_gate import checked_mesh, repaired_mesh, triple_products
+from polhode.bodies.mesh_gate import check_mesh, repair_mesh, triple_products
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -111,8 +111,8 @@ def fit_chandler_process(
         True
     """
     line = fit_chandler(times, x, y)
-    band, middles = _banded(line)
-    cost = lambda p: _filtered(p, band).cost  # noqa: E731
+    band, middles = _take_band(line)
+    cost = lambda p: _filter(p, band).cost  # noqa: E731
     starts = [np.array([line.estimate.value[0] / UNIT, np.log(q), r]) for q, r in ((50.0, 0.0), (300.0, 2.0))]
     best = min((minimize(cost, start, method="Nelder-Mead", bounds=BOUNDS, options={"xatol": 1e-5, "fatol": 1e-7})
                 for start in starts), key=lambda found: found.fun)  # fmt: skip

@@ -10,7 +10,7 @@ from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.line_noise import level_at
 from polhode.estimation.polar_motion import LONGEST, SEASONS, SHORTEST, STEP, fit_chandler
-from polhode.estimation.pole_series import DAY, YEAR, Pole, averaged, even, pole_of
+from polhode.estimation.pole_series import DAY, YEAR, Pole, average_steps, clean_pole, even
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 SIX_YEARS = 6.0 * YEAR

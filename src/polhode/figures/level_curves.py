@@ -60,7 +60,7 @@ def level_curves(rotor: Rotor, J: int) -> Iterator[LevelCurve]:
     found = find_polhodes(rotor, J)
     starts = level_directions(rotor.constants, J, found.semiclassical)
     for energy, above, start in zip(found.semiclassical.tolist(), found.above.tolist(), starts, strict=True):
-        curve = polhode(FreeMotion(moments_of(rotor), momentum=start), POINTS)
+        curve = polhode(FreeMotion(rotor_moments(rotor), momentum=start), POINTS)
         if curve is not None:
             yield LevelCurve(energy, above, curve)
             yield LevelCurve(energy, above, -curve)

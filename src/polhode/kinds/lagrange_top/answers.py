@@ -155,7 +155,7 @@ def simulate_motion(spec: Spec[LagrangeTopTable]) -> SpecMotion:
 def _simulate(spec: Spec[LagrangeTopTable]) -> tuple[HeavyTop, LagrangeMotion, Trajectory]:
     body, times = spec.body, spec.times
     assert body is not None
-    top, momentum, attitude = started(spec)
+    top, momentum, attitude = make_start(spec)
     exact = LagrangeMotion(np.asarray(top.moments), mgl=float(top.mgl), momentum=momentum, attitude=attitude)
     if times is None:
         times = usual_times(finite(exact.nutation_period), top, momentum, spec.samples)
