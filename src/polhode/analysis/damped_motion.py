@@ -1,4 +1,4 @@
-"""How a body that loses energy settles: the angle to its major axis, and the times in which it gets there."""
+"""The approach of a body with losses to its major axis: angle and time constants."""
 
 from __future__ import annotations
 

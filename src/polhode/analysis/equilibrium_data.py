@@ -1,4 +1,4 @@
-"""An equilibrium's matrices: all that is conserved there, differentiated and checked, free of units."""
+"""An equilibrium's matrices: derivatives of all conserved quantities, checked and free of units."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The light curve of a tumbling ellipsoid, and the frequencies of which it is made."""
+"""The light curve of a tumbling ellipsoid, and its frequencies."""
 
 from __future__ import annotations
 

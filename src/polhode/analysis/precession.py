@@ -1,4 +1,4 @@
-"""Precession said in full: which axis, in which frame, at what mean rate, and in which sense."""
+"""Precession in full: axis, frame, mean rate and sense."""
 
 from __future__ import annotations
 

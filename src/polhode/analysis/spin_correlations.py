@@ -1,4 +1,4 @@
-"""What scattering sees of moving spins: the structure factor by wave vector and frequency."""
+"""The dynamic structure factor of moving spins, by wave vector and frequency, as scattering measures it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a spinning disk ends: the finite-time singularity of its tilt, and what happens instead just before it.
+"""The end of a spinning disk: the finite-time singularity of its tilt, and the event that preempts it.
 
 The tilt would vanish as (t0 − t)^n with the rate of precession growing as (t0 − t)^(−n/2) without bound. In time itself
 no solver gets near: steps shrink to nothing, and t0 − t is a difference of almost equal numbers. Here the clock runs by
@@ -49,7 +49,7 @@ ANGLES, CONTACT, RATES = (
 
 @dataclass(frozen=True)
 class SpinDown:
-    """How a disk ended.
+    """The end of a disk's motion.
 
     Attributes:
         trajectory: all samples [s from the start], with states, attitude, energy and what it received.
@@ -85,7 +85,7 @@ class SpinDown:
 
     @property
     def first_event(self) -> str | None:
-        """Name of what happened first."""
+        """Name of the first event."""
         return next(iter(self.events), None)
 
 

@@ -1,4 +1,4 @@
-"""Where in a log the device lies still, so that its gyro reads its bias alone."""
+"""Rests in a log: stretches in which the device lies still, so that the gyro reads only its bias."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The bias that a gyro shows while the device lies still, where no motion has to explain it."""
+"""The bias of a gyro from stretches in which the device lies still."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class RestBias(NamedTuple):
 
 
 def rest_bias(logs: list[GyroLog], windows: list[list[Window]]) -> RestBias | None:
-    """Return what a gyro shows at rest, or None where one of the logs has no rest.
+    """Return the bias of a gyro at rest, or None where one of the logs has no rest.
 
     Args:
         logs: of one gyro.

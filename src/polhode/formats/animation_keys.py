@@ -1,4 +1,4 @@
-"""When an animation has its keys, and the motion there: near enough to each other, apart in single precision."""
+"""The keys of an animation: times close enough to each other and distinct in single precision, and the motion there."""
 
 from __future__ import annotations
 

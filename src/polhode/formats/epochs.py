@@ -1,4 +1,4 @@
-"""Calendar epochs as attitude files write them, and seconds between them that no leap second spoils.
+"""Calendar epochs as attitude files write them, and the seconds between them with leap seconds counted.
 
 An instant is a pair of whole numbers: seconds of its own time system since 1970-01-01T00:00:00 of it, and picoseconds.
 UTC counts its leap seconds, so that differences are SI seconds in it as in the uniform systems.

@@ -1,4 +1,4 @@
-"""What a motion is, exact or sampled: the currency between what moves and what is made of it."""
+"""Motions, exact or sampled: the data type between systems and everything that uses their motion."""
 
 from polhode.motion.base import AbstractMotion
 from polhode.motion.layout import Quantity, StateLayout, StatePart

@@ -1,4 +1,4 @@
-"""The axes that a motion is given along, and where they stand in the body."""
+"""The axes along which a motion is given, and their place in the body."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from polhode.types import Array, Float64
 
 
 class BodyFrame(NamedTuple):
-    """The body's axes that a trajectory is along, and what goes with them.
+    """The body axes of a trajectory, and the mass properties along them.
 
     Attributes:
         moments: (3,) principal moments [kg m²], about the centre of mass or a fixed point.

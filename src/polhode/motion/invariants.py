@@ -1,4 +1,4 @@
-"""What an exact motion keeps, and by how much samples of it depart from that."""
+"""Invariants of an exact motion, and the drift of its samples."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The way from a motion up to its picture, so that ``.plot()`` is found where people look for it."""
+"""The method ``.plot()`` of motions, which calls the drawing code of higher layers."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 class Plotted:
-    """What can be plotted: motions in closed form and trajectories."""
+    """Base of what can be plotted: motions in closed form and trajectories."""
 
     __slots__ = ()
 

@@ -1,4 +1,4 @@
-"""What the reader of a report should know of how the numbers of a spec were taken."""
+"""Notes for reports on assumptions about the numbers of a spec."""
 
 from __future__ import annotations
 

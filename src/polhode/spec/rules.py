@@ -1,4 +1,4 @@
-"""What the fields of a spec ask of each other.
+"""Rules between the fields of a spec.
 
 Rules look at the raw tables, at which keys are there. So they speak up even when values are wrong, and everything is
 said at once.
@@ -22,7 +22,7 @@ OF_A_TOP = ("spin", "precession", "nutation_rate")
 
 
 def find_broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) -> Iterator[Mistake]:
-    """Yield where a spec's tables break a rule, and how it is said; those of the table [system] in their place."""
+    """Yield the places where a spec's tables break a rule, and the messages; rules of [system] come in their place."""
     body = table.get("body")
     if isinstance(body, dict):
         yield from ((("body",), text) for text in _body_rules(body))
@@ -40,11 +40,11 @@ def find_broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) 
 
 
 def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | None) -> Iterator[Mistake]:
-    """Yield which tables are missing for a kind, and which do not go with it.
+    """Yield tables that are missing for a kind, and tables that do not go with it.
 
     Args:
         table: the raw tables.
-        kind: that the spec names.
+        kind: of the spec.
         model: of its table [system]; None for a kind that is not known, which is a mistake of its own.
     """
     spin = table.get("spin")

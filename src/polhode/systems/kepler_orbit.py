@@ -1,4 +1,4 @@
-"""Kepler's orbit: where the attracting centre stands as seen from a body that goes round it."""
+"""Kepler's orbit: the position of an orbiting body relative to the attracting centre."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What slows a spinning disk: one class for each law that has been proposed, all of them summable.
+"""Dissipation laws of a spinning disk: one class for each proposed law; several can act together.
 
 A law states a power P as a function of the tilt α towards the table and of the rate Ω at which the contact point goes
 round. On the slow manifold of a thin disk, E = (3/2) mga α and Ω = √(mga/(Aα)), so that P ∝ α^(−q) gives
