@@ -1,4 +1,4 @@
-"""Lie algebras, their duals, and what acts on these. Importing this switches JAX to 64 bits."""
+"""Lie algebras, their duals, and the coadjoint action on these. Importing this switches JAX to 64 bits."""
 
 from polhode.algebra.precision import enable_double_precision
 

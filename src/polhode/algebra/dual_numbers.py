@@ -1,4 +1,4 @@
-"""An algebra over the dual numbers: the algebra acting on itself, and what its dual carries along."""
+"""An algebra over the dual numbers: the semidirect product g ⋉ g*."""
 
 from __future__ import annotations
 

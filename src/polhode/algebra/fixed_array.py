@@ -1,4 +1,4 @@
-"""Numbers that define a thing, known wherever it is used: also inside of functions that JAX traces."""
+"""Constant arrays that stay numbers inside functions that JAX traces."""
 
 from __future__ import annotations
 

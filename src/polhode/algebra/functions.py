@@ -1,4 +1,4 @@
-"""Functions of one point that users give: what is asked of them before anything is built on them."""
+"""Checks of users' functions of one point."""
 
 from __future__ import annotations
 

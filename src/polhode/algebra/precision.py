@@ -1,4 +1,4 @@
-"""Double precision: what is stepped or differentiated is JAX, and rests on float64."""
+"""Double precision: all code that steps or differentiates uses JAX with float64."""
 
 from __future__ import annotations
 

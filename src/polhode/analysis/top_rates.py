@@ -1,4 +1,4 @@
-"""How fast a top precesses and nutates: from its motion, from the linearised steady motion, and as gyroscopes are told.
+"""Rates of precession and nutation: from samples, from the linearised steady motion, and for fast gyroscopes.
 
 A body that is not quite symmetric about the line from the fixed point to the centre of mass is taken for one that is,
 with its mean moment across it, in the last two.
@@ -28,7 +28,7 @@ class TopRates(NamedTuple):
 
     Attributes:
         precession: at which the axis goes round the vertical, positive as the right hand turns about the upward one.
-        nutation: at which it nods.
+        nutation: at which the axis nods.
     """
 
     precession: float | None

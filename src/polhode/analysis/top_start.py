@@ -1,4 +1,4 @@
-"""How a top starts, told as people tell it: by its spin, its precession and its nutation."""
+"""The start of a top from its Euler rates: spin, precession and nutation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the moments and the tumbling of an asteroid say of its shape and of the time that it takes to calm down."""
+"""The shape of an asteroid from its moments, and the damping time of its tumbling."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What closed forms tell JAX about their derivatives."""
+"""Derivatives of closed forms for JAX."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which moments are equal, and which are zero, to the digits that they come from.
+"""Equality of moments, and zero moments, to the digits of the positions that they come from.
 
 One rule wherever moments are judged: two that differ by no more than what is unsure about them are equal, and one that
 does not rise above it is zero. What is unsure comes from the rounding of an inertia's entries, or from the digits of
@@ -20,7 +20,7 @@ WHOLE = 1e-5  # of a unit of the last digit: what a float leaves of a whole numb
 def judge_moments(
     moments: Float64[Array, "3"], unsure: Float64[Array, "3"]
 ) -> tuple[Float64[Array, "3"], list[list[int]]]:
-    """Return moments (3,), zero and equal where they are not told apart, and which of them are equal.
+    """Return moments (3,), made zero or equal where they are so within their uncertainty, and which are equal.
 
     If one is zero, mass lies on its axis alone, and the other two are equal: a difference that the rounding of all
     three can make is none.
@@ -46,7 +46,7 @@ def judge_moments(
 
 
 def unsure_moments(moments: Float64[Array, "3"], mass: float, digit: float) -> Float64[Array, "3"]:
-    """Return what is unsure (3,) of moments, from positions that were rounded to a digit.
+    """Return the uncertainty (3,) of moments, from positions that were rounded to a digit.
 
     Each point is off by up to digit/√2 across an axis, so that no radius of gyration √(I/M) changes by more, and two
     that were equal differ by up to √2 digits.

@@ -1,4 +1,4 @@
-"""The gate of meshes: a bad one would give wrong moments without a sound, so each fault is an error of its own.
+"""Checks of meshes: a faulty mesh would silently give wrong moments, so each fault is an error of its own.
 
 What passes is a closed surface, each edge used once in each direction, that winds once around every point of the body
 and not at all around any other: pieces neither cross nor contain each other, but for cavities.
@@ -171,7 +171,7 @@ def _volume(corners: Array) -> float:
 
 
 def _or_repair(repaired: bool) -> str:
-    """Return the remedy that is left to those who have not asked for it yet."""
+    """Return the remedy "repair", if repair has not been tried yet."""
     return "" if repaired else f", or ask for repair ({ASKED})"
 
 

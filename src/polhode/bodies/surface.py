@@ -1,4 +1,4 @@
-"""What a body looks like: triangles to draw, not to integrate."""
+"""The surface of a body: triangles to draw, not to integrate."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the figures of a free body draw."""
+"""The motion that figures of a free body draw."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Polhodes that quantum levels are, as curves on the unit sphere and colours."""
+"""The polhodes of quantum levels, as curves on the unit sphere, and their colours."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The momentum sphere with the polhodes that the levels of a molecule are."""
+"""The momentum sphere with the quantised polhodes of a molecule's levels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The top itself, leaning on its pivot, with what its axis and its angular velocity describe, and what acts on it."""
+"""The top on its pivot, with the cones of its axis and angular velocity, and the vectors Ω, L and weight."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def spinning_top(
 
 
 def _solid(top: TopShown, surface: Surface | None) -> tuple[Surface, float, str]:
-    """Return what is drawn along the principal axes, the distance of its centre of mass, and words for the title."""
+    """Return the surface, along the principal axes, the distance of its centre of mass, and words for the title."""
     frame = top.trajectory.frame
     if frame is not None and (found := surface or box_in_place(frame)) is not None:
         return found.along(frame), float(np.linalg.norm(np.asarray(frame.center_of_mass) - frame.origin)), ""

@@ -1,4 +1,4 @@
-"""What the figures of a top draw."""
+"""The motion that figures of a top draw."""
 
 from __future__ import annotations
 

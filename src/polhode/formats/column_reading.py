@@ -149,7 +149,7 @@ def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Reso
         names = [form.names[place] for place in found["attitude"]] if form.names else []
         letters = _letters(names, mapping.order, problems)
     if mapping.decimal == "comma" and form.delimiter == ",":
-        problems.append("decimal commas cannot be told from the commas between the columns. Save it with semicolons.")
+        problems.append("decimal commas cannot be distinguished from commas between columns. Save it with semicolons.")
     if problems:
         raise InvalidInput(*(f"{path}: {problem}" for problem in problems))
     return Resolved(found["time"][0], time_unit, found["attitude"], letters, angle_unit, found["gyro"], rate_unit,

@@ -1,4 +1,4 @@
-"""Integrators that keep what a Lie–Poisson system keeps, as diffrax solvers."""
+"""Integrators that preserve the structure of Lie–Poisson systems, as diffrax solvers."""
 
 from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.isospectral_midpoint import IsospectralMidpoint

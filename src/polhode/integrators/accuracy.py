@@ -1,4 +1,4 @@
-"""How far a run by equal steps is from the true motion, by runs with other steps and from starts a rounding away.
+"""The estimated error of a run by equal steps, from runs with other steps and from perturbed starts.
 
 A method of order p errs by E ∝ Σ Δt hᵖ. Two runs with steps h and h' differ by (R − 1) E with R = Σ Δt h'ᵖ / Σ Δt hᵖ,
 which gives E: Richardson's extrapolation. Where the runs differ by much, the law does not hold and the difference is

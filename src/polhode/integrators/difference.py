@@ -1,4 +1,4 @@
-"""How far two motions of one system are apart, and starts that are as near as numbers can be."""
+"""The distance of two motions of one system, and starts perturbed by a rounding."""
 
 from __future__ import annotations
 

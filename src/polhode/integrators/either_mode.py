@@ -1,4 +1,4 @@
-"""A function with two implementations: one that has forward derivatives, and one that has reverse ones.
+"""A function with two implementations, for forward and for reverse derivatives.
 
 Loops of unknown length are differentiated forward step by step, and in reverse only from checkpoints; no single loop of
 JAX does both. The derivative is kept as one linear map, which forward mode applies by one implementation and reverse

@@ -1,4 +1,4 @@
-"""Ctrl-C while compiled loops run."""
+"""Handling of Ctrl-C while compiled loops run."""
 
 from __future__ import annotations
 

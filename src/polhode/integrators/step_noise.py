@@ -1,4 +1,4 @@
-"""Random numbers of a step that depend on a seed and on the step's place in time alone."""
+"""Random numbers of a step, a function of the seed and of the step's place in time."""
 
 from __future__ import annotations
 

@@ -146,7 +146,7 @@ class Trajectory(Plotted):
         return self.standing(chosen_axes(axes, given))
 
     def standing(self, axes: Float64[Array, "3 3"] | None) -> Trajectory:
-        """Return the same samples along axes in which the principal ones are the columns of ``axes``; None: principal."""
+        """Return the same samples along axes in which the columns of ``axes`` are the principal ones."""
         if axes is self.axes or (axes is not None and self.axes is not None and np.array_equal(axes, self.axes)):
             return self
         if self.axes is None:

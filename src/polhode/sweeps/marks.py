@@ -1,4 +1,4 @@
-"""Marks of finished chunks: checksums of a chunk's data, and what statistics need of it, under a seal of their own.
+"""Marks of finished chunks: checksums of a chunk's data and its statistics, with a checksum of their own.
 
 A mark is a line with the SHA-256 of what follows, and JSON. The seal tells damage, and the JSON says of which sweep and
 chunk it is, so that a mark that was copied or renamed is none; what is read is checked in form all the same.
@@ -30,7 +30,7 @@ class _Sealed(BaseModel):
 
 
 class OfArray(_Sealed):
-    """What a mark says of one input, output, or the status.
+    """The digest and summary of one input, output, or the status.
 
     Attributes:
         digest: of its values.

@@ -1,4 +1,4 @@
-"""What is found in the folder of a sweep, looked at before it is taken for what a sweep wrote."""
+"""Checks of a sweep's folder before its content is trusted."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ELSEWHERE = "or choose another store with --out."
 
 
 def check_folder(store: Path, folder: Path, folders: set[str]) -> None:
-    """Refuse a folder of a sweep's that is none, or holds anything but files and these folders.
+    """Refuse a path that is no folder, or a folder that holds anything but files and these folders.
 
     Raises:
         FormatError: naming it.

@@ -1,4 +1,4 @@
-"""What is kept of some samples in place of them, so that statistics of many such parts can be put together."""
+"""Summaries of samples that can be merged, so that statistics do not need the samples themselves."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ KNOTS = 257  # of the distribution function of a part: quantiles of all are righ
 
 @dataclass
 class Numbers:
-    """Numbers in summary; what is not defined is left out.
+    """A summary of numbers; undefined ones are left out.
 
     Attributes:
         count: of those that are defined.

@@ -1,4 +1,4 @@
-"""A rigid body under torques alone, the short way to it."""
+"""A rigid body under torques, without mounts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is to be known of a jaxpr, JAX's list of the operations of a function, before it is evaluated."""
+"""Properties of a jaxpr, JAX's list of the operations of a function, before it is evaluated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The way back onto what is conserved, by one Newton step after each step in time."""
+"""Projection onto invariants, by one Newton step after each step in time."""
 
 from __future__ import annotations
 

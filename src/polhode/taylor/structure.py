@@ -1,4 +1,4 @@
-"""What systems have in common that differ by their numbers alone, so that it is traced once for all of them."""
+"""The structure of systems that differ only in their numbers, so that it is traced once for all of them."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def split_numbers(system: AbstractSystem) -> tuple[Structure, list[Float64[Array
 
 
 def take_structure(system: AbstractSystem) -> tuple[Structure, Float64[Array, "numbers"]]:
-    """Return a system's structure and its numbers; itself where it cannot be without them."""
+    """Return a system's structure and its numbers; the system itself where they cannot be separated."""
     try:
         structure, leaves = split_numbers(system)
     except TypeError:

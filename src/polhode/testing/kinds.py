@@ -1,4 +1,4 @@
-"""What holds of every kind of motion that a spec can name."""
+"""Laws of every kind of motion that a spec can name."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a law is stated and found broken."""
+"""Statements of laws, and checks of them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the page's own solvers are given of any body's motion."""
+"""The data of a body's motion for the page's own solvers."""
 
 from __future__ import annotations
 
