@@ -30,7 +30,7 @@ _SHORT = _ShortRepr()
 
 
 def shown(value: Any) -> str:
-    """Return how a message shows a value of a user's: as Python writes it, shortened, without control characters.
+    """Return a user's value for a message: as Python writes it, shortened, without control characters.
 
     >>> shown("60 rpm")
     "'60 rpm'"
@@ -100,16 +100,16 @@ class FormatError(InvalidInput):
 
 
 def not_installed(what: str, library: str, extra: str, otherwise: str = "") -> InvalidInput:
-    """Return the error for a library that polhode only needs for some things, with the command that installs it.
+    """Return the error for a missing optional library, with the command that installs it.
 
     The command names the library itself with the lowest version that works, so it also helps those who installed
     polhode from a clone; and the Python that runs now, so that the library goes where it is missing.
 
     Args:
-        what: needs the library, in the plural.
-        library: as people call it.
+        what: that needs the library, in the plural.
+        library: its usual name.
         extra: of polhode, in which it is listed.
-        otherwise: another way out, a sentence.
+        otherwise: another remedy, a sentence.
     """
     try:
         listed = metadata.requires("polhode") or []

@@ -54,7 +54,7 @@ from polhode.types import Array, ArrayLike, Real
 
 
 class _Asked(NamedTuple):
-    """What ``simulate`` was asked for other than system, state, times and method."""
+    """The options of ``simulate`` besides system, state, times and method."""
 
     step: float | None
     order: int | None
@@ -96,7 +96,7 @@ def simulate(
     runs but Taylor's as a pure function, and can save functions of the states instead of the states.
 
     Args:
-        system: what moves.
+        system: to simulate.
         state: packed (…, n) or (…, *element_shape): of a Lie–Poisson system a point of the dual, with the attitude in
             front where the system carries one and it is wanted. Leading axes are a batch.
         times: (T,) [s], in one direction.

@@ -193,7 +193,7 @@ def _to_save(save: Any, count: int) -> tuple[int, Any]:
 
 
 def check_every(save: Any, count: int) -> int:
-    """Return every how many-th of the times is kept.
+    """Return the stride of saved times, checked.
 
     Raises:
         InvalidInput: for what is not a whole number from 1 to one less than the count of times.
@@ -253,7 +253,7 @@ def _by_series(
 
 
 def _fold(fold: Fold, times: Array, states: Array, axis: int) -> Any:
-    """Return what a ``Fold`` comes to over all samples."""
+    """Return the final value of a ``Fold`` over all samples."""
 
     def one(path: Array) -> Any:
         return jax.lax.scan(lambda value, at: (fold.function(value, *at), None), fold.start, (times, path))[0]

@@ -94,7 +94,7 @@ def test_a_sphere_and_a_steady_spin_give_no_number(run, tmp_path, moments, rates
     assert found["rms"] is None and found["sigma"] is None and found["bias"] is None and found["rotor"] is None
     assert [path.name for path in (tmp_path / "f").iterdir()] == ["data_and_fit.png"]
     said = run("fit", path, *COLUMNS, "--window", "0,0.89", code="3").out
-    assert "cannot be told" in said
+    assert "not determined" in said
     assert "nan" not in said and "noise of a sample" not in said
 
 

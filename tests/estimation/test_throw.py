@@ -379,5 +379,5 @@ def test_what_no_body_does_is_no_result():
 def test_gains_far_outside_what_was_known_are_no_result():
     log, _ = made(5, "middle", "book", drag=0.0, gain=0.0)
     wrong = clean_log(log.times, log.rates * [1.25, 1.0, 0.8])
-    assert nothing_said(fit_throw(wrong, WHOLE), "air that drives the body on")
+    assert nothing_said(fit_throw(wrong, WHOLE), "air that accelerates the body")
     assert nothing_said(fit_throw(wrong, WHOLE, drag=False, rotor=False), "")

@@ -216,5 +216,5 @@ def test_a_level_gyroscope_goes_round_in_the_known_time_and_in_no_other(read):
 
 
 def test_other_bodies_have_no_vertical(read):
-    with pytest.raises(InvalidInput, match="spin tells how a top goes about the vertical, which the system free-body"):
+    with pytest.raises(InvalidInput, match="spin gives the rates of a top's Euler angles, which the system free-body"):
         read('moments = ["1 kg*m^2", "1 kg*m^2", "1 kg*m^2"]', "", '[spin]\nspin = "1 rpm"')

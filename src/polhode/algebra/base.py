@@ -1,4 +1,4 @@
-"""What a Lie algebra offers: bracket, coadjoint map, pairing, Casimirs, and its group's action on the dual.
+"""The base class of Lie algebras: bracket, coadjoint map, pairing, Casimirs, and the group's action on the dual.
 
 Elements of the algebra and of its dual are arrays of one shape, ``element_shape``, behind any batch axes. A dual
 element μ and an element x are paired by ⟨μ, x⟩; ⟨ad*_x μ, y⟩ = ⟨μ, [x, y]⟩ and ⟨Ad*_g μ, y⟩ = ⟨μ, Ad_g y⟩, so that
@@ -71,7 +71,7 @@ class AbstractLieAlgebra(HashableModule):
 
     @property
     def body_parts(self) -> tuple[StatePart, ...]:
-        """What a point of the dual is of a rigid body, whose attitude the group has; empty of other algebras."""
+        """The parts of a point of the dual for a rigid body, whose attitude is in the group; else empty."""
         return ()
 
     @property

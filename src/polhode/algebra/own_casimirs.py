@@ -96,6 +96,6 @@ def evaluate_functions(functions: tuple[Function, ...], point: Float64[Array, "d
 
 
 def name_functions(functions: tuple[Function, ...]) -> tuple[str, ...]:
-    """Return a name each: a short polynomial itself, else its number, counted from 1."""
+    """Return a name for each function: a short polynomial itself, else its number, counted from 1."""
     texts = [str(f) if isinstance(f, Polynomial) else "" for f in functions]
     return tuple(text if 0 < len(text) <= LONGEST_NAME else f"C{k + 1}" for k, text in enumerate(texts))

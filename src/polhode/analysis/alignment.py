@@ -18,7 +18,7 @@ SAME = 1e-7  # of the largest singular value; below, two unknowns have the same 
 
 
 class Alignment(NamedTuple):
-    """What turns history B into A as nearly as it goes: q_A(t) ≈ exp(ω (t − t₀)) S q_B(t) M.
+    """The best alignment of history B with A: q_A(t) ≈ exp(ω (t − t₀)) S q_B(t) M.
 
     Attributes:
         body: (3,) rotation vector of M, between the body axes [rad, body axes of A].
@@ -36,7 +36,7 @@ class Alignment(NamedTuple):
 
     @property
     def rms(self) -> float:
-        """Root of the mean square of the angle that is left [rad]."""
+        """Root mean square of the remaining angle [rad]."""
         return float(np.sqrt(np.mean(self.remaining**2)))
 
 
@@ -94,7 +94,7 @@ def _guess_start(scaled: Array, a: Array, b: Array) -> list[tuple[Array, Array, 
 
 
 def _apply_fit(body: Array, space: Array, turn: Array, scaled: Array, b: Array) -> tuple[Array, Array]:
-    """Return b as the fit turns it, and the rotation of space by the rate alone."""
+    """Return b turned by the fit, and the rotation of space by the rate alone."""
     drift = rotation.from_rotation_vector(turn * scaled[:, None])
     return rotation.multiply(rotation.multiply(drift, rotation.multiply(space, b)), body), drift
 
@@ -108,7 +108,7 @@ def _remainder(body: Array, space: Array, turn: Array, scaled: Array, a: Array, 
 def _improve(
     body: Array, space: Array, turn: Array, scaled: Array, a: Array, b: Array
 ) -> tuple[tuple[Array, Array, Array], float, int]:
-    """Return a fit improved by one step, the step's size [rad], and how many unknowns the motion tells apart.
+    """Return a fit improved by one step, the step's size [rad], and the number of unknowns that the motion determines.
 
     To first order what is left is δm + Cᵀ(D δs + J τ δω), with C the turned attitude, D the drift's rotation and J its
     left Jacobian.

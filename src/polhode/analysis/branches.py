@@ -96,7 +96,7 @@ def _local(system: AbstractLiePoissonSystem, casimirs: Source, z: Array) -> _Loc
 
 
 class Equations(NamedTuple):
-    """What vanishes at an equilibrium, in units of its terms.
+    """The equations of an equilibrium, in units of their terms.
 
     Attributes:
         energy: there.
@@ -192,7 +192,7 @@ class Family:
     def settle(
         self, z: Float64[np.ndarray, "n"], value: float, row: Float64[np.ndarray, "extended"]
     ) -> tuple[Float64[np.ndarray, "n"], float] | None:
-        """Return the equilibrium next to a guess, which may not move in a direction; None if there is none."""
+        """Return the equilibrium next to a guess, with the step along a given direction held; None if there is none."""
         z, value, far, off = np.array(z), float(value), math.inf, np.zeros(1)
         for _ in range(ROUNDS):
             off, matrix = self.equations(z, value)[2:4]
@@ -292,7 +292,7 @@ def crossings(family: Family, path: list[Place]) -> Iterator[tuple[Place, Place,
 
 
 def step_onto_branch(family: Family, place: Place) -> list[Place]:
-    """Return places beside one, on another branch that meets it there: on one side, and on the other."""
+    """Return places on another branch that meets this one at a place: one on either side."""
     found = []
     for sign in (1.0, -1.0):
         way = sign * place.weakest

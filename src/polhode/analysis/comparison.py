@@ -30,7 +30,7 @@ class AttitudeHistory:
     """The attitude of a body over time, sampled, and exactly where it is known.
 
     Attributes:
-        name: what to call it.
+        name: for reports.
         times: (T,) rising [s].
         attitude: (T, 4) unit quaternions wxyz, body → space.
         angular_velocity: (T, 3) [rad/s, body axes], or None.
@@ -61,7 +61,7 @@ class AttitudeHistory:
 
 
 class Invariants(NamedTuple):
-    """What should not change along one history.
+    """The invariants along one history.
 
     Attributes:
         times: (T,) [s, A's].
@@ -78,7 +78,7 @@ class Invariants(NamedTuple):
 
 @dataclass(frozen=True)
 class Comparison:
-    """How two attitude histories differ where both hold.
+    """The difference of two attitude histories where they overlap.
 
     Attributes:
         names: of A and B.
@@ -120,7 +120,7 @@ class Comparison:
 
     @property
     def explained(self) -> bool:
-        """Whether the alignment leaves no more than may be rounding or interpolation, or a tenth that is small."""
+        """Whether the alignment leaves only rounding or interpolation errors, or less than a small tenth."""
         if self.alignment is None:
             return False
         left = float(self.alignment.remaining.max())
@@ -180,7 +180,7 @@ def _compare(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Compariso
 
 
 def _take_samples(source: Any, name: str) -> AttitudeHistory | None:
-    """Return a history of what has samples, None of a motion in closed form."""
+    """Return the history of a sampled source, None for a motion in closed form."""
     if isinstance(source, AttitudeHistory):
         return _sort_by_time(source)
     if isinstance(source, Trajectory) and source.attitude is not None:
@@ -234,7 +234,7 @@ def _common_times(a: AttitudeHistory, b: AttitudeHistory, offset: float, slack: 
 
 
 def _digits(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> float:
-    """Return how far times of A and B that are the same may be apart [s]: what they are written to, and rounding."""
+    """Return the largest gap [s] between equal times of A and B: their written precision, and rounding."""
     largest = max(abs(offset), *(abs(float(time)) for one in (a, b) for time in one.times[[0, -1]]))
     return a.resolution + b.resolution + 4.0 * float(np.spacing(largest))
 
@@ -242,7 +242,7 @@ def _digits(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> float:
 def _attitude_at(
     history: AttitudeHistory, times: Array, offset: float, slack: float
 ) -> tuple[Array, str, float | None]:
-    """Return the attitude at times [s, A's], how it came about, and what interpolation may have missed."""
+    """Return the attitude at times [s, A's], the method, and the estimated error of interpolation."""
     if history.exact is not None:
         return history.exact(times - offset)[0], "B evaluated exactly at A's samples", None
     own, wanted = history.times, times - offset
@@ -275,7 +275,7 @@ def _spline_at(history: AttitudeHistory, times: Array) -> Array:
 
 
 def _interpolation_error(history: AttitudeHistory, wanted: Array) -> float:
-    """Return how far a spline through every second sample goes from the others; π where there are too few to say."""
+    """Return the deviation of a spline through every second sample from the others; π where there are too few."""
     times, attitude = history.times, history.attitude
     odd = np.arange(1, len(times) - 1, 2)
     if len(odd) < 2:

@@ -82,7 +82,7 @@ def velocity_angles(motion: FreeMotion) -> tuple[float, float] | None:
 
 @known_numbers_only
 def rotation_form(motion: FreeMotion) -> str:
-    """Return what a person would see one body do, by the range of its cone's half-angle.
+    """Classify the motion of one body as an observer would, by the range of its cone's half-angle.
 
     "rest"; "steady": L is fixed in the body; "coning": the encircled axis stays within 45° of L; "flipping": the middle
     axis comes within 30° of L at either end, by a cone that swings by 20° and more, or with rests in between;

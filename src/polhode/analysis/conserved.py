@@ -63,7 +63,7 @@ class Energy(Source):
 
 
 class Known(Source):
-    """What the system itself names conserved."""
+    """The conserved quantities that the system names."""
 
     system: AbstractLiePoissonSystem
 
@@ -156,7 +156,7 @@ def choose_unit(z: Float64[Array, "n"]) -> float:
 
 
 class Derivatives(NamedTuple):
-    """Gradients (k, n) and Hessians (k, n, n) at the point, gradients (m, k, n) at samples, and what to think of them.
+    """Gradients (k, n) and Hessians (k, n, n) at the point, gradients (m, k, n) at samples, and their errors.
 
     ``errors`` (k,) are relative to the largest entry of each Hessian, measured as its change over a few rounding errors
     of the point. ``rough`` (k,) is by how much difference quotients of the gradient miss the Hessian, relative to both;
@@ -175,7 +175,7 @@ class Derivatives(NamedTuple):
         return self.rough <= KINK
 
     def choose(self, rows: list[int]) -> Derivatives:
-        """Return those of some of the functions."""
+        """Return the derivatives of some of the functions."""
         return Derivatives(self.gradients[rows], self.hessians[rows], self.around[:, rows], self.errors[rows],
                            self.rough[rows])  # fmt: skip
 
@@ -303,7 +303,7 @@ def _find_defined(tensors: Array, first: Array, second: Array) -> Array:
 
 
 def _bracket(tensors: Array, first: Array, second: Array) -> tuple[float, float]:
-    """Return the largest bracket relative to its terms, and what rounding may leave of it."""
+    """Return the largest bracket relative to its terms, and the bound of its rounding error."""
     first, second = _normalise(first), _normalise(second)
     values = np.einsum("mi,mi->m", first, np.einsum("mij,mj->mi", tensors, second))
     terms = np.einsum("mi,mi->m", np.abs(first), np.einsum("mij,mj->mi", np.abs(tensors), np.abs(second)))
@@ -421,7 +421,7 @@ def check_motion(system: AbstractLiePoissonSystem, samples: Float64[Array, "m n"
 
 
 def depends_on_time(system: AbstractLiePoissonSystem, point: Double[Array, "..."]) -> bool:
-    """Whether anything of the time goes into the generator, by what JAX traces: no sample of times can miss it.
+    """Whether the generator depends on the time, by JAX's trace: unlike samples of times, it misses nothing.
 
     A product of the time with zero counts as well.
     """

@@ -17,7 +17,7 @@ class ConservedFunction:
     The C_k are Casimirs and integrals, C_k⁰ their values at the equilibrium. ``str`` writes F down.
 
     Attributes:
-        names: what the C_k are called.
+        names: of the C_k.
         weights: (1 + k,) w; w₀ is one, or zero where the energy takes no part.
         curvatures: (d,) eigenvalues of D²F without its squares on the tangent space of the leaf, in scaled coordinates
             and relative to the largest term of D²F.
@@ -56,7 +56,7 @@ class ConservedFunction:
         return self.squares is not None and bool(np.any(self.squares))
 
     def rename(self, names: Mapping[str, str]) -> ConservedFunction:
-        """Return the same function, the C_k called otherwise."""
+        """Return the same function with other names of the C_k."""
         return replace(self, names=tuple(names.get(name, name) for name in self.names))
 
     def __str__(self) -> str:

@@ -49,7 +49,7 @@ class Branch(NamedTuple):
 
 
 class Bifurcation(NamedTuple):
-    """Where branches turn back or meet, or lose their stability.
+    """A bifurcation: branches turn back or meet, or lose their stability.
 
     Attributes:
         kind: ``"fold"``: a branch turns back; ``"pitchfork"``: another branch touches it, both arms on one side;
@@ -144,14 +144,14 @@ def continue_equilibria(
 
 
 class _Atlas(NamedTuple):
-    """Branches as they are found, and where they turn or meet: kind, place, numbers of branches."""
+    """The branches found so far, and their bifurcations: kind, place, numbers of branches."""
 
     family: Family
     paths: list[list[Place]]
     meetings: list[tuple[str, Place, list[int]]]
 
     def find_branch(self, place: Place) -> int | None:
-        """Return the number of the known branch that a place is on, or None."""
+        """Return the index of the known branch through a place, or None."""
         return next((k for k, path in enumerate(self.paths) if is_on(self.family, place, path, SAME)), None)
 
     def add(self, path: list[Place]) -> None:

@@ -66,7 +66,7 @@ def _verdict(rates: Array, moments: Array, k: int) -> Stability:
 
 
 def _along_family(found: Stability, moments: Array, k: int) -> Stability:
-    """Return the verdict where what does not decay is the drift along other axes of the same moment, all alike at rest.
+    """Return the verdict where only drift along other axes of the same moment, all at rest, does not decay.
 
     Across a circle of equilibria the exponent decides: where it is negative, neighbours settle on the circle as near as
     they started.

@@ -32,7 +32,7 @@ class DiskPath(NamedTuple):
     Attributes:
         times: (T,) [s].
         states: (T, 8), as of ``EulerDisk``.
-        outcome: how it ends.
+        outcome: of the motion.
     """
 
     times: Float64[Array, "time"]
@@ -51,7 +51,7 @@ class DiskPath(NamedTuple):
 
 @known_numbers_only
 def first_turns(trajectory: Trajectory, turns: float, samples: int) -> DiskPath:
-    """Return the motion itself, or where its contact goes round more often, so many turns of it, sampled again.
+    """Return the first turns of the contact, sampled again, or the whole motion where it has no more.
 
     Args:
         trajectory: of one disk, from ``simulate``.

@@ -33,7 +33,7 @@ ROUNDS = 3  # by which weights are chosen
 
 
 class Enclosure(NamedTuple):
-    """Where a motion is, for certain.
+    """Rigorous enclosures of a motion at some times.
 
     Attributes:
         times: (T,) [s].
@@ -132,7 +132,7 @@ def certify(
 
 
 class _Proof:
-    """A run, with all that it carries: the midpoint, the bound on the distance to the true state, the disc."""
+    """The state of a run: the midpoint, the bound on the distance to the true state, the disc."""
 
     def __init__(
         self, flint: Any, balls: BallSystem, start: tuple[Array, Array], numbers: tuple[Array, Array], times: Array,
@@ -402,7 +402,7 @@ def _limits(system: AbstractSystem, other: AbstractSystem | None, balls: BallSys
 
 
 def _check_radii(given: ArrayLike | None, balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
-    """Return by how much each number of the start may be off."""
+    """Return the radius of each number of the start."""
     shape = np.shape(start)
     try:
         radii = np.asarray(0.0 if given is None else given, float)

@@ -88,7 +88,7 @@ class Stability:
 
     @property
     def restriction(self) -> str | None:
-        """What "stable" is restricted to in words, such as "up to the flow of J1"; None for no restriction."""
+        """The restriction of "stable" in words, such as "up to the flow of J1"; None for no restriction."""
         return None if self.restricted is None else str(self.restricted)
 
 

@@ -1,4 +1,4 @@
-"""How long losses inside a body take to bring it to a flat spin, by the energy-sink method.
+"""The time in which internal losses bring a body to a flat spin, by the energy-sink method.
 
 Losses are so slow that L runs round one polhode after another: dE/dt = −α ⟨|L × Ω|²⟩, the mean over the polhode of
 energy E, which is taken on the exact motion. Along the way 1/⟨…⟩ grows as a logarithm at the separatrix, and without

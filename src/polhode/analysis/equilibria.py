@@ -84,7 +84,7 @@ def find_equilibria(
 def _solve(
     system: AbstractLiePoissonSystem, casimirs: Source, level: Array, unit: Array, draws: Array
 ) -> tuple[Array, Array, Array, Array]:
-    """Return where each start settles, in units of |level|, what is left of the equations there, and the energies.
+    """Return where each start settles, in units of |level|, the residuals there, and the energies.
 
     These twice: as they are, and as ∫ dH along the ray from zero in ``unit``², which neither overflows nor underflows.
     """

@@ -21,7 +21,7 @@ FURTHEST = 0.3  # of a state's size and of the period, that one round of Newton'
 
 
 class PeriodicMotion(NamedTuple):
-    """A motion that comes back to its start, and what becomes of small changes of it.
+    """A periodic motion, and the evolution of small changes over a period.
 
     Attributes:
         state: the start.

@@ -116,7 +116,7 @@ def _curvatures(moments: Array, along: Array, multiplier: float) -> Float64[np.n
 
 
 def _extremum(bends: Float64[np.ndarray, "2"]) -> str:
-    """Return what the energy has on the sphere, by its curvatures, the smaller one first."""
+    """Return the sort of critical point of the energy on the sphere, by its curvatures, the smaller one first."""
     if (bends == 0).all():
         return "flat"
     if bends[0] < 0 < bends[1]:

@@ -1,4 +1,4 @@
-"""Hysteresis: where damped spins come to rest as the field goes along a path."""
+"""Hysteresis: equilibria of damped spins as the field changes along a path."""
 
 from __future__ import annotations
 

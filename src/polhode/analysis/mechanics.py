@@ -12,7 +12,7 @@ from polhode.types import Array, Float64
 
 
 class Mechanics(NamedTuple):
-    """What the invariants of a body are made of, free or turning about a fixed point under its weight.
+    """The constants in the invariants of a body, free or turning about a fixed point under its weight.
 
     Attributes:
         inertia: (3, 3) about the point it turns about [kg m², body axes].
@@ -26,7 +26,7 @@ class Mechanics(NamedTuple):
 def invariants_along(
     attitude: Float64[Array, "time 4"], velocity: Float64[Array, "time 3"], mechanics: Mechanics
 ) -> tuple[dict[str, Float64[Array, "..."]], dict[str, float]]:
-    """Return what should not change, and by how much it does, relative to its first value or a top's own sizes.
+    """Return the invariants and their drift, relative to the first value or to a top's own scales.
 
     Energy, |L| and L in space of a free body; energy and vertical momentum of a top.
 

@@ -1,6 +1,6 @@
 """The motion of a spin from one periapsis to the next, as a symplectic composition of drifts and kicks.
 
-When the kicks come and how strong they are does not depend on the spin, so they are tabulated once for an orbit. Time
+Times and strengths of the kicks do not depend on the spin, so they are tabulated once for an orbit. Time
 is the mean anomaly here, and p = θ̇/n. The steps are equal in eccentric anomaly, which crowds them where the torque is
 strong; as they do not depend on the state either, unequal steps leave each one symplectic and of its order.
 """

@@ -1,4 +1,4 @@
-"""Periodic motions along a parameter: their branch, its Floquet multipliers, and where it folds, doubles or splits."""
+"""Continuation of periodic motions along a parameter: branch, Floquet multipliers and bifurcations."""
 
 from __future__ import annotations
 
@@ -157,7 +157,7 @@ def _levels_and_slopes(
 
 
 class _Family:
-    """Systems along a parameter, and what all their motions have in common."""
+    """Systems along a parameter, and the conserved values that all their motions share."""
 
     def __init__(
         self, make: Callable[[float], AbstractSystem], ends: Float64[np.ndarray, "2"], begin: PeriodicMotion,
@@ -175,7 +175,7 @@ class _Family:
     def _find_conserved(
         self, value: float, z: Float64[np.ndarray, "n"]
     ) -> tuple[Float64[np.ndarray, "k"], Float64[np.ndarray, "k n"]]:
-        """Return what is conserved, and its derivative by the state."""
+        """Return the conserved quantities, and their derivatives by the state."""
         return _levels_and_slopes(self._make(value), self._form, z)
 
     def _units(self, n: int) -> Float64[np.ndarray, "extended"]:
@@ -208,7 +208,7 @@ class _Family:
     def _equations(
         self, z: Float64[np.ndarray, "n"], T: float, value: float, start: Float64[np.ndarray, "n"]
     ) -> tuple[Float64[np.ndarray, "equations"], Float64[np.ndarray, "equations extended"], np.ndarray] | None:
-        """Return what vanishes on the branch, its derivative by state, period and parameter, and the monodromy."""
+        """Return residuals, their derivatives by state, period and parameter, and the monodromy."""
         n, state, first = z.size, self._form.back(z), self.first
         step, low, high = DIFFERENCE * self.range, min(self.begin, self.end), max(self.begin, self.end)
         near = value + step * (value != high), value - step * (value != low)

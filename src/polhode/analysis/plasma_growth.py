@@ -1,4 +1,4 @@
-"""How fast a wave of a plasma grew in a run, from where it follows linear theory."""
+"""The growth of a plasma wave in a run, measured while it follows linear theory."""
 
 from __future__ import annotations
 

@@ -61,7 +61,7 @@ def power_law(x: Float64[Array, "n"], y: Float64[Array, "n"]) -> PowerLaw:
 
 
 def fit_singularity(spans: Float64[Array, "gaps"], y: Float64[Array, "n"]) -> Singularity:
-    """Return the singularity that samples run into, or come from if they fall ever more slowly.
+    """Return the singularity that samples approach, or start from if they fall ever more slowly.
 
     Args:
         spans: (n−1,) [s] from each sample to the next.

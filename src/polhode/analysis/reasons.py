@@ -1,6 +1,6 @@
 """The reasons for a verdict, as data; ``str`` turns them into a sentence.
 
-Rates are in 1/s. A number that decides stands beside the one that it was compared with.
+Rates are in 1/s. Every deciding number has the threshold that it was compared with beside it.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ SHOWN = 1e-12  # components of a unit direction below it are rounding errors
 
 @dataclass(frozen=True)
 class AbstractReason(abc.ABC):
-    """What decides a verdict, or leaves it open.
+    """The reason of a verdict, or why it is undecided.
 
     Attributes:
-        title: what was found, in a few words.
+        title: the finding in a few words.
     """
 
     title: ClassVar[str]
@@ -33,18 +33,18 @@ class AbstractReason(abc.ABC):
 
     @property
     def words(self) -> str:
-        """What it means, without formulas; the whole sentence where it has none."""
+        """The meaning without formulas; the whole sentence where there is none."""
         return str(self)
 
     @property
     def values(self) -> dict[str, Any]:
-        """What was found, by name; the function of conserved quantities, where there is one, is left out."""
+        """The numbers of the finding, by name, without the function of conserved quantities."""
         own = {field.name: getattr(self, field.name) for field in fields(self)}
         kept = {name: value for name, value in own.items() if not isinstance(value, ConservedFunction)}
         return {"title": self.title, **kept}
 
     def rename(self, names: Mapping[str, str]) -> AbstractReason:
-        """Return the same reason, conserved quantities of its function called otherwise."""
+        """Return the same reason with other names of the conserved quantities in its function."""
         own = {field.name: getattr(self, field.name) for field in fields(self)}
         functions = {name: value for name, value in own.items() if isinstance(value, ConservedFunction)}
         return replace(self, **{name: function.rename(names) for name, function in functions.items()})
@@ -78,7 +78,7 @@ class OpenVariation(AbstractReason):
     """The second variation is not definite, and no exponent disproves stability.
 
     Attributes:
-        function: as near to a proof as there is.
+        function: the candidate that comes nearest to a proof.
         signs_differ: whether curvatures have both signs; else some vanish.
         real_part: the largest of the exponents'.
         sure_from: real part beyond what errors of the matrices can make of zero.
@@ -187,7 +187,7 @@ class NoCombination(AbstractReason):
     """The slope of the energy is no combination of the Casimirs' slopes, and no exponent disproves stability.
 
     Attributes:
-        residual: what is left of dH, relative to its terms.
+        residual: of dH, relative to its terms.
         allowed: up to which it would count as none.
         real_part, sure_from: of the exponents, as above.
     """
@@ -265,7 +265,7 @@ class LeafIsPoint(AbstractReason):
 
     Attributes:
         leaves_nearby: as for ``DefiniteOnLeaf``.
-        what: what is a point: the leaf, or what is left of it when symmetries are divided out.
+        what: the point: the leaf, or its quotient by the symmetries.
     """
 
     title: ClassVar[str] = "leaf of one point"
@@ -389,12 +389,12 @@ class SettlesOnCircle(AbstractReason):
 
 @dataclass(frozen=True)
 class Restriction:
-    """What "stable" is restricted to.
+    """The restriction of "stable".
 
     Attributes:
         flows: of integrals, along which neighbours may move away.
-        within: what stays near, where something else does not.
-        without: what need not stay near.
+        within: quantities that stay close, where others do not.
+        without: quantities that need not stay close.
     """
 
     flows: tuple[str, ...] = ()

@@ -127,7 +127,7 @@ def fastest_rolling_rate(disk: EulerDisk, state: Real[ArrayLike, "8"]) -> float:
 
 @known_numbers_only
 def rolling_period(disk: EulerDisk, state: Real[ArrayLike, "8"], steady: SteadyRolling | None = None) -> float:
-    """Return the time [s] in which one state changes: that of a turn, or of √(a/g) radians where hardly anything turns.
+    """Return a characteristic time [s] of one state: that of a turn, or 2π√(a/g) where hardly anything turns.
 
     Args:
         disk: any.

@@ -1,4 +1,4 @@
-"""Poincaré sections: where the motion of any system goes through a surface."""
+"""Poincaré sections of the motion of any system."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ DIRECTIONS = ("rising", "falling", "either")
 
 
 class Section(NamedTuple):
-    """Where a motion goes through a surface.
+    """The points at which a motion crosses a surface.
 
     Attributes:
         times: (K,) [s], in the order of the motion.

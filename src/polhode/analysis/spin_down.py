@@ -1,4 +1,4 @@
-"""How a spinning disk ends: the finite-time singularity of its tilt, and what happens instead just before it.
+"""The end of a spinning disk: the finite-time singularity of its tilt, and the event that preempts it.
 
 The tilt would vanish as (t0 − t)^n with the rate of precession growing as (t0 − t)^(−n/2) without bound. In time itself
 no solver gets near: steps shrink to nothing, and t0 − t is a difference of almost equal numbers. Here the clock runs by
@@ -49,7 +49,7 @@ ANGLES, CONTACT, RATES = (
 
 @dataclass(frozen=True)
 class SpinDown:
-    """How a disk ended.
+    """The end of a disk's motion.
 
     Attributes:
         trajectory: all samples [s from the start], with states, attitude, energy and what it received.
@@ -85,7 +85,7 @@ class SpinDown:
 
     @property
     def first_event(self) -> str | None:
-        """Name of what happened first."""
+        """Name of the first event."""
         return next(iter(self.events), None)
 
 
@@ -179,7 +179,7 @@ def predicted_exponents(law: RollingDissipation) -> SpinDownExponents:
 
 
 def adiabaticity(disk: EulerDisk, state: Float64[Array, "*batch 8"]) -> Float64[Array, "*batch"]:
-    """Return |θ̇|/(θ|φ̇|) of states (…, 8): by how much of itself the tilt falls in a radian of precession."""
+    """Return |θ̇|/(θ|φ̇|) of states (…, 8): the relative decrease of the tilt per radian of precession."""
     tilt, tilt_rate, *_ = rolling_parts(state)
     return jnp.abs(tilt_rate) / (jnp.minimum(tilt, jnp.pi - tilt) * jnp.abs(disk.precession(state)))
 
@@ -217,7 +217,7 @@ def _at_rest(disk: EulerDisk, theta: Array) -> Array:
 
 @dataclass
 class _Run:
-    """What has been sampled so far: states, and between each and the one before the time and the energy lost."""
+    """The samples so far: states, and the time and energy lost since the one before."""
 
     states: list[Array]
     spans: list[float]
@@ -294,7 +294,7 @@ def _tick(disk: EulerDisk, state: Array) -> Array:
 
 
 def _margin(disk: EulerDisk, state: Array) -> Array:
-    """Return what is left until the first of the events."""
+    """Return the smallest margin of the events."""
     ends = [event(jnp.zeros(()), state) for event in disk.events.values()]
     return jnp.min(jnp.stack([*ends, ASYMPTOTIC_END - adiabaticity(disk, state)]))
 
@@ -307,7 +307,7 @@ def _pace(disk: EulerDisk, states: Array) -> tuple[Array, Array]:
 
 @eqx.filter_jit
 def _outlook(disk: EulerDisk, state: Array) -> tuple[Array, Array, Array]:
-    """Return adiabaticity, what is left until the first event, and the power that dissipation takes [W]."""
+    """Return adiabaticity, the smallest margin of the events, and the dissipated power [W]."""
     return adiabaticity(disk, state), _margin(disk, state), disk.power(state)
 
 
@@ -331,7 +331,7 @@ def _unscale_state(disk: EulerDisk, scaled: Array) -> Array:
 
 
 def _fall(disk: EulerDisk, run: _Run) -> str | None:
-    """Follow the disk in time to what ends its motion, and return the event's name, None if there is none."""
+    """Follow the disk in time until an event ends the motion, and return its name, None without one."""
     far = FALL * math.sqrt(float(disk.mechanics.radius / disk.mechanics.gravity))
     start = run.states[-1]
     first = solve_adaptively(disk, diffrax.Dopri8(), start, np.linspace(0.0, far, FALL_SAMPLES))

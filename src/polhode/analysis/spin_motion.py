@@ -1,4 +1,4 @@
-"""What one spin does over thousands of orbits: chaotic or regular, caught in a resonance or turning past them."""
+"""The motion of a spin over thousands of orbits: chaotic or regular, in a resonance or not."""
 
 from __future__ import annotations
 
@@ -46,10 +46,10 @@ class Libration(NamedTuple):
 
 
 class SpinMotion(NamedTuple):
-    """What a spin did.
+    """The motion of a spin.
 
     Attributes:
-        orbits: how many it was followed for.
+        orbits: number of orbits followed.
         verdict: whether it was seen to be chaotic or regular; of what either may still become, see ``spin_motion``.
         exponents: (orbits,) estimates of the largest Lyapunov exponent after each orbit [1/s].
         mean_rate: mean θ̇ [rad/s].
@@ -84,7 +84,7 @@ class SpinMotion(NamedTuple):
 
 @known_numbers_only
 def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | None = None) -> SpinMotion:
-    """Return what one spin does from a periapsis on.
+    """Follow one spin from a periapsis on.
 
     Chaos is a finding: neighbours have parted half a billion times as far as proportion to time would have them.
     "Regular" says that nothing of it was seen; a chaotic motion may cling to an island for longer than it was followed.

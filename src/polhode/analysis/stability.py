@@ -1,6 +1,6 @@
 """Stability of equilibria of any Lie–Poisson system, by automatic differentiation.
 
-What is differentiated and checked by ``conserved`` goes to ``energy_casimir``, which judges. Where Casimirs are missing
+``conserved`` differentiates and checks functions, ``energy_casimir`` judges. Where Casimirs are missing
 or the leaf is singular, the leaf's own tangent space, the image of the Poisson tensor, is judged as well.
 Source: Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1; for relative equilibria Simo, Lewis & Marsden, Arch.
 Rational Mech. Anal. 115 (1991) 15; Patrick, J. Geom. Phys. 9 (1992) 111; for singular leaves Patrick, Roberts & Wulff,
@@ -231,7 +231,7 @@ def _combination(row: Array, names: list[str]) -> str:
 
 
 def _express_direction(found: Stability, basis: Array) -> Stability:
-    """Return a verdict whose direction is told by components along a basis (n, d) with it along the coordinates."""
+    """Return a verdict with its direction along the coordinates instead of a basis (n, d)."""
     if found.direction is None:
         return found
     direction, reason = basis @ found.direction, found.reason
@@ -241,7 +241,7 @@ def _express_direction(found: Stability, basis: Array) -> Stability:
 
 
 def _leafwise(p: Problem, found: Stability, leafwise: Stability, dimension: int, divided: bool) -> Stability:
-    """Return what an extremum on the leaf, or a leaf of one point, says about all neighbours."""
+    """Return the consequence of an extremum on the leaf, or a leaf of one point, for all neighbours."""
     if leafwise.verdict != "stable":
         return found
     sign = -1 if leafwise.function is not None and leafwise.function.signature[2] else 1
@@ -290,7 +290,7 @@ def _note_missing(found: Stability, missing: MissingCasimirs | None) -> Stabilit
 
 
 def _at(found: Stability, point: Array) -> Stability:
-    """Return a verdict whose function knows the equilibrium."""
+    """Return a verdict whose function has the values at the equilibrium."""
     return found if found.function is None else replace(found, function=replace(found.function, point=point))
 
 

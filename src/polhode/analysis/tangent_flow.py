@@ -19,7 +19,7 @@ EPS = float(np.finfo(float).eps)
 
 
 class TangentFlow:
-    """A system's flow, and what it makes of small changes: by Taylor series, or by adaptive steps where it has none.
+    """A system's flow and its derivative: by Taylor series, or by adaptive steps where there are none.
 
     Args:
         system: what moves.
@@ -27,7 +27,7 @@ class TangentFlow:
         times: [s] between which it is asked for.
 
     Attributes:
-        size: n, how many real numbers a state has.
+        size: n, the number of real numbers of a state.
     """
 
     def __init__(self, system: AbstractSystem, start: Double[np.ndarray, "..."], times: tuple[float, float]) -> None:
@@ -39,7 +39,7 @@ class TangentFlow:
     def __call__(
         self, now: float, end: float, state: Double[np.ndarray, "..."], changes: Float64[np.ndarray, "n k"]
     ) -> tuple[Double[np.ndarray, "..."], Float64[np.ndarray, "n k"]]:
-        """Return the state at the end, and what became of changes, each a column of a flat state's real numbers.
+        """Return the state at the end, and the changes there, each a column of a flat state's real numbers.
 
         Raises:
             InvalidInput: if an event ends the motion before.
@@ -108,7 +108,7 @@ def check_start(
 def compute_multipliers(
     matrix: Float64[np.ndarray, "n n"],
 ) -> tuple[Complex128[np.ndarray, "n"], Float64[np.ndarray, "n"]]:
-    """Return the eigenvalues, the largest first, and what roundings of the matrix make of each."""
+    """Return the eigenvalues, the largest first, and the error of each by rounding of the matrix."""
     values, vectors = np.linalg.eig(matrix)
     noise = 100.0 * EPS * np.linalg.norm(matrix)
     # a group of m eigenvalues that fall together is off by the m-th root of what rounding makes of the matrix

@@ -1,4 +1,4 @@
-"""How fast a molecule turns at a temperature, by classical equipartition."""
+"""The angular momentum of a molecule at a temperature, by classical equipartition."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a verdict changes along a family of equilibria."""
+"""The threshold at which a verdict changes along a family of equilibria."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Threshold:
 
     Attributes:
         value: the parameter's value there.
-        uncertainty: half the interval that is left.
+        uncertainty: half the remaining interval.
         below: the verdict just below it.
         above: the verdict just above it.
     """

@@ -1,4 +1,4 @@
-"""What a top's motion looks like: where its axis points, how long a swing takes, and whether it precesses steadily."""
+"""A top's motion: direction of its axis, period of a swing, and steady precession."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def top_period(top: HeavyTop, momentum: Real[ArrayLike, "3"]) -> float | None:
 
 @known_numbers_only
 def keeps_its_tilt(motion: LagrangeMotion) -> bool:
-    """Whether one top's axis goes round at constant tilt, steadily but for rounding of what was given."""
+    """Whether one top precesses steadily: at constant tilt, to rounding of the input."""
     low, high = motion.nutation_limits
     if motion.regime not in NUTATING or low is None or high is None:
         return motion.regime == "steady"

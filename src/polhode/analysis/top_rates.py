@@ -28,7 +28,7 @@ class TopRates(NamedTuple):
 
     Attributes:
         precession: at which the axis goes round the vertical, positive as the right hand turns about the upward one.
-        nutation: at which it nods.
+        nutation: at which the axis nods.
     """
 
     precession: float | None

@@ -53,6 +53,6 @@ def top_stability(top: HeavyTop, spin: float = 0.0) -> TopRests:
 
 
 def _in_a_tops_words(found: Stability) -> Stability:
-    """Return a verdict with the Casimirs of se(3)* and Lagrange's integral called by what they are here."""
+    """Return a verdict with the usual names of the Casimirs of se(3)* and of Lagrange's integral."""
     function = None if found.function is None else found.function.rename(NAMES)
     return replace(found, reason=found.reason.rename(NAMES | SHORT), function=function)

@@ -1,4 +1,4 @@
-"""Arrangements of point vortices that turn as a whole: how fast, and whether they are stable."""
+"""Relative equilibria of point vortices: rate of rotation and stability."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ TURNING = 1e-8  # of the field: what is left of it besides a turn is rounding, u
 
 
 class VortexTurn(NamedTuple):
-    """How vortices move as a whole.
+    """The rigid motion of vortices.
 
     Attributes:
         rate: Ω [rad/s] about ``axis`` or ``center``; of vortices in a plane zero where they move straight.
@@ -168,7 +168,7 @@ def _terms(system: SphereVortices | PlaneVortices, point: Array) -> Array:
 
 
 def _turn_on_sphere(system: SphereVortices, point: Array) -> tuple[VortexTurn, float]:
-    """Return the turn that is nearest to the motion, and what is left of that."""
+    """Return the rigid motion nearest to the motion, and the residual."""
     state, field = np.asarray(point), np.asarray(system.vector_field(0.0, point))
     turns = np.cross(np.eye(3)[:, None], state).reshape(3, -1).T  # (3n, 3), of unit rate about each axis
     omega = np.linalg.lstsq(turns, field.ravel(), rcond=ALONG)[0]

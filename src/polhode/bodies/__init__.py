@@ -1,4 +1,4 @@
-"""Bodies: mass, centre of mass and inertia, from shapes, points, atoms and meshes; and what they look like."""
+"""Bodies: mass, centre of mass and inertia, from shapes, points, atoms and meshes; and their surfaces."""
 
 import lazy_loader
 

@@ -1,4 +1,4 @@
-"""A rigid body as far as its rotation goes: mass, centre of mass and inertia."""
+"""The mass properties of a rigid body: mass, centre of mass and inertia."""
 
 from __future__ import annotations
 

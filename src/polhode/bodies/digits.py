@@ -20,7 +20,7 @@ WHOLE = 1e-5  # of a unit of the last digit: what a float leaves of a whole numb
 def judge_moments(
     moments: Float64[Array, "3"], unsure: Float64[Array, "3"]
 ) -> tuple[Float64[Array, "3"], list[list[int]]]:
-    """Return moments (3,), zero and equal where they are not told apart, and which of them are equal.
+    """Return moments (3,), made zero or equal where they are so within their uncertainty, and which are equal.
 
     If one is zero, mass lies on its axis alone, and the other two are equal: a difference that the rounding of all
     three can make is none.
@@ -46,7 +46,7 @@ def judge_moments(
 
 
 def unsure_moments(moments: Float64[Array, "3"], mass: float, digit: float) -> Float64[Array, "3"]:
-    """Return what is unsure (3,) of moments, from positions that were rounded to a digit.
+    """Return the uncertainty (3,) of moments, from positions that were rounded to a digit.
 
     Each point is off by up to digit/√2 across an axis, so that no radius of gyration √(I/M) changes by more, and two
     that were equal differ by up to √2 digits.

@@ -171,7 +171,7 @@ def _volume(corners: Array) -> float:
 
 
 def _or_repair(repaired: bool) -> str:
-    """Return the remedy that is left to those who have not asked for it yet."""
+    """Return the remedy "repair", if repair has not been tried yet."""
     return "" if repaired else f", or ask for repair ({ASKED})"
 
 

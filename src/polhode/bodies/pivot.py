@@ -19,7 +19,7 @@ EQUAL = 1e-12  # relative: moments of a body about a point are sums with roundin
 
 
 class PivotedBody(NamedTuple):
-    """What the motion of a body about a fixed point depends on.
+    """The constants on which the motion of a body about a fixed point depends.
 
     Attributes:
         moments: (3,) principal moments about the fixed point, ascending [kg m²].
@@ -35,7 +35,7 @@ class PivotedBody(NamedTuple):
 
 
 def about_pivot(body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDARD_GRAVITY) -> PivotedBody:
-    """Return what the motion of a body about a fixed point depends on: Huygens and Steiner's theorem, and the weight.
+    """Return the constants of a body's motion about a fixed point: Huygens and Steiner's theorem, and the weight.
 
     A fixed point at the centre of mass leaves the free body; a warning to the caller of the caller says so.
 

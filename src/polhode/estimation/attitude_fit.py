@@ -31,7 +31,7 @@ ROUNDS = 6
 
 @dataclass(frozen=True)
 class AttitudeFit:
-    """What a log of attitudes says of a body.
+    """The result of a fit to a log of attitudes.
 
     Attributes:
         ratios: I1/I3 and I2/I3, I1 ≤ I2 ≤ I3; None where the fit is degenerate.
@@ -127,7 +127,7 @@ def fit_attitude(
 
 
 class _Samples(NamedTuple):
-    """What was measured: times from the epoch, attitudes, and perhaps rates."""
+    """The data: times from the epoch, attitudes, and perhaps rates."""
 
     elapsed: Array
     measured: Rotation
@@ -135,7 +135,7 @@ class _Samples(NamedTuple):
 
 
 class _Solution(NamedTuple):
-    """Parameters with their covariance, the noise of attitudes and rates, and how good the fit is."""
+    """Parameters with their covariance, the noise of attitudes and rates, and the quality of the fit."""
 
     system: _System
     x: Array

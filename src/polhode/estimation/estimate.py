@@ -1,4 +1,4 @@
-"""Named numbers that were estimated, and how well they are known."""
+"""Named estimates with their uncertainty."""
 
 from __future__ import annotations
 

@@ -22,12 +22,12 @@ ELASTIC, OCEANS, ANELASTIC = 0.298, 0.345, 0.3517  # Love number k: of the solid
 
 @dataclass(frozen=True)
 class EulerPeriod:
-    """A period of the free wobble, with what it allows for.
+    """A period of the free wobble, with the effects that it includes.
 
     Attributes:
         name: short, for tables and keys.
         period: [s].
-        cause: what makes it differ from the one before.
+        cause: of the difference from the period before.
     """
 
     name: str
@@ -40,7 +40,7 @@ def euler_chain(
     ellipticity: float = ELLIPTICITY, mantle: float = MANTLE, elastic: float = ELASTIC, oceans: float = OCEANS,
     anelastic: float = ANELASTIC,
 ) -> tuple[EulerPeriod, ...]:  # fmt: skip
-    """Return the wobble's period for a rigid Earth and as the Earth yields, one cause after the other.
+    """Return the wobble's period for a rigid Earth, then with each correction added in turn.
 
     A rigid body with (C − A)/C = H turns about its figure once in A/(C − A) = 1/H − 1 of its turns. A body whose figure
     follows the wobble by the Love number k has T/(1 − k/k_s), where k_s = 3G(C − A)/(Ω²R⁵) would let it follow wholly.
@@ -49,11 +49,11 @@ def euler_chain(
         ellipticity: dynamical, H = (C − A)/C.
         mantle: equatorial moment without the fluid core over that of the whole Earth, as the core does not follow.
         elastic: Love number k of the solid Earth.
-        oceans: the same with oceans that yield.
+        oceans: the same with a pole tide of the oceans.
         anelastic: the same, with a mantle softer at the wobble's slow rate than for earthquakes.
 
     Raises:
-        InvalidInput: for numbers with which nothing would wobble.
+        InvalidInput: for numbers without a wobble.
 
     Example:
         >>> [round(stage.period / 86400.0, 1) for stage in euler_chain()]

@@ -1,4 +1,4 @@
-"""What excites polar motion, by deconvolution: ψ of ṁ = iσ_c(m − ψ).
+"""The excitation of polar motion by deconvolution: ψ of ṁ = iσ_c(m − ψ).
 
 Reference: C. R. Wilson, Geophys. J. R. astr. Soc. 80 (1985) 551.
 """
@@ -48,7 +48,7 @@ def polar_excitation(
     times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"], period: float,
     quality_factor: float, step: float = STEP, noise: float = 0.0,
 ) -> PolarExcitation:  # fmt: skip
-    """Return the excitation that made the pole move as it did.
+    """Return the excitation that produces a measured polar motion.
 
     From step to step m_(n+1) = e m_n + (1 − e)ψ, e = exp(iσ_cΔ), which is exact for a ψ that is constant within the
     step; otherwise ψ is nearly its mean.
@@ -59,7 +59,7 @@ def polar_excitation(
         y: the pole towards 90° West [rad].
         period: of the free wobble [s].
         quality_factor: Q of the free wobble; infinite for none.
-        step: over which means of the pole are taken [s].
+        step: over which the pole is averaged [s].
         noise: standard deviation of a coordinate's mean over a step [rad].
 
     Raises:

@@ -31,7 +31,7 @@ class Window:
         start: [s].
         end: [s], included.
         reason: how it was found, or why it is left out.
-        score: of the accelerometer, rms of what it feels beyond its turning [m/s²]; of the gyro, change of angular
+        score: of the accelerometer, rms of the acceleration not due to rotation [m/s²]; of the gyro, change of angular
             momentum relative to its size; the smaller, the better; 0 where the window was given.
     """
 
@@ -74,7 +74,7 @@ def free_flights(log: GyroLog, limit: float | None = None) -> list[Window]:
 
 
 def find_flights(log: GyroLog, limit: float | None = None) -> Flights:
-    """Return what ``free_flights`` does, and what looks like a flight and is left out, with the reason."""
+    """Return the flights of ``free_flights``, and the stretches that were left out, with the reasons."""
     t, rates = _thin(log.times, log.rates - _bias(log))
     if log.acceleration is None:
         used, left = _by_momentum(t, rates)

@@ -15,13 +15,13 @@ HICCUPS = 3  # samples at a time that was there already, at most
 COARSE = 0.02  # of the samples at a time that was there already: more is a clock that is rounded, not a hiccup
 EVEN = 1.1  # of the clock's step, within which its rounding keeps the times of equal steps
 MOST = {"times": (1e12, "s"), "rates": (1e12, "rad/s"), "acceleration": (1e12, "m/s²")}
-"""The largest size of what a log may hold, beyond any clock and gyro: what levitated grains do is 3e10 rad/s."""
+"""The largest values that a log may hold, beyond any clock and gyro; levitated grains reach 3e10 rad/s."""
 CLOSEST = 1e-9  # s from sample to sample: no gyro comes near it, and a second of such a log fills the memory
 
 
 @dataclass(frozen=True)
 class GyroLog:
-    """Angular rates of a device, and what its accelerometer felt, each with its own clock readings.
+    """Angular rates and proper accelerations of a device, each with its own clock readings.
 
     Attributes:
         times: (n,) increasing [s].
@@ -104,7 +104,7 @@ def check_sizes(**values: Array) -> None:
 
 
 def _check_steps(name: str, steps: Float64[Array, "_"]) -> None:
-    """Refuse samples closer than those of any sensor; by their median, as rounding parts some that are of one time."""
+    """Refuse samples closer than those of any sensor, judged by the median, as rounding separates equal times."""
     usual = float(np.median(steps)) if len(steps) else CLOSEST
     if usual < CLOSEST:
         raise InvalidInput(f"times of {name} must lie {CLOSEST:g} s apart or more; got {usual:g} s. Check which column "

@@ -28,7 +28,7 @@ class LineNoise(NamedTuple):
         white: variance of a complex sample [rad²].
         walk: variance of a complex step of the line's amplitude, from one sample to the next [rad²].
         covariance: (2, 2) of both, by Fisher's information; zero for one that is found to be none.
-        frequencies: how many told it.
+        frequencies: number of frequencies used.
     """
 
     white: float
@@ -53,7 +53,7 @@ def noise_about(
 
     Args:
         times: [s].
-        left: what a fit leaves.
+        left: residuals of the fit.
         removed: orthonormal columns that the fit removes.
         rate: of the line [rad/s].
     """
@@ -102,7 +102,7 @@ def _expect_powers(
     times: Float64[Array, "n"], left: Complex128[Array, "n"], removed: Complex128[Array, "n r"],
     rates: Float64[Array, "k"], line: float,
 ) -> tuple[Float64[Array, "k"], Float64[Array, "k"], Float64[Array, "k"]]:  # fmt: skip
-    """Return powers at rates, and what they are expected to be for white noise and for a walk of unit variance."""
+    """Return powers at rates, and their expectations for white noise and for a walk of unit variance."""
     waves = np.exp(1j * np.outer(times, rates)) / np.sqrt(len(times))
     power = np.abs(waves.conj().T @ left) ** 2
     waves -= removed @ (removed.conj().T @ waves)

@@ -15,7 +15,7 @@ OFF_DIAGONAL = ((0, 1), (0, 2), (1, 2))
 
 
 class LinearInertia(NamedTuple):
-    """What the linear method finds.
+    """The result of the linear method.
 
     Attributes:
         moments: (3,) ascending, the largest 1.
@@ -32,7 +32,7 @@ class LinearInertia(NamedTuple):
 
 
 def integrate_rates(times: Float64[Array, "n"], rates: Float64[Array, "n 3"]) -> Float64[Array, "n 4"]:
-    """Return the attitude quaternions xyzw that the rates add up to, from the unit one on.
+    """Integrate rates to attitude quaternions xyzw, from the unit one on.
 
     Each step is the Magnus expansion of rates that are linear in time between samples.
     """
@@ -75,7 +75,7 @@ def linear_inertia(
     Args:
         rates: of each throw [rad/s, device frame].
         attitudes: of each throw, quaternions xyzw, device → any frame at rest.
-        parts: which samples of each throw keep one momentum, by default all.
+        parts: samples of each throw with one constant momentum, by default all.
         rotor: whether a wheel of constant momentum h turns in the body: R (J ω + h) is constant then.
     """
     rows = []
@@ -95,7 +95,7 @@ def linear_inertia(
 
 
 def possible_moments(moments: Float64[Array, "3"]) -> Float64[Array, "3"]:
-    """Return moments over the largest, ascending, moved to where they keep the triangle inequality."""
+    """Return moments over the largest, ascending, moved to satisfy the triangle inequality."""
     # of a flat body's, (b + c, a + c, a + b) with a ≥ b ≥ c ≥ 0 the spreads of mass along the axes
     a, b, c = (0.5 * moments.sum() - moments).tolist()
     largest = max(a, 1e-300)

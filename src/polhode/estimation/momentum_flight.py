@@ -27,12 +27,12 @@ BROKEN = 0.1  # s: longer steps between samples end a stretch
 
 @dataclass(frozen=True)
 class Stretch:
-    """A stretch that keeps an angular momentum.
+    """A stretch with constant angular momentum.
 
     Attributes:
         first: its first sample.
         last: its last sample.
-        inertia: (6,) that keeps it, as ``linear_start.momentum_map`` has it.
+        inertia: (6,) for which it is constant, as ``linear_start.momentum_map`` has it.
         change: of the angular momentum, relative to its size.
         turn: how far the body turned [rad].
     """
@@ -45,7 +45,7 @@ class Stretch:
 
 
 def momentum_stretches(t: Float64[Array, "n"], rates: Float64[Array, "n 3"], shortest: float) -> list[Stretch]:
-    """Return the stretches that keep an angular momentum, in the order of time.
+    """Return the stretches with constant angular momentum, in the order of time.
 
     Args:
         t: [s], increasing.
@@ -81,7 +81,7 @@ def of_one_body(
 ) -> tuple[list[Stretch], list[Stretch]]:
     """Return the stretches that one inertia explains together, which turn furthest, and the others.
 
-    Hands may keep some momentum for a moment, by an inertia that is of no use elsewhere.
+    Handling may keep some momentum constant for a moment, with an inertia that fits nowhere else.
     """
     spreads = [_Spread.of(t, rates, one) for one in stretches]
     order = sorted(range(len(stretches)), key=lambda k: -stretches[k].turn)
@@ -122,16 +122,16 @@ class _Spread:
 
 
 def _agree(spreads: list[_Spread]) -> bool:
-    """Whether one inertia keeps the momentum of all, each as well as a stretch has to."""
+    """Whether with one inertia the momentum of every stretch is constant within the tolerance."""
     sizes = [max(float(np.trace(one.spread)), 1e-300) for one in spreads]
     inertia = np.linalg.eigh(sum(one.spread / size for one, size in zip(spreads, sizes, strict=True)))[1][:, 0]
     return all(one.change_by(inertia) < max(UNEVEN, 3 * one.change) for one in spreads)
 
 
 def fit_inertia(maps: Float64[Array, "n 3 6"]) -> tuple[Float64[Array, "6"], float]:
-    """Return the inertia that keeps the momentum best, and the momentum's change relative to its size.
+    """Return the inertia with the most constant momentum, and the momentum's relative change.
 
-    One that no body has gives way to one that a body has where both keep it well; the change is infinite without one.
+    A physical inertia is preferred where it does well too; the change is infinite if there is none.
     """
     mean = maps.mean(axis=0)
     spread = np.tensordot(maps, maps, axes=((0, 1), (0, 1))) / len(maps) - mean.T @ mean
@@ -194,7 +194,7 @@ def _speed(rates: Array) -> Array:
 
 
 def _seeds(t: Array, maps: Array, angle: Array) -> list[tuple[int, int, Array]]:
-    """Return spans that some body's inertia keeps, with it; those that keep it best come first."""
+    """Return spans with constant momentum for some physical inertia, and that inertia; the best come first."""
     seeds: list[tuple[float, int, int, Array]] = []
     step = float(np.median(np.diff(t)))
     for size in dict.fromkeys(max(6, round(span / step)) for span in SPANS):
@@ -214,7 +214,7 @@ def _seeds(t: Array, maps: Array, angle: Array) -> list[tuple[int, int, Array]]:
 
 
 def _fit_inertia_by_spans(maps: Array, begins: Integer[Array, "m"], size: int) -> tuple[Array, Array]:
-    """Return the inertia (6,) that each span of samples keeps best, and the momentum's change relative to its size."""
+    """Return for each span the inertia (6,) with the most constant momentum, and the momentum's relative change."""
     total, squares = np.zeros((len(maps) + 1, 3, 6)), np.zeros((len(maps) + 1, 6, 6))
     np.cumsum(maps, axis=0, out=total[1:])
     np.cumsum(np.matmul(np.swapaxes(maps, 1, 2), maps), axis=0, out=squares[1:])
@@ -280,7 +280,7 @@ def _runs(flags: Bool[Array, "n"]) -> list[tuple[int, int]]:
 
 
 def _possible(inertias: Float64[Array, "n 6"]) -> Bool[Array, "n"]:
-    """Return which inertias some body nearly has, as far as a biased gyro tells."""
+    """Return which inertias are physical, within the tolerance for a biased gyro."""
     J = np.zeros((len(inertias), 3, 3))
     J[:, [0, 1, 2], [0, 1, 2]] = inertias[:, :3]
     for k, (i, j) in enumerate(OFF_DIAGONAL, start=3):

@@ -34,7 +34,7 @@ SEEN = 3.0  # standard errors, below which a line is not there
 
 @dataclass(frozen=True)
 class ChandlerFit:
-    """The Chandler wobble as one line, and what goes with it.
+    """A fit of polar motion: the Chandler wobble as one line, seasons and drift.
 
     Attributes:
         estimate: ``period`` [s], ``amplitude`` [rad] and ``phase`` [rad] at ``epoch`` of the prograde wobble. The
@@ -46,7 +46,7 @@ class ChandlerFit:
         epoch: middle of the span [s].
         times: (n,) of the means that were fitted [s].
         pole: (n,) complex means [rad].
-        left: (n,) what the model leaves of them [rad].
+        left: (n,) residuals of the model [rad].
         noise: about the wobble's line.
         rms: of ``left``, over both coordinates [rad].
         inflation: factor by which the seasons, the drift and all else fitted enlarge the variance of the rate.
@@ -143,7 +143,7 @@ def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
 
 
 def _best_rate(clock: Float64[Array, "n"], pole: Pole) -> float:
-    """Return the rate [rad/s] at which least is left, the global minimum among the periods that are sought."""
+    """Return the rate [rad/s] with the least residuals, the global minimum over the admitted periods."""
     fixed = list(SEASONS.values())
 
     def cost(rate: float) -> float:

@@ -1,4 +1,4 @@
-"""From the parameters of a fit to sorted ratios and axes with their errors, and what is not determined."""
+"""From the parameters of a fit to sorted ratios and axes with errors, or the reason why they are undetermined."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ class Principal:
         axes: (3, 3) by columns [device frame].
         turn: error of the axes [rad, principal axes].
         joint: ratios and turn together, with all their correlations.
-        forces: coefficients over I3 of what acts, along the sorted axes, by name.
+        forces: coefficients over I3 of the torques, along the sorted axes, by name.
         order: (3, 3) columns are the sorted axes along the fit's own.
         equal: neighbours that are equal within their errors, or None.
-        determined: whether the intervals of the ratios say something.
+        determined: whether the intervals of the ratios are narrow enough to be useful.
     """
 
     ratios: Estimate
@@ -88,7 +88,7 @@ def principal(
 
 
 def widen_errors(found: Principal, other: Principal) -> Principal:
-    """Return a solution whose errors of ratios and axes reach as far as another solution that may be the true one."""
+    """Return a solution with errors of ratios and axes widened to cover another solution that may be the true one."""
     between = Rotation.from_matrix(found.axes.T @ other.axes)
     halves = [between * Rotation.from_matrix(np.diag(signs)) for signs in HALF_TURNS]  # the same axes
     apart = min((half.as_rotvec() for half in halves), key=np.linalg.norm)
@@ -117,7 +117,7 @@ def explain_undetermined(rates: list[Float64[Array, "n 3"]], found: Principal | 
 
     Args:
         rates: of each throw [rad/s, device frame].
-        found: the fit that came out too wide, or None where the linear method already said so.
+        found: the fit with too wide intervals, or None where the linear method already failed.
     """
     sizes = [float(np.linalg.norm(r, axis=1).mean()) for r in rates]
     means = [r.mean(axis=0) for r in rates]

@@ -29,7 +29,7 @@ class RestBias(NamedTuple):
 
 
 def rest_bias(logs: list[GyroLog], windows: list[list[Window]]) -> RestBias | None:
-    """Return what a gyro shows at rest, or None where one of the logs has no rest.
+    """Return the bias of a gyro at rest, or None where one of the logs has no rest.
 
     Args:
         logs: of one gyro.

@@ -89,7 +89,7 @@ def _step_and_noise(values: Float64[Array, "n"]) -> tuple[float, float]:
 
 
 def _flat_runs(values: Float64[Array, "n"], top: float, unit: float) -> int:
-    """Return how often values stay within half a unit of the top, 0 unless they come to it without slowing."""
+    """Return how often values stay within half a unit of the top, 0 unless they reach it without slowing down."""
     depth = (top - values) / unit
     at_top = np.abs(depth) < 0.5 + 1e-6
     count = int(at_top.sum())

@@ -55,7 +55,7 @@ class FittedThrow:
 
 @dataclass(frozen=True)
 class ModelScore:
-    """How well a model did: what it has besides motion and bias, its parameters, criteria and residuals [rad/s].
+    """The score of a model: its terms besides motion and bias, criteria and residuals [rad/s].
 
     Attributes:
         drag: "none", "quadratic", "linear and quadratic" or "one-sided, linear and quadratic".
@@ -80,7 +80,7 @@ class ModelScore:
 
 @dataclass(frozen=True)
 class ThrowFit:
-    """What one or several throws of one body say of it.
+    """The result of a fit to one or several throws of one body.
 
     Attributes:
         ratios: I1/I3 and I2/I3, I1 ≤ I2 ≤ I3; None where the fit is degenerate.
@@ -289,7 +289,7 @@ def _result(
     done: Settled, other: Settled | None, rest: RestBias | None, scores: list[ModelScore], cut: list[Any],
     start: Start, level: float | None,
 ) -> ThrowFit:  # fmt: skip
-    """Return the fit; where a model with a wheel and one without do about as well, errors reach to the other one."""
+    """Return the fit; where models with and without a wheel do about as well, the errors cover both."""
     best, throws = done.solution, [throw for *_, throw in cut]
     found = _principal(best)
     if other is not None:
@@ -335,7 +335,7 @@ def _motion(found: Principal, best: Solution, k: int, throw: Throw) -> tuple[Fre
 
 
 def _make_empty_fit(cut: list[Any], start: Start, level: float | None) -> ThrowFit:
-    """Return the fit of throws that say nothing of the inertia."""
+    """Return the result for throws that do not determine the inertia."""
     told = [FittedThrow(k, window, times, throw.rates, np.full_like(throw.rates, np.nan), None, None)
             for k, window, times, throw in cut]  # fmt: skip
     unknown = Estimate(BIAS, np.full(3, np.nan), np.full((3, 3), np.nan))

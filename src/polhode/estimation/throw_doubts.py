@@ -15,7 +15,7 @@ CALLED = {"drag": "drag", "linear_drag": "linear drag", "one_sided_drag": "one-s
 
 
 def why_nothing_explains(solution: Solution, throws: list[Throw]) -> str | None:
-    """Return that residuals are hardly smaller than the rates themselves, in a sentence, or None."""
+    """Return a sentence if the residuals are hardly smaller than the rates themselves, else None."""
     if explains(solution, throws):
         return None
     left, size = rms(solution.residuals), variation(throws)
@@ -24,11 +24,11 @@ def why_nothing_explains(solution: Solution, throws: list[Throw]) -> str | None:
 
 
 def why_no_result(solution: Solution, found: Principal, throws: list[Throw]) -> str | None:
-    """Return why a fit says nothing of the inertia, in a sentence, or None where it does.
+    """Return why a fit does not determine the inertia, in a sentence, or None where it does.
 
     Args:
         solution: of the model that was chosen.
-        found: what it says of moments and axes.
+        found: its moments and axes.
         throws: the samples.
     """
     bound = find_bound(solution)
@@ -62,7 +62,7 @@ def _doubt_expectations(solution: Solution) -> str | None:
 
 
 def _doubt_drag(found: Principal, throws: list[Throw]) -> str | None:
-    """Return that the drag would drive the body on, in a sentence, or None."""
+    """Return a sentence if the fitted drag would accelerate the body, else None."""
     typical = float(np.median(np.linalg.norm(np.concatenate([throw.rates for throw in throws]), axis=1)))
     least, variance = np.zeros(3), np.zeros(3)
     for name, scale in (("drag", 1.0), ("linear_drag", 1.0 / typical), ("one_sided_drag", 1.0)):
@@ -71,13 +71,13 @@ def _doubt_drag(found: Principal, throws: list[Throw]) -> str | None:
             least += -np.abs(value) if name == "one_sided_drag" else value
             variance += (scale * found.forces[name].standard_error) ** 2
     if (least < -np.maximum(DRIVEN, IMPOSSIBLE * np.sqrt(variance))).any():
-        return (f"the fit needs air that drives the body on instead of slowing it, by {-least.min():.2g} I3 |ω|²: the "
+        return (f"the fit needs air that accelerates the body, not slows it, by {-least.min():.2g} I3 |ω|²: the "
                 "motion is another one than those that were tried, or the stretch is no free flight.")  # fmt: skip
     return None
 
 
 def why_impossible(found: Principal) -> str | None:
-    """Return why no body has such moments, in a sentence, or None."""
+    """Return why such moments are impossible, in a sentence, or None."""
     for name, (low, high) in zip(found.ratios.names, found.ratios.interval().tolist(), strict=True):
         if low <= 0.0:
             return (f"the interval of {name}, {low:.2g} to {high:.2g}, reaches zero, which no moment is. Throw it "

@@ -42,10 +42,10 @@ class Throw:
 
 @dataclass(frozen=True)
 class Model:
-    """Which parameters are fitted, and where they stand.
+    """The fitted parameters and their places in the vector.
 
     Attributes:
-        forces: names of what acts, of ``throw_models.TORQUES``.
+        forces: names of the torques, of ``throw_models.TORQUES``.
         gain: whether the gyro has a matrix of gains, symmetric: what is left of it turns the axes of the device.
         throws: how many.
         gain_spread: standard deviation of an entry of that matrix, known beforehand.
@@ -62,7 +62,7 @@ class Model:
 
     @property
     def places(self) -> dict[str, slice]:
-        """Where each group of parameters stands."""
+        """The slice of each group of parameters."""
         names = ["shape", "turn", "bias", *["gain", "cross_axis"] * self.gain, *self.forces]
         names += [f"start {k}" for k in range(self.throws)]
         found, at = {}, 0
@@ -79,7 +79,7 @@ class Model:
 
     @property
     def air(self) -> str:
-        """What the air does."""
+        """The kind of drag."""
         known = {0: "none", 1: "quadratic", 2: "linear and quadratic", 3: "one-sided, linear and quadratic"}
         return known[sum(name != "rotor" for name in self.forces)]
 
@@ -120,7 +120,7 @@ class Solution:
     """A fitted model.
 
     Attributes:
-        model: what was fitted.
+        model: the fitted model.
         parameters: (p,).
         axes: (3, 3) device from principal.
         covariance: (p, p) of the parameters, the turn along the principal axes.
@@ -176,7 +176,7 @@ def predict_rates(
     """Return rates (n, 3), their derivatives (n, 3, p), and the device's angular acceleration (n, 3).
 
     Args:
-        model: which parameters there are.
+        model: of the throws.
         x: (p,) parameters.
         axes0: (3, 3) device from principal, before the turn.
         throws: the samples, one throw after another.
@@ -220,7 +220,7 @@ def _rates(shape: Array, start: Array, forces: dict[str, Array], elapsed: Array)
 
 
 def gain_matrix(model: Model, x: Array) -> Float64[Array, "3 3"]:
-    """Return what the gyro multiplies rates by [device frame]."""
+    """Return the matrix by which the gyro multiplies rates [device frame]."""
     if not model.gain:
         return np.eye(3)
     matrix = np.diag(x[model.places["gain"]])
@@ -254,7 +254,7 @@ def whitening_matrices(fast: Array, sigma: float, jitter: float) -> Float64[Arra
 
 
 def estimate_noise(residuals: Array, fast: Array, lost: float, latest: float) -> tuple[float, float, float]:
-    """Return σ, τ and −2 ln(likelihood) by maximum likelihood, with what lies far out drawn in.
+    """Return σ, τ and −2 ln(likelihood) by maximum likelihood, outliers downweighted.
 
     Args:
         residuals: (n, 3).

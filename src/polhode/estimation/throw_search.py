@@ -43,7 +43,7 @@ WHEEL = (("rotor",), ("drag", "rotor"))
 
 @dataclass(frozen=True)
 class Start:
-    """What the linear method says, and why nothing can be said, if so."""
+    """The result of the linear method, or why there is none."""
 
     shape: Array
     axes: Array
@@ -132,7 +132,7 @@ def criterion(solution: Solution) -> float:
 
 
 def rival(found: list[Solution]) -> Solution | None:
-    """Return the best model of those with a wheel, or without one, as the chosen has it not, where it does as well.
+    """Return the best model of the other sort, with or without a wheel, where it does as well as the chosen one.
 
     Args:
         found: the fits, the best of them first.
@@ -187,7 +187,7 @@ def _with_wheel(plain: Model, throws: list[Throw], drag: bool | str) -> list[Sol
 
 
 def _choose_best(model: Model, starts: list[tuple[Array, Array]], throws: list[Throw]) -> Solution:
-    """Return the fit from the best of several starts, which a glance at the middles of the throws tells."""
+    """Return the fit from the best of several starts, compared on the middles of the throws."""
     middles = [_middle(throw, _count_glance(throw)) for throw in throws]
     seen = [fit_model(model, x, axes, middles, None, rounds=1) for x, axes in starts]
     best = max(seen, key=lambda one: one.log_likelihood)
@@ -201,7 +201,7 @@ def _richer(base: Solution, model: Model, throws: list[Throw]) -> Solution:
 
 
 def _in_a_valley(solution: Solution, start: Start) -> bool:
-    """Whether a fit may have ended at a wrong place: at a bound, or with residuals beyond the samples' own noise."""
+    """Whether a fit may be a local minimum: at a bound, or with residuals above the noise of the samples."""
     misfit = np.median(np.abs(solution.residuals)) > MISFIT * 0.6745 * start.noise
     return bool(misfit) or find_bound(solution) is not None
 
@@ -214,7 +214,7 @@ def _asks_for_wheel(solution: Solution, start: Start, throws: list[Throw]) -> bo
 
 
 def score_wheel(solution: Solution, throws: list[Throw]) -> float:
-    """Return by how much a small wheel would lessen χ², all else being free to follow (Rao's score test)."""
+    """Return the decrease of χ² by a small wheel, all other parameters free (Rao's score test)."""
     model, A, z = _beside_wheel(solution, throws)
     scaled = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
     without = np.delete(scaled, np.r_[model.places["rotor"]], axis=1)
@@ -252,7 +252,7 @@ def alike(residuals: Array) -> float:
 
 
 def find_bound(solution: Solution) -> str | None:
-    """Return which of shape and drag ran to where no body is, where drag may do the work of a wrong shape."""
+    """Return which of shape and drag ended at a bound; drag may compensate a wrong shape."""
     x, places = solution.parameters, solution.model.places
     s, c = x[places["shape"]]
     if abs(s) > ROD or c < FLAT:
@@ -265,7 +265,7 @@ def find_bound(solution: Solution) -> str | None:
 
 
 def _fit_growing(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution:
-    """Return a fit that begins with the middles of long throws, where a rough start keeps the count of turns.
+    """Return a fit that starts with the middles of long throws, over which a rough start does not lose a turn.
 
     Where the model explains nothing of a middle, it is left at that.
     """
@@ -280,7 +280,7 @@ def _fit_growing(model: Model, x: Array, axes: Array, throws: list[Throw]) -> So
 
 
 def _count_glance(throw: Throw) -> int:
-    """Return how many samples from the middle are enough to compare starts."""
+    """Return the number of middle samples that suffices to compare starts."""
     between = np.median(np.linalg.norm(throw.rates, axis=1)) * np.median(np.diff(throw.elapsed))
     return int(np.clip(GLANCED_TURN / max(float(between), 1e-9), 24, GLANCED))
 
@@ -313,7 +313,7 @@ def _retry(model: Model, start: Start, throws: list[Throw]) -> Solution:
 
 
 def carry_over(base: Solution, model: Model) -> Float64[Array, "parameters"]:
-    """Return a solution's parameters where another model has them, its axes taken for the start."""
+    """Return a solution's parameters in the places of another model, with its axes as the start."""
     x = np.zeros(model.size)
     for name, place in model.places.items():
         if name in base.model.places:

@@ -90,7 +90,7 @@ def estimate_torqued_start(
 ) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"], Float64[Array, "3"]]:
     """Return moments over the largest, principal axes by columns, and the torque over the largest moment.
 
-    R J ω − (∫R dt) N is constant in space, so what is left of it after centring has J and N in its null space.
+    R J ω − (∫R dt) N is constant in space, so J and N are in the null space of the centred map.
 
     Args:
         times: [s].

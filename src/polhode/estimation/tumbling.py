@@ -26,7 +26,7 @@ NAMES = ("energy_ratio", "cone_angle", "momentum_rate")
 
 @dataclass(frozen=True)
 class TumblingInterval:
-    """What the errors of the periods and moments leave open.
+    """Intervals of the motion, from the errors of the periods and moments.
 
     Attributes:
         estimate: energy ratio, cone angle [rad] and momentum rate [rad/s] with the covariance of the draws.
@@ -245,7 +245,7 @@ def _turns(mode: Mode, moments: Array, place: Array) -> tuple[Array, Array, Arra
 def _interval(
     mode: Mode, precession: float, rotation: float, moments: Array, axis: PrecessingAxis, sizes: Array, seed: int
 ) -> TumblingInterval | None:
-    """Return what is left open, by draws within the errors: near its limits a motion depends on them too unevenly."""
+    """Return the intervals, by draws within the errors: near its limits a motion depends on them nonlinearly."""
     normal = np.random.default_rng(seed).standard_normal((DRAWS, 5))
     given = np.array([precession, rotation, *moments]) + normal * sizes
     drawn = np.sort(given[:, 2:], axis=-1)

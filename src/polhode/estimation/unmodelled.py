@@ -44,7 +44,7 @@ class Settled:
 
 
 def allow_for_unmodelled(solution: Solution, throws: list[Throw]) -> Settled:
-    """Return a solution with all that its model leaves out allowed for."""
+    """Return a solution whose errors allow for unmodelled torques and gains."""
     model, x, axes0 = solution.model, solution.parameters.copy(), solution.axes
     x[model.places["turn"]] = 0.0
     data = np.concatenate([throw.rates for throw in throws])
@@ -68,7 +68,7 @@ def allow_for_unmodelled(solution: Solution, throws: list[Throw]) -> Settled:
 def _solve_mixed(
     solution: Solution, x: Array, throws: list[Throw], data: Array, push: Array, scales: _Scales
 ) -> tuple[_Mixed, Float64[Array, "n 3 m"]]:
-    """Return the least squares about parameters, and how the rates follow the torque."""
+    """Return the least squares about parameters, and the response of the rates to the torque."""
     model = solution.model
     values, slopes, fast = predict_rates(model, x, solution.axes, throws)
     slopes = np.nan_to_num(slopes)  # as in the fit itself
@@ -83,9 +83,9 @@ def _solve_mixed(
 def _take_step(
     solution: Solution, x: Array, push: Array, throws: list[Throw], data: Array, mixed: _Mixed, response: Array
 ) -> tuple[Array, Array]:
-    """Return parameters and torque after as much of a step as lowers the sum of squares that it is for.
+    """Return parameters and torque after the part of a step that decreases the sum of squares.
 
-    Along what a log hardly tells a whole step may lead to where the motion is another one, or no number.
+    Along poorly determined directions a whole step may lead to another motion, or to NaN.
     """
     model = solution.model
     low, high = model.limits()
@@ -184,7 +184,7 @@ class _Mixed:
         self.freedom = self._freedom()
 
     def _prior_precision(self) -> tuple[Array, Array, Array, Array]:
-        """Return the precision of each group beforehand: what is fixed, of the gains, of the torque; and the pull."""
+        """Return the prior precision of each group (fixed part, gains, torque), and the prior's pull."""
         size = self.model.size + self.torques
         which, means, weights = replace(self.model, gain_spread=self.scales.gain).prior()
         precision = np.zeros((size, size))
@@ -212,13 +212,13 @@ class _Mixed:
         self.step = self.covariance @ (self.right / level + pull)
 
     def cost(self, x: Array, push: Array, squares: float) -> float:
-        """Return the sum of squares that the step makes least, of whitened residuals and what is known beforehand."""
+        """Return the sum of squares that the step minimizes, of whitened residuals and priors."""
         which, means, weights = replace(self.model, gain_spread=self.scales.gain).prior()
         known = float(((weights @ (x[which] - means)) ** 2).sum()) + float(push @ push) / self.scales.torque**2
         return squares / (self.scales.noise * self.scales.widened) + known
 
     def _scale(self) -> None:
-        """Take each variance from what its group turned out to be, over how much of the group the data tell."""
+        """Update each variance: the group's sum of squares over its number of well-determined parameters [MacKay]."""
         _, gains, torque, _ = self.parts
         here = self.step.copy()
         here[: self.model.size] += self.x

@@ -1,4 +1,4 @@
-"""Where a top's axis points: its path on the sphere, between the circles that bound it."""
+"""The path of a top's axis on the sphere, between its bounding circles."""
 
 from __future__ import annotations
 

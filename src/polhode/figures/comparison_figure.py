@@ -69,7 +69,7 @@ def _plot_changes(axes: Any, kept: Invariants, side: str, unit: float) -> None:
 
 
 def _change(kept: Invariants, name: str) -> tuple[Array, float]:
-    """Return how far an invariant is from its first value, and the size that its drift is relative to."""
+    """Return the deviation of an invariant from its first value, and the size that its drift is relative to."""
     values = kept.values[name]
     change = np.linalg.norm(values - values[:1], axis=-1) if values.ndim == 2 else np.abs(values - values[0])
     return change, float(change.max()) / kept.drift[name] if kept.drift[name] > 0.0 else 1.0

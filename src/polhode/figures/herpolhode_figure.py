@@ -1,4 +1,4 @@
-"""The herpolhode: where the inertia ellipsoid has touched the invariable plane."""
+"""The herpolhode: the path of the inertia ellipsoid's contact point in the invariable plane."""
 
 from __future__ import annotations
 

@@ -109,7 +109,7 @@ def magnifications(series: Any, lost: float = LOST) -> list[int]:
 
 
 def magnify(name: str, power: int) -> str:
-    """Return the name of a curve with what it is enlarged by."""
+    """Return the name of a curve with its factor of enlargement."""
     return f"{name} × 10$^{{{power}}}$" if power > 1 else f"{name} × 10" if power else name
 
 

@@ -27,7 +27,7 @@ MOST = 4  # throws that are drawn
 
 
 def throw_figures(fit: ThrowFit) -> dict[str, Callable[[], Figure]]:
-    """Return what draws each figure of a fit, by name; only the data where the inertia is not determined.
+    """Return the functions that draw the figures of a fit, by name; only the data where the inertia is not determined.
 
     Args:
         fit: as ``polhode.estimation.fit_throw`` returns it.
@@ -156,7 +156,7 @@ def _path(throw: FittedThrow, motion: FreeMotion) -> Array:
 
 
 def _samples(fit: ThrowFit, throw: FittedThrow, moments: Array) -> Array:
-    """Return the directions (n, 3) of the momentum that the samples tell."""
+    """Return the directions (n, 3) of the momentum from the samples."""
     assert fit.axes is not None
     turning = np.linalg.solve(fit.gains, (throw.rates - fit.bias.value).T).T
     momentum = turning @ fit.axes * moments

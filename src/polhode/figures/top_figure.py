@@ -81,7 +81,7 @@ def spinning_top(
 
 
 def _solid(top: TopShown, surface: Surface | None) -> tuple[Surface, float, str]:
-    """Return what is drawn along the principal axes, the distance of its centre of mass, and words for the title."""
+    """Return the surface, along the principal axes, the distance of its centre of mass, and words for the title."""
     frame = top.trajectory.frame
     if frame is not None and (found := surface or box_in_place(frame)) is not None:
         return found.along(frame), float(np.linalg.norm(np.asarray(frame.center_of_mass) - frame.origin)), ""

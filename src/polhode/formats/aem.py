@@ -45,7 +45,7 @@ def write_aem(
     Args:
         trajectory: of one body, at ascending times counted from the labels' epoch; the file is about the given axes.
         path: where to.
-        labels: whose attitude it is, in which frames, since when; by default those it was read with, if it was.
+        labels: object, frames and epoch; by default those that the trajectory was read with, if any.
         rates: "angular velocity" (along the body axes, in deg/s), "derivative" (of the quaternion), or None.
 
     Raises:

@@ -1,4 +1,4 @@
-"""What the columns of an Attitude Ephemeris Message mean: quaternions, Euler angles, spin axes, and their rates.
+"""From columns of an Attitude Ephemeris Message to attitudes: quaternions, Euler angles, spin axes, and rates.
 
 "From frame A to frame B" is the rotation which takes the axes of A to those of B, and the angular velocity is that of B
 against A. With A the space frame this is polhode's body → space attitude as it stands.
@@ -32,7 +32,7 @@ FAR_FROM_UNIT = 1e-3
 
 
 class Meaning(NamedTuple):
-    """How the columns have to be read.
+    """The meaning of the columns.
 
     Attributes:
         kind: the type of attitude, one of ``COLUMNS``.
@@ -110,7 +110,7 @@ def _of_euler_rates(sequence: str, degrees: Array, rates: Array) -> Array:
 
 
 def _of_spin_axis(nutation: str, columns: Array) -> tuple[Array, Array]:
-    """Return what spin data mean: the body turns about its z axis, and that axis about the momentum (annex F5)."""
+    """Return the attitude of spin data: a body that turns about its z axis, and that axis about L (annex F5)."""
     right_ascension, declination, phase, spin = columns[:, :4].T
     turns = np.stack([right_ascension + 90.0, 90.0 - declination, phase], axis=-1)
     attitude = rotation.from_euler_angles(np.radians(turns), "ZXZ")

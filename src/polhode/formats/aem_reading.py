@@ -33,7 +33,7 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
 
     Args:
         path: the file.
-        segment: which one to read alone, counted from 0.
+        segment: index, from 0, of the one segment to read.
 
     Raises:
         InvalidInput: if the file is missing, or has no such segment.
@@ -89,7 +89,7 @@ def _useable(one: Segment) -> Array:
 def _join(
     parts: list[tuple[Array, Array, Array | None]], segments: list[Segment]
 ) -> tuple[Array, Array, Array | None]:
-    """Return histories one after another; where one ends when the next begins, the next one's sample stays."""
+    """Return histories joined; of two samples at the end of one and start of the next, the later one stays."""
     for k in range(len(parts) - 1):
         times, following = parts[k][0], parts[k + 1][0]
         if len(times) and len(following) and times[-1] == following[0]:

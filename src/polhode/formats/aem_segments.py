@@ -1,6 +1,6 @@
 """The text of a CCSDS Attitude Ephemeris Message taken apart: keywords, epochs, numbers.
 
-Source: CCSDS 504.0-B-2, sections 4 and 6, annex J for what version 1.0 had otherwise.
+Source: CCSDS 504.0-B-2, sections 4 and 6, annex J for version 1.0.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def refuse(path: Path, number: int | None, what: str) -> NoReturn:
 
 
 def read_segments(path: Path) -> list[Segment]:
-    """Return what is in the file.
+    """Return the segments of the file.
 
     Raises:
         InvalidInput: if the file is missing.

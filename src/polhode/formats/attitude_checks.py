@@ -15,7 +15,7 @@ DAMAGED = "The file is damaged; write it again."
 
 
 def single_attitude(trajectory: Trajectory, form: str) -> Float64[Array, "time 4"]:
-    """Return the attitude (T, 4) of one body, as a form of file wants it.
+    """Return the attitude (T, 4) of one body, checked for a form of file.
 
     Raises:
         InvalidInput: for motions without attitude, batches, and trajectories without samples.
@@ -36,7 +36,7 @@ def check_recorded(
     attitude: Shaped[Array, "*batch time 4"] | None,
     velocity: Shaped[Array, "*batch time 3"] | None = None,
 ) -> None:
-    """Refuse times, attitudes (…, 4) and velocities of a file that are not finite, as a store without its chunks has.
+    """Refuse times, attitudes (…, 4) and velocities of a file that are not finite, as in a store with missing chunks.
 
     Raises:
         FormatError: naming the first sample that is wrong.

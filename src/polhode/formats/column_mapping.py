@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     Several = str | Sequence[str | int] | None
 else:
     Column = Word = Several = Any
-    """Words come from files too; what they may be is said in words, by the mapping itself."""
+    """Words come from files too, so the mapping itself checks them, with its own messages."""
 ORDERS = ("wxyz", "xyzw")
 DIRECTIONS = ("body-to-space", "space-to-body")
 DECIMALS = ("point", "comma")
@@ -32,7 +32,7 @@ DECIMALS = ("point", "comma")
 
 @dataclass(frozen=True)
 class ColumnMapping:
-    """What the columns of a plain table are; a column is given by its name, or its number from 1.
+    """The meaning of a plain table's columns; a column is given by its name, or its number from 1.
 
     Attributes:
         time: the column of the times.
@@ -78,12 +78,12 @@ class ColumnMapping:
 
     @property
     def angle_unit(self) -> str | None:
-        """What ``unit`` says of Euler angles."""
+        """The unit of Euler angles in ``unit``."""
         return next((unit for unit in self.unit or () if unit in ANGLE_UNITS), None)
 
     @property
     def rate_unit(self) -> str | None:
-        """What ``unit`` says of the angular velocity."""
+        """The unit of the angular velocity in ``unit``."""
         return next((unit for unit in self.unit or () if unit in RATE_UNITS), None)
 
     @property
@@ -113,7 +113,7 @@ class ColumnMapping:
                 yield f"{error}."
 
     def _wrong_together(self) -> Iterator[str]:
-        """Yield what is missing, or said of what is not there."""
+        """Yield words that are missing, and words about columns that are not given."""
         if not (self.quat or self.euler or self.gyro):
             yield "no column is an attitude or an angular velocity. Name them by quat, euler or gyro."
         if self.quat and self.euler:
@@ -159,7 +159,7 @@ def _is_column(value: Any) -> bool:
 
 
 def _columns(given: Any, name: str, wanted: int, problems: list[str]) -> Columns | None:
-    """Return columns as a tuple, and note what is wrong with them."""
+    """Return columns as a tuple, and note mistakes in them."""
     if given is None:
         return None
     example = {"quat": "qw,qx,qy,qz", "euler": "yaw,pitch,roll", "gyro": "gx,gy,gz"}[name]
@@ -174,7 +174,7 @@ def _columns(given: Any, name: str, wanted: int, problems: list[str]) -> Columns
 
 
 def _units(given: Any, problems: list[str]) -> tuple[str, ...] | None:
-    """Return the units by the names that we have for them, and note what is wrong with them."""
+    """Return the units by their names here, and note mistakes in them."""
     if given is None:
         return None
     words = [word.strip() for word in given.split(",")] if isinstance(given, str) else given
@@ -196,7 +196,7 @@ def _units(given: Any, problems: list[str]) -> tuple[str, ...] | None:
 
 
 def _explain_reversed_names(columns: Sequence[str | int], sequence: Word) -> str:
-    """Return what to say where columns are named in the opposite order of the turns; "" where nothing is.
+    """Return a message where columns are named in the opposite order of the turns; "" elsewhere.
 
     "roll, pitch, yaw" with "ZYX" usually means turns by yaw, pitch and roll, one after the other; taken as it stands
     roll would be about z.

@@ -34,7 +34,7 @@ class Understood(NamedTuple):
         largest_deviation: of |q| from 1; None without quaternions.
         rates_apart: by how much the rates differ from how fast the attitude turns, relative, both as root mean squares;
             None where one is missing or the samples are too far apart.
-        notes: where the file says something else than the mapping, and from where times are counted.
+        notes: contradictions between file and mapping, and the zero of the times.
         counted_from: the stamp of the file's clock that times count from [s], with all its digits; None for its zero.
     """
 
@@ -55,7 +55,7 @@ class Understood(NamedTuple):
 
 
 def keep_rising(path: Path, times: Float64[Array, "rows"], table: PlainTable) -> np.ndarray:
-    """Return which rows to keep (n,): those that do not only repeat the one before.
+    """Return which rows to keep (n,): all that do not merely repeat the row before.
 
     Raises:
         FormatError: naming the line of a time that is not after the one before it.
@@ -83,7 +83,7 @@ def make_attitude(
     path: Path, table: PlainTable, values: Float64[Array, "rows columns"], mapping: ColumnMapping, letters: str,
     angle_unit: str,
 ) -> tuple[Float64[Array, "rows 4"], float | None]:  # fmt: skip
-    """Return the attitude (n, 4), body → space, and by how much |q| is off 1 at most, None of Euler angles.
+    """Return the attitude (n, 4), body → space, and the largest deviation of |q| from 1, None for Euler angles.
 
     Args:
         path: for messages.
@@ -118,7 +118,7 @@ def make_attitude(
 def agreement(
     times: Float64[Array, "rows"], attitude: Float64[Array, "rows 4"] | None, velocity: Float64[Array, "rows 3"] | None
 ) -> float | None:
-    """Return by how much rates differ from how fast the attitude turns, relative; None where neither does.
+    """Return the relative difference between the rates and the derivative of the attitude; None where nothing turns.
 
     Of the right order, direction and units it is a little more than noise; of wrong ones it is about one. As many steps
     are taken together as it takes to turn visibly, so that the last digits of the attitude do not matter.

@@ -1,4 +1,4 @@
-"""Attitudes and angular velocities from the columns of any plain table, by a mapping that says what they are."""
+"""Attitudes and angular velocities from the columns of any plain table, by a mapping of their meaning."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ COLUMNS_SHOWN = 12  # in a message
 
 
 class Resolved(NamedTuple):
-    """A mapping on a file: columns from 0, and every word that it leaves to the header."""
+    """A mapping applied to a file: columns counted from 0, with units and orders that the header gives."""
 
     time: int
     time_unit: str
@@ -53,7 +53,7 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
 
     Args:
         path: of the table.
-        mapping: what its columns are.
+        mapping: the meaning of its columns.
 
     Returns:
         Attitude body → space (T, 4) and angular velocity (T, 3) [rad/s, body axes], each None if the mapping has none;
@@ -109,10 +109,10 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
 
 
 def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Resolved:
-    """Return what a mapping means for a file.
+    """Apply a mapping to a file.
 
     Raises:
-        InvalidInput: with a line for each column that is not there, and each unit and order that nothing says.
+        InvalidInput: with a line for each column that is not there, and each unit and order that neither gives.
     """
     problems: list[str] = []
     places = {name: _places(form, columns, problems)
@@ -149,7 +149,7 @@ def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Reso
         names = [form.names[place] for place in found["attitude"]] if form.names else []
         letters = _letters(names, mapping.order, problems)
     if mapping.decimal == "comma" and form.delimiter == ",":
-        problems.append("decimal commas cannot be told from the commas between the columns. Save it with semicolons.")
+        problems.append("decimal commas cannot be distinguished from commas between columns. Save it with semicolons.")
     if problems:
         raise InvalidInput(*(f"{path}: {problem}" for problem in problems))
     return Resolved(found["time"][0], time_unit, found["attitude"], letters, angle_unit, found["gyro"], rate_unit,
@@ -168,7 +168,7 @@ def _letters(names: list[str], order: str | None, problems: list[str]) -> str:
 
 
 def _places(form: TableForm, columns: object, problems: list[str]) -> list[int | None]:
-    """Return where columns stand, from 0, None where there is none or several."""
+    """Return the columns' indices, from 0; None for a name that no column or several have."""
     assert isinstance(columns, tuple | None)
     return [_place(form, column, problems) for column in columns or ()]
 

@@ -80,7 +80,7 @@ def _describe(trajectory: Trajectory, attributes: dict[str, str] | None) -> tupl
 
 
 def _state_variables(trajectory: Trajectory, batch: list[str]) -> Named:
-    """Return attitude, vectors and what else the states hold, along these axes of the batch."""
+    """Return attitude, vectors and other parts of the states, along these axes of the batch."""
     variables: Named = {}
     if trajectory.attitude is not None:
         note = {"units": "1", "long_name": "attitude quaternion, scalar first, body to space"}
@@ -106,7 +106,7 @@ def _state_variables(trajectory: Trajectory, batch: list[str]) -> Named:
 
 
 def _balance_variables(trajectory: Trajectory, batch: list[str]) -> Named:
-    """Return what is conserved or balanced, and what was received, along these axes of the batch."""
+    """Return invariants, balances and what was received, along these axes of the batch."""
     variables: Named = {}
     for name, values in trajectory.received.items():
         units, meaning = trajectory.quantity(name).unit, f"{name.replace('_', ' ')} received"
@@ -129,7 +129,7 @@ def _balance_variables(trajectory: Trajectory, batch: list[str]) -> Named:
 
 
 def _memory_variables(trajectory: Trajectory) -> Named:
-    """Return what the method carries along, each array along dimensions of its own."""
+    """Return the integrator's memory, each array along dimensions of its own."""
     variables: Named = {}
     for k, values in enumerate(trajectory.memory or ()):
         name, values = f"{MEMORY}{k}", np.asarray(values)
@@ -250,7 +250,7 @@ def _check_finite(trajectory: Trajectory) -> None:
 
 
 def _is_our_store(path: Path) -> bool:
-    """Whether a folder is the store of a motion, as is written here; that of a sweep has a hidden folder more."""
+    """Whether a folder is the store of a motion, as written here; a sweep's store also has a hidden folder."""
     try:
         attributes = json.loads(read_file(path / ".zattrs", "Zarr", MB))
     except (ValueError, RecursionError):

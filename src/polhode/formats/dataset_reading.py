@@ -32,7 +32,7 @@ LARGEST_FILE = 4000 * MB  # it is held in memory whole
 def read_dataset(path: str | Path) -> Trajectory:
     """Return the trajectory in a NetCDF file or a Zarr store that polhode wrote.
 
-    All arrays are those that were written, bit for bit, as doubles whatever a tool in between made of them. The states
+    All arrays are those that were written, bit for bit, as doubles even if another tool changed their type. The states
     are what the file has of them: the attitude, then the momentum. The source is a ``Recording``.
 
     Raises:
@@ -140,7 +140,7 @@ def _load_store(path: Path) -> xarray.Dataset:
 
 
 def _doubles(values: Array) -> Array:
-    """Return numbers as doubles, or pairs of them; what is neither stays for the checks."""
+    """Return numbers as doubles, or pairs of them; the checks refuse all else later."""
     values = np.asarray(values)
     kind = {"f": np.float64, "i": np.float64, "u": np.float64, "c": np.complex128}.get(values.dtype.kind)
     return values if kind is None else values.astype(kind, copy=False)

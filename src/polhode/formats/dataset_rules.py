@@ -1,4 +1,4 @@
-"""What makes a dataset a trajectory: variables along the right dimensions, finite real numbers, known roles."""
+"""Checks that a dataset is a trajectory: variables along the right dimensions, finite real numbers, known roles."""
 
 from __future__ import annotations
 

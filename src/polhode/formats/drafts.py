@@ -1,6 +1,6 @@
 """Hidden folders in which files are written before they take their names.
 
-A draft is a folder ``.polhode-…`` next to the files it is for: what is to come is in ``new``, and what a store replaces
+A draft is a folder ``.polhode-…`` next to the files it is for: new files are in ``new``, and what a store replaces
 waits in ``old``. The process that writes it holds a lock on the folder. The kernel lets go of the lock when the process
 ends, however it ends; so the next process that writes there knows an abandoned draft, puts back what waits in its
 ``old``, and removes it.
@@ -57,7 +57,7 @@ class Draft:
         self.new.mkdir()  # last: a draft that has it has been locked
 
     def take_place(self) -> None:
-        """Move all that was written to its name, once it is safely on the disk."""
+        """Move all files to their final names, once they are safely on the disk."""
         written = sorted(self.new.iterdir())
         for path in written:
             for part in [path, *path.rglob("*")] if path.is_dir() else [path]:
@@ -85,7 +85,7 @@ class Draft:
 
 @contextlib.contextmanager
 def draft_in(folder: Path) -> Iterator[Draft]:
-    """Yield a draft in a folder; it is gone in the end, whatever happens.
+    """Yield a draft in a folder, and always remove it at the end.
 
     Raises:
         OSError: as the system does.
@@ -160,7 +160,7 @@ def remove_abandoned(folder: Path) -> None:
 
 @contextlib.contextmanager
 def hold_signals() -> Iterator[None]:
-    """Let signals that come meanwhile act afterwards; only the main thread gets any."""
+    """Delay signals until the end of the block; only the main thread receives any."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -202,7 +202,7 @@ def _lock(folder: Path) -> int | None:
 
 
 def _sync(path: Path) -> None:
-    """Wait until a file's bytes are on the disk: some systems tell only then that there was no room for them."""
+    """Wait until a file's bytes are on the disk: some systems report a full disk only then."""
     folder = path.is_dir()
     if folder and fcntl is None:  # Windows cannot open folders
         return

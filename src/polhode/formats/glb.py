@@ -71,7 +71,7 @@ class Glb:
         return index
 
     def mesh(self, *pieces: tuple[Surface, tuple[float, float, float]]) -> dict[str, int]:
-        """Add surfaces, each in its colour, sRGB from 0 to 1, as one mesh; return what a node says to have it.
+        """Add surfaces, each in its colour, sRGB from 0 to 1, as one mesh; return the node property for it.
 
         Triangles have sharp edges. Those without area, which face nowhere, are left out, and without any there is no
         mesh.
@@ -100,7 +100,7 @@ class Glb:
     def animate(
         self, name: str, clock: Float64[Array, "keys"], tracks: Sequence[tuple[int, str, Float64[Array, "keys _"]]]
     ) -> None:
-        """Add an animation that leads nodes by keys.
+        """Add an animation that moves nodes by keys.
 
         Args:
             name: of the animation.

@@ -52,7 +52,7 @@ def write_gltf(
         trajectory: of one body, with attitude.
         path: of the file, replaced if it is there.
         labels: its ``object_name`` is that of the node.
-        surface: what the body looks like, in the given axes; without it the box of the same inertia, or arrows alone.
+        surface: of the body, in the given axes; without it the box of the same inertia, or arrows alone.
         rate: keys per second of the animation, for exact motions; the trajectory's own samples without it, or finer
             where these are too far apart.
         speed: seconds of motion in a second of animation; without it real time, or the power of ten that makes motions
@@ -113,7 +113,7 @@ def _viewable_unit(reach: float) -> float:
 
 
 def _about_origin(frame: BodyFrame | None, surface: Surface | None) -> Surface | None:
-    """Return what is drawn, along the given axes, about the point that the body turns about."""
+    """Return the surfaces to draw, along the given axes, with the fixed point or centre of mass as origin."""
     if frame is None:
         return surface
     surface = box_in_place(frame) if surface is None else surface
@@ -136,7 +136,7 @@ def _add_body(
 
 
 def _add_momentum(made: Glb, place: int, keyed: Trajectory, length: float) -> list[tuple[int, str, Array]]:
-    """Add the arrow along the angular momentum, if there is any; return what moves it, if it moves."""
+    """Add the arrow along the angular momentum, if there is any; return its animation, if it moves."""
     if keyed.momentum is None:
         return []
     momentum = rotation.rotate(np.asarray(keyed.attitude), np.asarray(keyed.momentum))

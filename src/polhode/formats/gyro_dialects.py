@@ -58,7 +58,7 @@ ACCELERATION_UNITS = {"m/s²": 1.0, "m/s^2": 1.0, "m/s2": 1.0, "m/s/s": 1.0, "g"
 
 
 def find_places(names: Sequence[str], wanted: Sequence[str]) -> tuple[int, ...] | None:
-    """Return where columns of these names stand, from 0; None where one is missing or comes twice.
+    """Return the indices of the columns of these names, from 0; None where one is missing or comes twice.
 
     >>> find_places(["Time (s)", "gyroADC[0] (deg/s)", "gyroADC[1]"], ["gyroadc[1]", "gyroadc[0]"])
     (2, 1)
@@ -69,7 +69,7 @@ def find_places(names: Sequence[str], wanted: Sequence[str]) -> tuple[int, ...] 
 
 
 def detect_dialect(names: Sequence[str]) -> GyroDialect | None:
-    """Return whose header these names are; None for nobody's that is known.
+    """Return the dialect of a header; None for an unknown one.
 
     >>> detect_dialect(["Time (s)", "Gyroscope x (rad/s)", "Gyroscope y (rad/s)", "Gyroscope z (rad/s)"]).name
     'phyphox'
@@ -81,7 +81,7 @@ def detect_dialect(names: Sequence[str]) -> GyroDialect | None:
 
 
 def time_place(names: Sequence[str], dialect: GyroDialect) -> int | None:
-    """Return where the column of times stands, from 0."""
+    """Return the index of the column of times, from 0."""
     found = (find_places(names, [name]) for name in dialect.time)
     return next((places[0] for places in found if places), None)
 

@@ -29,7 +29,7 @@ from polhode.formats.table_form import DELIMITERS, Line, TableForm, detect_form,
 from polhode.types import Array
 
 Told = Callable[[int], None] | None
-"""Called with how many lines are read, now and then."""
+"""Called with the number of lines read, now and then."""
 EXAMPLE = "--time t --time-unit s --gyro gx,gy,gz --unit deg/s"
 
 
@@ -38,10 +38,10 @@ class ReadLog(NamedTuple):
 
     Attributes:
         log: samples in the order of time.
-        dialect: whose header it has; "a mapping" where the columns were said.
+        dialect: name of the program that wrote it; "a mapping" where the columns were given.
         rate_unit: of the file.
         acceleration_from: the file with the accelerations; None without them.
-        notes: what a reader should know.
+        notes: caveats.
     """
 
     log: GyroLog
@@ -62,8 +62,8 @@ def read_gyro_log(
 
     Args:
         path: of the table, the folder or the archive.
-        mapping: what the columns are, for tables of other programs.
-        told: called with how many lines are read, now and then.
+        mapping: the meaning of the columns, for tables of other programs.
+        told: called with the number of lines read, now and then.
         rate_unit: "deg/s", "rad/s" or "rpm" of a known app's table that says it wrongly; where there is no mapping.
 
     Raises:
@@ -131,7 +131,7 @@ def _read_table(path: Path, mapping: ColumnMapping | None, told: Told, rate_unit
 
 
 def _form(path: Path, mapping: ColumnMapping | None) -> tuple[TableForm, GyroDialect | None]:
-    """Return how the table is laid out, from the line on whose names are known, if there is one."""
+    """Return the table's layout, from the first line with known names on, if there is one."""
     lines = first_lines(path)
     if mapping is not None:
         return detect_form(path, lines), None

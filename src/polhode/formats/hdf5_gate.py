@@ -24,7 +24,7 @@ OF_DIMENSIONS = ("DIMENSION_LIST", "REFERENCE_LIST")  # how NetCDF says which ax
 
 
 def _check_heaps(path: Path, stored: int) -> None:
-    """Refuse heaps of text and references in which an entry does not lead on: HDF5 would walk them for ever."""
+    """Refuse heaps of text and references with an entry that leads nowhere: HDF5 would loop on them for ever."""
     if not stored:
         return
     with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
@@ -45,7 +45,7 @@ def _check_heaps(path: Path, stored: int) -> None:
 
 
 def check_hdf5(path: Path) -> None:
-    """Refuse a file that is not what polhode writes: variables of numbers or text, side by side, all in the file.
+    """Refuse files unlike those that polhode writes: variables of numbers or text, side by side, all in the file.
 
     Raises:
         FormatError: for links and groups, arrays kept elsewhere, filters beyond ``FILTERS``, types other than numbers

@@ -1,4 +1,4 @@
-"""What the name of a column says by itself: a unit, or which component it is."""
+"""Units and components in the names of columns."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _BRACKETED = re.compile(r"(?P<name>.*?)\s*[\[(](?P<unit>[^\])]*)[\])]\s*")
 
 
 def find_unit(word: str, units: Mapping[str, Iterable[str]]) -> str | None:
-    """Return which of the units a word is, None for none.
+    """Return the unit that a word means, None for none.
 
     >>> find_unit("Deg/Sec", RATE_UNITS), find_unit("Hz", RATE_UNITS)
     ('deg/s', None)
@@ -49,7 +49,7 @@ def bare_name(name: str) -> str:
 
 
 def unit_in(name: str, units: Mapping[str, Iterable[str]]) -> str | None:
-    """Return which of the units the name of a column ends in: in brackets, or behind an underscore.
+    """Return the unit that a column's name ends in: in brackets, or behind an underscore.
 
     >>> unit_in("t [s]", TIME_UNITS), unit_in("time_ms", TIME_UNITS), unit_in("wx_rad_s", RATE_UNITS)
     ('s', 'ms', 'rad/s')

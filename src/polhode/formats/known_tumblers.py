@@ -15,7 +15,7 @@ class KnownTumbler(NamedTuple):
     """A body whose two periods are published.
 
     Attributes:
-        key: how it is called at the command line.
+        key: its name at the command line.
         name: with its number.
         precession: P_φ with unit, and its standard deviation where the source has one.
         rotation: P_ψ likewise.

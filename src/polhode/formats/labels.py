@@ -21,7 +21,7 @@ class AttitudeLabels:
     """The labels of an attitude history; a trajectory read from a file has them in its source.
 
     Attributes:
-        object_name: what turns.
+        object_name: of the body.
         object_id: its international designator, or any id; None where it is not known.
         center: the body whose vicinity it is in, or None.
         reference_frame: the space axes.
@@ -55,7 +55,7 @@ class AttitudeLabels:
 
 @dataclass(frozen=True)
 class Recording:
-    """What a file says of the motion it holds; the source of a trajectory that was read.
+    """A file's metadata; the source of a trajectory that was read.
 
     Attributes:
         title: what moved.

@@ -40,7 +40,7 @@ def unpack_log(path: Path, wanted: Sequence[str], beside: Sequence[str]) -> Iter
 
     Args:
         path: of the archive.
-        wanted: what the log's table may be called, the likeliest first; an archive without one may have one table only.
+        wanted: possible names of the log's table, the likeliest first; else the archive may have one table only.
         beside: names of tables that are taken out with it, where they lie in the same folder of the archive.
 
     Raises:
@@ -116,7 +116,7 @@ def _check_sizes(path: Path, members: Sequence[zipfile.ZipInfo]) -> None:
 
 
 def _take_out(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: Path) -> None:
-    """Write a member by its bare name, of at most the size that was announced and checked."""
+    """Write a member under its bare name; refuse it beyond the size that was announced and checked."""
     left = member.file_size
     with archive.open(member) as source, (place / PurePosixPath(member.filename).name).open("wb") as target:
         while chunk := source.read(min(_CHUNK, left + 1)):

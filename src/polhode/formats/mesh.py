@@ -90,7 +90,7 @@ def _load(path: Path, content: bytes) -> tuple[Array, Array]:
 
 
 def _trimesh() -> Any:
-    """Return trimesh, which prints tracebacks of its own unless somebody listens to its log."""
+    """Return trimesh, with a handler on its log, as it prints tracebacks otherwise."""
     import trimesh
 
     logger = logging.getLogger("trimesh")

@@ -20,7 +20,7 @@ _PLY_COUNT = re.compile(r"element[ \t]+\S+[ \t]+(\S+)", re.ASCII)
 
 
 def check_content(path: Path, ending: str, content: bytes) -> bytes:
-    """Return a file's bytes as trimesh may have them: text in UTF-8, scenes without materials.
+    """Return a file's bytes as trimesh can read them: text in UTF-8, scenes without materials.
 
     Raises:
         FormatError: for counts that do not fit the bytes, words that are not numbers, and scenes that lead to other

@@ -140,7 +140,7 @@ def check_frame(path: Path, text: str) -> None:
 
 
 def _structures(text: str, form: str) -> int:
-    """Return how many structures a file has, by the lines that end or begin one."""
+    """Return the number of structures in a file, by the lines that end or begin one."""
     if form == "proteindatabank":
         return len(re.findall(r"^MODEL\b", text, re.MULTILINE))
     return sum(bool(part.strip()) for part in re.split(r"^\$\$\$\$.*$", text, flags=re.MULTILINE))

@@ -1,4 +1,4 @@
-"""Numbers in text files, read by one rule: what another program would read too, and nothing else.
+"""Numbers in text files, read by one rule: only what other programs would read too.
 
 Python's ``float`` takes more than files mean: ``2_5`` is 25 to it, digits of other scripts count, ``1e400`` is infinite
 and ``1e-400`` zero.

@@ -33,7 +33,7 @@ _KINDS_OF_NODE = {
 
 @contextlib.contextmanager
 def record_files() -> Iterator[dict[Path, str]]:
-    """Yield a dictionary that holds, once the block has ended well, every file that was read in it.
+    """Yield a dictionary that holds, after the block succeeds, every file that was read in it.
 
     Absolute path → SHA-256 of the content: of what was opened here, and of what ``check_is_file`` was asked about
     before a library opened it. Other threads are not recorded.
@@ -121,7 +121,7 @@ def open_file(path: Path, kind: str, limit: int | None = None) -> BinaryIO:
 
 
 class _File(io.FileIO):
-    """A file whose failures to be read name it, whoever reads."""
+    """A file whose read errors name it, whoever reads."""
 
     def __init__(self, path: Path, descriptor: int) -> None:
         super().__init__(descriptor, "rb")

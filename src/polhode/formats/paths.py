@@ -84,7 +84,7 @@ def write_together(folder: str | Path) -> Iterator[Path]:
 
 @contextlib.contextmanager
 def _correct_paths_in_errors(draft: Path, folder: Path) -> Iterator[None]:
-    """Let errors name the files where they have to go, not in the hidden draft that is gone by then."""
+    """Make errors name the final paths, not the hidden draft, which is gone by then."""
     hidden, inside, meant, inside_meant = (one_line(text) for place in (draft, folder) for text in (
         str(place), str(place / "x")[:-1]))
     try:
@@ -97,7 +97,7 @@ def _correct_paths_in_errors(draft: Path, folder: Path) -> Iterator[None]:
 
 @contextlib.contextmanager
 def _reword_errors(path: Path, remedy: str = "Choose a place that you may write to.") -> Iterator[None]:
-    """Turn what the system refuses into one error that names the file."""
+    """Turn errors of the system into one that names the file."""
     try:
         yield
     except OSError as error:

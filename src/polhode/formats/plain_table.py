@@ -31,7 +31,7 @@ LARGEST_FILE = 2000 * MB
 LONGEST_LINE = 1_000_000  # characters
 BLOCK = 2_000_000  # characters that are in memory at once
 MISSING = ("", "nan", "na", "n/a", "null", "none", "-")
-"""What stands in a cell without a number, in small letters."""
+"""The text of cells without a number, in small letters."""
 _MAY_VANISH = re.compile(r"[eE]-\d{3}", re.ASCII)
 _NO_CELLS = re.compile(rf"(?m)^\s*(?:[{''.join(COMMENT)}]|$)")
 _DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?", re.ASCII)
@@ -50,7 +50,7 @@ class PlainTable(NamedTuple):
 
 
 def table_form(path: Path) -> TableForm:
-    """Return how a table is laid out.
+    """Return the form of a table.
 
     Raises:
         InvalidInput: for what is missing, not a regular file, or cannot be read.
@@ -65,7 +65,7 @@ def first_lines(path: Path) -> list[Line]:
 
 
 def detect_decimal(path: Path, form: TableForm) -> str:
-    """Return "comma" where the first numbers have commas and none has a point, else "point"; of blanks neither is told.
+    """Return "comma" where the first numbers have commas and no points, else "point", also where all are blank.
 
     Raises:
         InvalidInput, FormatError: as ``table_form`` does.
@@ -85,10 +85,10 @@ def read_cells(
 
     Args:
         path: of the table.
-        form: how it is laid out.
+        form: of the table.
         columns: which, from 0.
         decimal: "point" or "comma".
-        told: called with how many lines are read, now and then.
+        told: called with the number of lines read, now and then.
 
     Raises:
         InvalidInput: as ``table_form`` does.
@@ -112,7 +112,7 @@ def read_cells(
 
 
 def _join_blocks(blocks: list[Array]) -> Array:
-    """Return blocks one below the other; each goes as soon as it is copied, so that memory holds the table once."""
+    """Return blocks as one array; each is freed as soon as it is copied, so that memory holds the table once."""
     whole = np.empty((sum(map(len, blocks)), *blocks[0].shape[1:]), blocks[0].dtype)
     end = len(whole)
     while blocks:
@@ -168,7 +168,7 @@ def _check_lines(path: Path, first: int, texts: Sequence[str]) -> None:
 
 
 def _by_numpy(texts: Sequence[str], form: TableForm, columns: Sequence[int], decimal: str) -> Array | None:
-    """Return the numbers of a block, None where a cell or the number of cells needs a closer look."""
+    """Return the numbers of a block, None where it has to be read line by line."""
     sign = form.delimiter
     if sign == " ":
         regular = all(len(text.split()) == form.width for text in texts)
@@ -236,6 +236,6 @@ def _number(path: Path, line: int, form: TableForm, column: int, cell: str, deci
 
 
 def name_column(form: TableForm, column: int) -> str:
-    """Return how messages call a column, counted from 0."""
+    """Return a column's name for messages; columns count from 0."""
     name = form.names[column] if form.names else ""
     return f"column {column + 1} {shown(name)}" if name else f"column {column + 1}"

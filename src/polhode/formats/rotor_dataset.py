@@ -108,7 +108,7 @@ def _describe(
 
 
 def rotor_attributes(rotor: Rotor, name: str, temperature: float | None = None) -> dict[str, Any]:
-    """Return what a dataset says of a molecule: constants and dipole in SI units, and how distortion is meant.
+    """Return a molecule's attributes for a dataset: constants and dipole in SI units, and the form of distortion.
 
     >>> import polhode as ph
     >>> rotor_attributes(ph.quantum.Rotor((27e9, 14e9, 9e9)), "molecule")["title"]

@@ -29,7 +29,7 @@ _BROKEN = "The file is cut short or damaged. Get it whole."
 
 
 class Segment(NamedTuple):
-    """What a segment's descriptor says; addresses count doubles from 1."""
+    """A segment's descriptor; addresses count doubles from 1."""
 
     first_tick: float
     last_tick: float
@@ -60,7 +60,7 @@ def check_text_kernel(path: Path, kind: str) -> None:
 
 
 def check_ck(path: Path) -> list[Segment]:
-    """Return the segments of a C-kernel, after a look whether SPICE can read them.
+    """Return the segments of a C-kernel, after a check that SPICE can read them.
 
     Raises:
         FormatError: for lists of segments that do not end, addresses outside the file, counts that do not fit them,

@@ -92,7 +92,7 @@ def load_kernels(kernels: Sequence[Path]) -> Iterator[Any]:
 
 
 def _forget(spice: Any) -> None:
-    """Take out what SPICE kept of a kernel that it refused half-way: unloading any text loads the others again."""
+    """Remove the half of a refused kernel that SPICE kept: unloading any text kernel loads the others again."""
     with tempfile.TemporaryDirectory(prefix="polhode-") as folder:
         empty = Path(folder, "empty.tf")
         empty.write_text("KPL/FK\n", "ascii")

@@ -32,7 +32,7 @@ class Clock(NamedTuple):
 
     @property
     def note(self) -> str | None:
-        """What a reader should know, None where times are the stamps themselves."""
+        """A note on the zero of the times, None where times are the stamps themselves."""
         if not self.begin:
             return None
         apart = float(np.spacing(float(abs(self.begin))))
@@ -44,7 +44,7 @@ def read_clock(
     path: Path, form: TableForm, column: int, unit: str, decimal: str, stamps: Float64[Array, "rows"],
     begin: Decimal | None = None,
 ) -> Clock:  # fmt: skip
-    """Return the times that stamps of a table mean, from the first on where they have too many digits for doubles.
+    """Return times from a table's stamps, counted from the first where they have too many digits for doubles.
 
     Args:
         path, form: of the table.

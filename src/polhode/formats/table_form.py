@@ -1,6 +1,6 @@
 """The layout of a plain table: its separator, the line that names its columns, and where its numbers begin.
 
-Found from the first lines: the sign that divides most of them into equally many cells, mostly numbers.
+It is detected from the first lines: the delimiter divides most of them into equally many cells, mostly numbers.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def detect_form(path: Path, lines: Sequence[Line]) -> TableForm:
 
 
 def _count_agreeing(content: Sequence[Line], delimiter: str) -> tuple[int, int]:
-    """Return how many lines have as many cells as the first one of numbers, and which that is; 0 without one."""
+    """Return how many lines have as many cells as the first line of numbers, and the index of that; 0 without one."""
     widths = []
     begin = None
     for k, line in enumerate(content):

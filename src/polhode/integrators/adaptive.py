@@ -1,4 +1,4 @@
-"""Any system by adaptive steps, up to what ends its motion, with an estimate of the error.
+"""Any system by adaptive steps, up to an event, with an estimate of the error.
 
 The error of a step is held to the tolerance relative to each component's size and to its scale. Balances are integrated
 with the motion, under the same control. Each copy of a batch has its own steps, scales and end.
@@ -199,7 +199,7 @@ def adaptive_error(
 def _apart(
     system: AbstractSystem, motion: AdaptiveMotion, other: AdaptiveMotion, kept: int, every: int
 ) -> tuple[Array, Array] | None:
-    """Return how far two motions are apart (batch…) and where that is not known; None if nothing can be compared."""
+    """Return the distance of two motions (batch…) and where it is unknown; None if nothing can be compared."""
     count = min(len(motion.times), len(other.times)) - (motion.event is not None or other.event is not None)
     rows = np.flatnonzero(np.arange(count) * kept % every == 0)
     if len(rows) < 2:  # the start alone has no error, and says nothing

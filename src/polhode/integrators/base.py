@@ -28,7 +28,7 @@ BESIDE = 2e-15  # of a time, by which stages stay beside a jump
 
 
 class Change(NamedTuple):
-    """What a step does.
+    """The result of a step.
 
     Attributes:
         state: the state's change.
@@ -42,7 +42,7 @@ class Change(NamedTuple):
 
 
 class Memory(NamedTuple):
-    """What a solver carries along: what the last sums lost, steps and iterations so far, whether all went well.
+    """The memory of a solver: rounding errors of the sums, steps and iterations so far, success.
 
     ``hint`` is what past steps tell the next one about where to start its search; results depend on it by rounding.
     """
@@ -60,7 +60,7 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
     Attributes:
         system: what moves; diffrax hides a term's attributes, so the solver holds it.
         step_size: the largest step [s].
-        keeps: what the method keeps, in words.
+        keeps: the quantities that the method conserves, in words.
         symmetric: whether a step of length −h undoes one of length h, so that reverse-mode derivatives can go back by
             steps instead of from checkpoints. They check it, and a wrong one costs time only.
     """
@@ -78,10 +78,10 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
 
     @abc.abstractmethod
     def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
-        """Return what a step of length h from time t does to the state."""
+        """Return the change of the state in a step of length h from time t."""
 
     def change_with_hint(self, t: Scalar, h: Scalar, state: Double[Array, "..."], hint: Any) -> tuple[Change, Any]:
-        """Return what a step does, and the hint for the next one, where the method has hints."""
+        """Return the result of a step, and the hint for the next one, where the method has hints."""
         return self.change(t, h, state), hint
 
     def no_hint(self, state: Double[Array, "..."]) -> Any:
@@ -93,7 +93,7 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         """Return the order of convergence."""
 
     def memory(self, state: Double[Array, "..."]) -> Memory:
-        """Return what is carried along from a start."""
+        """Return the memory at a start."""
         zero = jnp.zeros((), int)
         return Memory(jnp.zeros_like(state), zero, zero, jnp.asarray(True), self.no_hint(state))
 

@@ -36,7 +36,7 @@ Seen = Callable[[Float64[Array, ""], Any], Any]
 
 
 class Problem(NamedTuple):
-    """What is integrated, as functions of time and state.
+    """The problem, as functions of time and state.
 
     Attributes:
         rates: of change.
@@ -237,7 +237,7 @@ def _take_step(method: Any, rates: Rates, time: Array, state: Any, h: Array, slo
 
 
 def _size(error: Any, before: Any, after: Any, tolerance: Array) -> Float64[Array, ""]:
-    """Return the root mean square of an error over what is tolerated; not a number where the step failed."""
+    """Return the root mean square of an error over its tolerance; NaN where the step failed."""
     def part(e: Array, a: Array, b: Array) -> Array:
         return e / (tolerance * (1.0 + jnp.maximum(jnp.abs(a), jnp.abs(b))))
 

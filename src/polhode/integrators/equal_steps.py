@@ -32,7 +32,7 @@ AS_ONE = 8  # copies in a block that cost about as much as one
 
 
 class Run(NamedTuple):
-    """What came out of one state or a batch.
+    """The result for one state or a batch.
 
     Attributes:
         states: (batch…, T, …); infinite from the step on that failed.
@@ -122,7 +122,7 @@ def run_through_windows(
 
 
 def inner_windows(times: int, steps: int) -> int:
-    """Return into how many parts an interval between samples is cut to compare two motions along the way too.
+    """Return the number of parts of an interval between samples in which two motions are compared.
 
     They may by chance be at the same saddle at all samples, and differ only in between.
     """

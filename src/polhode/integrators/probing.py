@@ -106,7 +106,7 @@ def find_undeclared_jumps(
 def jumps_along(
     system: AbstractSystem, states: Double[np.ndarray, "..."], times: Float64[np.ndarray, "time"]
 ) -> Float64[np.ndarray, "found"]:
-    """Return what ``find_undeclared_jumps`` does, tried at the states of a motion, each from its time up to the next.
+    """Return jumps as ``find_undeclared_jumps`` does, tried at the states of a motion, each up to the next time.
 
     Args:
         system: what moves.
@@ -131,7 +131,7 @@ def _choose_copies(copies: int) -> list[tuple[int, int]]:
 def _together(
     times: Float64[np.ndarray, "time"], found: list[Any], warned: bool = False
 ) -> Float64[np.ndarray, "inside"]:
-    """Return what was found at several copies, of which those with too many changes give their number."""
+    """Return the jumps of several copies; a copy with too many changes gives their number."""
     many = max((x for x in found if isinstance(x, int)), default=0)
     if many and warned:
         warnings.warn(

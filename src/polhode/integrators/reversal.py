@@ -39,7 +39,7 @@ Pair = tuple[Array, Array]
 
 
 class Given(NamedTuple):
-    """What a run of equal steps depends on.
+    """The arguments of a run of equal steps.
 
     Attributes:
         held: arrays that the step encloses.
@@ -76,7 +76,7 @@ class Reached(NamedTuple):
 
 
 def repeat_steps(step: Step, given: Given, parts: Sequence[Any], symmetric: bool, name: str) -> Reached:
-    """Return where equal steps lead, with derivatives of either mode; ``held`` is found here, whatever is given.
+    """Return the end of a run of equal steps, with derivatives of either mode; ``held`` is always computed here.
 
     Args:
         step: (t, h, state, lost, hint) → the same pair after a step, its iterations, whether it went well, the hint for

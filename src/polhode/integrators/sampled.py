@@ -1,4 +1,4 @@
-"""A motion at given times by adaptive steps, up to what ends it: explicit Runge–Kutta methods, and any of diffrax's.
+"""A motion at given times by adaptive steps, up to an event: explicit Runge–Kutta methods, and any of diffrax's.
 
 States are divided by their scales, and what balances receive by its own, so that one tolerance holds for all.
 """
@@ -25,7 +25,7 @@ MOST_STEPS = 15_000_000  # of a run, some ten minutes
 
 
 class Sampled(NamedTuple):
-    """What came out for one copy, or for each copy of a batch.
+    """The result for one copy, or for each copy of a batch.
 
     Attributes:
         saved: (batch…, K, …) states at the times to save, or what was observed; infinite after the end.
@@ -56,7 +56,7 @@ class Carried(NamedTuple):
 
 
 class Scales(NamedTuple):
-    """What a state is divided by, and what each balance received."""
+    """The scales of a state, and of what each balance received."""
 
     state: Array
     received: dict[str, Array]
@@ -136,7 +136,7 @@ def unscale_run(
     system: AbstractSystem, by: Scales, saved: Any, time: Float64[Array, ""], last: Carried,
     status: Integer[Array, ""], steps: Integer[Array, ""], of_states: bool = True,
 ) -> Sampled:  # fmt: skip
-    """Return what came out of a run, in the system's own units."""
+    """Return the result of a run in the system's own units."""
     # after the end there is infinity, which a derivative of zero must not meet
     grown = lambda x, size: jnp.where(jnp.isinf(x), x, jnp.where(jnp.isinf(x), 1.0, x) * size)  # noqa: E731
     whole = lambda y: {name: grown(y.received[..., k], size) for k, (name, size) in enumerate(by.received.items())}  # noqa: E731

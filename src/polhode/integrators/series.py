@@ -244,7 +244,7 @@ def _by_arrays_or_tape(
 
 
 def _find_place(memory: Sequence[Array], states: Double[Array, "copies ..."], first: float) -> Place:
-    """Return where the last step of an earlier motion began; ``memory`` says how long before its end that was."""
+    """Return where the last step of an earlier motion began; ``memory`` has the time from there to its end."""
     shapes = [np.shape(x) for x in memory]
     if shapes != [(), np.shape(states[0]), ()] or len(states) > 1:
         raise InvalidInput(

@@ -1,4 +1,4 @@
-"""What every exact motion offers."""
+"""The base class of exact motions."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ CYCLES, SAMPLES = 10, 2000  # of a motion without times
 
 
 class _Alone(NamedTuple):
-    """What the states of one body at one time are made of, without what arrays cost."""
+    """Constants from which the states of one body at one time are computed, without the overhead of arrays."""
 
     column: tuple[float, ...]
     epoch: float
@@ -46,7 +46,7 @@ class _Alone(NamedTuple):
     turn: PlainTurn | None
 
     def holds(self, t: float) -> bool:
-        """Return whether a time is within the range of phases; other times are refused where arrays of them are."""
+        """Return whether a time is within the range of phases; the code for arrays refuses other times."""
         return bool(abs(t) <= min(MOST_RADIANS / max(self.fastest, 1e-300), MOST_TIME))
 
 
@@ -67,10 +67,10 @@ class AbstractMotion(ExactMotion):
     its moments, and gives its closed form along the principal axes: ``_columns_of``, ``_closed_form``, ``_fastest``.
 
     Attributes:
-        title: what such a motion is called.
+        title: name of such a motion.
         kind: the kind of spec whose pictures show it, by its name; empty for none.
-        page_solver: what the page calls the solver that goes on with such a motion; empty for none.
-        has_vertical: whether space has an up of its own, as under gravity.
+        page_solver: the page's name of the solver for such a motion; empty for none.
+        has_vertical: whether space has an upward direction, as under gravity.
         body_numbers: the attributes (…) that say, with the moments, what the body is.
         moments: (…, 3) principal moments [kg m²].
         momentum_at_epoch: (…, 3) [kg m²/s, body axes].
@@ -123,7 +123,7 @@ class AbstractMotion(ExactMotion):
         """Return body, momentum and attitude along the principal axes as the closed form takes them.
 
         Raises:
-            InvalidInput: for what this motion cannot be.
+            InvalidInput: for values that this motion does not cover.
         """
         return body, momentum, attitude
 
@@ -144,7 +144,7 @@ class AbstractMotion(ExactMotion):
 
     @property
     def _arguments(self) -> tuple[Array, ...]:
-        """What the closed form is of, each (…, k): moments, numbers of the body, momentum and attitude at the epoch."""
+        """Arguments of the closed form, each (…, k): moments, numbers of the body, momentum and attitude at epoch."""
         numbers = (getattr(self, name)[..., None] for name in self.body_numbers)
         return (self.moments, *numbers, *self._principal)
 
@@ -155,7 +155,7 @@ class AbstractMotion(ExactMotion):
 
     @cached_property
     def _alone(self) -> _Alone | None:
-        """What the states of one body, of plain numbers, are made of; None of other motions."""
+        """Constants from which states of one body are computed with plain numbers; None for other motions."""
         if self.batch_shape or not isinstance(self.moments, np.ndarray):
             return None
         turn = None if self.axes is None else self._from_principal.plain()
@@ -193,7 +193,7 @@ class AbstractMotion(ExactMotion):
 
     @abc.abstractmethod
     def _invariants(self, attitude: Array, momentum: Array, velocity: Array) -> tuple[dict[str, Array], dict[str, Any]]:
-        """Return what is conserved at samples (…, T, k), by name, and by how much it drifts."""
+        """Return the invariants at samples (…, T, k), by name, and their drift."""
 
     # ------------------------------------------------------------------ what every motion offers
 
@@ -204,7 +204,7 @@ class AbstractMotion(ExactMotion):
 
     @property
     def free_moments(self) -> Float64[Array, "... 3"] | None:
-        """(…, 3) principal moments of a body that nothing acts on; None of any other."""
+        """(…, 3) principal moments of a body without torques; None for others."""
         return None
 
     def state(self, t: Real[ArrayLike, "..."]) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
@@ -260,7 +260,7 @@ class AbstractMotion(ExactMotion):
         return rotation.as_matrix(self.state(t)[0])
 
     def sample(self, times: Real[ArrayLike, "time"] | None = None) -> Trajectory:
-        """Return the motion at times (T,) [s] as a trajectory, with what its invariants drift by.
+        """Return the motion at times (T,) [s] as a trajectory, with the drift of its invariants.
 
         Without times, of one body: 2000 samples of ten cycles from the epoch on, as of a spec without ``[time]``.
 
@@ -308,7 +308,7 @@ class AbstractMotion(ExactMotion):
         return self._standing(chosen_axes(axes, self.given_axes))
 
     def _standing(self: Motion, axes: Array | None) -> Motion:
-        """Return the same motion along axes that the principal ones are the columns of ``axes`` in."""
+        """Return the same motion along other axes, in which the columns of ``axes`` are the principal ones."""
         if axes is self.axes:
             return self
         body = (self.moments, *(getattr(self, name) for name in self.body_numbers))
@@ -331,7 +331,7 @@ class AbstractMotion(ExactMotion):
 
     @cached_unless_traced
     def _from_principal(self) -> Turn:
-        """The turn from the principal axes to those that vectors and attitude are along."""
+        """The turn from the principal axes to those of vectors and attitude."""
         return Turn.to(namespace(self._principal[0], self.axes).asarray(self.axes)).back
 
     def _turned(self, attitude: Array, momentum: Array) -> tuple[Array, Array]:

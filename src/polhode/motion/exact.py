@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class ExactMotion(Plotted, abc.ABC):
-    """A motion that is known at any time."""
+    """A motion in closed form, known at any time."""
 
     @abc.abstractmethod
     def sample(self, times: Real[ArrayLike, "time"] | None = None) -> Trajectory:
@@ -21,4 +21,4 @@ class ExactMotion(Plotted, abc.ABC):
 
     @abc.abstractmethod
     def _standing(self, axes: Float64[Array, "3 3"] | None) -> ExactMotion:
-        """Return the same motion along axes that the principal ones are the columns of ``axes`` in."""
+        """Return the same motion along other axes, in which the columns of ``axes`` are the principal ones."""

@@ -10,7 +10,7 @@ from polhode.types import Array, Float64
 
 
 class BodyFrame(NamedTuple):
-    """The body's axes that a trajectory is along, and what goes with them.
+    """The body axes of a trajectory, and the mass properties along them.
 
     Attributes:
         moments: (3,) principal moments [kg m²], about the centre of mass or a fixed point.

@@ -44,7 +44,7 @@ def one_of(name: str, argument: ArrayLike | None, attribute: ArrayLike | None) -
 
 
 def spin_of(momentum: ArrayLike | None, angular_velocity: ArrayLike | None) -> tuple[str, ArrayLike]:
-    """Return what says how a body spins, with its name.
+    """Return the argument that gives a body's spin, with its name.
 
     Raises:
         InvalidInput: unless exactly one is given.
@@ -55,7 +55,7 @@ def spin_of(momentum: ArrayLike | None, angular_velocity: ArrayLike | None) -> t
 
 
 def momentum_of(moments: Float64[Array, "..."], angular_velocity: Float64[Array, "..."]) -> Float64[Array, "..."]:
-    """Return IΩ along the principal axes; what overflows is refused with the momentum."""
+    """Return IΩ along the principal axes; an overflow is refused later, with the momentum."""
     common_shape(moments=moments, angular_velocity=angular_velocity)
     with np.errstate(over="ignore", invalid="ignore"):
         return moments * angular_velocity
@@ -113,7 +113,7 @@ def checked(
 
 
 def _good(xp: Any, moments: Array, attitude: Array) -> tuple[Array, Array]:
-    """Return where moments are those of a body, and where quaternions are of unit length (…, 1)."""
+    """Return where moments are physical, and where quaternions are of unit length (…, 1)."""
     # entry by entry, as NumPy is slow along short axes
     w, x, y, z = (attitude[..., k : k + 1] for k in range(4))
     length = xp.sqrt((w * w + x * x) + (y * y + z * z))

@@ -27,7 +27,7 @@ class StatePart(NamedTuple):
 
 
 class Quantity(NamedTuple):
-    """What a conserved or balanced quantity is, for files and tables.
+    """Unit and meaning of a conserved or balanced quantity, for files and tables.
 
     Attributes:
         unit: as CF metadata writes units; "" where it depends on the system.
@@ -80,7 +80,7 @@ class StateLayout:
         return {part.name: part for part in self.parts if part.size == 1}
 
     def place(self, name: str) -> slice:
-        """Return where a part stands along the last axis.
+        """Return the slice of a part along the last axis.
 
         Raises:
             KeyError: for a part that the state does not have.

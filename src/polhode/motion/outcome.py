@@ -12,7 +12,7 @@ from polhode.types import Array
 
 
 class Ending(enum.Enum):
-    """What ended a sampled motion."""
+    """The cause of a sampled motion's end."""
 
     EXACT = "exact"  # evaluated in closed form at the times asked for
     COMPLETED = "successful"  # integrated to the last time asked for
@@ -23,7 +23,7 @@ class Ending(enum.Enum):
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a sampled motion came to its end, and what else there is to say of it.
+    """How a sampled motion ended, with a message.
 
     Attributes:
         ending: what ended it.
@@ -44,7 +44,7 @@ class Outcome:
 
 
 class Status(enum.IntEnum):
-    """How one copy of a batch came to its end, as a number for arrays."""
+    """How one copy of a batch ended, as a number for arrays."""
 
     COMPLETED = 0
     EVENT = 1
@@ -52,7 +52,7 @@ class Status(enum.IntEnum):
 
 
 class Ends(NamedTuple):
-    """How each copy of a batch came to its end.
+    """How each copy of a batch ended.
 
     Attributes:
         status: (batch…) numbers of ``Status``.
@@ -79,7 +79,7 @@ class Ends(NamedTuple):
         return since >= last[..., None]
 
     def outcome(self, index: int | tuple[int, ...]) -> Outcome:
-        """Return how the copy with this index came to its end."""
+        """Return how the copy with this index ended."""
         status, event = self.status, self.event
         for k in (index,) if isinstance(index, int) else index:
             status, event = status[k], event[k]

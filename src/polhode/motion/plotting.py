@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 class Plotted:
-    """What can be plotted: motions in closed form and trajectories."""
+    """Base of what can be plotted: motions in closed form and trajectories."""
 
     __slots__ = ()
 

@@ -32,7 +32,7 @@ class Trajectory(Plotted):
     Attributes:
         times: (T,) [s].
         states: packed states (batch…, T, …), as ``layout`` says.
-        layout: which numbers of a state mean what.
+        layout: of a state's parts.
         attitude: (batch…, T, 4) unit quaternions wxyz, body → space; None where meaningless.
         momentum: (batch…, T, 3) [kg m²/s, body axes]; None where meaningless.
         angular_velocity: (batch…, T, 3) [rad/s, body axes]; None where meaningless.
@@ -94,7 +94,7 @@ class Trajectory(Plotted):
 
     @property
     def motion(self) -> AbstractMotion | None:
-        """The exact motion that the samples are of, which gives the motion between them; None where there is none."""
+        """The exact motion of the samples, which gives the motion between them; None where there is none."""
         return cast("AbstractMotion", self.source) if isinstance(self.source, ExactMotion) else None
 
     def quantity(self, name: str) -> Quantity:
@@ -113,13 +113,13 @@ class Trajectory(Plotted):
             raise InvalidInput(f"{error.args[0]}. Choose one of these.") from None
 
     def resampled(self, times: ArrayLike) -> Trajectory:
-        """Return the exact motion that the samples are of at other times [s], along the same axes.
+        """Return the exact motion of the samples at other times [s], along the same axes.
 
         Raises:
             InvalidInput: where the samples are not of an exact motion.
         """
         if self.motion is None:
-            raise InvalidInput("the samples are not of an exact motion, which alone is known between them. "
+            raise InvalidInput("the samples are not of an exact motion, so that the motion between them is not known. "
                                "Integrate to the times that you need.")  # fmt: skip
         return replace(self.motion.sample(times), frame=self.frame)
 
@@ -146,7 +146,7 @@ class Trajectory(Plotted):
         return self.standing(chosen_axes(axes, given))
 
     def standing(self, axes: Float64[Array, "3 3"] | None) -> Trajectory:
-        """Return the same samples along axes that the principal ones are the columns of ``axes`` in; None for these."""
+        """Return the same samples along axes in which the columns of ``axes`` are the principal ones."""
         if axes is self.axes or (axes is not None and self.axes is not None and np.array_equal(axes, self.axes)):
             return self
         if self.axes is None:
@@ -197,7 +197,7 @@ class Trajectory(Plotted):
         return f"<table>{''.join(rows)}</table>"
 
     def _lines(self) -> list[tuple[str, str]]:
-        """Return what there is, one line each."""
+        """Return a description, one line for each part."""
         times, batch = np.asarray(self.times), self.batch_shape
         span = f", {times[0]:g} s to {times[-1]:g} s" if len(times) else ""
         made = "" if self.source is None else f" of {type(self.source).__name__}"

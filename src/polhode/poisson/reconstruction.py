@@ -66,7 +66,7 @@ def reconstruct(
         raise InvalidInput("`times` must advance in one direction, without repetitions.")
     norm = jnp.linalg.norm(L[0])
     if known_false(jnp.isfinite(L).all() & (norm > 0)):
-        raise InvalidInput("`momentum` must be finite and not zero: at rest it does not tell the attitude.")
+        raise InvalidInput("`momentum` must be finite and not zero: at rest it does not determine the attitude.")
     h = steps[:, None]
     slopes = jnp.cross(L, velocity(L))
     middle = [hermite(c, h, L[:-1], L[1:], slopes[:-1], slopes[1:]) for c in NODES]

@@ -1,4 +1,4 @@
-"""Levels and how they change with each constant: ∂E/∂p = ⟨∂H/∂p⟩, by Hellmann and Feynman.
+"""Levels and their derivatives by each constant: ∂E/∂p = ⟨∂H/∂p⟩, by Hellmann and Feynman.
 
 H is linear in its constants, so its blocks are Σ p (block of p), each of which is made once.
 """

@@ -136,7 +136,7 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str] | None = N
 
 
 def _find_sensitive(rotor: Rotor, names: list[str], seen: Observations) -> list[str]:
-    """Return the constants that change any line; all where none does, so that they are named as undetermined."""
+    """Return the constants that change any line; all where none does, so that the error names them."""
     _, slope, size = _at(_LineModel(rotor, names, seen.upper, seen.lower), seen,
                          np.array([get_constant(rotor, name) for name in names]))  # fmt: skip
     alone = _is_rounding(slope, size)

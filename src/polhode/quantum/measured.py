@@ -1,4 +1,4 @@
-"""Measured lines: labels, frequencies, errors, and which of them are blends."""
+"""Measured lines: labels, frequencies, errors and blends."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Observations(NamedTuple):
     share: Float64[Array, "n"]
 
     def means(self, of_lines: Float64[Array, "lines ..."]) -> Float64[Array, "observations ..."]:
-        """Return what lines have as what observations have: means over blends."""
+        """Return values of lines as values of observations: means over blends."""
         total = np.zeros((len(self.frequency), *of_lines.shape[1:]))
         np.add.at(total, self.member, self.share.reshape(-1, *[1] * (of_lines.ndim - 1)) * of_lines)
         return total

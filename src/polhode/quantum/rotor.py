@@ -231,7 +231,7 @@ class Rotor:
         return self._weigh_lines(tuple(np.concatenate(x) for x in zip(*parts, strict=True)), temperature)
 
     def _weigh_lines(self, found: tuple[Array, ...], temperature: float | None) -> Lines:
-        """Return lines by frequency, with what temperature and spins make of them."""
+        """Return lines by frequency, with intensities by temperature and spin weights."""
         order = np.argsort(found[2], kind="stable")
         upper, lower, frequency, strength, energy = (x[order] for x in found)
         weight = self._spin_weight(lower[:, 1], lower[:, 2])
@@ -277,7 +277,7 @@ def equal_constants(constants: tuple[float, float, float]) -> str:
 
 
 def warn_of_fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> str | None:
-    """Return what is to be said of levels below the ground state, as no rigid body has them; None without any."""
+    """Return a warning about levels below the ground state, which are unphysical; None without any."""
     wrong = find_fallen(J, energy)
     if not wrong.any():
         return None
@@ -294,7 +294,7 @@ def find_fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> Bool[Arr
 
 
 def join_levels(parts: list[Levels]) -> Levels:
-    """Return levels one behind the other."""
+    """Return levels concatenated."""
     return Levels(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 

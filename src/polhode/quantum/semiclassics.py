@@ -1,6 +1,6 @@
 """Levels from polhodes: uniform quantisation through the separatrix, doublets, and the spacing of levels.
 
-A level is a polhode whose cap holds a whole number of quanta, mended where the two modes meet and tunnel into each
+A level is a polhode whose cap holds a whole number of quanta, corrected where the two modes meet and tunnel into each
 other. With G = J + ½, action S, barrier θ and ε = −θ/π: S + φ = πK_a ± δ, φ = ε ln|ε| − ε − Im ln Γ(½ + iε), δ =
 arctan e^{−πε}. The next order in 1/G corrects S and θ. What all levels of a J share, d J(J+1), is exact and no matter
 of polhodes: the next order takes it out of H and adds it to what it finds. Source: Colwell, Handy & Miller, J. Chem.

@@ -59,7 +59,7 @@ Label = Annotated[str, BeforeValidator(_label)]
 
 
 class ExportTable(BaseModel):
-    """Labels of attitude files; what is left out has its default."""
+    """Labels of attitude files; each has a default."""
 
     model_config = ConfigDict(extra="forbid")
 
@@ -75,7 +75,7 @@ class ExportTable(BaseModel):
 
 
 def export_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...], str]]:
-    """Yield what is wrong with an epoch in its time system, and with the names of the two frames."""
+    """Yield mistakes in the epoch, by its time system, and in the names of the two frames."""
     yield from _frame_rules(table)
     given, system = table.get("epoch"), table.get("time_system", "UTC")
     try:
@@ -110,7 +110,7 @@ def _frame_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...],
 
 
 def make_labels(table: ExportTable, name: str) -> AttitudeLabels:
-    """Return the labels that a spec asks for; the object is named after the spec if nothing names it."""
+    """Return the labels of a spec; the object's default name is that of the spec."""
     given: dict[str, Any] = {"object_name": _in_ascii(name)}
     given |= {key: value for key, value in table.model_dump().items() if value is not None}
     if table.epoch is not None:

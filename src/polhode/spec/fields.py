@@ -19,7 +19,7 @@ UNIT = "unit"  # attribute of what reads quantities
 
 
 def _in(unit: str) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any]]:
-    """Say of a validator in which SI unit the numbers are that it returns, "" for plain ones; see ``spec.keys``."""
+    """Attach to a validator the SI unit of the numbers that it returns, "" for plain ones; see ``spec.keys``."""
 
     def mark(read: Callable[[Any], Any]) -> Callable[[Any], Any]:
         setattr(read, UNIT, unit)
@@ -88,7 +88,7 @@ def _mesh_unit(value: Any) -> float:
 
 
 def is_number(value: Any) -> bool:
-    """Whether a value is a plain number that has a double; whole numbers in TOML have as many digits as one likes."""
+    """Whether a value is a plain number in the range of doubles; whole numbers in TOML may have any size."""
     return type(value) in (int, float) and -LARGEST <= value <= LARGEST
 
 
@@ -154,7 +154,7 @@ def _positive(value: float) -> float:
 
 
 def within(least: float, most: float, what: str) -> Callable[[float], float]:
-    """Return a check of bounds, which says what they are of."""
+    """Return a check of bounds; its message names the quantity."""
 
     def check(value: float) -> float:
         if not least <= value <= most:
@@ -244,7 +244,7 @@ def _check_tilt(value: float) -> float:
 
 
 def one_of(*choices: str | int) -> BeforeValidator:
-    """Take one of the choices as it stands: 2, but neither 2.0 nor true for it."""
+    """Accept one of the choices exactly: 2, but neither 2.0 nor true in its place."""
     known = ", ".join(str(c) if isinstance(c, int) else f'"{c}"' for c in choices)
 
     def check(value: Any) -> Any:

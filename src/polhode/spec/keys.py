@@ -17,10 +17,10 @@ TOP = ("body", "spin", "time", "system")
 
 
 class Number(NamedTuple):
-    """What stands at a key.
+    """The numbers at a key.
 
     Attributes:
-        unit: SI unit of its numbers, "" for plain ones; None where it depends on what else the spec says.
+        unit: SI unit of its numbers, "" for plain ones; None where it depends on other keys.
         length: how many numbers, 0 for one that is no list.
     """
 
@@ -29,7 +29,7 @@ class Number(NamedTuple):
 
 
 def number_at(key: str, system: type[BaseModel]) -> Number:
-    """Return what a key of a spec holds.
+    """Return unit and length of the numbers at a key of a spec.
 
     Args:
         key: names and places with dots between; places in lists count from 1.
@@ -57,7 +57,7 @@ def number_at(key: str, system: type[BaseModel]) -> Number:
 
 
 def _inside(at: Any, part: str, key: str) -> tuple[Any, list[Any]]:
-    """Return the annotation of one field or place, and what is annotated to it."""
+    """Return the annotation of one field or place, and its metadata."""
     at, _ = _bare(at, [])
     if isinstance(at, type) and issubclass(at, BaseModel):
         if part not in at.model_fields:
@@ -75,7 +75,7 @@ def _inside(at: Any, part: str, key: str) -> tuple[Any, list[Any]]:
 
 
 def _bare(at: Any, marks: list[Any]) -> tuple[Any, list[Any]]:
-    """Return an annotation without None and without what is annotated to it, which comes beside."""
+    """Return an annotation without None, and its metadata apart."""
     while True:
         if get_origin(at) is Annotated:
             at, *more = get_args(at)
@@ -123,7 +123,7 @@ def _place(at: dict[str, Any] | list[Any], name: str, key: str) -> str | int:
 
 
 def write_quantity(value: Any, unit: str) -> Any:
-    """Return a number, or a list of them, as a spec has it: text with its unit, or plain without one."""
+    """Return a number, or a list of them, as a spec writes it: text with its unit, or plain without one."""
     if isinstance(value, list | tuple):
         return [write_quantity(item, unit) for item in value]
     return f"{float(value)} {unit}" if unit else float(value)

@@ -29,7 +29,7 @@ WORDS = {
 
 
 def list_mistakes(error: ValidationError, root: type[BaseModel] = SpecFile, at: Location = ()) -> list[Mistake]:
-    """Return what pydantic found in a model, worded, with the model's own place in the file."""
+    """Return pydantic's errors about a model in plain words, with their places in the file."""
     return [((*at, *mistake["loc"]), _word_mistake(mistake, root)) for mistake in error.errors()]
 
 

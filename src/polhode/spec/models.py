@@ -89,7 +89,7 @@ class BodyTable(Strict):
 
     @property
     def is_molecule(self) -> bool:
-        """Whether it is told as molecules are, by atoms or by rotational constants."""
+        """Whether it is a molecule, given by atoms or by rotational constants."""
         return self.molecule is not None or self.rotational_constants is not None
 
 
@@ -113,24 +113,24 @@ class SpinTable(Strict):
 
     @property
     def is_of_a_top(self) -> bool:
-        """Whether it tells how a top goes about the vertical."""
+        """Whether it gives the rates of a top's Euler angles."""
         return any(told is not None for told in (self.spin, self.precession, self.nutation_rate))
 
 
 class TimeTable(Strict):
-    """When to sample, from zero on."""
+    """The times of samples, from zero on."""
 
     until: Duration | None = None
     samples: Samples = 2000
 
 
 class SystemTable(Strict):
-    """What the table [system] of every kind has.
+    """Base of the table [system] of every kind.
 
     Attributes:
         takes: the other tables that go with it.
-        needs: those of them that it cannot do without.
-        leans: whether [spin] may tell how an axis goes: by spin, precession and nutation_rate.
+        needs: those of them that are required.
+        leans: whether [spin] may give spin, precession and nutation_rate.
     """
 
     takes: ClassVar[tuple[str, ...]] = ("body", "spin", "time")

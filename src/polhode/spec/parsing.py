@@ -19,7 +19,7 @@ REMEDY = "Values with units stand in quotes."
 
 
 def read_tables(path: Path, kind: str = "spec") -> dict[str, Any]:
-    """Return what a TOML file holds; ``kind`` says what it should be, for messages.
+    """Return the tables of a TOML file; ``kind`` names it in messages.
 
     Raises:
         InvalidInput: if it is missing, not a regular file, or cannot be read.
@@ -46,7 +46,7 @@ def _too_deep(path: Path) -> str:
 
 
 def _longest_key(text: str) -> int:
-    """Return how many dots a key may have at most; what keys are is known only to the parser."""
+    """Return an upper bound of the dots in any key; only the parser knows what is a key."""
     bare = max(len(_DOT.findall(piece)) for piece in re.split(r"[\n=,{}\[\]]", text))
     quoted = len(_QUOTED_DOT.findall(text))
     return max(bare, quoted // 4)

@@ -39,7 +39,7 @@ def numbers_in(value: Any, at: Location = ()) -> Iterator[tuple[Location, float]
 
 
 def beyond_reach(value: Any, at: Location, reach: float) -> Iterator[Mistake]:
-    """Yield the numbers of a table that are neither zero nor within reach, and how that is said.
+    """Yield the places of numbers that are neither zero nor within reach, and the messages.
 
     Args:
         value: the table, as its model read it; None for none.

@@ -28,13 +28,13 @@ FEWEST_J, MOST_J = 10, 60  # of the largest J where a spec does not say it; line
 
 
 class SpecRotor(NamedTuple):
-    """The molecule of a spec, as a quantum rotor, and how far it is asked about.
+    """The molecule of a spec as a quantum rotor, with temperature and largest J.
 
     Attributes:
         rotor: its constants.
         temperature: [K].
         j_max: the largest J of levels and lines.
-        notes: what is to be said of it.
+        notes: for the report.
     """
 
     rotor: Rotor
@@ -85,7 +85,7 @@ def rotor_of_body(
 
 
 def doubts_of_weights(rotor: Rotor, atoms: Atoms | None) -> tuple[str, ...]:
-    """Return what speaks against a half turn about ``spin_axis`` that exchanges equal nuclei, if weights need one.
+    """Return why a half turn about ``spin_axis`` does not exchange equal nuclei, if spin weights need that.
 
     It leaves a dipole alone that lies along the axis, and puts each atom where an equal one is.
     """
@@ -123,16 +123,16 @@ def _has_half_turn(atoms: Atoms, axis: int) -> bool:
 def complete_rotor(
     rotor: Rotor, temperature: float | None = None, j_max: int | None = None, notes: tuple[str, ...] = ()
 ) -> SpecRotor:
-    """Return a rotor with temperature and largest J, those that are usual where they are not given."""
+    """Return a rotor with temperature and largest J, or their defaults."""
     found = ROOM_TEMPERATURE if temperature is None else temperature
     return SpecRotor(rotor, found, usual_j(rotor, found) if j_max is None else j_max, notes)
 
 
 def check_summable(asked: SpecRotor) -> None:
-    """Refuse molecules whose levels cannot be summed: so many count, or so large, at this temperature.
+    """Refuse molecules with too many populated levels, or too large numbers, at this temperature.
 
     Raises:
-        InvalidInput: with what would do.
+        InvalidInput: with the limits.
     """
     rotor, temperature, j_max, _ = asked
     _check_countable(rotor, j_max)

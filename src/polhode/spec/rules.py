@@ -22,7 +22,7 @@ OF_A_TOP = ("spin", "precession", "nutation_rate")
 
 
 def find_broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) -> Iterator[Mistake]:
-    """Yield where a spec's tables break a rule, and how it is said; those of the table [system] in their place."""
+    """Yield the places where a spec's tables break a rule, and the messages; rules of [system] come in their place."""
     body = table.get("body")
     if isinstance(body, dict):
         yield from ((("body",), text) for text in _body_rules(body))
@@ -40,19 +40,19 @@ def find_broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) 
 
 
 def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | None) -> Iterator[Mistake]:
-    """Yield which tables are missing for a kind, and which do not go with it.
+    """Yield tables that are missing for a kind, and tables that do not go with it.
 
     Args:
         table: the raw tables.
-        kind: that the spec names.
+        kind: of the spec.
         model: of its table [system]; None for a kind that is not known, which is a mistake of its own.
     """
     spin = table.get("spin")
     if model is not None and not model.leans and isinstance(spin, dict):
         if told := [key for key in OF_A_TOP if key in spin]:
-            verb = "tells" if len(told) == 1 else "tell"
-            yield ("spin",), (f"{list_words(told)} {verb} how a top goes about the vertical, which the system {kind} "
-                              f"has not; give {list_words(WAYS, 'or')} instead")  # fmt: skip
+            verb = "gives" if len(told) == 1 else "give"
+            yield ("spin",), (f"{list_words(told)} {verb} the rates of a top's Euler angles, which the system {kind} "
+                              f"does not take; give {list_words(WAYS, 'or')} instead")  # fmt: skip
     if model is None:
         return  # what such a system needs is not known
     if "body" in model.needs and "body" not in table:

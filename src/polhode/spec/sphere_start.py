@@ -30,7 +30,7 @@ class RandomTable(Degrees):
 
 
 class VortexTable(Strict):
-    """The smallest vortex that the resolution has room for."""
+    """The smallest vortex that the resolution can represent."""
 
     strength: Circulation = Field(description='give the circulation, like "1 m^2/s"')
     latitude: Latitude = Field(description='give it like "45 deg"')
@@ -61,7 +61,7 @@ def coefficient(wave: Harmonic, size: float) -> complex:
 
 
 def degree_rules(size: int, table: Any, key: str) -> Iterator[Mistake]:
-    """Yield what is wrong with the degrees of a random field for a resolution."""
+    """Yield mistakes in the degrees of a random field for a resolution."""
     if isinstance(table, dict) and isinstance(degrees := table.get("degrees"), list) and len(degrees) == 2:
         if all(type(x) is int for x in degrees) and not degrees[0] <= degrees[1] < size:
             yield ("system", key, "degrees"), (
@@ -70,7 +70,7 @@ def degree_rules(size: int, table: Any, key: str) -> Iterator[Mistake]:
 
 
 def harmonic_rules(size: int, waves: Any, key: str) -> Iterator[Mistake]:
-    """Yield which harmonics of a list are not resolved."""
+    """Yield the harmonics of a list that are beyond the resolution."""
     for k, wave in enumerate(waves if isinstance(waves, list) else []):
         if not isinstance(wave, dict):
             continue

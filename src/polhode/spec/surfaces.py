@@ -28,9 +28,9 @@ MANY_ATOMS = 100  # from which on their balls are coarser
 
 
 def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
-    """Return what a body looks like; paths count from the folder. None where only moments are known.
+    """Return the surface of a body; paths count from the folder. None where only moments are known.
 
-    A mesh is as it stands in its file, parts are in their places, a molecule is balls and bars.
+    A mesh is as in its file, parts are in their places, a molecule is balls and bars.
 
     Raises:
         InvalidInput: if a file that the body came from is gone.

@@ -9,7 +9,7 @@ from polhode.spec.rules import Mistake
 
 
 def top_rules(tables: dict[str, Any], kind: str) -> Iterator[Mistake]:
-    """Yield where the raw tables of a file break a rule, and how it is said."""
+    """Yield the places where the raw tables of a file break a rule, and the messages."""
     spin, body = tables.get("spin"), tables.get("body")
     if "lean" in tables["system"] and isinstance(spin, dict) and "attitude" in spin:
         yield ("system", "lean"), "goes without spin.attitude, which already says how the body lies; leave out one"

@@ -38,9 +38,9 @@ def uncertain(name: str, given: Uncertain, unit: str, bare: bool = False) -> tup
     """Return a positive quantity and its standard deviation, in SI.
 
     Args:
-        name: as a reader knows it.
+        name: for messages.
         given: numbers, or a text.
-        unit: that a text must be convertible to.
+        unit: to which a text must be convertible.
         bare: whether a text may go without a unit.
 
     Raises:

@@ -80,7 +80,7 @@ def parse_quantity(value: Any, unit: str) -> float:
     """Return the value of a quantity like "60 rpm" in the given SI unit.
 
     Raises:
-        ValueError: with what is wrong and what would be right; pydantic collects it with the key's path.
+        ValueError: with the mistake and an example; pydantic collects it with the key's path.
     """
     if isinstance(value, bool) or not isinstance(value, str):
         raise ValueError(f'needs a number with its unit in quotes, like "{find_example(unit)}"; got {shown(value)}')
@@ -88,12 +88,12 @@ def parse_quantity(value: Any, unit: str) -> float:
 
 
 def find_example(unit: str) -> str:
-    """Return a quantity in a unit, as a message shows it."""
+    """Return an example of a quantity in a unit, for messages."""
     return EXAMPLES.get(unit, f"1 {unit}")
 
 
 def parse_spectroscopic(value: Any) -> float:
-    """Return a frequency [Hz] of one that is given so, or as a wave number.
+    """Return the frequency [Hz] of a quantity given as a frequency or as a wave number.
 
     Raises:
         ValueError: with what is wrong and what would be right.
@@ -154,7 +154,7 @@ def _parse(value: str, unit: str) -> float:
 
 
 def _check_unit(text: str, value: str, unreadable: ValueError) -> None:
-    """Refuse what pint would compute for ever, or read past: of a unit it gets names, signs and small powers alone."""
+    """Refuse units that pint would compute for ever or misread: it gets only names, signs and small powers."""
     at, was_sign, reach = 0, False, 1.0
     while at < len(text):
         token = _UNIT_TOKEN.match(text, at)
@@ -178,7 +178,7 @@ def _names_angle(names: set[str]) -> bool:
 
 
 def _unknown_unit(names: Any, value: str, example: str) -> str:
-    """Say which unit is not known, and which one spelt alike is."""
+    """Name the unknown unit, and a known one of similar spelling."""
     name = names if isinstance(names, str) else next(iter(names))
     near = next((x for x in (name.lower(), name.capitalize(), name.upper()) if x in _registry()), None)
     hint = f"did you mean {near}?" if near else f'write it like "{example}"'

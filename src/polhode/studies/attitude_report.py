@@ -56,7 +56,7 @@ class AttitudeReport(StudyReport):
     def summary(self) -> str:
         fit = self.fit
         if fit.degenerate is not None or fit.ratios is None:
-            return f"The inertia cannot be told. {sentence(fit.degenerate or '')}"
+            return f"The inertia is not determined. {sentence(fit.degenerate or '')}"
         said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in each(fit.ratios))
         return f"{said}; {motion_in_words(fit.regime)}, residuals {fit.rms:.2g} rad rms."
 

@@ -74,7 +74,7 @@ def lay_side_by_side(a: Source, b: Source, told: Decimal | str | None) -> Laid:
         known = f"both count from {words[0]}" if words[0] == words[1] else f"by their epochs, {' and '.join(words)}"
         return Laid(float(epochs[1] - epochs[0]), known)
     silent = [name for name, side in (("A", a), ("B", b)) if side.labels is None]
-    unsaid = f"{' and '.join(silent)} {'tells' if len(silent) == 1 else 'tell'} no epoch"
+    unsaid = f"{' and '.join(silent)} {'has' if len(silent) == 1 else 'have'} no epoch"
     shortest = min((float(np.diff(side.history.times).min()) for side in (a, b) if len(side.history.times) > 1),
                    default=0.0)  # fmt: skip
     same = a.history.resolution + b.history.resolution + SAME_TIME * shortest

@@ -73,7 +73,7 @@ class ThrowReport(StudyReport):
         fit = self.fit
         what = write_count(len(fit.throws), "throw")
         if fit.degenerate is not None or fit.ratios is None:
-            return f"{what}: the inertia cannot be told. {sentence(fit.degenerate or '')}"
+            return f"{what}: the inertia is not determined. {sentence(fit.degenerate or '')}"
         said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in each(fit.ratios))
         how = motion_in_words(fit.throws[0].regime) if fit.rotor is None else "a wheel turns in the body"
         return f"{what}: {said}; {how}, residuals {fit.rms:.2g} rad/s rms."

@@ -1,4 +1,4 @@
-"""What a finished sweep says: statistics, probabilities, sensitivities."""
+"""The report on a sweep: statistics, probabilities, sensitivities."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ class SweepReport(StudyReport):
     """The answers of a sweep.
 
     Attributes:
-        sweep: what was done.
+        sweep: the plan with its columns.
         store: where the samples are.
     """
 
@@ -108,12 +108,12 @@ class SweepReport(StudyReport):
 
     @property
     def outputs(self) -> list[Column]:
-        """The outputs, whose statistics are told; states at many times have too many numbers."""
+        """The outputs with statistics in the report; states at many times have too many numbers."""
         return [column for column in self.sweep.evaluator.columns if len(column.shape) < 2]
 
     @property
     def status(self) -> dict[str, int]:
-        """How many samples ended in which way."""
+        """The number of samples of each status."""
         found = self.summaries[STATUS]
         assert isinstance(found, dict)
         return found

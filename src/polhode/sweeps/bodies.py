@@ -1,4 +1,4 @@
-"""The bodies of many samples at once: what a sweep varies of the table [body]."""
+"""The bodies of many samples at once, where a sweep varies the table [body]."""
 
 from __future__ import annotations
 

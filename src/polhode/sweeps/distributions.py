@@ -1,6 +1,6 @@
 """Distributions of the inputs of a sweep: each turns uniform numbers, or a sample's index, into values.
 
-The same ways serve random and quasi-random points: every one is a map from the unit cube, so that values are monotonic
+They serve random and quasi-random points alike: every one is a map from the unit cube, so that values are monotonic
 or at least smooth in each of its coordinates.
 """
 
@@ -84,7 +84,7 @@ class Reader:
 
 
 class AbstractDistribution(ABC):
-    """How one input is spread.
+    """The distribution of one input.
 
     Attributes:
         key: how a spec names it.
@@ -407,7 +407,7 @@ def _list_subclasses(base: type) -> list[type]:
 def read_distribution(
     value: Any, reader: Reader, folder: Path, lengths: bool = False
 ) -> AbstractDistribution:
-    """Return how an input is spread, from what a spec says.
+    """Return the distribution of an input from a spec.
 
     Args:
         value: a table with one of the keys of the distributions.

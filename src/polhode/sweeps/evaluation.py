@@ -1,4 +1,4 @@
-"""From a plan to the outputs of some of its samples: all at once where the kind can, otherwise a report on each."""
+"""From a plan to outputs of its samples: all at once where the kind can, otherwise by a report on each."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ DONE, REFUSED, LOST = "done", "refused", "not converged"
 
 
 class Column(NamedTuple):
-    """What the values of one output or input are.
+    """The type of the values of one output or input.
 
     Attributes:
         name: of it.
         shape: of one sample's value.
         text: whether they are words.
         unit: in SI, as people write it.
-        note: what else must be known of it.
+        note: an explanation.
         known: whether a value was seen; where none is defined, it is taken for a number.
     """
 
@@ -54,7 +54,7 @@ class Column(NamedTuple):
         return np.dtype(f"<U{WORDS}") if self.text else np.dtype("<f8")
 
     def blank(self, count: int) -> Any:
-        """Return values of samples of which nothing is known."""
+        """Return blank values of samples."""
         return np.full((count, *self.shape), "" if self.text else math.nan, dtype=self.type)
 
 
@@ -72,7 +72,7 @@ class Chunk(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Evaluator:
-    """What computes the samples of a plan."""
+    """Computes the samples of a plan."""
 
     plan: Plan
 
@@ -129,7 +129,7 @@ class Evaluator:
         return found
 
     def _columns(self, spec: Spec) -> list[Column]:
-        """Return what the outputs of one sample are; numbers that are not defined may turn out to be words."""
+        """Return the types of the outputs of one sample; undefined numbers may turn out to be words later."""
         answers, groups = self._answers(spec)
         units = _units(groups)
         trajectory = self._trajectory(spec) if self.plan.states else None
@@ -202,7 +202,7 @@ class Evaluator:
         return found.values, found.refused | refused, {}
 
     def _impossible(self, inputs: dict[str, Any], low: int, high: int) -> dict[int, str]:
-        """Return which samples make computing them together fail, and why, by halving."""
+        """Find by bisection the samples that make a joint computation fail, and why."""
         try:
             self._ensemble({key: values[low:high] for key, values in inputs.items()})
         except InvalidInput as error:
@@ -213,7 +213,7 @@ class Evaluator:
         return {}
 
     def _explain_refusal(self, inputs: dict[str, Any], k: int) -> str:
-        """Return what reading the sample's own spec has to say against it, which names the key."""
+        """Return the error of reading the sample's own spec, which names the key."""
         try:
             self.make_spec(inputs, k).report()
         except InvalidInput as error:
@@ -303,7 +303,7 @@ def _fit_to_column(column: Column, value: Any) -> Any:
 
 
 def _answer_column(name: str, values: dict[str, Any], units: dict[str, str]) -> Column:
-    """Return what an answer is.
+    """Return the type of an answer.
 
     Raises:
         _NoSuchAnswer: for names that the report does not have, and texts.

@@ -25,7 +25,7 @@ MARKS = "o^sDvP"
 
 
 def histograms(report: SweepReport) -> Figure | None:
-    """Return how each output is spread: densities of numbers, shares of words."""
+    """Return the distribution of each output: densities of numbers, shares of words."""
     panels = [(column, k) for column in report.outputs for k in range(int(np.prod(column.shape, dtype=int)))][:MOST]
     panels = [(column, k) for column, k in panels if _varies(report, column, k)]
     if not panels:
@@ -75,7 +75,7 @@ def _density(axes: Any, report: SweepReport, column: Column, k: int) -> None:
 
 
 def _drawable(report: SweepReport, column: Column, k: int, found: Numbers) -> tuple[Any, Any]:
-    """Return values and weights: of the samples, or of what is kept in place of them."""
+    """Return values and weights: of the samples, or of the summary kept in place of them."""
     if report.sweep.plan.keep == "all":
         values = report.store.read(column.name, DRAWN)
         values = values.reshape(len(values), -1)[:, k]
@@ -88,7 +88,7 @@ def _drawable(report: SweepReport, column: Column, k: int, found: Numbers) -> tu
 
 
 def verdict_map(report: SweepReport) -> Figure | None:
-    """Return which word of the first output of words holds where, over the first two inputs that are single numbers."""
+    """Return a map of the first output of words, over the first two inputs that are single numbers."""
     plan = report.sweep.plan
     texts = [column for column in report.outputs if column.text]
     varied = [column for column in texts if len([word for word in report.summaries[column.name] if word]) > 1]
@@ -124,7 +124,7 @@ def _colour(word: str, k: int) -> str:
 
 
 def make_style(word: str, known: list[str]) -> Any:
-    """Return how a word stands in the legend."""
+    """Return the legend entry of a word."""
     from matplotlib.lines import Line2D
 
     k = known.index(word) % len(MARKS)

@@ -62,7 +62,7 @@ class Layout:
 
     @property
     def plan(self) -> dict[str, Any]:
-        """What tells the store from others, as JSON has it."""
+        """The fingerprint that identifies the store, as JSON."""
         return {"format": FORMAT, "fingerprint": self.fingerprint, "samples": self.samples, "chunk": self.chunk,
                 "keep": self.keep}  # fmt: skip
 
@@ -89,7 +89,7 @@ class Layout:
 
     @cached_property
     def documents(self) -> dict[str, bytes]:
-        """What stands in the store beside the chunks of samples, by path: documents, and the times."""
+        """The files of the store besides chunks of samples, by path: documents, and the times."""
         zarr = import_zarr()
         packed: dict[str, Any] = {}
         store = zarr.storage.MemoryStore(packed)

@@ -30,7 +30,7 @@ class _Sealed(BaseModel):
 
 
 class OfArray(_Sealed):
-    """What a mark says of one input, output, or the status.
+    """The digest and summary of one input, output, or the status.
 
     Attributes:
         digest: of its values.

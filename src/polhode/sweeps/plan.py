@@ -1,4 +1,4 @@
-"""What a sweep does, read from the table [sweep] of a spec."""
+"""The plan of a sweep, read from the table [sweep] of a spec."""
 
 from __future__ import annotations
 
@@ -56,13 +56,13 @@ class SweepTable(Strict):
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """A sweep to do.
+    """The plan of a sweep.
 
     Attributes:
         path: of the spec.
         tables: of the spec, without [sweep].
         kind: that the spec names.
-        design: which inputs each sample has.
+        design: the inputs of each sample.
         units: of the inputs, "" for plain numbers.
         outputs: names of what is kept.
         times: of states among the outputs [s].
@@ -91,7 +91,7 @@ class Plan:
 
 
 def read_plan(path: str | Path) -> Plan:
-    """Return the sweep that a spec asks for.
+    """Return the plan of the sweep in a spec.
 
     Raises:
         InvalidInput: naming every mistake of the table [sweep].
@@ -146,7 +146,7 @@ def _flat(inputs: dict[str, Any], before: str = "") -> dict[str, Any]:
 
 
 def _find_broken(table: SweepTable, inputs: dict[str, Any]) -> list[Mistake]:
-    """Return what keys ask of each other."""
+    """Return violations of rules between keys."""
     found: list[Mistake] = []
     placed = [how for how in inputs.values() if isinstance(how, AbstractPlaced)]
     rows = [how.count for how in placed if not isinstance(how, Grid)]

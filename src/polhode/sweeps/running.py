@@ -46,7 +46,7 @@ class Sweep:
     """A sweep ready to run, or to go on.
 
     Attributes:
-        plan: what it does.
+        plan: of the sweep.
         evaluator: computes samples.
         layout: of the store that it writes.
         read: the files that samples are computed from, with SHA-256 of their content.
@@ -95,7 +95,7 @@ class Sweep:
 
     @property
     def chunk_bytes(self) -> int:
-        """What the arrays of a chunk take in memory."""
+        """The memory of a chunk's arrays."""
         return compute_size(self.columns, self.evaluator.chunk_size)
 
     def cost(self) -> float:
@@ -200,7 +200,7 @@ class Sweep:
 
 @dataclass(frozen=True, eq=False)
 class _Job:
-    """What a worker needs to know."""
+    """The data that a worker needs."""
 
     plan: Plan
     layout: Layout
@@ -214,7 +214,7 @@ def _package(plan: Plan) -> str:
 
 
 def _fingerprint(plan: Plan, read: dict[Path, str], program: str) -> str:
-    """Return a hash of everything that the samples depend on: the spec, files by content, and what computes."""
+    """Return a hash of everything that the samples depend on: the spec, files by content, and the program."""
     folder = plan.path.parent.absolute()
     files = sorted((Path(os.path.relpath(path, folder)).as_posix(), digest) for path, digest in read.items())
     return hashlib.sha256(json.dumps([program, plan.asked, files]).encode()).hexdigest()
@@ -237,7 +237,7 @@ def _compute(evaluator: Evaluator, store: Store, number: int, read: dict[Path, s
 
 @lru_cache(maxsize=4)
 def _make_evaluator(job: _Job) -> Evaluator:
-    """Return what a worker computes with, for as long as it has the same job.
+    """Return the evaluator of a worker, kept as long as it has the same job.
 
     Raises:
         InvalidInput: if it would compute other numbers than the command itself.
@@ -313,7 +313,7 @@ def _await_workers(client: Any, scheduler: str) -> None:
 
 @contextlib.contextmanager
 def _deaf_to_interrupts() -> Iterator[None]:
-    """Keep Ctrl-C, which a terminal sends to all processes, from those that are started meanwhile: we end them."""
+    """Shield child processes started in the block from a terminal's Ctrl-C; the parent ends them."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
@@ -340,7 +340,7 @@ def _start_tracker() -> None:
 
 @contextlib.contextmanager
 def _explain_failure(sweep: Sweep, store: Store) -> Iterator[None]:
-    """Say in one error what stopped a sweep, and what of it is kept."""
+    """Turn any failure of a sweep into one error with its cause and the number of kept chunks."""
     try:
         yield
     except (PolhodeError, KeyboardInterrupt):
@@ -360,7 +360,7 @@ def _explain_failure(sweep: Sweep, store: Store) -> Iterator[None]:
 
 
 def _is_killed_worker(error: Exception) -> bool:
-    """Return whether it is dask's error for a worker that was killed; a sweep by one process has no dask."""
+    """Return whether it is Dask's error for a killed worker; a sweep by one process does not import Dask."""
     try:
         from distributed import KilledWorker
     except ImportError:

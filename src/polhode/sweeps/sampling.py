@@ -23,7 +23,7 @@ class Design:
     """The inputs of all samples.
 
     Attributes:
-        inputs: how each is spread, by key.
+        inputs: the distribution of each, by key.
         draws: samples at each point of the grids; base points of a sensitivity analysis.
         seed: of the random numbers.
         points: "random", or "sobol" for scrambled Sobol' points, which fill the space more evenly.

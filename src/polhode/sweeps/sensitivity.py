@@ -1,4 +1,4 @@
-"""How much of each output's variance each input explains: Sobol' indices, estimated by SALib."""
+"""The share of each output's variance that each input explains: Sobol' indices, estimated by SALib."""
 
 from __future__ import annotations
 

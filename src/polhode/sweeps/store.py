@@ -33,7 +33,7 @@ SPARE = 1.1  # of the room that a store may need, in what the disk must have
 
 
 class Damage(NamedTuple):
-    """What was not as it was written.
+    """Damage found in a store.
 
     Attributes:
         chunks: how many had marks, and are to be computed again.
@@ -49,7 +49,7 @@ class Store:
 
     Attributes:
         path: of the folder.
-        layout: what it consists of.
+        layout: of its files.
         is_new: whether it was made by this object, and nothing of it is worth keeping before a chunk is finished.
     """
 
@@ -89,7 +89,7 @@ class Store:
             shutil.rmtree(self.path, ignore_errors=True)
 
     def _check_home(self) -> None:
-        """Refuse what could not be a store's own folder, before anything in it is opened or locked."""
+        """Refuse paths that cannot be a store's folder, before anything in it is opened or locked."""
         check_folder(self.path, self.home, {CHUNKS})
         if not os.path.lexists(self.home / PLAN):
             raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} is gone. Put it back, or choose another store "
@@ -144,7 +144,7 @@ class Store:
     # ------------------------------------------------------------------ what is there
 
     def settle(self) -> Damage:
-        """Make the store one in which whatever has a mark is as it was written; to be called under the lock.
+        """Repair the store so that every chunk with a mark is intact; to be called under the lock.
 
         Marks go from chunks that are not, so that they are computed again; documents are put right.
 
@@ -165,7 +165,7 @@ class Store:
         return Damage(dropped, restored)
 
     def _check_places(self) -> None:
-        """Refuse what is neither a file nor a folder where the sweep has its own, and take away abandoned drafts."""
+        """Refuse special files in place of the sweep's own, and remove abandoned drafts."""
         check_folder(self.path, self.home, {CHUNKS})
         for name in self.layout.documents:
             check_file(self.path, name)
@@ -178,7 +178,7 @@ class Store:
                 draft.unlink(missing_ok=True)
 
     def _restore(self, name: str, content: bytes) -> bool:
-        """Put a document back that is missing or says something else, and return whether it was."""
+        """Restore a document that is missing or changed, and return whether it was."""
         path = self.path / name
         if says(path, content):
             return False
@@ -187,7 +187,7 @@ class Store:
         return True
 
     def _is_whole(self, number: int) -> bool:
-        """Whether a mark and the data of its chunk are what was written."""
+        """Whether a mark and the data of its chunk are intact."""
         try:
             digests = self.mark(number).digests
             for column in self.layout.arrays.values():
@@ -321,7 +321,7 @@ def in_bytes(count: float) -> str:
 
 @contextlib.contextmanager
 def reword_errors(path: Path) -> Iterator[None]:
-    """Turn what the system refuses into one error that names the store."""
+    """Turn errors of the system into one that names the store."""
     try:
         yield
     except OSError as error:
@@ -330,7 +330,7 @@ def reword_errors(path: Path) -> Iterator[None]:
 
 
 def _write_through(path: Path) -> None:
-    """Have the system write a file and its folder's entry to the disk; what is all blank has no file."""
+    """Flush a file and its folder's entry to the disk; an array that is all blank has no file."""
     for one in (path, path.parent):
         if not one.exists() or (one.is_dir() and os.name == "nt"):
             continue
@@ -342,7 +342,7 @@ def _write_through(path: Path) -> None:
 
 
 def _write_whole(path: Path, content: bytes) -> None:
-    """Write a file that is there whole or not at all; of two at once either stays, and both are the same."""
+    """Write a file atomically; of two writers at once either wins, and both write the same."""
     draft = path.with_name(f".{path.name}.{os.getpid()}")
     try:
         with draft.open("wb") as file:

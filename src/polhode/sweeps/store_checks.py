@@ -22,7 +22,7 @@ ELSEWHERE = "or choose another store with --out."
 
 
 def check_folder(store: Path, folder: Path, folders: set[str]) -> None:
-    """Refuse a folder of a sweep's that is none, or holds anything but files and these folders.
+    """Refuse a path that is no folder, or a folder that holds anything but files and these folders.
 
     Raises:
         FormatError: naming it.

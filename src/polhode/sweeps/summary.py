@@ -15,7 +15,7 @@ KNOTS = 257  # of the distribution function of a part: quantiles of all are righ
 
 @dataclass
 class Numbers:
-    """Numbers in summary; what is not defined is left out.
+    """A summary of numbers; undefined ones are left out.
 
     Attributes:
         count: of those that are defined.

@@ -26,7 +26,7 @@ MOMENTS_OF_TIME = (0.0, 0.276, 0.618, 1.0)  # of the span; round fractions would
 
 
 def moves_by_generator(system: AbstractLiePoissonSystem) -> bool:
-    """Return whether a system's motion is that of its ``generator``, which is all that orbit methods see."""
+    """Return whether a system moves by its ``generator``, the only description that orbit methods use."""
     return type(system).vector_field is AbstractLiePoissonSystem.vector_field
 
 
@@ -38,7 +38,7 @@ def has_own_flows(system: AbstractLiePoissonSystem) -> bool:
 
 
 def check_generated(system: AbstractLiePoissonSystem, method: str) -> None:
-    """Refuse a system that says its vector field itself.
+    """Refuse a system that overrides its vector field.
 
     Raises:
         InvalidInput: with the remedy.

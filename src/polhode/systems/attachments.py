@@ -47,7 +47,7 @@ class AbstractAttachment(eqx.Module):
 
     @property
     def jumps(self) -> Float64[Array, "jumps"]:
-        """(J,) times [s] at which it starts, ends or jumps, which no step goes across; none by default."""
+        """(J,) times [s] at which it starts, ends or jumps; steps end there. None by default."""
         return jnp.zeros(0)
 
     @property
@@ -57,7 +57,7 @@ class AbstractAttachment(eqx.Module):
 
 
 def checked_jumps(jumps: Real[ArrayLike, "jumps"]) -> Float64[Array, "jumps"]:
-    """Return times [s] at which something jumps as an array (J,).
+    """Return times [s] of jumps as an array (J,).
 
     Raises:
         InvalidInput: for what is not a list of finite numbers.

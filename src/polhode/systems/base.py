@@ -43,7 +43,7 @@ class Parts(NamedTuple):
 
 
 class Vectors(NamedTuple):
-    """What a body's states mean, for pictures and files; None where meaningless.
+    """Attitude, momentum and velocity of a body's states, for pictures and files; None where meaningless.
 
     Attributes:
         attitude: (…, 4) unit quaternions wxyz, body → space.
@@ -99,12 +99,12 @@ class Balance(NamedTuple):
 
 
 class AbstractSystem(HashableModule):
-    """Something with a state that moves and quantities that do not change while it does.
+    """A dynamical system: a state with its rate of change, and conserved quantities.
 
     Attributes:
-        title: what it is called.
+        title: its name.
         kind: the kind of spec whose pictures show it, by its name; empty for none.
-        has_vertical: whether space has an up of its own, as under gravity.
+        has_vertical: whether space has an upward direction, as under gravity.
     """
 
     title: ClassVar[str] = "Motion"
@@ -128,12 +128,12 @@ class AbstractSystem(HashableModule):
 
     @property
     def series_of_arrays(self) -> bool:
-        """Whether Taylor series of its motion are of whole arrays, and are what moves it by default."""
+        """Whether Taylor series of whole arrays move it by default."""
         return False
 
     @property
     def events(self) -> dict[str, Event]:
-        """What ends the motion, named: functions of t and one state, positive until their zero."""
+        """Events that end the motion, by name: functions of t and one state, positive until their zero."""
         return {}
 
     @property
@@ -146,12 +146,12 @@ class AbstractSystem(HashableModule):
         return np.zeros(0)  # of NumPy, as JAX makes an operation of it each time
 
     def layout(self, state: Double[Array, "..."]) -> StateLayout:
-        """Return which numbers of packed states like this one mean what."""
+        """Return the layout of packed states like this one."""
         return StateLayout()
 
     @property
     def free_moments(self) -> Float64[Array, "3"] | None:
-        """(3,) principal moments of a body that nothing acts on; None of any other system."""
+        """(3,) principal moments of a body without torques; None for any other system."""
         return None
 
     @property
@@ -181,7 +181,7 @@ class AbstractSystem(HashableModule):
     def scales(self, state: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return the sizes of the components, to which adaptive steps hold their absolute tolerance.
 
-        What has an infinite one has no size of its own, as a tangent: its error counts relative to itself.
+        An infinite size means none of its own, as for a tangent: its error counts relative to itself.
         """
         largest = jnp.max(jnp.abs(state), initial=0.0)
         return jnp.where(largest > 0, largest, 1.0)

@@ -18,7 +18,7 @@ CLEAN = 1e-14  # components of a unit vector below it are rounding of the frame'
 
 
 class RotorInBody(NamedTuple):
-    """A body with its rotor, as they start to move.
+    """A body with its rotor, at the start of a motion.
 
     Attributes:
         moments: (3,) of the motion: rotor locked, or of a free rotor less its axial moment [kg m²].
@@ -49,7 +49,7 @@ class RotorInBody(NamedTuple):
 
     @property
     def gyrostat(self) -> Gyrostat:
-        """What moves while nothing turns the rotor, or it is held at its rate."""
+        """The system for a free rotor, or one held at its rate."""
         return Gyrostat(self.moments, self.rotor, self.rotor_moment, self.free)
 
     @property
@@ -107,7 +107,7 @@ def rotor_in_body(
 
 @known_numbers_only
 def find_direction(vector: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
-    """Return the direction of a vector (3,), however long it is.
+    """Return the direction of a vector (3,) of any length.
 
     Raises:
         InvalidInput: for a vector without direction.
@@ -147,5 +147,5 @@ def rotor_misfit(body: Body, rotor_axis: Real[ArrayLike, "3"], rotor_moment: flo
 
 
 def clean_direction(direction: Float64[Array, "3"]) -> Float64[Array, "3"]:
-    """Return a unit vector whose components that are rounding are zero."""
+    """Return a unit vector with components at the size of rounding set to zero."""
     return np.where(np.abs(direction) < CLEAN, 0.0, direction)

@@ -12,7 +12,7 @@ from polhode.types import Array, Double, Float64
 def rates_of_change(
     system: AbstractSystem, t: Float64[Array, ""], state: Double[Array, "*shape"]
 ) -> Double[Array, "*shape"]:
-    """Return the rates of change of a state (*shape), none of which is spread over it or loses its imaginary part.
+    """Return the rates of change of a state (*shape), without broadcasting or dropped imaginary parts.
 
     Raises:
         InvalidInput: for rates of another shape, or complex rates of a real state.

@@ -75,7 +75,7 @@ class Gyrostat(AbstractLiePoissonSystem):
             InvalidInput: without the rotor's moment.
         """
         if self.rotor_moment is None:
-            raise InvalidInput("`rotor_moment` of the gyrostat must be given to tell how fast its rotor turns.")
+            raise InvalidInput("`rotor_moment` of the gyrostat must be given to find how fast its rotor turns.")
         size = jnp.sqrt(jnp.sum(self.rotor**2))
         along = velocity @ (self.rotor / jnp.where(size > 0.0, size, 1.0))
         return size / self.rotor_moment - (along if self.free else 0.0 * along)

@@ -96,7 +96,7 @@ class HeavyTop(AbstractLiePoissonSystem):
     @classmethod
     @known_numbers_only
     def from_motion(cls, motion: LagrangeMotion) -> HeavyTop:
-        """Return the same top as one exact motion's, to be simulated or judged; its third axis is that of the motion.
+        """Return the top of an exact motion, to simulate it or judge its stability, with the same third axis.
 
         Raises:
             InvalidInput: for a batch.

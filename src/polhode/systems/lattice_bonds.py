@@ -112,7 +112,7 @@ def classes(lattice: Lattice, bond: BondType) -> list[np.ndarray]:
 
 
 def shift_cells(values: Shaped[Array, "..."], cell: Sequence[int], back: bool = False) -> Shaped[Array, "..."]:
-    """Return values (…, L1, L2, L3) as seen by the first end of a bond: those of the cell that is so much further."""
+    """Return values (…, L1, L2, L3) at the second end of a bond, by the cell of its first end."""
     moved = [(n if back else -n, axis) for n, axis in zip(cell, CELLS, strict=True) if n]
     return jnp.roll(values, [n for n, _ in moved], [axis for _, axis in moved]) if moved else values
 
@@ -155,7 +155,7 @@ def bond_flows(lattice: Lattice, bond: BondType) -> list[Flow]:
 
 
 def find_halving(lattice: Lattice, bond: BondType) -> tuple[int, int] | None:
-    """Return axis and length of the blocks of cells of which every second one starts bonds; None where none fit.
+    """Return axis and length of blocks of cells, every second of which starts bonds; None where none fit.
 
     Then a class of bonds joins one half of the cells with the other, which takes half the turns of masks.
     """

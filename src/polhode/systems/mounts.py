@@ -1,4 +1,4 @@
-"""What is mounted inside a rigid body: rotors, a slug of fuel, and losses without moving parts of their own."""
+"""Mounts inside a rigid body: rotors, a slug of fuel, and losses without moving parts of their own."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ Motor = Callable[[Batch, Float64[Array, "*batch 4"], Float64[Array, "*batch 3"],
 
 
 class AbstractMount(AbstractAttachment):
-    """What turns inside a body and leaves the body's mass where it is, as a rotor does.
+    """A part that turns inside a body without moving its mass, as a rotor does.
 
     A mount brings its own angular momentum p. The whole body's is L = K Ω + Σ p, where K is the inertia of the body
     with all mounts locked, less what each mount turns by itself, its ``inertia``. The mount's reaction on the carrier
@@ -71,7 +71,7 @@ class AbstractMount(AbstractAttachment):
         return jnp.zeros_like(own)
 
     def power(self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own) -> Float64[Array, "*batch"]:
-        """Return the power (…) [W] of what acts between mount and carrier; negative where energy is lost."""
+        """Return the power (…) [W] of the forces between mount and carrier; negative where energy is lost."""
         return jnp.zeros(angular_velocity.shape[:-1])
 
     def drift(
@@ -160,7 +160,7 @@ class Wheel(AbstractMount):
 
     @property
     def momentum_scale(self) -> Float64[Array, ""]:
-        """What a turn under a constant motor gives the rotor."""
+        """The momentum that a constant motor gives the rotor in one turn."""
         if self.motor is None or callable(self.motor):
             return jnp.zeros(())
         return jnp.sqrt(jnp.abs(self.motor) * self.moment)
@@ -180,7 +180,7 @@ class Wheel(AbstractMount):
     def axial_torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
     ) -> Float64[Array, "*batch"]:
-        """Return ḣ (…), what motor and friction do to the rotor [N m]."""
+        """Return ḣ (…) [N m], the torque of motor and friction on the rotor."""
         rate = self.rate(angular_velocity, own)
         motor: Any = self.motor(t, attitude, angular_velocity, rate) if callable(self.motor) else self.motor
         torque = jnp.broadcast_to(0.0 if motor is None else motor, rate.shape)

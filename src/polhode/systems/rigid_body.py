@@ -117,7 +117,7 @@ class AbstractRigidBody(AbstractSystem):
         return _solve(self.carrier, self._carried_momentum(body))
 
     def _carried_momentum(self, body: BodyState) -> Array:
-        """Return KΩ, the momentum of what turns with Ω."""
+        """Return KΩ, the momentum of the parts that turn with Ω."""
         momentum = body.momentum
         for mount, own in zip(self.mounts, body.mounts, strict=True):
             momentum = momentum - mount.momentum(own)
@@ -143,7 +143,7 @@ class AbstractRigidBody(AbstractSystem):
         return self._energy(body, self._velocity(body))
 
     def power(self, t: Time, state: States) -> Float64[Array, "*batch"]:
-        """Return what mounts and torques give to the energy (…) [W]."""
+        """Return the power of mounts and torques (…) [W]."""
         body, t = self.parts(state), jnp.asarray(t)
         velocity = self._velocity(body)
         outer = jnp.sum(self._torque(t, body, velocity) * velocity, axis=-1)
@@ -427,7 +427,7 @@ def _times(inertia: Array, vector: Array) -> Array:
 
 
 def _solve(inertia: Array, vector: Array) -> Array:
-    """Return the vectors whose product with an inertia is given, by Cramer's rule."""
+    """Solve I x = b for x by Cramer's rule, I symmetric (3, 3) or its diagonal (3,), b (…, 3)."""
     if inertia.ndim == 1:
         return vector / inertia
     size = jnp.max(jnp.abs(inertia))  # so that products of three neither overflow nor vanish

@@ -1,4 +1,4 @@
-"""Newton's and Euler's laws for a disk that rolls on a plane, in the frame of its contact, and what follows from them.
+"""The Newton–Euler equations of a disk that rolls on a plane, in the frame of its contact, and their consequences.
 
 e1 is horizontal, e2 leads up the face from the contact, e3 is the disk's axis; s, c stand for sin θ, cos θ. With the
 moments A, C about the centre, half the thickness b and M = [[A+mb², −mab], [−mab, C+ma²]]:
@@ -61,7 +61,7 @@ class RollingMechanics(eqx.Module):
         return self.accelerations(tau2, m * a * (a + b * cot) * w2)
 
     def accelerations(self, tau2: Operand, tau3: Operand) -> tuple[Result, Result]:
-        """Return M⁻¹τ, what couples along e2 and e3 do to ω2 and ω3."""
+        """Return M⁻¹τ, the effect of couples along e2 and e3 on ω2 and ω3."""
         m, a, b, A, C = self._constants
         p, q, r = A + m * b * b, C + m * a * a, m * a * b
         det = A * C + m * a * a * A + m * b * b * C  # pq − r² without cancellation

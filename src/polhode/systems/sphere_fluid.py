@@ -36,7 +36,7 @@ HELD, COPIES = 17, 2
 
 
 class RunCost(NamedTuple):
-    """What a run costs, about.
+    """The approximate cost of a run.
 
     Attributes:
         seconds: on one core.
@@ -99,7 +99,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         return 2.0 * self.rotation * jnp.asarray(self.algebra.coordinates[2])
 
     def cost(self, steps: int = 1, samples: int = 1, iterations: float = 7.0) -> RunCost:
-        """Return about how long a run takes, and how much memory, before it is made.
+        """Return estimates of a run's time and memory before it starts.
 
         Of ``solve`` with ``IsospectralMidpoint`` of order 2; order 8 costs seventeen times as much. ``simulate``
         computes invariants of all samples besides, for which it holds each of them some times more.

@@ -188,7 +188,7 @@ class SpinLattice(AbstractLiePoissonSystem):
 
     @property
     def extra_invariants(self) -> dict[str, Function]:
-        """The components of the total spin that the Hamiltonian keeps: all three, one along an axis, or none."""
+        """The conserved components of the total spin: all three, one along an axis, or none."""
         if self.is_damped or not self.kept:
             return {}
         axes = np.array(self.kept)

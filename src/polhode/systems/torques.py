@@ -33,7 +33,7 @@ Command = Callable[
 
 
 class AbstractTorque(AbstractAttachment):
-    """What acts on a body from outside; it may have a state of its own, as an actuator has.
+    """An external torque on a body; it may have a state of its own, as an actuator has.
 
     Its power τ·Ω enters the balance of the energy.
     """
@@ -46,7 +46,7 @@ class AbstractTorque(AbstractAttachment):
 
     @property
     def rate(self) -> Float64[Array, ""]:
-        """The angular velocity [rad/s] of the motion that it causes from rest; zero if it causes none."""
+        """The angular velocity [rad/s] that it causes from rest; zero if it causes none."""
         return jnp.zeros(())
 
     @abc.abstractmethod

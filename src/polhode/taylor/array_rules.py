@@ -1,4 +1,4 @@
-"""Taylor coefficients of whole arrays: what each of JAX's operations makes of the coefficients of its arguments.
+"""Taylor coefficients of whole arrays: a recurrence for each of JAX's operations.
 
 The operations of a function are done once for each order, on arrays as large as they are. So a field of large arrays,
 as that of a fluid is, has its series without being taken apart into numbers.
@@ -153,7 +153,7 @@ def _all_affine(jaxpr: Any, moving: set[int]) -> bool:
 
 
 def bind(equation: Any, given: list[Any]) -> list[Shaped[Array, "..."]]:
-    """Return what an operation makes of values."""
+    """Return the result of an operation on values."""
     found = equation.primitive.bind(*given, **equation.params)
     return list(found) if equation.primitive.multiple_results else [found]
 

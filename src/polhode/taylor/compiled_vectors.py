@@ -42,7 +42,7 @@ class Model(models.PrimitiveModel):
 
 
 class Numbers(types.Type):
-    """Where numbers begin in memory: neither size nor sign of an index is looked at, nor are references counted."""
+    """A pointer to numbers in memory: neither bounds nor signs of indices are checked, nor are references counted."""
 
     def __init__(self, of: Any) -> None:
         self.of = of
@@ -62,7 +62,7 @@ KIND = Vector()
 
 @cache
 def of_one_copy() -> dict[str, Any]:
-    """Return how vectors are loaded, stored and gathered from flat arrays; nothing is checked."""
+    """Return the functions that load, store and gather vectors from flat arrays, without checks."""
     _define_arithmetic()
     made = {"load": _load, "store": _store, "gather": _gather, "borrow": _declare_borrow,
             "run_code": _run_code, "vectors": _declare_view(types.float64)}  # fmt: skip
@@ -71,7 +71,7 @@ def of_one_copy() -> dict[str, Any]:
 
 @cache
 def of_lanes() -> dict[str, Any]:
-    """Return what takes the places of the functions in ``lanes``."""
+    """Return the replacements of the functions in ``lanes``."""
     _define_arithmetic()
     made = {"borrow": _declare_borrow, "run_code": _run_code, "vectors": _declare_view(KIND), "spread": _spread,
             "where_less": _where_less, "square_root": _square_root}  # fmt: skip

@@ -21,11 +21,11 @@ MOST_NODES = 40_000  # of a tape; larger fields are better stepped by operations
 
 
 class Untraceable(Exception):
-    """A field that is not made of the operations of a tape; the message names what is not."""
+    """A field with an operation that a tape does not have; the message names it."""
 
 
 class Operation(IntEnum):
-    """What a node does with its arguments."""
+    """The operation of a node."""
 
     AFFINE = 0
     PRODUCT = 1
@@ -154,7 +154,7 @@ class Tape:
                 raise Untraceable("a branch on a place in an orbit")
 
     def decide(self, answers: np.ndarray) -> bool:
-        """Return what a branch on the time comes to, which must be the same at all instants."""
+        """Return the value of a branch on the time, which must be the same at all instants."""
         if answers.any() != answers.all():
             raise Untraceable("a branch on the time that changes where no jump is named")
         return bool(answers.all())

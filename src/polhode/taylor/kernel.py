@@ -106,7 +106,7 @@ def seat_copies(copies: Copies, lanes: Lanes, course: Course, following: Any) ->
 
 
 def expand_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> None:
-    """Set the coefficients of what is watched, of powers of the units of time that pass."""
+    """Set the Taylor coefficients of watched functions, in units of time."""
     whole, found = rates.whole, vectors(lanes.watched)
     n, width = whole[SIZE], whole[SLOTS]
     for w in range(lanes.p.shape[0]):
@@ -118,7 +118,7 @@ def expand_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> None:
 
 
 def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
-    """Set how far a copy goes, put samples on the way where they belong, and return how it stands."""
+    """Set the length of a copy's step, evaluate its samples within, and return its status."""
     k, unit, p, order = lanes.which[lane], lanes.units[lane], lanes.p, course.order
     for w in range(p.shape[0]):
         for j in range(order + 1):
@@ -157,7 +157,7 @@ def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane:
 
 
 def event_in(copies: Copies, lanes: Lanes, course: Course, lane: Any, h: Any) -> tuple[Any, Any]:
-    """Return which of what is watched is the first to change its sign within h, or −1, and after what time it does."""
+    """Return the watched function that is the first to change its sign within h, or −1, and the time of that."""
     k, unit, order, p = lanes.which[lane], lanes.units[lane], course.order, lanes.p
     t, event, first, length = copies.now[k, TIME], -1, h, abs(h)
     for w in range(p.shape[0]):
@@ -179,7 +179,7 @@ def event_in(copies: Copies, lanes: Lanes, course: Course, lane: Any, h: Any) ->
 
 
 def finish_step(copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
-    """Note that a copy has come to the end of a step, and return how it stands."""
+    """Advance a copy's records to the end of a step, and return its status."""
     k, later, event = lanes.which[lane], lanes.later[lane], lanes.event[lane]
     n, following = copies.y.shape[1], copies.counts[k, NEXT]
     for i in range(n):

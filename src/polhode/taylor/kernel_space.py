@@ -56,7 +56,7 @@ class Exact(NamedTuple):
 
 
 class Copies(NamedTuple):
-    """How C copies of n numbers stand.
+    """The state of C copies of n numbers.
 
     Attributes:
         y: (C, n) states.
@@ -84,7 +84,7 @@ class Copies(NamedTuple):
 
 
 class Course(NamedTuple):
-    """What is common to all copies.
+    """The data shared by all copies.
 
     Attributes:
         times: (T,) samples, in the direction of time, and ``samples`` how many.

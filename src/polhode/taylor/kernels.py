@@ -74,7 +74,7 @@ class _Spent:
 
 
 def choose_kernel(copies: int, extended: bool = False) -> Kernel:
-    """Return the fastest kernel for so many copies that is there or worth its while."""
+    """Return the fastest kernel for so many copies that is compiled already or worth compiling."""
     if extended:
         made = compile_kernel if _is_worth(EXTENDED, _Spent.by_python) else python_kernel
         return made(EXTENDED)
@@ -96,7 +96,7 @@ def write_code(use: Kernel, program: Program) -> Any:
 
 
 def note(use: Kernel, copies: int, program: Program, seconds: float) -> None:
-    """Note what a run took, by which the next kernel is chosen; not the first one, which compiles or loads."""
+    """Record the time of a run, for the choice of the next kernel; not of the first, which compiles or loads."""
     if use in _Spent.called or not use.is_compiled:
         _Spent.by_program[program.form] = _Spent.by_program.get(program.form, 0.0) + seconds
     if use not in _Spent.called:

@@ -75,7 +75,7 @@ class Form(NamedTuple):
 
 
 class Machine(NamedTuple):
-    """What a kernel needs for a system between two of its jumps.
+    """The programs of a system between two of its jumps.
 
     Attributes:
         form: of a state.
@@ -132,7 +132,7 @@ def count_operations(system: AbstractSystem, state: Double[Array, "..."]) -> int
 
 
 class _Written(NamedTuple):
-    """What a system's functions do to time, real numbers of a state, and those of the system.
+    """A system's functions of time, real numbers of a state, and those of the system.
 
     Attributes:
         closed: of JAX: rates, what balances receive, what is watched.
@@ -150,7 +150,7 @@ class _Written(NamedTuple):
 def _of_any_numbers(
     written_of: Callable[..., Any], system: AbstractSystem, *given: Any
 ) -> tuple[Any, Float64[Array, "numbers"]]:
-    """Return what is written of a system's structure, and its numbers; of itself alone if it asks for their values."""
+    """Return the programs of a system's structure, and its numbers; of the system itself if it needs their values."""
     structure, numbers = take_structure(system)
     found = _write_unless_traced(written_of, structure, *given)
     if found is None:
@@ -161,7 +161,7 @@ def _of_any_numbers(
 
 @lru_cache(maxsize=512)
 def _write_unless_traced(written_of: Callable[..., Any], structure: Structure, *given: Any) -> Any:
-    """Return what is written, or None where that takes the numbers."""
+    """Return the programs, or None where tracing needs the values of the numbers."""
     if not structure.size:
         with in_jax_numpy("systems"):
             return written_of(structure, *given)

@@ -22,7 +22,7 @@ HEADER = 15
 
 
 class Program(NamedTuple):
-    """What a kernel runs, in two flat arrays, as compiled functions take two arguments faster than twenty.
+    """A program for a kernel, in two flat arrays, as compiled functions take two arguments faster than twenty.
 
     Attributes:
         whole: (W,) integers. It begins with sizes, and with places of what stands behind them:
@@ -80,7 +80,7 @@ class Program(NamedTuple):
 
     @property
     def operations(self) -> Integer[Array, "operations"]:
-        """What is done, one after the other."""
+        """The operations in order."""
         return self.whole[self.whole[CODE] : self.whole[CODE] + self.whole[OPERATIONS]]
 
     @property

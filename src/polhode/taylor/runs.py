@@ -54,7 +54,7 @@ def choose_precision(tolerance: float | None, order: int | None = None, extended
 
 
 class Runs(NamedTuple):
-    """What came out for each of C copies.
+    """The result for each of C copies.
 
     Attributes:
         states: (C, T, *shape) samples; infinite after the end.
@@ -80,7 +80,7 @@ class Runs(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """What is common to all copies: where steps must end, the machine up to there, and how far steps reach."""
+    """The plan shared by all copies: where steps must end, the machine up to there, and the reach of steps."""
 
     borders: list[float]
     machines: list[Machine]
@@ -175,7 +175,7 @@ def runs_back(
     follows, nothing, missed = _followers(machine.program, scale), np.zeros(0, bool), np.zeros(len(known))
 
     def give_up(share: float) -> None:
-        """End what has run away, as what was damped does on the way back, in ever shorter steps."""
+        """End copies that have diverged, as damped motions do backward in time, in ever shorter steps."""
         with np.errstate(invalid="ignore"):
             fine = (np.abs(y[:, :some]) < AWAY * scales[:, :some]).all(axis=1)
         copies.status[~fine] = kernel.FAILED
@@ -193,7 +193,7 @@ def runs_back(
 
 
 class Crossings(NamedTuple):
-    """Where a motion goes through the zeros of a function.
+    """Crossings of a motion with the zeros of a function.
 
     Attributes:
         times: (K,) [s].
@@ -249,7 +249,7 @@ def find_crossings(
 
 
 class Watch(NamedTuple):
-    """What is watched beside the system's events."""
+    """The function watched besides the system's events."""
 
     falling: bool
     most: int

@@ -65,7 +65,7 @@ def split_numbers(system: AbstractSystem) -> tuple[Structure, list[Float64[Array
 
 
 def take_structure(system: AbstractSystem) -> tuple[Structure, Float64[Array, "numbers"]]:
-    """Return a system's structure and its numbers; itself where it cannot be without them."""
+    """Return a system's structure and its numbers; the system itself where they cannot be separated."""
     try:
         structure, leaves = split_numbers(system)
     except TypeError:

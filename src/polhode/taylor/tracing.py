@@ -359,7 +359,7 @@ def _select(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
 
 @_rule("gather", "dynamic_slice", "scatter", "pad", "dynamic_update_slice", "unstack", "stack")
 def _rearrange(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    """Do to numbers of elements what is to be done to elements, and read from it which goes where."""
+    """Apply an operation that moves data to the indices of elements, and move the elements accordingly."""
     elements: list[Any] = []
     numbered = []
     for a in x:
@@ -374,7 +374,7 @@ def _rearrange(x: list[Array], parameters: dict[str, Any], equation: Any) -> lis
 
 @_rule("scatter-add", "scatter_add", "cumsum", "triangular_solve", "reduce_window_sum", "fft")
 def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    """Do to unit vectors what is linear in what moves, in real and imaginary parts."""
+    """Apply an operation linear in moving values to unit vectors, in real and imaginary parts."""
     moving = [k for k, a in enumerate(x) if a.dtype == object]
     if equation.primitive.name == "triangular_solve" and 0 in moving:
         raise Untraceable("a linear system whose matrix moves")

@@ -37,7 +37,7 @@ def run_code(
 
 
 def vectors(array: Float64[Array, " many"]) -> Float64[Array, " many"]:
-    """Return numbers as what the kernel computes with."""
+    """Return numbers in the type that the kernel computes with."""
     return array
 
 

@@ -1,4 +1,4 @@
-"""How far an engine is from the exact motion, over the hard motions of the table."""
+"""The errors of an engine over the hard motions of the table."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Engine = Callable[[ReferenceMotion], tuple[Any, Any]]
 
 @dataclass(frozen=True, eq=False)
 class MotionErrors:
-    """How far an engine is from one motion; what is not a number counts as infinitely far.
+    """The errors of an engine in one motion; NaN counts as infinite.
 
     Attributes:
         motion: the motion.
@@ -54,7 +54,7 @@ class FamilyErrors(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class EngineComparison:
-    """What an engine is worth: its errors motion by motion, and a table of the worst of each family when printed.
+    """The result of a comparison: errors motion by motion, printed as a table of the worst of each family.
 
     Attributes:
         motions: errors of each motion.

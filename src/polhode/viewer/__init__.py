@@ -1,1 +1,1 @@
-"""What a page is made of: samples, pictures that fit any body, and the page itself."""
+"""Pages of motions: samples, pictures for any body, and the page itself."""

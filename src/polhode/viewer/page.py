@@ -1,4 +1,4 @@
-"""Pages: one HTML file that holds a motion and all that draws it, and asks for nothing from outside."""
+"""Pages: one self-contained HTML file with a motion and the code that draws it."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class NotebookPage:
     height: int
 
     def __repr__(self) -> str:
-        """Say what a notebook shows that is not trusted, or a console."""
+        """Return the text for a console, or for a notebook that is not trusted."""
         return (
             "<a page of polhode: notebooks show it once they are trusted; elsewhere `write_page` makes a file of it>"
         )
@@ -52,7 +52,7 @@ class NotebookPage:
 
 
 class Page(NamedTuple):
-    """What a page is filled with.
+    """The content of a page.
 
     Attributes:
         title: of the motion.
@@ -75,7 +75,7 @@ def make_page(
     notes: Sequence[str], content: Callable[[Trajectory, Samples, Surface | None], Content | None],
     scatters: Sequence[dict[str, Any]] = (),
 ) -> Page:  # fmt: skip
-    """Return what a page of one motion is filled with.
+    """Return the content of a page of one motion.
 
     Args:
         trajectory: of one body.
@@ -116,7 +116,7 @@ def make_page(
 
 
 def make_playground(presets: Sequence[tuple[Page, dict[str, Any]]]) -> Page:
-    """Return what a page of many motions is filled with, of which one is shown at a time.
+    """Return the content of a page of many motions, which shows one at a time.
 
     Args:
         presets: each motion, with what the page says of it: key, title and story.
@@ -144,7 +144,7 @@ def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
 
 
 def make_model(trajectory: Trajectory) -> dict[str, Any] | None:
-    """Return what the page's own solver needs of an exact motion, along its principal axes; None of others."""
+    """Return the data of an exact motion for the page's own solver, along its principal axes; None for others."""
     motion = trajectory.motion
     if motion is None or motion.batch_shape or not motion.page_solver:
         return None
@@ -162,7 +162,7 @@ def make_model(trajectory: Trajectory) -> dict[str, Any] | None:
 
 
 def _arrays(system: Any, samples: Samples, solved: bool) -> dict[str, Any]:
-    """Return the samples; of a motion that the page solves itself in closed form their times alone."""
+    """Return the samples, or only their times where the page has the closed form of the motion."""
     turn, up = choose_up(system, samples)
 
     def array(values: Array | None, kind: str = "f8") -> dict[str, Any] | None:
@@ -181,7 +181,7 @@ def _arrays(system: Any, samples: Samples, solved: bool) -> dict[str, Any]:
 
 
 def _plots(trajectory: Trajectory, samples: Samples) -> list[dict[str, Any]]:
-    """Return what a state has of its own to be drawn over time: its angles and rates, where it is not an attitude."""
+    """Return the angles and rates of a state that has no attitude, to be drawn against time."""
     if samples.attitude is not None:
         return []
     layout = trajectory.layout

@@ -1,4 +1,4 @@
-"""Which panels fit any body, and the data that each of them draws."""
+"""The panels for any body, and the data that each of them draws."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ AXIS = np.array([0.0, 0.0, 1.0])
 
 @dataclass(frozen=True)
 class Content:
-    """What a page shows of a motion.
+    """The pictures of a motion on a page.
 
     Attributes:
         panels: the data of each picture, named by its "type"; none where there is nothing to draw.
@@ -51,10 +51,10 @@ class Content:
 
 
 def choose_content(source: Any, samples: Samples, surface: Surface | None) -> Content:
-    """Return what fits any body, the body first, by what its system or exact motion says of itself.
+    """Return the pictures for any body, the body first, as its system or exact motion determines.
 
     Args:
-        source: what moves: a system, an exact motion, or anything else.
+        source: of the trajectory: a system, an exact motion, or anything else.
         samples: of it.
         surface: of the body, along the axes of the samples.
     """
@@ -79,7 +79,7 @@ def is_mechanical(source: Any) -> bool:
 
 
 def keeps_motion_of(classes: Iterable[type], source: Any) -> bool:
-    """Whether a source is of one of these classes and keeps all of it: an heir may be called or moved otherwise."""
+    """Whether a source is of one of these classes and overrides nothing: a subclass may move otherwise."""
     ancestors = type(source).__mro__
     own = next((kind for kind in ancestors if kind in set(classes)), None)
     if own is None:
@@ -97,7 +97,7 @@ def _turns_as_one(samples: Samples, moments: Array | None) -> bool:
 
 
 def choose_title(source: Any) -> str:
-    """Return what a motion without a name is called: what moves in a file, or the kind of motion."""
+    """Return the title of a motion without a name: from its file, or by the kind of motion."""
     return getattr(source, "title", None) or "Motion"
 
 
@@ -110,7 +110,7 @@ def find_moments(source: Any) -> Float64[Array, "3"] | None:
 
 
 def find_free_moments(source: Any, samples: Samples) -> list[float] | None:
-    """Return the principal moments of a body without torques that turns, or None: the page then knows how L goes on."""
+    """Return the principal moments of a turning body without torques, or None; the page computes L from them."""
     if not is_mechanical(source) or source.free_moments is None:
         return None
     says_so = next(kind for kind in type(source).__mro__ if "free_moments" in vars(kind))
@@ -122,7 +122,7 @@ def find_free_moments(source: Any, samples: Samples) -> list[float] | None:
 
 
 def choose_up(source: Any, samples: Samples) -> tuple[Float64[Array, "4"], str]:
-    """Return the unit quaternion (4,) that turns space for the page, and what then points up.
+    """Return the unit quaternion (4,) that turns space for the page, and the name of its upward direction.
 
     The momentum points up where it is kept in space, else the space axis z.
     """
@@ -180,7 +180,7 @@ def top_panels(
 
 
 def _pivot(attitude: Array, axis: Array, surface: Surface | None) -> str:
-    """Return what holds the pivot: the ground, a post where the body reaches below it, a hook where it hangs."""
+    """Return the support of the pivot: the ground, a post where the body reaches below it, a hook where it hangs."""
     up = rotation.rotate(rotation.conjugate(attitude[:: -(-len(attitude) // LOOKS)]), AXIS)  # in the body
     height = rotation.rotate(attitude, axis)[:, 2]
     if height.mean() < 0:

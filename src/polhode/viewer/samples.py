@@ -1,4 +1,4 @@
-"""The samples that a page shows: few enough to be handled quickly, close enough to be joined where that is possible."""
+"""The samples on a page: few enough to be fast, close enough to interpolate where possible."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Samples:
 
 
 def take_samples(trajectory: Trajectory) -> Samples:
-    """Return what a page shows: exact motions evaluated again at times close enough to each other, others thinned.
+    """Return the samples for a page: exact motions evaluated at times close enough to each other, others thinned.
 
     Raises:
         InvalidInput: for a trajectory without samples, a batch, or values that are not finite.
@@ -132,7 +132,7 @@ def _take(found: Samples, rows: slice) -> Samples:
 
 
 def _largest_turn(layout: StateLayout, found: Samples) -> float:
-    """Return by how much an angle of the state, or else the body, turns at most from sample to sample [rad]."""
+    """Return the largest change [rad] of an angle of the state, or else of the attitude, from sample to sample."""
     steps = np.diff(found.times)
     if angles := [name for name, part in layout.scalars.items() if part.unit == "rad"]:
         return max(float(np.abs(np.diff(layout.part(found.states, name))).max(initial=0.0)) for name in angles)

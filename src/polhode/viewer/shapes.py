@@ -1,4 +1,4 @@
-"""What a page draws as the body: its own surface, made small enough, or a shape with the same inertia."""
+"""The drawn shape of the body: its own surface, coarse enough, or a shape with the same inertia."""
 
 from __future__ import annotations
 

@@ -137,7 +137,7 @@ class FreeBodyReport(MotionReport):
             found.append(
                 "this is spin about the axis of least moment: any internal loss of energy makes the body leave it, as "
                 "Explorer 1 did in 1958, and end in a flat spin about the axis of largest moment. A spec with losses "
-                "tells how long that takes."
+                "gives the time that takes."
             )
         if self._spins_about_middle():
             found.append(
