@@ -94,7 +94,23 @@ def test_the_changelog_of_each_version_is_read_in_a_minute():
 
 
 def test_the_version_stands_in_one_place():
-    assert tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["dynamic"] == ["version"]
+    assert tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["dynamic"] == ["readme", "version"]
+    assert f"\nversion: {ph.__version__}\n" in (ROOT / "CITATION.cff").read_text("utf-8")  # whose format takes no reference
+
+
+def test_links_on_the_package_index_are_absolute():
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+    text = (ROOT / "README.md").read_text("utf-8")
+    for rule in settings["tool"]["hatch"]["metadata"]["hooks"]["fancy-pypi-readme"]["substitutions"]:
+        text = re.sub(rule["pattern"], rule["replacement"], text)
+    source = settings["project"]["urls"]["Source"]
+    places = f"{source}/blob/main/", "https://raw.githubusercontent.com/polhode/polhode/main/"
+    targets = re.findall(r"\]\(([^)]+)\)", text)
+    assert any(target.startswith(places[1]) for target in targets), "the README has pictures"
+    for target in targets:
+        assert target.startswith(("https://", "#")), target
+        if target.startswith(places):
+            assert (ROOT / target.split("/main/", 1)[1].partition("#")[0]).exists(), target
 
 
 def test_the_source_archive_has_what_its_own_tests_open():
