@@ -95,7 +95,7 @@ def test_the_changelog_of_each_version_is_read_in_a_minute():
 
 def test_the_version_stands_in_one_place():
     assert tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["dynamic"] == ["readme", "version"]
-    assert f"\nversion: {ph.__version__}\n" in (ROOT / "CITATION.cff").read_text("utf-8")  # whose format takes no reference
+    assert f"\nversion: {ph.__version__}\n" in (ROOT / "CITATION.cff").read_text("utf-8")
 
 
 def test_links_on_the_package_index_are_absolute():
