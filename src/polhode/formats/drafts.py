@@ -59,7 +59,7 @@ class Draft:
         written = sorted(self.new.iterdir())
         for path in written:
             for part in [path, *path.rglob("*")] if path.is_dir() else [path]:
-                _synced(part)
+                synced(part)
         with _moving, signals_held():
             for path in written:
                 target, aside = self.folder / path.name, self._old / path.name
@@ -70,7 +70,7 @@ class Draft:
                 except BaseException:
                     _put_back(aside, target)
                     raise
-            _synced(self.folder)
+            synced(self.folder)
 
     def remove(self) -> None:
         """Remove the folder and let go of the lock."""
@@ -183,8 +183,12 @@ def _lock_of(home: Path) -> FileLock:
     return FileLock(home / "lock", thread_local=False)
 
 
-def _synced(path: Path) -> None:
-    """Wait until a file's bytes are on the disk: some systems tell only then that there was no room for them."""
+def synced(path: Path) -> None:
+    """Wait until a file's bytes, or a folder's entries, are on the disk: some systems tell only then of a lack of room.
+
+    Raises:
+        OSError: as the system does; it may have no such call for folders.
+    """
     folder = path.is_dir()
     if folder and WINDOWS:
         return
