@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+import lacking
 import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.exact.kernel_arithmetic import in_threads
@@ -88,6 +89,16 @@ def test_sources_ask_before_they_use_what_windows_lacks():
         text = path.read_text("utf-8")
         unasked = [asked for asked in lacking_on_windows(ast.parse(text)) if "(" not in asked or asked not in text]
         assert not unasked, f"{path.name}: {unasked}"
+
+
+def a_test_of_pipes(path):
+    os.mkfifo(path)
+
+
+def test_tests_that_need_what_a_system_lacks_are_skipped_there():
+    assert lacking.missing(a_test_of_pipes, {"mkfifo": False, "/dev/": False}) == ["mkfifo"]
+    assert lacking.missing(lambda path: a_test_of_pipes(path), {"mkfifo": False}) == ["mkfifo"]
+    assert lacking.missing(a_test_of_pipes, {"mkfifo": True}) == []
 
 
 def test_cores_are_counted_where_nobody_tells_which_may_be_used(monkeypatch):

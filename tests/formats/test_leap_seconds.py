@@ -38,9 +38,9 @@ def expired(tmp_path, monkeypatch):
     old = table_of(tmp_path, re.sub(r"expires on .*", "expires on 28 June 2016", TABLE[: TABLE.index("    57754")]))
     for module in (leap_seconds, epochs):
         monkeypatch.setattr(module, "leap_seconds", lambda: old)
-    leap_seconds._beyond.cache_clear()
+    leap_seconds._warn_of_table.cache_clear()
     yield
-    leap_seconds._beyond.cache_clear()
+    leap_seconds._warn_of_table.cache_clear()
 
 
 def test_the_iers_and_the_time_zone_database_know_the_same_leap_seconds():
@@ -73,6 +73,10 @@ def test_epochs_beyond_an_old_table_get_a_warning_with_the_remedy():
     with pytest.warns(UserWarning, match=said):
         found = read_epoch("2026-03-01T00:00:00", "UTC")
     assert found[0] == 86400 * (date(2026, 3, 1) - date(1970, 1, 1)).days + 26  # without that of 2016-12-31
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        read_epoch("2026-03-01T00:00:01", "UTC")  # said once is enough
+    leap_seconds._warn_of_table.cache_clear()
     with pytest.warns(UserWarning, match=said):
         as_text(np.array([0, found[0]]) + 86400 * 1000, np.zeros(2, dtype=int), "UTC")
 

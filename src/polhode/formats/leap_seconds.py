@@ -76,19 +76,20 @@ def read_leap_seconds(path: Path) -> LeapSeconds:
 
 
 def warn_beyond(day: int) -> None:
-    """Warn if a day since 1970-01-01, in UTC, lies beyond the installed table."""
+    """Warn if a day since 1970-01-01, in UTC, lies beyond the installed table; once, as files hold many epochs."""
     if day >= leap_seconds().expires:
-        warnings.warn(_beyond(), stacklevel=2)
+        _warn_of_table()
 
 
 @functools.cache
-def _beyond() -> str:
+def _warn_of_table() -> None:
     try:
         number = f" {version(PACKAGE)}"
     except PackageNotFoundError:
         number = ""
-    return (
+    warnings.warn(
         f"leap seconds are known until {ORIGIN + timedelta(leap_seconds().expires)}, by {PACKAGE}{number}; epochs in "
         "UTC after that are off by a second for each that was announced since, or will be. "
-        f"Run `{shlex.join([sys.executable, '-m', 'pip', 'install', '--upgrade', PACKAGE])}`, or give times in TAI."
+        f"Run `{shlex.join([sys.executable, '-m', 'pip', 'install', '--upgrade', PACKAGE])}`, or give times in TAI.",
+        stacklevel=3,
     )
