@@ -27,18 +27,18 @@ THERE = {
 NOT_THERE = [
     *(() if LINUX else ("cli/test_ends.py", "spec/test_ends.py")),
     *(() if not WINDOWS else ("faults", "cli/test_stopping.py", "formats/test_full_disk.py", "formats/test_opening.py",
-                              "formats/test_reader_fuzz.py", "sweeps/test_damaged_stores.py")),
+                              "formats/test_reader_fuzz.py", "spec/test_fuzz.py", "sweeps/test_damaged_stores.py")),
 ]  # fmt: skip
 
 
 def missing(function, there=None):
-    """Return the words of a test's source, with those of its module's functions that it names, for what is missing."""
+    """Return the words for what is missing in a test's source, and in what it names of its module."""
     lacking = [word for word, has in (THERE if there is None else there).items() if not has]
     if not lacking:
         return []
     text = inspect.getsource(function)
     for name in set(re.findall(r"\w+", text)):
-        helper = getattr(function, "__globals__", {}).get(name)
+        helper = inspect.unwrap(getattr(function, "__globals__", {}).get(name))  # fixtures too
         if inspect.isfunction(helper) and helper.__module__ == function.__module__:
             text += inspect.getsource(helper)
     return [word for word in lacking if word in text]
