@@ -117,7 +117,7 @@ def test_the_source_archive_has_what_its_own_tests_open():
     """Without `CONTRIBUTING.md` and `benchmarks` the tests of an unpacked one could not be collected or failed."""
     packed = set(tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["hatch"]["build"]["targets"]
                  ["sdist"]["include"]) | {"pyproject.toml"}  # fmt: skip
-    there = {path.name for path in ROOT.iterdir() if not path.name.startswith(".")}
+    there = {path.name for path in ROOT.iterdir() if not path.name.startswith(".")} - {"build", "dist"}
     texts = [path.read_text("utf-8") for path in (ROOT / "tests").rglob("*.py")]
     opened = {name for text in texts for name in re.findall(r"""(?:parents\[\d\]|ROOT|root) / "([\w.]+)""", text)}
     assert {"src", "examples", "docs", "benchmarks"} <= opened

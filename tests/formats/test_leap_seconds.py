@@ -69,7 +69,7 @@ def test_a_leap_second_to_come_is_counted(tmp_path, monkeypatch):
 
 @pytest.mark.usefixtures("expired")
 def test_epochs_beyond_an_old_table_get_a_warning_with_the_remedy():
-    said = r"known until 2016-06-28, by astropy-iers-data [\d.]+; .* Run `.* install --upgrade astropy-iers-data`"
+    said = r"known until 2016-06-28, by astropy-iers-data [\d.]+; .* Run `.* install -U astropy-iers-data`"
     with pytest.warns(UserWarning, match=said):
         found = read_epoch("2026-03-01T00:00:00", "UTC")
     assert found[0] == 86400 * (date(2026, 3, 1) - date(1970, 1, 1)).days + 26  # without that of 2016-12-31

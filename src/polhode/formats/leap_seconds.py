@@ -90,6 +90,6 @@ def _warn_of_table() -> None:
     warnings.warn(
         f"leap seconds are known until {ORIGIN + timedelta(leap_seconds().expires)}, by {PACKAGE}{number}; epochs in "
         "UTC after that are off by a second for each that was announced since, or will be. "
-        f"Run `{shlex.join([sys.executable, '-m', 'pip', 'install', '--upgrade', PACKAGE])}`, or give times in TAI.",
+        f"Run `{shlex.join([sys.executable, '-m', 'pip', 'install', '-U', PACKAGE])}`, or give times in TAI.",
         stacklevel=3,
     )
