@@ -20,7 +20,10 @@ from jaxtyping import config, install_import_hook
 
 import polhode
 import typed
+from lacking import NOT_THERE, missing
 from polhode.cli.compiled import compile_quickly
+
+collect_ignore = NOT_THERE
 
 UNCHECKED = "doubledouble"  # called tens of thousands of times for one motion; its checks took half of its tests' time
 SOURCES = Path(polhode.__file__).parent
@@ -55,8 +58,13 @@ def pytest_unconfigure(config):
 
 
 def pytest_collection_modifyitems(items):
-    """Give every test a time limit: one that stands still fails instead of stopping the run."""
+    """Give every test a time limit: one that stands still fails instead of stopping the run.
+
+    Tests that need what this system lacks are skipped.
+    """
     for item in items:
+        if lacking := missing(item.function) if hasattr(item, "function") else ():
+            item.add_marker(pytest.mark.skip(reason=f"this system has no {', '.join(lacking)}"))
         slow = item.get_closest_marker("sweep")
         in_browser = item.get_closest_marker("browser")
         limit = MAX_SECONDS_OF_A_SWEEP if slow else MAX_SECONDS_IN_A_BROWSER if in_browser else MAX_SECONDS

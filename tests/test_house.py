@@ -15,6 +15,7 @@ import polhode as ph
 
 ROOT = Path(__file__).parents[1]
 LONGEST = 450
+MOST_WORDS = 300  # of one version in the changelog
 
 
 FENCE = re.compile(r"```python\n(.*?)```", re.DOTALL)
@@ -95,16 +96,40 @@ def test_the_readme_is_read_in_five_minutes():
     assert len((ROOT / "README.md").read_text("utf-8").split()) <= 700
 
 
-def test_version_and_changelog():
-    assert f'version = "{ph.__version__}"' in (ROOT / "pyproject.toml").read_text("utf-8")
-    assert "## [Unreleased]" in (ROOT / "CHANGELOG.md").read_text("utf-8")
+def test_the_changelog_of_each_version_is_read_in_a_minute():
+    """The unversioned one had 7,300 words; what is longer stands in docs/history.md, under the same versions."""
+    versions = re.split(r"^## ", (ROOT / "CHANGELOG.md").read_text("utf-8"), flags=re.MULTILINE)[1:]
+    assert versions[0].split()[0] == ph.__version__
+    assert f"\n## {ph.__version__}\n" in (ROOT / "docs" / "history.md").read_text("utf-8")
+    for version in versions:
+        assert len(version.split()) <= MOST_WORDS, f"move lines of {version.split()[0]} to docs/history.md"
+
+
+def test_the_version_stands_in_one_place():
+    assert tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["dynamic"] == ["readme", "version"]
+    assert f"\nversion: {ph.__version__}\n" in (ROOT / "CITATION.cff").read_text("utf-8")
+
+
+def test_links_on_the_package_index_are_absolute():
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+    text = (ROOT / "README.md").read_text("utf-8")
+    for rule in settings["tool"]["hatch"]["metadata"]["hooks"]["fancy-pypi-readme"]["substitutions"]:
+        text = re.sub(rule["pattern"], rule["replacement"], text)
+    source = settings["project"]["urls"]["Source"]
+    places = f"{source}/blob/main/", "https://raw.githubusercontent.com/polhode/polhode/main/"
+    targets = re.findall(r"\]\(([^)]+)\)", text)
+    assert any(target.startswith(places[1]) for target in targets), "the README has pictures"
+    for target in targets:
+        assert target.startswith(("https://", "#")), target
+        if target.startswith(places):
+            assert (ROOT / target.split("/main/", 1)[1].partition("#")[0]).exists(), target
 
 
 def test_the_source_archive_has_what_its_own_tests_open():
     """Without `CONTRIBUTING.md` and `benchmarks` the tests of an unpacked one could not be collected or failed."""
     packed = set(tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["hatch"]["build"]["targets"]
                  ["sdist"]["include"]) | {"pyproject.toml"}  # fmt: skip
-    there = {path.name for path in ROOT.iterdir() if not path.name.startswith(".")}
+    there = {path.name for path in ROOT.iterdir() if not path.name.startswith(".")} - {"build", "dist"}
     texts = [path.read_text("utf-8") for path in (ROOT / "tests").rglob("*.py")]
     opened = {name for text in texts for name in re.findall(r"""(?:parents\[\d\]|ROOT|root) / "([\w.]+)""", text)}
     assert {"src", "examples", "docs", "benchmarks"} <= opened

@@ -190,7 +190,6 @@ def test_the_chain_from_euler_to_chandler():
 
 @pytest.fixture(scope="module")
 def earth():
-    pytest.importorskip("astropy_iers_data", reason="needs the extra `data`: astropy-iers-data")
     return read_polar_motion()
 
 

@@ -219,6 +219,7 @@ def test_leap_seconds_are_counted(tmp_path):
     assert np.array_equal(read_aem(path).times, trajectory.times) and ":60" not in path.read_text()
 
 
+@pytest.mark.filterwarnings("ignore:leap seconds are known")
 def test_a_century_in_utc(tmp_path):
     days = np.sort(np.random.default_rng(1).uniform(0.0, 100 * 365.25, 500))
     trajectory = MOTION.sample(np.round(days * 86400.0, 3))

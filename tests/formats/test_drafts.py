@@ -37,7 +37,6 @@ with write_whole("motion.csv") as draft:
 """
 
 
-@pytest.mark.skipif(drafts.fcntl is None, reason="no locks by which a process's end is seen")
 def test_the_draft_of_a_killed_process_goes_with_the_next_one(tmp_path):
     (tmp_path / "motion.csv").write_text("earlier")
     (tmp_path / ".polhode-notes").mkdir()
@@ -73,7 +72,6 @@ with write_whole("store", lambda path: True) as draft:
 """
 
 
-@pytest.mark.skipif(drafts.fcntl is None, reason="no locks by which a process's end is seen")
 def test_a_store_whose_replacement_was_killed_comes_back(tmp_path):
     (tmp_path / "store").mkdir()
     (tmp_path / "store" / "mark").write_text("earlier")
@@ -167,3 +165,34 @@ def test_folders_made_for_files_go_where_the_process_ends_at_once(tmp_path):
     for folder in ("R", "before/in/deep", "before"):
         assert run(ENDED_AT_ONCE.format(folder=folder), tmp_path) == 3
         assert names(tmp_path) == ["before"] and names(tmp_path / "before") == []
+
+
+def test_where_open_files_stay_and_folders_are_not_opened_nothing_is_left(tmp_path, monkeypatch):
+    """As on Windows: the lock's file goes once the lock is let go of; what is synced is a file, open for writing."""
+    synced, removed, sync = [], drafts.shutil.rmtree, os.fsync
+
+    def rmtree(folder, ignore_errors):
+        try:
+            with drafts.FileLock(folder / "lock").acquire(blocking=False):
+                pass
+        except TimeoutError:  # held, so open
+            for path in set(folder.iterdir()) - {folder / "lock"}:
+                removed(path)
+        else:
+            removed(folder, ignore_errors=ignore_errors)
+
+    def fsync(descriptor):
+        os.write(descriptor, b"")  # which fails for folders and what is open for reading alone
+        synced.append(descriptor)
+        sync(descriptor)
+
+    (tmp_path / "store").mkdir()
+    (tmp_path / "store" / "mark").write_text("earlier")
+    monkeypatch.setattr(drafts, "WINDOWS", True)
+    monkeypatch.setattr(drafts.shutil, "rmtree", rmtree)
+    monkeypatch.setattr(os, "fsync", fsync)
+    with written_whole(tmp_path / "store", is_store) as draft:
+        draft.mkdir()
+        (draft / "mark").write_text("later")
+    assert (tmp_path / "store" / "mark").read_text() == "later" and names(tmp_path) == ["store"]
+    assert len(synced) == 1

@@ -4,7 +4,6 @@ Room ends by a limit on the size of files, which every Unix has; where this user
 system of its own.
 """
 
-import resource
 import signal
 import subprocess
 from contextlib import contextmanager
@@ -53,6 +52,8 @@ WRITERS = {
 def limited(size):
     """Files cannot grow beyond a size in bytes; the signal that goes with it is ignored, as Python does."""
     assert signal.getsignal(signal.SIGXFSZ) == signal.SIG_IGN
+    import resource  # which Windows has not, where other tests import this module
+
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
     try:

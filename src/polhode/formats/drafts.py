@@ -1,7 +1,7 @@
 """Hidden folders in which files are written before they take their names.
 
-A draft is a folder ``.polhode-…`` next to the files it is for: new files are in ``new``, and what a store replaces
-waits in ``old``. The process that writes it holds a lock on the folder. The kernel lets go of the lock when the process
+A draft is a folder ``.polhode-…`` next to the files it is for: what is to come is in ``new``, and what a store replaces
+waits in ``old``. The process that writes it holds the file ``lock``. The system lets go of the lock when the process
 ends, however it ends; so the next process that writes there knows an abandoned draft, puts back what waits in its
 ``old``, and removes it.
 """
@@ -20,11 +20,9 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-try:
-    import fcntl
-except ImportError:  # Windows, where abandoned drafts stay
-    fcntl = None
+from filelock import FileLock
 
+WINDOWS = os.name == "nt"  # where open files cannot be removed, and folders not opened
 PREFIX = ".polhode-"
 JUST_MADE = 60.0  # s; a younger draft without ``new`` may be about to be locked
 _NAME = re.compile(r"\.polhode-[0-9a-f]{16}")
@@ -46,13 +44,13 @@ class Draft:
         self.folder = folder
         self.home = folder / f"{PREFIX}{secrets.token_hex(8)}"
         self.new, self._old = self.home / "new", self.home / "old"
-        self._lock: int | None = None
+        self._lock = _lock_of(self.home)
 
     def make(self) -> None:
         """Make the folder and lock it."""
         self.home.mkdir()
         with contextlib.suppress(OSError):  # systems without locks; there, abandoned drafts stay
-            self._lock = _lock(self.home)
+            self._lock.acquire(blocking=False)
         self._old.mkdir()
         self.new.mkdir()  # last: a draft that has it has been locked
 
@@ -61,7 +59,7 @@ class Draft:
         written = sorted(self.new.iterdir())
         for path in written:
             for part in [path, *path.rglob("*")] if path.is_dir() else [path]:
-                _sync(part)
+                synced(part)
         with _moving, hold_signals():
             for path in written:
                 target, aside = self.folder / path.name, self._old / path.name
@@ -72,15 +70,15 @@ class Draft:
                 except BaseException:
                     _put_back(aside, target)
                     raise
-            _sync(self.folder)
+            synced(self.folder)
 
     def remove(self) -> None:
         """Remove the folder and let go of the lock."""
         with _moving, hold_signals():
-            shutil.rmtree(self.home, ignore_errors=True)
-            if self._lock is not None:
-                os.close(self._lock)
-                self._lock = None
+            shutil.rmtree(self.home, ignore_errors=True)  # all but the lock's file, where open files stay
+            self._lock.release()
+            if self.home.exists():
+                shutil.rmtree(self.home, ignore_errors=True)
 
 
 @contextlib.contextmanager
@@ -140,22 +138,18 @@ def remove_live_drafts() -> None:
 
 def remove_abandoned(folder: Path) -> None:
     """Remove the drafts in a folder whose process was killed; what a store was to replace is put back."""
-    if fcntl is None:
-        return
     for home in folder.glob(f"{PREFIX}*"):
         if not _NAME.fullmatch(home.name) or home.is_symlink() or not home.is_dir():
             continue
         with contextlib.suppress(OSError):  # in use, or gone meanwhile
             if not (home / "new").is_dir() and time.time() - home.stat().st_mtime < JUST_MADE:
                 continue
-            lock = _lock(home)
-            try:
+            with _lock_of(home).acquire(blocking=False):
                 for aside in (home / "old").glob("*"):
                     _put_back(aside, folder / aside.name)
                 shutil.rmtree(home, ignore_errors=True)
-            finally:
-                if lock is not None:
-                    os.close(lock)
+            if home.exists():
+                shutil.rmtree(home, ignore_errors=True)
 
 
 @contextlib.contextmanager
@@ -184,29 +178,21 @@ def _put_back(aside: Path, target: Path) -> None:
         aside.replace(target)
 
 
-def _lock(folder: Path) -> int | None:
-    """Return a descriptor that holds the folder's lock, None where the system has none.
+def _lock_of(home: Path) -> FileLock:
+    """Return the lock of a draft, which any thread may let go of: the one that ends a stopped process does."""
+    return FileLock(home / "lock", thread_local=False)
+
+
+def synced(path: Path) -> None:
+    """Wait until a file's bytes, or a folder's entries, are on the disk: some systems tell only then of a lack of room.
 
     Raises:
-        OSError: if another process holds it.
+        OSError: as the system does; it may have no such call for folders.
     """
-    if fcntl is None:
-        return None
-    lock = os.open(folder, os.O_RDONLY)
-    try:
-        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        return lock
-    except OSError:
-        os.close(lock)
-        raise
-
-
-def _sync(path: Path) -> None:
-    """Wait until a file's bytes are on the disk: some systems report a full disk only then."""
     folder = path.is_dir()
-    if folder and fcntl is None:  # Windows cannot open folders
+    if folder and WINDOWS:
         return
-    descriptor = os.open(path, os.O_RDONLY if folder or fcntl is not None else os.O_RDWR)
+    descriptor = os.open(path, os.O_RDWR if WINDOWS else os.O_RDONLY)
     try:
         os.fsync(descriptor)
     except OSError:

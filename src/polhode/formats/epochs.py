@@ -14,23 +14,12 @@ from datetime import date, timedelta
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
+from polhode.formats.leap_seconds import FIRST_DAY, ORIGIN, leap_seconds, warn_beyond
 from polhode.types import Array, Float64, Integer
 
 TIME_SYSTEMS = ("UTC", "TAI", "TT", "TDB", "TCB", "TCG", "GPS")
 PICO = 10**12
 _FORM = re.compile(r"(\d{4})-(?:(\d\d)-(\d\d)|(\d{3}))T(\d\d):(\d\d):(\d\d)(?:\.(\d+))?Z?", re.ASCII)
-_ORIGIN = date(1970, 1, 1)
-# days that begin after a leap second, IERS Bulletin C; none has been announced since that of 2016-12-31; pyerfa has the
-# same 27 days, for 4 MB and 15 ms at import
-AFTER_LEAPS = [
-    (date(year, month, 1) - _ORIGIN).days
-    for month, years in ((7, (1972, 1981, 1982, 1983, 1985, 1992, 1993, 1994, 1997, 2012, 2015)),
-                         (1, (*range(1973, 1981), 1988, 1990, 1991, 1996, 1999, 2006, 2009, 2017)))
-    for year in years
-]  # fmt: skip
-AFTER_LEAPS.sort()
-_LEAPS = np.array([86400 * day + k for k, day in enumerate(AFTER_LEAPS)])
-_FIRST_UTC = (date(1972, 1, 1) - _ORIGIN).days
 
 
 def read_epoch(text: str, time_system: str) -> tuple[int, int]:
@@ -46,17 +35,16 @@ def read_epoch(text: str, time_system: str) -> tuple[int, int]:
         raise ValueError(f'must be an epoch like "2026-03-01T12:00:00.5" or "2026-060T12:00:00.5"; got {shown(text)}')
     day = _day(*found.group(1, 2, 3, 4))
     hour, minute, second = (int(found[k]) for k in (5, 6, 7))
-    leaps = 0
+    after: tuple[int, ...] = ()
     if time_system == "UTC":
-        if day < _FIRST_UTC:
+        if day < FIRST_DAY:
             raise ValueError(f"lies before 1972, when UTC had no seconds of one length; got {shown(text)}. Use TAI")
-        leaps = bisect.bisect_right(AFTER_LEAPS, day)
-    longest = 59
-    if second == 60 and (hour, minute, time_system) == (23, 59, "UTC") and day + 1 in AFTER_LEAPS:
-        longest = 60
+        after = leap_seconds().after
+        warn_beyond(day)
+    longest = 60 if second == 60 and (hour, minute) == (23, 59) and day + 1 in after else 59
     if hour > 23 or minute > 59 or second > longest:
         raise ValueError(f"has no such time of day in {time_system}; got {shown(text)}")
-    whole = 86400 * day + 3600 * hour + 60 * minute + second + leaps
+    whole = 86400 * day + 3600 * hour + 60 * minute + second + bisect.bisect_right(after, day)
     digits = found[8] or ""
     carry, picoseconds = divmod((int(digits.ljust(13, "0")[:13]) + 5) // 10, PICO)
     return whole + carry, picoseconds
@@ -66,11 +54,11 @@ def read_epoch(text: str, time_system: str) -> tuple[int, int]:
 def _day(year: str, month: str | None, day: str | None, day_of_year: str | None) -> int:
     try:
         if day_of_year is None:
-            return (date(int(year), int(month or 0), int(day or 0)) - _ORIGIN).days
+            return (date(int(year), int(month or 0), int(day or 0)) - ORIGIN).days
         found = date(int(year), 1, 1) + timedelta(int(day_of_year) - 1)
         if found.year != int(year):
             raise ValueError
-        return (found - _ORIGIN).days
+        return (found - ORIGIN).days
     except (ValueError, OverflowError):
         named = f"{month}-{day}" if day_of_year is None else f"day {day_of_year}"
         raise ValueError(f"has no such day; got {named} of {year}") from None
@@ -85,7 +73,7 @@ def later(
         InvalidInput: for times that are not finite, or beyond the years that four digits write.
     """
     times = np.asarray(times, dtype=float)
-    least, most = ((date(year, 1, 1) - _ORIGIN).days * 86400 - epoch[0] for year in (1, 9999))
+    least, most = ((date(year, 1, 1) - ORIGIN).days * 86400 - epoch[0] for year in (1, 9999))
     if not ((times >= least) & (times <= most)).all():
         raise InvalidInput("`times` must be finite and lead to years from 1 to 9998, of four digits; check them.")
     floor = np.floor(times)
@@ -109,11 +97,14 @@ def as_text(whole: Integer[Array, "time"], picoseconds: Integer[Array, "time"], 
     whole = np.asarray(whole)
     within = np.zeros(whole.shape, dtype=bool)
     if time_system == "UTC":
-        if (whole < 86400 * _FIRST_UTC).any():
+        if (whole < 86400 * FIRST_DAY).any():
             raise InvalidInput("UTC before 1972 had no seconds of constant length. Choose the time system TAI.")
-        begun = np.searchsorted(_LEAPS, whole, side="right")
-        within = whole == _LEAPS[np.maximum(begun, 1) - 1]
+        leaps = np.array([86400 * day + k for k, day in enumerate(leap_seconds().after)])
+        begun = np.searchsorted(leaps, whole, side="right")
+        within = whole == leaps[np.maximum(begun, 1) - 1]
         whole = whole - begun
+        if whole.size:
+            warn_beyond(int(whole.max()) // 86400)
     labels = np.datetime_as_string(whole.astype("datetime64[s]")).tolist()
     return [
         f"{label[:-2]}60.{rest:012d}" if leap else f"{label}.{rest:012d}"

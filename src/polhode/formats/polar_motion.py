@@ -8,14 +8,13 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
-from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
-from polhode.errors import FormatError, InvalidInput, not_installed, shown
+from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, read_text
 from polhode.types import Array, Float64
@@ -102,15 +101,13 @@ def read_polar_motion(path: str | Path | None = None) -> PoleSeries:
 
 
 def _find_installed() -> tuple[Path, str]:
-    try:
-        found = import_module("astropy_iers_data")
-    except ImportError:
-        raise not_installed("Data of polar motion", "astropy-iers-data", "data", "Or give a file.") from None
+    import astropy_iers_data
+
     try:
         number = version("astropy-iers-data")
     except PackageNotFoundError:
         number = "?"
-    return Path(str(found.IERS_B_FILE)), f"IERS C04 of astropy-iers-data {number}"
+    return Path(str(astropy_iers_data.IERS_B_FILE)), f"IERS C04 of astropy-iers-data {number}"
 
 
 def _is_data(line: str) -> bool:

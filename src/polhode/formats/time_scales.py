@@ -9,15 +9,15 @@ Source: NAIF, *Time Required Reading*; Moyer, Celestial Mechanics 23 (1981) 33.
 from __future__ import annotations
 
 import math
-from datetime import date, timedelta
+from datetime import timedelta
 from fractions import Fraction
 
 from polhode.errors import InvalidInput, shown
-from polhode.formats.epochs import AFTER_LEAPS, PICO, read_epoch, shortest
+from polhode.formats.epochs import PICO, read_epoch, shortest
+from polhode.formats.leap_seconds import FIRST_DAY, FIRST_OFFSET, ORIGIN, leap_seconds
 
 NOON = 946_728_000  # s from 1970-01-01T00:00:00 to 2000-01-01T12:00:00 of a uniform time system
 TT_FROM_TAI = Fraction(32184, 1000)
-FIRST_OFFSET = 10  # TAI − UTC in 1972 [s]
 TT_FROM = {
     "TT": Fraction(0),
     "TAI": TT_FROM_TAI,
@@ -80,15 +80,16 @@ def as_epoch(seconds: Fraction) -> str:
 
 
 def leap_seconds_kernel() -> str:
-    """Return SPICE's leap-seconds kernel with these constants, as text."""
-    days = [date(1972, 1, 1), *(date(1970, 1, 1) + timedelta(days) for days in AFTER_LEAPS)]
+    """Return SPICE's leap-seconds kernel with these constants and the leap seconds known, as text."""
+    known = leap_seconds()
+    days = [ORIGIN + timedelta(day) for day in (FIRST_DAY, *known.after)]
     rows = ",\n".join(
         f"{'':17s}{FIRST_OFFSET + k},  @{day.year}-{'JAN' if day.month == 1 else 'JUL'}-1" for k, day in enumerate(days)
     )
     return f"""KPL/LSK
 
 Leap seconds, by polhode. TAI - UTC as the IERS announces it in Bulletin C, in whole
-seconds since 1972, none after 2017-01-01; the other constants are those of SPICE for TDB.
+seconds since 1972, known until {ORIGIN + timedelta(known.expires)}; the other constants are those of SPICE for TDB.
 
 \\begindata
 

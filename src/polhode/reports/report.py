@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 from polhode.errors import InvalidInput, printable, shown
 from polhode.formats.figure_file import save_figure
 from polhode.formats.opening import record_files
-from polhode.formats.paths import as_path, write_together
+from polhode.formats.paths import as_path
 from polhode.reports.answer import Group, Table, collect_units, collect_values, plain
 
 if TYPE_CHECKING:
@@ -82,9 +82,13 @@ class Report(abc.ABC):
                 was made from.
         """
         place = as_path("path", path)
-        if taken := [one for one in self.inputs if one.exists() and place.exists() and place.samefile(one)]:
-            raise InvalidInput(f"{taken[0]}: is the file that was read; writing would destroy it. Name another.")
+        self._check_spares_inputs(place, "another")
         return self._write_data(place)
+
+    def _check_spares_inputs(self, place: Path, remedy: str) -> None:
+        # by the file and not by its name, of which some systems take Motion.nc and motion.nc for one
+        if taken := [one for one in self.inputs if one.exists() and place.exists() and place.samefile(one)]:
+            raise InvalidInput(f"{taken[0]}: is the file that was read; writing would destroy it. Name {remedy}.")
 
     def _write_data(self, path: Path) -> Path:
         """Write the data, where a kind of report has any, and return the path."""
@@ -149,8 +153,8 @@ class Report(abc.ABC):
             InvalidInput: if the files cannot be written.
         """
         place = as_path("folder", folder)
-        if self.data_file and any(one.resolve() == (place / self.data_file).resolve() for one in self.inputs):
-            raise InvalidInput(f"{place / self.data_file}: is a file that was read. Name another folder.")
+        if self.data_file:
+            self._check_spares_inputs(place / self.data_file, "another folder")
         with write_together(place) as draft:
             written = self.draw(draft, *forms)
             if self.data_file:

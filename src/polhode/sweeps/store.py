@@ -22,6 +22,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.drafts import synced
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import write_whole
 from polhode.sweeps.evaluation import Chunk, Column
@@ -332,13 +333,8 @@ def reword_errors(path: Path) -> Iterator[None]:
 def _write_through(path: Path) -> None:
     """Flush a file and its folder's entry to the disk; an array that is all blank has no file."""
     for one in (path, path.parent):
-        if not one.exists() or (one.is_dir() and os.name == "nt"):
-            continue
-        handle = os.open(one, os.O_RDONLY)
-        try:
-            os.fsync(handle)
-        finally:
-            os.close(handle)
+        if one.exists():
+            synced(one)
 
 
 def _write_whole(path: Path, content: bytes) -> None:

@@ -27,6 +27,7 @@ from polhode.testing.laws import LawBroken
 KEPT = 1e-9  # drift of what is conserved or balanced: no example is long
 ANY_BODY = {"body", "axis", "sphere", "poinsot"}  # panels that the page's own script makes
 NAME = re.compile(r"[a-z]+(-[a-z]+)*")
+FILE_NAME = re.compile(r"(?!(con|prn|aux|nul)$)[a-z]+(_[a-z0-9]+)*")  # a file on every system, Windows and macOS too
 
 
 def check_kind(kind: AbstractKind) -> None:
@@ -143,6 +144,8 @@ def _check_answers_without_motion(kind: AbstractKind, spec: Spec, report: System
 def _check_figures(kind: AbstractKind, report: SystemReport, folder: Path) -> None:
     names = tuple(report.figures())
     _require(names == tuple(kind.figure_names), f"`figures` has the names of `figure_names`; got {names}")
+    unfit = [name for name in names if not FILE_NAME.fullmatch(name)]
+    _require(not unfit, f"names of figures are words in small letters joined by _, as files have them; got {unfit}")
     written = report.draw(folder)
     _require(not names or written, "the example has a figure")
     _require({path.stem for path in written} <= set(names), "each figure has a name of `figure_names`")
