@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.exact.free_body.kernel import BLOCK
 from polhode.exact.free_body.kernel_reduction import (
     A_,
     B_,
@@ -45,6 +44,7 @@ from polhode.exact.free_body.kernel_reduction import (
 )  # fmt: skip
 from polhode.exact.kernel_agm import start_mean, third_kind
 from polhode.exact.kernel_arithmetic import (
+    BLOCK,
     add,
     called,
     choice,

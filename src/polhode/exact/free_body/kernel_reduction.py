@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.exact.free_body.kernel import BLOCK
 from polhode.exact.kernel_arithmetic import (
+    BLOCK,
     Pair,
     add,
     bits_of,

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from polhode.exact.free_body.kernel import BLOCK, COLUMNS, spinors
+from polhode.exact.free_body.formulas import COLUMNS, sums_at
 from polhode.exact.free_body.kernel_rates import rates
 from polhode.exact.free_body.kernel_reduction import (
     ACROSS,
@@ -45,6 +45,7 @@ from polhode.exact.free_body.kernel_reduction import (
 )  # fmt: skip
 from polhode.exact.kernel_agm import STEPS
 from polhode.exact.kernel_arithmetic import (
+    BLOCK,
     Pair,
     add,
     called,
@@ -61,6 +62,7 @@ from polhode.exact.kernel_arithmetic import (
     square_root,
     whole,
 )
+from polhode.exact.kernel_loops import SUMS, WORK, sums_of_many
 from polhode.special.doubledouble import PI
 
 WORTH = 2_000  # bodies for which a thread is worth its start
@@ -191,7 +193,7 @@ def _matrices(w: Any, count: int, m: Any, spinor: Any) -> None:
     """Put the matrices of ``preparation._matrices`` into the motion."""
     n = BLOCK
     for i in range(count):
-        a0, a1, b0, b1 = spinor[i], spinor[n + i], spinor[2 * n + i], spinor[3 * n + i]
+        a0, a1, b0, b1 = sums_at(spinor, SUMS + i)
         norm = square_root((a0 * a0 + a1 * a1) + (b0 * b0 + b1 * b1))
         a0, a1, b0, b1 = a0 / norm, a1 / norm, b0 / norm, b1 / norm
         long_axis = w[LONG + i] < 0.0
@@ -215,7 +217,7 @@ def _matrices(w: Any, count: int, m: Any, spinor: Any) -> None:
 @entry
 def set_up(moments: Any, momentum: Any, attitude: Any, columns: Any, left: Any) -> None:
     begun, w, m = room(ROWS * BLOCK), room(ROWS * BLOCK), room(COLUMNS * BLOCK)
-    steps, work, zeros, terms = room(STEPS * BLOCK), room(11 * BLOCK), room(BLOCK), room(32)
+    steps, work, zeros, terms = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK), room(32)
     place, who = places(BLOCK), places(BLOCK)
     for low in range(0, len(moments), BLOCK):
         part = slice(low, low + BLOCK)
@@ -226,7 +228,7 @@ def set_up(moments: Any, momentum: Any, attitude: Any, columns: Any, left: Any) 
         rates(w, full, count, steps, who, m)
         _full_arguments(w, full, m)
         _complementary_arguments(w[full:], count - full, m[full:])
-        spinors(m, full, count, zeros, zeros, work)
+        sums_of_many(m, full, count, zeros, zeros, work)
         _matrices(w, count, m, work)
         for i in range(count):
             columns[0][low + place[i]] = 1.0 if i < full else 0.0

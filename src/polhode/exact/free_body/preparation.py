@@ -10,10 +10,12 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import choose, compiled, namespace, split_halves
-from polhode.exact.blocks import Columns
+from polhode.exact.array_states import ArrayStates
+from polhode.exact.blocks import Columns, flattened
+from polhode.exact.free_body import formulas
+from polhode.exact.free_body.formulas import Motion
 from polhode.exact.free_body.frequencies import Frequencies, canonical_frequencies
 from polhode.exact.free_body.reduction import Reduction, canonical_reduction
-from polhode.exact.free_body.spinor import Motion, flatten, start_spinor
 from polhode.rotation import product_of_parts
 from polhode.special import doubledouble as dd
 from polhode.special.circular import split_rate
@@ -21,6 +23,7 @@ from polhode.special.doubledouble import DoubleDouble
 from polhode.special.elliptic import nome_per_parameter
 from polhode.types import Array, Float64
 
+STATES = ArrayStates(formulas)
 HUGE = 2.0**-400, 2.0**-200  # a hyperbolic sine above the inverse of the first is scaled by the second
 LOG_OF_SCALE: DoubleDouble = (138.62943611198907, -3.3555121496085278e-15)  # 200 ln 2
 
@@ -66,10 +69,10 @@ def _motion(body: Reduction, rates: Frequencies, moments: Array, momentum: Array
     arguments = tuple(xp.where(constant, 1.0 if k == 2 else 0.0, x) for k, x in enumerate(arguments))
     unfinished = Motion(
         full, split_rate(*first), split_rate(*second), arguments[0:2], arguments[2:12], arguments[12:17], arguments[17],
-        ((zero,) * 4,) * 4, ((zero,) * 3,) * 3,
+        (zero,) * 16, (zero,) * 9,
     )  # fmt: skip
     to_attitude, to_momentum = _matrices(unfinished, body, rates, moments, momentum, attitude)
-    return flatten(unfinished._replace(to_attitude=to_attitude, to_momentum=to_momentum))
+    return flattened(unfinished._replace(to_attitude=to_attitude, to_momentum=to_momentum))
 
 
 def _permanent_rate(body: Reduction) -> DoubleDouble:
@@ -173,10 +176,10 @@ def _complementary_arguments(*columns: Array) -> tuple[Array, ...]:
 
 def _matrices(
     motion: Motion, body: Reduction, rates: Frequencies, moments: Array, momentum: Array, attitude: Array
-) -> tuple[tuple[tuple[Array, ...], ...], tuple[tuple[Array, ...], ...]]:
+) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
     """Return the matrices from spinor to attitude and from canonical direction to momentum in the given axes."""
     xp = namespace(motion.full)
-    a0, a1, b0, b1 = start_spinor(motion)
+    a0, a1, b0, b1 = STATES.sums_at_start(flattened(motion))
     norm = xp.sqrt((a0 * a0 + a1 * a1) + (b0 * b0 + b1 * b1))
     a0, a1, b0, b1 = a0 / norm, a1 / norm, b0 / norm, b1 / norm
     # rows of (start frame)* (present frame) as functions of the spinor (Re A, Im A, Re B, Im B)
@@ -195,10 +198,10 @@ def _matrices(
         columns.append(product_of_parts(start, (scalar, *vector)))
     size = rates.G[0] * body.momentum_scale
     to_momentum = tuple(
-        tuple(xp.where(constant, momentum[..., i] if j == 2 else zero, size * body.axes[i][j] + zero) for j in range(3))
-        for i in range(3)
-    )
-    return tuple(tuple(columns[k][i] for k in range(4)) for i in range(4)), to_momentum
+        xp.where(constant, momentum[..., i] if j == 2 else zero, size * body.axes[i][j] + zero)
+        for i in range(3) for j in range(3)
+    )  # fmt: skip
+    return tuple(columns[k][i] for i in range(4) for k in range(4)), to_momentum
 
 
 def _sum(terms: Any) -> Array:

@@ -25,6 +25,8 @@ from polhode.exact.kernel_arithmetic import (
     square_root,
     whole,
 )
+from polhode.exact.kernel_loops import SUMS
+from polhode.exact.lagrange_top.formulas import sums_at
 from polhode.exact.lagrange_top.kernel_store import (
     ALPHA,
     BETA,
@@ -245,13 +247,12 @@ def phases(w: Any, count: int, m: Any, work: Any) -> None:
         q2, q3 = divide((w[E2 + i], 0.0), length)[0], divide((w[E3 + i], 0.0), length)[0]
         a = 0.5 * (-z * q3 - (x * q1 + y * q2)), 0.5 * (z * q0 - (x * q2 - y * q1))
         b = 0.5 * (x * q0 - y * q3 + z * q2), 0.5 * (x * q3 + y * q0 - z * q1)
-        ar, ai, br, bi = work[i], work[n + i], work[2 * n + i], work[3 * n + i]
-        dar, dai, dbr, dbi = work[4 * n + i], work[5 * n + i], work[6 * n + i], work[7 * n + i]
+        ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b = sums_at(work, SUMS + i)
         square = (ar * ar + ai * ai) + (br * br + bi * bi)
         norm = square_root(square)
         drop = ((ar * dar + ai * dai) + (br * dbr + bi * dbi)) / square
         size, turn = (x * x + y * y) + (z * z + w[G + i]), w[TURN + i]
         m[39 * n + i], m[40 * n + i] = _constant_phase(
-            ar, ai, dar, dai, work[8 * n + i], w[LINEAR_A + i], (q0, q3), a, norm, drop, turn, size)
+            ar, ai, dar, dai, turns_a, w[LINEAR_A + i], (q0, q3), a, norm, drop, turn, size)
         m[41 * n + i], m[42 * n + i] = _constant_phase(
-            br, bi, dbr, dbi, work[9 * n + i], w[LINEAR_B + i], (q1, q2), b, norm, drop, turn, size)  # fmt: skip
+            br, bi, dbr, dbi, turns_b, w[LINEAR_B + i], (q1, q2), b, norm, drop, turn, size)  # fmt: skip

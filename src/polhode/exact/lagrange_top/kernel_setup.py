@@ -18,7 +18,8 @@ from polhode.exact.kernel_arithmetic import (
     places,
     room,
 )
-from polhode.exact.lagrange_top.kernel import COLUMNS, WORK, numerators
+from polhode.exact.kernel_loops import WORK, sums_of_many
+from polhode.exact.lagrange_top.formulas import COLUMNS
 from polhode.exact.lagrange_top.kernel_integrals import integrals
 from polhode.exact.lagrange_top.kernel_rates import rates
 from polhode.exact.lagrange_top.kernel_reduction import TERMS, begin
@@ -91,7 +92,7 @@ def set_up(
         for i in range(count):
             m[43 * BLOCK + i] = momentum[low + place[i]][2]
         series(w, full, count, m)
-        numerators(m, full, count, zeros, zeros, work)
+        sums_of_many(m, full, count, zeros, zeros, work)
         phases(w, count, m, work)
         _finite(m, count, good)
         for i in range(count):

@@ -6,17 +6,22 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import barrier, choose, compiled, namespace, split_halves
-from polhode.exact.blocks import Columns
+from polhode.exact.array_states import ArrayStates
+from polhode.exact.blocks import Columns, flattened
+from polhode.exact.lagrange_top import formulas
+from polhode.exact.lagrange_top.formulas import Motion
 from polhode.exact.lagrange_top.frequencies import Frequencies, climb, top_frequencies
 from polhode.exact.lagrange_top.reduction import Reduction, reduce_top
 from polhode.exact.lagrange_top.roots import TurningPoints, turning_points
-from polhode.exact.lagrange_top.series import TERMS, Motion, flatten, start_numerators
 from polhode.special import doubledouble as dd
 from polhode.special.circular import split_rate
 from polhode.special.doubledouble import DoubleDouble
 from polhode.special.elliptic import nome_per_parameter
 from polhode.special.first_kind import first_kind
 from polhode.types import Array, Float64
+
+TERMS = 4  # of each series
+STATES = ArrayStates(formulas)
 
 
 class Prepared(NamedTuple):
@@ -139,15 +144,15 @@ def _motion(
     argument_rate = xp.where(permanent, 0.0, argument_rate)
     linear = _linear_rates(rates, at)
     motion = barrier(Motion(
-        full, split_rate(*turns[0]), split_rate(*turns[1]), split_rate(*third), start, coefficients[:16],
-        coefficients[16],
+        full, split_rate(*turns[0]), split_rate(*turns[1]), split_rate(*third), start,
+        coefficients[0:4], coefficients[4:8], coefficients[8:12], coefficients[12:16], coefficients[16],
         (q, upper, lower + period[1], *(xp.where(separatrix | full, 0.0, y / math.pi) for y in (at.y_alpha, at.y_beta)),
          xp.where(separatrix, 0.0, 1.0)),
         (xp.where(permanent, 1.0, rates.sign_alpha), xp.where(permanent, 1.0, rates.sign_beta)),
         (2.0 * argument_rate * top.momentum_scale, 2.0 * (linear[0] + linear[1]) * top.momentum_scale),
         (1.0 + zero, zero, 1.0 + zero, zero), axial, xp.where(top.reversed, -1.0, 1.0),
     ))  # fmt: skip
-    return flatten(motion._replace(phases=_constant_phases(top, motion, linear, argument_rate)))
+    return flattened(motion._replace(phases=_constant_phases(top, motion, linear, argument_rate)))
 
 
 def _phase_rates(top: Reduction, rates: Frequencies) -> tuple[DoubleDouble, DoubleDouble]:
@@ -247,7 +252,7 @@ def _constant_phases(
         (0.5 * (-L3 * z - (L1 * x + L2 * y)), 0.5 * (L3 * w - (L1 * y - L2 * x))),
         (0.5 * (L1 * w - L2 * z + L3 * y), 0.5 * (L1 * z + L2 * w - L3 * x)),
     )
-    *numerators, turns_a, turns_b = start_numerators(motion)
+    *numerators, turns_a, turns_b = STATES.sums_at_start(flattened(motion))
     up = xp.ldexp(xp.ones_like(L3), top.lift)
     up_alpha, up_beta = xp.where(top.upright, 1.0, up), xp.where(top.upright, up, 1.0)
     ar, ai, dar, dai = (up_alpha * numerators[k] for k in (0, 1, 4, 5))

@@ -1,0 +1,40 @@
+"""Formulas of both motions, each written once, over the words of ``kernel_arithmetic``.
+
+Python runs them with single numbers. ``copies`` makes copies of them for Numba, in which basic words are its own, and
+for arrays of NumPy or JAX. So they consist of arithmetic and words: what depends on a number is a ``where``.
+"""
+
+from __future__ import annotations
+
+from polhode.exact.kernel_arithmetic import (
+    Pair,
+    Rate,
+    fast_two_sum,
+    halves,
+    inlined,
+    nearest,
+    phase,
+    two_sum,
+)
+
+
+@inlined
+def exponent(x: float, rest: float, upper: float, lower: float) -> Pair:
+    """Return the leading part of −(x + rest)(upper + lower), which is exact, and the factor for the rest."""
+    high, low = halves(x)
+    small = (high * lower + low * (upper + lower)) + rest * upper
+    return -(high * upper), 1.0 - small * (1.0 - 0.5 * small)
+
+
+@inlined
+def reduced_argument(rate: Rate, start: Pair, periodic: float, high: float, low: float) -> tuple[float, float, float]:
+    """Return an argument in half periods as a number within ±½ and its rest, and the half periods taken out.
+
+    On the separatrix, where ``periodic`` is zero, it runs to infinity and none is taken out.
+    """
+    fraction, rest, turned = phase(rate, high, low)
+    total, first_error = two_sum((1.0 - periodic) * turned, fraction)
+    u, second_error = two_sum(total, start[0])
+    u, u_rest = fast_two_sum(u, rest + (start[1] + (first_error + second_error)))
+    more = periodic * nearest(u)
+    return u - more, u_rest, periodic * turned + more
