@@ -74,6 +74,10 @@ def _larger(x: Array, y: Array) -> Array:
     return namespace(x, y).maximum(x, y)
 
 
+def _constant(value: dd.DoubleDouble, like: Array) -> dd.DoubleDouble:
+    return value[0] + 0.0 * like, value[1] + 0.0 * like
+
+
 def _phase(rate: circular.SplitRate, high: Array, low: Array) -> tuple[Array, Array, Array]:
     return circular.reduced_phase(rate, (high, low))
 
@@ -81,7 +85,8 @@ def _phase(rate: circular.SplitRate, high: Array, low: Array) -> tuple[Array, Ar
 WORDS: dict[str, Any] = {
     "two_product": dd.two_product, "two_sum": dd.two_sum, "fast_two_sum": dd.fast_two_sum, "add": dd.add,
     "subtract": dd.subtract, "multiply": dd.multiply, "multiply_float": dd.multiply_float, "square": dd.square,
-    "scale": dd.scale, "divide": dd.divide, "root": dd.sqrt, "choice": dd.where, "halves": split_halves,
+    "scale": dd.scale, "divide": dd.divide, "root": dd.sqrt, "choice": dd.where,
+    "constant": _constant, "two_square": dd.two_square, "halves": split_halves,
     "where": _where, "larger": _larger, "nearest": nearest, "whole": nearest, "phase": _phase,
     "sine_cosine": circular.sine_cosine_turns,
     "square_root": lambda x: namespace(x).sqrt(x), "exponential": lambda x: namespace(x).exp(x),

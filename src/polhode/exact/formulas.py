@@ -9,11 +9,13 @@ from __future__ import annotations
 from polhode.exact.kernel_arithmetic import (
     Pair,
     Rate,
+    add,
     fast_two_sum,
     halves,
     inlined,
     nearest,
     phase,
+    square_root,
     two_sum,
 )
 
@@ -38,3 +40,21 @@ def reduced_argument(rate: Rate, start: Pair, periodic: float, high: float, low:
     u, u_rest = fast_two_sum(u, rest + (start[1] + (first_error + second_error)))
     more = periodic * nearest(u)
     return u - more, u_rest, periodic * turned + more
+
+
+@inlined
+def nome_per_parameter(parameter: float, k: float) -> float:
+    """Return ``elliptic.nome_per_parameter``."""
+    more = 1.0 + square_root(k)
+    ratio = 0.5 / ((1.0 + k) * more * more)
+    e = ratio * parameter
+    e4 = (e * e) * (e * e)
+    return ratio * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * (150.0 + e4 * 1707.0))))
+
+
+@inlined
+def by_theta(period: Pair, nome: float) -> Pair:
+    """Return a period over θ3², of which 1/θ3² is 1 less a small correction."""
+    q4 = (nome * nome) * (nome * nome)
+    e = 2.0 * (nome + q4 + q4 * q4 * nome)
+    return add(period, (-period[0] * (e * (2.0 + e) / ((1.0 + e) * (1.0 + e))), 0.0))

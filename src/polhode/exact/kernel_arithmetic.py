@@ -194,6 +194,11 @@ def two_sum(a: float, b: float) -> Pair:
 
 
 @inlined
+def two_square(a: float) -> Pair:
+    return two_product(a, a)
+
+
+@inlined
 def fast_two_sum(a: float, b: float) -> Pair:
     s = a + b
     return s, b - (s - a)
@@ -247,6 +252,12 @@ def root(x: Pair) -> Pair:
     s = square_root(x[0])
     p, e = two_product(s, s)
     return fast_two_sum(s, (((x[0] - p) - e) + x[1]) / (s + s))
+
+
+@inlined
+def constant(value: Pair, like: float) -> Pair:
+    """Return a constant in the shape of a number, as which compilers of arrays do not reckon with it beforehand."""
+    return value
 
 
 @inlined

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 from polhode.exact.formulas import exponent, reduced_argument
 from polhode.exact.kernel_arithmetic import (
+    BLOCK,
     Pair,
     Rate,
     floor,
@@ -26,6 +27,8 @@ from polhode.exact.kernel_arithmetic import (
 )
 
 COLUMNS, SUMMED, SUMS = 50, 25, 4  # numbers of a motion, how many of these its sums take, and of sums
+FIRST, START, SERIES, NOME, Y_TURNS, TO_ATTITUDE, TO_MOMENTUM = (k * BLOCK for k in (1, 7, 9, 19, 22, 25, 41))
+"""Rows of numbers of a ``Motion`` in a store."""
 Spinor = tuple[float, float, float, float]  # Re A, Im A, Re B, Im B
 State = tuple[float, float, float, float, float, float, float]
 

@@ -21,33 +21,7 @@ from polhode.exact.kernel_arithmetic import (
     square_root,
     subtract,
 )
-from polhode.exact.lagrange_top.kernel_store import (
-    C_PLUS,
-    GAP,
-    L3,
-    LOWER,
-    S0,
-    S1,
-    S2,
-    T0,
-    T1,
-    T2,
-    TWIST,
-    U0,
-    UP,
-    UPPER,
-    W2,
-    Z_MINUS,
-    Z_PLUS,
-    A,
-    B,
-    C,
-    D,
-    F,
-    G,
-    P,
-    Y,
-)  # fmt: skip
+from polhode.exact.lagrange_top import kernel_store as at
 
 CONVERGED = 2.0**-60  # of the last change over the root: what is left is smaller by a float64's precision
 ONE, ZERO = (1.0, 0.0), (0.0, 0.0)
@@ -100,16 +74,16 @@ def _root(x: Pair) -> Pair:
 def _apart(w: Any, count: int) -> None:
     """Put the root that stands apart into Y; UP says whether it is the upper one, or that it has not been found."""
     for i in range(count):
-        g, c2, p2 = pair(w, G + i), square(pair(w, C + i)), square(pair(w, P + i))
-        a, u0, w2 = w[L3 + i], pair(w, U0 + i), pair(w, W2 + i)
-        f1 = subtract(scale(multiply_float(pair(w, TWIST + i), a), 2.0),
-                      multiply(g, multiply(pair(w, S0 + i), pair(w, T0 + i))))  # fmt: skip
+        g, c2, p2 = pair(w, at.G + i), square(pair(w, at.C + i)), square(pair(w, at.P + i))
+        a, u0, w2 = w[at.L3 + i], pair(w, at.U0 + i), pair(w, at.W2 + i)
+        f1 = subtract(scale(multiply_float(pair(w, at.TWIST + i), a), 2.0),
+                      multiply(g, multiply(pair(w, at.S0 + i), pair(w, at.T0 + i))))  # fmt: skip
         f1 = subtract(f1, scale(multiply(u0, w2), 2.0))
         f2 = subtract(subtract(scale(multiply(g, u0), 2.0), w2), multiply_float((a, 0.0), a))
         gf, gp = multiply(g, f1), multiply(square(g), p2)
         third, r, cosine = _sharp_root(f2[0], gf[0], gp[0])
         inverse = divide(ONE, g)
-        d, f, c = multiply(pair(w, D + i), inverse), multiply(pair(w, F + i), inverse), multiply(c2, inverse)
+        d, f, c = multiply(pair(w, at.D + i), inverse), multiply(pair(w, at.F + i), inverse), multiply(c2, inverse)
         d, f = (-d[0], -d[1]), scale(f, -2.0)
         other_third, other_r, other = _sharp_root(d[0], f[0], c[0])
         upper = cosine >= 0.0
@@ -122,9 +96,9 @@ def _apart(w: Any, count: int) -> None:
         found, _ = _polished((start, 0.0), b, c, d)
         found, change = _polished(found, b, c, d)
         good = (found[0] > 0.0) & (abs(change) <= CONVERGED * found[0])
-        w[UP + i] = (1.0 if upper else 0.0) if (w[UP + i] == 0.0) & good else -1.0
-        put(w, Y + i, found)
-        put(w, A + i, f1)
+        w[at.UP + i] = (1.0 if upper else 0.0) if (w[at.UP + i] == 0.0) & good else -1.0
+        put(w, at.Y + i, found)
+        put(w, at.A + i, f1)
 
 
 Points = tuple[Pair, Pair, Pair, Pair, Pair, Pair, Pair, Pair, Pair]
@@ -165,24 +139,24 @@ def _lower_root_apart(g: Pair, s0: Pair, c2: Pair, p2: Pair, f: Pair, s1: Pair) 
 def _points(w: Any, count: int) -> None:
     """Put the turning points into the store."""
     for i in range(count):
-        g, s0, c2, p2 = pair(w, G + i), pair(w, S0 + i), square(pair(w, C + i)), square(pair(w, P + i))
-        found, is_upper = pair(w, Y + i), w[UP + i] > 0.0
-        a = _upper_root_apart(g, s0, c2, p2, pair(w, A + i), found)
-        b = _lower_root_apart(g, s0, c2, p2, pair(w, F + i), found)
-        upper, Y0, t0 = choice(is_upper, a[1], b[1]), choice(is_upper, a[7], b[7]), pair(w, T0 + i)
+        g, s0, c2, p2 = pair(w, at.G + i), pair(w, at.S0 + i), square(pair(w, at.C + i)), square(pair(w, at.P + i))
+        found, is_upper = pair(w, at.Y + i), w[at.UP + i] > 0.0
+        a = _upper_root_apart(g, s0, c2, p2, pair(w, at.A + i), found)
+        b = _lower_root_apart(g, s0, c2, p2, pair(w, at.F + i), found)
+        upper, Y0, t0 = choice(is_upper, a[1], b[1]), choice(is_upper, a[7], b[7]), pair(w, at.T0 + i)
         t2, z = add(t0, upper), add(Y0, multiply(g, t0))
-        put(w, LOWER + i, choice(is_upper, a[0], b[0]))
-        put(w, UPPER + i, upper)
-        put(w, GAP + i, choice(is_upper, a[2], b[2]))
-        put(w, S1 + i, choice(is_upper, a[3], b[3]))
-        put(w, S2 + i, choice(is_upper, a[4], b[4]))
-        put(w, A + i, choice(is_upper, a[5], b[5]))
-        put(w, B + i, choice(is_upper, a[6], b[6]))
-        put(w, Y + i, Y0)
-        put(w, Z_MINUS + i, choice(is_upper, a[8], b[8]))
-        put(w, T2 + i, t2)
-        put(w, Z_PLUS + i, z)
-        put(w, T1 + i, _quotient(square(pair(w, C_PLUS + i)), multiply(t2, z)))
+        put(w, at.LOWER + i, choice(is_upper, a[0], b[0]))
+        put(w, at.UPPER + i, upper)
+        put(w, at.GAP + i, choice(is_upper, a[2], b[2]))
+        put(w, at.S1 + i, choice(is_upper, a[3], b[3]))
+        put(w, at.S2 + i, choice(is_upper, a[4], b[4]))
+        put(w, at.A + i, choice(is_upper, a[5], b[5]))
+        put(w, at.B + i, choice(is_upper, a[6], b[6]))
+        put(w, at.Y + i, Y0)
+        put(w, at.Z_MINUS + i, choice(is_upper, a[8], b[8]))
+        put(w, at.T2 + i, t2)
+        put(w, at.Z_PLUS + i, z)
+        put(w, at.T1 + i, _quotient(square(pair(w, at.C_PLUS + i)), multiply(t2, z)))
 
 
 @called

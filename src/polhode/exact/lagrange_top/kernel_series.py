@@ -26,47 +26,8 @@ from polhode.exact.kernel_arithmetic import (
     whole,
 )
 from polhode.exact.kernel_loops import SUMS
+from polhode.exact.lagrange_top import kernel_store as at
 from polhode.exact.lagrange_top.formulas import sums_at
-from polhode.exact.lagrange_top.kernel_store import (
-    ALPHA,
-    BETA,
-    E0,
-    E1,
-    E2,
-    E3,
-    GAP,
-    HALF_ROOT,
-    I1,
-    L1,
-    L2,
-    L3,
-    LINEAR_A,
-    LINEAR_B,
-    NOME,
-    NORM,
-    NUTATION,
-    R_ALPHA,
-    R_BETA,
-    RATE,
-    S1,
-    SIDE,
-    SIGN_A,
-    SIGN_B,
-    SIZE,
-    T2,
-    THETA3,
-    TURN,
-    V_ALPHA,
-    V_BETA,
-    W_ALPHA,
-    W_BETA,
-    X0,
-    Y_ALPHA,
-    Y_BETA,
-    A,
-    B,
-    G,
-)  # fmt: skip
 from polhode.special.doubledouble import PI
 
 PI_HIGH, PI_LOW = PI
@@ -88,14 +49,14 @@ def _nome(parameter: float) -> float:
 def _poles(w: Any, count: int) -> None:
     """Put the nome of the smaller parameter, and the places of the poles in units of its half period."""
     for i in range(count):
-        small = min(w[G + i] * w[GAP + i], w[B + i]) / w[A + i]
+        small = min(w[at.G + i] * w[at.GAP + i], w[at.B + i]) / w[at.A + i]
         q = _nome(small)
         q4 = (q * q) * (q * q)
         theta3 = 1.0 + 2.0 * (q + q4 + q4 * q4 * q)
         by = 1.0 / (theta3 * theta3)
-        w[NOME + i], w[THETA3 + i] = q, theta3
-        w[Y_ALPHA + i], w[Y_BETA + i] = w[V_ALPHA + i] * by, w[V_BETA + i] * by
-        w[W_ALPHA + i], w[W_BETA + i] = w[W_ALPHA + i] * by, w[W_BETA + i] * by
+        w[at.NOME + i], w[at.THETA3 + i] = q, theta3
+        w[at.Y_ALPHA + i], w[at.Y_BETA + i] = w[at.V_ALPHA + i] * by, w[at.V_BETA + i] * by
+        w[at.W_ALPHA + i], w[at.W_BETA + i] = w[at.W_ALPHA + i] * by, w[at.W_BETA + i] * by
 
 
 @inlined
@@ -118,15 +79,18 @@ def _full_series(w: Any, full: int, m: Any) -> None:
     """Put the series of ``preparation._full_series`` into rows 12 to 28."""
     n = BLOCK
     for i in range(full):
-        w[R_ALPHA + i], w[R_BETA + i] = exponential(-2.0 * w[W_ALPHA + i]), exponential(-2.0 * w[W_BETA + i])
-        w[V_ALPHA + i], w[V_BETA + i] = exponential(-2.0 * w[Y_ALPHA + i]), exponential(-2.0 * w[Y_BETA + i])
+        w[at.R_ALPHA + i] = exponential(-2.0 * w[at.W_ALPHA + i])
+        w[at.R_BETA + i] = exponential(-2.0 * w[at.W_BETA + i])
+        w[at.V_ALPHA + i] = exponential(-2.0 * w[at.Y_ALPHA + i])
+        w[at.V_BETA + i] = exponential(-2.0 * w[at.Y_BETA + i])
     for i in range(full):
-        q, theta3 = w[NOME + i], w[THETA3 + i]
+        q, theta3 = w[at.NOME + i], w[at.THETA3 + i]
         q4 = (q * q) * (q * q)
         theta4 = 1.0 - 2.0 * (q - q4 + q4 * q4 * q)
-        of_alpha, of_beta = square_root(0.5 * w[T2 + i]) * theta3, square_root(0.5 * w[S1 + i]) * theta4
-        _put_sums(m, 12 * n + i, of_alpha, w[V_ALPHA + i], q, w[R_ALPHA + i], -1.0)
-        _put_sums(m, 20 * n + i, of_beta, w[V_BETA + i], q, w[R_BETA + i], 1.0)
+        of_alpha = square_root(0.5 * w[at.T2 + i]) * theta3
+        of_beta = square_root(0.5 * w[at.S1 + i]) * theta4
+        _put_sums(m, 12 * n + i, of_alpha, w[at.V_ALPHA + i], q, w[at.R_ALPHA + i], -1.0)
+        _put_sums(m, 20 * n + i, of_beta, w[at.V_BETA + i], q, w[at.R_BETA + i], 1.0)
         m[28 * n + i] = 0.0
 
 
@@ -144,22 +108,22 @@ def _complementary_series(w: Any, count: int, m: Any) -> None:
     """Put the series of ``preparation._complementary_series`` into rows 12 to 28."""
     n = BLOCK
     for i in range(count):
-        q, theta3 = w[NOME + i], w[THETA3 + i]
+        q, theta3 = w[at.NOME + i], w[at.THETA3 + i]
         q2 = q * q
         q4, q6 = q2 * q2, q2 * q2 * q2
         q9 = q6 * q2 * q
-        c, s = _multiples(w[Y_ALPHA + i])
+        c, s = _multiples(w[at.Y_ALPHA + i])
         theta4 = 1.0 - 2.0 * ((q * c[1] - q4 * c[3]) + q9 * (2.0 * c[2] * c[2] - 1.0))
-        size = square_root(0.5 * w[T2 + i]) * theta3 / theta4
+        size = square_root(0.5 * w[at.T2 + i]) * theta3 / theta4
         c5, s5 = c[3] * c[0] - s[3] * s[0], s[3] * c[0] + c[3] * s[0]
         c7, s7 = c[3] * c[2] - s[3] * s[2], s[3] * c[2] + c[3] * s[2]
         m[12 * n + i], m[13 * n + i] = size * s[0], -size * s[2]
         m[14 * n + i], m[15 * n + i] = size * s5, -size * s7
         m[16 * n + i], m[17 * n + i] = size * c[0], -size * c[2]
         m[18 * n + i], m[19 * n + i] = size * c5, -size * c7
-        c, s = _multiples(2.0 * w[Y_BETA + i])
+        c, s = _multiples(2.0 * w[at.Y_BETA + i])
         theta4 = 1.0 - 2.0 * ((q * c[0] - q4 * c[1]) + q9 * c[2])
-        size = square_root(0.5 * w[S1 + i]) * (1.0 + q2 + q6 + q6 * q6) / theta4
+        size = square_root(0.5 * w[at.S1 + i]) * (1.0 + q2 + q6 + q6 * q6) / theta4
         m[20 * n + i], m[21 * n + i] = -size * c[0], size * c[1]
         m[22 * n + i], m[23 * n + i] = -size * c[2], size * c[3]
         m[24 * n + i], m[25 * n + i] = -size * s[0], size * s[1]
@@ -172,12 +136,12 @@ def _put_motion(w: Any, count: int, m: Any, complementary: float) -> None:
     """Put the rest of ``preparation._motion`` into the motion, apart from the constant phases."""
     n = BLOCK
     for i in range(count):
-        pi, nutation, half_root = (PI_HIGH, PI_LOW), pair(w, NUTATION + i), pair(w, HALF_ROOT + i)
-        q, theta3, sa, sb = w[NOME + i], w[THETA3 + i], w[SIGN_A + i], w[SIGN_B + i]
-        third = divide(scale(nutation, w[RATE + i]), multiply_float(pi, w[I1 + i]))
+        pi, nutation, half_root = (PI_HIGH, PI_LOW), pair(w, at.NUTATION + i), pair(w, at.HALF_ROOT + i)
+        q, theta3, sa, sb = w[at.NOME + i], w[at.THETA3 + i], w[at.SIGN_A + i], w[at.SIGN_B + i]
+        third = divide(scale(nutation, w[at.RATE + i]), multiply_float(pi, w[at.I1 + i]))
         third = scale(third, 0.5 + 0.5 * complementary)
         K = divide(scale(multiply(half_root, pi), 0.5), nutation)
-        start = scale(divide(pair(w, X0 + i), K), 0.25 + 0.25 * complementary)
+        start = scale(divide(pair(w, at.X0 + i), K), 0.25 + 0.25 * complementary)
         period = scale(K, 2.0)
         q4 = (q * q) * (q * q)
         shrink = 2.0 * (q + q4 + q4 * q4 * q)
@@ -186,18 +150,18 @@ def _put_motion(w: Any, count: int, m: Any, complementary: float) -> None:
         m[9 * n + i], m[10 * n + i], m[11 * n + i] = third[1], start[0], start[1]
         upper, lower = halves(period[0])
         m[29 * n + i], m[30 * n + i], m[31 * n + i] = q, upper, lower + period[1]
-        ya, yb = complementary * w[Y_ALPHA + i], complementary * w[Y_BETA + i]
+        ya, yb = complementary * w[at.Y_ALPHA + i], complementary * w[at.Y_BETA + i]
         m[32 * n + i], m[33 * n + i], m[34 * n + i] = ya / math.pi, yb / math.pi, 1.0
         m[35 * n + i], m[36 * n + i] = sa, sb
         carried = nutation[0] * (2.0 / math.pi)
-        linear_a, linear_b = w[ALPHA + i] + sa * ya * carried, w[BETA + i] + sb * yb * carried
+        linear_a, linear_b = w[at.ALPHA + i] + sa * ya * carried, w[at.BETA + i] + sb * yb * carried
         turn = complementary * (half_root[0] / (theta3 * theta3)) + (1.0 - complementary) * nutation[0]
-        w[LINEAR_A + i], w[LINEAR_B + i], w[TURN + i] = linear_a, linear_b, turn
-        m[37 * n + i] = 2.0 * turn * w[SIZE + i]
-        m[38 * n + i] = 2.0 * (linear_a + linear_b) * w[SIZE + i]
+        w[at.LINEAR_A + i], w[at.LINEAR_B + i], w[at.TURN + i] = linear_a, linear_b, turn
+        m[37 * n + i] = 2.0 * turn * w[at.SIZE + i]
+        m[38 * n + i] = 2.0 * (linear_a + linear_b) * w[at.SIZE + i]
         m[39 * n + i] = m[41 * n + i] = 1.0
         m[40 * n + i] = m[42 * n + i] = 0.0
-        m[44 * n + i] = w[SIDE + i]
+        m[44 * n + i] = w[at.SIDE + i]
 
 
 @called
@@ -241,18 +205,18 @@ def phases(w: Any, count: int, m: Any, work: Any) -> None:
     """Put the constant phases of ``preparation._constant_phases`` into the motion, of the numerators at the epoch."""
     n = BLOCK
     for i in range(count):
-        x, y, z = w[L1 + i], w[L2 + i], w[L3 + i]
-        length = root(pair(w, NORM + i))
-        q0, q1 = divide((w[E0 + i], 0.0), length)[0], divide((w[E1 + i], 0.0), length)[0]
-        q2, q3 = divide((w[E2 + i], 0.0), length)[0], divide((w[E3 + i], 0.0), length)[0]
+        x, y, z = w[at.L1 + i], w[at.L2 + i], w[at.L3 + i]
+        length = root(pair(w, at.NORM + i))
+        q0, q1 = divide((w[at.E0 + i], 0.0), length)[0], divide((w[at.E1 + i], 0.0), length)[0]
+        q2, q3 = divide((w[at.E2 + i], 0.0), length)[0], divide((w[at.E3 + i], 0.0), length)[0]
         a = 0.5 * (-z * q3 - (x * q1 + y * q2)), 0.5 * (z * q0 - (x * q2 - y * q1))
         b = 0.5 * (x * q0 - y * q3 + z * q2), 0.5 * (x * q3 + y * q0 - z * q1)
         ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b = sums_at(work, SUMS + i)
         square = (ar * ar + ai * ai) + (br * br + bi * bi)
         norm = square_root(square)
         drop = ((ar * dar + ai * dai) + (br * dbr + bi * dbi)) / square
-        size, turn = (x * x + y * y) + (z * z + w[G + i]), w[TURN + i]
+        size, turn = (x * x + y * y) + (z * z + w[at.G + i]), w[at.TURN + i]
         m[39 * n + i], m[40 * n + i] = _constant_phase(
-            ar, ai, dar, dai, turns_a, w[LINEAR_A + i], (q0, q3), a, norm, drop, turn, size)
+            ar, ai, dar, dai, turns_a, w[at.LINEAR_A + i], (q0, q3), a, norm, drop, turn, size)
         m[41 * n + i], m[42 * n + i] = _constant_phase(
-            br, bi, dbr, dbi, turns_b, w[LINEAR_B + i], (q1, q2), b, norm, drop, turn, size)  # fmt: skip
+            br, bi, dbr, dbi, turns_b, w[at.LINEAR_B + i], (q1, q2), b, norm, drop, turn, size)  # fmt: skip

@@ -19,13 +19,14 @@ from polhode.exact.kernel_arithmetic import (
     room,
 )
 from polhode.exact.kernel_loops import WORK, sums_of_many
+from polhode.exact.lagrange_top import kernel_store as at
 from polhode.exact.lagrange_top.formulas import COLUMNS
 from polhode.exact.lagrange_top.kernel_integrals import integrals
 from polhode.exact.lagrange_top.kernel_rates import rates
 from polhode.exact.lagrange_top.kernel_reduction import TERMS, begin
 from polhode.exact.lagrange_top.kernel_roots import turning_points
 from polhode.exact.lagrange_top.kernel_series import phases, series
-from polhode.exact.lagrange_top.kernel_store import GAP, KEPT, ROWS, UP, B, G
+from polhode.exact.lagrange_top.kernel_store import KEPT, ROWS
 
 WORTH = 1_000  # tops for which a thread is worth its start
 
@@ -42,10 +43,10 @@ def _sorted(begun: Any, count: int, found: Any, w: Any, place: Any, order: Any) 
     """
     full, back = 0, count
     for i in range(count):
-        d, b = begun[GAP + i], begun[B + i]
-        if not (begun[UP + i] >= 0.0 and d > 0.0 and b > 0.0):
+        d, b = begun[at.GAP + i], begun[at.B + i]
+        if not (begun[at.UP + i] >= 0.0 and d > 0.0 and b > 0.0):
             continue
-        if begun[G + i] * d <= b:
+        if begun[at.G + i] * d <= b:
             order[full] = i
             full += 1
         else:
