@@ -53,13 +53,14 @@ def for_python(modules: Iterable[ModuleType]) -> dict[str, Space]:
     return copied(modules, {}, lambda function, _: function)
 
 
-def for_arrays(*modules: ModuleType) -> Any:
+def for_arrays(*modules: ModuleType, **words: Callable[..., Any]) -> Any:
     """Return the last module's names, with functions of arrays of NumPy or JAX, elementwise with broadcasting.
 
     Args:
         modules: of formulas, with those they need; these of both motions come by themselves.
+        words: functions in place of formulas that do not hold for all that arrays are made of.
     """
-    spaces = copied((kernel_arithmetic, formulas, *modules), WORDS, lambda function, _: function)
+    spaces = copied((kernel_arithmetic, formulas, *modules), WORDS | words, lambda function, _: function)
     return SimpleNamespace(**spaces[modules[-1].__name__])
 
 
@@ -85,7 +86,8 @@ def _phase(rate: circular.SplitRate, high: Array, low: Array) -> tuple[Array, Ar
 WORDS: dict[str, Any] = {
     "two_product": dd.two_product, "two_sum": dd.two_sum, "fast_two_sum": dd.fast_two_sum, "add": dd.add,
     "subtract": dd.subtract, "multiply": dd.multiply, "multiply_float": dd.multiply_float, "square": dd.square,
-    "scale": dd.scale, "divide": dd.divide, "root": dd.sqrt, "choice": dd.where,
+    "scale": dd.scale, "divide": dd.divide, "root": dd.sqrt, "root_or_zero": dd.sqrt,
+    "choice": dd.where,
     "constant": _constant, "two_square": dd.two_square, "halves": split_halves,
     "where": _where, "larger": _larger, "nearest": nearest, "whole": nearest, "phase": _phase,
     "sine_cosine": circular.sine_cosine_turns,

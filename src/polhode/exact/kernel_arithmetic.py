@@ -265,6 +265,13 @@ def choice(condition: bool, x: Pair, y: Pair) -> Pair:
     return (x[0] if condition else y[0]), (x[1] if condition else y[1])
 
 
+@inlined
+def root_or_zero(x: Pair) -> Pair:
+    """Return √x, zero for x = 0."""
+    zero = x[0] == 0.0
+    return choice(zero, (0.0, 0.0), root(choice(zero, (1.0, 0.0), x)))
+
+
 # ---------------------------------------------------------------------- stores
 
 

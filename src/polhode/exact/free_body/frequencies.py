@@ -11,9 +11,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from polhode.arrays import namespace
+from polhode.exact.agm import third_kind_agm
 from polhode.exact.free_body.reduction import FORMULAS, Reduction
 from polhode.special import doubledouble as dd
-from polhode.special.agm import third_kind_agm
 from polhode.special.doubledouble import DoubleDouble
 from polhode.types import Array, Bool
 

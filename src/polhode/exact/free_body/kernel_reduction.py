@@ -68,7 +68,7 @@ def _load(w: Any, i: int, moments: Any, momentum: Any) -> bool:
 
 @called
 def _sums(w: Any, count: int) -> None:
-    """Form the invariants of ``reduction._sums``, and S in double-double."""
+    """Form the invariants, and S in double-double."""
     for i in range(count):
         x, z = w[at.L1 + i], w[at.L3 + i]
         a, b, c, p, q, gg = invariants((w[at.I1 + i], w[at.I2 + i], w[at.I3 + i]), (x, w[at.L2 + i], z))

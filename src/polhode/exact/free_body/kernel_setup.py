@@ -1,4 +1,4 @@
-"""The set-up of many bodies, from moments to the columns of ``spinor.Motion``, compiled by Numba.
+"""The set-up of many bodies, from moments to the columns of ``formulas.Motion``, compiled by Numba.
 
 The steps of ``formulas_setup`` in blocks of bodies and in loops that LLVM turns into vector instructions. Bodies are
 sorted on the way: those that take the full form first, then those that take the complementary one.

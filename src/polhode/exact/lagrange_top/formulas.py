@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from polhode.exact.formulas import exponent, reduced_argument
 from polhode.exact.kernel_arithmetic import (
+    BLOCK,
     Pair,
     Rate,
     choice,
@@ -26,6 +27,10 @@ from polhode.exact.kernel_arithmetic import (
 )
 
 COLUMNS, SUMMED, SUMS = 45, 37, 10  # numbers of a motion, how many of these its sums take, and of sums
+FIRST, THIRD, START, A_SUM, B_SUM, CONSTANT, NOME, SIGNS, RATES, PHASES, AXIAL, REVERSED = (
+    k * BLOCK for k in (1, 7, 10, 12, 20, 28, 29, 35, 37, 39, 43, 44)
+)
+"""Rows of numbers of a ``Motion`` in a store."""
 Four = tuple[float, float, float, float]
 State = tuple[float, float, float, float, float, float, float]
 Sums = tuple[float, float, float, float, float, float, float, float, float, float]

@@ -10,7 +10,6 @@ from typing import Any
 
 from polhode.exact.kernel_arithmetic import (
     BLOCK,
-    Pair,
     add,
     called,
     choice,
@@ -20,6 +19,7 @@ from polhode.exact.kernel_arithmetic import (
     pair,
     put,
     root,
+    root_or_zero,
     scale,
     square_root,
 )
@@ -31,13 +31,6 @@ CLOSE, CLOSER = 1e-2, 2e-3  # of the spread, whose eighth power is what the clos
 X, Y_, Z = 0, 2 * BLOCK, 4 * BLOCK
 STEPS = 6
 ONE = (1.0, 0.0)
-
-
-@inlined
-def _root(x: Pair) -> Pair:
-    """Return √x, zero for x = 0."""
-    zero = x[0] == 0.0
-    return choice(zero, (0.0, 0.0), root(choice(zero, ONE, x)))
 
 
 @inlined
@@ -100,7 +93,7 @@ def _duplicate_sharply(s: Any, count: int) -> None:
     for i in range(count):
         x, y, z = pair(s, X + i), pair(s, Y_ + i), pair(s, Z + i)
         near = _widest(x[0], y[0], z[0]) <= CLOSER
-        a, b, c = _root(x), _root(y), root(z)
+        a, b, c = root_or_zero(x), root_or_zero(y), root(z)
         more = add(multiply(a, add(b, c)), multiply(b, c))
         put(s, X + i, choice(near, x, scale(add(x, more), 0.25)))
         put(s, Y_ + i, choice(near, y, scale(add(y, more), 0.25)))
@@ -179,7 +172,7 @@ def _start(w: Any, count: int, s: Any) -> bool:
         put(s, Y_ + i, divide(pair(w, at.Y + i), pair(w, at.A + i)))
     found = _first_kind_sharply(s, count)
     for i in range(count):
-        x0 = multiply(_root(divide(pair(w, at.LOWER + i), pair(w, at.GAP + i))), pair(s, X + i))
+        x0 = multiply(root_or_zero(divide(pair(w, at.LOWER + i), pair(w, at.GAP + i))), pair(s, X + i))
         put(w, at.X0 + i, scale(x0, 1.0 if w[at.P + i] >= 0.0 else -1.0))
     return found
 

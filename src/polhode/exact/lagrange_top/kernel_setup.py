@@ -1,4 +1,4 @@
-"""The set-up of many tops, from moments to the columns of ``series.Motion``, compiled by Numba.
+"""The set-up of many tops, from moments to the columns of ``formulas.Motion``, compiled by Numba.
 
 The same steps as ``reduction``, ``roots``, ``frequencies`` and ``preparation``, in blocks of tops and in loops that
 LLVM turns into vector instructions. Tops are sorted on the way: those that take the full form first, then those that
@@ -20,7 +20,7 @@ from polhode.exact.kernel_arithmetic import (
 )
 from polhode.exact.kernel_loops import WORK, sums_of_many
 from polhode.exact.lagrange_top import kernel_store as at
-from polhode.exact.lagrange_top.formulas import COLUMNS
+from polhode.exact.lagrange_top.formulas import AXIAL, COLUMNS
 from polhode.exact.lagrange_top.kernel_integrals import integrals
 from polhode.exact.lagrange_top.kernel_rates import rates
 from polhode.exact.lagrange_top.kernel_reduction import TERMS, begin
@@ -91,7 +91,7 @@ def set_up(
         if not integrals(w, full, count, steps):
             continue
         for i in range(count):
-            m[43 * BLOCK + i] = momentum[low + place[i]][2]
+            m[AXIAL + i] = momentum[low + place[i]][2]
         series(w, full, count, m)
         sums_of_many(m, full, count, zeros, zeros, work)
         phases(w, count, m, work)
