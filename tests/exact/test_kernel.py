@@ -11,8 +11,9 @@ import polhode as ph
 from oracle.families import draw
 from oracle.measures import error_in_eps
 from oracle.numpy_alone import compiled_alone, numpy_alone, python_alone
+from polhode.exact import kernel_loops
 from polhode.exact.closed_form import ClosedForm
-from polhode.exact.free_body import kernel, kernel_setup
+from polhode.exact.free_body import kernel_setup
 from polhode.exact.free_body.evaluation import FORM
 from starts import free_motion
 
@@ -86,7 +87,7 @@ def test_many_bodies_agree_with_numpy(monkeypatch):
     shaped = [x.reshape(500, 3, -1) for x in arguments]
     compiled_alone(monkeypatch)
     monkeypatch.setattr(kernel_setup, "WORTH", 400)
-    monkeypatch.setattr(kernel, "WORTH", 1000)
+    monkeypatch.setattr(kernel_loops, "WORTH", 1000)
     found = [free_motion(*shaped, epoch=epoch).state(times), free_motion(*arguments).state(1.5)]
     numpy_alone(monkeypatch)
     wanted = [free_motion(*shaped, epoch=epoch).state(times), free_motion(*arguments).state(1.5)]
@@ -141,8 +142,7 @@ def test_what_python_cannot_divide_goes_to_numba(monkeypatch):
     def broken(*given):
         raise ZeroDivisionError
 
-    monkeypatch.setattr(kernel_setup, "set_up", broken)
-    monkeypatch.setattr(kernel, "state_at", broken)
+    monkeypatch.setattr(FORM, "_python", FORM._python._replace(set_up=broken, state_at=broken))
     found = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).state(2.0)
     assert (found[0] == wanted[0]).all() and (found[1] == wanted[1]).all()
 

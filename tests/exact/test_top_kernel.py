@@ -11,8 +11,9 @@ from oracle.lagrange_families import TopCase, draw_tops
 from oracle.numpy_alone import compiled_alone, numpy_alone
 from oracle.test_lagrange_motion import WORST_ERROR, errors
 from polhode.errors import InvalidInput
+from polhode.exact import kernel_loops
 from polhode.exact.closed_form import ClosedForm
-from polhode.exact.lagrange_top import kernel, kernel_setup
+from polhode.exact.lagrange_top import kernel_setup
 from polhode.exact.lagrange_top.evaluation import FORM
 from starts import lagrange_motion
 
@@ -43,7 +44,7 @@ STARTS = [((0.0, 0.0, 2.5), 1.0), ((0.3, -0.5, 1.5), 0.4), ((2.0, 1.0, 0.0), 1.0
 @pytest.mark.parametrize(("momentum", "lean"), STARTS)
 def test_long_runs_go_through_it_and_agree(momentum, lean, monkeypatch):
     """By threads, in blocks that are not full, with the epoch's rest, for times of any shape, on either side of mgl."""
-    monkeypatch.setattr(kernel, "WORTH", 1000)
+    monkeypatch.setattr(kernel_loops, "WORTH", 1000)
     times = np.linspace(-50.0, 1e3, 10_001)[:-1].reshape(2, -1)
     attitude = (np.cos(lean / 2), np.sin(lean / 2), 0.0, 0.0)
 
@@ -180,7 +181,7 @@ def test_many_tops_agree_with_numpy(monkeypatch):
     shaped = [x.reshape(500, 3, *x.shape[1:]) for x in arguments]
     compiled_alone(monkeypatch)
     monkeypatch.setattr(kernel_setup, "WORTH", 400)
-    monkeypatch.setattr(kernel, "WORTH", 1000)
+    monkeypatch.setattr(kernel_loops, "WORTH", 1000)
 
     def states():
         tops = lagrange_motion(*shaped, epoch=epoch), lagrange_motion(*(x[9:] for x in arguments))

@@ -32,7 +32,7 @@ class ByArrays:
 def numpy_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave all bodies and times to NumPy."""
     for module, prepare in ((free_body, "_columns_of_bodies"), (lagrange_top, "_columns_of_tops")):
-        monkeypatch.setattr(module, "FORM", ByArrays(getattr(module, prepare), module.evaluate))
+        monkeypatch.setattr(module, "FORM", ByArrays(getattr(module, prepare), module.STATES.evaluate))
 
 
 def compiled_alone(monkeypatch: pytest.MonkeyPatch) -> None:

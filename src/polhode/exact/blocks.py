@@ -41,6 +41,11 @@ def columns_in_blocks(prepare: Callable[..., Columns], arguments: Vectors) -> Co
     return tuple(np.asarray(column).reshape(shape) for column in columns)
 
 
+def flattened(motion: tuple[Any, ...]) -> Columns:
+    """Return the numbers of a record, of which some stand in tuples, as one tuple."""
+    return tuple(x for part in motion for x in (part if isinstance(part, tuple) else (part,)))
+
+
 def units(xp: Any, shape: tuple[int, ...], sizes: tuple[int, ...]) -> list[Float64[Array, "count ..."]]:
     """Return unit changes of vectors of these sizes: one after the other along a new first axis, (N, …, size) each."""
     whole = xp.eye(sum(sizes), dtype=xp.float64)

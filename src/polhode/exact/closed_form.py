@@ -12,57 +12,68 @@ import pkgutil
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from types import ModuleType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode.exact import kernel_loops
 from polhode.exact.blocks import Columns, Vectors, columns_in_blocks
+from polhode.exact.copies import Space, for_python
 from polhode.exact.kernel_arithmetic import in_threads
 from polhode.types import Array, Float64
 
-COMMON = ("polhode.exact.kernel_arithmetic", "polhode.exact.kernel_agm")
+COMMON = tuple(f"polhode.exact.{name}" for name in ("kernel_arithmetic", "kernel_agm", "formulas", "kernel_loops"))
 STATE, SET_UP = 7e-6, 1.5e-4  # s that Python takes for a state, and for a body, about
 LOADED = 0.3  # s of Python's time from which loading a kernel is worth it
 COMPILING = {"set_up": 6.0, "states_of_one": 1.5, "states_of_many": 2.5}  # or compiling one, which takes about so long
 State = tuple[float, float, float, float, float, float, float]
 
 
-class Compiled(NamedTuple):
-    """What Numba has compiled, or will when it is called; see the kernels for what each does."""
+class Kernels(NamedTuple):
+    """What Python runs, or Numba has compiled, or will when it is called; see the kernels for what each does."""
 
-    set_up: Callable[..., None]
+    unflatten: Callable[..., Any]
+    state_at: Callable[..., State]
     states_of_one: Callable[..., None]
     states_of_many: Callable[..., None]
+    set_up: Callable[..., None]
 
 
 class ClosedForm:
     """The kernels of a motion in closed form.
 
     Args:
-        package: with ``kernel``, ``kernel_setup`` and what these need.
+        package: with ``formulas``, ``kernel_setup`` and what these need.
         prepare: returns the columns of bodies that the kernels leave to NumPy.
     """
 
     def __init__(self, package: str, prepare: Callable[..., Columns]) -> None:
         self._package, self._prepare = package, prepare
         self._spent, self._ready = dict.fromkeys(COMPILING, 0.0), set[str]()
+        self._latest: tuple[Any, Any] = (), None  # numbers of a motion, and the motion
 
     @cached_property
     def _modules(self) -> list[ModuleType]:
         path = importlib.import_module(self._package).__path__
-        own = sorted(name for _, name, _ in pkgutil.iter_modules(path) if name.startswith("kernel"))
+        own = sorted(name for _, name, _ in pkgutil.iter_modules(path) if name.startswith(("kernel", "formulas")))
         return [importlib.import_module(name) for name in (*COMMON, *(f"{self._package}.{name}" for name in own))]
 
-    def _module(self, name: str) -> ModuleType:
-        return next(module for module in self._modules if module.__name__ == f"{self._package}.{name}")
+    @cached_property
+    def _python(self) -> Kernels:
+        return self._kernels(for_python(self._modules))
 
     @cached_property
-    def _compiled(self) -> Compiled:
+    def _compiled(self) -> Kernels:
         from polhode.exact.compiling import compiled_modules  # which loads Numba
 
-        spaces = {space["__name__"]: space for space in compiled_modules(self._modules)}
-        kernel, setup = (spaces[f"{self._package}.{name}"] for name in ("kernel", "kernel_setup"))
-        return Compiled(setup["set_up"], kernel["states_of_one"], kernel["states_of_many"])
+        return self._kernels(compiled_modules(self._modules, self._package.rpartition(".")[2]))
+
+    def _kernels(self, spaces: dict[str, Space]) -> Kernels:
+        setup, loops = spaces[f"{self._package}.kernel_setup"], spaces[kernel_loops.__name__]
+        return Kernels(**{name: loops[name] for name in Kernels._fields[:4]}, set_up=setup["set_up"])
+
+    def _constant(self, module: str, name: str) -> int:
+        return getattr(importlib.import_module(f"{self._package}.{module}"), name)
 
     def _is_worth(self, name: str, seconds: float) -> bool:
         """Return whether a compiled kernel is there, or worth it for work that takes Python so long."""
@@ -84,8 +95,8 @@ class ClosedForm:
         """Return the constants of the motions of bodies, arrays (…, k) that broadcast against each other."""
         shape = np.broadcast_shapes(*(np.shape(v)[:-1] for v in arguments))
         flat = [np.broadcast_to(v, (*shape, np.shape(v)[-1])).reshape(-1, np.shape(v)[-1]) for v in arguments]
-        count, kernel = math.prod(shape), self._module("kernel")
-        columns, left = np.empty((kernel.COLUMNS, count)), np.ones(count, bool)
+        count = math.prod(shape)
+        columns, left = np.empty((self._constant("formulas", "COLUMNS"), count)), np.ones(count, bool)
         if self._is_worth("set_up", SET_UP * count):
             self._set_up_many(flat, columns, left)
         else:
@@ -102,12 +113,12 @@ class ClosedForm:
         fill = lambda low, high: self._compiled.set_up(  # noqa: E731
             *(v[low:high] for v in given), columns[:, low:high], left[low:high]
         )
-        in_threads(fill, len(left), self._module("kernel_setup").WORTH)
+        in_threads(fill, len(left), self._constant("kernel_setup", "WORTH"))
 
     def _set_up_one(self, given: list[Array], k: int, columns: Array, left: Array) -> None:
         found, is_left = [[0.0] for _ in range(len(columns))], [True]
         try:
-            self._module("kernel_setup").set_up(*([v.tolist()] for v in given), found, is_left)
+            self._python.set_up(*([v.tolist()] for v in given), found, is_left)
         except (ArithmeticError, ValueError):  # where Numba's numbers become infinite or none
             self._set_up_many([v[None] for v in given], columns[:, k : k + 1], left[k : k + 1])
             return
@@ -117,8 +128,12 @@ class ClosedForm:
 
     def state(self, column: Sequence[float], time: float, rest: float) -> State:
         """Return attitude and momentum of one body at a time since the epoch, given in two parts."""
+        kept, motion = self._latest
+        if kept is not column:  # one body is asked for its states again and again
+            motion = self._python.unflatten(column)
+            self._latest = column, motion
         try:
-            return self._module("kernel").state_at(column, time, rest)
+            return self._python.state_at(motion, time, rest)
         except (ArithmeticError, ValueError):
             attitude, momentum = np.empty((1, 4)), np.empty((1, 3))
             self._of_one(column, np.array([time]), np.array([rest]), attitude, momentum)
@@ -159,7 +174,7 @@ class ClosedForm:
         fill = lambda low, high: self._compiled.states_of_one(  # noqa: E731
             tuple(column), times[low:high], rests[low:high], attitude[low:high], momentum[low:high]
         )
-        in_threads(fill, len(times), self._module("kernel").WORTH)
+        in_threads(fill, len(times), kernel_loops.WORTH)
 
     def _of_many(
         self, flat: Array, bodies: Array, times: Array, rests: Array, attitude: Array, momentum: Array
@@ -167,4 +182,4 @@ class ClosedForm:
         fill = lambda low, high: self._compiled.states_of_many(  # noqa: E731
             flat, bodies[low:high], times[low:high], rests[low:high], attitude[low:high], momentum[low:high]
         )
-        in_threads(fill, len(times), self._module("kernel").WORTH)
+        in_threads(fill, len(times), kernel_loops.WORTH)

@@ -10,19 +10,26 @@ import math
 import sys
 import zlib
 from collections.abc import Callable, Iterable
+from functools import partial
 from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
+from llvmlite.ir import Constant
 from numba import njit
 from numba.core import event
-from numba.core.types import float64, int64
+from numba.core.cgutils import unpack_tuple
+from numba.core.types import UniTuple, float64, int64, none
 from numba.extending import intrinsic
+from numba.np.arrayobj import make_array
+
+from polhode.exact.copies import copied
+from polhode.exact.kernel_arithmetic import BLOCK
 
 _TAKE: Any = njit  # whose types do not know all of its options
-_FILES = [Path(__file__), *sorted(Path(__file__).parent.rglob("kernel*.py"))]
-SOURCES = zlib.crc32(b"".join(path.read_bytes() for path in _FILES))
+_FILES = sorted(path for path in Path(__file__).parent.rglob("*.py") if path.name.startswith(("formulas", "kernel")))
+SOURCES = zlib.crc32(b"".join(path.read_bytes() for path in (Path(__file__), *_FILES)))
 
 
 def announce(what: str, dispatcher: Any) -> Any:
@@ -40,34 +47,22 @@ def announce(what: str, dispatcher: Any) -> Any:
     return dispatcher
 
 
-def compiled_modules(modules: Iterable[ModuleType]) -> list[dict[str, Any]]:
-    """Return the names of each module, with functions that Numba compiles when they are first called.
+def compiled_modules(modules: Iterable[ModuleType], motion: str) -> dict[str, dict[str, Any]]:
+    """Return the names of modules, by theirs, with functions that Numba compiles when they are first called.
 
     Args:
         modules: with functions that are marked as parts of a kernel, which call each other.
+        motion: word for the motion whose formulas they have.
     """
-    modules, made = list(modules), dict[Any, Any]()
-    spaces: list[dict[str, Any]] = [dict(vars(module)) for module in modules]
-    for module, space in zip(modules, spaces, strict=True):
-        for name, value in vars(module).items():
-            plain = inspect.unwrap(value) if callable(value) else value  # tests wrap functions to check annotations
-            mark = getattr(plain, "kernel_mark", None)
-            if mark is not None and plain.__module__ == module.__name__:
-                made[plain] = OWN[name] if name in OWN else _compile(FunctionType(plain.__code__, space, name), mark)
-    for space in spaces:
-        for name, value in space.items():
-            plain = inspect.unwrap(value) if isinstance(value, FunctionType) else None
-            if plain in made:
-                space[name] = made[plain]
-    return spaces
+    return copied(modules, OWN, partial(_compile, motion))
 
 
-def _compile(function: FunctionType, mark: str) -> Any:
+def _compile(motion: str, function: FunctionType, mark: str) -> Any:
     if mark != "entry":  # needs no way in from Python, which takes time to compile
         return _TAKE(error_model="numpy", forceinline=mark == "inlined", no_cpython_wrapper=True,
                      no_cfunc_wrapper=True)(function)  # fmt: skip
     # Numba looks at one file alone for changes, and keeps what it compiles by this name
-    function.__qualname__ = f"{function.__name__}_{SOURCES:08x}"
+    function.__qualname__ = f"{function.__name__}_{motion}_{SOURCES:08x}"
     return announce("closed forms", _TAKE(error_model="numpy", nogil=True, cache=True)(function))
 
 
@@ -106,10 +101,40 @@ def _two_product(a: Any, b: Any) -> Any:
     return p, _fused(a, b, -p)
 
 
+@intrinsic(prefer_literal=True)
+def _record(context: Any, rows: Any, i: Any, count: Any) -> Any:
+    numbers = rows.dtype, count.literal_value
+
+    def read(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+        places = _places(context, builder, rows, values, count.literal_value)
+        return context.make_tuple(builder, signature.return_type, [builder.load(place) for place in places])
+
+    return UniTuple(*numbers)(rows, i, count), read
+
+
+@intrinsic
+def _put_record(context: Any, rows: Any, i: Any, values: Any) -> Any:
+    def write(context: Any, builder: Any, _: Any, given: Any) -> Any:
+        places = _places(context, builder, rows, given, len(values))
+        for place, value in zip(places, unpack_tuple(builder, given[2]), strict=True):
+            builder.store(value, place)
+        return context.get_dummy_value()
+
+    return none(rows, i, values), write
+
+
+def _places(context: Any, builder: Any, rows: Any, values: Any, count: int) -> list[Any]:
+    """Return pointers to numbers of an array that stand BLOCK apart."""
+    data, first = make_array(rows)(context, builder, values[0]).data, values[1]
+    steps = [builder.add(first, Constant(first.type, k * BLOCK)) for k in range(count)]
+    return [builder.gep(data, [step], inbounds=True) for step in steps]
+
+
 _inlined = _TAKE(error_model="numpy", forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
 two_product = _inlined(inspect.unwrap(_two_product))
 OWN: dict[str, Any] = {
     "two_product": two_product, "bits_of": _bits_of, "of_bits": _of_bits,
+    "record": _record, "put_record": _put_record,
     "square_root": _inlined(lambda x: np.sqrt(x)), "exponential": _inlined(lambda x: math.exp(x)),
     "floor": _inlined(lambda x: np.floor(x)), "nearest": _inlined(lambda x: np.rint(x)),
     "room": _inlined(lambda count: np.zeros(count)), "places": _inlined(lambda count: np.empty(count, np.int64)),

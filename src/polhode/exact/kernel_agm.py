@@ -1,25 +1,19 @@
-"""``special.agm`` for a block of bodies or tops, compiled by Numba."""
+"""The arithmetic–geometric mean with its third-kind sum, for a block of bodies or tops."""
 
 from __future__ import annotations
 
 from typing import Any
 
+from polhode.exact.formulas import CONVERGED, MOST_STEPS, mean_closed, mean_distance, mean_step
 from polhode.exact.kernel_arithmetic import (
     BLOCK,
     Pair,
-    add,
     called,
-    divide,
     inlined,
-    multiply,
     pair,
     put,
-    root,
-    scale,
-    square,
-    subtract,
+    put_record,
 )
-from polhode.special.agm import CONVERGED, MOST_STEPS
 
 # state of the mean, what closes it, and whether it may end; all but the last are pairs of rows
 AA, BB, PP, QQ, TT, CLOSED, TOTAL, DONE = range(0, 16 * BLOCK, 2 * BLOCK)
@@ -30,41 +24,30 @@ AT_ONCE = 3  # steps of all bodies, before the first is looked at
 @inlined
 def start_mean(s: Any, i: int, a: Pair, g: Pair, pp: Pair) -> None:
     """Begin the mean of positive a and g, with the sum that starts from p² = pp."""
-    put(s, AA + i, a)
-    put(s, BB + i, g)
-    put(s, PP + i, pp)
-    put(s, QQ + i, (1.0, 0.0))
-    put(s, TT + i, (1.0, 0.0))
+    put_record(s, AA + i, (*a, *g, *pp, 1.0, 0.0, 1.0, 0.0))
 
 
 @called
 def _step(s: Any, count: int) -> None:
     for i in range(count):
-        a, g, pp = pair(s, AA + i), pair(s, BB + i), pair(s, PP + i)
-        ag = multiply(a, g)
-        both = add(pp, ag)
-        q = scale(multiply(pair(s, QQ + i), divide(subtract(pp, ag), both)), 0.5)
-        put(s, PP + i, scale(divide(square(both), pp), 0.25))
+        a, g, pp, q, total = mean_step(
+            pair(s, AA + i), pair(s, BB + i), pair(s, PP + i), pair(s, QQ + i), pair(s, TT + i)
+        )
+        put(s, AA + i, a)
+        put(s, BB + i, g)
+        put(s, PP + i, pp)
         put(s, QQ + i, q)
-        put(s, TT + i, add(pair(s, TT + i), q))
-        put(s, AA + i, scale(add(a, g), 0.5))
-        put(s, BB + i, root(ag))
+        put(s, TT + i, total)
 
 
 @called
 def _close(s: Any, count: int) -> None:
-    """Close as ``agm.third_kind_agm`` does, and say where that is exact."""
+    """Close the mean, and say where that is exact."""
     for i in range(count):
-        a, g, pp = pair(s, AA + i), pair(s, BB + i), pair(s, PP + i)
-        middle = scale(add(a, g), 0.5)
-        half = 0.5 * ((a[0] - g[0]) + (a[1] - g[1]))
-        d = subtract(pp, square(middle))
-        e = d[0] + d[1] + half * half
-        x, e = half / middle[0], e / (2.0 * middle[0] * middle[0] + e)
-        last = 0.5 * s[QQ + i] * e
-        rest = last + last * (0.25 * (e * e - 0.5 * x * x))
-        put(s, CLOSED + i, add(middle, (-0.25 * middle[0] * x * x, 0.0)))
-        put(s, TOTAL + i, add(pair(s, TT + i), (rest, 0.0)))
+        x, e, middle = mean_distance(pair(s, AA + i), pair(s, BB + i), pair(s, PP + i))
+        mean, total = mean_closed(x, e, middle, s[QQ + i], pair(s, TT + i))
+        put(s, CLOSED + i, mean)
+        put(s, TOTAL + i, total)
         s[DONE + i] = 1.0 if abs(x) < CONVERGED and abs(e) < CONVERGED else 0.0
 
 

@@ -27,6 +27,7 @@ _C = [(-1) ** n * (2.0 * np.pi) ** (2 * n) / float(np.prod(np.arange(1.0, 2 * n 
 S0, S1, S2, S3, S4, S5, S6, S7, S8 = _S
 C0, C1, C2, C3, C4, C5, C6, C7, C8, C9 = _C
 Pair = tuple[float, float]
+Rate = tuple[float, float, float]  # in halves, and what they leave of it
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
@@ -38,6 +39,11 @@ def inlined(function: Function) -> Function:
 def called(function: Function) -> Function:
     """Mark a function that stays one by itself."""
     return _mark(function, "called")
+
+
+def given(function: Function) -> Function:
+    """Mark a function in whose place the one of this name stands, from the formulas of the motion in question."""
+    return _mark(function, "given")
 
 
 def entry(function: Function) -> Function:
@@ -108,6 +114,16 @@ def nearest(x: float) -> float:
 
 
 @inlined
+def where(condition: bool, x: float, y: float) -> float:
+    return x if condition else y
+
+
+@inlined
+def larger(x: float, y: float) -> float:
+    return x if x > y else y
+
+
+@inlined
 def room(count: int) -> Any:
     """Return room for numbers, which are zero; what is put into parts of it is in the whole."""
     return memoryview(array("d", bytes(8 * count)))
@@ -155,8 +171,9 @@ def halves(x: float) -> Pair:
 
 
 @inlined
-def phase(upper: float, lower: float, low: float, high: float, rest: float) -> tuple[float, float, float]:
+def phase(rate: Rate, high: float, rest: float) -> tuple[float, float, float]:
     """Return ``circular.reduced_phase``."""
+    upper, lower, low = rate
     a, b, c = upper * high, upper * rest, lower * high
     na, nb, nc = whole(a), whole(b), whole(c)
     d = lower * rest + low * (high + rest)
@@ -174,6 +191,11 @@ def two_sum(a: float, b: float) -> Pair:
     s = a + b
     t = s - a
     return s, (a - (s - t)) + (b - t)
+
+
+@inlined
+def two_square(a: float) -> Pair:
+    return two_product(a, a)
 
 
 @inlined
@@ -233,11 +255,41 @@ def root(x: Pair) -> Pair:
 
 
 @inlined
+def constant(value: Pair, like: float) -> Pair:
+    """Return a constant in the shape of a number, as which compilers of arrays do not reckon with it beforehand."""
+    return value
+
+
+@inlined
 def choice(condition: bool, x: Pair, y: Pair) -> Pair:
     return (x[0] if condition else y[0]), (x[1] if condition else y[1])
 
 
+@inlined
+def root_or_zero(x: Pair) -> Pair:
+    """Return √x, zero for x = 0."""
+    zero = x[0] == 0.0
+    return choice(zero, (0.0, 0.0), root(choice(zero, (1.0, 0.0), x)))
+
+
 # ---------------------------------------------------------------------- stores
+
+
+@inlined
+def record(rows: Any, i: int, count: int) -> tuple[float, ...]:
+    """Return the numbers that stand BLOCK apart, in rows of a store that follow.
+
+    One array holds all rows, so that LLVM knows which are apart and turns loops over them into vector instructions.
+    """
+    return tuple(rows[i : i + count * BLOCK : BLOCK])
+
+
+@inlined
+def put_record(rows: Any, i: int, values: tuple[float, ...]) -> None:
+    """Store numbers, as ``record`` returns them."""
+    for x in values:
+        rows[i] = x
+        i += BLOCK
 
 
 @inlined

@@ -59,7 +59,7 @@ class Draft:
         written = sorted(self.new.iterdir())
         for path in written:
             for part in [path, *path.rglob("*")] if path.is_dir() else [path]:
-                synced(part)
+                sync_to_disk(part)
         with _moving, hold_signals():
             for path in written:
                 target, aside = self.folder / path.name, self._old / path.name
@@ -70,7 +70,7 @@ class Draft:
                 except BaseException:
                     _put_back(aside, target)
                     raise
-            synced(self.folder)
+            sync_to_disk(self.folder)
 
     def remove(self) -> None:
         """Remove the folder and let go of the lock."""
@@ -183,7 +183,7 @@ def _lock_of(home: Path) -> FileLock:
     return FileLock(home / "lock", thread_local=False)
 
 
-def synced(path: Path) -> None:
+def sync_to_disk(path: Path) -> None:
     """Wait until a file's bytes, or a folder's entries, are on the disk: some systems tell only then of a lack of room.
 
     Raises:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 from polhode.errors import InvalidInput, printable, shown
 from polhode.formats.figure_file import save_figure
 from polhode.formats.opening import record_files
-from polhode.formats.paths import as_path
+from polhode.formats.paths import as_path, write_together
 from polhode.reports.answer import Group, Table, collect_units, collect_values, plain
 
 if TYPE_CHECKING:

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.drafts import synced
+from polhode.formats.drafts import sync_to_disk
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import write_whole
 from polhode.sweeps.evaluation import Chunk, Column
@@ -334,7 +334,7 @@ def _write_through(path: Path) -> None:
     """Flush a file and its folder's entry to the disk; an array that is all blank has no file."""
     for one in (path, path.parent):
         if one.exists():
-            synced(one)
+            sync_to_disk(one)
 
 
 def _write_whole(path: Path, content: bytes) -> None:

@@ -10,8 +10,7 @@ from polhode.exact.closed_form import ClosedForm
 from polhode.exact.free_body import geometry
 from polhode.exact.free_body.derivative import state_tangent
 from polhode.exact.free_body.geometry_tangent import changed_numbers
-from polhode.exact.free_body.preparation import prepare
-from polhode.exact.free_body.spinor import evaluate
+from polhode.exact.free_body.preparation import STATES, prepare
 from polhode.types import Array, Float64
 
 IDENTITY = np.asarray([1.0, 0.0, 0.0, 0.0])
@@ -53,7 +52,7 @@ def _state(moments: Array, momentum: Array, attitude: Array, elapsed: Array, res
     if not is_jax(elapsed, *arguments):
         return FORM.states(FORM.columns(arguments), elapsed, rest)
     columns = columns_in_blocks(_columns_of_bodies, arguments)
-    parts = evaluate(columns, elapsed, rest)
+    parts = STATES.evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])
 
 

@@ -11,9 +11,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from polhode.arrays import namespace
-from polhode.exact.free_body.reduction import Reduction
+from polhode.exact.agm import third_kind_agm
+from polhode.exact.free_body.reduction import FORMULAS, Reduction
 from polhode.special import doubledouble as dd
-from polhode.special.agm import third_kind_agm
 from polhode.special.doubledouble import DoubleDouble
 from polhode.types import Array, Bool
 
@@ -35,27 +35,15 @@ def canonical_frequencies(body: Reduction) -> Frequencies:
     """Return the frequencies of reduced bodies."""
     xp = namespace(body.long_axis)
     A, B, C, P, Q, G2 = body.A, body.B, body.C, body.P, body.Q, body.G2
-    BQ = dd.multiply(B, Q)
     l1, _, l3 = body.canonical
-    constant = ~(BQ[0] > 0) | ~(body.root_P > 0) | ((l1 == 0) & (l3 == 0))
+    modulus_rate, *rest = FORMULAS.starts_of_mean(A, B, C, Q, G2, body.root_S)
+    constant = ~(modulus_rate[0] > 0) | ~(body.root_P > 0) | ((l1 == 0) & (l3 == 0))
     separatrix = ~((C[0] > 0) & (body.root_S[0] > 0)) & ~constant
-    G = dd.sqrt(G2)
-    modulus_rate = dd.sqrt(BQ)
-    third_axis = B[0] >= A[0]
-    start = dd.multiply(dd.where(third_axis, Q, B), C)
-    start = dd.where(third_axis, start, dd.multiply(start, G2))
     one = dd.from_float(xp.ones_like(l1))
-    aperiodic = constant | separatrix
-    mean, total = third_kind_agm(
-        *(dd.where(aperiodic, one, x) for x in (modulus_rate, dd.multiply(dd.sqrt(C), body.root_S), start))
-    )
-    # a1 V = I2 I3 and a3 V = I1 I2, and with the mirror −I1 I2 and −I2 I3
-    I1, I2, I3 = body.moments
-    sign = xp.where(body.long_axis, -1.0, 1.0)
-    outer = dd.two_product(sign * xp.where(body.long_axis == third_axis, I1, I3), I2)
-    correction = dd.multiply(dd.where(third_axis, A, P), total)
-    share = dd.where(third_axis, dd.scale(correction, -0.5), dd.scale(dd.divide(correction, G2), 0.5))
-    precession = dd.multiply(G, dd.add(outer, share))
-    precession = dd.where(third_axis, precession, dd.add(precession, mean))
-    saddle = dd.multiply(G, dd.two_product(sign * I1, I3))
+    mean, total = third_kind_agm(*(dd.where(constant | separatrix, one, x) for x in (modulus_rate, *rest)))
+    G, third = dd.sqrt(G2), B[0] >= A[0]
+    lead = dd.where(third, A, P)
+    precession = FORMULAS.precession_rate(body.long_axis, third, body.moments, lead, total, G2, G, mean)
+    I1, _, I3 = body.moments
+    saddle = dd.multiply(G, dd.two_product(xp.where(body.long_axis, -1.0, 1.0) * I1, I3))
     return Frequencies(modulus_rate, mean, dd.where(separatrix, saddle, precession), G, constant, separatrix)

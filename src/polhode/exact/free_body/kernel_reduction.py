@@ -8,18 +8,19 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.exact.free_body.kernel import BLOCK
+from polhode.exact.free_body import kernel_store as at
+from polhode.exact.free_body.formulas_setup import difference, invariants
+from polhode.exact.free_body.kernel_store import KEPT
 from polhode.exact.kernel_arithmetic import (
+    BLOCK,
     Pair,
-    add,
     bits_of,
     called,
     flags,
     inlined,
-    multiply,
-    multiply_float,
     of_bits,
-    subtract,
+    put,
+    put_record,
     two_product,
     two_sum,
 )
@@ -27,14 +28,6 @@ from polhode.exact.kernel_arithmetic import (
 RANGE = 1e-120, 1e120  # of the largest moment and component of momentum
 SPREAD = 2.0**-60  # of the moments, and of the components of momentum that are not zero: nothing underflows
 NEAR = 1e-2  # of what cancels near the separatrix
-# rows of BLOCK numbers in the store of a block of bodies: what these are, and what is formed before they are sorted
-(I1, I2, I3, L1, L2, L3, FIRST, SECOND, THIRD, PARITY, SIZE, RATE, A, A_, B, B_, C, C_, P, P_, Q, Q_, GG, GG_, S,
- S_) = range(0, 26 * BLOCK, BLOCK)  # fmt: skip
-KEPT = 26
-# of what is found of them; LONG is −1 after the mirror, LEAD what the third-kind sum is multiplied by
-(X1, X3, LONG, HALF, LEAD, LEAD_, V, V_, G, G_, FAST, FAST_, MEAN, MEAN_, SUM, SUM_, UP, ACROSS, E0, E1, E2,
- E3) = range(26 * BLOCK, 48 * BLOCK, BLOCK)  # fmt: skip
-ROWS = 48
 
 
 @inlined
@@ -66,38 +59,29 @@ def _load(w: Any, i: int, moments: Any, momentum: Any) -> bool:
     within = RANGE[0] < c < RANGE[1] and RANGE[0] < size < RANGE[1]
     of_moments, of_momentum = _exponent(c), _exponent(size)
     down, lower = _power(-of_moments), parity * _power(-of_momentum)
-    w[I1 + i], w[I2 + i], w[I3 + i] = a * down, b * down, c * down
-    w[L1 + i], w[L2 + i], w[L3 + i] = x * lower, y * lower, z * lower
-    w[FIRST + i], w[SECOND + i], w[THIRD + i], w[PARITY + i] = p, q, r, parity
-    w[SIZE + i], w[RATE + i] = _power(of_momentum), _power(of_momentum - of_moments)
+    w[at.I1 + i], w[at.I2 + i], w[at.I3 + i] = a * down, b * down, c * down
+    w[at.L1 + i], w[at.L2 + i], w[at.L3 + i] = x * lower, y * lower, z * lower
+    w[at.FIRST + i], w[at.SECOND + i], w[at.THIRD + i], w[at.PARITY + i] = p, q, r, parity
+    w[at.SIZE + i], w[at.RATE + i] = _power(of_momentum), _power(of_momentum - of_moments)
     return within and near and a >= SPREAD * c
 
 
 @called
 def _sums(w: Any, count: int) -> None:
-    """Form the invariants of ``reduction._sums``, and S in double-double."""
+    """Form the invariants, and S in double-double."""
     for i in range(count):
-        i1, i2, i3 = w[I1 + i], w[I2 + i], w[I3 + i]
-        a = multiply_float(two_sum(i2, -i1), i3)
-        b = multiply_float(two_sum(i3, -i2), i1)
-        c = multiply_float(two_sum(i3, -i1), i2)
-        x, y, z = w[L1 + i], w[L2 + i], w[L3 + i]
-        s1, s2, s3 = two_product(x, x), two_product(y, y), two_product(z, z)
-        first = multiply(a, s1)
-        w[A + i], w[A_ + i] = a
-        w[B + i], w[B_ + i] = b
-        w[C + i], w[C_ + i] = c
-        w[P + i], w[P_ + i] = add(multiply(c, s1), multiply(b, s2))
-        w[Q + i], w[Q_ + i] = add(multiply(a, s2), multiply(c, s3))
-        w[GG + i], w[GG_ + i] = add(add(s1, s2), s3)
-        w[S + i], w[S_ + i] = subtract(first, multiply(b, s3))
-        w[UP + i] = NEAR * first[0]
+        x, z = w[at.L1 + i], w[at.L3 + i]
+        a, b, c, p, q, gg = invariants((w[at.I1 + i], w[at.I2 + i], w[at.I3 + i]), (x, w[at.L2 + i], z))
+        put_record(w, at.A + i, (*a, *b, *c, *p, *q, *gg))
+        s, first = difference(a, b, x, z)
+        put(w, at.S + i, s)
+        w[at.UP + i] = NEAR * first
 
 
 @called
 def _exact_difference(w: Any, i: int, terms: Any) -> Pair:
     """Return S of one body near the separatrix, ``reduction._signed_distance_from_separatrix``."""
-    i1, i2, i3, x, z = w[I1 + i], w[I2 + i], w[I3 + i], w[L1 + i], w[L3 + i]
+    i1, i2, i3, x, z = w[at.I1 + i], w[at.I2 + i], w[at.I3 + i], w[at.L1 + i], w[at.L3 + i]
     for start, gap, factor, momentum in ((0, two_sum(i2, -i1), i3, x), (16, two_sum(i3, -i2), -i1, z)):
         terms[start], terms[start + 1] = gap
         count = 2
@@ -121,12 +105,12 @@ def _exact_difference(w: Any, i: int, terms: Any) -> Pair:
 @inlined
 def _form(w: Any, i: int) -> int:
     """Return 1 for a body that takes the full form, 0 for the complementary one, −1 for one without a period."""
-    long_axis = w[S + i] > 0.0
-    b, p, q = (w[A + i], w[Q + i], w[P + i]) if long_axis else (w[B + i], w[P + i], w[Q + i])
-    a = w[B + i] if long_axis else w[A + i]
-    if not (b * q > 0.0 and p > 0.0 and w[S + i] != 0.0 and (w[L1 + i] != 0.0 or w[L3 + i] != 0.0)):
+    long_axis = w[at.S + i] > 0.0
+    b, p, q = (w[at.A + i], w[at.Q + i], w[at.P + i]) if long_axis else (w[at.B + i], w[at.P + i], w[at.Q + i])
+    a = w[at.B + i] if long_axis else w[at.A + i]
+    if not (b * q > 0.0 and p > 0.0 and w[at.S + i] != 0.0 and (w[at.L1 + i] != 0.0 or w[at.L3 + i] != 0.0)):
         return -1
-    return 1 if a * p <= w[C + i] * abs(w[S + i]) else 0
+    return 1 if a * p <= w[at.C + i] * abs(w[at.S + i]) else 0
 
 
 @called
@@ -138,8 +122,8 @@ def begin(moments: Any, momentum: Any, begun: Any, w: Any, place: Any, terms: An
         within[i] = _load(begun, i, moments[i], momentum[i])
     _sums(begun, count)
     for i in range(count):
-        if abs(begun[S + i]) < begun[UP + i]:
-            begun[S + i], begun[S_ + i] = _exact_difference(begun, i, terms)
+        if abs(begun[at.S + i]) < begun[at.UP + i]:
+            put(begun, at.S + i, _exact_difference(begun, i, terms))
     full, back = 0, count
     for i in range(count):
         form = _form(begun, i) if within[i] else -1

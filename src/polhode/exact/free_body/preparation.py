@@ -1,8 +1,4 @@
-"""From a body and its momentum to the constants of its motion: phases, theta series and matrices.
-
-The arguments of the theta functions come by descending Landen transformation from tangents and hyperbolic sines that
-are ratios of the invariants, so neither elliptic integrals nor logarithms enter the full form.
-"""
+"""From a body and its momentum to the constants of its motion, for arrays: phases, theta series and matrices."""
 
 from __future__ import annotations
 
@@ -10,10 +6,12 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import choose, compiled, namespace, split_halves
-from polhode.exact.blocks import Columns
+from polhode.exact.array_states import ArrayStates
+from polhode.exact.blocks import Columns, flattened
+from polhode.exact.free_body import formulas
+from polhode.exact.free_body.formulas import Motion
 from polhode.exact.free_body.frequencies import Frequencies, canonical_frequencies
-from polhode.exact.free_body.reduction import Reduction, canonical_reduction
-from polhode.exact.free_body.spinor import Motion, flatten, start_spinor
+from polhode.exact.free_body.reduction import FORMULAS, Reduction, canonical_reduction
 from polhode.rotation import product_of_parts
 from polhode.special import doubledouble as dd
 from polhode.special.circular import split_rate
@@ -21,6 +19,7 @@ from polhode.special.doubledouble import DoubleDouble
 from polhode.special.elliptic import nome_per_parameter
 from polhode.types import Array, Float64
 
+STATES = ArrayStates(formulas)
 HUGE = 2.0**-400, 2.0**-200  # a hyperbolic sine above the inverse of the first is scaled by the second
 LOG_OF_SCALE: DoubleDouble = (138.62943611198907, -3.3555121496085278e-15)  # 200 ln 2
 
@@ -48,28 +47,21 @@ def _motion(body: Reduction, rates: Frequencies, moments: Array, momentum: Array
     constant, separatrix = rates.constant, rates.separatrix
     m, m1 = body.A[0] * body.P[0], -body.C[0] * body.S[0]
     full = constant | ((m <= m1) & ~separatrix)
-    inverse = dd.divide(tuple(c + xp.zeros_like(m) for c in dd.INVERSE_TWO_PI), body.V)
-    inverse = dd.scale(inverse, body.rate_scale)
-    half_precession = dd.scale(dd.multiply(rates.precession, inverse), 0.5)
-    turn_rate = dd.scale(dd.multiply(rates.mean, inverse), 2.0)
-    quarter = dd.scale(turn_rate, 0.25)
+    first, second = FORMULAS.phase_rates(full, rates.precession, rates.mean, body.V, body.rate_scale)
     saddle_rate = dd.scale(dd.divide(rates.modulus_rate, body.V), body.rate_scale)
     rotation_rate = _permanent_rate(body)
-    pick = lambda x, y: dd.where(full, x, y)  # noqa: E731
-    first = pick(dd.subtract(half_precession, quarter), half_precession)
     first = dd.where(constant, rotation_rate, first)
-    second = pick(dd.add(half_precession, quarter), dd.where(separatrix, saddle_rate, turn_rate))
     zero = xp.zeros_like(m)
-    second = dd.where(constant, (zero, zero), second)
+    second = dd.where(constant, (zero, zero), dd.where(separatrix, saddle_rate, second))
 
     arguments = choose(full, _full_arguments, _complementary_arguments, *_argument_columns(body, rates, m, m1))
     arguments = tuple(xp.where(constant, 1.0 if k == 2 else 0.0, x) for k, x in enumerate(arguments))
     unfinished = Motion(
         full, split_rate(*first), split_rate(*second), arguments[0:2], arguments[2:12], arguments[12:17], arguments[17],
-        ((zero,) * 4,) * 4, ((zero,) * 3,) * 3,
+        (zero,) * 16, (zero,) * 9,
     )  # fmt: skip
     to_attitude, to_momentum = _matrices(unfinished, body, rates, moments, momentum, attitude)
-    return flatten(unfinished._replace(to_attitude=to_attitude, to_momentum=to_momentum))
+    return flattened(unfinished._replace(to_attitude=to_attitude, to_momentum=to_momentum))
 
 
 def _permanent_rate(body: Reduction) -> DoubleDouble:
@@ -86,68 +78,28 @@ def _argument_columns(body: Reduction, rates: Frequencies, m: Array, m1: Array) 
     return (*singles, *body.canonical, m, m1, rates.separatrix, *rates.modulus_rate, *rates.mean, body.root_P)
 
 
-def _landen(k: Array, dn: Array, sinh_times_cosine: Array, cosine: Array, dc: Array) -> tuple[Array, Array]:
-    """Follow a circular and a hyperbolic amplitude down five Landen steps from the complementary modulus k.
-
-    Returns the factor of the tangent of the circular amplitude and the hyperbolic sine of the other; its first step
-    takes sinh · c, c and dc · c so that none of them needs a quotient that may be 0/0.
-    """
-    xp = namespace(k)
-    x, y = 1.0, k
-    factor, sinh = 1.0, sinh_times_cosine
-    for _ in range(5):
-        kappa = (x - y) / (x + y)
-        x, y = 0.5 * (x + y), xp.sqrt(x * y)
-        grown = 1.0 + kappa
-        next_dn = xp.sqrt(1.0 - kappa * (1.0 - dn) / (1.0 + dn))
-        factor = factor * (next_dn / grown)
-        sinh = 2.0 * sinh / (grown * (cosine + dc))
-        dc = xp.sqrt(1.0 + kappa * (dc - cosine) / (dc + cosine))
-        cosine, dn = 1.0, next_dn
-    return factor, sinh
-
-
 def _full_arguments(*columns: Array) -> tuple[Array, ...]:
     """Return start, coefficients of A and B, and idle entries of the form for m ≤ ½."""
-    A, B, C, _, Q, _, l1, l2, l3, m, m1 = columns[:11]
+    A, B, C, _, Q, _, *momentum, m, m1 = columns[:11]
+    rise, run, series = FORMULAS.full_arguments(A, B, C, Q, (m, m1), columns[16], tuple(momentum))
     xp = namespace(A)
-    total = B * Q
-    k = xp.sqrt(m1 / total)
-    q_over_m = nome_per_parameter(m / total, k)
-    q = q_over_m * (m / total)
-    # √(P/Q) sinh, as the hyperbolic sine itself overflows near a stable axis
-    small = columns[16] / xp.sqrt(Q)
-    factor, scaled = _landen(k, l3 * xp.sqrt(C / Q), xp.sqrt(B), xp.sqrt(B), xp.sqrt(C))
-    grown = scaled + xp.sqrt(small * small + scaled * scaled)
-    g = small / grown
-    r = (A / B) * q_over_m * grown * grown
-    start = xp.atan2(xp.sqrt(B) * l2 * factor, xp.sqrt(C) * l1) * (0.25 / math.pi)
-    g2, q2, r2 = g * g, q * q, r * r
-    q3, q4 = q2 * q, q2 * q2
-    q8, gg = q4 * q4, g2 * g2
-    up, down = -q * g2, -q2 * r
-    up2, down2 = q4 * q2 * gg, q8 * r2
-    both = up2 + down2
-    of_a = (1.0 - both, up + down, 2.0 * both, up - down, 2.0 * (up2 - down2))
-    up, up2, down2 = -q3 * g2, q8 * q2 * gg, q4 * r2
-    both = up2 + down2
-    of_b = (g * (1.0 - both), g * (up - r), 2.0 * g * both, g * (up + r), 2.0 * g * (up2 - down2))
-    zero = xp.zeros_like(q)
-    return (start, zero, *of_a, *of_b, *(zero,) * 6)
+    zero = xp.zeros_like(A)
+    return (xp.atan2(rise, run) * (0.25 / math.pi), zero, *series, *(zero,) * 6)
 
 
 def _complementary_arguments(*columns: Array) -> tuple[Array, ...]:
     """Return start, harmonics, nome and parity of the form for m > ½, separatrix included."""
-    _, B, C, P, Q, G, l1, l2, l3, m, m1, separatrix = columns[:12]
+    _, B, C, P, Q, G, *momentum, m, m1, separatrix = columns[:12]
+    l1, l2, _ = momentum
     xp = namespace(B)
     total = B * Q
     k = xp.where(separatrix, 1.0, xp.sqrt(m / total))
     small = xp.where(separatrix, 0.0, m1 / total)
     q = small * nome_per_parameter(small, k)
-    cosine, dc, along = xp.sqrt(C) * xp.abs(l1), xp.sqrt(C) * l3 * xp.sqrt(P / Q), xp.abs(xp.sqrt(B) * l2)
+    dn, along, cosine, dc = FORMULAS.complementary_amplitudes(B, C, P, Q, G, tuple(momentum))
     # close to the unstable axis the hyperbolic sine and its square leave the range of numbers
     huge = cosine + dc < HUGE[0] * along
-    factor, sinh = _landen(k, xp.sqrt(P / B) / G, xp.where(huge, HUGE[1] * along, along), cosine, dc)
+    factor, sinh = FORMULAS.landen(k, dn, xp.where(huge, HUGE[1] * along, along), cosine, dc)
     y = xp.atan(xp.sqrt(Q / P) * factor)
     x = xp.where(huge, xp.log(2.0 * sinh), xp.asinh(sinh))
     back = xp.where(huge, 0.5 * xp.exp(x), xp.sinh(x))
@@ -155,28 +107,22 @@ def _complementary_arguments(*columns: Array) -> tuple[Array, ...]:
     zero = xp.zeros_like(q)
     x = dd.where(huge, dd.add(x, tuple(c + zero for c in LOG_OF_SCALE)), x)
     x = dd.scale(x, xp.where((l2 < 0) != (l1 < 0), -1.0, 1.0))
-    # πK/K' = 2K/θ3², and 1/θ3² is 1 less the small correction
-    pi = tuple(c + xp.zeros_like(q) for c in dd.PI)
-    period = dd.divide(dd.multiply(columns[12:14], pi), columns[14:16])
-    e = 2.0 * (q + q**4 + q**9)
-    period = dd.add(period, (-period[0] * (e * (2.0 + e) / ((1.0 + e) * (1.0 + e))), xp.zeros_like(q)))
+    period = FORMULAS.half_period(columns[12:14], columns[14:16], q)
     period = dd.where(separatrix, dd.from_float(xp.ones_like(q)), period)
-    start = dd.divide(x, period)
     upper, lower = split_halves(period[0])
-    angles = [(2 * n + 1) * (0.5 * y - 0.25 * math.pi) for n in range(5)]
-    harmonics = (*(xp.cos(a) for a in angles), *(xp.sin(a) for a in angles))
     periodic = xp.where(separatrix, 0.0, 1.0)
     y_turns = periodic * y * (0.5 / math.pi)
     parity = xp.where(l1 < 0, 1.0, 0.0)
-    return (*start, *harmonics, xp.sqrt(q), upper, lower + period[1], y_turns, periodic, parity)
+    return (*dd.divide(x, period), *FORMULAS.harmonics(y), xp.sqrt(q), upper, lower + period[1], y_turns, periodic,
+            parity)  # fmt: skip
 
 
 def _matrices(
     motion: Motion, body: Reduction, rates: Frequencies, moments: Array, momentum: Array, attitude: Array
-) -> tuple[tuple[tuple[Array, ...], ...], tuple[tuple[Array, ...], ...]]:
+) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
     """Return the matrices from spinor to attitude and from canonical direction to momentum in the given axes."""
     xp = namespace(motion.full)
-    a0, a1, b0, b1 = start_spinor(motion)
+    a0, a1, b0, b1 = STATES.sums_at_start(flattened(motion))
     norm = xp.sqrt((a0 * a0 + a1 * a1) + (b0 * b0 + b1 * b1))
     a0, a1, b0, b1 = a0 / norm, a1 / norm, b0 / norm, b1 / norm
     # rows of (start frame)* (present frame) as functions of the spinor (Re A, Im A, Re B, Im B)
@@ -195,10 +141,10 @@ def _matrices(
         columns.append(product_of_parts(start, (scalar, *vector)))
     size = rates.G[0] * body.momentum_scale
     to_momentum = tuple(
-        tuple(xp.where(constant, momentum[..., i] if j == 2 else zero, size * body.axes[i][j] + zero) for j in range(3))
-        for i in range(3)
-    )
-    return tuple(tuple(columns[k][i] for k in range(4)) for i in range(4)), to_momentum
+        xp.where(constant, momentum[..., i] if j == 2 else zero, size * body.axes[i][j] + zero)
+        for i in range(3) for j in range(3)
+    )  # fmt: skip
+    return tuple(columns[k][i] for i in range(4) for k in range(4)), to_momentum
 
 
 def _sum(terms: Any) -> Array:

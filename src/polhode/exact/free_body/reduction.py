@@ -10,10 +10,13 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from polhode.arrays import choose, compiled, namespace
+from polhode.exact.copies import for_arrays
+from polhode.exact.free_body import formulas_setup
 from polhode.special import doubledouble as dd
 from polhode.special.doubledouble import DoubleDouble
 from polhode.types import Array, Bool, Float64
 
+FORMULAS = for_arrays(formulas_setup)
 TINY_RATIO = 2.0**-900  # of components of L, below which numbers with it are scaled up by LIFT binary places
 LIFT = 100
 SHARP = 1e-280  # products of double-doubles above it have all their digits
@@ -55,7 +58,7 @@ def canonical_reduction(moments: Float64[Array, "*batch 3"], momentum: Float64[A
     """
     sorted_ = compiled(_sorted_and_scaled, moments)(moments, momentum)
     I, L = sorted_[0], sorted_[1]  # noqa: E741
-    sums = compiled(_sums, moments)(I, L)
+    sums = compiled(FORMULAS.invariants, moments)(I, L)
     # near the saddle L1² and L3² would lose their low words, so S is formed with both scaled up
     S = compiled(_signed_distance_from_separatrix, moments)(I, (L[0] * sorted_[5], L[1], L[2] * sorted_[5]), *sums[:2])
     return compiled(_assembled, moments)(sorted_, sums, S)
@@ -158,25 +161,13 @@ def _between(body: Reduction, v: list[Array]) -> Triple:
     return flip * xp.where(body.long_axis, v[2], v[0]), v[1], flip * xp.where(body.long_axis, v[0], v[2])
 
 
-def _sums(I: Triple, L: Triple) -> tuple[DoubleDouble, ...]:  # noqa: E741
-    """Return A, B, C, P, Q and |L|² before the mirror, each a sum of terms of one sign."""
-    A = dd.multiply_float(dd.two_sum(I[1], -I[0]), I[2])
-    B = dd.multiply_float(dd.two_sum(I[2], -I[1]), I[0])
-    C = dd.multiply_float(dd.two_sum(I[2], -I[0]), I[1])
-    s1, s2, s3 = (dd.two_square(x) for x in L)
-    P = dd.add(dd.multiply(C, s1), dd.multiply(B, s2))
-    Q = dd.add(dd.multiply(A, s2), dd.multiply(C, s3))
-    return A, B, C, P, Q, dd.add(dd.add(s1, s2), s3)
-
-
 def _signed_distance_from_separatrix(I: Triple, L: Triple, A: DoubleDouble, B: DoubleDouble) -> DoubleDouble:  # noqa: E741
     """Return S = A L1² − B L3², correct to its last digit however close to the separatrix.
 
     Near it double-double alone would leave nothing of S; there the two products are expanded exactly.
     """
     xp = namespace(L[0])
-    first = dd.multiply(A, dd.two_square(L[0]))
-    plain = dd.subtract(first, dd.multiply(B, dd.two_square(L[2])))
+    plain, first = FORMULAS.difference(A, B, L[0], L[2])
 
     def exact(*columns: Array) -> DoubleDouble:
         I1, I2, I3, L1, L3 = columns[:5]
@@ -187,5 +178,5 @@ def _signed_distance_from_separatrix(I: Triple, L: Triple, A: DoubleDouble, B: D
             loss = dd.expansion_product(loss, factor)
         return dd.distil(gain + loss)
 
-    near = xp.abs(plain[0]) < 1e-2 * first[0]
+    near = xp.abs(plain[0]) < 1e-2 * first
     return choose(near, exact, lambda *columns: columns[5:], *I, L[0], L[2], *plain)  # type: ignore[return-value]

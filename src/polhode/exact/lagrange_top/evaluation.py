@@ -9,8 +9,7 @@ from polhode.exact.blocks import Constants, Vectors, columns_in_blocks, in_block
 from polhode.exact.closed_form import ClosedForm
 from polhode.exact.lagrange_top import geometry
 from polhode.exact.lagrange_top.geometry_tangent import changed_numbers
-from polhode.exact.lagrange_top.preparation import prepare
-from polhode.exact.lagrange_top.series import evaluate
+from polhode.exact.lagrange_top.preparation import STATES, prepare
 from polhode.exact.lagrange_top.tangent import state_tangent, tangent_data
 from polhode.types import Array, Float64
 
@@ -59,7 +58,7 @@ def _state(*arguments: Array) -> tuple[Array, Array]:
     if not is_jax(*arguments):
         return FORM.states(FORM.columns((moments, *vectors)), elapsed, rest)
     columns = columns_in_blocks(_columns_of_tops, (moments, *vectors))
-    parts = evaluate(columns, elapsed, rest)
+    parts = STATES.evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])
 
 

@@ -10,10 +10,11 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from polhode.arrays import namespace
+from polhode.exact.agm import third_kind_agm
+from polhode.exact.lagrange_top.formulas_setup import TurningPoints
 from polhode.exact.lagrange_top.reduction import Reduction
-from polhode.exact.lagrange_top.roots import TurningPoints
+from polhode.exact.lagrange_top.roots import FORMULAS
 from polhode.special import doubledouble as dd
-from polhode.special.agm import third_kind_agm
 from polhode.special.doubledouble import DoubleDouble
 from polhode.types import Array, Bool, Float64
 
@@ -57,14 +58,16 @@ def top_frequencies(top: Reduction, points: TurningPoints) -> Frequencies:
     sign_alpha = xp.where(top.c_plus[0] >= 0, 1.0, -1.0)
     sign_beta = xp.where(top.c[0] >= 0, 1.0, -1.0)
     c_plus, c = dd.scale(top.c_plus, sign_alpha), dd.scale(top.c, sign_beta)
-    alpha = _drift(top.G, c_plus, points.Z_plus, points.t1, points.t2, points.d, nutation, total_alpha, first_alpha)
-    beta = _drift(top.G, c, points.Z_minus, points.s2, points.s1, points.d, nutation, total_beta, first_beta)
+    alpha = FORMULAS.drift(
+        first_alpha, c_plus, top.G, points.Z_plus, points.t1, points.t2, points.d, nutation, total_alpha
+    )
+    beta = FORMULAS.drift(first_beta, c, top.G, points.Z_minus, points.s2, points.s1, points.d, nutation, total_beta)
     beta = dd.where(first_beta, dd.negate(beta), beta)
     zero = dd.from_float(xp.zeros_like(a))
     alpha = dd.where(separatrix, dd.scale(c_plus, 0.25), alpha)
     beta = dd.where(separatrix, zero, beta)
     I1, I3 = top.moments
-    spin = dd.divide(dd.multiply_float(dd.two_sum(I1, -I3), a), dd.from_float(I3))
+    spin = FORMULAS.spin(I1, I3, a)
     found = Frequencies(
         dd.scale(root_A, 0.5), dd.where(separatrix, zero, nutation), dd.scale(alpha, sign_alpha),
         dd.scale(beta, sign_beta), sign_alpha, sign_beta, spin, permanent, separatrix, ~(points.d[0] > 0) & ~aperiodic,
@@ -102,23 +105,6 @@ def _starts(top: Reduction, points: TurningPoints) -> tuple[Any, ...]:
     """Return p² at the start of either sum, and whether either takes the form that starts from Z."""
     first_alpha = points.Z_plus[0] <= 2.0 * points.A[0]
     first_beta = dd.multiply(top.G, points.s2)[0] <= points.Z_minus[0]
-    square_alpha = dd.where(first_alpha, points.Z_plus, dd.divide(dd.multiply(points.A, points.t2), points.t1))
-    square_beta = dd.where(first_beta, points.Z_minus, dd.divide(dd.multiply(points.s1, points.B), points.s2))
-    # c = 0 through the upper pole: the factor of the sum vanishes, and p² must only not be zero
-    idle = first_beta & (top.c[0] == 0)
-    square_beta = dd.where(idle, points.A, square_beta)
+    square_alpha = FORMULAS.start_of_alpha(first_alpha, points.A, points.Z_plus, points.t1, points.t2)
+    square_beta = FORMULAS.start_of_beta(first_beta, top.c, points.A, points.B, points.Z_minus, points.s1, points.s2)
     return square_alpha, square_beta, first_alpha, first_beta
-
-
-def _drift(
-    G: DoubleDouble, c: DoubleDouble, Z: DoubleDouble, near: DoubleDouble, far: DoubleDouble, d: DoubleDouble,
-    nutation: DoubleDouble, total: DoubleDouble, first: Array,
-) -> DoubleDouble:  # fmt: skip
-    """Return cG/(4Z) Σ in the first form, |c|/(2 near) [1 − d/(2 far) Σ] − ϖ in the second."""
-    idle = c[0] == 0
-    one = dd.one_like(c[0])
-    inner = dd.divide(dd.multiply(c, G), dd.where(idle, one, Z))
-    outer = dd.scale(dd.divide(c, dd.where(idle, one, near)), 0.5)
-    share = dd.scale(dd.multiply(dd.divide(d, far), total), 0.5)
-    second = dd.subtract(dd.multiply(outer, dd.subtract(one, share)), nutation)
-    return dd.where(first, dd.scale(dd.multiply(inner, total), 0.25), second)

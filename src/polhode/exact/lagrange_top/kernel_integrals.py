@@ -10,7 +10,6 @@ from typing import Any
 
 from polhode.exact.kernel_arithmetic import (
     BLOCK,
-    Pair,
     add,
     called,
     choice,
@@ -20,30 +19,11 @@ from polhode.exact.kernel_arithmetic import (
     pair,
     put,
     root,
+    root_or_zero,
     scale,
     square_root,
 )
-from polhode.exact.lagrange_top.kernel_store import (
-    GAP,
-    LOWER,
-    S1,
-    S2,
-    T1,
-    T2,
-    UPPER,
-    V_ALPHA,
-    V_BETA,
-    W_ALPHA,
-    W_BETA,
-    X0,
-    Z_MINUS,
-    Z_PLUS,
-    A,
-    B,
-    G,
-    P,
-    Y,
-)  # fmt: skip
+from polhode.exact.lagrange_top import kernel_store as at
 
 MOST_STEPS = 40
 CLOSE, CLOSER = 1e-2, 2e-3  # of the spread, whose eighth power is what the closing formula leaves
@@ -51,13 +31,6 @@ CLOSE, CLOSER = 1e-2, 2e-3  # of the spread, whose eighth power is what the clos
 X, Y_, Z = 0, 2 * BLOCK, 4 * BLOCK
 STEPS = 6
 ONE = (1.0, 0.0)
-
-
-@inlined
-def _root(x: Pair) -> Pair:
-    """Return √x, zero for x = 0."""
-    zero = x[0] == 0.0
-    return choice(zero, (0.0, 0.0), root(choice(zero, ONE, x)))
 
 
 @inlined
@@ -120,7 +93,7 @@ def _duplicate_sharply(s: Any, count: int) -> None:
     for i in range(count):
         x, y, z = pair(s, X + i), pair(s, Y_ + i), pair(s, Z + i)
         near = _widest(x[0], y[0], z[0]) <= CLOSER
-        a, b, c = _root(x), _root(y), root(z)
+        a, b, c = root_or_zero(x), root_or_zero(y), root(z)
         more = add(multiply(a, add(b, c)), multiply(b, c))
         put(s, X + i, choice(near, x, scale(add(x, more), 0.25)))
         put(s, Y_ + i, choice(near, y, scale(add(y, more), 0.25)))
@@ -150,57 +123,57 @@ def _first_kind_sharply(s: Any, count: int) -> bool:
 @called
 def _pole_of_alpha(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
-        d, t2 = w[GAP + i], w[T2 + i]
-        s[X + i], s[Y_ + i] = d / t2, d * w[Z_PLUS + i] / (w[A + i] * t2)
+        d, t2 = w[at.GAP + i], w[at.T2 + i]
+        s[X + i], s[Y_ + i] = d / t2, d * w[at.Z_PLUS + i] / (w[at.A + i] * t2)
     found = _first_kind(s, count)
     for i in range(count):
-        w[V_ALPHA + i] = square_root(w[T1 + i] / w[T2 + i]) * s[X + i]
+        w[at.V_ALPHA + i] = square_root(w[at.T1 + i] / w[at.T2 + i]) * s[X + i]
     return found
 
 
 @called
 def _pole_of_beta(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
-        d, s1 = w[GAP + i], w[S1 + i]
-        s[X + i], s[Y_ + i] = d * w[Z_MINUS + i] / (s1 * w[B + i]), d / s1
+        d, s1 = w[at.GAP + i], w[at.S1 + i]
+        s[X + i], s[Y_ + i] = d * w[at.Z_MINUS + i] / (s1 * w[at.B + i]), d / s1
     found = _first_kind(s, count)
     for i in range(count):
-        w[V_BETA + i] = square_root(w[S2 + i] * w[A + i] / (w[S1 + i] * w[B + i])) * s[X + i]
+        w[at.V_BETA + i] = square_root(w[at.S2 + i] * w[at.A + i] / (w[at.S1 + i] * w[at.B + i])) * s[X + i]
     return found
 
 
 @called
 def _rest_of_alpha(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
-        g, z = w[G + i], w[Z_PLUS + i]
-        s[X + i], s[Y_ + i] = g * w[T1 + i] / z, g * w[T2 + i] / z
+        g, z = w[at.G + i], w[at.Z_PLUS + i]
+        s[X + i], s[Y_ + i] = g * w[at.T1 + i] / z, g * w[at.T2 + i] / z
     found = _first_kind(s, count)
     for i in range(count):
-        w[W_ALPHA + i] = square_root(w[A + i] / w[Z_PLUS + i]) * s[X + i]
+        w[at.W_ALPHA + i] = square_root(w[at.A + i] / w[at.Z_PLUS + i]) * s[X + i]
     return found
 
 
 @called
 def _rest_of_beta(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
-        g, a, b = w[G + i], w[A + i], w[B + i]
-        s[X + i], s[Y_ + i] = g * w[S2 + i] / b, g * w[S1 + i] / a
+        g, a, b = w[at.G + i], w[at.A + i], w[at.B + i]
+        s[X + i], s[Y_ + i] = g * w[at.S2 + i] / b, g * w[at.S1 + i] / a
     found = _first_kind(s, count)
     for i in range(count):
-        w[W_BETA + i] = square_root(w[Z_MINUS + i] / w[B + i]) * s[X + i]
+        w[at.W_BETA + i] = square_root(w[at.Z_MINUS + i] / w[at.B + i]) * s[X + i]
     return found
 
 
 @called
 def _start(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
-        d = pair(w, GAP + i)
-        put(s, X + i, divide(pair(w, UPPER + i), d))
-        put(s, Y_ + i, divide(pair(w, Y + i), pair(w, A + i)))
+        d = pair(w, at.GAP + i)
+        put(s, X + i, divide(pair(w, at.UPPER + i), d))
+        put(s, Y_ + i, divide(pair(w, at.Y + i), pair(w, at.A + i)))
     found = _first_kind_sharply(s, count)
     for i in range(count):
-        x0 = multiply(_root(divide(pair(w, LOWER + i), pair(w, GAP + i))), pair(s, X + i))
-        put(w, X0 + i, scale(x0, 1.0 if w[P + i] >= 0.0 else -1.0))
+        x0 = multiply(root_or_zero(divide(pair(w, at.LOWER + i), pair(w, at.GAP + i))), pair(s, X + i))
+        put(w, at.X0 + i, scale(x0, 1.0 if w[at.P + i] >= 0.0 else -1.0))
     return found
 
 

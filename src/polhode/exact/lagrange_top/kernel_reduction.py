@@ -25,34 +25,7 @@ from polhode.exact.kernel_arithmetic import (
     two_product,
     two_sum,
 )
-from polhode.exact.lagrange_top.kernel_store import (
-    C_PLUS,
-    E0,
-    E1,
-    E2,
-    E3,
-    I1,
-    I3,
-    L1,
-    L2,
-    L3,
-    NOME,
-    NORM,
-    RATE,
-    S0,
-    SIDE,
-    SIZE,
-    T0,
-    TWIST,
-    U0,
-    UP,
-    W2,
-    C,
-    D,
-    F,
-    G,
-    P,
-)  # fmt: skip
+from polhode.exact.lagrange_top import kernel_store as at
 
 RANGE = 1e-100, 1e100  # of the first moment, of mgl and of the largest component of momentum
 SPREAD = 2.0**-60  # of moments, weight, and components of momentum and attitude that are not zero: nothing underflows
@@ -97,12 +70,12 @@ def _load(w: Any, i: int, moments: Any, mgl: float, momentum: Any, attitude: Any
     of_momentum = max(_exponent(largest), half) if largest > 0.0 else half
     down, lower = _power(-of_moment), _power(-of_momentum)
     x, y, z, weight = x * lower, side * y * lower, side * z * lower, weight * _power(of_moment) * lower * lower
-    w[I1 + i], w[I3 + i], w[L1 + i], w[L2 + i], w[L3 + i] = a * down, c * down, x, y, z
-    w[E0 + i], w[E1 + i] = (-q1 if turned else q0), (q0 if turned else q1)
-    w[E2 + i], w[E3 + i] = (q3 if turned else q2), (-q2 if turned else q3)
-    w[SIDE + i], w[SIZE + i], w[RATE + i] = side, _power(of_momentum), _power(of_momentum - of_moment)
+    w[at.I1 + i], w[at.I3 + i], w[at.L1 + i], w[at.L2 + i], w[at.L3 + i] = a * down, c * down, x, y, z
+    w[at.E0 + i], w[at.E1 + i] = (-q1 if turned else q0), (q0 if turned else q1)
+    w[at.E2 + i], w[at.E3 + i] = (q3 if turned else q2), (-q2 if turned else q3)
+    w[at.SIDE + i], w[at.SIZE + i], w[at.RATE + i] = side, _power(of_momentum), _power(of_momentum - of_moment)
     g = two_product(weight, a * down)
-    put(w, G + i, scale(g, 2.0))
+    put(w, at.G + i, scale(g, 2.0))
     near = _apart(x, SPREAD) and _apart(y, SPREAD) and _apart(z, SPREAD) and weight >= SPREAD
     near = near and _apart(q0, SPREAD) and _apart(q1, SPREAD) and _apart(q2, SPREAD) and _apart(q3, SPREAD)
     return near
@@ -118,8 +91,8 @@ def _spare(x: Pair, size: float) -> float:
 def _sums(w: Any, count: int) -> None:
     """Form |q|², S, T, in_phase, twist, c and c' of ``reduction._invariants``; UP is below zero if too much cancels."""
     for i in range(count):
-        q0, q1, q2, q3 = w[E0 + i], w[E1 + i], w[E2 + i], w[E3 + i]
-        x, y, z = w[L1 + i], w[L2 + i], w[L3 + i]
+        q0, q1, q2, q3 = w[at.E0 + i], w[at.E1 + i], w[at.E2 + i], w[at.E3 + i]
+        x, y, z = w[at.L1 + i], w[at.L2 + i], w[at.L3 + i]
         S, T = add(two_product(q1, q1), two_product(q2, q2)), add(two_product(q0, q0), two_product(q3, q3))
         a, b, c, d = two_product(q1, q0), two_product(q2, q3), two_product(q1, q3), two_product(-q2, q0)
         real, imaginary = add(a, b), add(c, d)
@@ -131,46 +104,46 @@ def _sums(w: Any, count: int) -> None:
         of_twist = 2.0 * (of_real * abs(y) + of_imaginary * abs(x))
         of_c = of_twist + abs(below[0])
         spare = min(_spare(in_phase, of_real * abs(x) + of_imaginary * abs(y)), _spare(twist, of_twist))
-        put(w, NORM + i, add(S, T))
-        put(w, S0 + i, S)
-        put(w, T0 + i, T)
-        put(w, P + i, in_phase)
-        put(w, TWIST + i, twist)
-        put(w, C + i, c)
-        put(w, C_PLUS + i, c_plus)
-        w[UP + i] = min(spare, min(_spare(c, of_c), _spare(c_plus, of_twist + abs(above[0]))))
-        w[NOME + i] = of_c * abs(z)
+        put(w, at.NORM + i, add(S, T))
+        put(w, at.S0 + i, S)
+        put(w, at.T0 + i, T)
+        put(w, at.P + i, in_phase)
+        put(w, at.TWIST + i, twist)
+        put(w, at.C + i, c)
+        put(w, at.C_PLUS + i, c_plus)
+        w[at.UP + i] = min(spare, min(_spare(c, of_c), _spare(c_plus, of_twist + abs(above[0]))))
+        w[at.NOME + i] = of_c * abs(z)
 
 
 @called
 def _energies(w: Any, count: int) -> None:
     """Form |w|², F and D; NOME has the size of what is taken from F."""
     for i in range(count):
-        x, y, z, n, g = w[L1 + i], w[L2 + i], w[L3 + i], pair(w, NORM + i), pair(w, G + i)
+        x, y, z, n, g = w[at.L1 + i], w[at.L2 + i], w[at.L3 + i], pair(w, at.NORM + i), pair(w, at.G + i)
         w2 = add(two_product(x, x), two_product(y, y))
-        kinetic, fall = multiply(n, w2), scale(multiply(g, pair(w, S0 + i)), 2.0)
+        kinetic, fall = multiply(n, w2), scale(multiply(g, pair(w, at.S0 + i)), 2.0)
         energy = subtract(kinetic, fall)
-        F0 = subtract(energy, multiply_float(pair(w, C + i), z))
+        F0 = subtract(energy, multiply_float(pair(w, at.C + i), z))
         D0 = subtract(multiply(n, subtract(scale(g, 2.0), two_product(z, z))), energy)
         of_energy = kinetic[0] + fall[0]
         of_D = of_energy + n[0] * (2.0 * g[0] + z * z)
-        put(w, W2 + i, w2)
-        put(w, F + i, F0)
-        put(w, D + i, D0)
-        w[UP + i] = min(w[UP + i], min(_spare(F0, of_energy + w[NOME + i]), _spare(D0, of_D)))
+        put(w, at.W2 + i, w2)
+        put(w, at.F + i, F0)
+        put(w, at.D + i, D0)
+        w[at.UP + i] = min(w[at.UP + i], min(_spare(F0, of_energy + w[at.NOME + i]), _spare(D0, of_D)))
 
 
 @called
 def _quotients(w: Any, count: int) -> None:
     """Divide all by |q|²; products would need no fewer steps."""
     for i in range(count):
-        n = pair(w, NORM + i)
-        S, T = pair(w, S0 + i), pair(w, T0 + i)
-        put(w, U0 + i, divide(subtract(T, S), n))
-        put(w, S0 + i, divide(scale(S, 2.0), n))
-        put(w, T0 + i, divide(scale(T, 2.0), n))
-        put(w, P + i, divide(scale(pair(w, P + i), -2.0), n))
-        for k in (TWIST, C, C_PLUS, F, D):
+        n = pair(w, at.NORM + i)
+        S, T = pair(w, at.S0 + i), pair(w, at.T0 + i)
+        put(w, at.U0 + i, divide(subtract(T, S), n))
+        put(w, at.S0 + i, divide(scale(S, 2.0), n))
+        put(w, at.T0 + i, divide(scale(T, 2.0), n))
+        put(w, at.P + i, divide(scale(pair(w, at.P + i), -2.0), n))
+        for k in (at.TWIST, at.C, at.C_PLUS, at.F, at.D):
             put(w, k + i, divide(pair(w, k + i), n))
 
 
@@ -218,8 +191,8 @@ def _put_quotient(w: Any, k: int, t: Any, begin: int, end: int, factor: float, n
 @called
 def _exact(w: Any, i: int, t: Any) -> None:
     """Form the invariants of one top as ``reduction._invariants`` does."""
-    q0, q1, q2, q3 = w[E0 + i], w[E1 + i], w[E2 + i], w[E3 + i]
-    x, y, z, g, n = w[L1 + i], w[L2 + i], w[L3 + i], pair(w, G + i), pair(w, NORM + i)
+    q0, q1, q2, q3 = w[at.E0 + i], w[at.E1 + i], w[at.E2 + i], w[at.E3 + i]
+    x, y, z, g, n = w[at.L1 + i], w[at.L2 + i], w[at.L3 + i], pair(w, at.G + i), pair(w, at.NORM + i)
     t[S_], t[S_ + 1] = two_product(q1, q1)
     t[S_ + 2], t[S_ + 3] = two_product(q2, q2)
     t[T_], t[T_ + 1] = two_product(q0, q0)
@@ -233,10 +206,10 @@ def _exact(w: Any, i: int, t: Any) -> None:
     _compressed(t, LOOSE + 8, 4, N_)
     end = _products(t, IMAGINARY, IMAGINARY + 4, -y, _products(t, REAL, REAL + 4, x, LOOSE))
     _compressed(t, end, 4, TWIST_)
-    _put_quotient(w, P + i, t, TWIST_, TWIST_ + 4, -2.0, n)
+    _put_quotient(w, at.P + i, t, TWIST_, TWIST_ + 4, -2.0, n)
     end = _products(t, IMAGINARY, IMAGINARY + 4, 2.0 * x, _products(t, REAL, REAL + 4, 2.0 * y, LOOSE))
     _compressed(t, end, 4, TWIST_)
-    for part, sign, k in ((T_, 2.0, C_PLUS), (S_, -2.0, C)):
+    for part, sign, k in ((T_, 2.0, at.C_PLUS), (S_, -2.0, at.C)):
         end = _products(t, part, part + 4, sign * z, LOOSE)
         for j in range(4):
             t[end + j] = t[TWIST_ + j]
@@ -244,7 +217,7 @@ def _exact(w: Any, i: int, t: Any) -> None:
         for j in range(4):
             t[LOOSE + j] = t[C_ + j]
         _put_quotient(w, k + i, t, LOOSE, LOOSE + 4, 1.0, n)
-    _put_quotient(w, TWIST + i, t, TWIST_, TWIST_ + 4, 1.0, n)
+    _put_quotient(w, at.TWIST + i, t, TWIST_, TWIST_ + 4, 1.0, n)
     _exact_energies(w, i, t, (x, y, z), g, n)
 
 
@@ -263,7 +236,7 @@ def _exact_energies(w: Any, i: int, t: Any, momentum: Any, g: Any, n: Any) -> No
     end = _products(t, C_, C_ + 4, -z, LOOSE)
     for j in range(5):
         t[end + j] = t[ENERGY + j]
-    _put_quotient(w, F + i, t, LOOSE, end + 5, 1.0, n)
+    _put_quotient(w, at.F + i, t, LOOSE, end + 5, 1.0, n)
     t[REST], t[REST + 1] = 2.0 * g[0], 2.0 * g[1]
     t[REST + 2], t[REST + 3] = two_product(z, -z)
     end = LOOSE
@@ -271,7 +244,7 @@ def _exact_energies(w: Any, i: int, t: Any, momentum: Any, g: Any, n: Any) -> No
         end = _products(t, N_, N_ + 4, t[REST + j], end)
     for j in range(5):
         t[end + j] = -t[ENERGY + j]
-    _put_quotient(w, D + i, t, LOOSE, end + 5, 1.0, n)
+    _put_quotient(w, at.D + i, t, LOOSE, end + 5, 1.0, n)
 
 
 @called
@@ -286,11 +259,11 @@ def begin(moments: Any, mgl: Any, momentum: Any, attitude: Any, w: Any, place: A
     _energies(w, count)
     _quotients(w, count)
     for i in range(count):
-        if w[UP + i] < 0.0:
+        if w[at.UP + i] < 0.0:
             _exact(w, i, terms)
     for i in range(count):
         small = False
-        for k in (P, C, C_PLUS, TWIST, F, D):
+        for k in (at.P, at.C, at.C_PLUS, at.TWIST, at.F, at.D):
             small |= not (w[k + i] == 0.0 or abs(w[k + i]) > TINY)
-        w[UP + i] = 1.0 if small else 0.0
+        w[at.UP + i] = 1.0 if small else 0.0
     return count

@@ -1,4 +1,4 @@
-"""From frequencies and poles of a block of tops to the columns of ``series.Motion``, compiled by Numba.
+"""From frequencies and poles of a block of tops to the columns of ``formulas.Motion``, compiled by Numba.
 
 The steps of ``preparation._motion``.
 """
@@ -8,194 +8,92 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from polhode.exact.formulas import nome_per_parameter
 from polhode.exact.kernel_arithmetic import (
-    BLOCK,
-    add,
     called,
     divide,
     exponential,
     halves,
-    inlined,
-    multiply,
-    multiply_float,
     pair,
-    root,
+    put_record,
     scale,
-    sine_cosine,
     square_root,
-    whole,
 )
-from polhode.exact.lagrange_top.kernel_store import (
-    ALPHA,
-    BETA,
-    E0,
-    E1,
-    E2,
-    E3,
-    GAP,
-    HALF_ROOT,
-    I1,
-    L1,
-    L2,
-    L3,
-    LINEAR_A,
-    LINEAR_B,
-    NOME,
-    NORM,
-    NUTATION,
-    R_ALPHA,
-    R_BETA,
-    RATE,
-    S1,
-    SIDE,
-    SIGN_A,
-    SIGN_B,
-    SIZE,
-    T2,
-    THETA3,
-    TURN,
-    V_ALPHA,
-    V_BETA,
-    W_ALPHA,
-    W_BETA,
-    X0,
-    Y_ALPHA,
-    Y_BETA,
-    A,
-    B,
-    G,
-)  # fmt: skip
-from polhode.special.doubledouble import PI
-
-PI_HIGH, PI_LOW = PI
-Four = tuple[float, float, float, float]
-
-
-@inlined
-def _nome(parameter: float) -> float:
-    """Return ``elliptic.nome``."""
-    k = square_root(1.0 - parameter)
-    more = 1.0 + square_root(k)
-    ratio = 0.5 / ((1.0 + k) * more * more)
-    e = ratio * parameter
-    e4 = (e * e) * (e * e)
-    return parameter * (ratio * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * (150.0 + e4 * 1707.0)))))
+from polhode.exact.kernel_loops import SUMS
+from polhode.exact.lagrange_top import kernel_store as at
+from polhode.exact.lagrange_top.formulas import A_SUM, NOME, PHASES, RATES, REVERSED, THIRD, sums_at
+from polhode.exact.lagrange_top.formulas_setup import (
+    complementary_series,
+    constant_phases,
+    full_sizes,
+    full_terms,
+    half_periods,
+    periods,
+)
 
 
 @called
 def _poles(w: Any, count: int) -> None:
     """Put the nome of the smaller parameter, and the places of the poles in units of its half period."""
     for i in range(count):
-        small = min(w[G + i] * w[GAP + i], w[B + i]) / w[A + i]
-        q = _nome(small)
+        small = min(w[at.G + i] * w[at.GAP + i], w[at.B + i]) / w[at.A + i]
+        q = small * nome_per_parameter(small, square_root(1.0 - small))
         q4 = (q * q) * (q * q)
         theta3 = 1.0 + 2.0 * (q + q4 + q4 * q4 * q)
         by = 1.0 / (theta3 * theta3)
-        w[NOME + i], w[THETA3 + i] = q, theta3
-        w[Y_ALPHA + i], w[Y_BETA + i] = w[V_ALPHA + i] * by, w[V_BETA + i] * by
-        w[W_ALPHA + i], w[W_BETA + i] = w[W_ALPHA + i] * by, w[W_BETA + i] * by
-
-
-@inlined
-def _put_sums(m: Any, k: int, size: float, h: float, q: float, r: float, alternating: float) -> None:
-    """Put sums and differences of one series of ``preparation._full_series`` into rows k to k + 7."""
-    n = BLOCK
-    w1, w2, w3 = q * r, q * q * r, q * q * q * r
-    w2, w3 = w2 * w2, w3 * w3 * w3
-    h3 = h * h * h
-    h5, h7 = h3 * h * h, h3 * h3 * h
-    size = size / (((w3 * (1.0 + h7) + w2 * (1.0 + h5)) + w1 * (1.0 + h3)) + (1.0 + h))
-    w1, w2, w3 = alternating * size * w1, size * w2, alternating * size * w3
-    m[k], m[k + n], m[k + 2 * n], m[k + 3 * n] = size * (1.0 + h), w1 * (1.0 + h3), w2 * (1.0 + h5), w3 * (1.0 + h7)
-    k += 4 * n
-    m[k], m[k + n], m[k + 2 * n], m[k + 3 * n] = size * (1.0 - h), w1 * (1.0 - h3), w2 * (1.0 - h5), w3 * (1.0 - h7)
+        w[at.NOME + i], w[at.THETA3 + i] = q, theta3
+        w[at.Y_ALPHA + i], w[at.Y_BETA + i] = w[at.V_ALPHA + i] * by, w[at.V_BETA + i] * by
+        w[at.W_ALPHA + i], w[at.W_BETA + i] = w[at.W_ALPHA + i] * by, w[at.W_BETA + i] * by
 
 
 @called
 def _full_series(w: Any, full: int, m: Any) -> None:
-    """Put the series of ``preparation._full_series`` into rows 12 to 28."""
-    n = BLOCK
+    """Put the series of the full form into the motion."""
     for i in range(full):
-        w[R_ALPHA + i], w[R_BETA + i] = exponential(-2.0 * w[W_ALPHA + i]), exponential(-2.0 * w[W_BETA + i])
-        w[V_ALPHA + i], w[V_BETA + i] = exponential(-2.0 * w[Y_ALPHA + i]), exponential(-2.0 * w[Y_BETA + i])
+        w[at.R_ALPHA + i] = exponential(-2.0 * w[at.W_ALPHA + i])
+        w[at.R_BETA + i] = exponential(-2.0 * w[at.W_BETA + i])
+        w[at.V_ALPHA + i] = exponential(-2.0 * w[at.Y_ALPHA + i])
+        w[at.V_BETA + i] = exponential(-2.0 * w[at.Y_BETA + i])
     for i in range(full):
-        q, theta3 = w[NOME + i], w[THETA3 + i]
-        q4 = (q * q) * (q * q)
-        theta4 = 1.0 - 2.0 * (q - q4 + q4 * q4 * q)
-        of_alpha, of_beta = square_root(0.5 * w[T2 + i]) * theta3, square_root(0.5 * w[S1 + i]) * theta4
-        _put_sums(m, 12 * n + i, of_alpha, w[V_ALPHA + i], q, w[R_ALPHA + i], -1.0)
-        _put_sums(m, 20 * n + i, of_beta, w[V_BETA + i], q, w[R_BETA + i], 1.0)
-        m[28 * n + i] = 0.0
-
-
-@inlined
-def _multiples(y: float) -> tuple[Four, Four]:
-    """Return cos ky and sin ky for k = 1 to 4 of 0 ≤ y ≤ π/2."""
-    turns = y * (0.5 / math.pi)
-    s1, c1 = sine_cosine(turns)
-    s2, c2 = 2.0 * s1 * c1, 1.0 - 2.0 * s1 * s1
-    return (c1, c2, c2 * c1 - s2 * s1, 1.0 - 2.0 * s2 * s2), (s1, s2, s2 * c1 + c2 * s1, 2.0 * s2 * c2)
+        q, theta3 = w[at.NOME + i], w[at.THETA3 + i]
+        of_alpha, of_beta = full_sizes(square_root(0.5 * w[at.T2 + i]), square_root(0.5 * w[at.S1 + i]), q, theta3)
+        a_sum, a_gap = full_terms(of_alpha, w[at.V_ALPHA + i], q, w[at.R_ALPHA + i], -1.0)
+        b_sum, b_gap = full_terms(of_beta, w[at.V_BETA + i], q, w[at.R_BETA + i], 1.0)
+        put_record(m, A_SUM + i, (*a_sum, *a_gap, *b_sum, *b_gap, 0.0))
 
 
 @called
 def _complementary_series(w: Any, count: int, m: Any) -> None:
-    """Put the series of ``preparation._complementary_series`` into rows 12 to 28."""
-    n = BLOCK
+    """Put the series of the complementary form into the motion."""
     for i in range(count):
-        q, theta3 = w[NOME + i], w[THETA3 + i]
-        q2 = q * q
-        q4, q6 = q2 * q2, q2 * q2 * q2
-        q9 = q6 * q2 * q
-        c, s = _multiples(w[Y_ALPHA + i])
-        theta4 = 1.0 - 2.0 * ((q * c[1] - q4 * c[3]) + q9 * (2.0 * c[2] * c[2] - 1.0))
-        size = square_root(0.5 * w[T2 + i]) * theta3 / theta4
-        c5, s5 = c[3] * c[0] - s[3] * s[0], s[3] * c[0] + c[3] * s[0]
-        c7, s7 = c[3] * c[2] - s[3] * s[2], s[3] * c[2] + c[3] * s[2]
-        m[12 * n + i], m[13 * n + i] = size * s[0], -size * s[2]
-        m[14 * n + i], m[15 * n + i] = size * s5, -size * s7
-        m[16 * n + i], m[17 * n + i] = size * c[0], -size * c[2]
-        m[18 * n + i], m[19 * n + i] = size * c5, -size * c7
-        c, s = _multiples(2.0 * w[Y_BETA + i])
-        theta4 = 1.0 - 2.0 * ((q * c[0] - q4 * c[1]) + q9 * c[2])
-        size = square_root(0.5 * w[S1 + i]) * (1.0 + q2 + q6 + q6 * q6) / theta4
-        m[20 * n + i], m[21 * n + i] = -size * c[0], size * c[1]
-        m[22 * n + i], m[23 * n + i] = -size * c[2], size * c[3]
-        m[24 * n + i], m[25 * n + i] = -size * s[0], size * s[1]
-        m[26 * n + i], m[27 * n + i] = -size * s[2], size * s[3]
-        m[28 * n + i] = size
+        root_t, root_s = square_root(0.5 * w[at.T2 + i]), square_root(0.5 * w[at.S1 + i])
+        a_sine, a_cosine, b_cosine, b_sine, last = complementary_series(
+            root_t, root_s, w[at.NOME + i], w[at.THETA3 + i], w[at.Y_ALPHA + i], w[at.Y_BETA + i]
+        )
+        put_record(m, A_SUM + i, (*a_sine, *a_cosine, *b_cosine, *b_sine, last))
 
 
 @called
 def _put_motion(w: Any, count: int, m: Any, complementary: float) -> None:
     """Put the rest of ``preparation._motion`` into the motion, apart from the constant phases."""
-    n = BLOCK
     for i in range(count):
-        pi, nutation, half_root = (PI_HIGH, PI_LOW), pair(w, NUTATION + i), pair(w, HALF_ROOT + i)
-        q, theta3, sa, sb = w[NOME + i], w[THETA3 + i], w[SIGN_A + i], w[SIGN_B + i]
-        third = divide(scale(nutation, w[RATE + i]), multiply_float(pi, w[I1 + i]))
-        third = scale(third, 0.5 + 0.5 * complementary)
-        K = divide(scale(multiply(half_root, pi), 0.5), nutation)
-        start = scale(divide(pair(w, X0 + i), K), 0.25 + 0.25 * complementary)
-        period = scale(K, 2.0)
-        q4 = (q * q) * (q * q)
-        shrink = 2.0 * (q + q4 + q4 * q4 * q)
-        period = add(period, (-period[0] * (shrink * (2.0 + shrink) / (theta3 * theta3)), 0.0))
-        m[7 * n + i], m[8 * n + i] = halves(third[0])
-        m[9 * n + i], m[10 * n + i], m[11 * n + i] = third[1], start[0], start[1]
+        nutation, half_root = pair(w, at.NUTATION + i), pair(w, at.HALF_ROOT + i)
+        q, theta3, sa, sb = w[at.NOME + i], w[at.THETA3 + i], w[at.SIGN_A + i], w[at.SIGN_B + i]
+        third = scale(half_periods(nutation, w[at.I1 + i], w[at.RATE + i]), 0.5 + 0.5 * complementary)
+        K, period = periods(half_root, nutation, q)
+        start = scale(divide(pair(w, at.X0 + i), K), 0.25 + 0.25 * complementary)
         upper, lower = halves(period[0])
-        m[29 * n + i], m[30 * n + i], m[31 * n + i] = q, upper, lower + period[1]
-        ya, yb = complementary * w[Y_ALPHA + i], complementary * w[Y_BETA + i]
-        m[32 * n + i], m[33 * n + i], m[34 * n + i] = ya / math.pi, yb / math.pi, 1.0
-        m[35 * n + i], m[36 * n + i] = sa, sb
+        put_record(m, THIRD + i, (*halves(third[0]), third[1], *start))
+        ya, yb = complementary * w[at.Y_ALPHA + i], complementary * w[at.Y_BETA + i]
+        put_record(m, NOME + i, (q, upper, lower + period[1], ya / math.pi, yb / math.pi, 1.0, sa, sb))
         carried = nutation[0] * (2.0 / math.pi)
-        linear_a, linear_b = w[ALPHA + i] + sa * ya * carried, w[BETA + i] + sb * yb * carried
+        linear_a, linear_b = w[at.ALPHA + i] + sa * ya * carried, w[at.BETA + i] + sb * yb * carried
         turn = complementary * (half_root[0] / (theta3 * theta3)) + (1.0 - complementary) * nutation[0]
-        w[LINEAR_A + i], w[LINEAR_B + i], w[TURN + i] = linear_a, linear_b, turn
-        m[37 * n + i] = 2.0 * turn * w[SIZE + i]
-        m[38 * n + i] = 2.0 * (linear_a + linear_b) * w[SIZE + i]
-        m[39 * n + i] = m[41 * n + i] = 1.0
-        m[40 * n + i] = m[42 * n + i] = 0.0
-        m[44 * n + i] = w[SIDE + i]
+        w[at.LINEAR_A + i], w[at.LINEAR_B + i], w[at.TURN + i] = linear_a, linear_b, turn
+        put_record(m, RATES + i, (
+            2.0 * turn * w[at.SIZE + i], 2.0 * (linear_a + linear_b) * w[at.SIZE + i], 1.0, 0.0, 1.0, 0.0
+        ))  # fmt: skip
+        m[REVERSED + i] = w[at.SIDE + i]
 
 
 @called
@@ -215,43 +113,13 @@ def series(w: Any, full: int, count: int, m: Any) -> None:
     _put_motion(w[full:], count - full, m[full:], 1.0)
 
 
-@inlined
-def _constant_phase(
-    r: float, i: float, dr: float, di: float, turns: float, rate: float, given: tuple[float, float],
-    slope: tuple[float, float], norm: float, drop: float, turn: float, size: float,
-) -> tuple[float, float]:  # fmt: skip
-    """Return cos and sin of the phase that turns A or B at the epoch into the given α or β."""
-    r, i = r / norm, i / norm
-    sr = turn * (dr / norm - r * drop) - rate * i
-    si = turn * (di / norm - i * drop) + rate * r
-    (gr, gi), (er, ei) = given, slope
-    real = (r * gr + i * gi) + (sr * er + si * ei) / size
-    imaginary = (r * gi - i * gr) + (sr * ei - si * er) / size
-    s, c = sine_cosine(turns - whole(turns))
-    real, imaginary = real * c + imaginary * s, imaginary * c - real * s
-    length = square_root(real * real + imaginary * imaginary)
-    some = length > 0.0
-    return (real / length if some else 1.0), (imaginary / length if some else 0.0)
-
-
 @called
 def phases(w: Any, count: int, m: Any, work: Any) -> None:
-    """Put the constant phases of ``preparation._constant_phases`` into the motion, of the numerators at the epoch."""
-    n = BLOCK
+    """Put the constant phases into the motion, of the sums at the epoch."""
     for i in range(count):
-        x, y, z = w[L1 + i], w[L2 + i], w[L3 + i]
-        length = root(pair(w, NORM + i))
-        q0, q1 = divide((w[E0 + i], 0.0), length)[0], divide((w[E1 + i], 0.0), length)[0]
-        q2, q3 = divide((w[E2 + i], 0.0), length)[0], divide((w[E3 + i], 0.0), length)[0]
-        a = 0.5 * (-z * q3 - (x * q1 + y * q2)), 0.5 * (z * q0 - (x * q2 - y * q1))
-        b = 0.5 * (x * q0 - y * q3 + z * q2), 0.5 * (x * q3 + y * q0 - z * q1)
-        ar, ai, br, bi = work[i], work[n + i], work[2 * n + i], work[3 * n + i]
-        dar, dai, dbr, dbi = work[4 * n + i], work[5 * n + i], work[6 * n + i], work[7 * n + i]
-        square = (ar * ar + ai * ai) + (br * br + bi * bi)
-        norm = square_root(square)
-        drop = ((ar * dar + ai * dai) + (br * dbr + bi * dbi)) / square
-        size, turn = (x * x + y * y) + (z * z + w[G + i]), w[TURN + i]
-        m[39 * n + i], m[40 * n + i] = _constant_phase(
-            ar, ai, dar, dai, work[8 * n + i], w[LINEAR_A + i], (q0, q3), a, norm, drop, turn, size)
-        m[41 * n + i], m[42 * n + i] = _constant_phase(
-            br, bi, dbr, dbi, work[9 * n + i], w[LINEAR_B + i], (q1, q2), b, norm, drop, turn, size)  # fmt: skip
+        x, y, z = w[at.L1 + i], w[at.L2 + i], w[at.L3 + i]
+        put_record(m, PHASES + i, constant_phases(
+            (w[at.E0 + i], w[at.E1 + i], w[at.E2 + i], w[at.E3 + i]), pair(w, at.NORM + i), (x, y, z),
+            (x * x + y * y) + (z * z + w[at.G + i]), sums_at(work, SUMS + i),
+            (w[at.LINEAR_A + i], w[at.LINEAR_B + i]), w[at.TURN + i],
+        ))  # fmt: skip

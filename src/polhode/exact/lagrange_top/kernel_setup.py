@@ -1,4 +1,4 @@
-"""The set-up of many tops, from moments to the columns of ``series.Motion``, compiled by Numba.
+"""The set-up of many tops, from moments to the columns of ``formulas.Motion``, compiled by Numba.
 
 The same steps as ``reduction``, ``roots``, ``frequencies`` and ``preparation``, in blocks of tops and in loops that
 LLVM turns into vector instructions. Tops are sorted on the way: those that take the full form first, then those that
@@ -18,13 +18,15 @@ from polhode.exact.kernel_arithmetic import (
     places,
     room,
 )
-from polhode.exact.lagrange_top.kernel import COLUMNS, WORK, numerators
+from polhode.exact.kernel_loops import WORK, sums_of_many
+from polhode.exact.lagrange_top import kernel_store as at
+from polhode.exact.lagrange_top.formulas import AXIAL, COLUMNS
 from polhode.exact.lagrange_top.kernel_integrals import integrals
 from polhode.exact.lagrange_top.kernel_rates import rates
 from polhode.exact.lagrange_top.kernel_reduction import TERMS, begin
 from polhode.exact.lagrange_top.kernel_roots import turning_points
 from polhode.exact.lagrange_top.kernel_series import phases, series
-from polhode.exact.lagrange_top.kernel_store import GAP, KEPT, ROWS, UP, B, G
+from polhode.exact.lagrange_top.kernel_store import KEPT, ROWS
 
 WORTH = 1_000  # tops for which a thread is worth its start
 
@@ -41,10 +43,10 @@ def _sorted(begun: Any, count: int, found: Any, w: Any, place: Any, order: Any) 
     """
     full, back = 0, count
     for i in range(count):
-        d, b = begun[GAP + i], begun[B + i]
-        if not (begun[UP + i] >= 0.0 and d > 0.0 and b > 0.0):
+        d, b = begun[at.GAP + i], begun[at.B + i]
+        if not (begun[at.UP + i] >= 0.0 and d > 0.0 and b > 0.0):
             continue
-        if begun[G + i] * d <= b:
+        if begun[at.G + i] * d <= b:
             order[full] = i
             full += 1
         else:
@@ -89,9 +91,9 @@ def set_up(
         if not integrals(w, full, count, steps):
             continue
         for i in range(count):
-            m[43 * BLOCK + i] = momentum[low + place[i]][2]
+            m[AXIAL + i] = momentum[low + place[i]][2]
         series(w, full, count, m)
-        numerators(m, full, count, zeros, zeros, work)
+        sums_of_many(m, full, count, zeros, zeros, work)
         phases(w, count, m, work)
         _finite(m, count, good)
         for i in range(count):

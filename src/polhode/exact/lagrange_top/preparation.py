@@ -6,17 +6,22 @@ import math
 from typing import Any, NamedTuple
 
 from polhode.arrays import barrier, choose, compiled, namespace, split_halves
-from polhode.exact.blocks import Columns
+from polhode.exact.array_states import ArrayStates
+from polhode.exact.blocks import Columns, flattened
+from polhode.exact.lagrange_top import formulas
+from polhode.exact.lagrange_top.formulas import Motion
+from polhode.exact.lagrange_top.formulas_setup import TurningPoints
 from polhode.exact.lagrange_top.frequencies import Frequencies, climb, top_frequencies
 from polhode.exact.lagrange_top.reduction import Reduction, reduce_top
-from polhode.exact.lagrange_top.roots import TurningPoints, turning_points
-from polhode.exact.lagrange_top.series import TERMS, Motion, flatten, start_numerators
+from polhode.exact.lagrange_top.roots import FORMULAS, turning_points
 from polhode.special import doubledouble as dd
 from polhode.special.circular import split_rate
 from polhode.special.doubledouble import DoubleDouble
 from polhode.special.elliptic import nome_per_parameter
 from polhode.special.first_kind import first_kind
 from polhode.types import Array, Float64
+
+STATES = ArrayStates(formulas)
 
 
 class Prepared(NamedTuple):
@@ -118,20 +123,16 @@ def _motion(
     """Return the flattened ``Motion``."""
     xp = namespace(top.reversed)
     permanent, separatrix = rates.permanent, rates.separatrix
-    turns = [_turns_per_time(top, v) for v in _phase_rates(top, rates)]
+    turns = [FORMULAS.turns_per_time(v, top.moments[0], top.rate_scale) for v in _phase_rates(top, rates)]
     zero = xp.zeros_like(axial)
     full, q, theta3 = at.full, at.q, at.theta3
-    pi = tuple(c + zero for c in dd.PI)
-    half_periods = dd.divide(dd.scale(rates.nutation, top.rate_scale), dd.multiply_float(pi, top.moments[0]))
+    half_periods = FORMULAS.half_periods(rates.nutation, top.moments[0], top.rate_scale)
     saddle = dd.divide(dd.scale(rates.half_root, top.rate_scale), dd.from_float(top.moments[0]))
     third = dd.where(full, dd.scale(half_periods, 0.5), dd.where(separatrix, saddle, half_periods))
-    K = dd.divide(dd.multiply(rates.half_root, pi), dd.scale(rates.nutation, 2.0))
+    K, period = FORMULAS.periods(rates.half_root, rates.nutation, q)
     fraction = dd.scale(dd.divide(at.x0, K), 0.5)
     start = dd.where(full, dd.scale(fraction, 0.5), dd.where(separatrix, at.x0, fraction))
     third, start = (dd.where(permanent, value, v) for value, v in (((zero, zero), third), ((0.25 + zero, zero), start)))
-    shrink = 2.0 * (q + q**4 + q**9)
-    period = dd.scale(K, 2.0)
-    period = dd.add(period, (-period[0] * (shrink * (2.0 + shrink) / (theta3 * theta3)), zero))
     period = dd.where(separatrix, (1.0 + zero, zero), period)
     upper, lower = split_halves(period[0])
     coefficients = choose(full, _full_series, _complementary_series, *_series_columns(top, points, rates, at))
@@ -139,15 +140,15 @@ def _motion(
     argument_rate = xp.where(permanent, 0.0, argument_rate)
     linear = _linear_rates(rates, at)
     motion = barrier(Motion(
-        full, split_rate(*turns[0]), split_rate(*turns[1]), split_rate(*third), start, coefficients[:16],
-        coefficients[16],
+        full, split_rate(*turns[0]), split_rate(*turns[1]), split_rate(*third), start,
+        coefficients[0:4], coefficients[4:8], coefficients[8:12], coefficients[12:16], coefficients[16],
         (q, upper, lower + period[1], *(xp.where(separatrix | full, 0.0, y / math.pi) for y in (at.y_alpha, at.y_beta)),
          xp.where(separatrix, 0.0, 1.0)),
         (xp.where(permanent, 1.0, rates.sign_alpha), xp.where(permanent, 1.0, rates.sign_beta)),
         (2.0 * argument_rate * top.momentum_scale, 2.0 * (linear[0] + linear[1]) * top.momentum_scale),
         (1.0 + zero, zero, 1.0 + zero, zero), axial, xp.where(top.reversed, -1.0, 1.0),
     ))  # fmt: skip
-    return flatten(motion._replace(phases=_constant_phases(top, motion, linear, argument_rate)))
+    return flattened(motion._replace(phases=_constant_phases(top, motion, linear, argument_rate)))
 
 
 def _phase_rates(top: Reduction, rates: Frequencies) -> tuple[DoubleDouble, DoubleDouble]:
@@ -157,12 +158,6 @@ def _phase_rates(top: Reduction, rates: Frequencies) -> tuple[DoubleDouble, Doub
     I1, I3 = top.moments
     own = dd.divide(dd.two_product(0.5 * top.momentum[2], I1), dd.from_float(I3))
     return dd.where(rates.permanent, own, alpha), dd.where(rates.permanent, dd.negate(own), beta)
-
-
-def _turns_per_time(top: Reduction, rate: DoubleDouble) -> DoubleDouble:
-    zero = 0.0 * rate[0]
-    inverse = dd.divide(tuple(c + zero for c in dd.INVERSE_TWO_PI), dd.from_float(top.moments[0]))
-    return dd.scale(dd.multiply(rate, inverse), top.rate_scale)
 
 
 def _linear_rates(rates: Frequencies, at: _Arguments) -> tuple[Array, Array]:
@@ -193,82 +188,31 @@ def _full_series(*columns: Array) -> tuple[Array, ...]:
     """Return sums and differences of the coefficients of e^{±ikz}, k = 1, 3, 5, 7, in A and in B, and an idle entry."""
     root_t, root_s, q, theta3, y_alpha, y_beta, r_alpha, r_beta, permanent = columns
     xp = namespace(q)
-    theta4 = 1.0 - 2.0 * (q - q**4 + q**9)
-    out: list[Array] = []
-    for size, y, r, alternating in (
-        (root_t * theta3, y_alpha, r_alpha, True), (root_s * theta4, y_beta, r_beta, False),
-    ):  # fmt: skip
-        h = xp.exp(-2.0 * y)
-        weights = [(q**n * r) ** n if n else xp.ones_like(q) for n in range(TERMS)]
-        total = sum(w * (1.0 + h ** (2 * n + 1)) for n, w in reversed(list(enumerate(weights))))
-        size = size / total
-        signs = [-1.0 if alternating and n % 2 else 1.0 for n in range(TERMS)]
-        for sense in (1.0, -1.0):
-            out += [size * s * w * (1.0 + sense * h ** (2 * n + 1))
-                    for n, (s, w) in enumerate(zip(signs, weights, strict=True))]  # fmt: skip
+    of_alpha, of_beta = FORMULAS.full_sizes(root_t, root_s, q, theta3)
+    a_sum, a_gap = FORMULAS.full_terms(of_alpha, xp.exp(-2.0 * y_alpha), q, r_alpha, -1.0)
+    b_sum, b_gap = FORMULAS.full_terms(of_beta, xp.exp(-2.0 * y_beta), q, r_beta, 1.0)
     first = {0: root_t, 12: root_s}
-    out = [xp.where(permanent, first.get(k, 0.0 * q), v) for k, v in enumerate(out)]
+    out = [xp.where(permanent, first.get(k, 0.0 * q), v) for k, v in enumerate((*a_sum, *a_gap, *b_sum, *b_gap))]
     return (*out, xp.zeros_like(q))
 
 
 def _complementary_series(*columns: Array) -> tuple[Array, ...]:
     """Return A's factors of sin ky and cos ky, k = 1, 3, 5, 7, B's of cos and sin of 2, 4, 6, 8 y, and its constant."""
-    root_t, root_s, q, theta3, y_alpha, y_beta = columns[:6]
-    xp = namespace(q)
-    theta4 = lambda y: 1.0 - 2.0 * (q * xp.cos(2.0 * y) - q**4 * xp.cos(4.0 * y) + q**9 * xp.cos(6.0 * y))  # noqa: E731
-    of_alpha = root_t * theta3 / theta4(y_alpha)
-    of_beta = root_s * (1.0 + q**2 + q**6 + q**12) / theta4(y_beta)
-    signs = [-1.0 if n % 2 else 1.0 for n in range(TERMS)]
-    odd = [(2 * n + 1) * y_alpha for n in range(TERMS)]
-    even = [(2 * n + 2) * y_beta for n in range(TERMS)]
-    return (
-        *(of_alpha * s * xp.sin(v) for s, v in zip(signs, odd, strict=True)),
-        *(of_alpha * s * xp.cos(v) for s, v in zip(signs, odd, strict=True)),
-        *(-of_beta * s * xp.cos(v) for s, v in zip(signs, even, strict=True)),
-        *(-of_beta * s * xp.sin(v) for s, v in zip(signs, even, strict=True)),
-        of_beta,
-    )
+    *series, last = FORMULAS.complementary_series(*columns[:6])
+    return (*(x for part in series for x in part), last)
 
 
 def _constant_phases(
     top: Reduction, motion: Motion, linear: tuple[Array, Array], argument_rate: Array
 ) -> tuple[Array, ...]:
-    """Return cos and sin of the phases that turn A and B at the epoch into the given α and β.
-
-    Where one of them vanishes its own phase says nothing; its derivative then does, so both are used.
-    """
+    """Return cos and sin of the phases that turn A and B at the epoch into the given α and β."""
     xp = namespace(argument_rate)
-    L1, L2, L3 = top.momentum
-    root = dd.sqrt(top.size)
-    w, x, y, z = (dd.divide(dd.from_float(v), root)[0] for v in top.quaternion)
-    # 2α' = i a α − w̄ β, 2β' = w α − i a β
-    given = ((w, z), (x, y))
-    slopes = (
-        (0.5 * (-L3 * z - (L1 * x + L2 * y)), 0.5 * (L3 * w - (L1 * y - L2 * x))),
-        (0.5 * (L1 * w - L2 * z + L3 * y), 0.5 * (L1 * z + L2 * w - L3 * x)),
-    )
-    *numerators, turns_a, turns_b = start_numerators(motion)
-    up = xp.ldexp(xp.ones_like(L3), top.lift)
+    sums = STATES.sums_at_start(flattened(motion))
+    up = xp.ldexp(xp.ones_like(argument_rate), top.lift)
     up_alpha, up_beta = xp.where(top.upright, 1.0, up), xp.where(top.upright, up, 1.0)
-    ar, ai, dar, dai = (up_alpha * numerators[k] for k in (0, 1, 4, 5))
-    br, bi, dbr, dbi = (up_beta * numerators[k] for k in (2, 3, 6, 7))
-    square = (ar * ar + ai * ai) + (br * br + bi * bi)
-    norm = xp.sqrt(square)
-    drop = ((ar * dar + ai * dai) + (br * dbr + bi * dbi)) / square
+    lifts = (up_alpha, up_alpha, up_beta, up_beta) * 2
+    L1, L2, L3 = top.momentum
     size = L1 * L1 + L2 * L2 + L3 * L3 + top.G[0]
     size = xp.where(size > 0, size, 1.0)
-    out: list[Array] = []
-    series = ((ar, ai, dar, dai, turns_a, linear[0]), (br, bi, dbr, dbi, turns_b, linear[1]))
-    for (r, i, dr, di, turns, rate), (gr, gi), (er, ei) in zip(series, given, slopes, strict=True):
-        r, i = r / norm, i / norm
-        sr = argument_rate * (dr / norm - r * drop) - rate * i
-        si = argument_rate * (di / norm - i * drop) + rate * r
-        real = (r * gr + i * gi) + (sr * er + si * ei) / size
-        imaginary = (r * gi - i * gr) + (sr * ei - si * er) / size
-        c, s = xp.cos(2.0 * math.pi * turns), xp.sin(2.0 * math.pi * turns)
-        real, imaginary = real * c + imaginary * s, imaginary * c - real * s
-        length = xp.sqrt(real * real + imaginary * imaginary)
-        some = length > 0
-        out += [xp.where(some, real / xp.where(some, length, 1.0), 1.0),
-                xp.where(some, imaginary / xp.where(some, length, 1.0), 0.0)]  # fmt: skip
-    return tuple(out)
+    lifted = *(x * y for x, y in zip(sums[:8], lifts, strict=True)), *sums[8:]
+    return FORMULAS.constant_phases(top.quaternion, top.size, top.momentum, size, lifted, linear, argument_rate)
