@@ -29,7 +29,7 @@ ANY_BODY = {"body", "axis", "sphere", "poinsot"}  # panels that the page's own s
 NAME = re.compile(r"[a-z]+(-[a-z]+)*")
 
 
-def check_kind(kind: AbstractKind) -> None:
+def check_kind(kind: AbstractKind[Any]) -> None:
     """Check a kind by its example: spec, report, JSON, figures, motion, dataset and page.
 
     Args:

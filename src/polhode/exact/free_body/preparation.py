@@ -19,7 +19,7 @@ from polhode.special import doubledouble as dd
 from polhode.special.circular import split_rate
 from polhode.special.doubledouble import DoubleDouble
 from polhode.special.elliptic import nome_per_parameter
-from polhode.types import Array, Float64
+from polhode.types import Array, ArrayOrFloat, Float64
 
 HUGE = 2.0**-400, 2.0**-200  # a hyperbolic sine above the inverse of the first is scaled by the second
 LOG_OF_SCALE: DoubleDouble = (138.62943611198907, -3.3555121496085278e-15)  # 200 ln 2
@@ -86,7 +86,9 @@ def _argument_columns(body: Reduction, rates: Frequencies, m: Array, m1: Array) 
     return (*singles, *body.canonical, m, m1, rates.separatrix, *rates.modulus_rate, *rates.mean, body.root_P)
 
 
-def _landen(k: Array, dn: Array, sinh_times_cosine: Array, cosine: Array, dc: Array) -> tuple[Array, Array]:
+def _landen(
+    k: Array, dn: Array, sinh_times_cosine: Array, cosine: ArrayOrFloat, dc: Array
+) -> tuple[ArrayOrFloat, ArrayOrFloat]:
     """Follow a circular and a hyperbolic amplitude down five Landen steps from the complementary modulus k.
 
     Returns the factor of the tangent of the circular amplitude and the hyperbolic sine of the other; its first step

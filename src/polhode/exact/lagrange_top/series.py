@@ -158,7 +158,8 @@ def _multiples(cosine: Array, sine: Array, odd: bool) -> tuple[list[Array], list
     """Return cos kz and sin kz for k = 1, 3, 5, 7, or 2, 4, 6, 8."""
     double_c, double_s = 1.0 - 2.0 * sine * sine, 2.0 * sine * cosine
     c, s = (cosine, sine) if odd else (double_c, double_s)
-    cosines, sines = [c], [s]
+    cosines: list[Array] = [c]
+    sines: list[Array] = [s]
     for _ in range(TERMS - 1):
         c, s = c * double_c - s * double_s, s * double_c + c * double_s
         cosines.append(c)
