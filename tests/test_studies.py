@@ -168,7 +168,7 @@ def test_what_is_no_path_is_refused(wrong, monkeypatch):
     for call in calls:
         with pytest.raises(InvalidInput, match="must be the path of a file or folder"):
             call(wrong)
-    with pytest.raises(InvalidInput, match=r"must end in \.nc"):
+    with pytest.raises(InvalidInput, match=r"must end in \.aem, .*\.nc"):
         found.save("motion.txt")
 
 

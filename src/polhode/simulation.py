@@ -76,7 +76,7 @@ def simulate(
     system: AbstractSystem,
     state: Real[ArrayLike, "..."],
     times: Real[ArrayLike, "time"],
-    method: type[AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver | Taylor | None = None,
+    method: type[AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver[Any] | Taylor | None = None,
     step: float | None = None,
     order: int | None = None,
     progress: bool | Any | None = None,

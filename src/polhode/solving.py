@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import diffrax
@@ -67,7 +67,7 @@ class Solution(NamedTuple):
 
     times: Float64[Array, "kept"]
     saved: Any
-    received: dict[str, Float64[Array, "*batch kept"]]
+    received: Mapping[str, Float64[Array, "*batch kept"]]
     status: Integer[Array, "*batch"]
     event: Integer[Array, "*batch"]
     end: Float64[Array, "*batch"]
@@ -81,7 +81,7 @@ def solve(
     system: AbstractSystem,
     state: Real[ArrayLike, "..."],
     times: Real[ArrayLike, "time"],
-    method: type[AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver | Taylor | None = None,
+    method: type[AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver[Any] | Taylor | None = None,
     step: Real[ArrayLike, ""] | None = None,
     order: int | None = None,
     tolerance: Real[ArrayLike, ""] | None = None,

@@ -15,16 +15,24 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING, Any
 
-Array = Any
-"""An array of any shape and type of number, of any library."""
-ArrayLike = Any
-"""What a function makes an array of: an array, a number, or nested lists or tuples of these."""
-
 if TYPE_CHECKING:
+    import jax
+    import numpy as np
+
+    Array = np.ndarray[Any, Any] | jax.Array
     ArrayOrFloat = Any
 else:
+    Array = Any
+    """An array of any shape and type of number.
+
+    For type checkers it is NumPy's or JAX's. Those of other array-API libraries go in as well, and what comes out of
+    most functions is then one of these two. At run time it is ``Any``, as naming the types would import JAX.
+    """
     ArrayOrFloat = Any | float
     """An array, or one float of Python's, as elementwise functions take it."""
+
+ArrayLike = Any
+"""What a function makes an array of: an array, a number, or nested lists or tuples of these."""
 
 if TYPE_CHECKING:
     from typing import Annotated as Bool

@@ -188,7 +188,7 @@ class AbstractLieAlgebra(HashableModule):
             size, whole = (jnp.max(jnp.abs(a), axis=own, keepdims=True, initial=0.0) for a in (term, total))
             return size > 1e-18 * whole
 
-        def unfinished(carried: Array) -> Array:
+        def unfinished(carried: tuple[Any, Array, Array]) -> jax.Array:
             k, term, total = carried
             return (k < SERIES_TERMS) & jnp.any(is_significant(term, total))
 
@@ -198,7 +198,7 @@ class AbstractLieAlgebra(HashableModule):
         def sum_series(numbers: Any, x: Array, mu: Array, known_count: bool) -> Array:
             coadjoint = eqx.combine(numbers, rest).coadjoint
 
-            def add(carried: Array) -> Array:
+            def add(carried: tuple[Any, Array, Array]) -> tuple[Any, Array, Array]:
                 k, term, total = carried
                 term = jnp.where(is_significant(term, total), coadjoint(x, term) / (k + 1), 0.0)
                 return k + 1, term, total + term

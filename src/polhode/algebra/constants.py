@@ -40,7 +40,7 @@ class ConstantsAlgebra(AbstractLieAlgebra):
             self.given = check_casimirs(ConstantsAlgebra(constants), casimirs)
 
     @property
-    def constants(self) -> Float64[Array, "dim dim dim"]:
+    def constants(self) -> Float64[np.ndarray, "dim dim dim"]:
         return self.table.values
 
     @property
@@ -81,7 +81,7 @@ class MatrixBasisAlgebra(ConstantsAlgebra):
     def __init__(
         self,
         constants: Float64[Array, "dim dim dim"],
-        matrices: Double[Array, "dim n n"],
+        matrices: Double[np.ndarray, "dim n n"],
         casimirs: Iterable[Function] | None = None,
     ) -> None:
         super().__init__(constants, casimirs)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import jax.numpy as jnp
@@ -36,7 +36,7 @@ class Product(AbstractLieAlgebra):
     def casimir_names(self) -> tuple[str, ...]:
         return tuple(f"{name} of {k}" for k, factor in enumerate(self.factors) for name in factor.casimir_names)
 
-    def split(self, vector: Float64[Array, "... {self.dim}"]) -> list[Float64[Array, "..."]]:
+    def split(self, vector: Float64[Array, "... {self.dim}"]) -> Sequence[Float64[Array, "..."]]:
         """Return each factor's coordinates."""
         ends = np.cumsum([factor.dim for factor in self.factors])[:-1]
         return jnp.split(jnp.asarray(vector), ends, axis=-1)

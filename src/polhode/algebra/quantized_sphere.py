@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import Any
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 import numpy as np
 
@@ -111,7 +112,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         s = 0.5 * (self.n - 1)
         return [math.sqrt(self.n) * spherical_tensor(s, m)[:, ::-1] for m in range(self.n)]
 
-    def from_harmonics(self, coefficients: Real[ArrayLike, "*batch n n"]) -> Element:
+    def from_harmonics(self, coefficients: Real[ArrayLike, "*batch n n"]) -> Complex128[jax.Array, "*batch n n"]:
         """Return the matrices of real functions f = Σ f_lm Y_lm from f_lm (…, N, N), l by rows, m ≥ 0 by columns.
 
         f_{l,−m} = (−1)^m f̄_lm; f_00 and the imaginary parts of f_l0 are ignored.

@@ -47,7 +47,7 @@ def factors(n: int) -> Factors:
     return Factors(inverse, below)
 
 
-def wrap_diagonals(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Array, "n n *batch"]:
+def wrap_diagonals(matrix: Complex128[Array, "*batch n n"]) -> Complex128[jax.Array, "n n *batch"]:
     """Return D[i, k] = P[(i+k) mod N, i] (N, N, …), places first."""
     n = matrix.shape[-1]
     i = np.arange(n)
@@ -79,7 +79,7 @@ def inverse_laplacian(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Arr
     wide = (..., *[None] * (places.ndim - 2))
     places = places.at[:, 0].add(-jnp.mean(places[:, 0], axis=0))
 
-    def forward(before: Array, row: tuple[Array, Array]) -> tuple[Array, Array]:
+    def forward(before: jax.Array, row: tuple[jax.Array, jax.Array]) -> tuple[jax.Array, jax.Array]:
         own, low = row
         now = own - low[wide] * before
         return now, now
@@ -88,7 +88,7 @@ def inverse_laplacian(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Arr
     _, found = jax.lax.scan(forward, start, (places, jnp.asarray(below)))
     found = found * jnp.asarray(inverse)[wide]
 
-    def backward(after: Array, row: tuple[Array, Array]) -> tuple[Array, Array]:
+    def backward(after: jax.Array, row: tuple[jax.Array, jax.Array]) -> tuple[jax.Array, jax.Array]:
         own, low = row
         now = own - low[wide] * after
         return now, now

@@ -81,7 +81,7 @@ def mean_quaternion(quaternions: Real[ArrayLike, "count 4"]) -> Float64[Array, "
 def _guess_start(scaled: Array, a: Array, b: Array) -> list[tuple[Array, Array, Array]]:
     """Return first guesses of body and space misalignment, each first alone, then in turns."""
     one, still = np.array([1.0, 0.0, 0.0, 0.0]), np.zeros(3)
-    guesses = [(one, one, still)]
+    guesses: list[tuple[Array, Array, Array]] = [(one, one, still)]
     for body_first in (True, False):
         body = space = one
         for k in range(8):

@@ -222,7 +222,7 @@ def _common_times(a: AttitudeHistory, b: AttitudeHistory, offset: float, slack: 
         return b.times + offset
     if b.exact is not None:
         return a.times
-    first, last = b.times[0] + offset, b.times[-1] + offset
+    first, last = float(b.times[0]) + offset, float(b.times[-1]) + offset
     slack = slack + SAME_TIME * (last - first) / max(1, len(b.times) - 1)
     common = a.times[(a.times >= first - slack) & (a.times <= last + slack)]
     if not len(common):

@@ -163,11 +163,11 @@ class Derivatives(NamedTuple):
     infinite where a derivative is.
     """
 
-    gradients: Float64[Array, "k n"]
-    hessians: Float64[Array, "k n n"]
-    around: Float64[Array, "m k n"]
-    errors: Float64[Array, "k"]
-    rough: Float64[Array, "k"]
+    gradients: Float64[np.ndarray, "k n"]
+    hessians: Float64[np.ndarray, "k n n"]
+    around: Float64[np.ndarray, "m k n"]
+    errors: Float64[np.ndarray, "k"]
+    rough: Float64[np.ndarray, "k"]
 
     @property
     def smooth(self) -> Bool[Array, "k"]:
@@ -298,7 +298,8 @@ def commute(tensors: Float64[Array, "m n n"], first: Float64[Array, "m n"], seco
 
 def _find_defined(tensors: Array, first: Array, second: Array) -> Array:
     """Return the samples (2m,) at which both gradients are finite, and their neighbours' too."""
-    good = np.isfinite(first).all(axis=1) & np.isfinite(second).all(axis=1) & np.isfinite(tensors).all(axis=(1, 2))
+    smooth = np.all(np.isfinite(first), axis=1) & np.all(np.isfinite(second), axis=1)
+    good = smooth & np.all(np.isfinite(tensors), axis=(1, 2))
     return np.tile(good[: len(good) // 2] & good[len(good) // 2 :], 2)
 
 

@@ -135,8 +135,8 @@ class _Proof:
     """The state of a run: the midpoint, the bound on the distance to the true state, the disc."""
 
     def __init__(
-        self, flint: Any, balls: BallSystem, start: tuple[Array, Array], numbers: tuple[Array, Array], times: Array,
-        weights: Array, order: int, bits: int,
+        self, flint: Any, balls: BallSystem, start: tuple[Array, Array], numbers: tuple[Array, Array],
+        times: np.ndarray, weights: Array, order: int, bits: int,
     ) -> None:  # fmt: skip
         self.flint, self.balls, self.times = flint, balls, times
         self.order, self.bits = order, bits

@@ -250,7 +250,8 @@ def _weights(leaf: Leaf) -> Array:
     if found is None:
         return plain
     found[0] = found[0] if abs(found[0]) > NO_ENERGY else 0.0
-    return sum((c / size) * direction for c, size, direction in zip(found, sizes, directions, strict=True))
+    parts = ((c / size) * direction for c, size, direction in zip(found, sizes, directions, strict=True))
+    return sum(parts, np.zeros(plain.shape))
 
 
 class _Growth(NamedTuple):

@@ -169,7 +169,7 @@ def _losses(I: Array, squares: Array) -> Float64[np.ndarray, "..."]:  # noqa: E7
     return np.sum(terms, axis=0)
 
 
-def _check_arguments(moments: Array, momentum: Array, rate: float, angle: float) -> tuple[Array, Array]:
+def _check_arguments(moments: ArrayLike, momentum: ArrayLike, rate: float, angle: float) -> tuple[Array, Array]:
     I, L = np.asarray(moments, dtype=float), np.asarray(momentum, dtype=float)  # noqa: E741
     if I.shape != (3,) or not (np.isfinite(I).all() and 0.0 < I[0] <= I[1] <= I[2]):
         raise InvalidInput(f"`moments` must be three positive numbers in ascending order; got {shown(moments)}.")

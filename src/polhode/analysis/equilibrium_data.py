@@ -174,6 +174,6 @@ def _name_scaled(casimirs: Casimirs, y: Array, unit: float) -> list[str]:
 
 
 def _vanishes(values: Array, terms: Array) -> bool:
-    good = np.isfinite(values).all(axis=1)
+    good = np.all(np.isfinite(values), axis=1)
     values, terms = values[good], terms[good].max(axis=1, keepdims=True)
     return bool(good.sum() > len(good) // 2 and (np.abs(values) <= STILL * terms).all())

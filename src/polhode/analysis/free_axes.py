@@ -11,7 +11,7 @@ from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.analysis.reasons import AxisOfFreeBody
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.types import Array, ArrayLike, Real
+from polhode.types import ArrayLike, Real
 
 
 @known_numbers_only
@@ -41,7 +41,7 @@ def axis_stability(moments: Real[ArrayLike, "3"], momentum_norm: float) -> tuple
     return tuple(_about(I, float(momentum_norm), i) for i in range(3))  # type: ignore[return-value]
 
 
-def _about(I: Array, norm: float, i: int) -> Stability:  # noqa: E741
+def _about(I: np.ndarray, norm: float, i: int) -> Stability:  # noqa: E741
     """Judge axis i in units where I_i = |L| = 1; the Casimir has been taken out of the energy beforehand."""
     j, k = (i + 1) % 3, (i + 2) % 3
     curvature = np.zeros((3, 3))

@@ -54,7 +54,7 @@ def plane_rotation_exponents(
     return {group: _exponents(np.asarray(system.masses), M, group) for group in groups}
 
 
-def _exponents(masses: Array, M: Array, axes: tuple[int, ...]) -> Array:
+def _exponents(masses: np.ndarray, M: np.ndarray, axes: tuple[int, ...]) -> Array:
     """Return exponents of the entries M_ac that link the first plane of ``axes`` with the rest."""
     links = [(a, c) for a in axes[:2] for c in axes[2:]]
     linear = np.zeros((len(links), len(links)))
@@ -64,7 +64,7 @@ def _exponents(masses: Array, M: Array, axes: tuple[int, ...]) -> Array:
     return np.linalg.eigvals(linear).astype(complex)
 
 
-def _slope(masses: Array, M: Array, a: int, c: int, e: int, f: int) -> float:
+def _slope(masses: np.ndarray, M: np.ndarray, a: int, c: int, e: int, f: int) -> float:
     """Return ∂Ṁ_ac/∂M_ef: Ṁ_ac = Σ_b M_ab M_bc (Λ_a − Λ_c)/((Λ_a + Λ_b)(Λ_b + Λ_c))."""
 
     def factor(b: int) -> float:

@@ -87,7 +87,7 @@ def separatrix(moments: Real[ArrayLike, "3"]) -> list[Float64[Array, "points 3"]
 
 
 @known_numbers_only
-def level_segments(energy: Energy, values: Sequence[float] | None = None) -> Float64[Array, "pieces 2 3"]:
+def level_segments(energy: Energy, values: Sequence[float] | None = None) -> Float64[np.ndarray, "pieces 2 3"]:
     """Return where a function of unit vectors (…, 3) has the values, as short pieces (n, 2, 3) on the unit sphere.
 
     Args:

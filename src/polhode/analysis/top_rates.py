@@ -14,7 +14,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.exact.lagrange_top.steady_precession import steady_precession
 from polhode.systems.heavy_top import HeavyTop
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import ArrayLike, Float64, Real
 
 ASYMMETRY = 0.1  # of the moments across the axis, relative, up to which their mean says something
 FEWEST = 3  # highest points of the axis, between which a mean is taken
@@ -109,7 +109,7 @@ def _symmetric(top: HeavyTop) -> tuple[float, float] | None:
     return float(both.mean()), float(axis @ (moments * axis))
 
 
-def _highest(t: Array, height: Array) -> Float64[np.ndarray, "tops"] | None:
+def _highest(t: np.ndarray, height: np.ndarray) -> Float64[np.ndarray, "tops"] | None:
     """Return the times at which the axis is highest, by parabolas through three samples; None where it does not nod."""
     if np.ptp(height) < LEVEL:
         return None

@@ -70,7 +70,7 @@ def _twist(motion: FreeMotion, handle: int) -> float:
     moments = np.asarray(motion.moments)
     longest = TURN * float(max(moments[j], moments[k])) / float(motion.momentum_norm)
 
-    def rates(t: Array) -> Array:
+    def rates(t: Array) -> np.ndarray:
         return _rates(motion.momentum(float(motion.epoch) + t), moments, handle)
 
     for refinement in range(REFINEMENTS):
@@ -83,7 +83,7 @@ def _twist(motion: FreeMotion, handle: int) -> float:
     raise NotConverged("the handle's turn about L is too uneven to be followed; its moments are too far apart.")
 
 
-def _rates(L: Array, moments: Array, h: int) -> Array:
+def _rates(L: Array, moments: Array, h: int) -> np.ndarray:
     """Return the rates (2, …) of the handle's azimuth about L and of the angle of L about the handle [rad/s]."""
     j, k = (h + 1) % 3, (h + 2) % 3
     largest = np.maximum(np.abs(L[..., j]), np.abs(L[..., k]))
@@ -92,7 +92,7 @@ def _rates(L: Array, moments: Array, h: int) -> Array:
     return np.stack([np.linalg.norm(L, axis=-1) * across, L[..., h] * (across - 1.0 / moments[h])])
 
 
-def _first_edges(motion: FreeMotion, longest: float, count: int) -> Array:
+def _first_edges(motion: FreeMotion, longest: float, count: int) -> np.ndarray:
     """Return edges of segments over one period or the longest possible turn, fine where L changes."""
     period = finite(motion.period)
     if period is not None:
@@ -104,7 +104,7 @@ def _first_edges(motion: FreeMotion, longest: float, count: int) -> Array:
     return np.append(np.linspace(0.0, min(longest, SETTLED * fold), count + 1), longest * (1.0 + 1e-12))
 
 
-def _one_turn(rates: Callable[[Array], Array], edges: Array, period: float | None) -> tuple[float, float]:
+def _one_turn(rates: Callable[[Array], np.ndarray], edges: np.ndarray, period: float | None) -> tuple[float, float]:
     """Return the time at which the azimuth has turned once, and the twist by then."""
     edges, parts = _integrals(rates, edges)
     azimuth, twist = np.cumsum(parts, axis=1)
@@ -130,7 +130,7 @@ def _one_turn(rates: Callable[[Array], Array], edges: Array, period: float | Non
     return before_time + float(end), float(before_twist + twisted)
 
 
-def _integrals(rates: Callable[[Array], Array], edges: Array) -> tuple[Array, Array]:
+def _integrals(rates: Callable[[Array], np.ndarray], edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return edges split until each segment's Gauss sum agrees with its halves', and the integrals (2, segments)."""
     left, right = edges[:-1], edges[1:]
     parts = _gauss(rates, left, right)
@@ -150,7 +150,7 @@ def _integrals(rates: Callable[[Array], Array], edges: Array) -> tuple[Array, Ar
     return np.append(left[order], right[order][-1]), parts[:, order]
 
 
-def _gauss(rates: Callable[[Array], Array], left: Array, right: Array) -> Array:
+def _gauss(rates: Callable[[Array], np.ndarray], left: np.ndarray, right: np.ndarray) -> np.ndarray:
     half = 0.5 * (right - left)
     times = 0.5 * (left + right)[:, None] + half[:, None] * NODES
     return np.sum(rates(times) * NODE_WEIGHTS, axis=-1) * half

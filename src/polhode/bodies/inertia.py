@@ -56,7 +56,7 @@ def check_moments(moments: Float64[Array, "3"], effective: bool = False) -> None
         )
 
 
-def principal_axes(inertia: Float64[Array, "3 3"]) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"]]:
+def principal_axes(inertia: Float64[Array, "3 3"]) -> tuple[Float64[np.ndarray, "3"], Float64[np.ndarray, "3 3"]]:
     """Return ascending moments (3,) and right-handed axes (3, 3), by columns, of a symmetric matrix."""
     diagonal = np.diag(inertia)
     if np.array_equal(inertia, np.diag(diagonal)):
@@ -128,7 +128,7 @@ def _first_largest(values: Array) -> int:
     return int(np.flatnonzero(values > values.max() - TIE)[0])
 
 
-def finite_array(name: str, value: Any, shape: tuple[int, ...]) -> Float64[Array, "..."]:
+def finite_array(name: str, value: Any, shape: tuple[int, ...]) -> Float64[np.ndarray, "..."]:
     """Return a float64 copy of the wanted shape, finite."""
     if is_traced(value):
         raise InvalidInput(f"`{name}` must be known numbers, not traced by JAX; give moments to FreeMotion instead.")

@@ -34,7 +34,7 @@ def mass_properties(
     return MassProperties(whole, center, whole / volume * inertia)
 
 
-def volume_moments(corners: Float64[Array, "m 3 3"]) -> tuple[float, Float64[Array, "3"], Float64[Array, "3 3"]]:
+def volume_moments(corners: Float64[np.ndarray, "m 3 3"]) -> tuple[float, Float64[Array, "3"], Float64[Array, "3 3"]]:
     """Return volume [m³], centroid (3,) [m] and ∫ r rᵀ dV about the centroid (3, 3) [m⁵] inside triangles (m, 3, 3).
 
     Tetrahedra are taken from the middle of the mesh, then from the centroid, so that a mesh far from the origin loses

@@ -7,14 +7,16 @@ from collections.abc import Iterator
 import numpy as np
 
 from polhode.errors import InvalidInput
-from polhode.types import Array, Float64, Integer
+from polhode.types import Float64, Integer
 
 TOUCHING = 1e-6  # of the mesh's extent: contact, and what single-precision files make of it, is not a crossing
 LEAF = 20_000  # pairs of boxes compared at once; smaller sets cost calls, larger ones needless comparisons
 SAMPLES = 64  # faces of one piece asked whether they lie inside another
 
 
-def find_crossing_faces(vertices: Float64[Array, "n 3"], faces: Integer[Array, "m 3"]) -> tuple[int, int] | None:
+def find_crossing_faces(
+    vertices: Float64[np.ndarray, "n 3"], faces: Integer[np.ndarray, "m 3"]
+) -> tuple[int, int] | None:
     """Return two faces of which an edge of the first pierces the second, None if there are none.
 
     The edge must end clearly on both sides and pass clearly through the inside, so that surfaces may touch.
@@ -37,7 +39,7 @@ def find_crossing_faces(vertices: Float64[Array, "n 3"], faces: Integer[Array, "
     return None
 
 
-def _find_overlaps(one: Array, other: Array) -> Iterator[tuple[Array, Array]]:
+def _find_overlaps(one: np.ndarray, other: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield index pairs of boxes (n, 2, 3) that overlap, some at a time, by halving both sets in space."""
     stack = [(np.arange(len(one)), np.arange(len(other)))]
     while stack:
@@ -63,7 +65,7 @@ def _find_overlaps(one: Array, other: Array) -> Iterator[tuple[Array, Array]]:
             stack.append((i[half], j) if len(i) > len(j) else (i, j[half]))
 
 
-def _pierces(segments: Array, triangles: Array, clear: float) -> Array:
+def _pierces(segments: np.ndarray, triangles: np.ndarray, clear: float) -> np.ndarray:
     """Whether each segment (k, 2, 3) passes through its triangle (k, 3, 3), clear of its ends and of the borders."""
     a, b, c = np.moveaxis(triangles, 1, 0)
     p, q = np.moveaxis(segments, 1, 0)
@@ -82,7 +84,7 @@ def _pierces(segments: Array, triangles: Array, clear: float) -> Array:
     return ok
 
 
-def depths(corners: Float64[Array, "m 3 3"], pieces: list[Array]) -> Integer[Array, "pieces"]:
+def depths(corners: Float64[np.ndarray, "m 3 3"], pieces: list[np.ndarray]) -> Integer[np.ndarray, "pieces"]:
     """Return in how many other pieces each one lies (p,), for closed pieces of triangles (m, 3, 3) that do not cross.
 
     Raises:
@@ -101,7 +103,7 @@ def depths(corners: Float64[Array, "m 3 3"], pieces: list[Array]) -> Integer[Arr
     return result
 
 
-def _lies_inside(piece: Array, other: Array, clear: float) -> bool:
+def _lies_inside(piece: np.ndarray, other: np.ndarray, clear: float) -> bool:
     """Whether a closed piece lies inside another one, asked at some faces, each just above and just below.
 
     Faces that lie in the other surface differ in that, and decide nothing.
@@ -127,7 +129,7 @@ def _lies_inside(piece: Array, other: Array, clear: float) -> bool:
     return bool(inside[0])
 
 
-def _winding_number(points: Array, triangles: Array) -> Array:
+def _winding_number(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     """Return how often closed triangles (m, 3, 3) wind around points (k, 3).
 
     Source: van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125, eq. 8.

@@ -10,7 +10,7 @@ import numpy as np
 
 from polhode.bodies.mesh_crossing import depths, find_crossing_faces
 from polhode.errors import InvalidInput
-from polhode.types import Array, ArrayLike, Float64, Integer, Real
+from polhode.types import ArrayLike, Float64, Integer, Real
 
 FINEST = 1e-30  # m; fifth powers of coordinates must neither overflow nor underflow
 NO_VOLUME = 1e-12  # of the tetrahedra's own size: a flat surface leaves rounding, a foil of 1e-9 of its width far more
@@ -19,7 +19,7 @@ ASKED = "repair = true in a spec, repair=True in Python"
 
 def check_mesh(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], several: bool = False, repaired: bool = False
-) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
+) -> tuple[Float64[np.ndarray, "n 3"], Integer[np.ndarray, "m 3"]]:
     """Return the mesh as arrays if it bounds a body.
 
     Args:
@@ -51,7 +51,7 @@ def check_mesh(
 
 def repair_mesh(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"]
-) -> tuple[Float64[Array, "n 3"], Integer[Array, "kept 3"]]:
+) -> tuple[Float64[np.ndarray, "n 3"], Integer[np.ndarray, "kept 3"]]:
     """Return the mesh with its faces turned alike, bodies outward, cavities inward; what cannot be turned stays.
 
     Triangles with repeated corners are dropped.
@@ -77,7 +77,7 @@ def repair_mesh(
 
 def as_mesh(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"]
-) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
+) -> tuple[Float64[np.ndarray, "n 3"], Integer[np.ndarray, "m 3"]]:
     """Return copies as float64 and int64 arrays of the right shapes, finite and in range."""
     if np.iscomplexobj(vertices):
         raise InvalidInput("`vertices` must be real; got complex numbers.")
@@ -104,13 +104,13 @@ def as_mesh(
     return vertices, faces.astype(np.int64)
 
 
-def triple_products(corners: Float64[Array, "m 3 3"]) -> Float64[Array, "m"]:
+def triple_products(corners: Float64[np.ndarray, "m 3 3"]) -> Float64[np.ndarray, "m"]:
     """Return a · (b − a) × (c − a) (m,) of triangles (m, 3, 3), six times the tetrahedra's volumes."""
     a, b, c = np.moveaxis(corners, 1, 0)
     return np.einsum("mi,mi->m", a, np.cross(b - a, c - a))
 
 
-def find_pieces(faces: Integer[Array, "m 3"]) -> list[Integer[Array, "_"]]:
+def find_pieces(faces: Integer[np.ndarray, "m 3"]) -> list[Integer[np.ndarray, "_"]]:
     """Return the indices of the faces of each piece of surface that hangs together by edges."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
@@ -122,7 +122,7 @@ def find_pieces(faces: Integer[Array, "m 3"]) -> list[Integer[Array, "_"]]:
     return np.split(order, np.cumsum(np.bincount(labels, minlength=count))[:-1])
 
 
-def _edges(faces: Array) -> tuple[Array, Array, Array, Array]:
+def _edges(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return of each half-edge the number of its edge, its face, whether it runs forward; of each edge its uses."""
     ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     size = int(faces.max(initial=0)) + 1
@@ -130,7 +130,9 @@ def _edges(faces: Array) -> tuple[Array, Array, Array, Array]:
     return edges, np.tile(np.arange(len(faces)), 3), ends[:, 0] < ends[:, 1], uses
 
 
-def _neighbours(edges: Array, face: Array, forward: Array, uses: Array) -> tuple[Array, Array, Array]:
+def _neighbours(
+    edges: np.ndarray, face: np.ndarray, forward: np.ndarray, uses: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return pairs of faces that share an edge with no third, and whether both run along it the same way."""
     order = np.argsort(edges, kind="stable")
     order = order[uses[edges[order]] == 2]
@@ -138,7 +140,7 @@ def _neighbours(edges: Array, face: Array, forward: Array, uses: Array) -> tuple
     return face[one], face[other], forward[one] == forward[other]
 
 
-def _orient_faces(faces: Array, one: Array, other: Array, clash: Array) -> Array:
+def _orient_faces(faces: np.ndarray, one: np.ndarray, other: np.ndarray, clash: np.ndarray) -> np.ndarray:
     """Return the faces, in each piece turned like the first one.
 
     Each face stands twice in a graph, as it is and turned; neighbours are joined in the ways that agree. A surface
@@ -161,7 +163,7 @@ def _orient_faces(faces: Array, one: Array, other: Array, clash: Array) -> Array
     return np.where(turn[:, None], faces[:, ::-1], faces)
 
 
-def _volume(corners: Array) -> float:
+def _volume(corners: np.ndarray) -> float:
     """Return the signed volume [m³] inside triangles (m, 3, 3), zero where it is not above rounding."""
     corners = corners - 0.5 * (corners.min(axis=(0, 1)) + corners.max(axis=(0, 1)))
     a, b, c = np.moveaxis(corners, 1, 0)
@@ -175,7 +177,7 @@ def _or_repair(repaired: bool) -> str:
     return "" if repaired else f", or ask for repair ({ASKED})"
 
 
-def _check_edges(faces: Array, repaired: bool) -> None:
+def _check_edges(faces: np.ndarray, repaired: bool) -> None:
     """Require that every edge is used once in each direction."""
     if (faces == np.roll(faces, 1, axis=1)).any():
         raise InvalidInput(f"the mesh has a triangle with a repeated corner. Ask for repair to drop it ({ASKED}).")
@@ -199,7 +201,7 @@ def _check_edges(faces: Array, repaired: bool) -> None:
         )
 
 
-def _check_crossings(vertices: Array, faces: Array, pieces: list[Array]) -> None:
+def _check_crossings(vertices: np.ndarray, faces: np.ndarray, pieces: list[np.ndarray]) -> None:
     found = find_crossing_faces(vertices, faces)
     if found is None:
         return
@@ -216,7 +218,7 @@ def _check_crossings(vertices: Array, faces: Array, pieces: list[Array]) -> None
     )
 
 
-def _check_nesting(volumes: Array, depth: Array, several: bool, repaired: bool) -> None:
+def _check_nesting(volumes: np.ndarray, depth: np.ndarray, several: bool, repaired: bool) -> None:
     """Allow cavities inside a body, and several bodies if wanted."""
     if (twice := (volumes > 0) & (depth % 2 == 1)).any():
         raise InvalidInput(

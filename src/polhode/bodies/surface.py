@@ -103,7 +103,7 @@ def weld_corners(surface: Surface) -> Surface:
     return _with_one_corner_each(surface, places(surface.vertices))
 
 
-def places(vertices: Real[ArrayLike, "n 3"]) -> Integer[Array, "n"]:
+def places(vertices: Real[ArrayLike, "n 3"]) -> Integer[np.ndarray, "n"]:
     """Return numbers (n,) of corners, the same where they are in the same place, to 1e-6 of the size."""
     vertices = np.asarray(vertices, dtype=float)
     size = np.ptp(vertices, axis=0).max() or 1.0

@@ -280,7 +280,7 @@ class _System:
         J[:, :, columns] = np.moveaxis(turns @ A.T, 0, 2)
         J[:, :, 2:5] = -A @ moved
         J[:, :, 8:11] = A @ np.swapaxes(since.as_matrix(), 1, 2) @ right_jacobian(x[8:11])
-        found = [(np.nan_to_num(r, nan=1e3), -np.nan_to_num(J))]
+        found: list[tuple[Array, Array]] = [(np.nan_to_num(r, nan=1e3), -np.nan_to_num(J))]
         if self.samples.rates is not None:
             K = np.zeros_like(J)
             K[:, :, columns] = np.moveaxis(slopes @ A.T, 0, 2)

@@ -29,7 +29,7 @@ class Estimate:
     degrees_of_freedom: float | None = None
 
     @property
-    def standard_error(self) -> Float64[Array, "p"]:
+    def standard_error(self) -> Float64[np.ndarray, "p"]:
         """Standard deviations of the estimates."""
         return np.sqrt(np.diagonal(self.covariance))
 

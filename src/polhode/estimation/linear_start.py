@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -68,7 +69,7 @@ def inertia_matrix(entries: Float64[Array, "6"]) -> Float64[Array, "3 3"]:
 
 def linear_inertia(
     rates: list[Float64[Array, "n 3"]], attitudes: list[Float64[Array, "n 4"]],
-    parts: list[list[Integer[Array, "..."]]] | None = None, rotor: bool = False,
+    parts: Sequence[Sequence[Integer[Array, "..."]]] | None = None, rotor: bool = False,
 ) -> LinearInertia:  # fmt: skip
     """Return moments and axes from one or several throws of one body.
 

@@ -161,9 +161,9 @@ def measure_change(maps: Float64[Array, "n 3 6"], inertia: Float64[Array, "6"]) 
     return float(spread / max(float(np.linalg.norm(mean)), 1e-12))
 
 
-def _find_turning_parts(t: Float64[Array, "n"], speeds: Float64[Array, "n"]) -> list[tuple[int, int]]:
+def _find_turning_parts(t: Float64[Array, "n"], speeds: Float64[np.ndarray, "n"]) -> list[tuple[int, int]]:
     """Return the first and last sample of the parts of a log in which the device turns at all."""
-    fast = binary_closing(speeds > SLOWEST, np.ones(5)) | (speeds > SLOWEST)
+    fast = np.logical_or(binary_closing(speeds > SLOWEST, np.ones(5)), speeds > SLOWEST)
     whole = np.diff(t) < max(BROKEN, 5 * float(np.median(np.diff(t))))
     starts = fast & ~np.concatenate([[False], fast[:-1] & whole])
     ends = fast & ~np.concatenate([fast[1:] & whole, [False]])

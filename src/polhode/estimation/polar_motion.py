@@ -81,7 +81,7 @@ class ChandlerFit:
 
 class _Model(NamedTuple):
     columns: Complex128[Array, "n c"]
-    values: Complex128[Array, "c"]
+    values: Complex128[np.ndarray, "c"]
     left: Complex128[Array, "n"]
 
 
@@ -132,7 +132,8 @@ def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
     scale = np.ones(len(names) + 1)
     scale[-3:-1] = 1.0 / pole.span
     covariance = covariance * np.outer(scale, scale)
-    terms = Estimate(tuple(names), np.stack([values.real, values.imag], axis=1).ravel(), covariance[:-1, :-1], degrees)
+    parts = np.stack([np.real(values), np.imag(values)], axis=1).ravel()
+    terms = Estimate(tuple(names), parts, covariance[:-1, :-1], degrees)
     estimate = _headline(rate, values[4], covariance[np.ix_([-1, 8, 9], [-1, 8, 9])], degrees)
     if estimate.value[1] < SEEN * estimate.standard_error[1]:
         raise InvalidInput(f"no Chandler wobble stands out of the noise: its amplitude is {estimate.value[1]:.2g} ± "
@@ -210,7 +211,7 @@ def _errors(
     each = np.sqrt(np.array([*np.repeat(levels, 2), *[still] * 4, noise.white]))
     steady = inverse @ (np.outer(each, each) * normal) @ inverse * 0.5
     influence = accumulate_walk((basis @ inverse) * np.exp(-1j * line * clock)[:, None])
-    walking = 0.5 * (influence.conj().T @ influence).real
+    walking = 0.5 * np.real(influence.conj().T @ influence)
     covariance = steady + noise.walk * walking
     share = np.array([steady[-1, -1] / noise.white if noise.white > 0.0 else 0.0, walking[-1, -1]])
     spread = share @ noise.covariance @ share

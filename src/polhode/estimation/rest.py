@@ -47,9 +47,10 @@ def rest_stretches(log: GyroLog) -> list[tuple[float, float]]:
     means, size = _means(t, rates)
     wander = WANDER + 0.5 * _step_between_values(rates)
     still = _steady(means, size, wander) & _without_gaps(t, size)
-    weighed = log.acceleration is not None and log.acceleration_times is not None
-    if weighed:
-        still &= _weight_is_constant(log.acceleration_times, log.acceleration, t)
+    felt, clock = log.acceleration, log.acceleration_times
+    weighed = felt is not None
+    if felt is not None and clock is not None:
+        still &= _weight_is_constant(clock, felt, t)
     found = _alike(_stretches(still & (np.linalg.norm(means, axis=1) < LARGEST_BIAS), t), t, rates)
     if not found:
         found = _alike(_stretches(still & (np.abs(means) < LARGEST_OF_AN_AXIS).all(axis=1), t), t, rates)

@@ -87,7 +87,7 @@ def moments_from_weight(
     values = np.concatenate([joint.value for joint in joints])
     covariance = np.zeros((10, 10))
     covariance[:5, :5], covariance[5:, 5:] = (joint.covariance for joint in joints)
-    axes = fit.axes, with_weight.axes
+    axes = _axes(fit), _axes(with_weight)
 
     def scales(x: Array, weights: Array) -> Array:
         columns = np.stack([-_entries(x[:5], axes[0]), _entries(x[5:], axes[1])], axis=1)
@@ -108,6 +108,11 @@ def _joint(fit: ThrowFit | AttitudeFit) -> Estimate:
     if fit.joint is None:
         raise InvalidInput("the fit is degenerate, so that it has no ratios to scale. Throw the body with a tumble.")
     return fit.joint
+
+
+def _axes(fit: ThrowFit | AttitudeFit) -> Array:
+    assert fit.axes is not None, "a fit with ratios has axes"
+    return fit.axes
 
 
 def _six(J: Array) -> Array:

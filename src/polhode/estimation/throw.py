@@ -323,7 +323,8 @@ def _principal(solution: Solution) -> Principal:
 def _beside_wheel(best: Solution, done: Settled, throws: list[Throw]) -> Float64[Array, "2"]:
     """Return errors of the ratios if a wheel might turn, none smaller than those without."""
     more = covariance_beside_wheel(best, throws) * done.widened
-    return np.maximum(*(_principal(each).ratios.standard_error for each in (best, replace(best, covariance=more))))
+    alone, beside = (_principal(each).ratios.standard_error for each in (best, replace(best, covariance=more)))
+    return np.maximum(alone, beside)
 
 
 def _motion(found: Principal, best: Solution, k: int, throw: Throw) -> tuple[FreeMotion | None, str | None]:

@@ -105,7 +105,7 @@ class Model:
                 parts[name] = np.zeros(3), np.eye(3) / SPREADS[name]
         places = self.places
         which = np.concatenate([np.r_[places[name]] for name in parts])
-        weights = block_diag(*(weight for _, weight in parts.values()))
+        weights = np.asarray(block_diag(*(weight for _, weight in parts.values())))
         return which, np.concatenate([mean for mean, _ in parts.values()]), weights
 
     def limits(self) -> tuple[Float64[Array, "p"], Float64[Array, "p"]]:

@@ -183,7 +183,7 @@ class _Solved:
 
     place: Float64[Array, "n"]
     momentum: Float64[Array, "n 3"]
-    moments: Float64[Array, "n 3"]
+    moments: Float64[np.ndarray, "n 3"]
     rate: Float64[Array, "n"]
 
     @property
@@ -229,7 +229,7 @@ def _solve(mode: Mode, precession: Array, rotation: Array, moments: Array, axis:
     _, period, momentum = _turns(mode, safe, place)
     place = np.where(exists, place, np.nan)
     nowhere = np.where(exists, 1.0, np.nan)
-    return _Solved(place, momentum * nowhere[:, None], moments, nowhere * period / rotation)
+    return _Solved(place, momentum * nowhere[:, None], np.asarray(moments), nowhere * period / rotation)
 
 
 def _turns(mode: Mode, moments: Array, place: Array) -> tuple[Array, Array, Array]:

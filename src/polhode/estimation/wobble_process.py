@@ -186,7 +186,7 @@ def _curvature(cost: Callable[[Float64[Array, "3"]], float], at: Float64[Array, 
 
 
 def _intervals(
-    cost: Callable[[Float64[Array, "3"]], float], best: Float64[Array, "3"], least: float, k: int
+    cost: Callable[[Float64[np.ndarray, "3"]], float], best: Float64[np.ndarray, "3"], least: float, k: int
 ) -> dict[float, tuple[float, float]]:
     """Return intervals of one parameter: where the profile of the likelihood falls by half a quantile of χ²."""
     others = [j for j in range(3) if j != k]

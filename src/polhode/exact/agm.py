@@ -32,8 +32,8 @@ def third_kind_agm(a: DoubleDouble, g: DoubleDouble, pp: DoubleDouble) -> tuple[
     return dd.scale(mean, up), total
 
 
-def _pairs(state: tuple[Array, ...]) -> list[tuple[Array, ...]]:
-    return [state[k : k + 2] for k in range(0, 10, 2)]
+def _pairs(state: tuple[Array, ...]) -> list[DoubleDouble]:
+    return [(state[k], state[k + 1]) for k in range(0, 10, 2)]
 
 
 def _step(*state: Array) -> tuple[Array, ...]:

@@ -108,7 +108,7 @@ class ClosedForm:
                 column[left] = values
         return columns.reshape(len(columns), *shape)
 
-    def _set_up_many(self, flat: list[Array], columns: Array, left: Array) -> None:
+    def _set_up_many(self, flat: Sequence[Array], columns: Array, left: Array) -> None:
         given = [np.ascontiguousarray(v, float) for v in flat]
         fill = lambda low, high: self._compiled.set_up(  # noqa: E731
             *(v[low:high] for v in given), columns[:, low:high], left[low:high]
@@ -152,12 +152,12 @@ class ClosedForm:
         compiled = self._is_worth("states_of_one" if count == 1 else "states_of_many", STATE * len(times))
         bodies = None if count == 1 else np.broadcast_to(np.arange(count).reshape(batch), shape).reshape(-1)
         found = np.empty((len(times), 4)), np.empty((len(times), 3))  # apart, as strided ones would not do for others
-        if compiled and bodies is None:
-            self._of_one(flat[:, 0].tolist(), times, rests, *found)
-        elif compiled:
-            self._of_many(flat, bodies, times, rests, *found)
-        else:
+        if not compiled:
             self._by_python(flat, bodies, times, rests, *found)
+        elif bodies is None:
+            self._of_one(flat[:, 0].tolist(), times, rests, *found)
+        else:
+            self._of_many(flat, bodies, times, rests, *found)
         return found[0].reshape(*shape, 4), found[1].reshape(*shape, 3)
 
     def _by_python(

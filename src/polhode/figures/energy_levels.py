@@ -19,7 +19,7 @@ MARKS = {"stable": ("o", style.GREEN), "unstable": ("X", style.VERMILION), "unde
 
 def draw_levels(
     axes: Any,
-    frame: Float64[Array, "3 3"],
+    frame: Float64[np.ndarray, "3 3"],
     energy: Callable[[Array], Array],
     values: Sequence[float] | None,
     colour: str,
@@ -65,6 +65,6 @@ def draw_legend(axes: Any, lines: Sequence[tuple[str, str, float]], verdicts: Se
                 frameon=False, handlelength=1.6, columnspacing=1.2)  # fmt: skip
 
 
-def default_frame() -> Float64[Array, "3 3"]:
+def default_frame() -> Float64[np.ndarray, "3 3"]:
     """Return the frame of the usual view."""
     return view_frame(VIEW)

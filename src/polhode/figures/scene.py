@@ -107,7 +107,7 @@ class Scene:
         lit = np.clip(turned @ (LIGHT / np.linalg.norm(LIGHT)), 0.0, 1.0)
         return ambient + (1.0 - ambient) * lit + 0.12 * lit**8
 
-    def _fill(self, corners: Array, area: Array, shades: Array, colour: Array, rows: tuple[Array, ...]) -> None:
+    def _fill(self, corners: np.ndarray, area: Array, shades: Array, colour: Array, rows: tuple[Array, ...]) -> None:
         """Draw triangles, given the rows of pixels that each may cover, those of each triangle together."""
         owner, y, start, end = rows
         count = end - start

@@ -21,7 +21,7 @@ def draw_disk(axes: Any) -> None:
     axes.axis("off")
 
 
-def view_frame(view: Real[ArrayLike, "3"]) -> Float64[Array, "3 3"]:
+def view_frame(view: Real[ArrayLike, "3"]) -> Float64[np.ndarray, "3 3"]:
     """Return right, up and towards the viewer as rows; the third axis points up the page."""
     towards = np.asarray(view) / np.linalg.norm(view)
     right = np.cross([0.0, 0.0, 1.0], towards)

@@ -64,7 +64,7 @@ def _series(top: TopShown) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
         times = np.linspace(times[0], end, 2000)
         attitude, momentum = exact.state(times)
         w, x, y, z = (attitude[:, k] for k in range(4))
-        return times, 2.0 * np.arctan2(np.hypot(x, y), np.hypot(w, z)), momentum / exact.moments, words
+        return times, 2.0 * np.arctan2(np.hypot(x, y), np.hypot(w, z)), np.asarray(momentum / exact.moments), words
     axis = top.axis_in_space
     tilt = np.arctan2(np.hypot(axis[:, 0], axis[:, 1]), axis[:, 2])
     highest = np.flatnonzero((tilt[1:-1] > tilt[:-2]) & (tilt[1:-1] >= tilt[2:])) + 1

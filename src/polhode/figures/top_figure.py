@@ -160,4 +160,4 @@ def _arrows(scene: Scene, path: Followed, k: int, center: Array) -> None:
         size = np.linalg.norm(vector)
         if size > 0.0:
             scene.arrow(np.zeros(3), long * vector / size, colour, name, side=side * across)
-    scene.arrow(center, center - [0.0, 0.0, 0.45], style.GREY, "mg")
+    scene.arrow(center, center - np.array([0.0, 0.0, 0.45]), style.GREY, "mg")

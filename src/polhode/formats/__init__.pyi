@@ -23,6 +23,7 @@ from .polar_motion import PoleSeries as PoleSeries
 from .polar_motion import read_polar_motion as read_polar_motion
 from .rotor_dataset import spectrum_dataset as spectrum_dataset
 from .rotor_dataset import write_spectrum as write_spectrum
+from .saving import write_motion as write_motion
 from .scipy_rotation import as_rotation as as_rotation
 from .scipy_rotation import as_rotation_spline as as_rotation_spline
 from .spcat import Catalogue as Catalogue

@@ -210,7 +210,7 @@ def _find_filled(path: Path, form: TableForm, columns: tuple[int, ...], table: P
         FormatError: for a row that has some of them.
     """
     missing = np.isnan(table.numbers)
-    empty = missing[:, 1:].all(axis=1)
+    empty = np.all(missing[:, 1:], axis=1)
     partly = missing.any(axis=1) & ~empty
     if partly.any():
         row = int(np.argmax(partly))

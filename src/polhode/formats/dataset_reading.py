@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, not_installed, shown
 from polhode.formats.attitude_checks import DAMAGED, check_recorded
-from polhode.formats.dataset_rules import COMPLEX_PART, COUNTED, MEMORY, ROLES, check_variables
+from polhode.formats.dataset_rules import COMPLEX_PART, COUNTED, MEMORY, NEEDED_OF_FRAME, ROLES, check_variables
 from polhode.formats.hdf5_gate import check_hdf5
 from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.opening import MB, check_is_file, is_folder
@@ -182,9 +182,9 @@ def _make_recording(path: Path, dataset: xarray.Dataset) -> Recording:
 def _frame(variables: dict[str, Any]) -> BodyFrame | None:
     if "principal_axes" not in variables:
         return None
-    names = ("principal_moments", "principal_axes", "center_of_mass", "mass", "pivot")
-    parts = [_doubles(variables[name].values) if name in variables else None for name in names]
-    return BodyFrame(parts[0], parts[1], parts[2], None if parts[3] is None else float(parts[3]), parts[4])
+    moments, axes, center = (_doubles(variables[name].values) for name in NEEDED_OF_FRAME)
+    mass, pivot = (_doubles(variables[name].values) if name in variables else None for name in ("mass", "pivot"))
+    return BodyFrame(moments, axes, center, None if mass is None else float(mass), pivot)
 
 
 def _labels(path: Path, attributes: dict[str, Any]) -> AttitudeLabels:

@@ -42,7 +42,7 @@ class Content:
 
     Attributes:
         name: of what moves.
-        labels: what attitude files say of it.
+        labels: what attitude files say of it; None for those that it was read with, or the usual ones.
         samples: its motion; None of what does not move.
         part: that part of the motion that is worth watching; None likewise.
         body: its mass properties, or None.
@@ -51,7 +51,7 @@ class Content:
     """
 
     name: str
-    labels: AttitudeLabels
+    labels: AttitudeLabels | None
     samples: Trajectory | None = None
     part: Trajectory | None = None
     body: Body | None = None

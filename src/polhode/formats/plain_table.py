@@ -95,7 +95,8 @@ def read_cells(
         FormatError: naming line and column, for a cell that is neither a number nor blank, and for lines of another
             number of cells.
     """
-    numbers, places = [np.zeros((0, len(columns)))], [np.zeros(0, dtype=int)]
+    numbers: list[Array] = [np.zeros((0, len(columns)))]
+    places: list[Array] = [np.zeros(0, dtype=int)]
     for first, texts in _read_blocks(path):
         at = np.arange(first, first + len(texts))
         last = first + len(texts) - 1

@@ -222,7 +222,7 @@ def _zero(path: Path, seconds: float) -> float:
     return float(np.floor(seconds))
 
 
-def _pool(spice: Any, name: str) -> Array | None:
+def _pool(spice: Any, name: str) -> np.ndarray | None:
     """Return a variable of the loaded kernels."""
     try:
         return np.asarray(spice.gdpool(name, 0, spice.dtpool(name)[0]))

@@ -10,6 +10,7 @@ Ctrl-C, and progress is shown, only between two calls.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import diffrax
@@ -65,8 +66,8 @@ class AdaptiveMotion(NamedTuple):
     """
 
     times: Float64[np.ndarray, "kept"]
-    states: Double[Array, "..."]
-    received: dict[str, Float64[Array, "*batch kept"]]
+    states: Double[np.ndarray, "..."]
+    received: Mapping[str, Float64[Array, "*batch kept"]]
     event: str | None
     successful: Bool[np.ndarray, "*batch"]
     steps: int
@@ -164,7 +165,7 @@ def adaptive_error(
     grown = np.zeros(np.shape(off))
     windows = 1 if kept > 1 or every > 1 or system.events else inner_windows(len(times), motion.steps // len(times[1:]))
 
-    def along(start: Array) -> Array | None:
+    def along(start: Array) -> np.ndarray | None:
         """Return the motion at more times, as runs may be near to each other by chance at the samples only.
 
         None where a window fails: one may end where rates jump, which no sample does.

@@ -19,7 +19,7 @@ LUCK = 100.0  # by which two runs may by chance be nearer to each other than to 
 
 
 def difference(
-    system: AbstractSystem, one: Double[np.ndarray, "*shape"], other: Double[np.ndarray, "*shape"]
+    system: AbstractSystem, one: Double[Array, "*shape"], other: Double[Array, "*shape"]
 ) -> Float64[Array, "..."]:
     """Return the largest difference (batch…) of two motions (batch…, T, …), relative to the sizes of a state's parts.
 

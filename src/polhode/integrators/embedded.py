@@ -53,7 +53,7 @@ class Run(NamedTuple):
     """A run on its way, for one copy.
 
     Attributes:
-        index: of the next of the times.
+        interval: the index of the next of the times.
         place: of the next time to save.
         time: [s] reached.
         state: there, any nest of arrays.
@@ -67,7 +67,7 @@ class Run(NamedTuple):
         status: ``RUNNING``, or one of ``Status``.
     """
 
-    index: Integer[Array, ""]
+    interval: Integer[Array, ""]
     place: Integer[Array, ""]
     time: Float64[Array, ""]
     state: Any
@@ -136,11 +136,11 @@ def advance(
     forth = jnp.sign(times[-1] - times[0])
     count = times.shape[0]
 
-    def unfinished(run: Run) -> Array:
+    def unfinished(run: Run) -> jax.Array:
         return (run.status == RUNNING) & (run.steps < limit)
 
     def body(run: Run) -> Run:
-        goal = times[jnp.minimum(run.index, count - 1)]
+        goal = times[jnp.minimum(run.interval, count - 1)]
         seeking, probing = run.high != 0.0, (run.step == 0.0) & (run.high == 0.0)
         clipped = ~probing & ~seeking & (jnp.abs(run.step) >= jnp.abs(goal - run.time))
         middle = run.low + 0.5 * (run.high - run.low)
@@ -167,7 +167,7 @@ def advance(
         if largest is not None:
             step = forth * jnp.minimum(jnp.abs(step), largest)
         stuck = ~fine & ~seeking & ~(jnp.abs(step) >= shortest)
-        at_jump = jumps[jnp.minimum(run.index, count - 1)] if jumps is not None else jnp.asarray(False)
+        at_jump = jumps[jnp.minimum(run.interval, count - 1)] if jumps is not None else jnp.asarray(False)
         stuck |= ~probing & ~seeking & (h == 0.0) & ~(at_jump & clipped)  # times too coarse for the step
         # behind a jump nothing is known of the rates, and a step is sought as at the start
         step = jnp.where(reached & at_jump, 0.0, step)
@@ -177,12 +177,12 @@ def advance(
         width = EVENT_TOLERANCE * jnp.maximum(jnp.abs(run.time + low), jnp.abs(run.time + high))
         split = (h == run.low) | (h == run.high)  # no time is left between the two
         found = (high != 0.0) & ((jnp.abs(high - low) <= width) | (seeking & split)) | (past & probing)
-        status = jnp.where(reached & (run.index == count - 1), Status.COMPLETED, run.status)
+        status = jnp.where(reached & (run.interval == count - 1), Status.COMPLETED, run.status)
         status = jnp.where(found, Status.EVENT, jnp.where(stuck, Status.NOT_CONVERGED, status))
         saved = _save(run.saved, place, seen(time, later), saves)
         chosen = lambda yes, new, old: jax.tree.map(lambda a, b: jnp.where(yes, a, b), new, old)  # noqa: E731
         return Run(
-            run.index + reached, run.place + saves, jnp.where(advances, time, run.time),
+            run.interval + reached, run.place + saves, jnp.where(advances, time, run.time),
             chosen(advances, later, run.state), chosen(advances | probing, slope, run.slope),
             jnp.where(seeking, run.step, jax.lax.stop_gradient(step)), jax.lax.stop_gradient(low),
             jax.lax.stop_gradient(high), chosen(past, later, run.beyond), saved, run.steps + ~seeking, status,

@@ -185,7 +185,7 @@ def _go(
     solver = eqx.tree_at(lambda s: s.step_size, solver, size)
     (begin, spans), (first, last, together) = grid, limits
 
-    def over(k: Array, carried: tuple[Array, Memory, Array]) -> tuple[Array, Memory, Array]:
+    def over(k: Array, carried: tuple[Array, Memory, jax.Array]) -> tuple[Array, Memory, jax.Array]:
         now, memory, saved = carried
         now, memory = solver.advance(begin[k], spans[k], now, memory)
         return now, memory, saved.at[k // together].set(now)

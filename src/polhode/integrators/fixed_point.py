@@ -36,7 +36,7 @@ class Found(NamedTuple):
 class _Run(NamedTuple):
     """An iteration: how many iterates and the last; of each copy its change, the most it may be, and how it stands."""
 
-    count: Array
+    iterations: Array
     value: Array
     change: Array
     limit: Array
@@ -63,13 +63,13 @@ def fixed_point(
     def iterate(_: Map, start: Array) -> tuple[Array, tuple[Array, Array]]:
         if quick is None:
             run = _iterate(function, start, scale, everyone)
-            count, settled = run.count, run.settled
+            count, settled = run.iterations, run.settled
         else:
             first = _iterate(quick, start, scale, everyone, BLOWN_UP, ahead=True)
             # from where the quick map began, as it may have gone far
             again = jnp.where(_wide(first.settled, start), first.value, start)
             run = _iterate(function, again, scale, ~first.settled)
-            count, settled = first.count + run.count, jnp.logical_or(first.settled, run.settled)
+            count, settled = first.iterations + run.iterations, jnp.logical_or(first.settled, run.settled)
         # as floats, since custom_root has no derivatives of whole numbers
         return run.value, (count.astype(float), jnp.all(settled).astype(float))
 
@@ -102,12 +102,12 @@ def _iterate(
             better = jnp.where(_wide(run.active, better), better, run.value)
             change = jnp.where(run.active, change, run.change)
         done = has_settled(change, run.change)
-        limit = jnp.where(run.count == 0, most * change, run.limit)
+        limit = jnp.where(run.iterations == 0, most * change, run.limit)
         going = run.active & ~done & jnp.isfinite(change) & (change <= limit)
-        return _Run(run.count + 1, better, change, limit, jnp.where(run.active, done, run.settled), going)
+        return _Run(run.iterations + 1, better, change, limit, jnp.where(run.active, done, run.settled), going)
 
     def unfinished(run: _Run) -> Array:
-        return jnp.any(run.active) & (run.count < MOST)
+        return jnp.any(run.active) & (run.iterations < MOST)
 
     endless = jnp.full(jnp.shape(scale), jnp.inf)
     begun = _Run(jnp.zeros((), int), start, endless, endless, jnp.zeros(jnp.shape(scale), bool), active)

@@ -144,7 +144,7 @@ def _together(
 
 
 def _changes(
-    system: AbstractSystem, states: Double[np.ndarray, "..."], times: Array, trials: int
+    system: AbstractSystem, states: Double[np.ndarray, "..."], times: np.ndarray, trials: int
 ) -> Float64[np.ndarray, "found"] | int:
     """Return where rates change with time at states (T − 1, …), each from one of the times (T,) up to the next.
 
@@ -205,7 +205,7 @@ def _evaluate(system: AbstractSystem, states: Array, times: Array) -> Array:
     return jnp.concatenate([found.real, found.imag], axis=-1) if jnp.iscomplexobj(found) else found
 
 
-def _bisect(rates: _Rates, low: Array, high: Array, which: Array) -> Array:
+def _bisect(rates: _Rates, low: np.ndarray, high: np.ndarray, which: np.ndarray) -> np.ndarray:
     """Return where between two times each the larger part of the change is, to a rounding: the time behind it."""
     at_low, at_high = rates(low, which), rates(high, which)
     for _ in range(BISECTIONS):

@@ -43,7 +43,7 @@ class Given(NamedTuple):
 
     Attributes:
         held: arrays that the step encloses.
-        count: of steps.
+        wanted: how many steps.
         start: time [s].
         h: length of a step [s].
         state: at the start.
@@ -54,7 +54,7 @@ class Given(NamedTuple):
     """
 
     held: list[Array]
-    count: Integer[Array, ""]
+    wanted: Integer[Array, ""]
     start: Float64[Array, ""]
     h: Float64[Array, ""]
     state: Double[Array, "*shape"]
@@ -96,7 +96,7 @@ def repeat_steps(step: Step, given: Given, parts: Sequence[Any], symmetric: bool
 
     def forward(given: Given) -> Reached:
         def unfinished(now: Reached) -> Array:
-            return (now.steps < given.count) & now.fine
+            return (now.steps < given.wanted) & now.fine
 
         def once(now: Reached) -> Reached:
             t = given.start + now.steps * given.h
@@ -125,8 +125,8 @@ class _Back(NamedTuple):
 class _Saved(NamedTuple):
     """Checkpoints: how many, at which steps, and the states (places, …) there."""
 
-    count: Array
-    at: Array
+    used: Array
+    at: jax.Array
     states: Pair
 
 
@@ -164,7 +164,7 @@ class _Way:
 
         def cut_or_gone(carried: tuple[_Back, _Saved, Array]) -> tuple[_Back, _Saved, Array]:
             now, saved, longest = carried
-            last = jnp.maximum(saved.count - 1, 0)
+            last = jnp.maximum(saved.used - 1, 0)
             begin, state = saved.at[last], jax.tree.map(lambda x: x[last], saved.states)
             length = now.at - begin
             cut = length > longest
@@ -174,8 +174,8 @@ class _Way:
             gone = ~cut & (regained | (length <= 1))
             shorter = jnp.max(jnp.where(length >= SHORTER * POWERS, POWERS, 1))
             now = jax.tree.map(lambda new, old: jnp.where(gone, new, old), tried, now)
-            count = saved.count + jnp.where(cut, 1, jnp.where(gone, -1, 0))
-            place = jnp.where(cut, saved.count, PLACES)  # none of them where nothing is saved
+            count = saved.used + jnp.where(cut, 1, jnp.where(gone, -1, 0))
+            place = jnp.where(cut, saved.used, PLACES)  # none of them where nothing is saved
             at = saved.at.at[place].set(begin + ahead, mode="drop")
             states = jax.tree.map(lambda xs, x: xs.at[place].set(x, mode="drop"), saved.states, reached)
             return now, _Saved(count, at, states), jnp.where(cut | gone, longest, shorter)

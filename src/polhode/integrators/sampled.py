@@ -5,7 +5,7 @@ States are divided by their scales, and what balances receive by its own, so tha
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import diffrax
@@ -39,12 +39,12 @@ class Sampled(NamedTuple):
     """
 
     saved: Any
-    received: dict[str, Float64[Array, "*batch kept"]]
+    received: Mapping[str, Float64[Array, "*batch kept"]]
     status: Integer[Array, "*batch"]
     event: Integer[Array, "*batch"]
     end: Float64[Array, "*batch"]
     end_state: Double[Array, "..."]
-    end_received: dict[str, Float64[Array, "*batch"]]
+    end_received: Mapping[str, Float64[Array, "*batch"]]
     steps: Integer[Array, "*batch"]
 
 
@@ -59,7 +59,7 @@ class Scales(NamedTuple):
     """The scales of a state, and of what each balance received."""
 
     state: Array
-    received: dict[str, Array]
+    received: Mapping[str, Array]
 
 
 def scales(system: AbstractSystem, t: Float64[Array, ""], state: Double[Array, "..."]) -> Scales:
@@ -162,6 +162,7 @@ def _by_diffrax(
     def lowest(t: Array, y: Carried, args: Any, **more: Any) -> Array:
         return own.margin(t, y)  # type: ignore[misc]
 
+    times, kept = jnp.asarray(times), jnp.asarray(kept)
     control = PresentTimeControl(rtol=tolerance, atol=tolerance, dtmax=largest)
     # what is not between the first and the last time is moved behind it, as diffrax steps over each
     jumps = jnp.ravel(jnp.asarray(system.jumps, float))
@@ -170,7 +171,8 @@ def _by_diffrax(
     saving = diffrax.SubSaveAt(ts=kept, fn=lambda t, y, args: own.seen(t, y))
     # samples are steps: interpolation between steps costs three digits
     solution: Any = diffrax.diffeqsolve(
-        diffrax.ODETerm(lambda t, y, args: own.rates(t, y)), solver, times[0], times[-1], None, start(by, state),
+        diffrax.ODETerm(lambda t, y, args: own.rates(jnp.asarray(t), y)), solver, times[0], times[-1], None,
+        start(by, state),
         stepsize_controller=diffrax.ClipStepSizeController(control, step_ts=times, jump_ts=at_jumps),
         saveat=diffrax.SaveAt(subs=[saving, diffrax.SubSaveAt(t1=True)]),
         event=diffrax.Event(lowest, EventBisection(), direction=False) if own.margin else None,
@@ -210,7 +212,7 @@ class EventBisection(optimistix.Bisection):
 
     def terminate(
         self, fn: Any, y: Float64[Array, ""], args: Any, options: Any, state: Any, tags: Any
-    ) -> tuple[Bool[Array, ""], optimistix.RESULTS]:
+    ) -> tuple[Bool[jax.Array, ""], optimistix.RESULTS]:
         width = jnp.abs(state.upper - state.lower)
         narrow = width <= self.rtol * jnp.maximum(jnp.abs(state.upper), jnp.abs(state.lower))
         return narrow, optimistix.RESULTS.successful

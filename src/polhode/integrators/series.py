@@ -215,7 +215,7 @@ def series_to_tolerance(
     )
 
 
-def _apart(system: AbstractSystem, times: Array, one: Runs, other: Runs) -> tuple[Array, Array]:
+def _apart(system: AbstractSystem, times: np.ndarray, one: Runs, other: Runs) -> tuple[Array, Array]:
     """Return how far runs are apart (C,) until either ends, and which of them failed."""
     found, whole = np.zeros(len(one.states)), np.full(len(one.states), abs(times[-1] - times[0]))
     last = np.nanmin([np.abs(one.end - times[0]), np.abs(other.end - times[0]), whole], axis=0)
@@ -230,7 +230,7 @@ def _apart(system: AbstractSystem, times: Array, one: Runs, other: Runs) -> tupl
 
 
 def _by_arrays_or_tape(
-    system: AbstractSystem, states: Array, times: Array, precision: Precision, longest: float,
+    system: AbstractSystem, states: Array, times: np.ndarray, precision: Precision, longest: float,
     check: Callable[[float], None], place: Place | None,
 ) -> tuple[Runs, Place | None]:  # fmt: skip
     """Return runs by series of whole arrays where these pay and exist, otherwise by series of single numbers."""
@@ -255,8 +255,8 @@ def _find_place(memory: Sequence[Array], states: Double[Array, "copies ..."], fi
 
 
 def _run_or_refuse(
-    system: AbstractSystem, states: Array, times: Array, last: float, precision: Precision, longest: float, meter: Any,
-    place: Place | None = None,
+    system: AbstractSystem, states: Array, times: np.ndarray, last: float, precision: Precision, longest: float,
+    meter: Any, place: Place | None = None,
 ) -> tuple[Runs, Place | None]:  # fmt: skip
     """Return runs up to a last time, which need not be a sample, and where to resume; or say why there are none."""
     with keep_interrupts() as check:

@@ -266,7 +266,9 @@ def _finite(times: Float64[Array, "copies time"], *given: Array) -> Bool[Array, 
     return fine & np.all([np.isfinite(x).all(axis=1) for x in given], axis=0)
 
 
-def _by_times(times: Float64[Array, "copies time"], fine: Bool[Array, "copies"]) -> Iterator[tuple[Array, Array]]:
+def _by_times(
+    times: Float64[Array, "copies time"], fine: Bool[Array, "copies"]
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield times and which of the fine copies have them."""
     known, which = np.unique(times[fine], axis=0, return_inverse=True)
     for number, some in enumerate(known):

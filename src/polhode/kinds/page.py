@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
@@ -13,14 +14,17 @@ from polhode.kinds.registry import find_kind, kind_of_source
 from polhode.motion.base import AbstractMotion
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import MotionReport, SystemReport
+from polhode.reports.report import Report
 from polhode.viewer.encoding import with_powers
 from polhode.viewer.page import NotebookPage, Page, make_page
 from polhode.viewer.panels import Content
 from polhode.viewer.samples import Samples
 
+Shown = AbstractMotion | Trajectory | Spec[Any] | Report
+
 
 def write_page(
-    moved: AbstractMotion | Trajectory | Spec,
+    moved: Shown,
     path: str | Path,
     *,
     name: str | None = None,
@@ -31,7 +35,8 @@ def write_page(
     """Write a motion as one HTML file that opens from disk; the file appears whole or not at all.
 
     Args:
-        moved: an exact motion or a trajectory of one body, or a spec, whose page says what its report says.
+        moved: an exact motion or a trajectory of one body, or a report on a motion or a spec, whose page says what the
+            report says.
         path: the file; its folder must exist.
         name: heading of the page; the object's or the system's name if left out.
         summary: a sentence below it.
@@ -60,7 +65,7 @@ def write_page_text(page: Page, path: Path) -> Path:
 
 
 def show(
-    moved: AbstractMotion | Trajectory | Spec,
+    moved: Shown,
     *,
     name: str | None = None,
     summary: str = "",
@@ -71,7 +76,8 @@ def show(
     """Return a motion's page for a notebook to show, as the last line of a cell.
 
     Args:
-        moved: an exact motion or a trajectory of one body, or a spec, whose page says what its report says.
+        moved: an exact motion or a trajectory of one body, or a report on a motion or a spec, whose page says what the
+            report says.
         name: heading of the page; the object's or the system's name if left out.
         summary: a sentence below it.
         surface: what the body looks like, in the given axes; without it, a shape with the same inertia is drawn.
@@ -85,17 +91,29 @@ def show(
 
 
 def _page(
-    moved: AbstractMotion | Trajectory | Spec, name: str | None, summary: str, surface: Surface | None,
-    notes: Sequence[str],
-) -> Page:  # fmt: skip
+    moved: Shown, name: str | None, summary: str, surface: Surface | None, notes: Sequence[str]
+) -> Page:
+    if isinstance(moved, Spec | Report) and (summary or notes):
+        raise InvalidInput("`summary` and `notes` are what a report says, and a spec has its own. Leave them out.")
     if isinstance(moved, Spec):
-        if summary or notes:
-            raise InvalidInput("`summary` and `notes` are what a report says, and a spec has its own. Leave them out.")
         moved.kind.check_page()
         return page_of_answers(moved.report(), name or moved.name, moved.surface if surface is None else surface)
+    if isinstance(moved, Report):
+        return _page_of_any_report(moved, name or moved.name, surface)
     if isinstance(moved, AbstractMotion):
         moved = moved.sample()
     return make_page(moved, name=name, summary=summary, surface=surface, notes=notes, content=_content)
+
+
+def _page_of_any_report(report: Report, name: str, surface: Surface | None) -> Page:
+    if isinstance(report, SystemReport):
+        if (kind := find_kind(report.kind)) is not None:
+            kind.check_page()
+        return page_of_answers(report, name, surface)
+    if report.trajectory is None:
+        raise InvalidInput(f"a report of kind {report.kind} has no motion to show. Its figures are in plot().")
+    return make_page(report.trajectory, name=name, summary=with_powers(report.summary), surface=surface,
+                     notes=[with_powers(note) for note in report.notes], content=_content)  # fmt: skip
 
 
 def page_of_report(report: SystemReport, path: str | Path, *, surface: Surface | None = None) -> Path:

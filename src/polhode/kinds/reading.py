@@ -29,7 +29,7 @@ from polhode.spec.rules import SOURCES, Location, Mistake, find_broken_rules, ta
 SWEEP = "sweep"  # the table that asks for many motions, of which a spec is one
 
 
-def read_spec(path: str | Path) -> Spec:
+def read_spec(path: str | Path) -> Spec[Any]:
     """Read a spec; every mistake in it is reported at once.
 
     Raises:
@@ -42,7 +42,7 @@ def read_spec(path: str | Path) -> Spec:
     return build_spec(tables, path)
 
 
-def read_spec_or_molecule(path: str | Path) -> Spec:
+def read_spec_or_molecule(path: str | Path) -> Spec[Any]:
     """Read a spec, or a structure file as the spec of its atoms alone.
 
     Raises:
@@ -88,7 +88,7 @@ def build_spec(tables: dict[str, Any], path: Path) -> Spec:
     )  # fmt: skip
 
 
-def report(spec: Spec | str | Path) -> SystemReport:
+def report(spec: Spec[Any] | str | Path) -> SystemReport:
     """Return the answers about the motion of a spec, or of a file that holds one.
 
     Its ``summary`` and ``notes`` are worded, ``answers()``, ``values()`` and ``as_json_dict()`` are data, and

@@ -147,12 +147,15 @@ class Trajectory(Plotted):
 
     def standing(self, axes: Float64[Array, "3 3"] | None) -> Trajectory:
         """Return the same samples along axes in which the columns of ``axes`` are the principal ones."""
-        if axes is self.axes or (axes is not None and self.axes is not None and np.array_equal(axes, self.axes)):
+        own = self.axes
+        if own is axes or (axes is not None and own is not None and np.array_equal(axes, own)):
             return self
-        if self.axes is None:
+        if own is None:
+            if axes is None:
+                return self
             turn = Turn.to(axes).back
         else:  # by the principal axes, as quaternions that went another way may have the other sign
-            turn = Turn.to(self.axes) if axes is None else Turn.to(self.axes).then(Turn.to(axes).back)
+            turn = Turn.to(own) if axes is None else Turn.to(own).then(Turn.to(axes).back)
         velocity, momentum = (None if x is None else turn.vector(x) for x in (self.angular_velocity, self.momentum))
         attitude = None if self.attitude is None else turn.attitude(self.attitude)
         turned = replace(self, attitude=attitude, momentum=momentum, angular_velocity=velocity, axes=axes)

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from polhode.analysis.mechanics import Mechanics
-from polhode.errors import InvalidInput, shown
 from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import plain
 from polhode.reports.report import Report
@@ -66,11 +65,10 @@ class MotionReport(SystemReport):
     data_file: ClassVar[str] = "motion.nc"
 
     def _write_data(self, path: Path) -> Path:
-        from polhode.formats.dataset import write_dataset
+        from polhode.formats.form import Content
+        from polhode.formats.saving import write_content
 
-        if path.suffix.lower() != ".nc":
-            raise InvalidInput(f"{path}: must end in .nc, as a NetCDF dataset is written; got {shown(path.suffix)}.")
-        return write_dataset(self.trajectory, path, {"title": self.name})
+        return write_content(Content(self.name, None, self.trajectory, self.shown), path)
 
     @property
     def shown(self) -> Trajectory:

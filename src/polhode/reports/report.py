@@ -18,7 +18,9 @@ from polhode.reports.answer import Group, Table, collect_units, collect_values, 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from polhode.bodies.surface import Surface
     from polhode.motion.trajectory import Trajectory
+    from polhode.viewer.page import NotebookPage
 
 
 class Report(abc.ABC):
@@ -77,6 +79,10 @@ class Report(abc.ABC):
     def save(self, path: str | Path) -> Path:
         """Write the data into a file that appears whole or not at all, and return its path.
 
+        Args:
+            path: of a motion, its ending chooses the format, as ``polhode.formats.write_motion`` says; of other data
+                it ends like ``data_file``.
+
         Raises:
             InvalidInput: for a report without data, for a path that cannot be written, and for a file that the report
                 was made from.
@@ -130,6 +136,21 @@ class Report(abc.ABC):
         """Return the figures by name, as Matplotlib has them."""
         drawn = ((name, draw()) for name, draw in self.figures().items())
         return {name: figure for name, figure in drawn if figure is not None}
+
+    def show(self, *, name: str | None = None, surface: Surface | None = None, height: int = 760) -> NotebookPage:
+        """Return the page of the report's motion for a notebook to show, as ``polhode.show`` does.
+
+        Args:
+            name: heading of the page; the subject's name if left out.
+            surface: what the body looks like, in the given axes; without it, a shape with the same inertia is drawn.
+            height: of the frame [pixels].
+
+        Raises:
+            InvalidInput: for a report without a motion, or one whose motion has nothing to draw.
+        """
+        import polhode  # which hands in what makes pages, as pages know reports and not reports pages
+
+        return polhode.show(self, name=name, surface=surface, height=height)
 
     def draw(self, folder: str | Path, *forms: str) -> list[Path]:
         """Write every figure into an existing folder, and return the paths.

@@ -41,7 +41,7 @@ def sine_cosine_turns(x: Operand) -> tuple[Result, Result]:
     return xp.where(n >= 2.0, -s, s), xp.where((n == 1.0) | (n == 2.0), -c, c)
 
 
-def _horner(coefficients: list[float], x: Array) -> Array:
+def _horner(coefficients: list[float], x: Array) -> ArrayOrFloat:
     value = coefficients[-1]
     for a in coefficients[-2::-1]:
         value = a + x * value
@@ -55,7 +55,7 @@ def split_rate(high: Operand, low: Operand) -> tuple[Result, Result, Result]:
 
 
 def reduced_phase(
-    rate: tuple[Operand, Operand, Operand], time_halves: tuple[Operand, Operand]
+    rate: tuple[Operand, ...], time_halves: tuple[Operand, ...]
 ) -> tuple[Result, Result, Result]:
     """Return (fraction, rest, turns): rate · time less whole turns, as fraction + rest.
 
@@ -66,9 +66,7 @@ def reduced_phase(
     return fraction, rest, na + (nb + nc) + more
 
 
-def phase_fraction(
-    rate: tuple[Operand, Operand, Operand], time_halves: tuple[Operand, Operand]
-) -> tuple[Result, Result]:
+def phase_fraction(rate: tuple[Operand, ...], time_halves: tuple[Operand, ...]) -> tuple[Result, Result]:
     """Return ``reduced_phase`` without the turns."""
     return _reduced(rate, time_halves)[:2]
 

@@ -21,7 +21,7 @@ DoubleDouble = tuple[Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."]]
 # of the functions here, which broadcast
 Operand = Float64[ArrayOrFloat, "*#shape"]
 Result = Float64[ArrayOrFloat, "*shape"]
-Pair = tuple[Operand, Operand]
+Pair = tuple[Operand, ...]  # high and low; a slice of what a loop carries has no length that is known
 Pairs = tuple[Result, Result]
 
 PI: DoubleDouble = (np.pi, 1.2246467991473532e-16)

@@ -30,7 +30,7 @@ def magnetic_numbers(s: float) -> Float64[Array, "n"]:
 
 
 @known_numbers_only
-def spherical_tensor(s: float, q: int) -> Float64[Array, "n diagonal"]:
+def spherical_tensor(s: float, q: int) -> Float64[np.ndarray, "n diagonal"]:
     """Return the entries ⟨m+q|T_kq|m⟩ of all k = |q|, …, 2s as rows (2s+1−|q|, 2s+1−|q|), m falling along a row.
 
     tr T†T = 1, T_kq transforms like Y_kq. One column of a symmetric tridiagonal matrix each, so that large k neither

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -130,7 +130,7 @@ class SpectrumReport(StudyReport):
         return write_spectrum(path, lines=self.lines, attributes=attributes)
 
 
-def levels(molecule: Path | str | Spec, *, j_max: int | None = None) -> LevelsReport:
+def levels(molecule: Path | str | Spec[Any], *, j_max: int | None = None) -> LevelsReport:
     """Return the rotational levels of a molecule.
 
     Args:
@@ -147,7 +147,7 @@ def levels(molecule: Path | str | Spec, *, j_max: int | None = None) -> LevelsRe
     return with_inputs(lambda: _levels(molecule, j_max))
 
 
-def _levels(molecule: Path | str | Spec, j_max: int | None) -> LevelsReport:
+def _levels(molecule: Path | str | Spec[Any], j_max: int | None) -> LevelsReport:
     with warnings_as_notes(_place(molecule)) as notes:
         spec = _spec(molecule)
         rotor, _, usual, doubts = spec.kind.rotor(spec)
@@ -157,7 +157,7 @@ def _levels(molecule: Path | str | Spec, j_max: int | None) -> LevelsReport:
 
 
 def spectrum(
-    molecule: Path | str | Spec, *, j_max: int | None = None, temperature: float | str | None = None,
+    molecule: Path | str | Spec[Any], *, j_max: int | None = None, temperature: float | str | None = None,
     lowest: float | str | None = None, highest: float | str | None = None, min_intensity: float = 0.0, most: int = 50,
     dipole: Sequence[float] | None = None,
 ) -> SpectrumReport:  # fmt: skip
@@ -186,7 +186,7 @@ def spectrum(
 
 
 def spectrum_within(
-    molecule: Path | str | Spec, j_max: int | None, temperature: float | str | None,
+    molecule: Path | str | Spec[Any], j_max: int | None, temperature: float | str | None,
     bounds: Mapping[str, float | str | None], min_intensity: float, most: int, dipole: Sequence[float] | None,
     called: Called,
 ) -> SpectrumReport:  # fmt: skip
@@ -219,11 +219,11 @@ def spectrum_within(
     return SpectrumReport(spec.name, asked, chosen, len(inside), partition, notes)
 
 
-def _spec(molecule: Path | str | Spec) -> Spec:
+def _spec(molecule: Path | str | Spec[Any]) -> Spec:
     return molecule if isinstance(molecule, Spec) else read_spec_or_molecule(as_path("molecule", molecule))
 
 
-def _place(molecule: Path | str | Spec) -> str:
+def _place(molecule: Path | str | Spec[Any]) -> str:
     return molecule.name if isinstance(molecule, Spec) else str(molecule)
 
 

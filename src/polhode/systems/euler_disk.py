@@ -235,11 +235,12 @@ class EulerDisk(AbstractSystem):
     def events(self) -> dict[str, Event]:
         """The disk lies flat, leaves the plane or, if thick, stands on its edge along a line."""
         weight = self.mechanics.mass * self.mechanics.gravity
-        ends = {
+        ends: dict[str, Event] = {
             "flat": lambda t, state: jnp.sin(LAYOUT.part(state, "tilt")) - FLAT,
             "lift-off": lambda t, state: self.normal_force(state) / weight,
         }
-        return ends if self.is_thin else ends | {"on edge": lambda t, state: jnp.cos(LAYOUT.part(state, "tilt"))}
+        edge: dict[str, Event] = {"on edge": lambda t, state: jnp.cos(LAYOUT.part(state, "tilt"))}
+        return ends if self.is_thin else ends | edge
 
     def layout(self, state: States) -> StateLayout:
         return LAYOUT
@@ -434,7 +435,7 @@ def _check_size(name: str, value: float, unit: str, largest: float) -> None:
                            "Check its unit.")  # fmt: skip
 
 
-def _positive(name: str, value: Array, unit: str) -> float:
+def _positive(name: str, value: float, unit: str) -> float:
     refuse_single_precision(**{name: value})
     number = np.asarray(value, dtype=float)
     if number.shape != () or not (np.isfinite(number) and number > 0):

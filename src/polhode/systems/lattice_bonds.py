@@ -17,7 +17,7 @@ from polhode import rotation
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import Components, Flow
 from polhode.systems.lattice import Bond, Lattice
-from polhode.types import Array, Float64, Shaped
+from polhode.types import Array, ArrayOrFloat, Float64, Shaped
 
 Matrix = tuple[tuple[float, ...], ...]
 Vector3 = Sequence[Array] | Sequence[float]
@@ -132,7 +132,7 @@ def turn(spin: Vector3, axis: Vector3) -> Components:
     return tuple(first * a + second * b for a, b in zip(once, twice, strict=True))
 
 
-def dot(one: Vector3, other: Vector3) -> Float64[Array, "..."]:
+def dot(one: Vector3, other: Vector3) -> Float64[ArrayOrFloat, "..."]:
     """Return the scalar product of vectors in components."""
     return one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
 

@@ -152,7 +152,7 @@ class Wheel(AbstractMount):
 
     @property
     def inertia(self) -> Float64[Array, "3 3"]:
-        return self.moment * jnp.outer(self.axis, self.axis)
+        return self.moment * jnp.outer(self.axis, jnp.asarray(self.axis))
 
     @property
     def conserves_energy(self) -> bool:
@@ -181,8 +181,10 @@ class Wheel(AbstractMount):
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
     ) -> Float64[Array, "*batch"]:
         """Return ḣ (…) [N m], the torque of motor and friction on the rotor."""
-        rate = self.rate(angular_velocity, own)
-        motor: Any = self.motor(t, attitude, angular_velocity, rate) if callable(self.motor) else self.motor
+        rate, motor = self.rate(angular_velocity, own), self.motor
+        if callable(motor):
+            assert attitude is not None, "a motor by a function needs the attitude"
+            motor = motor(t, attitude, angular_velocity, rate)
         torque = jnp.broadcast_to(0.0 if motor is None else motor, rate.shape)
         return torque if self.friction is None else torque - self.friction * rate
 

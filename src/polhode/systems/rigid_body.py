@@ -187,25 +187,27 @@ class AbstractRigidBody(AbstractSystem):
         }
         gravity = [torque for torque in self.torques if isinstance(torque, GravityGradient)]
         if body.attitude is not None and len(gravity) == 1 and gravity[0].circular:
-            balances["jacobi_integral"] = self._jacobi_integral(gravity[0], t, body, torque)
+            balances["jacobi_integral"] = self._jacobi_integral(gravity[0], t, body, body.attitude, torque)
         return balances
 
-    def _jacobi_integral(self, gravity: GravityGradient, t: Array, body: BodyState, torque: Array) -> Balance:
+    def _jacobi_integral(
+        self, gravity: GravityGradient, t: Array, body: BodyState, attitude: Array, torque: Array
+    ) -> Balance:
         """Return H − n π_z: that of the body with its mounts locked, and what they add by turning.
 
         With w = Ω − ν the velocity relative to the orbit's frame, a mount adds its energy less ν·p, and takes
         ½ w·Sw − ½ ν·Sν = ½ (w − ν)·SΩ for the inertia S that it turns by itself.
         """
         velocity = self._velocity(body)
-        relative = gravity.relative_velocity(body.attitude, velocity)
+        relative = gravity.relative_velocity(attitude, velocity)
         orbital = velocity - relative
-        value = gravity.jacobi_integral(t, body.attitude, velocity)
+        value = gravity.jacobi_integral(t, attitude, velocity)
         for mount, own in zip(self.mounts, body.mounts, strict=True):
             value = value + mount.energy(own) - jnp.sum(orbital * mount.momentum(own), axis=-1)
             if mount.inertia is not None:
                 locked = _times(mount.inertia, velocity)
                 value = value - 0.5 * jnp.sum((relative - orbital) * locked, axis=-1)
-        pull = gravity.torque(t, body.attitude, velocity)
+        pull = gravity.torque(t, attitude, velocity)
         rate = jnp.sum((torque - pull) * relative, axis=-1) + self._inner_power(t, body, velocity)
         return Balance(value, rate - jnp.sum(pull * self._drift(body, velocity), axis=-1))
 

@@ -207,7 +207,7 @@ def couples(
     return tau2, tau3
 
 
-def _positive(name: str, value: Array, unit: str) -> Array:
+def _positive(name: str, value: float, unit: str) -> Array:
     refuse_single_precision(**{name: value})
     number = np.asarray(value, dtype=float)
     if number.shape != () or not (np.isfinite(number) and number > 0):

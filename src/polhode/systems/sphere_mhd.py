@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 
@@ -114,7 +115,7 @@ class SphereMHD(AbstractLiePoissonSystem):
     @known_numbers_only
     def from_harmonics(
         self, vorticity: dict[tuple[int, int], complex] | Any, potential: dict[tuple[int, int], complex] | Any
-    ) -> Complex128[Array, "2 n n"]:
+    ) -> Complex128[jax.Array, "2 n n"]:
         """Return the state whose relative vorticity ω and potential A have given coefficients of harmonics Y_lm.
 
         Args:

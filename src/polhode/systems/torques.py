@@ -27,6 +27,8 @@ from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
 from polhode.types import Array, ArrayLike, Float64, Real
 
+NEEDED = "a torque is given the attitude and the state that it says it needs"
+
 Command = Callable[
     [Float64[Array, "*batch"], Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]], Float64[Array, "*batch 3"]
 ]
@@ -155,11 +157,13 @@ class LaggedTorque(AbstractTorque):
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own
     ) -> Float64[Array, "*batch {self.state_size}"]:  # fmt: skip
+        assert attitude is not None, NEEDED
         return (self.command(t, attitude, angular_velocity) - actuator) / self.time_constant
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
     ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+        assert actuator is not None, NEEDED
         return actuator
 
 
@@ -197,6 +201,7 @@ class GravityGradient(AbstractTorque):
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
     ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+        assert attitude is not None, NEEDED
         strength = (self.orbit.mean_motion**2 / self.orbit.distance_ratio(t) ** 3)[..., None]
         centre = _in_body(attitude, self.orbit.direction(t))  # its sign cancels
         return 3.0 * strength * jnp.cross(centre, self.moments * centre)

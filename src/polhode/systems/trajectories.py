@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import equinox as eqx
 import jax
@@ -20,19 +20,19 @@ TINY = 1e-150  # a state whose squares lose digits, or are zero
 
 def make_trajectory(
     system: AbstractSystem, times: Float64[np.ndarray, "time"], states: Double[Array, "..."], outcome: Outcome,
-    statistics: dict[str, int], received: dict[str, Float64[Array, "*batch time"]],
+    statistics: dict[str, int], received: Mapping[str, Float64[Array, "*batch time"]],
     error_estimate: Float64[Array, "*batch"] | None = None, ends: Ends | None = None,
 ) -> Trajectory:  # fmt: skip
     """Return samples (batch…, T, …) as a trajectory with all that the system says of them."""
     axis = jnp.ndim(states) - 1 - system.state_axes
     states = jnp.asarray(states)
-    invariants = {name: np.asarray(value) for name, value in _invariants(system, states).items()}
+    invariants: dict[str, Array] = {name: np.asarray(value) for name, value in _invariants(system, states).items()}
     # what holds on other leaves only is NaN on this one
     invariants = {name: value for name, value in invariants.items() if not np.isnan(value).all()}
     invariants = _representable(system, np.asarray(states), invariants)
     balances = eqx.filter_jit(system.balances)(jnp.asarray(times), states)
-    values = {name: np.asarray(balance.value) for name, balance in balances.items()}
-    got = {name: np.asarray(value) for name, value in received.items()}
+    values: dict[str, Array] = {name: np.asarray(balance.value) for name, balance in balances.items()}
+    got: dict[str, Array] = {name: np.asarray(value) for name, value in received.items()}
     vectors = [None if x is None else np.asarray(x) for x in _vectors(system, states)]
     terms = _terms(system, np.take(np.asarray(states), 0, axis=axis))
     own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
@@ -126,7 +126,7 @@ def _of_copies(function: Callable[[Array], Array], x: Array, copies: int) -> Arr
 
 
 def _drift(
-    values: np.ndarray, axis: int, terms: Array | None = None, of_copies: bool = False, beyond: Array | None = None
+    values: Array, axis: int, terms: Array | None = None, of_copies: bool = False, beyond: Array | None = None
 ) -> Array:
     """Return the largest deviation from the first sample, relative to its size, or that of its terms if larger.
 

@@ -8,7 +8,7 @@ Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Griewank & Walther, *Evalua
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 import jax
@@ -227,10 +227,15 @@ def _power(exponent_of: Callable[[Any], float]) -> Callable[..., Any]:
 MOST_FACTORS = 8
 
 
+def _total(parts: Iterable[Any]) -> Any:
+    """Return the sum of arrays, one at least; type checkers take a sum for a whole number where there may be none."""
+    return sum(parts)
+
+
 def _whole_power(x: Series, p: int, k: int) -> Array:
     found = x[: k + 1]
     for _ in range(p - 1):
-        found = [sum(found[j] * x[i - j] for j in range(i + 1)) for i in range(k + 1)]
+        found = [_total(found[j] * x[i - j] for j in range(i + 1)) for i in range(k + 1)]
     return found[k]
 
 
@@ -244,7 +249,9 @@ def _read_exponent(given: list[Any]) -> float:
 def _exponential(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
     def rule(given: list[Series], own: list[Series], k: int) -> list[Array]:
         x = given[0]
-        return [jnp.exp(x[0]) if k == 0 else sum((k - j) * own[0][j] * x[k - j] for j in range(k)) / k]
+        if k == 0:
+            return [jnp.exp(x[0])]
+        return [_total((k - j) * own[0][j] * x[k - j] for j in range(k)) / k]
 
     return rule
 
@@ -269,8 +276,8 @@ def _circular(which: int) -> Callable[..., Any]:
                 sine[:], cosine[:] = [jnp.sin(x[0])], [jnp.cos(x[0])]
             else:
                 more = [(k - j) * x[k - j] for j in range(k)]
-                sine.append(sum(w * c for w, c in zip(more, cosine, strict=True)) / k)
-                cosine.append(-sum(w * s for w, s in zip(more, sine[:k], strict=True)) / k)
+                sine.append(_total(w * c for w, c in zip(more, cosine, strict=True)) / k)
+                cosine.append(-_total(w * s for w, s in zip(more, sine[:k], strict=True)) / k)
             return [pair[which][k]]
 
         return rule

@@ -21,7 +21,7 @@ from polhode.systems.forms import rates_of_change
 from polhode.taylor.array_rules import Unrolled, bind
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import Precision, Runs
-from polhode.types import Array, Double, Float64
+from polhode.types import Array, ArrayOrFloat, Double, Float64
 
 FLOOR = 1e-3  # of the scale: a motion that dies away is computed to this part of its first size
 FAR = 256.0  # units: a longer step may be of coefficients that vanished
@@ -94,7 +94,8 @@ def _balances(system: AbstractSystem, state: Array) -> Any:
 
 @eqx.filter_jit
 def coefficients(
-    system: AbstractSystem, state: Double[Array, "*shape"], t: Float64[Array, ""], unit: Float64[Array, ""], order: int
+    system: AbstractSystem, state: Double[Array, "*shape"], t: Float64[ArrayOrFloat, ""],
+    unit: Float64[ArrayOrFloat, ""], order: int,
 ) -> Double[Array, "orders *shape"]:
     """Return the Taylor coefficients of a motion, of powers of the time over a unit, up to an order.
 

@@ -104,7 +104,7 @@ def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, runn
 
 def integrals_at(
     machine: Machine, y: Float64[Array, "copies n"]
-) -> tuple[Float64[Array, "copies conserved"], Float64[Array, "copies conserved n"]]:
+) -> tuple[Float64[np.ndarray, "copies conserved"], Float64[np.ndarray, "copies conserved n"]]:
     """Return the conserved quantities at states, in the order of the machine's names, and their derivatives."""
     count, n = len(machine.names), machine.form.size
     found, first = np.zeros((len(y), count * (1 + n))), 0

@@ -143,7 +143,7 @@ def nodes(series: Series, k: Any) -> None:
             function(operation, series.flat, z, base, width, k, out, argument, given)
 
 
-def coefficients(series: Series, order: Any, units: Array) -> None:
+def coefficients(series: Series, order: Any, units: np.ndarray) -> None:
     """Set the coefficients of the state up to an order, of powers of the time over units that are powers of two."""
     whole, number, z, unit = series.whole, series.number, series.z, vectors(units)[0]
     if series.code != 0:

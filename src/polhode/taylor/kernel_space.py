@@ -29,11 +29,11 @@ class Series(NamedTuple):
     """
 
     whole: Integer[Array, "integers"]
-    number: Float64[Array, "numbers"]
-    flat: Float64[Array, " many"]
+    number: Float64[np.ndarray, "numbers"]
+    flat: Float64[np.ndarray, " many"]
     z: Array
-    a: Float64[Array, " many"]
-    b: Float64[Array, " many"]
+    a: Float64[np.ndarray, " many"]
+    b: Float64[np.ndarray, " many"]
     code: int
 
 
@@ -132,7 +132,7 @@ class Lanes(NamedTuple):
     scales: Float64[Array, " many"]
     wanted: Float64[Array, " many"]
     slack: Float64[Array, " many"]
-    units: Float64[Array, "lanes"]
+    units: Float64[np.ndarray, "lanes"]
     left: Float64[Array, "lanes"]
     steps: Float64[Array, "lanes"]
     lengths: Float64[Array, " many"]
@@ -180,7 +180,7 @@ def lanes_for(program: Program, exact: Exact, order: int, width: int, watched: i
     )  # fmt: skip
 
 
-def _zeros(count: int) -> Float64[Array, " many"]:
+def _zeros(count: int) -> Float64[np.ndarray, " many"]:
     """Return zeros that begin where a line of the cache does: vectors across two of them take twice as long to load."""
     made = np.zeros(count + LINE // 8)
     first = -made.ctypes.data % LINE // 8

@@ -48,13 +48,13 @@ class Form(NamedTuple):
         """How many real numbers there are."""
         return math.prod(self.shape) * (2 if self.is_complex else 1)
 
-    def flat(self, states: Array) -> Float64[Array, "*batch n"]:
+    def flat(self, states: Array) -> Float64[np.ndarray, "*batch n"]:
         """Return states (…, *shape) as real numbers (…, n)."""
         states = np.ascontiguousarray(states, complex if self.is_complex else float)
         leading = states.shape[: states.ndim - len(self.shape)]
         return states.reshape(*leading, -1).view(float)
 
-    def back(self, numbers: Float64[Array, "*batch n"]) -> Double[Array, "..."]:
+    def back(self, numbers: Float64[Array, "*batch n"]) -> Double[np.ndarray, "..."]:
         """Return states of their own shape."""
         numbers = np.ascontiguousarray(numbers[..., : self.size])
         if self.is_complex:

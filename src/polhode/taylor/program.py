@@ -36,7 +36,7 @@ class Program(NamedTuple):
     """
 
     whole: Integer[Array, "integers"]
-    number: Float64[Array, "numbers"]
+    number: Float64[np.ndarray, "numbers"]
 
     @property
     def slots(self) -> int:

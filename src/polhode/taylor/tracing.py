@@ -116,7 +116,7 @@ def _rule(*names: str) -> Callable[[Rule], Rule]:
 
 def _find_tape(*arrays: Array) -> Tape:
     for a in arrays:
-        for x in a.flat:
+        for x in np.asarray(a).flat:
             for part in (x.real, x.imag) if isinstance(x, Complex) else (x,):
                 if isinstance(part, Expression):
                     return part.tape
@@ -343,7 +343,7 @@ def _slice(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Ar
 
 @_rule("split")
 def _split(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    return np.split(x[0], np.cumsum(parameters["sizes"])[:-1], axis=parameters["axis"])
+    return list(np.split(x[0], np.cumsum(parameters["sizes"])[:-1], axis=parameters["axis"]))
 
 
 @_rule("select_n")
@@ -365,7 +365,7 @@ def _rearrange(x: list[Array], parameters: dict[str, Any], equation: Any) -> lis
     for a in x:
         if a.dtype == object or jnp.issubdtype(a.dtype, jnp.inexact):
             places = np.arange(len(elements), len(elements) + a.size, dtype=float)
-            elements.extend(a.flat)
+            elements.extend(np.asarray(a).flat)
             numbered.append(places.reshape(a.shape))
         else:
             numbered.append(a)
@@ -400,7 +400,7 @@ def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
     zero, matrix = np.asarray(of(jnp.zeros(size))), np.asarray(jax.jacfwd(of)(jnp.zeros(size)))
     elements: list[Any] = []
     for k in moving:
-        for a in x[k].flat:
+        for a in np.asarray(x[k]).flat:
             elements.extend([Complex.of(a).real, Complex.of(a).imag] if parts[k] == 2 else [a])
     tape = _find_tape(*(x[k] for k in moving))
     found = np.empty(len(matrix), object)

@@ -28,8 +28,9 @@ _CODE = ctypes.CFUNCTYPE(None, *[_DOUBLES] * 4, ctypes.c_int64, _DOUBLES)
 
 
 def run_code(
-    address: int, flat: Float64[Array, " many"], a: Float64[Array, " factors"], b: Float64[Array, " factors"],
-    number: Float64[Array, " numbers"], order: int, units: Float64[Array, " lanes"],
+    address: int, flat: Float64[np.ndarray, " many"], a: Float64[np.ndarray, " factors"],
+    b: Float64[np.ndarray, " factors"], number: Float64[np.ndarray, " numbers"], order: int,
+    units: Float64[np.ndarray, " lanes"],
 ) -> None:  # fmt: skip
     """Run the code of ``straight_line`` at an address."""
     at = [x.ctypes.data_as(_DOUBLES) for x in (flat, a, b, number, units)]

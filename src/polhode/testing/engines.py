@@ -135,7 +135,8 @@ def _errors(
     sizes = np.linalg.norm(motion.momenta, axis=-1)
     speeds = np.linalg.norm(motion.momenta / motion.moments, axis=-1)
     with np.errstate(over="ignore", invalid="ignore"):
-        energies = _energy(motion, q, L) - _energy(motion, motion.attitude[None], motion.momentum[None])
+        at_start = _energy(motion, np.asarray(motion.attitude)[None], np.asarray(motion.momentum)[None])
+        energies = _energy(motion, q, L) - at_start
         return MotionErrors(
             motion,
             _size(angle_between(q, motion.attitudes)),
@@ -152,7 +153,7 @@ def _energy(motion: ReferenceMotion, q: np.ndarray, L: np.ndarray) -> np.ndarray
     return np.sum(L * (L / motion.moments), axis=-1) / 2.0 + motion.mgl * height
 
 
-def _size(values: np.ndarray) -> np.ndarray:
+def _size(values: Array) -> np.ndarray:
     return np.where(np.isfinite(values), np.abs(values), np.inf)
 
 
@@ -173,7 +174,7 @@ def _estimate_rounding(motion: ReferenceMotion, precision: np.dtype) -> np.ndarr
         moved = FreeMotion(moments, momentum=momentum, attitude=start)
     else:
         moved = LagrangeMotion(moments, mgl=mgl, momentum=momentum, attitude=start)
-    return angle_between(moved.attitude(motion.times), motion.attitudes)
+    return np.asarray(angle_between(moved.attitude(motion.times), motion.attitudes))
 
 
 def _worst(errors: Sequence[MotionErrors]) -> FamilyErrors:

@@ -30,7 +30,7 @@ NAME = re.compile(r"[a-z]+(-[a-z]+)*")
 FILE_NAME = re.compile(r"(?!(con|prn|aux|nul)$)[a-z]+(_[a-z0-9]+)*")  # a file on every system, Windows and macOS too
 
 
-def check_kind(kind: AbstractKind) -> None:
+def check_kind(kind: AbstractKind[Any]) -> None:
     """Check a kind by its example: spec, report, JSON, figures, motion, dataset and page.
 
     Args:

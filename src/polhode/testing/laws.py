@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable
+from typing import Any
 
 import jax
 import numpy as np
@@ -19,7 +20,7 @@ class LawBroken(AssertionError):
     """A law does not hold; the message names it, the deviation and what it is compared with."""
 
 
-def hold(law: str, left: Array, right: Array, tolerance: float) -> None:
+def hold(law: str, left: Any, right: Any, tolerance: float) -> None:
     """Require two arrays, or nests of them, to agree to a tolerance relative to their size.
 
     Raises:

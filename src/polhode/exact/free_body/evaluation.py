@@ -60,11 +60,11 @@ def _state_jacobian(*arguments: Array) -> tuple[tuple[Array, Array], Array]:
     """The columns are of moments, momentum, attitude, elapsed time, and its rest, which changes nothing more."""
     value = _state(*arguments)
 
-    def columns(moments: Array, momentum: Array, attitude: Array, time: Array, *state: Array) -> Array:
+    def columns(moments: Array, momentum: Array, attitude: Array, time: Array, turned: Array, moved: Array) -> Array:
         xp = namespace(time)
         d_moments, d_momentum, d_attitude, d_time = units(xp, time.shape, (3, 3, 4, 1))
         changes = d_moments, d_momentum, d_attitude, d_time[..., 0]
-        found = state_tangent((moments, momentum, attitude, time), state, changes)
+        found = state_tangent((moments, momentum, attitude, time), (turned, moved), changes)
         found = xp.moveaxis(xp.concat(found, axis=-1), 0, -1)
         return xp.concat([found, xp.zeros_like(found[..., :1])], axis=-1)
 

@@ -7,6 +7,7 @@ serves all. Source: van Zon & Schofield, J. Comput. Phys. 225 (2007) 145, with t
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from polhode.arrays import choose, compiled, namespace
@@ -141,10 +142,14 @@ def half_turn_sign(body: Reduction) -> Number:
     return xp.where(third < 0, -1.0, 1.0)
 
 
+def total(parts: Iterable[Any]) -> Any:
+    """Return the sum of arrays, one at least; type checkers take a sum for a whole number where there may be none."""
+    return sum(parts)
+
+
 def as_sorted(body: Reduction, vector: Float64[Array, "*batch 3"]) -> Triple:
     """Return the components (…, 3) in the given axes along the sorted ones, as a proper rotation turns them."""
-    canonical = [sum(body.axes[i][j] * vector[..., i] for i in range(3)) for j in range(3)]
-    return _between(body, canonical)
+    return _between(body, [total(body.axes[i][j] * vector[..., i] for i in range(3)) for j in range(3)])
 
 
 def from_sorted(body: Reduction, components: Triple) -> Triple:

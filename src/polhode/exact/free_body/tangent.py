@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from polhode.arrays import namespace
 from polhode.exact.free_body.preparation import Prepared
-from polhode.exact.free_body.reduction import Reduction, half_turn_sign
+from polhode.exact.free_body.reduction import Reduction, half_turn_sign, total
 from polhode.exact.free_body.tangent_kernel import Kernel, elliptic_kernel
 from polhode.special import doubledouble as dd
 from polhode.types import Array, Bool, Float64
@@ -24,7 +24,7 @@ Number = Float64[Array, "*batch"]
 Flag = Bool[Array, "*batch"]
 Vector = tuple[Number, Number, Number]
 Change = Float64[Array, "*more"]  # with any axes before those of the batch
-Moved = tuple[Change, Change, Change]
+Moved = tuple[Change, ...]  # three
 Changes = tuple[Change, ...]  # of A, B, C, P, Q, b, κ, and of the momentum at the epoch
 
 
@@ -329,6 +329,6 @@ def _dot(x: Any, y: Any) -> Array:
 def sorted_sizes(body: Reduction, sizes: Float64[Array, "*more 3"]) -> Moved:
     """Return what goes with each axis, without sign, in sorted order."""
     xp = namespace(body.long_axis)
-    columns = [sum(xp.abs(body.axes[i][j]) * sizes[..., i] for i in range(3)) for j in range(3)]
+    columns = [total(xp.abs(body.axes[i][j]) * sizes[..., i] for i in range(3)) for j in range(3)]
     first, third = (xp.where(body.long_axis, columns[2 - j], columns[j]) for j in (0, 2))
     return first, columns[1], third

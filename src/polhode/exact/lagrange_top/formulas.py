@@ -55,7 +55,7 @@ class Motion(NamedTuple):
     constant: Any  # complementary: the constant term of B
     nome: Any  # complementary: q, πK/K' in halves, y_a/π, y_b/π, whether periodic
     signs: Pair  # of c' and c
-    rates: Pair  # of w: twice dz/dt or dx'/dt, twice the sum of the linear rates [momentum]
+    rates: tuple[Any, Any]  # of w: twice dz/dt or dx'/dt, twice the sum of the linear rates [momentum]
     phases: Four  # cos, sin of the constant phases of α and β
     axial: Any  # L3
     reversed: Any  # −1 where the axis was turned round

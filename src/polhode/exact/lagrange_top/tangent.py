@@ -88,7 +88,7 @@ class TangentData(NamedTuple):
 class _Course(NamedTuple):
     """How the motion is cut up: whole nutations, one flow, and standing."""
 
-    count: Number
+    whole: Number
     rest: Number  # τ of the flow
     tau: DoubleDouble
     phases: tuple[Number, Number]  # of α and β, apart from the flow's, in turns
@@ -169,7 +169,7 @@ def state_tangent(
     now = _spherical(xp, top, attitude, momentum)
     # where the motion is now, as a flow from the start would lose what is large along it
     added = added_by_nutation(top.whole_nutation, now, invariants)
-    added = tuple(xp.where(course.count == 0.0, 0.0, course.count * x) for x in added)
+    added = tuple(xp.where(course.whole == 0.0, 0.0, course.whole * x) for x in added)
     times = (time, changes[4], dI1, dI3)
     return _assembled(xp, top, now, (moved, added), da, times, course.phases)
 
@@ -263,7 +263,8 @@ def _phases(
 
 def _applied(columns: tuple[Array, ...], change: tuple[Array, ...]) -> Moved:
     """Return Σ_k column k × change k of every output."""
-    return _paired(tuple(sum(c[k, ...] * x for k, x in enumerate(change)) for c in columns))
+    sums: tuple[Any, ...] = tuple(sum(c[k, ...] * x for k, x in enumerate(change)) for c in columns)
+    return _paired(sums)
 
 
 def _paired(parts: tuple[Array, ...]) -> Moved:

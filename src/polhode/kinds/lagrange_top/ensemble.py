@@ -13,6 +13,7 @@ from polhode.exact.lagrange_top.geometry import REGIMES
 from polhode.exact.lagrange_top.steady_precession import sleeping_threshold
 from polhode.kinds.base import Ensemble, ManySpecs
 from polhode.kinds.lagrange_top.answers import make_start
+from polhode.types import Array
 
 STATES = "states."
 PARTS = ("attitude", "momentum", "angular_velocity")
@@ -49,7 +50,8 @@ def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> E
     """Return what ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
     if not set(names) <= {*NUMBERS, *(STATES + part for part in PARTS)}:
         return None
-    starts, refused = [RESTING] * samples.size, {}
+    starts: list[tuple[Array, float, Array, Array]] = [RESTING] * samples.size
+    refused: dict[int, str] = {}
     for k in range(samples.size):
         try:
             top, momentum, attitude = make_start(samples.spec_of(k))

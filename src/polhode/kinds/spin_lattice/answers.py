@@ -94,7 +94,7 @@ class SpinLatticeReport(MotionReport):
             return None
 
     @property
-    def skyrmions(self) -> Float64[Array, "2"] | None:
+    def skyrmions(self) -> Float64[np.ndarray, "2"] | None:
         """(2,) how often the spins of a plane cover the sphere, at start and end; None for other lattices."""
         lattice = self.system.lattice
         if lattice.dimension != 2 or lattice.sites != 1 or min(lattice.shape[:2]) < 2:

@@ -1,0 +1,52 @@
+"""A motion as a file, in the format that the ending of its name says."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from polhode.errors import InvalidInput, shown
+from polhode.formats.form import Content
+from polhode.formats.form_registry import writable_forms
+from polhode.formats.paths import as_path
+from polhode.motion.exact import ExactMotion
+from polhode.motion.trajectory import Trajectory
+
+
+def write_motion(moved: ExactMotion | Trajectory, path: str | Path) -> Path:
+    """Write a motion into a file that appears whole or not at all, and return its path.
+
+    Args:
+        moved: a trajectory of one body or system, or an exact motion of one body, of which ``sample()`` is written.
+        path: ends in .nc or .zarr (datasets with all that is known, along the principal axes), .csv (a table along the
+            given axes), .aem (CCSDS attitude), .bc (SPICE C-kernel), .glb (glTF animation), or as another package's
+            format does.
+
+    Raises:
+        InvalidInput: for another ending, a motion that the format cannot hold, or a path that cannot be written.
+
+    >>> import polhode as ph, tempfile
+    >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     len(ph.formats.read_csv(write_motion(motion, f"{folder}/motion.csv")))
+    2000
+    """
+    if not isinstance(moved, ExactMotion | Trajectory):
+        raise InvalidInput(f"`moved` must be a motion or a trajectory; got {shown(moved)}.")
+    place = as_path("path", path)
+    trajectory = moved if isinstance(moved, Trajectory) else moved.sample()
+    title = getattr(trajectory.source, "title", "")
+    return write_content(Content(title or "motion", None, trajectory), place)
+
+
+def write_content(content: Content, path: Path) -> Path:
+    """Write a motion in the format of the path's ending, and return the path.
+
+    Raises:
+        InvalidInput: as ``write_motion`` does.
+    """
+    forms = {form.ending: form for form in writable_forms().values() if form.of_motion or form.sampled}
+    form = forms.get(path.suffix.lower())
+    if form is None or form.write is None:
+        raise InvalidInput(f"{path}: must end in {', '.join(sorted(forms))}, the formats of motions; "
+                           f"got {shown(path.suffix)}. Rename it.")  # fmt: skip
+    return form.write(content, path)
