@@ -57,6 +57,10 @@ def pytest_unconfigure(config):
         shutil.rmtree(config.compiled_here, ignore_errors=True)
 
 
+def pytest_runtest_setup(item):
+    typed.now[0] += 1
+
+
 def pytest_collection_modifyitems(items):
     """Give every test a time limit: one that stands still fails instead of stopping the run.
 

@@ -124,12 +124,3 @@ def faults_of(outcome, given):
 
 def _refuse(name):
     raise ValueError(f"{name} is no JSON")
-
-
-    """Return the commands by name, as Typer made them."""
-    return get_command(app).commands
-
-
-def commands():
-    """Return the commands by name, as Typer made them."""
-    return get_command(app).commands

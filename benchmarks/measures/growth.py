@@ -10,6 +10,7 @@ import numpy as np
 from measure import Row, median
 
 import polhode as ph
+from polhode.formats.figure_file import save_figure
 
 MOMENTS, START = (1.0, 2.0, 3.0), (0.3, 1.8, 1.5)
 STEP = 0.01

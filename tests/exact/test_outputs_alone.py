@@ -20,6 +20,8 @@ KINDS = {"FreeMotion": FreeMotion, "LagrangeMotion": LagrangeMotion}
 MAKE = {"FreeMotion": free_motion, "LagrangeMotion": lagrange_motion}
 LEFT_OUT = {
     "plot": "a picture",
+    "save": "a file of samples",
+    "show": "a page",
     "batch_shape": "a shape",
     "free_moments": "the moments as given, or None",
     "quantities": "units and names",

@@ -191,7 +191,7 @@ def test_where_open_files_stay_and_folders_are_not_opened_nothing_is_left(tmp_pa
     monkeypatch.setattr(drafts, "WINDOWS", True)
     monkeypatch.setattr(drafts.shutil, "rmtree", rmtree)
     monkeypatch.setattr(os, "fsync", fsync)
-    with written_whole(tmp_path / "store", is_store) as draft:
+    with write_whole(tmp_path / "store", is_store) as draft:
         draft.mkdir()
         (draft / "mark").write_text("later")
     assert (tmp_path / "store" / "mark").read_text() == "later" and names(tmp_path) == ["store"]

@@ -49,8 +49,8 @@ def test_the_energy_falls_as_told_and_the_orbit_stays(name):
 
 def test_a_damping_of_the_wrong_sign_is_seen():
     class Fed(DoubleBracketDamping):
-        def _raised(self, dual):
-            return -super()._raised(dual)
+        def _raise_index(self, dual):
+            return -super()._raise_index(dual)
 
     system = Fed(SYSTEMS["so(4)"], 0.2)
     assert float(system.balances(0.0, start_of(system))["energy"].rate) > 0.0
