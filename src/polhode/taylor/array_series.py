@@ -65,7 +65,7 @@ def runs_of_arrays(
     precision: Precision, longest: float = math.inf, check: Callable[[float], None] = lambda share: None,
     place: Place | None = None,
 ) -> tuple[Runs, Place]:  # fmt: skip
-    """Return what ``runs_of`` does, one copy after the other, and the beginning of the last copy's last step.
+    """Return what ``run_copies`` does, one copy after the other, and the beginning of the last copy's last step.
 
     Raises:
         Untraceable: for rates made of operations that have no rule, events, jumps, balances, or extended precision.
