@@ -95,7 +95,7 @@ def solve(
     what numbers do: status says how each copy ended, and numbers that make no sense give states that are not finite.
 
     Reverse-mode derivatives of methods of ours go back from one of the times to the one before by steps of the other
-    sign, instead of storing the path: the memory does not grow with the steps between two times. What is regained is
+    sign, instead of storing the path: the memory does not grow with the steps between two times. Recovered states are
     compared with the motion every 64 steps at most, and computed again from checkpoints where it is off by more than 32
     ulps of its size. Second derivatives are forward ones of either mode. Those of diffrax's solvers go back from
     checkpoints, and have first derivatives only. What a function encloses is not differentiated by: give parameters as

@@ -26,7 +26,7 @@ def third_kind_agm(a: DoubleDouble, g: DoubleDouble, pp: DoubleDouble) -> tuple[
     exponent = xp.minimum(exponent, xp.zeros_like(exponent))  # scaled down, a tiny g would
     up, down = xp.ldexp(xp.ones_like(a[0]), exponent), xp.ldexp(xp.ones_like(a[0]), -exponent)
     a, g, pp = dd.scale(a, down), dd.scale(g, down), dd.scale(dd.scale(pp, down), down)
-    state = iterate_until(_step, _finished, (*a, *g, *pp, *q, *q), at_once=3, most=MOST_STEPS)
+    state = iterate_until(_step, _is_finished, (*a, *g, *pp, *q, *q), at_once=3, most=MOST_STEPS)
     a, g, pp, q, total = _pairs(state)
     mean, total = FORMULAS.mean_closed(*FORMULAS.mean_distance(a, g, pp), q[0], total)
     return dd.scale(mean, up), total
@@ -40,7 +40,7 @@ def _step(*state: Array) -> tuple[Array, ...]:
     return tuple(x for pair in FORMULAS.mean_step(*_pairs(state)) for x in pair)
 
 
-def _finished(*state: Array) -> Array:
+def _is_finished(*state: Array) -> Array:
     xp = namespace(state[0])
     x, e, _ = FORMULAS.mean_distance(*_pairs(state)[:3])
     return (xp.abs(x) < CONVERGED) & (xp.abs(e) < CONVERGED)

@@ -41,7 +41,7 @@ def columns_in_blocks(prepare: Callable[..., Columns], arguments: Vectors) -> Co
     return tuple(np.asarray(column).reshape(shape) for column in columns)
 
 
-def flattened(motion: tuple[Any, ...]) -> Columns:
+def flatten_motion(motion: tuple[Any, ...]) -> Columns:
     """Return the numbers of a record, of which some stand in tuples, as one tuple."""
     return tuple(x for part in motion for x in (part if isinstance(part, tuple) else (part,)))
 

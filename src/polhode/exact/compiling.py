@@ -24,7 +24,7 @@ from numba.core.types import UniTuple, float64, int64, none
 from numba.extending import intrinsic
 from numba.np.arrayobj import make_array
 
-from polhode.exact.copies import copied
+from polhode.exact.copies import copy_modules
 from polhode.exact.kernel_arithmetic import BLOCK
 
 _TAKE: Any = njit  # whose types do not know all of its options
@@ -54,7 +54,7 @@ def compiled_modules(modules: Iterable[ModuleType], motion: str) -> dict[str, di
         modules: with functions that are marked as parts of a kernel, which call each other.
         motion: word for the motion whose formulas they have.
     """
-    return copied(modules, OWN, partial(_compile, motion))
+    return copy_modules(modules, OWN, partial(_compile, motion))
 
 
 def _compile(motion: str, function: FunctionType, mark: str) -> Any:

@@ -16,7 +16,7 @@ from polhode.types import Array
 Space = dict[str, Any]
 
 
-def copied(
+def copy_modules(
     modules: Iterable[ModuleType], words: Mapping[str, Any], make: Callable[[FunctionType, str], Any]
 ) -> dict[str, Space]:
     """Return the names of copies of modules, by the names of the modules.
@@ -50,7 +50,7 @@ def copied(
 
 def for_python(modules: Iterable[ModuleType]) -> dict[str, Space]:
     """Return the names of modules of one motion, whose loops take its formulas."""
-    return copied(modules, {}, lambda function, _: function)
+    return copy_modules(modules, {}, lambda function, _: function)
 
 
 def for_arrays(*modules: ModuleType, **words: Callable[..., Any]) -> Any:
@@ -60,7 +60,7 @@ def for_arrays(*modules: ModuleType, **words: Callable[..., Any]) -> Any:
         modules: of formulas, with those they need; these of both motions come by themselves.
         words: functions in place of formulas that do not hold for all that arrays are made of.
     """
-    spaces = copied((kernel_arithmetic, formulas, *modules), WORDS | words, lambda function, _: function)
+    spaces = copy_modules((kernel_arithmetic, formulas, *modules), WORDS | words, lambda function, _: function)
     return SimpleNamespace(**spaces[modules[-1].__name__])
 
 

@@ -29,49 +29,43 @@ PHASE = 7  # numbers of a phase
 SUMS, WORK = PHASE * BLOCK, PHASE + 10  # where sums begin in a store, after the phases, and rows of such a store
 Numbers = tuple[float, ...]
 
-# ---------------------------------------------------------------------- what the formulas of a motion say
+# ---------------------------------------------------------------------- declared here, defined by the formulas of a motion
+# ``copies`` puts the formulas of a motion in place of these, and fails where one is missing.
 
 
 @given
 def unflatten(m: Any) -> Any:
     """Return the motion whose numbers stand in one tuple."""
-    raise NotImplementedError
 
 
 @given
 def motion_at(m: Any, i: int) -> Any:
     """Return the motion whose numbers stand in rows."""
-    raise NotImplementedError
 
 
 @given
-def sums_at(work: Any, i: int) -> Numbers:
+def sums_at(work: Any, i: int) -> Any:
     """Return the sums of a form that stand in rows."""
-    raise NotImplementedError
 
 
 @given
-def full_sums(m: Any, high: float, low: float) -> Numbers:
+def full_sums(m: Any, high: float, low: float) -> Any:
     """Return the sums of the full form at a time in halves."""
-    raise NotImplementedError
 
 
 @given
-def complementary_phase(m: Any, high: float, low: float) -> Numbers:
+def complementary_phase(m: Any, high: float, low: float) -> Any:
     """Return three numbers, exponent and factor of E, and of R, of the complementary form at a time in halves."""
-    raise NotImplementedError
 
 
 @given
-def complementary_sums(m: Any, a: float, b: float, c: float, e0: float, R: float) -> Numbers:
+def complementary_sums(m: Any, a: float, b: float, c: float, e0: float, R: float) -> Any:
     """Return the sums of the complementary form, of the three numbers, E and R."""
-    raise NotImplementedError
 
 
 @given
-def state_of(m: Any, sums: Numbers) -> Numbers:
+def state_of(m: Any, sums: Numbers) -> Any:
     """Return attitude and momentum."""
-    raise NotImplementedError
 
 
 # ---------------------------------------------------------------------- one body or top

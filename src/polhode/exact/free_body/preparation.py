@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from polhode.arrays import choose, compiled, namespace, split_halves
 from polhode.exact.array_states import ArrayStates
-from polhode.exact.blocks import Columns, flattened
+from polhode.exact.blocks import Columns, flatten_motion
 from polhode.exact.free_body import formulas
 from polhode.exact.free_body.formulas import Motion
 from polhode.exact.free_body.frequencies import Frequencies, canonical_frequencies
@@ -61,7 +61,7 @@ def _motion(body: Reduction, rates: Frequencies, moments: Array, momentum: Array
         (zero,) * 16, (zero,) * 9,
     )  # fmt: skip
     to_attitude, to_momentum = _matrices(unfinished, body, rates, moments, momentum, attitude)
-    return flattened(unfinished._replace(to_attitude=to_attitude, to_momentum=to_momentum))
+    return flatten_motion(unfinished._replace(to_attitude=to_attitude, to_momentum=to_momentum))
 
 
 def _permanent_rate(body: Reduction) -> DoubleDouble:
@@ -122,7 +122,7 @@ def _matrices(
 ) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
     """Return the matrices from spinor to attitude and from canonical direction to momentum in the given axes."""
     xp = namespace(motion.full)
-    a0, a1, b0, b1 = STATES.sums_at_start(flattened(motion))
+    a0, a1, b0, b1 = STATES.sums_at_start(flatten_motion(motion))
     norm = xp.sqrt((a0 * a0 + a1 * a1) + (b0 * b0 + b1 * b1))
     a0, a1, b0, b1 = a0 / norm, a1 / norm, b0 / norm, b1 / norm
     # rows of (start frame)* (present frame) as functions of the spinor (Re A, Im A, Re B, Im B)

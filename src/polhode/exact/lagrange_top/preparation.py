@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from polhode.arrays import barrier, choose, compiled, namespace, split_halves
 from polhode.exact.array_states import ArrayStates
-from polhode.exact.blocks import Columns, flattened
+from polhode.exact.blocks import Columns, flatten_motion
 from polhode.exact.lagrange_top import formulas
 from polhode.exact.lagrange_top.formulas import Motion
 from polhode.exact.lagrange_top.formulas_setup import TurningPoints
@@ -148,7 +148,7 @@ def _motion(
         (2.0 * argument_rate * top.momentum_scale, 2.0 * (linear[0] + linear[1]) * top.momentum_scale),
         (1.0 + zero, zero, 1.0 + zero, zero), axial, xp.where(top.reversed, -1.0, 1.0),
     ))  # fmt: skip
-    return flattened(motion._replace(phases=_constant_phases(top, motion, linear, argument_rate)))
+    return flatten_motion(motion._replace(phases=_constant_phases(top, motion, linear, argument_rate)))
 
 
 def _phase_rates(top: Reduction, rates: Frequencies) -> tuple[DoubleDouble, DoubleDouble]:
@@ -207,7 +207,7 @@ def _constant_phases(
 ) -> tuple[Array, ...]:
     """Return cos and sin of the phases that turn A and B at the epoch into the given α and β."""
     xp = namespace(argument_rate)
-    sums = STATES.sums_at_start(flattened(motion))
+    sums = STATES.sums_at_start(flatten_motion(motion))
     up = xp.ldexp(xp.ones_like(argument_rate), top.lift)
     up_alpha, up_beta = xp.where(top.upright, 1.0, up), xp.where(top.upright, up, 1.0)
     lifts = (up_alpha, up_alpha, up_beta, up_beta) * 2
