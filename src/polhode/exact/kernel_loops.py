@@ -29,7 +29,7 @@ PHASE = 7  # numbers of a phase
 SUMS, WORK = PHASE * BLOCK, PHASE + 10  # where sums begin in a store, after the phases, and rows of such a store
 Numbers = tuple[float, ...]
 
-# ---------------------------------------------------------------------- declared here, defined by the formulas of a motion
+# ---------------------------------------------------------------------- declared here, defined by a motion's formulas
 # ``copies`` puts the formulas of a motion in place of these, and fails where one is missing.
 
 
