@@ -20,8 +20,11 @@ INNER = {
     "arrays": None,
     "algebra": {"fixed_array", "functions", "own_casimirs", "polynomial", "precision", "real_products",
                 "sphere_laplacian"},
-    "analysis": {"branches", "conserved", "conserved_function", "equilibrium_data", "mechanics", "periapsis_map",
+    "analysis": {"branches", "conserved", "conserved_function", "equilibrium_data", "exact_equations", "mechanics",
+                 "periapsis_map",
                  "power_law", "reasons", "second_variation", "tangent_flow"},
+    "certificates": {"confinement", "definite", "equations", "exact_tracing", "growth", "polynomials",
+                     "rational_matrices", "rocq", "smt"},
     "bodies": {"digits", "inertia", "mesh", "points", "mesh_crossing", "mesh_gate", "pivot", "turned"},
     "estimation": {"estimate", "line_noise", "linear_start", "momentum_flight", "pole_series", "principal", "rest_bias",
                    "saturation", "throw_doubts", "throw_fit", "throw_models", "throw_search", "torqued_states",
@@ -132,6 +135,10 @@ NO_ARRAYS = {
     "AttitudeFit", "Tumbling", "TumblingInterval",
     "ChandlerFit", "ChandlerFit.term", "ChandlerFit.amplitude", "ChandlerProcess", "ChandlerWindows",
     "PoleSpectrum", "PolarExcitation", "EulerPeriod",
+    "Subject", "Certificate.as_rational", "Certificate.check", "Certificate.write_proof", "rational_brackets",
+    "RationalCertificate", "RationalCertificate.find_faults", "RationalCertificate.check",
+    "RationalCertificate.check_by_z3", "RationalCertificate.as_json", "RationalCertificate.json",
+    "RationalCertificate.write_proof", "find_certificate",
     "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""

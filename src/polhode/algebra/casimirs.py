@@ -49,7 +49,7 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polyno
     if count > MOST_MONOMIALS:
         raise InvalidInput(f"`degree` {degree} in {algebra.dim} variables has {count} monomials, more than "
                            f"{MOST_MONOMIALS}. {REMEDY}")  # fmt: skip
-    brackets = _rational_brackets(algebra)
+    brackets = rational_brackets(algebra)
     generators = _generators(brackets)
     found: list[Terms] = []
     for d in range(1, degree + 1):
@@ -59,7 +59,7 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polyno
     return [_polynomial(terms, algebra.dim) for terms in found]
 
 
-def _rational_brackets(algebra: AbstractLieAlgebra) -> list[list[dict[int, Fraction]]]:
+def rational_brackets(algebra: AbstractLieAlgebra) -> list[list[dict[int, Fraction]]]:
     """Return [e_i, e_j] as {k: c_ijk} with exact fractions."""
     c = algebra.structure_constants()
     table = []

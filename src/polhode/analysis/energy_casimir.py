@@ -14,11 +14,12 @@ Symmetry*, §1.7 and §15.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode.analysis.certificate import Certificate, Subject
 from polhode.analysis.conserved_function import ConservedFunction
 from polhode.analysis.reasons import (
     AbstractReason,
@@ -32,8 +33,9 @@ from polhode.analysis.reasons import (
     Restriction,
     SteadyDrift,
 )
-from polhode.analysis.second_variation import Leaf, definite_combination, null_space, scale_leaf
+from polhode.analysis.second_variation import Leaf, null_space, scale_leaf
 from polhode.arrays import known_numbers_only
+from polhode.certificates.definite import definite_combination
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
@@ -61,6 +63,7 @@ class Stability:
         function: of conserved quantities by which the verdict was reached, or tried to be; None where there is none.
         missing: Casimirs that might have helped an undecided verdict; None where all are known.
         legend: what names in the reason stand for, where they are not usual ones.
+        subject: the system and the point, of which ``certificate`` makes an exact proof; None for matrices alone.
     """
 
     verdict: str
@@ -73,12 +76,14 @@ class Stability:
     function: ConservedFunction | None = None
     missing: MissingCasimirs | None = None
     legend: str = ""
+    subject: Subject | None = field(default=None, repr=False, compare=False)
 
     @property
-    def certificate(self) -> str:
-        """The reason as a sentence."""
+    def certificate(self) -> Certificate:
+        """The reason as a sentence; its methods make an exact proof of it, which a solver or a prover checks."""
         flows = self.restricted if self.restricted is not None and self.restricted.flows else None
-        return "; ".join(str(part) for part in (self.reason, self.legend, flows, self.missing) if part)
+        parts = (self.reason, self.legend, flows, self.missing)
+        return Certificate("; ".join(str(part) for part in parts if part), self)
 
     @property
     def words(self) -> str:

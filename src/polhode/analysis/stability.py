@@ -20,6 +20,7 @@ import numpy as np
 
 from polhode.algebra.functions import Function, check_functions
 from polhode.algebra.properties import index, is_compact
+from polhode.analysis.certificate import Subject
 from polhode.analysis.conserved import Casimirs, Energy, Source, check_motion, choose_casimirs, samples_around
 from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.analysis.equilibrium_data import Problem, problem
@@ -110,13 +111,14 @@ def stability(
             "Choose other units."
         )
     check_motion(system, samples_around(np.asarray(algebra.structure_constants()), z))
-    known = choose_casimirs(algebra, casimirs)
+    known, subject = choose_casimirs(algebra, casimirs), Subject(system, z, tuple(integrals), casimirs)
     if not system.conserves_energy:
         if len(integrals):
             raise InvalidInput("`integrals` must be left out where energy is lost: exponents alone decide there.")
-        return _judge_dissipative(system, known, z)
+        return replace(_judge_dissipative(system, known, z), subject=subject)
     found = problem(system, known, tuple(integrals), z, casimirs is not None)
-    return _at(_note_missing(_judge_equilibrium_first(found), known.missing), np.asarray(mu))
+    verdict = _note_missing(_judge_equilibrium_first(found), known.missing)
+    return replace(_at(verdict, np.asarray(mu)), subject=subject)
 
 
 def _judge_equilibrium_first(p: Problem) -> Stability:

@@ -159,6 +159,19 @@ class Tape:
             raise Untraceable("a branch on the time that changes where no jump is named")
         return bool(answers.all())
 
+    def total(self, summands: Iterable[Any]) -> Expression:
+        """Return a sum of expressions and numbers."""
+        terms: dict[int, float] = {}
+        constant = 0.0
+        for x in summands:
+            if isinstance(x, Expression):
+                constant += x.constant
+                for k, c in x.terms.items():
+                    terms[k] = terms.get(k, 0.0) + c
+            else:
+                constant += float(x)
+        return Expression(self, {k: c for k, c in terms.items() if c != 0.0}, constant)
+
     def product(self, x: Expression, y: Expression) -> Expression:
         """Return x y."""
         (i, a), (j, b) = self.as_node(x), self.as_node(y)
@@ -353,18 +366,13 @@ class Complex:
 
 def total(tape: Tape, summands: Iterable[Any]) -> Any:
     """Return a sum of expressions, numbers and complex ones; of expressions alone in one pass."""
-    terms: dict[int, float] = {}
-    constant, complex_part = 0.0, None
+    plain, complex_part = [], None
     for x in summands:
-        if isinstance(x, Expression):
-            constant += x.constant
-            for k, c in x.terms.items():
-                terms[k] = terms.get(k, 0.0) + c
-        elif isinstance(x, Complex | complex):
+        if isinstance(x, Complex | complex):
             complex_part = Complex.of(x) if complex_part is None else complex_part + x
         else:
-            constant += float(x)
-    found = Expression(tape, {k: c for k, c in terms.items() if c != 0.0}, constant)
+            plain.append(x)
+    found = tape.total(plain)
     return found if complex_part is None else complex_part + found
 
 

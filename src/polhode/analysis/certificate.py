@@ -1,0 +1,97 @@
+"""The certificate of a verdict: a sentence, and on demand a proof in rational numbers of exactly these equations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from polhode.errors import InvalidInput
+from polhode.types import Array, Float64
+
+if TYPE_CHECKING:
+    from polhode.algebra.functions import Function
+    from polhode.analysis.energy_casimir import Stability
+    from polhode.certificates.rational import RationalCertificate
+    from polhode.systems.base import AbstractLiePoissonSystem
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What a verdict is about.
+
+    Attributes:
+        system: any Lie–Poisson system.
+        point: (n,) coordinates of the equilibrium.
+        integrals: as given to ``stability``.
+        casimirs: the same.
+    """
+
+    system: AbstractLiePoissonSystem
+    point: Float64[Array, "n"]
+    integrals: Sequence[Function] = ()
+    casimirs: Sequence[Function] | None = None
+
+
+class Certificate(str):
+    """The reason of a verdict as a sentence, which can be turned into a proof in rational numbers.
+
+    It is text like any other; the proof is looked for when it is asked for.
+
+    >>> import numpy as np
+    >>> from polhode.analysis import stability
+    >>> from polhode.systems import FreeRigidBody
+    >>> exact = stability(FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.0, 0.0, 0.1])).certificate.as_rational()
+    >>> exact.equations.point[2], exact.equations.field[0], exact.proof.weights["|L|²"]
+    (Fraction(1, 10), −1/6 x2 x3, Fraction(-1, 6))
+    """
+
+    found: Stability | None
+
+    def __new__(cls, text: str, found: Stability | None = None) -> Certificate:
+        made = super().__new__(cls, text)
+        made.found = found
+        return made
+
+    def as_rational(self, read_as: str = "short") -> RationalCertificate:
+        """Return the verdict with an exact proof: equations, weights and sums of squares as fractions.
+
+        The proof is found anew from the equations, with the numerical weights as a first guess, and is then checked in
+        rational arithmetic. An equilibrium that solves the equations only up to rounding is moved to one with rational
+        coordinates within a billionth of its size; ``equations.moved`` says how far.
+
+        Args:
+            read_as: "short" takes each number of system and point as what was meant: a decimal of up to twelve digits
+                (0.1 is 1/10), else the simplest fraction that is rounded to this double (1/3). "doubles" takes it as
+                the binary fraction that it is.
+
+        Raises:
+            InvalidInput: for a verdict that is undecided or of a system without polynomial equations, an equilibrium
+                with no rational one near it, and where no exact proof is found.
+        """
+        from polhode.analysis.exact_equations import make_rational
+
+        if self.found is None or self.found.subject is None:
+            raise InvalidInput(
+                "an exact proof needs the equations; this verdict is of matrices or of a formula alone. "
+                "Take it from `stability(system, equilibrium)`."
+            )
+        return make_rational(self.found, self.found.subject, read_as)
+
+    def check(self) -> None:
+        """Check the verdict exactly, in rational arithmetic and by the solver z3, in about a tenth of a second.
+
+        Raises:
+            InvalidInput: as ``as_rational``; for a claim that does not hold; if z3-solver, the extra `prove`, is
+                missing.
+        """
+        self.as_rational().check_by_z3()
+
+    def write_proof(self, path: str | Path) -> Path:
+        """Write a file that the prover Rocq checks; see ``RationalCertificate.write_proof``.
+
+        Raises:
+            InvalidInput: as ``as_rational``, and for a path that does not end in .v.
+        """
+        return self.as_rational().write_proof(path)

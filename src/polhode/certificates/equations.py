@@ -1,0 +1,156 @@
+"""An equilibrium of polynomial equations, exact: field, conserved quantities, point."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from polhode.certificates.polynomials import RationalPolynomial, total
+from polhode.certificates.rational_matrices import Rows, combine, solve_near
+from polhode.errors import InvalidInput
+
+FARTHEST = Fraction(1, 10**9)  # of the largest component of a point, how far it may be moved to an exact equilibrium
+DENOMINATORS = (1, 2, 4, 8, 10, 16, 32, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15)
+ENERGY = "H"
+
+
+@dataclass(frozen=True)
+class Equations:
+    """ẋ = f(x) with rational coefficients, what it conserves, and a point where f vanishes.
+
+    Attributes:
+        system: what the equations are of, in words.
+        field: (n,) f.
+        conserved: functions by name, the energy "H" among them where it is conserved.
+        point: (n,) the equilibrium, or the point whose motion is that of a symmetry.
+        moved: the largest change of a component from the point that was asked about.
+        flow: field of the symmetry along which neighbours may move away; empty for none.
+        flow_name: what generates it.
+    """
+
+    system: str
+    field: tuple[RationalPolynomial, ...]
+    conserved: Mapping[str, RationalPolynomial]
+    point: tuple[Fraction, ...]
+    moved: Fraction = Fraction(0)
+    flow: tuple[RationalPolynomial, ...] = ()
+    flow_name: str = ""
+
+    @property
+    def size(self) -> int:
+        """How many variables there are."""
+        return len(self.point)
+
+    @cached_property
+    def around(self) -> tuple[RationalPolynomial, ...]:
+        """The field in v = x − point, (n,)."""
+        return tuple(f.shift(self.point) for f in self.field)
+
+    @cached_property
+    def levels(self) -> dict[str, Fraction]:
+        """The values of what is conserved at the point."""
+        return {name: c.at(self.point) for name, c in self.conserved.items()}
+
+    @cached_property
+    def slopes(self) -> dict[str, list[Fraction]]:
+        """The gradients (n,) of what is conserved at the point."""
+        return {name: c.shift(self.point).slope() for name, c in self.conserved.items()}
+
+    @cached_property
+    def linearization(self) -> Rows:
+        """The derivative of the field at the point, (n, n)."""
+        return [f.slope() for f in self.around]
+
+    @property
+    def along(self) -> list[Fraction]:
+        """Where the symmetry moves the point, (n,); empty without one."""
+        return [f.at(self.point) for f in self.flow]
+
+    def find_faults(self) -> list[str]:
+        """Return what is wrong: functions that are not conserved, and whether the point is no equilibrium."""
+        faults = [f"{name} is not conserved" for name, c in self.conserved.items() if c.rate(self.field)]
+        if not self.flow and any(f.at(self.point) for f in self.field):
+            faults.append("the point is no equilibrium")
+        if self.flow:
+            faults += [f"the flow of {self.flow_name} does not keep {name}"
+                       for name, c in self.conserved.items() if c.rate(self.flow)]  # fmt: skip
+        return faults
+
+    def as_json(self) -> dict[str, Any]:
+        """Return plain data; polynomials as lists of coefficient and exponents, numbers as text."""
+        return {
+            "system": self.system, "field": [as_terms(f) for f in self.field],
+            "conserved": {name: as_terms(c) for name, c in self.conserved.items()},
+            "point": [str(x) for x in self.point], "moved": str(self.moved),
+            **({"flow": [as_terms(f) for f in self.flow], "flow_of": self.flow_name} if self.flow else {}),
+        }  # fmt: skip
+
+
+def as_terms(p: RationalPolynomial) -> list[list[Any]]:
+    """Return a polynomial as plain data."""
+    return [[str(c), list(m)] for m, c in p.sorted_terms()]
+
+
+def poisson_field(
+    brackets: Sequence[Sequence[Mapping[int, Fraction]]], sign: int, function: RationalPolynomial
+) -> tuple[RationalPolynomial, ...]:
+    """Return sign · {x_i, F} (n,) of structure constants [e_i, e_j] as {k: c}."""
+    n = function.size
+    x, slopes = RationalPolynomial.variables(n), [function.derivative(j) for j in range(n)]
+    rows = []
+    for row in brackets:
+        parts = [slopes[j] * x[k] * (sign * c) for j, vector in enumerate(row) for k, c in vector.items()]
+        rows.append(total(n, parts))
+    return tuple(rows)
+
+
+def rational_equilibrium(
+    vanishing: Sequence[RationalPolynomial],
+    conserved: Mapping[str, RationalPolynomial],
+    weights: Mapping[str, float],
+    point: Sequence[float],
+    read: Callable[[float], Fraction],
+) -> tuple[tuple[Fraction, ...], Fraction]:
+    """Return a rational point at which all of ``vanishing`` are exactly zero, and its largest distance in a component.
+
+    The point itself where it is one; else one with rounding errors of zero left out; else, as the energy and the rest
+    are of second degree, the solution of dH + Σ w dC = 0 for weights w rounded to rational numbers.
+
+    Raises:
+        InvalidInput: if none is found within a billionth of the point's size.
+    """
+    given = [read(x) for x in point]
+    size = max(map(abs, given), default=Fraction(0))
+    trials = [given, [x if abs(x) > size / 10**12 else Fraction(0) for x in given]]
+    trials += [[x.limit_denominator(d) for x in given] for d in DENOMINATORS[7:10]]
+    for trial in trials:
+        if found := _accept(trial, given, size, vanishing):
+            return found
+    if all(c.degree <= 2 for name, c in conserved.items() if weights.get(name)):
+        for d in DENOMINATORS:
+            w = {name: Fraction(x).limit_denominator(d) for name, x in weights.items() if name in conserved}
+            names = [name for name, x in w.items() if x]
+            if not names:
+                continue
+            matrix = combine(*((2 * w[name], conserved[name].quadratic()) for name in names))
+            right = [-sum(w[name] * conserved[name].slope()[k] for name in names) for k in range(len(given))]
+            solution = solve_near(matrix, [Fraction(x) for x in right], given)
+            if solution and (found := _accept(solution, given, size, vanishing)):
+                return found
+    residual = max((abs(float(f.at(given))) for f in vanishing), default=0.0)
+    raise InvalidInput(
+        f"the point must be an equilibrium in rational numbers for a proof; there the field is {residual:.3g}, and "
+        "none was found within a billionth of its size. Give a point, or parameters, that solve the equations exactly."
+    )
+
+
+def _accept(
+    trial: Sequence[Fraction], given: Sequence[Fraction], size: Fraction, vanishing: Sequence[RationalPolynomial]
+) -> tuple[tuple[Fraction, ...], Fraction] | None:
+    moved = max((abs(x - y) for x, y in zip(trial, given, strict=True)), default=Fraction(0))
+    if moved > FARTHEST * size or any(f.at(trial) for f in vanishing):
+        return None
+    return tuple(trial), moved

@@ -1,0 +1,143 @@
+"""Linear algebra over the rationals: null spaces, solutions, squares, characteristic polynomials, Routh's count."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+
+Rows = list[list[Fraction]]
+
+
+def reduce_rows(rows: Sequence[Sequence[Fraction]], columns: int) -> tuple[Rows, list[int]]:
+    """Return the nonzero rows of the reduced echelon form, and the column of each one's pivot.
+
+    Pivots are looked for in the first ``columns`` columns only; what stands behind them is carried along.
+    """
+    left = [list(row) for row in rows if any(row)]
+    found: Rows = []
+    pivots: list[int] = []
+    for column in range(columns):
+        place = next((k for k, row in enumerate(left) if row[column]), None)
+        if place is None:
+            continue
+        pivot = left.pop(place)
+        pivot = [x / pivot[column] for x in pivot]
+        left = [_eliminate(row, pivot, column) for row in left]
+        found = [_eliminate(row, pivot, column) for row in found]
+        found.append(pivot)
+        pivots.append(column)
+    return found, pivots
+
+
+def _eliminate(row: list[Fraction], pivot: list[Fraction], column: int) -> list[Fraction]:
+    factor = row[column]
+    return [x - factor * y if y else x for x, y in zip(row, pivot, strict=True)] if factor else row
+
+
+def null_space(rows: Sequence[Sequence[Fraction]], columns: int) -> Rows:
+    """Return a basis of what the matrix takes to zero; each vector has a one where the others have zeros, late ones."""
+    reduced, pivots = reduce_rows(rows, columns)
+    basis = []
+    for free in (k for k in range(columns) if k not in pivots):
+        vector = [Fraction(int(k == free)) for k in range(columns)]
+        for row, pivot in zip(reduced, pivots, strict=True):
+            vector[pivot] = -row[free]
+        basis.append(vector)
+    return basis
+
+
+def solve_near(rows: Sequence[Sequence[Fraction]], right: Sequence[Fraction], near: Sequence[Fraction]) -> (
+    list[Fraction] | None
+):  # fmt: skip
+    """Return the x with rows · x = right whose free components are those of ``near``; None if there is no solution."""
+    columns = len(near)
+    outside = [b for row, b in zip(rows, right, strict=True) if not any(row)]
+    extended = [[*row, b] for row, b in zip(rows, right, strict=True)]
+    reduced, pivots = reduce_rows(extended, columns)
+    rest = [row for row, b in zip(extended, right, strict=True) if any(row)]
+    if any(outside) or len(reduce_rows(rest, columns + 1)[1]) > len(pivots):
+        return None
+    x = list(near)
+    for row, pivot in zip(reduced, pivots, strict=True):
+        others = sum((row[k] * near[k] for k in range(columns) if k not in pivots), Fraction(0))
+        x[pivot] = row[columns] - others
+    return x
+
+
+def split_into_squares(matrix: Sequence[Sequence[Fraction]]) -> list[tuple[Fraction, list[Fraction]]] | None:
+    """Return d > 0 and rows ℓ with xᵀMx = Σ d (ℓ·x)²; None where M is not positive semidefinite.
+
+    Lagrange's reduction, completing one square after the other.
+    """
+    left = [list(row) for row in matrix]
+    squares = []
+    for k in range(len(left)):
+        pivot = left[k][k]
+        if pivot < 0 or (not pivot and any(left[k])):
+            return None
+        if not pivot:
+            continue
+        row = [x / pivot for x in left[k]]
+        squares.append((pivot, row))
+        left = [[x - pivot * row[i] * row[j] for j, x in enumerate(line)] for i, line in enumerate(left)]
+    return squares
+
+
+def transpose(a: Sequence[Sequence[Fraction]]) -> Rows:
+    """Return the transpose."""
+    return [list(column) for column in zip(*a, strict=True)]
+
+
+def multiply(a: Sequence[Sequence[Fraction]], b: Sequence[Sequence[Fraction]]) -> Rows:
+    """Return a b."""
+    columns = transpose(b)
+    return [[sum((x * y for x, y in zip(row, column, strict=True) if x and y), Fraction(0)) for column in columns]
+            for row in a]  # fmt: skip
+
+
+def combine(*terms: tuple[Fraction | int, Sequence[Sequence[Fraction]]]) -> Rows:
+    """Return Σ c M."""
+    n, m = len(terms[0][1]), len(terms[0][1][0])
+    return [[sum((Fraction(c) * a[i][j] for c, a in terms), Fraction(0)) for j in range(m)] for i in range(n)]
+
+
+def identity(n: int) -> Rows:
+    """Return the identity (n, n)."""
+    return [[Fraction(int(i == j)) for j in range(n)] for i in range(n)]
+
+
+def characteristic_polynomial(matrix: Sequence[Sequence[Fraction]]) -> list[Fraction]:
+    """Return the coefficients of det(λ − A), highest power first [Faddeev and Leverrier]."""
+    n = len(matrix)
+    coefficients, power = [Fraction(1)], identity(n)
+    for k in range(1, n + 1):
+        power = multiply(matrix, power)
+        coefficients.append(-sum((power[i][i] for i in range(n)), Fraction(0)) / k)
+        power = combine((1, power), (coefficients[-1], identity(n)))
+    return coefficients
+
+
+def count_roots_beyond(polynomial: Sequence[Fraction], line: Fraction) -> int | None:
+    """Return how many roots have a real part greater than ``line``, none of them on it; None where Routh's array ends.
+
+    Args:
+        polynomial: coefficients, highest power first.
+        line: the real part.
+
+    Source: Gantmacher, *The Theory of Matrices* II, ch. XV §3 (Routh's theorem: as many as the first column has changes
+    of sign).
+    """
+    shifted = list(polynomial)
+    for k in range(len(shifted) - 1):  # Horner's shift of the origin
+        for j in range(1, len(shifted) - k):
+            shifted[j] += line * shifted[j - 1]
+    one, two = shifted[0::2], shifted[1::2]
+    column = [one[0]]
+    for _ in range(len(shifted) - 1):
+        if not two or not two[0]:
+            return None
+        column.append(two[0])
+        padded = [*two, Fraction(0)]
+        one, two = two, [one[k + 1] - one[0] / two[0] * padded[k + 1] for k in range(len(one) - 1)]
+    return sum(a * b < 0 for a, b in pairwise(column))
