@@ -40,9 +40,9 @@ class Certificate(str):
     It is text like any other; the proof is looked for when it is asked for.
 
     >>> import numpy as np
-    >>> from polhode.analysis import stability
-    >>> from polhode.systems import FreeRigidBody
-    >>> exact = stability(FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.0, 0.0, 0.1])).certificate.as_rational()
+    >>> import polhode as ph
+    >>> found = ph.stability(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.0, 0.0, 0.1]))
+    >>> exact = found.certificate.as_rational()
     >>> exact.equations.point[2], exact.equations.field[0], exact.proof.weights["|L|²"]
     (Fraction(1, 10), −1/6 x2 x3, Fraction(-1, 6))
     """

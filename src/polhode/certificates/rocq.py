@@ -63,7 +63,8 @@ def _header(certificate: RationalCertificate, name: str) -> str:
     point = ", ".join(map(str, certificate.equations.point))
     return f"""(* {certificate.equations.system}: ({point}) is {certificate.verdict}.
 
-{certificate.statement[0].upper()}{certificate.statement[1:]}: the theorem at the end, about the equations f1, f2, ...
+{certificate.statement[0].upper()}{certificate.statement[1:]}:
+the theorem at the end, about the equations f1, f2, ...
 Written by polhode; checked by `coqc -Q . Polhode checker.v` and `coqc -Q . Polhode {name}.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
 From Polhode Require Import checker.
@@ -231,8 +232,10 @@ def _hypotheses(n: int) -> str:
 
 
 def _formula(p: RationalPolynomial) -> str:
-    terms = [" * ".join([_real(c), *(f"x{k + 1}" for k, e in enumerate(m) for _ in range(e))])
-             for m, c in p.sorted_terms()]  # fmt: skip
+    terms = []
+    for m, c in p.sorted_terms():
+        factors = [f"x{k + 1}" for k, e in enumerate(m) for _ in range(e)]
+        terms.append(" * ".join(factors if c == 1 and factors else [_real(c), *factors]))
     return " + ".join(terms) or "0"
 
 
@@ -241,7 +244,7 @@ def _real(x: Fraction) -> str:
 
 
 def _q(x: Fraction) -> str:
-    return f"({x.numerator} # {x.denominator})"
+    return f"({x.numerator}#{x.denominator})"
 
 
 def _poly(p: RationalPolynomial) -> str:
