@@ -135,7 +135,7 @@ NO_ARRAYS = {
     "AttitudeFit", "Tumbling", "TumblingInterval",
     "ChandlerFit", "ChandlerFit.term", "ChandlerFit.amplitude", "ChandlerProcess", "ChandlerWindows",
     "PoleSpectrum", "PolarExcitation", "EulerPeriod",
-    "Subject", "Certificate.as_rational", "Certificate.check", "Certificate.write_proof", "rational_brackets",
+    "Certificate.as_rational", "Certificate.check", "Certificate.write_proof", "rational_brackets",
     "RationalCertificate", "RationalCertificate.find_faults", "RationalCertificate.check",
     "RationalCertificate.check_by_z3", "RationalCertificate.as_json", "RationalCertificate.json",
     "RationalCertificate.write_proof", "find_certificate",

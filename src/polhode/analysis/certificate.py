@@ -22,16 +22,25 @@ class Subject:
     """What a verdict is about.
 
     Attributes:
-        system: any Lie–Poisson system.
+        source: a Lie–Poisson system, or the moments (3,) of a free body, which is made when it is asked for.
         point: (n,) coordinates of the equilibrium.
         integrals: as given to ``stability``.
         casimirs: the same.
     """
 
-    system: AbstractLiePoissonSystem
+    source: AbstractLiePoissonSystem | tuple[float, float, float]
     point: Float64[Array, "n"]
     integrals: Sequence[Function] = ()
     casimirs: Sequence[Function] | None = None
+
+    @property
+    def system(self) -> AbstractLiePoissonSystem:
+        """The system."""
+        if isinstance(self.source, tuple):
+            from polhode.systems.free_rigid_body import FreeRigidBody
+
+            return FreeRigidBody(self.source)
+        return self.source
 
 
 class Certificate(str):
@@ -53,6 +62,9 @@ class Certificate(str):
         made = super().__new__(cls, text)
         made.found = found
         return made
+
+    def __reduce__(self) -> tuple[type[str], tuple[str]]:
+        return str, (str(self),)  # a system may hold functions that cannot be pickled
 
     def as_rational(self, read_as: str = "short") -> RationalCertificate:
         """Return the verdict with an exact proof: equations, weights and sums of squares as fractions.

@@ -63,7 +63,8 @@ class Stability:
         function: of conserved quantities by which the verdict was reached, or tried to be; None where there is none.
         missing: Casimirs that might have helped an undecided verdict; None where all are known.
         legend: what names in the reason stand for, where they are not usual ones.
-        subject: the system and the point, of which ``certificate`` makes an exact proof; None for matrices alone.
+        subject: the system and the point, of which ``certificate`` makes an exact proof; None for matrices alone, and
+            after pickling.
     """
 
     verdict: str
@@ -77,6 +78,9 @@ class Stability:
     missing: MissingCasimirs | None = None
     legend: str = ""
     subject: Subject | None = field(default=None, repr=False, compare=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "subject": None}  # a system may hold functions that cannot be pickled
 
     @property
     def certificate(self) -> Certificate:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from polhode.analysis.certificate import Subject
 from polhode.analysis.conserved_function import ConservedFunction
 from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.analysis.reasons import AxisOfFreeBody
@@ -38,7 +39,9 @@ def axis_stability(moments: Real[ArrayLike, "3"], momentum_norm: float) -> tuple
         raise InvalidInput(f"`moments` must be three positive numbers; got {shown(np.asarray(moments).tolist())}.")
     if not (np.isfinite(momentum_norm) and momentum_norm >= 0):
         raise InvalidInput(f"`momentum_norm` must be finite and not negative; got {shown(momentum_norm)}.")
-    return tuple(_about(I, float(momentum_norm), i) for i in range(3))  # type: ignore[return-value]
+    norm, point = float(momentum_norm), float(momentum_norm) * np.eye(3)
+    subjects = [Subject(tuple(I.tolist()), point[i]) for i in range(3)]
+    return tuple(replace(_about(I, norm, i), subject=subjects[i]) for i in range(3))  # type: ignore[return-value]
 
 
 def _about(I: np.ndarray, norm: float, i: int) -> Stability:  # noqa: E741

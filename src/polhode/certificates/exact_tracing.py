@@ -159,9 +159,10 @@ class ExactExpression(Expression):
     __slots__ = ("polynomial",)
 
     def __init__(self, tape: ExactTape, polynomial: RationalPolynomial) -> None:
-        constant = polynomial.terms.get((0,) * polynomial.size, Fraction(0))
-        super().__init__(tape, dict(polynomial.part(1).terms), constant)  # type: ignore[arg-type]
-        self.polynomial = polynomial
+        # terms are by monomials here, where others have nodes, and exact
+        self.tape, self.polynomial = tape, polynomial
+        self.terms: Any = polynomial.part(1).terms
+        self.constant: Any = polynomial.terms.get((0,) * polynomial.size, Fraction(0))
 
     def _of(self, polynomial: RationalPolynomial) -> ExactExpression:
         return ExactExpression(self.tape, polynomial)  # type: ignore[arg-type]

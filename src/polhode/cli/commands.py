@@ -81,6 +81,10 @@ def report(
     certificates: Annotated[
         bool, typer.Option("--certificates", help="Also print the formula that each verdict rests on.")
     ] = False,
+    proof: Annotated[
+        Path | None,
+        typer.Option("--proof", metavar="DIR", help="Also write each verdict as a proof that Rocq checks, into DIR."),
+    ] = None,
 ) -> None:
     """Say how the body rotates; write figures and a NetCDF dataset.
 
@@ -88,7 +92,7 @@ def report(
     """
     from polhode.cli.report import run_report
 
-    run_report(spec, json, out, figures or [], html, certificates)
+    run_report(spec, json, out, figures or [], html, certificates, proof)
 
 
 @app.command(cls=StrictCommand)

@@ -15,6 +15,7 @@ from polhode.reports.report import Report
 def publish(
     report: Report, json: bool, data: Path | None = None, figures: Path | None = None, *, written: Sequence[str] = (),
     removed: Sequence[str] | None = None, certificates: bool = False, following: str = "", read: Sequence[Path] = (),
+    remarks: Sequence[str] = (),
 ) -> None:  # fmt: skip
     """Write a report's data and figures where asked for, and print it.
 
@@ -28,6 +29,7 @@ def publish(
         certificates: whether the functions that verdicts rest on are printed as well.
         following: a command to try next.
         read: files that were read, which are not written over.
+        remarks: notes of the command's own, after those of the report.
 
     Raises:
         InvalidInput: if a file cannot be written, and for figures of a report that has none.
@@ -40,10 +42,11 @@ def publish(
     files = [*written, *([] if data is None else [str(report.save(data))]), *_figures(report, figures)]
     if json:
         ends = {"files": files} | ({} if removed is None else {"removed": removed})
-        print(as_json({**report.as_json_dict(), **ends}))
+        values = report.as_json_dict()
+        print(as_json({**values, "notes": [*values["notes"], *remarks], **ends}))
     else:
-        print_report(report.name, report.summary, report.answers, report.notes, files, removed or (), certificates,
-                     following)  # fmt: skip
+        notes = [*report.notes, *remarks]
+        print_report(report.name, report.summary, report.answers, notes, files, removed or (), certificates, following)
 
 
 def _figures(report: Report, folder: Path | None) -> Sequence[str]:

@@ -31,9 +31,10 @@ def figure_forms(named: list[str]) -> list[str]:
 
 
 def run_report(
-    path: Path, json: bool, out: Path | None, figures: list[str], html: bool = False, certificates: bool = False
-) -> None:
-    """Read the spec, compute, write figures, dataset and, if asked for, the page, and print the answers."""
+    path: Path, json: bool, out: Path | None, figures: list[str], html: bool = False, certificates: bool = False,
+    proof: Path | None = None,
+) -> None:  # fmt: skip
+    """Read the spec, compute, write figures, dataset and, if asked for, page and proofs, and print the answers."""
     forms = figure_forms(figures)
     spec = read_spec(path)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
@@ -48,8 +49,15 @@ def run_report(
             files.append(page_of_report(report, draft / "page.html", surface=spec.surface))
     names = [str(folder / file.name) for file in files]
     removed = _remove_outdated(folder, [file.name for file in files])
+    remarks: list[str] = []
+    if proof is not None:
+        from polhode.cli.proofs import write_proofs
+
+        proofs, remarks = write_proofs(report, proof)
+        names += proofs
     following = "; ".join(f"{spell_command(step.command, str(path))} {step.gives}" for step in next_steps(spec))
-    publish(report, json, written=names, removed=removed, certificates=certificates, following=following)
+    publish(report, json, written=names, removed=removed, certificates=certificates, following=following,
+            remarks=remarks)  # fmt: skip
 
 
 def _remove_outdated(folder: Path, written: list[str]) -> list[str]:

@@ -1,0 +1,296 @@
+"""Exact certificates against the numerical verdicts, against sampled values, and against altered ones."""
+
+import pickle
+import sys
+from dataclasses import replace
+from fractions import Fraction
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode.analysis.conserved import Energy
+from polhode.analysis.energy_casimir import energy_casimir
+from polhode.certificates.confinement import Confinement
+from polhode.certificates.exact_tracing import read_double, read_short, trace_polynomials
+from polhode.certificates.growth import Drift, Growth
+from polhode.certificates.polynomials import RationalPolynomial, linear_form, total
+from polhode.certificates.rational_matrices import (
+    characteristic_polynomial,
+    combine,
+    count_roots_beyond,
+    identity,
+    multiply,
+    solve_near,
+    split_into_squares,
+    transpose,
+)
+from polhode.errors import InvalidInput
+
+pytest.importorskip("flint")
+BODY = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
+TOP = ph.systems.HeavyTop((1.0, 2.0, 3.0), 1.0)
+HULL = ph.systems.Kirchhoff((1.0, 2.0, 3.0, 3.0, 2.0, 1.0))
+UPRIGHT, HANGING = [0.0, 0.0, 12.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0, 0.0, -1.0]
+
+
+def judge(system, point, **options):
+    return ph.stability(system, np.array(point, float), **options)
+
+
+def exact(system, point, **options):
+    return judge(system, point, **options).certificate.as_rational()
+
+
+def random_cases(count=24):
+    """Systems with numbers of two digits, and points at rest along an axis."""
+    rng = np.random.default_rng(7)
+    for k in range(count):
+        moments = np.round(rng.uniform(0.6, 1.4, 3), 2)
+        axis, spin = np.eye(3)[k % 3], round(float(rng.uniform(0.3, 6.0)), 1)
+        up = float(rng.choice([-1.0, 1.0]))
+        kind = k // 3 % 4
+        if kind == 0:
+            yield ph.systems.FreeRigidBody(moments), spin * axis
+        elif kind == 1:
+            weight = round(float(rng.uniform(0.2, 1.0)), 1)
+            yield ph.systems.HeavyTop(moments, weight, axis), [*(spin * axis), *(up * axis)]
+        elif kind == 2:
+            yield ph.systems.Gyrostat(moments, round(float(rng.uniform(-2.0, 2.0)), 1) * axis), spin * axis
+        else:
+            masses = np.round(rng.uniform(0.5, 3.0, 3), 1)
+            yield ph.systems.Kirchhoff(np.r_[moments, masses]), [*(spin * axis), *(0.5 * up * axis)]
+
+
+@pytest.mark.parametrize("number", range(24))
+def test_exact_and_numerical_verdicts_agree(number):
+    system, point = list(random_cases())[number]
+    verdict = judge(system, point)
+    if verdict.verdict == "undecided":
+        with pytest.raises(InvalidInput, match=r"needs a decided verdict; got undecided"):
+            verdict.certificate.as_rational()
+        return
+    found = verdict.certificate.as_rational()
+    assert found.verdict == verdict.verdict and not found.find_faults()
+    assert found.equations.moved == 0 and [float(x) for x in found.equations.point] == list(point)
+    rng = np.random.default_rng(number)
+    for x in rng.normal(size=(5, found.equations.size)):
+        exactly = [float(f.at([Fraction(y) for y in x])) for f in found.equations.field]
+        assert np.allclose(exactly, system.vector_field(0.0, jnp.asarray(x)), rtol=1e-12, atol=1e-12)
+    if found.verdict == "stable":  # G at sampled points inside the radius, and the numerical function's sign
+        g, z = found.proof.function(found.equations), found.equations.point
+        for v in rng.normal(size=(40, len(z))):
+            v = [Fraction(float(x)).limit_denominator(1000) for x in v / np.linalg.norm(v)]
+            v = [x * found.proof.radius * Fraction(9, 10) for x in v]
+            assert g.at([a + b for a, b in zip(z, v, strict=True)]) > g.at(z)
+    else:
+        real = np.linalg.eigvals(np.array(found.equations.linearization, float)).real
+        assert (real > float(found.proof.rate)).sum() == found.proof.beyond
+        assert real.max() == pytest.approx(verdict.rate, rel=1e-6)
+
+
+@pytest.mark.parametrize("number", range(24))
+def test_z3_agrees_with_the_exact_check(number):
+    pytest.importorskip("z3")
+    system, point = list(random_cases())[number]
+    verdict = judge(system, point)
+    if verdict.verdict != "undecided":
+        verdict.certificate.check()
+
+
+def alter(certificate, **changes):
+    return replace(certificate, proof=replace(certificate.proof, **changes))
+
+
+def alter_equations(certificate, **changes):
+    return replace(certificate, equations=replace(certificate.equations, **changes))
+
+
+def with_other_field(certificate, k, factor):
+    field = list(certificate.equations.field)
+    field[k] = field[k] * factor
+    return alter_equations(certificate, field=tuple(field))
+
+
+def first_square(certificate, factor):
+    (d, row), *others = certificate.proof.forms
+    return alter(certificate, forms=((d * factor, row), *others))
+
+
+def changed(values, name, factor):
+    return {k: x * factor if k == name else x for k, x in values.items()}
+
+
+ALTERED = {
+    "a weight": lambda: alter(c := exact(BODY, [1, 0, 0]), weights=changed(c.proof.weights, "|L|²", Fraction(3, 2))),
+    "the sign of a weight": lambda: alter(c := exact(TOP, HANGING), weights=changed(c.proof.weights, "Π·P", -1)),
+    "a square that is left out": lambda: alter(exact(TOP, UPRIGHT), squares={}),
+    "a larger square": lambda: first_square(exact(BODY, [0, 0, 1]), Fraction(101, 100)),
+    "a negative square": lambda: first_square(exact(TOP, HANGING), -1),
+    "a larger margin": lambda: alter(c := exact(BODY, [0, 0, 1]), margin=2 * c.proof.margin),
+    "a larger radius": lambda: alter(exact(HULL, [0, 0, 4, 0, 0, 0.5]), radius=Fraction(1)),
+    "other equations": lambda: with_other_field(exact(BODY, [0, 0, 1]), 1, Fraction(7, 6)),
+    "another point": lambda: alter_equations(
+        exact(HULL, [0, 0, 0, 1, 0, 0]), point=tuple(map(Fraction, (0, 0, "1/9", 1, 0, 0)))),
+    "the middle axis": lambda: alter_equations(exact(BODY, [0, 0, 1]), point=tuple(map(Fraction, (0, 1, 0)))),
+    "a faster rate": lambda: alter(exact(BODY, [0, 1, 0]), rate=Fraction(1)),
+    "a direction in which V falls": lambda: alter(exact(BODY, [0, 1, 0]), direction=tuple(map(Fraction, (0, 1, 0)))),
+    "another drift": lambda: alter(c := exact(ph.systems.FreeRigidBody((1.0, 1.0, 2.0)), [1, 0, 0]),
+                                   conserved=c.proof.conserved * 2),
+    "a stable system's growth": lambda: replace(exact(BODY, [0, 0, 1]), proof=exact(BODY, [0, 1, 0]).proof),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ALTERED)
+def test_altered_certificates_are_refused(name):
+    altered = ALTERED[name]()
+    with pytest.raises(InvalidInput, match="the certificate must prove its verdict; but"):
+        altered.check()
+
+
+@pytest.mark.parametrize("name", ["a weight", "the sign of a weight", "other equations", "the middle axis",
+                                  "a faster rate", "a direction in which V falls", "another drift"])  # fmt: skip
+def test_z3_refuses_wrong_claims_too(name):
+    """It is not given margins and squares, so that wrong ones do not mislead it."""
+    pytest.importorskip("z3")
+    with pytest.raises(InvalidInput, match="the claim must hold that"):
+        ALTERED[name]().check_by_z3()
+
+
+def test_each_way_of_proof_is_used():
+    kinds = [(BODY, [0, 0, 1], Confinement), (BODY, [0, 1, 0], Growth),
+             (ph.systems.FreeRigidBody((1.0, 1.0, 2.0)), [1, 0, 0], Drift)]  # fmt: skip
+    for system, point, kind in kinds:
+        assert isinstance(exact(system, point).proof, kind)
+
+
+def test_the_least_known_case_by_hand():
+    """H − |L|²/6 about the third axis of (1, 2, 3): ½ D² is diag(1/3, 1/12, 0) before the square."""
+    found = exact(BODY, [0, 0, 1])
+    assert found.proof.weights == {"|L|²": Fraction(-1, 6), "H": Fraction(1)}
+    second = found.proof.raised(found.equations).quadratic()
+    square = found.proof.squares["|L|²"]
+    assert [second[k][k] for k in range(3)] == [Fraction(1, 3), Fraction(1, 12), 4 * square]
+
+
+def test_whoever_has_only_the_plain_data_can_check_them():
+    """From the JSON alone: polynomials, weights and squares, with other code than the package's."""
+    import json
+    from itertools import product
+
+    data = json.loads(exact(TOP, HANGING).json())
+    z = [Fraction(x) for x in data["point"]]
+    proof = data["proof"]
+
+    def value(terms, x):
+        return sum(Fraction(c) * np.prod([a**e for a, e in zip(x, m, strict=True)]) for c, m in terms)
+
+    def g(x):
+        at = {k: value(t, x) for k, t in data["conserved"].items()}
+        here = {k: value(t, z) for k, t in data["conserved"].items()}
+        return (sum(Fraction(w) * at[k] for k, w in proof["weights"].items())
+                + sum(Fraction(s) * (at[k] - here[k]) ** 2 for k, s in proof["squares"].items()))  # fmt: skip
+
+    for v in product([Fraction(0), Fraction(1, 3), Fraction(-2, 5)], repeat=6):
+        squares = sum(Fraction(d) * sum(Fraction(a) * b for a, b in zip(row, v, strict=True)) ** 2
+                      for d, row in proof["forms"])  # fmt: skip
+        assert g([a + b for a, b in zip(z, v, strict=True)]) - g(z) == (
+            Fraction(proof["margin"]) * sum(b * b for b in v) + squares)  # fmt: skip
+
+
+def test_an_irrational_equilibrium_is_moved_or_refused():
+    gyrostat = ph.systems.Gyrostat((1.0, 2.0, 3.0), (0.1, 0.7, 0.4))
+    point = ph.find_equilibria(gyrostat, np.array([0.3, 0.4, 1.0]))[0]
+    found = exact(gyrostat, point)
+    assert 0 < found.equations.moved < 1e-9 and not any(f.at(found.equations.point) for f in found.equations.field)
+    turned = np.array([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]])
+    skew = turned @ np.diag([1.0, 0.5, 1 / 3]) @ turned.T + 0.01 * np.ones((3, 3))
+    body = ph.systems.LiePoisson(ph.algebra.SO3(), lambda L: 0.5 * L @ skew @ L)
+    axis = np.linalg.eigh(skew)[1][:, 0]
+    with pytest.raises(InvalidInput, match=r"must be an equilibrium in rational numbers .* within a billionth"):
+        exact(body, axis)
+
+
+def test_numbers_are_read_as_they_were_meant():
+    assert read_short(0.1) == Fraction(1, 10) and read_double(0.1) != Fraction(1, 10)
+    for value in np.random.default_rng(1).normal(size=200) * 10.0 ** np.arange(-100, 100):
+        short = read_short(value)
+        assert float(short) == value and short.denominator <= Fraction(repr(float(value))).denominator
+    for p, q in ((1, 3), (-5, 7), (22, 7), (1234, 4321), (355, 113)):
+        assert read_short(p / q) == Fraction(p, q)
+    doubles = judge(BODY, [0.0, 0.0, 0.1]).certificate.as_rational("doubles")
+    assert doubles.equations.point[2] == Fraction(0.1)
+
+
+def test_what_has_no_exact_proof_is_said():
+    with pytest.raises(InvalidInput, match=r'`read_as` must be "short" or "doubles"; got \'exact\''):
+        judge(BODY, [0, 0, 1]).certificate.as_rational("exact")
+    curved = ph.systems.BodyInPotential((1.0, 2.0, 3.0), lambda up: jnp.sin(up[2]))
+    with pytest.raises(InvalidInput, match=r"must be a polynomial .* it has sine of something that moves"):
+        exact(curved, [0, 0, 0, 0, 0, -1])
+    matrices = energy_casimir(np.zeros((3, 3)), np.zeros(3), np.eye(3), np.zeros((0, 3)), np.zeros((0, 3, 3)))
+    with pytest.raises(InvalidInput, match=r"an exact proof needs the equations"):
+        matrices.certificate.as_rational()
+
+
+def test_a_certificate_is_still_a_sentence():
+    found = judge(BODY, [0, 0, 1])
+    assert isinstance(found.certificate, str) and "positive definite" in found.certificate
+    again = pickle.loads(pickle.dumps(found))
+    assert again.certificate == found.certificate == pickle.loads(pickle.dumps(found.certificate))
+    with pytest.raises(InvalidInput, match="an exact proof needs the equations"):
+        again.certificate.as_rational()
+
+
+def test_z3_is_asked_for_by_name(monkeypatch):
+    monkeypatch.setitem(sys.modules, "z3", None)
+    with pytest.raises(InvalidInput, match=r"checks by z3 need z3-solver, which is not installed"):
+        judge(BODY, [0, 0, 1]).certificate.check()
+
+
+# ---------------------------------------------------------------------- the tools below
+
+
+def test_polynomials_of_functions_have_their_values():
+    rng = np.random.default_rng(3)
+    for system, _ in random_cases(12):
+        n = system.algebra.dim
+        (energy,) = trace_polynomials(Energy(system), n)
+        for x in rng.normal(size=(3, n)):
+            value = float(system.energy(jnp.asarray(x)))
+            assert float(energy.at([Fraction(y) for y in x])) == pytest.approx(value, rel=1e-13)
+
+
+def test_rates_and_shifts_agree_with_difference_quotients():
+    rng = np.random.default_rng(4)
+    x = RationalPolynomial.variables(3)
+    p = 3 * x[0] ** 2 * x[1] - x[2] ** 3 + Fraction(1, 2) * x[0] - 4
+    f = [x[1] * x[2], x[0] - 1, x[2] ** 2]
+    at = [Fraction(round(64 * y), 64) for y in rng.normal(size=3)]
+    step = Fraction(1, 10**9)
+    moved = [a + step * g.at(at) for a, g in zip(at, f, strict=True)]
+    assert float((p.at(moved) - p.at(at)) / step) == pytest.approx(float(p.rate(f).at(at)), rel=1e-6)
+    assert p.shift(at).at([-a for a in at]) == p.at([Fraction(0)] * 3)
+
+
+def test_matrices_agree_with_numerical_ones():
+    rng = np.random.default_rng(0)
+    for n in (2, 3, 4, 5, 6):
+        for _ in range(20):
+            numbers = rng.integers(-4, 5, (n, n))
+            A = [[Fraction(int(x)) for x in row] for row in numbers]
+            p = characteristic_polynomial(A)
+            assert np.allclose(np.poly(numbers), [float(x) for x in p])
+            count = count_roots_beyond(p, Fraction(1, 7))
+            assert count in (None, (np.linalg.eigvals(numbers).real > 1 / 7).sum())
+            positive = combine((1, multiply(transpose(A), A)), (Fraction(1, 3), identity(n)))
+            squares = total(n, (d * linear_form(row) ** 2 for d, row in split_into_squares(positive)))
+            assert squares.quadratic() == positive
+            assert split_into_squares(combine((-1, positive))) is None
+            b = [Fraction(int(x)) for x in rng.integers(-4, 5, n)]
+            found = solve_near(A, b, [Fraction(1, 3)] * n)
+            if found is not None:
+                assert [sum(a * y for a, y in zip(row, found, strict=True)) for row in A] == b
+            else:
+                assert np.linalg.matrix_rank(numbers) < n
