@@ -45,7 +45,7 @@ Definition forms : list (Q * list Q) := [((5#8), [(1#1); (0#1); (0#1)]);
   ((3#8), [(0#1); (1#1); (0#1)]);
   ((7#24), [(0#1); (0#1); (1#1)])].
 
-Lemma minimum : check_extremum 3 zp G forms margin radius = true.
+Lemma minimum : check_extremum 3 zp G [] forms margin radius = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 Lemma kept : is_zero (rate zf G) = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.

@@ -60,7 +60,7 @@ Definition forms : list (Q * list Q) := [((15#32), [(1#1); (0#1); (0#1); (0#1); 
   ((5#96), [(0#1); (0#1); (0#1); (0#1); (1#1); (0#1)]);
   ((29#96), [(0#1); (0#1); (0#1); (0#1); (0#1); (1#1)])].
 
-Lemma minimum : check_extremum 6 zp G forms margin radius = true.
+Lemma minimum : check_extremum 6 zp G [] forms margin radius = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 Lemma kept : is_zero (rate zf G) = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.

@@ -63,7 +63,7 @@ Definition forms : list (Q * list Q) := [((1405#81536), [(1#1); (0#1); (0#1); (0
   ((353719#5690496), [(0#1); (0#1); (0#1); (0#1); (1#1); (0#1)]);
   ((1533587#26976000), [(0#1); (0#1); (0#1); (0#1); (0#1); (1#1)])].
 
-Lemma minimum : check_extremum 6 zp G forms margin radius = true.
+Lemma minimum : check_extremum 6 zp G [] forms margin radius = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 Lemma kept : is_zero (rate zf G) = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.

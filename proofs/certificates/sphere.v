@@ -46,7 +46,7 @@ Definition forms : list (Q * list Q) := [((1#4), [(1#1); (0#1); (0#1)]);
   ((1#4), [(0#1); (1#1); (0#1)]);
   ((1#4), [(0#1); (0#1); (1#1)])].
 
-Lemma minimum : check_extremum 3 zp G forms margin radius = true.
+Lemma minimum : check_extremum 3 zp G [] forms margin radius = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 Lemma kept : is_zero (rate zf G) = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.

@@ -57,6 +57,8 @@ CASES = {
     "hull_lengthwise": (HULL, [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
     "so4_two_planes": (FOUR, plane((0, 1, 1.0), (2, 3, 0.3))),
     "so4_one_plane": (FOUR, plane((0, 2, 1.0))),
+    "top_precessing": (LAGRANGE, [1.2, 0.0, 2.1, 0.6, 0.0, 0.8], [lambda point: point[2]]),
+    "symmetric_body": (ph.systems.FreeRigidBody((1.0, 1.0, 2.0)), [0.6, 0.0, 0.8], [lambda L: L[2]]),
     "own_stable": (hyperbolic(-2.0), [0.0, 0.0, 1.0]),
     "own_unstable": (hyperbolic(4.0), [0.0, 1.0, 0.0]),
 }
@@ -65,8 +67,8 @@ CASES = {
 def certificates(names: list[str] | None = None) -> dict[str, RationalCertificate]:
     """Return the certificates by name, computed anew."""
     wanted = {name: CASES[name] for name in names or CASES}
-    return {name: ph.stability(system, np.array(point)).certificate.as_rational()
-            for name, (system, point) in wanted.items()}  # fmt: skip
+    return {name: ph.stability(system, np.array(point), *integrals).certificate.as_rational()
+            for name, (system, point, *integrals) in wanted.items()}  # fmt: skip
 
 
 def texts(names: list[str] | None = None) -> dict[str, str]:

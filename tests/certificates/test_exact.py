@@ -35,6 +35,14 @@ HULL = ph.systems.Kirchhoff((1.0, 2.0, 3.0, 3.0, 2.0, 1.0))
 UPRIGHT, HANGING = [0.0, 0.0, 12.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0, 0.0, -1.0]
 
 
+LAGRANGE = ph.systems.HeavyTop((1.0, 1.0, 0.5), 1.0)
+PRECESSING = [1.2, 0.0, 2.1, 0.6, 0.0, 0.8]  # steadily, at 2 rad/s about the vertical
+
+
+def spin(point):
+    return point[2]
+
+
 def judge(system, point, **options):
     return ph.stability(system, np.array(point, float), **options)
 
@@ -138,6 +146,9 @@ ALTERED = {
     "a direction in which V falls": lambda: alter(exact(BODY, [0, 1, 0]), direction=tuple(map(Fraction, (0, 1, 0)))),
     "another drift": lambda: alter(c := exact(ph.systems.FreeRigidBody((1.0, 1.0, 2.0)), [1, 0, 0]),
                                    conserved=c.proof.conserved * 2),
+    "a wrong turn": lambda: alter_equations(c := exact(LAGRANGE, PRECESSING, integrals=[spin]),
+                                            flow=tuple(f * 2 for f in c.equations.flow)),
+    "no square across the orbit": lambda: alter(exact(LAGRANGE, PRECESSING, integrals=[spin]), slice=Fraction(0)),
     "a stable system's growth": lambda: replace(exact(BODY, [0, 0, 1]), proof=exact(BODY, [0, 1, 0]).proof),
 }  # fmt: skip
 
@@ -163,6 +174,29 @@ def test_each_way_of_proof_is_used():
              (ph.systems.FreeRigidBody((1.0, 1.0, 2.0)), [1, 0, 0], Drift)]  # fmt: skip
     for system, point, kind in kinds:
         assert isinstance(exact(system, point).proof, kind)
+
+
+def test_a_verdict_up_to_a_flow_says_so():
+    verdict = judge(LAGRANGE, PRECESSING, integrals=[spin])
+    assert verdict.verdict == "stable" and verdict.restriction == "up to the flow of J1"
+    found = verdict.certificate.as_rational()
+    assert "up to the flow of J1" in found.statement
+    v = RationalPolynomial.variables(6)
+    assert found.equations.flow == (v[1], -v[0], v[0] * 0, v[4], -v[3], v[0] * 0)
+    # the point itself moves, along the symmetry's orbit alone
+    field, along = ([float(x) for x in row] for row in
+                    ([f.at(found.equations.point) for f in found.equations.field], found.equations.along))  # fmt: skip
+    assert np.linalg.norm(field) > 0.1 and np.linalg.matrix_rank(np.array([field, along]), 1e-12) == 1
+    quadratic = judge(LAGRANGE, PRECESSING, integrals=[lambda point: point[2] ** 2])
+    with pytest.raises(InvalidInput, match="needs one that turns all coordinates at one rational rate"):
+        quadratic.certificate.as_rational()
+
+
+def test_instability_with_losses_has_a_proof_and_stability_says_why_not():
+    damped = ph.systems.DoubleBracket((1.0, 2.0, 3.0), 0.1)
+    assert isinstance(exact(damped, [1, 0, 0]).proof, Growth)
+    with pytest.raises(InvalidInput, match="needs a conserved energy"):
+        exact(damped, [0, 0, 1])
 
 
 def test_the_least_known_case_by_hand():

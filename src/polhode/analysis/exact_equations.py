@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -14,7 +15,7 @@ import jax.numpy as jnp
 from polhode.algebra.casimirs import polynomial_casimirs, rational_brackets
 from polhode.algebra.functions import Function
 from polhode.analysis.conserved import HIGHEST_DEGREE, Energy, Source, choose_casimirs
-from polhode.certificates.equations import ENERGY, Equations, poisson_field, rational_equilibrium
+from polhode.certificates.equations import ENERGY, Equations, poisson_field, rational_equilibrium, turns
 from polhode.certificates.exact_tracing import read_double, read_short, trace_polynomials
 from polhode.certificates.polynomials import RationalPolynomial
 from polhode.certificates.rational import RationalCertificate, find_certificate
@@ -65,6 +66,11 @@ def make_rational(found: Stability, subject: Subject, read_as: str) -> RationalC
             f"an exact proof needs a decided verdict; got {found.verdict}: {found.certificate}. "
             "Give a further conserved function by `integrals=`, if one is known."
         )
+    if found.verdict == "stable" and not subject.system.conserves_energy:
+        raise InvalidInput(
+            "an exact proof of stability needs a conserved energy; this system loses energy, and its verdict is by "
+            "exponents. Verdicts of instability have proofs there too."
+        )
     equations, hint = make_equations(found, subject, READINGS[read_as])
     try:
         return find_certificate(equations, found.verdict, hint)
@@ -101,7 +107,7 @@ def make_equations(found: Stability, subject: Subject, read: Reader) -> tuple[Eq
                     f"an exact proof up to flows is for one polynomial integral; got {flow_name}. "
                     "Give one whose flow alone is divided out."
                 )
-            flow = poisson_field(brackets, system.sign, conserved[flow_name])
+            flow = _turning(poisson_field(brackets, system.sign, conserved[flow_name]), flow_name)
         conserved[ENERGY] = energy
     conserved = {k: c for k, c in conserved.items() if not c.rate(vector_field)}
     vanishing = _parallel(vector_field, flow) if flow else vector_field
@@ -145,6 +151,7 @@ def _trace_integrals(subject: Subject, read: Reader) -> Named:
             values = trace_polynomials(_Row(algebra, Flat(function)), algebra.dim, read)
         except Untraceable:
             continue
+        found = {k: p for k, p in found.items() if p not in values}  # what is given goes before what is known
         found |= {name: values[0]} if len(values) == 1 else {f"{name}, {k + 1}": p for k, p in enumerate(values)}
     return found
 
@@ -187,6 +194,27 @@ def _compare_fields(one: tuple[RationalPolynomial, ...], other: tuple[RationalPo
             f"the field must be that of the energy; its coefficients differ by {float(off / (size or 1)):.2g} of the "
             "largest. Check `vector_field` and `energy` of the system."
         )
+
+
+def _turning(flow: tuple[RationalPolynomial, ...], name: str) -> tuple[RationalPolynomial, ...]:
+    """Return a symmetry's field at one radian in a unit of time.
+
+    Raises:
+        InvalidInput: if it turns nothing, or not all at one rational rate.
+    """
+    square = [x.rate(flow) for x in flow]
+    cube = [x.rate(flow) for x in square]
+    term = next(((k, m) for k, x in enumerate(flow) for m in x.terms), None)
+    if term is not None:
+        k, m = term
+        rate = -cube[k].terms.get(m, Fraction(0)) / flow[k].terms[m]
+        root = Fraction(math.isqrt(max(rate.numerator, 0)), math.isqrt(rate.denominator))
+        if root and root**2 == rate and turns(turned := tuple(x * (1 / root) for x in flow)):
+            return turned
+    raise InvalidInput(
+        f"an exact proof up to a flow needs one that turns all coordinates at one rational rate; that of {name} is "
+        "another. Divide out another integral, if one is enough."
+    )
 
 
 def _parallel(field: tuple[RationalPolynomial, ...], flow: tuple[RationalPolynomial, ...]) -> list[RationalPolynomial]:

@@ -1,8 +1,8 @@
 (* A verified checker of stability certificates of polynomial equations with rational coefficients.
 
-A certificate is data. `check_confined` and `check_growing` and `check_drifting` compute, exactly, whether it proves its
-verdict, and the theorems at the end say what a check that passes proves about every solution. Needs nothing but Coq's
-own library. Polhode writes this file beside each certificate. *)
+A certificate is data. `check_extremum`, `check_symmetry`, `check_growth` and `check_drift` compute, exactly, whether it
+proves its verdict. The theorems `confined`, `confined_up_to_turns`, `growing` and `drifting` say what a check that passes
+proves about every solution. Needs nothing but Coq's own library. Polhode writes this file beside each certificate. *)
 From Coq Require Import Reals QArith Qreals List Lia Lra Ranalysis5 Bool PeanoNat.
 Import ListNotations.
 Local Open Scope R_scope.
@@ -97,6 +97,10 @@ Lemma eval_zero x p : is_zero p = true -> eval x p = 0.
 Proof.
   induction p as [|[c m] p h]; simpl; auto. intros e; apply andb_prop in e as [e1 e2].
   rewrite h; auto. apply Qeq_bool_eq in e1. simpl in e1. rewrite (Qeq_eqR _ _ e1), Q2R_0; ring. Qed.
+Lemma eval_same p q x : is_zero (add p (scale (-1) q)) = true -> eval x p = eval x q.
+Proof.
+  intros h. assert (e := eval_zero x _ h). rewrite eval_add, eval_scale in e.
+  replace (Q2R (-1)) with (-1) in e by (unfold Q2R; simpl; field). lra. Qed.
 Lemma eval_ext x y p : (forall i, x i = y i) -> eval x p = eval y p.
 Proof.
   intros e; induction p as [|[c m] p h]; simpl; auto. rewrite h; f_equal; f_equal.
@@ -187,6 +191,8 @@ Proof. intros e; induction n; simpl; auto. rewrite IHn, e; auto. Qed.
 
 (* ---------------------------------------------------------------- solutions *)
 
+Definition equation (f : list poly) (i : nat) : poly := nth i f [].
+
 (* every solution on [0, T] of x' = f(x), with an equation for each variable *)
 Definition solves (f : nat -> poly) (x : R -> nat -> R) (T : R) : Prop :=
   forall i t, 0 <= t <= T -> derivable_pt_lim (fun t => x t i) t (eval (x t) (f i)).
@@ -261,10 +267,11 @@ Lemma eval_back x p : eval (fun i => x i - Q2R (z i)) (shift z p) = eval x p.
 Proof. rewrite eval_shift; apply eval_ext; intros; apply back. Qed.
 
 Section Confined.
-Variables (g : poly) (l : list (Q * list Q)) (m s : Q).
+(* extra vanishes where the minimum is looked for: everywhere if it is [], else across the orbit of a symmetry *)
+Variables (g extra : poly) (l : list (Q * list Q)) (m s : Q).
 Definition here : poly := shift z g.
 Definition level : Q := fold_right (fun t r => match snd t with [] => Qred (fst t + r) | _ => r end) 0%Q here.
-Definition raised : poly := add here (constant (- level)).
+Definition raised : poly := add (add here (constant (- level))) extra.
 Definition rest : poly := add raised (scale (-1) (add (scale m (norm_poly n)) (squares l))).
 Definition check_extremum : bool :=
   low_vanishes 1 raised && low_vanishes 2 rest && all_positive l && Qle_bool s 1 && negb (Qle_bool s 0) &&
@@ -286,12 +293,12 @@ Lemma magnitude_nonneg p : 0 <= Q2R (magnitude p).
 Proof.
   induction p as [|[c k] p h]; cbn [magnitude fold_right fst snd]; [rewrite Q2R_0; lra|].
   fold (magnitude p). rewrite Q2R_red, Q2R_plus, Q2R_abs. assert (a := Rabs_pos (Q2R c)). lra. Qed.
-Lemma pinch x : inside x -> off x <= radius ->
+Lemma pinch x : inside x -> off x <= radius -> eval (fun i => x i - Q2R (z i)) extra = 0 ->
   least * off x <= eval x g - Q2R level <= most * off x.
 Proof.
-  intros h r. destruct parts as (p1 & p2 & p3 & p4 & p5 & p6). set (v := fun i => x i - Q2R (z i)).
+  intros h r x0. destruct parts as (p1 & p2 & p3 & p4 & p5 & p6). set (v := fun i => x i - Q2R (z i)).
   assert (e : eval x g - Q2R level = eval v raised).
-  { unfold raised. rewrite eval_add, eval_constant. unfold here, v. rewrite eval_back, Q2R_opp; ring. }
+  { unfold raised. rewrite !eval_add, eval_constant. unfold here, v. rewrite x0, eval_back, Q2R_opp; ring. }
   assert (each := each_entry x h). fold v in each. change (forall i, v i * v i <= off x) in each.
   assert (n0 : 0 <= off x) by apply norm_nonneg.
   assert (u := bound_2 v (off x) (Q2R s) each r ltac:(lra) p4 raised p1).
@@ -306,12 +313,16 @@ Proof.
     lra.
   - unfold most. assert (eval v raised <= Rabs (eval v raised)) by apply Rle_abs. lra. Qed.
 
-Theorem confined : is_zero (rate f g) = true -> stable.
+Lemma constants : 0 < radius /\ 0 < least /\ 0 < most.
 Proof.
-  intros cons eps pe. destruct parts as (_ & _ & _ & p4 & p5 & p6).
-  assert (pr : 0 < radius) by (unfold radius; apply Rmult_lt_0_compat; auto).
-  assert (pm : 0 < least) by exact p6.
-  assert (pM : 0 < most) by (assert (a := magnitude_nonneg raised); unfold most; lra).
+  destruct parts as (_ & _ & _ & p4 & p5 & p6). assert (a := magnitude_nonneg raised).
+  repeat split; [unfold radius; apply Rmult_lt_0_compat; auto | exact p6 | unfold most; lra]. Qed.
+End Confined.
+
+Theorem confined g l m s : check_extremum g [] l m s = true -> is_zero (rate f g) = true -> stable.
+Proof.
+  intros checked cons eps pe. destruct (constants g [] l m s checked) as (pr & pm & pM).
+  set (radius := radius s) in *. set (least := least g [] l m s) in *. set (most := most g []) in *.
   set (e := Rmin eps radius). assert (pe' : 0 < e) by (unfold e; apply Rmin_glb_lt; auto).
   assert (e1 : e <= eps) by apply Rmin_l. assert (e2 : e <= radius) by apply Rmin_r.
   set (d := Rmin e (least * e / most)).
@@ -327,12 +338,12 @@ Proof.
     - intros a ha. apply continuity_pt_minus; [apply (norm_continuous f x T z n so); lra |
         apply continuity_pt_const; intros ? ?; reflexivity].
     - exists c; split; lra. }
-  destruct X as (c & hc & q). assert (a := pinch (x c) (ins c hc) ltac:(lra)).
-  assert (b := pinch (x 0) (ins 0 ltac:(lra)) ltac:(lra)).
+  destruct X as (c & hc & q). assert (a := pinch g [] l m s checked (x c) (ins c hc) ltac:(fold radius; lra) eq_refl).
+  assert (b := pinch g [] l m s checked (x 0) (ins 0 ltac:(lra)) ltac:(fold radius; lra) eq_refl).
+  fold least most in a, b.
   rewrite (conserved f x T g so cons c hc), q in a.
   assert (most * off (x 0) < least * e); [|lra].
   apply Rlt_le_trans with (most * (least * e / most)); [apply Rmult_lt_compat_l; lra | right; field; lra]. Qed.
-End Confined.
 
 (* -------- growth: V' >= 2 gamma V near z, and V > 0 arbitrarily near; drift: V' >= K q with K conserved and positive *)
 
@@ -515,11 +526,222 @@ Proof.
   left; apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; auto | exact c7]. Qed.
 End Drift.
 End Leaving.
+
+(* -------- up to a symmetry: X turns points, x + sin a Xx + (1 - cos a) XXx, and keeps the field, |x| and G *)
+
+Section Symmetry.
+Variable X : list poly.
+Definition X1 : nat -> poly := equation X.
+Definition X2 (i : nat) : poly := rate X1 (X1 i).
+Definition turn (a : R) (x : nat -> R) (i : nat) : R :=
+  x i + sin a * eval x (X1 i) + (1 - cos a) * eval x (X2 i).
+Definition linear_poly (p : poly) : bool := forallb (fun t => Nat.eqb (length (snd t)) 1) p.
+Fixpoint paired (P : nat -> poly) (k : nat) : poly :=
+  match k with O => [] | S k => add (paired P k) (scale (z k) (P k)) end.
+Definition across : poly := paired X1 n.
+Definition check_symmetry : bool :=
+  Nat.leb (length X) n && forallb linear_poly X && is_zero (rate X1 (norm_poly n)) &&
+  forallb (fun i => is_zero (add (rate X2 (X1 i)) (X1 i))) (seq 0 n).
+
+Lemma linear_eval a b c s d p : linear_poly p = true ->
+  eval (fun i => a i + s * b i + d * c i) p = eval a p + s * eval b p + d * eval c p.
+Proof.
+  induction p as [|[q m] p h]; cbn [linear_poly forallb eval snd]; [intros; ring|].
+  intros e; apply andb_prop in e as [e1 e2]. rewrite (h e2). apply Nat.eqb_eq in e1.
+  destruct m as [|i [|j m]]; try discriminate. cbn [eval_mono]. ring. Qed.
+Lemma linear_rate F x p : linear_poly p = true -> eval x (rate F p) = eval (fun i => eval x (F i)) p.
+Proof.
+  induction p as [|[q m] p h]; cbn [linear_poly forallb eval snd]; [auto|].
+  intros e; apply andb_prop in e as [e1 e2]. apply Nat.eqb_eq in e1. destruct m as [|i [|j m]]; try discriminate.
+  unfold rate; cbn [fold_right fst snd]. fold (rate F p). rewrite eval_add, eval_scale, (h e2).
+  cbn [rate_mono eval_mono]. rewrite eval_add, eval_scale_term, eval_times, Q2R_1. cbn [eval_mono eval]. ring. Qed.
+
+Hypothesis symmetric : check_symmetry = true.
+Lemma symmetry_parts : (length X <= n)%nat /\ (forall i, linear_poly (X1 i) = true) /\
+  is_zero (rate X1 (norm_poly n)) = true /\ forall i x, eval x (rate X2 (X1 i)) = - eval x (X1 i).
+Proof.
+  unfold check_symmetry in symmetric. apply andb_prop in symmetric as [c c4]. apply andb_prop in c as [c c3].
+  apply andb_prop in c as [c1 c2]. apply Nat.leb_le in c1. rewrite forallb_forall in c2, c4.
+  refine (conj c1 (conj _ (conj c3 _))).
+  - intros i. unfold X1, equation. destruct (Nat.lt_ge_cases i (length X)); [apply c2, nth_In; auto|].
+    rewrite nth_overflow; auto.
+  - intros i x. destruct (Nat.lt_ge_cases i n).
+    + assert (k := eval_zero x _ (c4 i ltac:(apply in_seq; lia))). rewrite eval_add in k. lra.
+    + unfold X1, equation. rewrite nth_overflow by lia. simpl; ring. Qed.
+
+Lemma turn_solves x T : solves X1 (fun a => turn a x) T.
+Proof.
+  destruct symmetry_parts as (_ & lin & _ & cube). intros i a _. unfold turn at 2.
+  rewrite (linear_eval x (fun i => eval x (X1 i)) (fun i => eval x (X2 i)) (sin a) (1 - cos a) (X1 i) (lin i)).
+  rewrite <- (linear_rate X1 x (X1 i) (lin i)), <- (linear_rate X2 x (X1 i) (lin i)), cube. fold (X2 i).
+  replace (eval x (X1 i) + sin a * eval x (X2 i) + (1 - cos a) * - eval x (X1 i))
+    with (0 + cos a * eval x (X1 i) + (0 - (- sin a)) * eval x (X2 i)) by ring.
+  unfold turn. apply (derivable_pt_lim_plus (fun a => x i + sin a * eval x (X1 i)) (fun a => (1 - cos a) * eval x (X2 i))).
+  - apply (derivable_pt_lim_plus (fun _ => x i) (fun a => sin a * eval x (X1 i))); [apply derivable_pt_lim_const|].
+    replace (cos a * eval x (X1 i)) with (cos a * eval x (X1 i) + sin a * 0) by ring.
+    apply (derivable_pt_lim_mult sin (fun _ => eval x (X1 i))); [apply derivable_pt_lim_sin | apply derivable_pt_lim_const].
+  - replace ((0 - - sin a) * eval x (X2 i)) with ((0 - - sin a) * eval x (X2 i) + (1 - cos a) * 0) by ring.
+    apply (derivable_pt_lim_mult (fun a => 1 - cos a) (fun _ => eval x (X2 i))); [| apply derivable_pt_lim_const].
+    apply (derivable_pt_lim_minus (fun _ => 1) cos); [apply derivable_pt_lim_const | apply derivable_pt_lim_cos]. Qed.
+Lemma turn_0 x i : turn 0 x i = x i.
+Proof. unfold turn. rewrite sin_0, cos_0; ring. Qed.
+Lemma turn_keeps x p a : 0 <= a -> is_zero (rate X1 p) = true -> eval (turn a x) p = eval x p.
+Proof.
+  intros pa k. rewrite (conserved X1 (fun a => turn a x) a p (turn_solves x a) k a (conj pa (Rle_refl a))).
+  apply eval_ext, turn_0. Qed.
+Lemma turn_inside x a : inside x -> inside (turn a x).
+Proof.
+  destruct symmetry_parts as (l & _ & _ & _). intros h i hi. unfold turn, X2, X1, equation.
+  rewrite nth_overflow by lia. simpl. rewrite (h i hi); ring. Qed.
+
+(* the distance from z to the nearest turned point, and the turn *)
+Definition lin (x : nat -> R) : R := eval x (paired variable n).
+Definition c1 (x : nat -> R) : R := eval x across.
+Definition c2 (x : nat -> R) : R := eval x (paired X2 n).
+Definition nearest (x : nat -> R) : R := eval x (norm_poly n) + norm (fun i => Q2R (z i)) n -
+  2 * (lin x + c2 x + sqrt (c1 x * c1 x + c2 x * c2 x)).
+Lemma paired_turn P x a k : (forall i, linear_poly (P i) = true) ->
+  eval (turn a x) (paired P k) = eval x (paired P k) + sin a * eval (fun i => eval x (X1 i)) (paired P k) +
+  (1 - cos a) * eval (fun i => eval x (X2 i)) (paired P k).
+Proof.
+  intros l; induction k as [|k h]; cbn [paired]; [simpl; ring|]. rewrite !eval_add, !eval_scale, h. unfold turn at 1.
+  rewrite (linear_eval x (fun i => eval x (X1 i)) (fun i => eval x (X2 i)) (sin a) (1 - cos a) (P k) (l k)). ring. Qed.
+Lemma paired_subst P F x k : (forall i, linear_poly (P i) = true) ->
+  eval (fun i => eval x (F i)) (paired P k) = eval x (paired (fun i => rate F (P i)) k).
+Proof.
+  intros l; induction k as [|k h]; cbn [paired]; auto. rewrite !eval_add, !eval_scale, h, linear_rate; auto. Qed.
+Lemma paired_ext P P' x k : (forall i, eval x (P i) = eval x (P' i)) -> eval x (paired P k) = eval x (paired P' k).
+Proof. intros e; induction k as [|k h]; cbn [paired]; auto. rewrite !eval_add, !eval_scale, h, e; auto. Qed.
+Lemma paired_opp P P' x k : (forall i, eval x (P i) = - eval x (P' i)) -> eval x (paired P k) = - eval x (paired P' k).
+Proof. intros e; induction k as [|k h]; cbn [paired]; [simpl; ring|]. rewrite !eval_add, !eval_scale, h, e; ring. Qed.
+Lemma variable_rate F x i : eval x (rate F (variable i)) = eval x (F i).
+Proof. rewrite linear_rate by reflexivity. rewrite eval_variable; auto. Qed.
+Lemma lin_turn x a : lin (turn a x) = lin x + sin a * c1 x + (1 - cos a) * c2 x.
+Proof.
+  unfold lin, c1, c2, across. rewrite paired_turn by reflexivity. rewrite !paired_subst by reflexivity.
+  rewrite (paired_ext (fun i => rate X1 (variable i)) X1) by (intros; apply variable_rate).
+  rewrite (paired_ext (fun i => rate X2 (variable i)) X2) by (intros; apply variable_rate). auto. Qed.
+Lemma c1_turn x a : c1 (turn a x) = cos a * c1 x + sin a * c2 x.
+Proof.
+  destruct symmetry_parts as (_ & l & _ & cube). unfold c1, c2, across. rewrite paired_turn by auto.
+  rewrite !paired_subst by auto. rewrite (paired_opp (fun i => rate X2 (X1 i)) X1) by (intros; apply cube).
+  change (fun i => rate X1 (X1 i)) with X2. ring. Qed.
+Lemma off_expands x k : norm (fun i => x i - Q2R (z i)) k =
+  norm x k + norm (fun i => Q2R (z i)) k - 2 * eval x (paired variable k).
+Proof.
+  induction k as [|k h]; cbn [norm paired]; [simpl; ring|]. rewrite h, eval_add, eval_scale, eval_variable; ring. Qed.
+Lemma off_turn x a : 0 <= a -> off (turn a x) =
+  eval x (norm_poly n) + norm (fun i => Q2R (z i)) n - 2 * (lin x + c2 x + (sin a * c1 x - cos a * c2 x)).
+Proof.
+  intros pa. destruct symmetry_parts as (_ & _ & iso & _). unfold off. rewrite off_expands, <- eval_norm.
+  rewrite (turn_keeps x (norm_poly n) a pa iso). fold (lin (turn a x)). rewrite lin_turn. ring. Qed.
+
+Lemma best x : exists a, 0 <= a /\ off (turn a x) = nearest x /\ c1 (turn a x) = 0.
+Proof.
+  set (r := sqrt (c1 x * c1 x + c2 x * c2 x)).
+  assert (q1 := Rle_0_sqr (c1 x)). assert (q2 := Rle_0_sqr (c2 x)). unfold Rsqr in q1, q2.
+  assert (r2 : r * r = c1 x * c1 x + c2 x * c2 x) by (apply sqrt_sqrt; lra).
+  assert (r0 : 0 <= r) by apply sqrt_pos.
+  destruct (Req_dec r 0) as [e|ne].
+  - assert (z1 : c1 x = 0) by (apply Rsqr_0_uniq; unfold Rsqr; rewrite e in r2; lra).
+    assert (z2 : c2 x = 0) by (apply Rsqr_0_uniq; unfold Rsqr; rewrite e in r2; lra).
+    exists 0. rewrite (off_turn x 0 (Rle_refl 0)), c1_turn, z1, z2. unfold nearest; fold r. rewrite e, z2, cos_0.
+    repeat split; lra.
+  - set (w := - c2 x / r). assert (pr : 0 < r) by lra.
+    assert (w2 : w * w + (c1 x / r) * (c1 x / r) = 1).
+    { unfold w. replace (- c2 x / r * (- c2 x / r) + c1 x / r * (c1 x / r)) with ((c1 x * c1 x + c2 x * c2 x) / (r * r))
+        by (field; auto). rewrite <- r2. field; auto. }
+    assert (wb : -1 <= w <= 1).
+    { assert (h := Rle_0_sqr (c1 x / r)). unfold Rsqr in h. split; apply Rnot_lt_le; intros k;
+      [assert (1 * 1 < (- w) * (- w)) by (apply Rmult_le_0_lt_compat; lra) |
+       assert (1 * 1 < w * w) by (apply Rmult_le_0_lt_compat; lra)]; lra. }
+    assert (A : exists a, 0 <= a /\ cos a = w /\ sin a = c1 x / r).
+    { assert (bd := acos_bound w). assert (ca := cos_acos w wb).
+      assert (sa : sin (acos w) = Rabs (c1 x / r)).
+      { rewrite sin_acos by auto. replace (1 - w²) with ((c1 x / r)²) by (unfold Rsqr; lra). apply sqrt_Rsqr_abs. }
+      destruct (Rle_dec 0 (c1 x / r)) as [k|k].
+      - exists (acos w). rewrite sa, Rabs_right by lra. repeat split; auto; lra.
+      - exists (2 * PI - acos w). assert (p := PI_RGT_0). repeat split; [lra | |].
+        + rewrite cos_minus, cos_2PI, sin_2PI, ca; ring.
+        + rewrite sin_minus, cos_2PI, sin_2PI, sa, Rabs_left by lra; ring. }
+    destruct A as (a & pa & ca & sa). exists a. refine (conj pa (conj _ _)).
+    + rewrite (off_turn x a pa), ca, sa. unfold nearest; fold r.
+      replace (c1 x / r * c1 x - w * c2 x) with ((c1 x * c1 x + c2 x * c2 x) / r) by (unfold w; field; auto).
+      rewrite <- r2. field_simplify; auto.
+    + rewrite c1_turn, ca, sa. unfold w. field; auto. Qed.
+Lemma nearest_least x : nearest x <= off x.
+Proof.
+  assert (e : off x = off (turn 0 x)) by (unfold off; apply norm_ext; intros; rewrite turn_0; auto).
+  rewrite e, (off_turn x 0 (Rle_refl 0)), sin_0, cos_0. unfold nearest.
+  assert (q1 := Rle_0_sqr (c1 x)). unfold Rsqr in q1.
+  assert (- c2 x <= sqrt (c1 x * c1 x + c2 x * c2 x)); [|lra].
+  apply Rle_trans with (sqrt (c2 x * c2 x)); [| apply sqrt_le_1; assert (q2 := Rle_0_sqr (c2 x)); unfold Rsqr in q2; lra].
+  change (c2 x * c2 x) with ((c2 x)²). rewrite sqrt_Rsqr_abs. unfold Rabs; destruct (Rcase_abs (c2 x)); lra. Qed.
+Lemma eval_continuous x T p : solves f x T -> forall t, 0 <= t <= T -> continuity_pt (fun t => eval (x t) p) t.
+Proof. intros so t ht. apply derivable_continuous_pt. eexists; eapply rate_derives; eauto. Qed.
+Lemma nearest_continuous x T : solves f x T -> forall t, 0 <= t <= T -> continuity_pt (fun t => nearest (x t)) t.
+Proof.
+  intros so t ht. assert (k := fun p => eval_continuous x T p so t ht). unfold nearest, lin, c1, c2.
+  set (A := fun t => eval (x t) (norm_poly n)). set (B := fun t => eval (x t) (paired variable n)).
+  set (C := fun t => eval (x t) across). set (D := fun t => eval (x t) (paired X2 n)).
+  assert (const : forall b : R, continuity_pt (fun _ => b) t) by (intros b; apply continuity_pt_const; intros ? ?; auto).
+  apply (continuity_pt_minus (fun t => A t + norm (fun i => Q2R (z i)) n)
+    (fun t => 2 * (B t + D t + sqrt (C t * C t + D t * D t)))).
+  - apply (continuity_pt_plus A (fun _ => norm (fun i => Q2R (z i)) n)); [apply k | apply const].
+  - apply (continuity_pt_mult (fun _ => 2) (fun t => B t + D t + sqrt (C t * C t + D t * D t))); [apply const|].
+    apply (continuity_pt_plus (fun t => B t + D t) (fun t => sqrt (C t * C t + D t * D t))).
+    + apply (continuity_pt_plus B D); apply k.
+    + apply (continuity_pt_comp (fun t => C t * C t + D t * D t) sqrt).
+      * apply (continuity_pt_plus (fun t => C t * C t) (fun t => D t * D t));
+          [apply (continuity_pt_mult C C) | apply (continuity_pt_mult D D)]; apply k.
+      * apply continuity_pt_sqrt. assert (q1 := Rle_0_sqr (C t)). assert (q2 := Rle_0_sqr (D t)). unfold Rsqr in *. lra. Qed.
+
+Definition stable_up_to_turns : Prop := forall eps, 0 < eps -> exists del, 0 < del /\ forall x T, solves f x T ->
+  (forall t, 0 <= t <= T -> inside (x t)) -> off (x 0) < del ->
+  forall t, 0 <= t <= T -> exists a, off (turn a (x t)) < eps.
+
+Theorem confined_up_to_turns g c l m s :
+  let w := shift z across in check_extremum g (scale c (times w w)) l m s = true ->
+  is_zero (rate f g) = true -> is_zero (rate X1 g) = true -> stable_up_to_turns.
+Proof.
+  intros w checked cons inv eps pe. set (extra := scale c (times w w)) in *.
+  assert (flat : forall y, c1 y = 0 -> eval (fun i => y i - Q2R (z i)) extra = 0).
+  { intros y h. unfold extra, w. rewrite eval_scale, eval_times, !eval_back. fold (c1 y). rewrite h; ring. }
+  destruct (constants g extra l m s checked) as (pr & pm & pM).
+  set (radius := radius s) in *. set (least := least g extra l m s) in *. set (most := most g extra) in *.
+  set (e := Rmin eps radius). assert (pe' : 0 < e) by (unfold e; apply Rmin_glb_lt; auto).
+  assert (e1 : e <= eps) by apply Rmin_l. assert (e2 : e <= radius) by apply Rmin_r.
+  set (d := Rmin e (least * e / most)).
+  assert (q0 : 0 < least * e / most) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
+  assert (pd : 0 < d) by (unfold d; apply Rmin_glb_lt; auto).
+  assert (d1 : d <= e) by apply Rmin_l. assert (d2 : d <= least * e / most) by apply Rmin_r.
+  exists d; split; auto. intros x T so ins h0 t ht.
+  assert (n0 := nearest_least (x 0)).
+  assert (pinched : forall r, 0 <= r <= T -> nearest (x r) <= radius ->
+    least * nearest (x r) <= eval (x r) g - Q2R (level g) <= most * nearest (x r)).
+  { intros r hr near. destruct (best (x r)) as (a & pa & ea & sa).
+    assert (p := pinch g extra l m s checked (turn a (x r)) (turn_inside _ a (ins r hr))
+      ltac:(rewrite ea; exact near) (flat _ sa)).
+    fold least most in p. rewrite ea, (turn_keeps (x r) g a pa inv) in p. exact p. }
+  destruct (Rlt_le_dec (nearest (x t)) e) as [k|k].
+  { destruct (best (x t)) as (a & _ & ea & _). exists a. rewrite ea. lra. }
+  exfalso. assert (nt : 0 < t) by (destruct (Req_dec t 0) as [->|]; lra).
+  assert (Y : exists c, 0 <= c <= T /\ nearest (x c) = e).
+  { destruct k as [k|k]; [|exists t; split; auto; lra].
+    destruct (IVT_interv (fun s => nearest (x s) - e) 0 t) as (q & hq & eq); try lra.
+    - intros a ha. apply (continuity_pt_minus (fun s => nearest (x s)) (fun _ => e));
+        [apply (nearest_continuous x T so); lra | apply continuity_pt_const; intros ? ?; reflexivity].
+    - exists q; split; lra. }
+  destruct Y as (q & hq & eq). assert (a := pinched q hq ltac:(lra)). assert (b := pinched 0 ltac:(lra) ltac:(lra)).
+  rewrite (conserved f x T g so cons q hq), eq in a.
+  assert (most * nearest (x 0) <= most * off (x 0)) by (apply Rmult_le_compat_l; lra).
+  assert (most * off (x 0) < least * e); [|lra].
+  apply Rlt_le_trans with (most * (least * e / most)); [apply Rmult_lt_compat_l; lra | right; field; lra]. Qed.
+End Symmetry.
 End Verdicts.
 
 (* ---------------------------------------------------------------- from functions x1, ..., xn to the above and back *)
 
-Definition equation (f : list poly) (i : nat) : poly := nth i f [].
 Definition path (l : list (R -> R)) (t : R) (i : nat) : R := nth i l (fun _ => 0) t.
 Lemma path_beyond l t i : (length l <= i)%nat -> path l t i = 0.
 Proof. intros h; unfold path; rewrite nth_overflow; auto. Qed.

@@ -66,6 +66,8 @@ class Confinement:
         faults, raised, rest = [], self.raised(equations), self.rest(equations)
         if self.function(equations).rate(equations.field):
             faults.append("G is not conserved")
+        if equations.flow and self.function(equations).rate(equations.flow):
+            faults.append(f"the flow of {equations.flow_name} does not keep G")
         if raised.part(0, 1):
             faults.append("G is not stationary at the point")
         if rest.part(0, 2):

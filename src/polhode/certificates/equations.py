@@ -27,7 +27,8 @@ class Equations:
         conserved: functions by name, the energy "H" among them where it is conserved.
         point: (n,) the equilibrium, or the point whose motion is that of a symmetry.
         moved: the largest change of a component from the point that was asked about.
-        flow: field of the symmetry along which neighbours may move away; empty for none.
+        flow: field X of the symmetry along which neighbours may move away, linear, with X³ = −X and |x| kept, so that
+            it turns points, at one radian in a unit of time; empty for none.
         flow_name: what generates it.
     """
 
@@ -74,9 +75,8 @@ class Equations:
         faults = [f"{name} is not conserved" for name, c in self.conserved.items() if c.rate(self.field)]
         if not self.flow and any(f.at(self.point) for f in self.field):
             faults.append("the point is no equilibrium")
-        if self.flow:
-            faults += [f"the flow of {self.flow_name} does not keep {name}"
-                       for name, c in self.conserved.items() if c.rate(self.flow)]  # fmt: skip
+        if self.flow and not turns(self.flow):
+            faults.append(f"the flow of {self.flow_name} does not turn points")
         return faults
 
     def as_json(self) -> dict[str, Any]:
@@ -87,6 +87,14 @@ class Equations:
             "point": [str(x) for x in self.point], "moved": str(self.moved),
             **({"flow": [as_terms(f) for f in self.flow], "flow_of": self.flow_name} if self.flow else {}),
         }  # fmt: skip
+
+
+def turns(flow: Sequence[RationalPolynomial]) -> bool:
+    """Whether a field X is linear, keeps |x|, and X³ = −X, so that its flow is x + sin a Xx + (1 − cos a) XXx."""
+    twice = [x.rate(flow) for x in flow]
+    norm = total(len(flow), (x * x for x in RationalPolynomial.variables(len(flow))))
+    return (all(x == x.part(1, 1) for x in flow) and not norm.rate(flow)
+            and all(x.rate(flow) == -y for x, y in zip(twice, flow, strict=True)))  # fmt: skip
 
 
 def as_terms(p: RationalPolynomial) -> list[list[Any]]:

@@ -52,7 +52,11 @@ def proof_text(certificate: RationalCertificate, name: str) -> str:
     equations, proof = certificate.equations, certificate.proof
     parts = [_header(certificate, name), _readable(equations), _data(equations)]
     if isinstance(proof, Confinement):
-        parts += [_confinement_data(equations, proof), _confinement_theorem(equations)]
+        parts.append(_confinement_data(equations, proof))
+        if equations.flow:
+            parts += [_turns(equations), _turning_theorem(equations)]
+        else:
+            parts.append(_confinement_theorem(equations))
     else:
         data = _growth_data(proof) if isinstance(proof, Growth) else _drift_data(proof)
         parts += [data, _leaving_theorem(equations, "growing" if isinstance(proof, Growth) else "drifting")]
@@ -115,14 +119,75 @@ def _confinement_data(equations: Equations, proof: Confinement) -> str:
               for k, name in enumerate(names) if name in proof.squares]  # fmt: skip
     lines += [_wrap("Definition G : poly := " + _sum(parts) + "."),
               f"Definition margin : Q := {_q(proof.margin)}.\nDefinition radius : Q := {_q(proof.radius)}.",
-              f"Definition forms : list (Q * list Q) := {_squares(proof.forms)}.", ""]  # fmt: skip
-    return "\n".join(lines)
+              f"Definition forms : list (Q * list Q) := {_squares(proof.forms)}."]  # fmt: skip
+    if equations.flow:
+        lines.append(f"Definition slice : Q := {_q(proof.slice)}.")
+    return "\n".join([*lines, ""])
+
+
+def _turns(equations: Equations) -> str:
+    """Return the symmetry as formulas and as data."""
+    n, flow = equations.size, equations.flow
+    twice = [x.rate(flow) for x in flow]
+    names, at = " ".join(_x(n)), " ".join(f"(x {k}%nat)" for k in range(n))
+    lines = [f"(* turned points: those on the orbit of the flow of {_plain(equations.flow_name)} *)"]
+    for k, (once, again) in enumerate(zip(flow, twice, strict=True)):
+        formula = f"x{k + 1} + sin a * ({_formula(once)}) + (1 - cos a) * ({_formula(again)})"
+        lines.append(_wrap(f"Definition turn{k + 1} (a {names} : R) : R := {formula}."))
+    for name, polynomials in (("turning", flow), ("turning_twice", twice)):
+        rows = ";\n  ".join(map(_poly, polynomials))
+        lines.append(f"Definition {name} : list poly := [\n  {rows}].")
+    for k in range(n):
+        lines += [
+            f"Lemma twice{k + 1} : is_zero (add (X2 turning {k}) (scale (-1) (equation turning_twice {k}))) = true.",
+            "Proof. vm_cast_no_check (eq_refl true). Qed.",
+            f"Lemma reads_turn{k + 1} a x : turn turning a x {k} = turn{k + 1} a {at}.",
+            f"Proof. unfold turn. rewrite (eval_same _ _ x twice{k + 1}).",
+            f"  unfold X1, turning, turning_twice, turn{k + 1}. read_data. Qed.",
+        ]
+    return "\n".join([*lines, ""])
+
+
+def _turning_theorem(equations: Equations) -> str:
+    n = equations.size
+    x, paths = _x(n), "; ".join(_x(n))
+    turned = " ".join(f"(turn{k + 1} a {_at(n, 't')})" for k in range(n))
+    reads = ", ".join(f"reads_turn{k + 1}" for k in range(n))
+    return f"""Lemma symmetry : check_symmetry {n} turning = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+Lemma minimum : check_extremum {n} zp G (let w := shift zp (across {n} zp turning) in scale slice (times w w))
+  forms margin radius = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+Lemma kept : is_zero (rate zf G) = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+Lemma kept_by_turns : is_zero (rate (X1 turning) G) = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+
+Theorem orbit_is_stable : forall eps, 0 < eps -> exists del, 0 < del /\\
+  forall ({" ".join(x)} : R -> R) (T : R),
+{_solutions(n)}
+  distance2 {_at(n, "0")} < del ->
+  forall t, 0 <= t <= T -> exists a : R,
+  distance2 {turned} < eps.
+Proof.
+  intros eps pe.
+  destruct (confined_up_to_turns {n} zf zp turning symmetry G slice forms margin radius minimum kept kept_by_turns
+    eps pe) as (del & pd & h).
+  exists del; split; [exact pd|]. intros {" ".join(x)} T {_hypotheses(n)} near t ht.
+  assert (k : exists a, off {n} zp (turn turning a (path [{paths}] t)) < eps).
+  2: {{ destruct k as (a & k). exists a. rewrite reads_distance, {reads} in k. exact k. }}
+  apply (h (path [{paths}]) T);
+    [| intros; apply path_inside; simpl; lia | rewrite reads_distance; exact near | exact ht].
+{_solves(n)}
+Qed.
+Print Assumptions orbit_is_stable.
+"""
 
 
 def _confinement_theorem(equations: Equations) -> str:
     n = equations.size
     x, paths = _x(n), "; ".join(_x(n))
-    return f"""Lemma minimum : check_extremum {n} zp G forms margin radius = true.
+    return f"""Lemma minimum : check_extremum {n} zp G [] forms margin radius = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 Lemma kept : is_zero (rate zf G) = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
