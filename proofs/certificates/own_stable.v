@@ -1,6 +1,6 @@
-(* LiePoisson: (0, 0, 1) is unstable.
+(* LiePoisson: (0, 1, 0) is stable.
 
-Arbitrarily near the point are starts from which no solution stays near it beyond some time:
+Every solution that starts near enough, in any direction, stays near the point:
 the theorem at the end, about the equations f1, f2, ...
 Written by polhode; checked by `coqc -Q . Polhode checker.v` and `coqc -Q . Polhode own_stable.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
@@ -9,19 +9,19 @@ Import ListNotations.
 Local Open Scope R_scope.
 
 (* the equations: the rate of change of each coordinate *)
-Definition f1 (x1 x2 x3 : R) : R := (-1) * x2 * x3.
+Definition f1 (x1 x2 x3 : R) : R := (-7) * x2 * x3.
 Definition f2 (x1 x2 x3 : R) : R := (-2) * x1 * x3.
-Definition f3 (x1 x2 x3 : R) : R := (-1) * x1 * x2.
+Definition f3 (x1 x2 x3 : R) : R := (5) * x1 * x2.
 (* the square of the distance from the point *)
-Definition distance2 (x1 x2 x3 : R) : R := (x1 - (0)) * (x1 - (0)) + (x2 - (0)) * (x2 - (0)) + (x3 - (1)) * (x3 -
-  (1)).
+Definition distance2 (x1 x2 x3 : R) : R := (x1 - (0)) * (x1 - (0)) + (x2 - (1)) * (x2 - (1)) + (x3 - (0)) * (x3 -
+  (0)).
 
 (* the same as data: polynomials are lists of coefficient and variables, counted from 0 *)
 Definition field : list poly := [
-  [((-1#1), [1; 2]%nat)];
+  [((-7#1), [1; 2]%nat)];
   [((-2#1), [0; 2]%nat)];
-  [((-1#1), [0; 1]%nat)]].
-Definition point : list Q := [(0#1); (0#1); (1#1)].
+  [((5#1), [0; 1]%nat)]].
+Definition point : list Q := [(0#1); (1#1); (0#1)].
 Definition zf := equation field.
 Definition zp := entry_of point.
 Lemma reads1 x : eval x (zf 0) = f1 (x 0%nat) (x 1%nat) (x 2%nat).
@@ -33,42 +33,39 @@ Proof. unfold zf, field, f3. read_data. Qed.
 Lemma reads_distance x : off 3 zp x = distance2 (x 0%nat) (x 1%nat) (x 2%nat).
 Proof. unfold zp, point, distance2. read_data. Qed.
 
-(* V grows: its rate of change is at least 58/41 V near the point *)
-Definition V : poly := [((23#32), [0; 0]%nat); ((-1#1), [0; 1]%nat); ((-23#32), [2; 2]%nat)].
-Definition direction : list Q := [(-1#1); (33#64); (0#1)].
-Definition gamma : Q := (29#41).
-Definition margin : Q := (1#4).
+(* what is conserved: c1 = x1² − x2² + x3²; c2 = H *)
+Definition c1 : poly := [((1#1), [0; 0]%nat); ((-1#1), [1; 1]%nat); ((1#1), [2; 2]%nat)].
+Definition c2 : poly := [((1#2), [0; 0]%nat); ((2#1), [1; 1]%nat); ((3#2), [2; 2]%nat)].
+Definition square (p : poly) (level : Q) : poly := times (add p (constant (- level))) (add p (constant (- level))).
+Definition G : poly := add (scale (2#1) c1) (add (scale (1#1) c2) (scale (1#4) (square c1 (-1#1)))).
+Definition margin : Q := (1#2).
 Definition radius : Q := (1#32).
-Definition forms : list (Q * list Q) := [((481#656), [(1#1); (-15#962); (0#1)]);
-  ((946383#1262144), [(0#1); (1#1); (0#1)]);
-  ((503#656), [(0#1); (0#1); (1#1)])].
-Lemma checked : check_growth 3 zf zp V direction radius gamma margin forms = true.
+Definition forms : list (Q * list Q) := [((2#1), [(1#1); (0#1); (0#1)]);
+  ((1#2), [(0#1); (1#1); (0#1)]);
+  ((3#1), [(0#1); (0#1); (1#1)])].
+
+Lemma minimum : check_extremum 3 zp G [] forms margin radius = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+Lemma kept : is_zero (rate zf G) = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
-Theorem equilibrium_is_unstable : exists eps, 0 < eps /\ forall del, 0 < del ->
-  exists p1 p2 p3 : R, distance2 p1 p2 p3 < del /\ exists last : R,
+Theorem equilibrium_is_stable : forall eps, 0 < eps -> exists del, 0 < del /\
   forall (x1 x2 x3 : R -> R) (T : R),
   (forall t, 0 <= t <= T -> derivable_pt_lim x1 t (f1 (x1 t) (x2 t) (x3 t))) ->
   (forall t, 0 <= t <= T -> derivable_pt_lim x2 t (f2 (x1 t) (x2 t) (x3 t))) ->
   (forall t, 0 <= t <= T -> derivable_pt_lim x3 t (f3 (x1 t) (x2 t) (x3 t))) ->
-  x1 0 = p1 -> x2 0 = p2 -> x3 0 = p3 ->
-  (forall t, 0 <= t <= T -> distance2 (x1 t) (x2 t) (x3 t) <= eps) -> T <= last.
+  distance2 (x1 0) (x2 0) (x3 0) < del ->
+  forall t, 0 <= t <= T -> distance2 (x1 t) (x2 t) (x3 t) < eps.
 Proof.
-  destruct (growing 3 zf zp V direction radius gamma margin forms checked) as (eps & pe & h).
-  exists eps; split; [exact pe|]. intros del pd. destruct (h del pd) as (p & ins & near & last & k).
-  exists (p 0%nat), (p 1%nat), (p 2%nat). rewrite reads_distance in near.
-  split; [exact near|]. exists last.
-  intros x1 x2 x3 T s1 s2 s3 b1 b2 b3 stays.
-  apply (k (path [x1; x2; x3]) T).
-  - intros [|[|[|i]]] r hr.
+  intros eps pe. destruct (confined 3 zf zp G forms margin radius minimum kept eps pe) as (del & pd & h).
+  exists del; split; [exact pd|]. intros x1 x2 x3 T s1 s2 s3 near t ht.
+  assert (k : off 3 zp (path [x1; x2; x3] t) < eps); [|rewrite reads_distance in k; exact k].
+  apply (h (path [x1; x2; x3]) T);
+    [| intros; apply path_inside; simpl; lia | rewrite reads_distance; exact near | exact ht].
+  intros [|[|[|i]]] r hr.
   { rewrite reads1; exact (s1 r hr). }
   { rewrite reads2; exact (s2 r hr). }
   { rewrite reads3; exact (s3 r hr). }
   apply still_beyond; simpl; lia.
-  - intros; apply path_inside; simpl; lia.
-  - intros [|[|[|i]]]; [exact b1|exact b2|exact b3|].
-    rewrite path_beyond by (simpl; lia). rewrite ins by lia. unfold zp, entry_of. rewrite nth_overflow by (simpl; lia).
-    rewrite Q2R_0; reflexivity.
-  - intros t ht. rewrite reads_distance. exact (stays t ht).
 Qed.
-Print Assumptions equilibrium_is_unstable.
+Print Assumptions equilibrium_is_stable.

@@ -59,8 +59,8 @@ CASES = {
     "so4_one_plane": (FOUR, plane((0, 2, 1.0))),
     "top_precessing": (LAGRANGE, [1.2, 0.0, 2.1, 0.6, 0.0, 0.8], [lambda point: point[2]]),
     "symmetric_body": (ph.systems.FreeRigidBody((1.0, 1.0, 2.0)), [0.6, 0.0, 0.8], [lambda L: L[2]]),
-    "own_stable": (hyperbolic(-2.0), [0.0, 0.0, 1.0]),
-    "own_unstable": (hyperbolic(4.0), [0.0, 1.0, 0.0]),
+    "own_unstable": (hyperbolic(-2.0), [0.0, 0.0, 1.0]),
+    "own_stable": (hyperbolic(4.0), [0.0, 1.0, 0.0]),
 }
 
 
