@@ -20,8 +20,6 @@ WAYS = {
     "spiceypy": ("spiceypy", lambda path: spiceypy()),
     "python-flint, for proofs": ("flint", lambda path: ph.certify(
         ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), (0.1, 1.0, 0.1), (0.0, 1.0))),
-    "z3-solver": ("z3", lambda path: ph.stability(
-        ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.0, 0.0, 1.0])).certificate.check()),
     "python-flint": ("flint", lambda path: ph.algebra.polynomial_casimirs(ph.algebra.SO3(), 2)),
 }
 

@@ -49,7 +49,7 @@ FROM = {
     "formats/plain_table.py": "import compare fit", "formats/spice_reading.py": "import compare fit",
     "studies/comparison_report.py": "compare", "studies/throw_report.py": "fit", "sweeps/running.py": "sweep",
     "sweeps/evaluation.py": "sweep", "estimation/throw_fit.py": "fit", "estimation/flight.py": "fit",
-    "studies/left_out.py": "fit",
+    "studies/left_out.py": "fit", "cli/proofs.py": "report",
 }  # fmt: skip
 DECLARED = ("cli/commands.py", "cli/source_options.py", "cli/fit_options.py", "cli/tumble_options.py")
 """Where options are declared, with help that speaks of several commands."""

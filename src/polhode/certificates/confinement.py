@@ -14,7 +14,7 @@ from polhode.certificates.definite import definite_combination
 from polhode.certificates.equations import DENOMINATORS, ENERGY, Equations
 from polhode.certificates.polynomials import RationalPolynomial, linear_form, total
 from polhode.certificates.rational_matrices import Rows, combine, identity, null_space, split_into_squares, transpose
-from polhode.types import Array
+from polhode.types import Array, Float64
 
 Squares = tuple[tuple[Fraction, tuple[Fraction, ...]], ...]
 GROWTHS = range(-2, 24)  # powers of two by which squares of conserved quantities are tried
@@ -131,7 +131,7 @@ def _null(rows: Sequence[Sequence[Fraction]], size: int) -> Array:
     return found[int((sizes > 1e-12).sum()) :].T
 
 
-def as_floats(rows: Sequence[Sequence[Fraction]]) -> Array:
+def as_floats(rows: Sequence[Sequence[Fraction]]) -> Float64[np.ndarray, "rows columns"]:
     """Return a matrix in doubles."""
     return np.array([[float(x) for x in row] for row in rows])
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 THEORY = "checker.v"
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\.v")
 WIDTH = 116
+TRUE = "true"
 
 
 def write_rocq(certificate: RationalCertificate, path: Path) -> Path:
@@ -69,7 +70,7 @@ def _header(certificate: RationalCertificate, name: str) -> str:
 
 {certificate.statement[0].upper()}{certificate.statement[1:]}:
 the theorem at the end, about the equations f1, f2, ...
-Written by polhode; checked by `coqc -Q . Polhode checker.v` and `coqc -Q . Polhode {name}.v` in this folder. *)
+Written by polhode; checked by `coqc -Q . Polhode {THEORY}` and `coqc -Q . Polhode {name}.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
 From Polhode Require Import checker.
 Import ListNotations.
@@ -139,7 +140,7 @@ def _turns(equations: Equations) -> str:
         lines.append(f"Definition {name} : list poly := [\n  {rows}].")
     for k in range(n):
         lines += [
-            f"Lemma twice{k + 1} : is_zero (add (X2 turning {k}) (scale (-1) (equation turning_twice {k}))) = true.",
+            f"Lemma twice{k + 1} : is_zero (add (X2 turning {k}) (scale (-1) (equation turning_twice {k}))) = {TRUE}.",
             "Proof. vm_cast_no_check (eq_refl true). Qed.",
             f"Lemma reads_turn{k + 1} a x : turn turning a x {k} = turn{k + 1} a {at}.",
             f"Proof. unfold turn. rewrite (eval_same _ _ x twice{k + 1}).",
@@ -153,14 +154,14 @@ def _turning_theorem(equations: Equations) -> str:
     x, paths = _x(n), "; ".join(_x(n))
     turned = " ".join(f"(turn{k + 1} a {_at(n, 't')})" for k in range(n))
     reads = ", ".join(f"reads_turn{k + 1}" for k in range(n))
-    return f"""Lemma symmetry : check_symmetry {n} turning = true.
+    return f"""Lemma symmetry : check_symmetry {n} turning = {TRUE}.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 Lemma minimum : check_extremum {n} zp G (let w := shift zp (across {n} zp turning) in scale slice (times w w))
-  forms margin radius = true.
+  forms margin radius = {TRUE}.
 Proof. vm_cast_no_check (eq_refl true). Qed.
-Lemma kept : is_zero (rate zf G) = true.
+Lemma kept : is_zero (rate zf G) = {TRUE}.
 Proof. vm_cast_no_check (eq_refl true). Qed.
-Lemma kept_by_turns : is_zero (rate (X1 turning) G) = true.
+Lemma kept_by_turns : is_zero (rate (X1 turning) G) = {TRUE}.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
 Theorem orbit_is_stable : forall eps, 0 < eps -> exists del, 0 < del /\\
@@ -187,9 +188,9 @@ Print Assumptions orbit_is_stable.
 def _confinement_theorem(equations: Equations) -> str:
     n = equations.size
     x, paths = _x(n), "; ".join(_x(n))
-    return f"""Lemma minimum : check_extremum {n} zp G [] forms margin radius = true.
+    return f"""Lemma minimum : check_extremum {n} zp G [] forms margin radius = {TRUE}.
 Proof. vm_cast_no_check (eq_refl true). Qed.
-Lemma kept : is_zero (rate zf G) = true.
+Lemma kept : is_zero (rate zf G) = {TRUE}.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
 Theorem equilibrium_is_stable : forall eps, 0 < eps -> exists del, 0 < del /\\
@@ -217,7 +218,7 @@ def _growth_data(proof: Growth) -> str:
         f"Definition gamma : Q := {_q(proof.rate)}.\nDefinition margin : Q := {_q(proof.margin)}.",
         f"Definition radius : Q := {_q(proof.radius)}.",
         f"Definition forms : list (Q * list Q) := {_squares(proof.forms)}.",
-        f"Lemma checked : check_growth {len(proof.form)} zf zp V direction radius gamma margin forms = true.",
+        f"Lemma checked : check_growth {len(proof.form)} zf zp V direction radius gamma margin forms = {TRUE}.",
         "Proof. vm_cast_no_check (eq_refl true). Qed.", "",
     ])  # fmt: skip
 
@@ -230,7 +231,7 @@ def _drift_data(proof: Drift) -> str:
         _wrap(f"Definition q : poly := {_poly(proof.factor)}."),
         f"Definition direction : list Q := {_numbers(proof.direction)}.",
         f"Definition radius : Q := {_q(proof.radius)}.",
-        f"Lemma checked : check_drift {len(proof.form)} zf zp V direction radius K q = true.",
+        f"Lemma checked : check_drift {len(proof.form)} zf zp V direction radius K q = {TRUE}.",
         "Proof. vm_cast_no_check (eq_refl true). Qed.", "",
     ])  # fmt: skip
 
