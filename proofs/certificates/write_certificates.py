@@ -57,6 +57,7 @@ CASES = {
     "hull_lengthwise": (HULL, [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
     "so4_two_planes": (FOUR, plane((0, 1, 1.0), (2, 3, 0.3))),
     "so4_one_plane": (FOUR, plane((0, 2, 1.0))),
+    "top_on_leaf": (TOP, [0.0, 0.0, 1.0, 0.0, 0.0, 0.0]),
     "top_precessing": (LAGRANGE, [1.2, 0.0, 2.1, 0.6, 0.0, 0.8], [lambda point: point[2]]),
     "symmetric_body": (ph.systems.FreeRigidBody((1.0, 1.0, 2.0)), [0.6, 0.0, 0.8], [lambda L: L[2]]),
     "own_unstable": (hyperbolic(-2.0), [0.0, 0.0, 1.0]),

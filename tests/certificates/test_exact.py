@@ -192,6 +192,25 @@ def test_a_verdict_up_to_a_flow_says_so():
         quadratic.certificate.as_rational()
 
 
+def test_a_verdict_on_the_leaf_alone_is_proved_there():
+    """Without P a top is a free body; of motions on leaves nearby, where P is small, nothing is known."""
+    verdict = judge(TOP, [0, 0, 1, 0, 0, 0])
+    assert verdict.verdict == "undecided" and "leaves nearby are larger" in verdict.certificate
+    found = verdict.certificate.as_rational()
+    assert found.verdict == "stable" and "with x4 = x5 = x6 = 0, where x1, x2, x3" in found.statement
+    assert found.equations.field == exact(BODY, [0, 0, 1]).equations.field
+    with pytest.raises(InvalidInput, match="needs coordinates that are zero on it and stay so, and others that move"):
+        exact(TOP, [0, 0, 0, 0, 0, 0])
+
+
+def test_integrals_that_nobody_named_are_found():
+    """Where no Casimirs are given the verdict is by the leaf; the proof finds integrals of second degree itself."""
+    verdict = judge(BODY, [0, 0, 1], casimirs=[])
+    assert verdict.verdict == "stable" and "the point is regular" in verdict.certificate
+    found = verdict.certificate.as_rational()
+    assert len(found.proof.weights) == 2 and not found.find_faults()
+
+
 def test_instability_with_losses_has_a_proof_and_stability_says_why_not():
     damped = ph.systems.DoubleBracket((1.0, 2.0, 3.0), 0.1)
     assert isinstance(exact(damped, [1, 0, 0]).proof, Growth)

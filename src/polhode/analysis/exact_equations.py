@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
@@ -15,7 +15,15 @@ import jax.numpy as jnp
 from polhode.algebra.casimirs import polynomial_casimirs, rational_brackets
 from polhode.algebra.functions import Function
 from polhode.analysis.conserved import HIGHEST_DEGREE, Energy, Source, choose_casimirs
-from polhode.certificates.equations import ENERGY, Equations, poisson_field, rational_equilibrium, turns
+from polhode.certificates.equations import (
+    ENERGY,
+    Equations,
+    poisson_field,
+    quadratic_integrals,
+    rational_equilibrium,
+    restrict_to_zeros,
+    turns,
+)
 from polhode.certificates.exact_tracing import read_double, read_short, trace_polynomials
 from polhode.certificates.polynomials import RationalPolynomial
 from polhode.certificates.rational import RationalCertificate, find_certificate
@@ -30,6 +38,7 @@ if TYPE_CHECKING:
 
 READINGS = {"short": read_short, "doubles": read_double}
 ROUNDED = 1e-12  # of the largest coefficient of a field, what the code's own rounding of parameters may change
+MOST_COORDINATES = 12  # of a system whose integrals of second degree are looked for
 Reader = Callable[[float], Fraction]
 Named = dict[str, RationalPolynomial]
 
@@ -61,6 +70,9 @@ def make_rational(found: Stability, subject: Subject, read_as: str) -> RationalC
     """
     if read_as not in READINGS:
         raise InvalidInput(f'`read_as` must be "short" or "doubles"; got {shown(read_as)}.')
+    if getattr(found.reason, "leaves_nearby", "") == "larger":
+        equations, hint = make_equations(found, subject, READINGS[read_as])
+        return find_certificate(restrict_to_zeros(equations, _zeros_of_leaf(equations, subject)), "stable", hint)
     if found.verdict not in ("stable", "unstable"):
         raise InvalidInput(
             f"an exact proof needs a decided verdict; got {found.verdict}: {found.certificate}. "
@@ -74,14 +86,24 @@ def make_rational(found: Stability, subject: Subject, read_as: str) -> RationalC
     equations, hint = make_equations(found, subject, READINGS[read_as])
     try:
         return find_certificate(equations, found.verdict, hint)
-    except InvalidInput:
-        # coordinates that do not move at all are conserved as well
-        still = {f"x{k + 1}": x for k, x in enumerate(RationalPolynomial.variables(equations.size))
-                 if not equations.field[k]}  # fmt: skip
-        if not still:
-            raise
-        more = replace(equations, conserved={**still, **equations.conserved})
-        return find_certificate(more, found.verdict, hint)
+    except InvalidInput as error:
+        for more in _further_integrals(equations, found.verdict):
+            try:
+                richer = replace(equations, conserved={**more, **equations.conserved})
+                return find_certificate(richer, found.verdict, hint)
+            except InvalidInput:
+                continue
+        raise error from None
+
+
+def _further_integrals(equations: Equations, verdict: str) -> Iterator[Named]:
+    """Yield what else is conserved: coordinates that do not move, then all polynomials of second degree."""
+    if verdict == "stable":
+        if still := {f"x{k + 1}": x for k, x in enumerate(RationalPolynomial.variables(equations.size))
+                     if not equations.field[k]}:  # fmt: skip
+            yield still
+        if equations.size <= MOST_COORDINATES:
+            yield quadratic_integrals(equations.field)
 
 
 def make_equations(found: Stability, subject: Subject, read: Reader) -> tuple[Equations, dict[str, float]]:
@@ -194,6 +216,13 @@ def _compare_fields(one: tuple[RationalPolynomial, ...], other: tuple[RationalPo
             f"the field must be that of the energy; its coefficients differ by {float(off / (size or 1)):.2g} of the "
             "largest. Check `vector_field` and `energy` of the system."
         )
+
+
+def _zeros_of_leaf(equations: Equations, subject: Subject) -> list[int]:
+    """Return the coordinates that are zero at the point and along the leaf's tangent space."""
+    brackets, n = rational_brackets(subject.system.algebra), equations.size
+    moves = [poisson_field(brackets, 1, x) for x in RationalPolynomial.variables(n)]
+    return [k for k in range(n) if not equations.point[k] and not any(f[k].at(equations.point) for f in moves)]
 
 
 def _turning(flow: tuple[RationalPolynomial, ...], name: str) -> tuple[RationalPolynomial, ...]:

@@ -6,10 +6,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import combinations_with_replacement
 from typing import Any
 
 from polhode.certificates.polynomials import RationalPolynomial, total
-from polhode.certificates.rational_matrices import Rows, combine, solve_near
+from polhode.certificates.rational_matrices import Rows, combine, null_space, solve_near
 from polhode.errors import InvalidInput
 
 FARTHEST = Fraction(1, 10**9)  # of the largest component of a point, how far it may be moved to an exact equilibrium
@@ -30,6 +31,7 @@ class Equations:
         flow: field X of the symmetry along which neighbours may move away, linear, with X³ = −X and |x| kept, so that
             it turns points, at one radian in a unit of time; empty for none.
         flow_name: what generates it.
+        within: what solutions the equations are restricted to, in words; empty for all.
     """
 
     system: str
@@ -39,6 +41,7 @@ class Equations:
     moved: Fraction = Fraction(0)
     flow: tuple[RationalPolynomial, ...] = ()
     flow_name: str = ""
+    within: str = ""
 
     @property
     def size(self) -> int:
@@ -85,8 +88,63 @@ class Equations:
             "system": self.system, "field": [as_terms(f) for f in self.field],
             "conserved": {name: as_terms(c) for name, c in self.conserved.items()},
             "point": [str(x) for x in self.point], "moved": str(self.moved),
+            **({"within": self.within} if self.within else {}),
             **({"flow": [as_terms(f) for f in self.flow], "flow_of": self.flow_name} if self.flow else {}),
         }  # fmt: skip
+
+
+def restrict_to_zeros(equations: Equations, zeros: Sequence[int]) -> Equations:
+    """Return the equations for solutions on which those of some coordinates that stay zero are zero.
+
+    Args:
+        equations: in all coordinates.
+        zeros: coordinates, counted from 0, that are zero at the point; those that others drive are left in.
+
+    Raises:
+        InvalidInput: if no coordinate is left out, or none is left.
+    """
+    kept = set(range(equations.size)) - set(zeros)
+    left_out = set(zeros)
+    while driven := {k for k in left_out if _without(equations.field[k], left_out)}:
+        left_out -= driven
+        kept |= driven
+    if not left_out or not kept:
+        raise InvalidInput(
+            "an exact proof on a leaf needs coordinates that are zero on it and stay so, and others that move; "
+            f"{len(left_out)} of {equations.size} are. The numerical verdict stands without one."
+        )
+    places = sorted(kept)
+
+    def restrict(p: RationalPolynomial) -> RationalPolynomial:
+        terms = {tuple(m[k] for k in places): c for m, c in _without(p, left_out).terms.items()}
+        return RationalPolynomial(len(places), terms)
+
+    names = " = ".join(f"x{k + 1}" for k in sorted(left_out))
+    renamed = ", ".join(f"x{k + 1}" for k in places)
+    field = tuple(restrict(equations.field[k]) for k in places)
+    known = {name: r for name, c in equations.conserved.items() if (r := restrict(c)).degree}
+    return Equations(
+        equations.system, field, {**quadratic_integrals(field), **known},
+        tuple(equations.point[k] for k in places), equations.moved,
+        within=f"{names} = 0, where {renamed} are numbered anew",
+    )  # fmt: skip
+
+
+def quadratic_integrals(field: Sequence[RationalPolynomial]) -> dict[str, RationalPolynomial]:
+    """Return a basis of the polynomials of at most second degree that a field keeps, without constants, by name."""
+    n = len(field)
+    x = RationalPolynomial.variables(n)
+    monomials = [*x, *(x[i] * x[j] for i, j in combinations_with_replacement(range(n), 2))]
+    rates = [m.rate(field) for m in monomials]
+    rows = [[r.terms.get(m, Fraction(0)) for r in rates] for m in sorted({m for r in rates for m in r.terms})]
+    basis = null_space(rows, len(monomials))
+    found = (total(n, (c * m for c, m in zip(vector, monomials, strict=True) if c)) for vector in basis)
+    return {str(p): p for p in found}
+
+
+def _without(p: RationalPolynomial, zeros: set[int]) -> RationalPolynomial:
+    """Return the terms that are left where some coordinates are zero."""
+    return RationalPolynomial(p.size, {m: c for m, c in p.terms.items() if not any(m[k] for k in zeros)})
 
 
 def turns(flow: Sequence[RationalPolynomial]) -> bool:

@@ -45,6 +45,8 @@ class RationalCertificate:
         if self.equations.flow:
             return (f"every solution that starts near enough stays near the point up to the flow of "
                     f"{self.equations.flow_name}")  # fmt: skip
+        if self.equations.within:
+            return f"every solution with {self.equations.within}, that starts near enough stays near the point"
         if self.verdict == "stable":
             return "every solution that starts near enough, in any direction, stays near the point"
         return "arbitrarily near the point are starts from which no solution stays near it beyond some time"
