@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.analysis.conserved import Energy
+from polhode.analysis._conserved import Energy
 from polhode.analysis.energy_casimir import energy_casimir
 from polhode.certificates.confinement import Confinement
 from polhode.certificates.exact_tracing import read_double, read_short, trace_polynomials

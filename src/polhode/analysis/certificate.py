@@ -11,7 +11,7 @@ from polhode.errors import InvalidInput
 from polhode.types import Array, Float64
 
 if TYPE_CHECKING:
-    from polhode.algebra.functions import Function
+    from polhode.algebra._functions import Function
     from polhode.analysis.energy_casimir import Stability
     from polhode.certificates.rational import RationalCertificate
     from polhode.systems.base import AbstractLiePoissonSystem
@@ -82,7 +82,7 @@ class Certificate(str):
             InvalidInput: for a verdict that is undecided or of a system without polynomial equations, an equilibrium
                 with no rational one near it, and where no exact proof is found.
         """
-        from polhode.analysis.exact_equations import make_rational
+        from polhode.analysis._exact_equations import make_rational
 
         if self.found is None or self.found.subject is None:
             raise InvalidInput(

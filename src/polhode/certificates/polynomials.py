@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 
-from polhode.algebra.polynomial import SUPERSCRIPTS
+from polhode.algebra._polynomial import SUPERSCRIPTS
 
 Exponents = tuple[int, ...]
 

@@ -1,0 +1,253 @@
+"""The exact equations behind a verdict: polynomials of the system's own functions, and a rational equilibrium."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from fractions import Fraction
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+import equinox as eqx
+import jax.numpy as jnp
+
+from polhode.algebra._functions import Function
+from polhode.algebra.casimirs import polynomial_casimirs, rational_brackets
+from polhode.analysis._conserved import HIGHEST_DEGREE, Energy, Source, choose_casimirs
+from polhode.certificates.equations import (
+    ENERGY,
+    Equations,
+    poisson_field,
+    quadratic_integrals,
+    rational_equilibrium,
+    restrict_to_zeros,
+    turns,
+)
+from polhode.certificates.exact_tracing import read_double, read_short, trace_polynomials
+from polhode.certificates.polynomials import RationalPolynomial
+from polhode.certificates.rational import RationalCertificate, find_certificate
+from polhode.errors import InvalidInput, shown
+from polhode.systems.base import AbstractLiePoissonSystem
+from polhode.taylor.expressions import Untraceable
+from polhode.types import Array, Float64
+
+if TYPE_CHECKING:
+    from polhode.analysis.certificate import Subject
+    from polhode.analysis.energy_casimir import Stability
+
+READINGS = {"short": read_short, "doubles": read_double}
+ROUNDED = 1e-12  # of the largest coefficient of a field, what the code's own rounding of parameters may change
+MOST_COORDINATES = 12  # of a system whose integrals of second degree are looked for
+Reader = Callable[[float], Fraction]
+Named = dict[str, RationalPolynomial]
+
+
+class Field(Source):
+    """The rate of change of the coordinates."""
+
+    system: AbstractLiePoissonSystem
+
+    def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "n"]:
+        algebra = self.system.algebra
+        return algebra.to_dual_vector(self.system.vector_field(0.0, algebra.from_dual_vector(x)))
+
+
+class Flat(eqx.Module):
+    """A function of points, which may have several values, as one with a row of them."""
+
+    function: Function
+
+    def __call__(self, point: Array) -> Array:
+        return jnp.ravel(self.function(point))
+
+
+def make_rational(found: Stability, subject: Subject, read_as: str) -> RationalCertificate:
+    """Return the exact proof of a verdict; see ``Certificate.as_rational``.
+
+    Raises:
+        InvalidInput: as there.
+    """
+    if read_as not in READINGS:
+        raise InvalidInput(f'`read_as` must be "short" or "doubles"; got {shown(read_as)}.')
+    if getattr(found.reason, "leaves_nearby", "") == "larger":
+        equations, hint = make_equations(found, subject, READINGS[read_as])
+        return find_certificate(restrict_to_zeros(equations, _zeros_of_leaf(equations, subject)), "stable", hint)
+    if found.verdict not in ("stable", "unstable"):
+        raise InvalidInput(
+            f"an exact proof needs a decided verdict; got {found.verdict}: {found.certificate}. "
+            "Give a further conserved function by `integrals=`, if one is known."
+        )
+    if found.verdict == "stable" and not subject.system.conserves_energy:
+        raise InvalidInput(
+            "an exact proof of stability needs a conserved energy; this system loses energy, and its verdict is by "
+            "exponents. Verdicts of instability have proofs there too."
+        )
+    equations, hint = make_equations(found, subject, READINGS[read_as])
+    try:
+        return find_certificate(equations, found.verdict, hint)
+    except InvalidInput as error:
+        for more in _further_integrals(equations, found.verdict):
+            try:
+                richer = replace(equations, conserved={**more, **equations.conserved})
+                return find_certificate(richer, found.verdict, hint)
+            except InvalidInput:
+                continue
+        raise error from None
+
+
+def _further_integrals(equations: Equations, verdict: str) -> Iterator[Named]:
+    """Yield what else is conserved: coordinates that do not move, then all polynomials of second degree."""
+    if verdict == "stable":
+        if still := {f"x{k + 1}": x for k, x in enumerate(RationalPolynomial.variables(equations.size))
+                     if not equations.field[k]}:  # fmt: skip
+            yield still
+        if equations.size <= MOST_COORDINATES:
+            yield quadratic_integrals(equations.field)
+
+
+def make_equations(found: Stability, subject: Subject, read: Reader) -> tuple[Equations, dict[str, float]]:
+    """Return the equations with a rational equilibrium, and the numerical weights of what is conserved, by name.
+
+    Raises:
+        InvalidInput: where they are not polynomial, or no rational equilibrium is near.
+    """
+    system, n = subject.system, subject.system.algebra.dim
+    vector_field = tuple(_trace("the field", Field(system), n, read))
+    conserved, flow, flow_name = _trace_casimirs(subject, read), (), _find_flow(found)
+    hint = _weights_by_name(found)
+    if system.conserves_energy:
+        (energy,) = _trace("the energy", Energy(system), n, read)
+        brackets = rational_brackets(system.algebra)
+        exact = poisson_field(brackets, system.sign, energy)
+        _compare_fields(vector_field, exact)
+        vector_field = exact
+        conserved |= _trace_integrals(subject, read)
+        if flow_name:
+            if flow_name not in conserved:
+                raise InvalidInput(
+                    f"an exact proof up to flows is for one polynomial integral; got {flow_name}. "
+                    "Give one whose flow alone is divided out."
+                )
+            flow = _turning(poisson_field(brackets, system.sign, conserved[flow_name]), flow_name)
+        conserved[ENERGY] = energy
+    conserved = {k: c for k, c in conserved.items() if not c.rate(vector_field)}
+    vanishing = _parallel(vector_field, flow) if flow else vector_field
+    point, moved = rational_equilibrium(vanishing, conserved, hint, subject.point.tolist(), read)
+    return Equations(type(system).__name__, vector_field, conserved, point, moved, flow, flow_name), hint
+
+
+def _trace(what: str, function: Source, n: int, read: Reader) -> list[RationalPolynomial]:
+    try:
+        return trace_polynomials(function, n, read)
+    except Untraceable as error:
+        raise InvalidInput(
+            f"{what} must be a polynomial with rational coefficients for an exact proof; it has {error}. "
+            "The numerical verdict stands without one."
+        ) from None
+
+
+def _trace_casimirs(subject: Subject, read: Reader) -> Named:
+    """Return the Casimirs by their names in the verdict; where these are no polynomials, those that are found."""
+    algebra = subject.system.algebra
+    known = choose_casimirs(algebra, subject.casimirs)
+    try:
+        found = trace_polynomials(known.source, algebra.dim, read) if known.names else []
+        return dict(zip(known.names, found, strict=True))
+    except Untraceable:
+        try:
+            found = polynomial_casimirs(algebra, HIGHEST_DEGREE)
+        except InvalidInput:
+            return {}
+        parts = ((str(p), zip(p.exponents.tolist(), p.coefficients, strict=True)) for p in found)
+        return {name: RationalPolynomial(algebra.dim, {tuple(m): c for m, c in terms}) for name, terms in parts}
+
+
+def _trace_integrals(subject: Subject, read: Reader) -> Named:
+    """Return the polynomials among the integrals that the system names or the user gave."""
+    system, found = subject.system, {}
+    algebra = system.algebra
+    named = [*system.extra_invariants.items(), *((f"J{k + 1}", f) for k, f in enumerate(subject.integrals))]
+    for name, function in named:
+        try:
+            values = trace_polynomials(_Row(algebra, Flat(function)), algebra.dim, read)
+        except Untraceable:
+            continue
+        found = {k: p for k, p in found.items() if p not in values}  # what is given goes before what is known
+        found |= {name: values[0]} if len(values) == 1 else {f"{name}, {k + 1}": p for k, p in enumerate(values)}
+    return found
+
+
+class _Row(Source):
+    """The values of one function at coordinates."""
+
+    algebra: eqx.Module
+    function: Flat
+
+    def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
+        return self.function(self.algebra.from_dual_vector(x))  # type: ignore[attr-defined]
+
+
+def _find_flow(found: Stability) -> str:
+    """Return the name of the integral whose flow is divided out; empty for none."""
+    flows = found.restricted.flows if found.restricted is not None else ()
+    if len(flows) > 1:
+        raise InvalidInput(
+            f"an exact proof up to flows is for one integral; this verdict divides out {', '.join(flows)}. "
+            "Give fewer integrals, if one is enough."
+        )
+    if found.restricted is not None and not flows:
+        raise InvalidInput(f"an exact proof is for all coordinates; this verdict holds {found.restricted}.")
+    return flows[0] if flows else ""
+
+
+def _weights_by_name(found: Stability) -> dict[str, float]:
+    if found.function is None or found.function.unit != 1.0:
+        return {}
+    return dict(zip((ENERGY, *found.function.names), map(float, found.function.weights), strict=True))
+
+
+def _compare_fields(one: tuple[RationalPolynomial, ...], other: tuple[RationalPolynomial, ...]) -> None:
+    """Refuse a field that is not that of the energy, beyond the code's own rounding of parameters."""
+    size = max((p.magnitude for p in other), default=Fraction(0))
+    off = max(((p - q).magnitude for p, q in zip(one, other, strict=True)), default=Fraction(0))
+    if off > size * Fraction(ROUNDED):
+        raise InvalidInput(
+            f"the field must be that of the energy; its coefficients differ by {float(off / (size or 1)):.2g} of the "
+            "largest. Check `vector_field` and `energy` of the system."
+        )
+
+
+def _zeros_of_leaf(equations: Equations, subject: Subject) -> list[int]:
+    """Return the coordinates that are zero at the point and along the leaf's tangent space."""
+    brackets, n = rational_brackets(subject.system.algebra), equations.size
+    moves = [poisson_field(brackets, 1, x) for x in RationalPolynomial.variables(n)]
+    return [k for k in range(n) if not equations.point[k] and not any(f[k].at(equations.point) for f in moves)]
+
+
+def _turning(flow: tuple[RationalPolynomial, ...], name: str) -> tuple[RationalPolynomial, ...]:
+    """Return a symmetry's field at one radian in a unit of time.
+
+    Raises:
+        InvalidInput: if it turns nothing, or not all at one rational rate.
+    """
+    square = [x.rate(flow) for x in flow]
+    cube = [x.rate(flow) for x in square]
+    term = next(((k, m) for k, x in enumerate(flow) for m in x.terms), None)
+    if term is not None:
+        k, m = term
+        rate = -cube[k].terms.get(m, Fraction(0)) / flow[k].terms[m]
+        root = Fraction(math.isqrt(max(rate.numerator, 0)), math.isqrt(rate.denominator))
+        if root and root**2 == rate and turns(turned := tuple(x * (1 / root) for x in flow)):
+            return turned
+    raise InvalidInput(
+        f"an exact proof up to a flow needs one that turns all coordinates at one rational rate; that of {name} is "
+        "another. Divide out another integral, if one is enough."
+    )
+
+
+def _parallel(field: tuple[RationalPolynomial, ...], flow: tuple[RationalPolynomial, ...]) -> list[RationalPolynomial]:
+    """Return what vanishes where a field is parallel to another."""
+    return [field[i] * flow[j] - field[j] * flow[i] for i, j in combinations(range(len(field)), 2)]
+
+
