@@ -337,7 +337,8 @@ Proof.
 Qed.
 
 (* A solution on [0, T], the notion of Stability.v, is a piece of exactly one motion. *)
-Theorem sol_extends c T : 0 <= T -> sol I1 I2 I3 c T -> exists! L : R -> V, motion L /\ forall t, 0 <= t <= T -> c t = L t.
+Theorem sol_extends c T : 0 <= T -> sol I1 I2 I3 c T ->
+  exists! L : R -> V, motion L /\ forall t, 0 <= t <= T -> c t = L t.
 Proof.
   intros order solution.
   destruct (motion_exists_unique (c 0)) as (L & (first & whole) & unique).
