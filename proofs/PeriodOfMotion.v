@@ -140,10 +140,11 @@ Proof.
     apply Rdiv_lt_0_compat; lra.
   - intros t.
     replace (4 * quarter m / nu / 2) with (2 * quarter m / nu) by (field; lra).
-    exact (half_period3 _ _ _ balanced opposite3 middle3 L solves_everywhere inside3 nu m positive nu_square3 m_value3 t).
+    exact (half_period3 _ _ _ balanced opposite3 middle3 L solves_everywhere inside3 nu m positive nu_square3
+      m_value3 t).
   - exact (period3 _ _ _ balanced opposite3 middle3 L solves_everywhere inside3 nu m positive nu_square3 m_value3).
-  - exact (period3_least _ _ _ balanced opposite3 middle3 L solves_everywhere inside3 nu m positive nu_square3 m_value3
-      moving).
+  - exact (period3_least _ _ _ balanced opposite3 middle3 L solves_everywhere inside3 nu m positive nu_square3
+      m_value3 moving).
 Qed.
 End Axis3.
 End Body.
