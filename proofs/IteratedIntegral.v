@@ -1,0 +1,201 @@
+(* (10) Integrals over a box, as iterated Riemann integrals of continuous functions: linear and positive.
+
+   The one fact that Coquelicot lacks is that an integral over an interval depends continuously on a parameter
+   from any uniform space.  It follows from compactness of the interval: continuity at the points (u, z) for all z is
+   uniform in z.  Applied twice, with parameters (x, y) and then x, it makes every inner integral integrable.
+   Source: Rudin, Principles of Mathematical Analysis, theorem 9.42 (its first step). *)
+From Coq Require Import Reals Lra Psatz ClassicalEpsilon.
+From Coquelicot Require Import Coquelicot.
+Local Open Scope R_scope.
+
+Lemma continuous_eps (U : UniformSpace) (g : U -> R) x : continuous g x ->
+  forall eps, 0 < eps -> exists d : posreal, forall y, ball x d y -> Rabs (g y - g x) < eps.
+Proof.
+  intros regular eps positive.
+  destruct (proj1 (filterlim_locally g (g x)) regular (mkposreal eps positive)) as (d & near).
+  exists d.
+  intros y inside.
+  exact (near y inside).
+Qed.
+
+(* For all z in [a, b] at once, g(u, z) changes little when u does. *)
+Lemma uniformly_continuous (U : UniformSpace) (g : U * R -> R) a b u : (forall x, continuous g x) ->
+  forall eps, 0 < eps -> exists d : posreal, forall v, ball u d v ->
+  forall z, a <= z <= b -> Rabs (g (v, z) - g (u, z)) < eps.
+Proof.
+  intros regular eps positive.
+  assert (half : 0 < eps / 2) by lra.
+  set (radius := fun z => constructive_indefinite_description _ (continuous_eps _ g (u, z) (regular (u, z)) _ half)).
+  destruct (compactness_value_1d a b (fun z => proj1_sig (radius z))) as (d & cover).
+  exists d.
+  intros v inside z hz.
+  destruct (Rlt_dec (Rabs (g (v, z) - g (u, z))) eps) as [small|large]; [exact small|].
+  exfalso.
+  apply (cover z hz).
+  intros (t & _ & close & order).
+  apply large.
+  assert (near := proj2_sig (radius t)).
+  cbn beta in near.
+  assert (first : Rabs (g (v, z) - g (u, t)) < eps / 2).
+  { apply near.
+    split; cbn [fst snd]; [|exact close].
+    exact (ball_le u d _ order v inside). }
+  assert (second : Rabs (g (u, z) - g (u, t)) < eps / 2).
+  { apply near.
+    split; cbn [fst snd]; [|exact close].
+    apply ball_center. }
+  apply Rabs_lt_between in first, second.
+  apply Rabs_def1; lra.
+Qed.
+
+Lemma slice_continuous (U : UniformSpace) (g : U * R -> R) u z : continuous g (u, z) ->
+  continuous (fun t => g (u, t)) z.
+Proof.
+  intros regular.
+  apply filterlim_locally.
+  intros eps.
+  destruct (continuous_eps _ g (u, z) regular eps (cond_pos eps)) as (d & near).
+  exists d.
+  intros t inside.
+  apply near.
+  split; [apply ball_center | exact inside].
+Qed.
+
+Lemma slice_integrable (U : UniformSpace) (g : U * R -> R) a b u : (forall x, continuous g x) ->
+  ex_RInt (fun z => g (u, z)) a b.
+Proof.
+  intros regular.
+  apply (@ex_RInt_continuous R_CompleteNormedModule).
+  intros z _.
+  now apply slice_continuous.
+Qed.
+
+Theorem integral_continuous (U : UniformSpace) (g : U * R -> R) a b : a <= b -> (forall x, continuous g x) ->
+  forall u, continuous (fun v => RInt (fun z => g (v, z)) a b) u.
+Proof.
+  intros order regular u.
+  apply filterlim_locally.
+  intros eps.
+  assert (small : 0 < eps / (b - a + 1)) by (apply Rdiv_lt_0_compat; [apply cond_pos | lra]).
+  destruct (uniformly_continuous U g a b u regular _ small) as (d & near).
+  exists d.
+  intros v inside.
+  assert (integrable := fun w => slice_integrable U g a b w regular).
+  assert (difference := RInt_minus (fun z => g (v, z)) (fun z => g (u, z)) a b (integrable v) (integrable u)).
+  assert (difference_integrable := ex_RInt_minus (fun z => g (v, z)) (fun z => g (u, z)) a b (integrable v)
+    (integrable u)).
+  change (Rabs (minus (RInt (fun z => g (v, z)) a b) (RInt (fun z => g (u, z)) a b)) < eps).
+  rewrite <- difference.
+  apply Rle_lt_trans with ((b - a) * (eps / (b - a + 1))).
+  - apply abs_RInt_le_const; auto.
+    intros z hz.
+    apply Rlt_le.
+    exact (near v inside z hz).
+  - assert (positive := cond_pos eps).
+    replace (pos eps) with ((b - a + 1) * (eps / (b - a + 1))) at 2 by (field; lra).
+    lra.
+Qed.
+
+Section Box.
+Variables a1 b1 a2 b2 a3 b3 : R.
+Hypotheses (h1 : a1 <= b1) (h2 : a2 <= b2) (h3 : a3 <= b3).
+
+(* Points of the box are ((x, y), z). *)
+Definition point := (R * R * R)%type.
+Definition everywhere_continuous (g : point -> R) := forall x : prod_UniformSpace (prod_UniformSpace R_UniformSpace
+  R_UniformSpace) R_UniformSpace, continuous g x.
+Definition inner (g : point -> R) (xy : R * R) : R := RInt (fun z => g (xy, z)) a3 b3.
+Definition middle (g : point -> R) (x : R) : R := RInt (fun y => inner g (x, y)) a2 b2.
+Definition integral (g : point -> R) : R := RInt (middle g) a1 b1.
+
+Lemma inner_continuous g : everywhere_continuous g ->
+  forall x : prod_UniformSpace R_UniformSpace R_UniformSpace, continuous (inner g) x.
+Proof.
+  intros regular.
+  exact (integral_continuous (prod_UniformSpace R_UniformSpace R_UniformSpace) g a3 b3 h3 regular).
+Qed.
+
+Lemma middle_continuous g : everywhere_continuous g -> forall x : R_UniformSpace, continuous (middle g) x.
+Proof.
+  intros regular.
+  exact (integral_continuous R_UniformSpace (inner g) a2 b2 h2 (inner_continuous g regular)).
+Qed.
+
+Lemma inner_integrable g xy : everywhere_continuous g -> ex_RInt (fun z => g (xy, z)) a3 b3.
+Proof. exact (slice_integrable (prod_UniformSpace R_UniformSpace R_UniformSpace) g a3 b3 xy). Qed.
+
+Lemma middle_integrable g x : everywhere_continuous g -> ex_RInt (fun y => inner g (x, y)) a2 b2.
+Proof.
+  intros regular.
+  exact (slice_integrable R_UniformSpace (inner g) a2 b2 x (inner_continuous g regular)).
+Qed.
+
+Lemma outer_integrable g : everywhere_continuous g -> ex_RInt (middle g) a1 b1.
+Proof.
+  intros regular.
+  apply (@ex_RInt_continuous R_CompleteNormedModule).
+  intros x _.
+  now apply middle_continuous.
+Qed.
+
+Theorem integral_ext f g : (forall s, f s = g s) -> integral f = integral g.
+Proof.
+  intros equal.
+  apply RInt_ext; intros x _.
+  apply RInt_ext; intros y _.
+  apply RInt_ext; intros z _.
+  apply equal.
+Qed.
+
+Theorem integral_add f g : everywhere_continuous f -> everywhere_continuous g ->
+  integral (fun s => f s + g s) = integral f + integral g.
+Proof.
+  intros hf hg.
+  assert (first : forall xy, inner (fun s => f s + g s) xy = inner f xy + inner g xy).
+  { intros xy.
+    exact (RInt_plus (fun z => f (xy, z)) (fun z => g (xy, z)) a3 b3 (inner_integrable f xy hf)
+      (inner_integrable g xy hg)). }
+  assert (second : forall x, middle (fun s => f s + g s) x = middle f x + middle g x).
+  { intros x.
+    transitivity (RInt (fun y => inner f (x, y) + inner g (x, y)) a2 b2).
+    - apply RInt_ext; intros y _.
+      apply first.
+    - exact (RInt_plus (fun y => inner f (x, y)) (fun y => inner g (x, y)) a2 b2 (middle_integrable f x hf)
+        (middle_integrable g x hg)). }
+  transitivity (RInt (fun x => middle f x + middle g x) a1 b1).
+  - apply RInt_ext; intros x _.
+    apply second.
+  - exact (RInt_plus (middle f) (middle g) a1 b1 (outer_integrable f hf) (outer_integrable g hg)).
+Qed.
+
+Theorem integral_scal k f : everywhere_continuous f -> integral (fun s => k * f s) = k * integral f.
+Proof.
+  intros hf.
+  assert (first : forall xy, inner (fun s => k * f s) xy = k * inner f xy).
+  { intros xy.
+    exact (RInt_scal (fun z => f (xy, z)) a3 b3 k (inner_integrable f xy hf)). }
+  assert (second : forall x, middle (fun s => k * f s) x = k * middle f x).
+  { intros x.
+    transitivity (RInt (fun y => k * inner f (x, y)) a2 b2).
+    - apply RInt_ext; intros y _.
+      apply first.
+    - exact (RInt_scal (fun y => inner f (x, y)) a2 b2 k (middle_integrable f x hf)). }
+  transitivity (RInt (fun x => k * middle f x) a1 b1).
+  - apply RInt_ext; intros x _.
+    apply second.
+  - exact (RInt_scal (middle f) a1 b1 k (outer_integrable f hf)).
+Qed.
+
+Theorem integral_pos f : everywhere_continuous f ->
+  (forall x y z, a1 <= x <= b1 -> a2 <= y <= b2 -> a3 <= z <= b3 -> 0 <= f (x, y, z)) -> 0 <= integral f.
+Proof.
+  intros hf positive.
+  apply RInt_ge_0; auto using outer_integrable.
+  intros x hx.
+  apply RInt_ge_0; auto using middle_integrable.
+  intros y hy.
+  apply RInt_ge_0; auto using inner_integrable.
+  intros z hz.
+  apply positive; lra.
+Qed.
+End Box.
