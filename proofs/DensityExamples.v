@@ -64,7 +64,8 @@ Proof.
   transitivity (RInt (fun y => (2 / 3 * (c * c * c) * rho) + (2 * c * rho) * (y * y)) (- b) b);
     [|rewrite integral_even_quadratic; over_reals; field].
   apply RInt_ext; intros y _.
-  transitivity (RInt (fun z => rho * (y * y) + rho * (z * z)) (- c) c); [|rewrite integral_even_quadratic; over_reals; field].
+  transitivity (RInt (fun z => rho * (y * y) + rho * (z * z)) (- c) c);
+    [|rewrite integral_even_quadratic; over_reals; field].
   apply RInt_ext; intros z _.
   unfold nrm2, dot, delta, co, cartesian; cbn [fst snd X Y Z Nat.eqb].
   over_reals; ring.
