@@ -258,6 +258,49 @@ Proof.
     now rewrite line_same.
 Qed.
 
+(* The mass of a body is on the line along u through the fixed point, as far as inner points of the box show. *)
+Definition on_one_line u := forall x y z, a1 < x < b1 -> a2 < y < b2 -> a3 < z < b3 -> 0 < weight (x, y, z) ->
+  cross (place (x, y, z)) u = zero.
+
+Theorem density_line u : over_body (fun r => nrm2 (cross r u)) = 0 <-> on_one_line u.
+Proof.
+  assert (continuity : regular (fun r => nrm2 (cross r u))).
+  { intros s.
+    destruct (cross_integrand u) as (a & b & c & d & e & g & form).
+    apply (continuous_ext (fun s => a * xx (place s) + b * yy (place s) + c * zz (place s) + d * xy (place s) +
+      e * xz (place s) + g * yz (place s))).
+    - intros t.
+      symmetry; apply form.
+    - exact (proj1 (over_body_quadratic a b c d e g) s). }
+  assert (positive : forall x y z, a1 <= x <= b1 -> a2 <= y <= b2 -> a3 <= z <= b3 ->
+    0 <= weight (x, y, z) * nrm2 (cross (place (x, y, z)) u)).
+  { intros x y z hx hy hz.
+    apply Rmult_le_pos; auto using nrm2_ge0. }
+  split.
+  - intros zero_integral x y z hx hy hz heavy.
+    destruct (V_dec (cross (place (x, y, z)) u) zero) as [on_line|off_line]; [exact on_line | exfalso].
+    assert (strict : 0 < over_body (fun r => nrm2 (cross r u))).
+    { apply (integral_strict a1 b1 a2 b2 a3 b3 h2 h3 _ x y z (weighted _ continuity) positive hx hy hz).
+      apply Rmult_lt_0_compat; auto.
+      now apply nrm2_pos. }
+    lra.
+  - intros line.
+    apply (integral_zero a1 b1 a2 b2 a3 b3 h1 h2 h3).
+    intros x y z hx hy hz.
+    destruct (weight_positive x y z ltac:(lra) ltac:(lra) ltac:(lra)) as [heavy|empty].
+    + rewrite (line x y z hx hy hz heavy).
+      unfold nrm2, dot, zero; cbn [X Y Z]; ring.
+    + rewrite <- empty; ring.
+Qed.
+
+(* Inertia is definite just when the mass is not on one line through the fixed point. *)
+Theorem density_definite_line : (forall u, u <> zero -> 0 < dot u (density_apply u)) <->
+  ~ exists u, u <> zero /\ on_one_line u.
+Proof.
+  rewrite density_definite.
+  split; intros none (u & nonzero & line); apply none; exists u; split; auto; now apply density_line.
+Qed.
+
 Theorem density_principal_axes : exists u v w l1 l2 l3, onb u v w /\ w = cross u v /\
   density_apply u = Vec3.scal l1 u /\ density_apply v = Vec3.scal l2 v /\ density_apply w = Vec3.scal l3 w /\
   0 <= l1 /\ 0 <= l2 /\ 0 <= l3 /\ l1 <= l2 + l3 /\ l2 <= l3 + l1 /\ l3 <= l1 + l2.

@@ -190,12 +190,92 @@ Theorem integral_pos f : everywhere_continuous f ->
   (forall x y z, a1 <= x <= b1 -> a2 <= y <= b2 -> a3 <= z <= b3 -> 0 <= f (x, y, z)) -> 0 <= integral f.
 Proof.
   intros hf positive.
-  apply RInt_ge_0; auto using outer_integrable.
+  apply (RInt_ge_0 (middle f) a1 b1 h1 (outer_integrable f hf)).
   intros x hx.
-  apply RInt_ge_0; auto using middle_integrable.
+  apply (RInt_ge_0 (fun y => inner f (x, y)) a2 b2 h2 (middle_integrable f x hf)).
   intros y hy.
-  apply RInt_ge_0; auto using inner_integrable.
+  apply (RInt_ge_0 (fun z => f (x, y, z)) a3 b3 h3 (inner_integrable f (x, y) hf)).
   intros z hz.
   apply positive; lra.
+Qed.
+
+(* A function that is not negative has a positive integral as soon as it is positive at one inner point. *)
+Lemma interval_strict (f : R -> R) a b c : (forall x, continuous f x) -> (forall x, a <= x <= b -> 0 <= f x) ->
+  a < c < b -> 0 < f c -> 0 < RInt f a b.
+Proof.
+  intros regular positive inside value.
+  assert (half : 0 < f c / 2) by lra.
+  destruct (continuous_eps _ f c (regular c) _ half) as (d & near).
+  set (e := Rmin (d / 2) (Rmin (c - a) (b - c))).
+  assert (e1 : e <= d / 2) by apply Rmin_l.
+  assert (e2 : e <= c - a) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_l]).
+  assert (e3 : e <= b - c) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_r]).
+  assert (d_positive := cond_pos d).
+  assert (e_positive : 0 < e) by (unfold e; repeat apply Rmin_glb_lt; lra).
+  clearbody e.
+  assert (integrable : forall x y, ex_RInt f x y).
+  { intros x y.
+    apply (@ex_RInt_continuous R_CompleteNormedModule); auto. }
+  rewrite <- (RInt_Chasles f a (c - e) b) by auto.
+  rewrite <- (RInt_Chasles f (c - e) (c + e) b) by auto.
+  assert (left : 0 <= RInt f a (c - e)).
+  { apply RInt_ge_0; auto; [lra|].
+    intros x hx; apply positive; lra. }
+  assert (right : 0 <= RInt f (c + e) b).
+  { apply RInt_ge_0; auto; [lra|].
+    intros x hx; apply positive; lra. }
+  assert (centre : 0 < RInt f (c - e) (c + e)).
+  { apply RInt_gt_0; auto; [lra|].
+    intros x hx.
+    assert (close : ball c d x) by (apply Rabs_def1; cbn; unfold minus, plus, opp; cbn; lra).
+    assert (bound := near x close).
+    apply Rabs_lt_between in bound.
+    lra. }
+  change (0 < RInt f a (c - e) + (RInt f (c - e) (c + e) + RInt f (c + e) b)).
+  lra.
+Qed.
+
+Theorem integral_strict f x0 y0 z0 : everywhere_continuous f ->
+  (forall x y z, a1 <= x <= b1 -> a2 <= y <= b2 -> a3 <= z <= b3 -> 0 <= f (x, y, z)) ->
+  a1 < x0 < b1 -> a2 < y0 < b2 -> a3 < z0 < b3 -> 0 < f (x0, y0, z0) -> 0 < integral f.
+Proof.
+  intros hf positive hx hy hz value.
+  apply (interval_strict (middle f) a1 b1 x0 (middle_continuous f hf)); auto.
+  - intros x hx'.
+    apply (RInt_ge_0 (fun y => inner f (x, y)) a2 b2 h2 (middle_integrable f x hf)).
+    intros y hy'.
+    apply (RInt_ge_0 (fun z => f (x, y, z)) a3 b3 h3 (inner_integrable f (x, y) hf)).
+    intros z hz'.
+    apply positive; lra.
+  - apply (interval_strict (fun y => inner f (x0, y)) a2 b2 y0); auto.
+    + intros y.
+      exact (slice_continuous R_UniformSpace (inner f) x0 y (inner_continuous f hf (x0, y))).
+    + intros y hy'.
+      apply (RInt_ge_0 (fun z => f (x0, y, z)) a3 b3 h3 (inner_integrable f (x0, y) hf)).
+      intros z hz'.
+      apply positive; lra.
+    + apply (interval_strict (fun z => f (x0, y0, z)) a3 b3 z0); auto.
+      * intros z.
+        exact (slice_continuous (prod_UniformSpace R_UniformSpace R_UniformSpace) f (x0, y0) z (hf (x0, y0, z))).
+      * intros z hz'.
+        apply positive; lra.
+Qed.
+
+Theorem integral_zero f :
+  (forall x y z, a1 < x < b1 -> a2 < y < b2 -> a3 < z < b3 -> f (x, y, z) = 0) -> integral f = 0.
+Proof.
+  intros vanishes.
+  assert (zero : forall (g : R -> R) a b, a <= b -> (forall x, a < x < b -> g x = 0) -> RInt g a b = 0).
+  { intros g a b order flat.
+    rewrite (RInt_ext g (fun _ => 0)).
+    - rewrite RInt_const.
+      apply Rmult_0_r.
+    - intros x hx.
+      rewrite Rmin_left, Rmax_right in hx by exact order.
+      now apply flat. }
+  apply (zero _ _ _ h1); intros x hx.
+  apply (zero _ _ _ h2); intros y hy.
+  apply (zero _ _ _ h3); intros z hz.
+  now apply vanishes.
 Qed.
 End Box.
