@@ -149,6 +149,13 @@ Qed.
 End Axis3.
 End Body.
 
+Lemma square_derive (f : R -> R) t d : is_derive f t d -> is_derive (fun s => f s * f s) t (2 * f t * d).
+Proof.
+  intros derivative.
+  replace (2 * f t * d) with (d * f t + f t * d) by ring.
+  exact (is_derive_mult f f t d d derivative derivative Rmult_comm).
+Qed.
+
 Definition swap13 u := mk (Z u) (Y u) (X u).
 
 Section Orbits.
@@ -247,5 +254,110 @@ Proof.
       apply Rmult_le_pos; lra.
     + replace ((I1 - I2) * (G - I2 * E)) with ((I2 - I1) * (I2 * E - G)) by ring.
       apply Rmult_lt_0_compat; lra.
+Qed.
+
+Lemma at_rest : eul I1 I2 I3 (L 0) = zero -> forall t, L t = L 0.
+Proof.
+  intros rest t.
+  symmetry.
+  apply (motion_determined I1 I2 I3 p1 p2 p3 (fun _ => L 0) L 0); auto.
+  intros x.
+  rewrite rest.
+  refine (conj _ (conj _ _)).
+  - exact (is_derive_const (X (L 0)) x).
+  - exact (is_derive_const (Y (L 0)) x).
+  - exact (is_derive_const (Z (L 0)) x).
+Qed.
+
+(* On the separatrix L never comes back: L2 would have an extremum, where the motion would be at rest. *)
+Theorem separatrix_open : I1 < I2 < I3 -> eul I1 I2 I3 (L 0) <> zero -> G = I2 * E ->
+  forall t s, s <> 0 -> L (t + s) <> L t.
+Proof.
+  intros (order & order') moving critical.
+  set (a := rate1 I2 I3).
+  set (b := rate3 I1 I2).
+  assert (negative : a < 0 /\ b < 0).
+  { assert (i12 := Rinv_lt_contravar I1 I2 ltac:(nra) order).
+    assert (i23 := Rinv_lt_contravar I2 I3 ltac:(nra) order').
+    unfold a, b, rate1, rate3; lra. }
+  assert (balance : forall t, a * (Z (L t) * Z (L t)) - b * (X (L t) * X (L t)) = 0).
+  { assert (flat : forall t, is_derive (fun t => a * (Z (L t) * Z (L t)) - b * (X (L t) * X (L t))) t 0).
+    { intros t.
+      destruct (solves_everywhere I1 I2 I3 p1 p2 p3 L solution t) as (x & _ & z).
+      cbn [X Z triple] in x, z.
+      replace 0 with (a * (2 * Z (L t) * (b * (X (L t) * Y (L t)))) - b * (2 * X (L t) * (a * (Y (L t) * Z (L t)))))
+        by ring.
+      apply (is_derive_minus (fun t => a * (Z (L t) * Z (L t))) (fun t => b * (X (L t) * X (L t)))).
+      - apply (is_derive_scal (fun t => Z (L t) * Z (L t))).
+        exact (square_derive (fun t => Z (L t)) t _ z).
+      - apply (is_derive_scal (fun t => X (L t) * X (L t))).
+        exact (square_derive (fun t => X (L t)) t _ x). }
+    intros t.
+    rewrite (constant_everywhere _ flat t 0).
+    replace (a * (Z (L 0) * Z (L 0)) - b * (X (L 0) * X (L 0))) with (E - G / I2)
+      by (unfold a, b, rate1, rate3, E, G, energy, nrm2, dot; field; lra).
+    rewrite critical; field; lra. }
+  assert (never_still : forall t, Z (L t) * X (L t) <> 0).
+  { intros t product.
+    assert (level := balance t).
+    assert (x2 := Rle_0_sqr (X (L t))).
+    assert (z2 := Rle_0_sqr (Z (L t))).
+    unfold Rsqr in x2, z2.
+    assert (both : X (L t) = 0 /\ Z (L t) = 0).
+    { destruct (Rmult_integral _ _ product) as [z_zero|x_zero].
+      - rewrite z_zero in level.
+        split; auto.
+        assert (square : b * (X (L t) * X (L t)) = 0) by lra.
+        destruct (Rmult_integral _ _ square) as [b_zero|x_square]; [lra|].
+        destruct (Rmult_integral _ _ x_square); auto.
+      - rewrite x_zero in level.
+        split; auto.
+        assert (square : a * (Z (L t) * Z (L t)) = 0) by lra.
+        destruct (Rmult_integral _ _ square) as [a_zero|z_square]; [lra|].
+        destruct (Rmult_integral _ _ z_square); auto. }
+    destruct both as (x_zero & z_zero).
+    assert (still : eul I1 I2 I3 (L t) = zero).
+    { rewrite eul_components, x_zero, z_zero by auto.
+      apply V_eq; cbn; ring. }
+    assert (constant : L 0 = L t).
+    { symmetry.
+      apply (motion_determined I1 I2 I3 p1 p2 p3 (fun _ => L t) L t) with (t := 0); auto.
+      intros x.
+      rewrite still.
+      refine (conj _ (conj _ _)).
+      - exact (is_derive_const (X (L t)) x).
+      - exact (is_derive_const (Y (L t)) x).
+      - exact (is_derive_const (Z (L t)) x). }
+    apply moving.
+    now rewrite constant. }
+  intros t s later equal.
+  destruct (MVT_gen (fun x => Y (L x)) t (t + s) (fun x => rate2 I1 I3 * (Z (L x) * X (L x)))) as (x & _ & mean).
+  - intros x _.
+    apply (solves_everywhere I1 I2 I3 p1 p2 p3 L solution x).
+  - intros x _.
+    apply derivable_continuous_pt.
+    exists (rate2 I1 I3 * (Z (L x) * X (L x))).
+    apply is_derive_Reals, (solves_everywhere I1 I2 I3 p1 p2 p3 L solution x).
+  - rewrite equal in mean.
+    assert (product : rate2 I1 I3 * (Z (L x) * X (L x)) * s = 0) by lra.
+    destruct (Rmult_integral _ _ product) as [slope|s_zero]; [|contradiction].
+    destruct (Rmult_integral _ _ slope) as [rate_zero|still]; [|exact (never_still x still)].
+    assert (balanced := rates_balanced I1 I2 I3).
+    unfold a, b in negative; lra.
+Qed.
+
+(* All motions of a body with three different moments: at rest, closed orbits about axis 3 or axis 1, separatrix. *)
+Theorem motions_classified : I1 < I2 < I3 ->
+  (forall t, L t = L 0) \/
+  (I2 * E < G /\ closed_orbit L (period I1 I2 I3 E G) half_turn3) \/
+  (G < I2 * E /\ closed_orbit L (period I3 I2 I1 E G) half_turn1) \/
+  (G = I2 * E /\ forall t s, s <> 0 -> L (t + s) <> L t).
+Proof.
+  intros order.
+  destruct (V_dec (eul I1 I2 I3 (L 0)) zero) as [rest|moving]; [left; now apply at_rest | right].
+  destruct (Req_dec G (I2 * E)) as [critical|generic].
+  - right; right.
+    exact (conj critical (separatrix_open order moving critical)).
+  - destruct (closed_orbits order moving generic) as [short|long]; auto.
 Qed.
 End Orbits.
