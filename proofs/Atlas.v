@@ -149,8 +149,14 @@ Theorem chart_velocity second f th s v :
   vderive (fun x => chart second f th x v) s (chart second f th s (cross w3 v)).
 Proof.
   destruct second; unfold chart.
-  - refine (conj _ (conj _ _)); apply quarter_derive; [apply kin_f | apply kin_th | apply kin_s].
-  - refine (conj _ (conj _ _)); [apply kin_f | apply kin_th | apply kin_s].
+  - refine (conj _ (conj _ _)); apply quarter_derive.
+    + apply kin_f.
+    + apply kin_th.
+    + apply kin_s.
+  - refine (conj _ (conj _ _)).
+    + apply kin_f.
+    + apply kin_th.
+    + apply kin_s.
 Qed.
 
 (* K, a function of attitude and body momentum, has the left-trivialised differential (xi, g) at (A, P): along every
@@ -191,8 +197,9 @@ Proof.
 Qed.
 
 (* The momenta of the angles are dual to their velocities. *)
-Lemma dual xi g : dot xi (w1 th s) * dot g (d_pf th s) + dot xi (w2 s) * dot g (d_pt s) + dot xi w3 * dot g (d_ps th s)
-  = dot xi g.
+Lemma dual xi g :
+  dot xi (w1 th s) * dot g (d_pf th s) + dot xi (w2 s) * dot g (d_pt s) +
+    dot xi w3 * dot g (d_ps th s) = dot xi g.
 Proof.
   transitivity ((X xi * X g + Y xi * Y g) * (sin s * sin s + cos s * cos s) + Z xi * Z g).
   - unfold dot, w1, w2, w3, d_pf, d_pt, d_ps; cbn [X Y Z].
@@ -215,13 +222,15 @@ Proof.
     apply hL; auto; [|apply constant_derive].
     intros v; exact (proj1 (chart_velocity second f th s v)). }
   assert (partial_th : forall L x y, differential L A P x y ->
-    Derive (fun u => L (chart second f u s) (Pm u s pf pt ps)) th = dot x (w2 s) + dot y (d_th th s pf ps)).
+    Derive (fun u => L (chart second f u s) (Pm u s pf pt ps)) th =
+    dot x (w2 s) + dot y (d_th th s pf ps)).
   { intros L x y hL.
     apply is_derive_unique, hL; auto.
     - intros v; exact (proj1 (proj2 (chart_velocity second f th s v))).
     - now apply v_th. }
   assert (partial_s : forall L x y, differential L A P x y ->
-    Derive (fun u => L (chart second f th u) (Pm th u pf pt ps)) s = dot x w3 + dot y (d_s th s pf pt ps)).
+    Derive (fun u => L (chart second f th u) (Pm th u pf pt ps)) s =
+    dot x w3 + dot y (d_s th s pf pt ps)).
   { intros L x y hL.
     apply is_derive_unique, hL; auto.
     - intros v; exact (proj2 (proj2 (chart_velocity second f th s v))).
@@ -252,7 +261,8 @@ Proof.
     (Y g * Z g' - Z g * Y g') * B th s pf pt ps Y Z + (Z g * X g' - X g * Z g') * B th s pf pt ps Z X)).
   - rewrite <- (dual xi g'), <- (dual xi' g).
     unfold B, dot.
-    generalize (d_th th s pf ps), (d_s th s pf pt ps), (d_pf th s), (d_pt s), (d_ps th s), (w1 th s), (w2 s), w3.
+    generalize (d_th th s pf ps), (d_s th s pf pt ps), (d_pf th s), (d_pt s), (d_ps th s).
+    generalize (w1 th s), (w2 s), w3.
     intros; ring.
   - rewrite B12, B23, B31 by exact regular.
     unfold pb, dot, cross, P, Pm; cbn [X Y Z]; ring.
@@ -281,7 +291,8 @@ Qed.
 Theorem reduction_everywhere A P : rotation A -> exists second f th s pf pt ps,
   (forall v, A v = chart second f th s v) /\ P = Pm th s pf pt ps /\
   forall F G g h, is_grad F P g -> is_grad G P h ->
-  can (fun _ th s pf pt ps => F (Pm th s pf pt ps)) (fun _ th s pf pt ps => G (Pm th s pf pt ps)) f th s pf pt ps
+  can (fun _ th s pf pt ps => F (Pm th s pf pt ps))
+    (fun _ th s pf pt ps => G (Pm th s pf pt ps)) f th s pf pt ps
   = pb g h P.
 Proof.
   intros turn.

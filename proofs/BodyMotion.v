@@ -48,7 +48,8 @@ Proof.
   assert (third : forall u v w, onb u v w -> det u v w = 1 -> cross u v = w).
   { intros u v w [n1 n2 n3 o12 o23 o31] hand.
     assert (distance : nrm2 (sub (cross u v) w) = 0).
-    { replace (nrm2 (sub (cross u v) w)) with (nrm2 (cross u v) + nrm2 w - 2 * det u v w) by (unfold det; vring).
+    { replace (nrm2 (sub (cross u v) w)) with (nrm2 (cross u v) + nrm2 w - 2 * det u v w)
+        by (unfold det; vring).
       rewrite lagrange, n1, n2, n3, o12, hand; ring. }
     apply nrm2_eq0 in distance.
     apply V_eq;
@@ -89,7 +90,8 @@ Proof.
     destruct (right_handed a b c columns hand) as (ab & bc & ca).
     destruct columns as [n1 n2 n3 o12 o23 o31].
     split; intros u v.
-    + replace (dot (app a b c u) (app a b c v)) with (X u * X v * nrm2 a + Y u * Y v * nrm2 b + Z u * Z v * nrm2 c +
+    + replace (dot (app a b c u) (app a b c v)) with
+        (X u * X v * nrm2 a + Y u * Y v * nrm2 b + Z u * Z v * nrm2 c +
         (X u * Y v + Y u * X v) * dot a b + (Y u * Z v + Z u * Y v) * dot b c + (Z u * X v + X u * Z v) * dot c a)
         by (unfold app; vring).
       rewrite n1, n2, n3, o12, o23, o31.
@@ -312,7 +314,8 @@ Proof.
 Qed.
 
 (* The attitude stays a rotation. *)
-Theorem attitude_stays_rotation s : rotation (app (a s) (b s) (c s)) -> forall t, rotation (app (a t) (b t) (c t)).
+Theorem attitude_stays_rotation s : rotation (app (a s) (b s) (c s)) ->
+  forall t, rotation (app (a t) (b t) (c t)).
 Proof.
   intros turn t.
   apply rotation_rows in turn.

@@ -236,7 +236,8 @@ Proof.
   { intros u.
     unfold density_apply, Iv, density_inertia, I.
     now rewrite !(same _ (inertia_integrand _ _)). }
-  assert (line_same : forall u, over_body (fun r => nrm2 (cross r u)) = M m (fun r => nrm2 (cross r u))).
+  assert (line_same : forall u,
+    over_body (fun r => nrm2 (cross r u)) = M m (fun r => nrm2 (cross r u))).
   { intros u.
     symmetry.
     apply same, cross_integrand. }

@@ -15,7 +15,8 @@ Definition solves_at p q r (c : R -> V) t := vderive c t (triple p q r (c t)).
 Lemma driven_of_solves p q r c a b : (forall t, a <= t <= b -> solves_at p q r c t) -> driven p q r unit_rate c a b.
 Proof.
   intros solution t ht.
-  replace (Vec3.scal (unit_rate t) (triple p q r (c t))) with (triple p q r (c t)) by (unfold unit_rate, triple; vring).
+  replace (Vec3.scal (unit_rate t) (triple p q r (c t))) with (triple p q r (c t))
+    by (unfold unit_rate, triple; vring).
   now apply solution.
 Qed.
 
@@ -44,7 +45,8 @@ Lemma solves_reversed p q r c t : solves_at (- p) (- q) (- r) c (- t) -> solves_
 Proof.
   unfold solves_at; intros solution.
   apply (vderive_ext (fun x => c (-1 * x + 0))); [intros; f_equal; ring|].
-  replace (triple p q r (c (- t))) with (Vec3.scal (-1) (triple (- p) (- q) (- r) (c (- t)))) by (unfold triple; vring).
+  replace (triple p q r (c (- t))) with (Vec3.scal (-1) (triple (- p) (- q) (- r) (c (- t))))
+    by (unfold triple; vring).
   apply vderive_affine.
   now replace (-1 * t + 0) with (- t) by ring.
 Qed.

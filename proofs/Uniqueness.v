@@ -100,7 +100,8 @@ Proof.
     apply Rabs_le; split; lra.
 Qed.
 
-Lemma vderive_sub c c' t v v' : vderive c t v -> vderive c' t v' -> vderive (fun s => sub (c s) (c' s)) t (sub v v').
+Lemma vderive_sub c c' t v v' : vderive c t v -> vderive c' t v' ->
+  vderive (fun s => sub (c s) (c' s)) t (sub v v').
 Proof.
   intros (x & y & z) (x' & y' & z').
   refine (conj _ (conj _ _)); cbn [X Y Z sub].
@@ -136,7 +137,8 @@ Qed.
 
 Hypothesis balanced : p + q + r = 0.
 
-Lemma driven_norm h c a b : driven p q r h c a b -> forall s t, a <= s <= b -> a <= t <= b -> nrm2 (c s) = nrm2 (c t).
+Lemma driven_norm h c a b : driven p q r h c a b ->
+  forall s t, a <= s <= b -> a <= t <= b -> nrm2 (c s) = nrm2 (c t).
 Proof.
   intros solution.
   assert (constant : forall t, a <= t <= b -> nrm2 (c t) = nrm2 (c a)).
