@@ -1,11 +1,12 @@
-(* (11) T*SO(3) by an atlas of two charts of Euler angles: the reduction to so(3)* holds at every attitude.
+(** * T*SO(3) by an atlas of two charts of Euler angles: the reduction to so(3)* holds at every attitude
 
-   The chart of CotangentBundle.v fails where sin(theta) = 0, that is where body axis 3 is along space axis 3.  The
-   second chart is the same one followed by a fixed quarter turn of space about axis 1; it fails where body axis 3 is
-   along space axis 2.  No attitude is in both sets.  A fixed turn of space leaves body velocities alone, so the body
-   momentum is the same function of angles and momenta in both charts.  The canonical bracket of functions on
-   T*SO(3) then has one formula, in left-trivialised form, that names no chart: the charts agree where they overlap.
-   Source: Marsden and Ratiu, Introduction to Mechanics and Symmetry, 13.1 and 15.5. *)
+    The chart of CotangentBundle.v fails where sin(theta) = 0, that is where body axis 3 is along space axis 3.  The
+    second chart is the same one followed by a fixed quarter turn of space about axis 1; it fails where body axis 3 is
+    along space axis 2.  No attitude is in both sets.  A fixed turn of space leaves body velocities alone, so the body
+    momentum is the same function of angles and momenta in both charts.  The canonical bracket of functions on
+    T*SO(3) then has one formula, in left-trivialised form, that names no chart: the charts agree where they overlap.
+
+    Source: Marsden and Ratiu, Introduction to Mechanics and Symmetry, chapters 13 and 15. *)
 From Coq Require Import Reals Lra Psatz Nsatz.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import Vec3 Calculus Euler CotangentBundle EllipticClock.

@@ -1,9 +1,12 @@
-(* (8) The motion of a free body, attitude included: exactly one for all time, and its attitude stays a rotation.
+(** * The motion of a free body, attitude included: exactly one for all time, and its attitude stays a rotation
 
-   The unknowns are L in the body and the columns a, b, c of the attitude A, with A' = A (W x .), as in Motion.v.  The
-   system is quadratic in twelve unknowns and tangent to spheres, since |L| and the rows of A keep their lengths, so
-   QuadraticFlow.v applies.  Scalar products of rows and the determinant are constant: A stays orthogonal, right-handed.
-   Source: Landau and Lifshitz, Mechanics, section 36; Marsden and Ratiu, section 15.2 (reconstruction). *)
+    The unknowns are L in the body and the columns a, b, c of the attitude A, with A' = A (W x .), as in Motion.v.  The
+    system is quadratic in twelve unknowns and tangent to spheres, since |L| and the rows of A keep their lengths, so
+    QuadraticFlow.v applies.  Scalar products of rows and the determinant are constant: A stays orthogonal and
+    right-handed.
+
+    Source: Landau and Lifshitz, Mechanics, section 36; Marsden and Ratiu, Introduction to Mechanics and Symmetry,
+    chapter 15. *)
 From Coq Require Import Reals Lra Psatz Lia List.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import Vec3 Calculus Euler Stability Motion QuadraticTerms QuadraticFlow GlobalSolution.

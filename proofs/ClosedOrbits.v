@@ -1,10 +1,11 @@
-(* (9) Motions of the free body are periodic: T = 4 K(m)/nu, and half a period is half a turn of L.
+(** * Motions of the free body are periodic: T = 4 K(m)/nu, and half a period is half a turn of L
 
-   An orbit that circles axis 3 is the closed curve (A cos phi, B sin phi, C sqrt(1 - m sin^2 phi)).  Along it the
-   field is nu sqrt(1 - m sin^2 phi) times the derivative by phi, so time is clock m phi / nu up to a constant
-   (EllipticClock.v).  A given motion, written in phi instead of time, obeys the same equation with the same initial
-   value as the curve: Uniqueness.v makes them equal.  The clock need not be inverted, only be onto.
-   Source: Landau and Lifshitz, Mechanics, section 37; Whittaker, Analytical Dynamics, section 69. *)
+    An orbit that circles axis 3 is the closed curve (A cos phi, B sin phi, C sqrt(1 - m sin^2 phi)).  Along it the
+    field is nu sqrt(1 - m sin^2 phi) times the derivative by phi, so time is clock m phi / nu up to a constant
+    (EllipticClock.v).  A given motion, written in phi instead of time, obeys the same equation with the same initial
+    value as the curve: Uniqueness.v makes them equal.  The clock need not be inverted, only be onto.
+
+    Source: Landau and Lifshitz, Mechanics, section 37; Whittaker, Analytical Dynamics, section 69. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import Vec3 Calculus Euler Stability Uniqueness GlobalSolution EllipticClock.

@@ -1,12 +1,13 @@
-(* (10) Bodies with a density: the theory of Inertia.v applies to them.
+(** * Bodies with a density: the theory of Inertia.v applies to them
 
-   A body is the image of a box under a continuous map, place, with a continuous weight that is not negative on the
-   box: density times the Jacobian of place.  Boxes have the identity as place, balls spherical coordinates, shells
-   and wires maps of smaller rank.  The Riemann integral is linear and positive on continuous functions only, while
-   a mass of Inertia.v accepts every function; so the instance is made for quadratic forms, which is all that inertia
-   needs.  The matrix S of second moments is symmetric with u . S u >= 0, and its principal axes with its principal
-   values as weights are three points with the same second moments.
-   Source: Goldstein, Classical Mechanics, section 5.3 (inertia as an integral); equimomental systems: Routh. *)
+    A body is the image of a box under a continuous map, place, with a continuous weight that is not negative on the
+    box: density times the Jacobian of place.  Boxes have the identity as place, balls spherical coordinates, shells
+    and wires maps of smaller rank.  The Riemann integral is linear and positive on continuous functions only, while
+    a mass of Inertia.v accepts every function; so the instance is made for quadratic forms, which is all that inertia
+    needs.  The matrix S of second moments is symmetric with u . S u >= 0, and its principal axes with its principal
+    values as weights are three points with the same second moments.
+
+    Source: Goldstein, Classical Mechanics, section 5.3 (inertia as an integral); equimomental systems: Routh. *)
 From Coq Require Import Reals Lra Psatz List.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import Vec3 Inertia PrincipalAxes IteratedIntegral.

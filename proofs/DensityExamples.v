@@ -1,8 +1,9 @@
-(* (10) Two bodies whose moments of inertia every table lists: a solid box and a solid ball.
+(** * Two bodies whose moments of inertia every table lists: a solid box and a solid ball
 
-   They show that the integrals of Densities.v are the usual ones: the box uses its own coordinates, the ball
-   spherical coordinates with the Jacobian r^2 sin(theta) as part of the weight.
-   Source: Goldstein, Classical Mechanics, section 5.3, exercises. *)
+    They show that the integrals of Densities.v are the usual ones: the box uses its own coordinates, the ball
+    spherical coordinates with the Jacobian r^2 sin(theta) as part of the weight.
+
+    Source: Goldstein, Classical Mechanics, section 5.3, exercises. *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import Vec3 Inertia IteratedIntegral Densities.

@@ -1,9 +1,10 @@
-(* (9) The time that a closed orbit takes, as an incomplete elliptic integral of an angle.
+(** * The time that a closed orbit takes, as an incomplete elliptic integral of an angle
 
-   clock m phi = integral from 0 to phi of 1/sqrt(1 - m sin^2 x), for 0 <= m < 1 (Legendre's F with parameter m).
-   It increases without bound both ways, and half a turn of the angle always takes 2 K(m).  Both shifts follow from
-   derivatives that vanish, so no change of variables in integrals is needed.
-   Source: Digital Library of Mathematical Functions, 19.2.4 and 19.2.10. *)
+    clock m phi = integral from 0 to phi of 1/sqrt(1 - m sin^2 x), for 0 <= m < 1 (Legendre's F with parameter m).
+    It increases without bound both ways, and half a turn of the angle always takes 2 K(m).  Both shifts follow from
+    derivatives that vanish, so no change of variables in integrals is needed.
+
+    Source: Digital Library of Mathematical Functions, 19.2.4 and 19.2.10. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import Vec3 Calculus.

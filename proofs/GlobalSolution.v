@@ -1,8 +1,9 @@
-(* (8) Euler's equations: exactly one solution for all time through every initial value.
+(** * Euler's equations: exactly one solution for all time through every initial value
 
-   Euler's equations are a quadratic system tangent to the spheres |L| = constant, so QuadraticFlow.v gives a solution
-   for all time, past and future.  So Stability.v, which speaks of every solution, speaks of solutions that exist.
-   Source: Arnold, Mathematical Methods of Classical Mechanics, section 29 (motions stay on the sphere, so go on). *)
+    Euler's equations are a quadratic system tangent to the spheres |L| = constant, so QuadraticFlow.v gives a solution
+    for all time, past and future.  So Stability.v, which speaks of every solution, speaks of solutions that exist.
+
+    Source: Arnold, Mathematical Methods of Classical Mechanics, section 29 (motions stay on the sphere, so go on). *)
 From Coq Require Import Reals Lra Psatz Lia List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import Vec3 Calculus Euler Stability Uniqueness QuadraticTerms QuadraticFlow.

@@ -1,9 +1,10 @@
-(* (10) Integrals over a box, as iterated Riemann integrals of continuous functions: linear and positive.
+(** * Integrals over a box, as iterated Riemann integrals of continuous functions: linear and positive
 
-   The one fact that Coquelicot lacks is that an integral over an interval depends continuously on a parameter
-   from any uniform space.  It follows from compactness of the interval: continuity at the points (u, z) for all z is
-   uniform in z.  Applied twice, with parameters (x, y) and then x, it makes every inner integral integrable.
-   Source: Rudin, Principles of Mathematical Analysis, theorem 9.42 (its first step). *)
+    The one fact that Coquelicot lacks is that an integral over an interval depends continuously on a parameter
+    from any uniform space.  It follows from compactness of the interval: continuity at the points (u, z) for all z is
+    uniform in z.  Applied twice, with parameters (x, y) and then x, it makes every inner integral integrable.
+
+    Source: Rudin, Principles of Mathematical Analysis, chapters 4 (compactness) and 9 (integrals with a parameter). *)
 From Coq Require Import Reals Lra Psatz ClassicalEpsilon.
 From Coquelicot Require Import Coquelicot.
 Local Open Scope R_scope.

@@ -1,8 +1,9 @@
-(* (9) The period in the textbook's terms: twice the energy E, the square G = |L|^2 and the principal moments.
+(** * The period in the textbook's terms: twice the energy E, the square G = |L|^2 and the principal moments
 
-   With I1 < I2 < I3 an orbit circles axis 3 where G > I2 E and axis 1 where G < I2 E; G = I2 E is the separatrix.
-   Both cases are one theorem of ClosedOrbits.v, since a permutation of the axes permutes the three rates.
-   Source: Landau and Lifshitz, Mechanics, section 37, equations (37.8) to (37.12), where 2 E is our E. *)
+    With I1 < I2 < I3 an orbit circles axis 3 where G > I2 E and axis 1 where G < I2 E; G = I2 E is the separatrix.
+    Both cases are one theorem of ClosedOrbits.v, since a permutation of the axes permutes the three rates.
+
+    Source: Landau and Lifshitz, Mechanics, section 37, equations (37.8) to (37.12), where 2 E is our E. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import Vec3 Calculus Euler Stability Uniqueness GlobalSolution EllipticClock ClosedOrbits.

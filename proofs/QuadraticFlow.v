@@ -1,10 +1,11 @@
-(* (8) Quadratic systems with a bound that motion conserves: exactly one solution for all time.
+(** * Quadratic systems with a bound that motion conserves: exactly one solution for all time
 
-   Two solutions through one point are equal by Gronwall's inequality for the square of their distance.  Where a
-   function size, constant along solutions, bounds every unknown, the series of QuadraticSeries.v converges for the
-   same time, two steps, about each state of a solution.  So steps of one length, forward or backward, reach every time;
-   series about neighbouring nodes agree where both converge.
-   Source: Hartman, Ordinary Differential Equations, chapters II (continuation) and III (uniqueness). *)
+    Two solutions through one point are equal by Gronwall's inequality for the square of their distance.  Where a
+    function size, constant along solutions, bounds every unknown, the series of QuadraticSeries.v converges for the
+    same time, two steps, about each state of a solution.  So steps of one length, forward or backward, reach every
+    time; series about neighbouring nodes agree where both converge.
+
+    Source: Hartman, Ordinary Differential Equations, chapters II (continuation) and III (uniqueness). *)
 From Coq Require Import Reals Lra Psatz Lia List.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import Calculus Uniqueness QuadraticTerms QuadraticSeries.

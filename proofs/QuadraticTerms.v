@@ -1,7 +1,7 @@
-(* (8) Quadratic vector fields in n unknowns as data: for each unknown a list of terms factor x_left x_right.
+(** * Quadratic vector fields in n unknowns as data: for each unknown a list of terms factor x_left x_right
 
-   The size of such a field and its Lipschitz constant on a cube are read off the list.  Sums over the unknowns come
-   with the few facts that the flow needs: derivative, sign, comparison with one term. *)
+    The size of such a field and its Lipschitz constant on a cube are read off the list.  Sums over the unknowns come
+    with the few facts that the flow needs: derivative, sign, comparison with one term. *)
 From Coq Require Import Reals Lra Psatz Lia List.
 From Coquelicot Require Import Coquelicot.
 Local Open Scope R_scope.

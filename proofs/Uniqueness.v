@@ -1,10 +1,11 @@
-(* (8) A solution of Euler's equations is determined by one of its values.
+(** * A solution of Euler's equations is determined by one of its values
 
-   Euler's equations for principal axes read X' = p Y Z, Y' = q Z X, Z' = r X Y with p + q + r = 0
-   (Stability.eul_components), so |L|^2 is constant.  Two solutions therefore stay in one ball, on which the
-   quadratic field is Lipschitz, and Gronwall's inequality for the square of their distance makes them equal.
-   The field may carry a factor h(t): ClosedOrbits.v changes the independent variable from time to an angle.
-   Source: Hartman, Ordinary Differential Equations, chapter III, theorem 1.1. *)
+    Euler's equations for principal axes read X' = p Y Z, Y' = q Z X, Z' = r X Y with p + q + r = 0
+    (eul_components in Stability.v), so |L|^2 is constant.  Two solutions therefore stay in one ball, on which the
+    quadratic field is Lipschitz, and Gronwall's inequality for the square of their distance makes them equal.
+    The field may carry a factor h(t): ClosedOrbits.v changes the independent variable from time to an angle.
+
+    Source: Hartman, Ordinary Differential Equations, chapter III, theorem 1.1. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import Vec3 Calculus Euler.

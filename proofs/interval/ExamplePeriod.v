@@ -1,9 +1,9 @@
-(* (9) The period of one motion as a number: I = (1, 2, 3), L(0) = (3/10, 2/10, 1).
+(** * The period of one motion as a number: I = (1, 2, 3), L(0) = (3/10, 2/10, 1)
 
-   PeriodOfMotion.v says that this motion has the least period 4 K(m)/nu with m = 30/103 and nu^2 = 103/900;
-   interval/Period.v encloses that number.  Together: the motion exists, is the only one, and returns first after
-   a time within 1e-16 of the decimal below.  Kept apart from the other files since the quadrature takes 10 s and
-   uses the kernel's machine integers. *)
+    PeriodOfMotion.v says that this motion has the least period 4 K(m)/nu with m = 30/103 and nu^2 = 103/900;
+    interval/Period.v encloses that number.  Together: the motion exists, is the only one, and returns first after
+    a time within 1e-16 of the decimal below.  Kept apart from the other files since the quadrature takes 10 s and
+    uses the kernel's machine integers. *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import Vec3 Calculus Euler Stability GlobalSolution ClosedOrbits PeriodOfMotion.
