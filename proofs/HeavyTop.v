@@ -1,9 +1,9 @@
 (** * The heavy top: exactly one motion for all time through every state
 
     L' = L x W + Gamma x g and Gamma' = Gamma x W, where g is weight times the vector to the centre of mass, in the
-    body.  With a seventh unknown that stays 1 the system is quadratic, and the energy and |Gamma|^2 give a conserved bound:
-    k (L.W + |Gamma + x7 g|^2) + |Gamma|^2 + x7^2 with k = I1 + I2 + I3 is a sum of squares and exceeds |L|^2.
-    So the certificates for tops, upright, hanging and sleeping, speak of motions that exist for all time.
+    body. With a seventh unknown that stays 1 the system is quadratic, and the energy and |Gamma|^2 give a conserved
+    bound: k (L.W + |Gamma + x7 g|^2) + |Gamma|^2 + x7^2 with k = I1 + I2 + I3 is a sum of squares and exceeds
+    |L|^2. So the certificates for tops, upright, hanging and sleeping, speak of motions that exist for all time.
 
     Source: Arnold, Mathematical Methods of Classical Mechanics, section 30; sign of g as in certificates/. *)
 From Coq Require Import Reals Lra Psatz Lia List.

@@ -1,10 +1,10 @@
 (** * Systems of quadratic differential equations in n unknowns: a power series solves them near any initial value
 
-    The equation of unknown i is x_i' = sum over terms of factor x_left x_right.  Euler's equations, those of a body
-    with its attitude, the heavy top and every Lie-Poisson system with a quadratic Hamiltonian have this form (linear terms
-    too, with one more unknown that stays 1).  The Taylor coefficients obey (k + 1) a_(k+1) = sum of factor times Cauchy
-    products.  Where the factors of each equation have sum of sizes at most m and the initial values size at most s,
-    induction gives |a_k| <= s (m s)^k, so the series converges for |t| < 1/(m s).
+    The equation of unknown i is x_i' = sum over terms of factor x_left x_right. Euler's equations, those of a body
+    with its attitude, the heavy top and every Lie-Poisson system with a quadratic Hamiltonian have this form
+    (linear terms too, with one more unknown that stays 1). The Taylor coefficients obey (k + 1) a_(k+1) = sum of
+    factor times Cauchy products. Where the factors of each equation have sum of sizes at most m and the initial
+    values size at most s, induction gives |a_k| <= s (m s)^k, so the series converges for |t| < 1/(m s).
 
     Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, section I.8 (Cauchy's majorants). *)
 From Coq Require Import Reals Lra Psatz Lia List.

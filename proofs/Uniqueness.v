@@ -1,7 +1,7 @@
 (** * A solution of Euler's equations is determined by one of its values
 
     Euler's equations for principal axes read X' = p Y Z, Y' = q Z X, Z' = r X Y with p + q + r = 0
-    (eul_components in Stability.v), so |L|^2 is constant.  Two solutions therefore stay in one ball, on which the
+    (Stability.v), so |L|^2 is constant.  Two solutions therefore stay in one ball, on which the
     quadratic field is Lipschitz, and Gronwall's inequality for the square of their distance makes them equal.
     The field may carry a factor h(t): ClosedOrbits.v changes the independent variable from time to an angle.
 
