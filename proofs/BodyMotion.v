@@ -29,60 +29,60 @@ Definition pack L a b c (i : nat) := match i with
   end%nat.
 
 (* Columns are orthonormal and right-handed just when rows are. *)
-Lemma transposed u v w : onb u v w ->
-  onb (mk (X u) (X v) (X w)) (mk (Y u) (Y v) (Y w)) (mk (Z u) (Z v) (Z w)).
+Lemma transposed u v w : orthonormal u v w ->
+  orthonormal (mk (X u) (X v) (X w)) (mk (Y u) (Y v) (Y w)) (mk (Z u) (Z v) (Z w)).
 Proof.
   intros axes.
-  assert (first := onb_expand u v w e1 axes).
-  assert (second := onb_expand u v w e2 axes).
-  assert (third := onb_expand u v w e3 axes).
+  assert (first := orthonormal_expand u v w e1 axes).
+  assert (second := orthonormal_expand u v w e2 axes).
+  assert (third := orthonormal_expand u v w e3 axes).
   assert (xx := f_equal X first).
   assert (xy := f_equal Y first).
   assert (yy := f_equal Y second).
   assert (yz := f_equal Z second).
   assert (zz := f_equal Z third).
   assert (zx := f_equal X third).
-  unfold add, Vec3.scal, dot, e1, e2, e3 in xx, xy, yy, yz, zz, zx; cbn [X Y Z] in xx, xy, yy, yz, zz, zx.
-  split; unfold nrm2, dot; cbn [X Y Z]; lra.
+  unfold add, scale, dot, e1, e2, e3 in xx, xy, yy, yz, zz, zx; cbn [X Y Z] in xx, xy, yy, yz, zz, zx.
+  split; unfold norm_squared, dot; cbn [X Y Z]; lra.
 Qed.
 
-Lemma right_handed a b c : onb a b c -> det a b c = 1 -> cross a b = c /\ cross b c = a /\ cross c a = b.
+Lemma right_handed a b c : orthonormal a b c -> det a b c = 1 -> cross a b = c /\ cross b c = a /\ cross c a = b.
 Proof.
-  assert (third : forall u v w, onb u v w -> det u v w = 1 -> cross u v = w).
+  assert (third : forall u v w, orthonormal u v w -> det u v w = 1 -> cross u v = w).
   { intros u v w [n1 n2 n3 o12 o23 o31] hand.
-    assert (distance : nrm2 (sub (cross u v) w) = 0).
-    { replace (nrm2 (sub (cross u v) w)) with (nrm2 (cross u v) + nrm2 w - 2 * det u v w)
-        by (unfold det; vring).
+    assert (distance : norm_squared (sub (cross u v) w) = 0).
+    { replace (norm_squared (sub (cross u v) w)) with (norm_squared (cross u v) + norm_squared w - 2 * det u v w)
+        by (unfold det; vector_ring).
       rewrite lagrange, n1, n2, n3, o12, hand; ring. }
-    apply nrm2_eq0 in distance.
+    apply norm_squared_eq0 in distance.
     apply V_eq;
       [apply (f_equal X) in distance | apply (f_equal Y) in distance | apply (f_equal Z) in distance];
       cbn [X Y Z sub zero] in distance; lra. }
   intros axes hand.
   refine (conj (third a b c axes hand) (conj (third b c a _ _) (third c a b _ _))).
   - destruct axes; now split.
-  - rewrite <- hand; unfold det; vring.
+  - rewrite <- hand; unfold det; vector_ring.
   - destruct axes; now split.
-  - rewrite <- hand; unfold det; vring.
+  - rewrite <- hand; unfold det; vector_ring.
 Qed.
 
-Lemma rotation_rows a b c : rotation (app a b c) <->
-  onb (mk (X a) (X b) (X c)) (mk (Y a) (Y b) (Y c)) (mk (Z a) (Z b) (Z c)) /\
+Lemma rotation_rows a b c : rotation (columns_times a b c) <->
+  orthonormal (mk (X a) (X b) (X c)) (mk (Y a) (Y b) (Y c)) (mk (Z a) (Z b) (Z c)) /\
   det (mk (X a) (X b) (X c)) (mk (Y a) (Y b) (Y c)) (mk (Z a) (Z b) (Z c)) = 1.
 Proof.
   assert (same_det : det (mk (X a) (X b) (X c)) (mk (Y a) (Y b) (Y c)) (mk (Z a) (Z b) (Z c)) = det a b c)
-    by (unfold det; vring).
+    by (unfold det; vector_ring).
   rewrite same_det.
   split.
   - intros turn.
-    assert (columns := rotation_onb _ turn).
+    assert (columns := rotation_orthonormal _ turn).
     assert (hand := proj2 turn e1 e2).
-    replace (app a b c e1) with a in * by (unfold app; vring).
-    replace (app a b c e2) with b in * by (unfold app; vring).
-    replace (app a b c e3) with c in * by (unfold app; vring).
-    replace (app a b c (cross e1 e2)) with c in hand by (unfold app; vring).
+    replace (columns_times a b c e1) with a in * by (unfold columns_times; vector_ring).
+    replace (columns_times a b c e2) with b in * by (unfold columns_times; vector_ring).
+    replace (columns_times a b c e3) with c in * by (unfold columns_times; vector_ring).
+    replace (columns_times a b c (cross e1 e2)) with c in hand by (unfold columns_times; vector_ring).
     split; [now apply transposed|].
-    replace (det a b c) with (dot c (cross a b)) by (unfold det; vring).
+    replace (det a b c) with (dot c (cross a b)) by (unfold det; vector_ring).
     rewrite <- hand.
     exact (n_w _ _ _ columns).
   - intros (rows & hand).
@@ -93,15 +93,15 @@ Proof.
     destruct (right_handed a b c columns hand) as (ab & bc & ca).
     destruct columns as [n1 n2 n3 o12 o23 o31].
     split; intros u v.
-    + replace (dot (app a b c u) (app a b c v)) with
-        (X u * X v * nrm2 a + Y u * Y v * nrm2 b + Z u * Z v * nrm2 c +
+    + replace (dot (columns_times a b c u) (columns_times a b c v)) with
+        (X u * X v * norm_squared a + Y u * Y v * norm_squared b + Z u * Z v * norm_squared c +
         (X u * Y v + Y u * X v) * dot a b + (Y u * Z v + Z u * Y v) * dot b c + (Z u * X v + X u * Z v) * dot c a)
-        by (unfold app; vring).
+        by (unfold columns_times; vector_ring).
       rewrite n1, n2, n3, o12, o23, o31.
       unfold dot; ring.
-    + replace (cross (app a b c u) (app a b c v)) with
-        (add (add (Vec3.scal (X (cross u v)) (cross b c)) (Vec3.scal (Y (cross u v)) (cross c a)))
-          (Vec3.scal (Z (cross u v)) (cross a b))) by (unfold app; vring).
+    + replace (cross (columns_times a b c u) (columns_times a b c v)) with
+        (add (add (scale (X (cross u v)) (cross b c)) (scale (Y (cross u v)) (cross c a)))
+          (scale (Z (cross u v)) (cross a b))) by (unfold columns_times; vector_ring).
       rewrite ab, bc, ca.
       reflexivity.
 Qed.
@@ -110,9 +110,9 @@ Section Body.
 Variables I1 I2 I3 : R.
 Hypotheses (p1 : 0 < I1) (p2 : 0 < I2) (p3 : 0 < I3).
 
-Definition turning (L a b c : R -> V) t := vderive L t (eul I1 I2 I3 (L t)) /\
-  let W := Om I1 I2 I3 (L t) in let A := app (a t) (b t) (c t) in
-  vderive a t (A (cross W e1)) /\ vderive b t (A (cross W e2)) /\ vderive c t (A (cross W e3)).
+Definition turning (L a b c : R -> V) t := has_velocity L t (euler_field I1 I2 I3 (L t)) /\
+  let W := angular_velocity I1 I2 I3 (L t) in let A := columns_times (a t) (b t) (c t) in
+  has_velocity a t (A (cross W e1)) /\ has_velocity b t (A (cross W e2)) /\ has_velocity c t (A (cross W e3)).
 
 Definition body_terms (i : nat) := match i with
   | 0 => [Term (1 / I3 - 1 / I2) 1 2]
@@ -144,7 +144,7 @@ Proof.
   ring.
 Qed.
 
-Ltac components := unfold eul, Om, app, cross, add, Vec3.scal, e1, e2, e3;
+Ltac components := unfold euler_field, angular_velocity, columns_times, cross, add, scale, e1, e2, e3;
   cbn [X Y Z pack body_terms evaluate fold_right factor left right];
   over_reals; field; lra.
 
@@ -240,7 +240,7 @@ Hypothesis solution : forall t, turning L a b c t.
 Definition row (k : V -> R) t := mk (k (a t)) (k (b t)) (k (c t)).
 
 (* Vectors fixed in space, seen from the body, obey u' = u x W; so does L. *)
-Definition fixed_in_space (u : R -> V) := forall t, vderive u t (cross (u t) (Om I1 I2 I3 (L t))).
+Definition fixed_in_space (u : R -> V) := forall t, has_velocity u t (cross (u t) (angular_velocity I1 I2 I3 (L t))).
 
 Lemma row_fixed k : k = X \/ k = Y \/ k = Z -> fixed_in_space (row k).
 Proof.
@@ -253,7 +253,7 @@ Qed.
 Lemma momentum_fixed : fixed_in_space L.
 Proof. intros t. exact (proj1 (solution t)). Qed.
 
-Lemma dot_derive u v t du dv : vderive u t du -> vderive v t dv ->
+Lemma dot_derive u v t du dv : has_velocity u t du -> has_velocity v t dv ->
   is_derive (fun x => dot (u x) (v x)) t (dot du (v t) + dot (u t) dv).
 Proof.
   intros (ux & uy & uz) (vx & vy & vz).
@@ -264,8 +264,8 @@ Proof.
   unfold plus, dot; cbn; ring.
 Qed.
 
-Lemma cross_derive u v t du dv : vderive u t du -> vderive v t dv ->
-  vderive (fun x => cross (u x) (v x)) t (add (cross du (v t)) (cross (u t) dv)).
+Lemma cross_derive u v t du dv : has_velocity u t du -> has_velocity v t dv ->
+  has_velocity (fun x => cross (u x) (v x)) t (add (cross du (v t)) (cross (u t) dv)).
 Proof.
   intros (ux & uy & uz) (vx & vy & vz).
   refine (conj _ (conj _ _)); cbn [X Y Z cross add].
@@ -287,8 +287,8 @@ Proof.
   intros x.
   apply (is_derive_value _ x _ _ (dot_derive u v x _ _ (hu x) (hv x))).
   over_reals.
-  generalize (u x), (v x), (Om I1 I2 I3 (L x)).
-  vring.
+  generalize (u x), (v x), (angular_velocity I1 I2 I3 (L x)).
+  vector_ring.
 Qed.
 
 Lemma det_constant u v w s t : fixed_in_space u -> fixed_in_space v -> fixed_in_space w ->
@@ -299,12 +299,12 @@ Proof.
   intros x.
   apply (is_derive_value _ x _ _ (dot_derive u _ x _ _ (hu x) (cross_derive v w x _ _ (hv x) (hw x)))).
   over_reals.
-  generalize (u x), (v x), (w x), (Om I1 I2 I3 (L x)).
-  unfold det; vring.
+  generalize (u x), (v x), (w x), (angular_velocity I1 I2 I3 (L x)).
+  unfold det; vector_ring.
 Qed.
 
 (* The angular momentum in space does not change. *)
-Theorem space_momentum s t : app (a s) (b s) (c s) (L s) = app (a t) (b t) (c t) (L t).
+Theorem space_momentum s t : columns_times (a s) (b s) (c s) (L s) = columns_times (a t) (b t) (c t) (L t).
 Proof.
   assert (component : forall k, k = X \/ k = Y \/ k = Z -> dot (row k s) (L s) = dot (row k t) (L t)).
   { intros k which.
@@ -313,12 +313,12 @@ Proof.
   assert (y := component Y ltac:(auto)).
   assert (z := component Z ltac:(auto)).
   unfold row, dot in x, y, z; cbn [X Y Z] in x, y, z.
-  apply V_eq; unfold app, add, Vec3.scal; cbn [X Y Z]; lra.
+  apply V_eq; unfold columns_times, add, scale; cbn [X Y Z]; lra.
 Qed.
 
 (* The attitude stays a rotation. *)
-Theorem attitude_stays_rotation s : rotation (app (a s) (b s) (c s)) ->
-  forall t, rotation (app (a t) (b t) (c t)).
+Theorem attitude_stays_rotation s : rotation (columns_times (a s) (b s) (c s)) ->
+  forall t, rotation (columns_times (a t) (b t) (c t)).
 Proof.
   intros turn t.
   apply rotation_rows in turn.
@@ -331,8 +331,8 @@ Proof.
   fold (row X t) (row Y t) (row Z t).
   split.
   - destruct axes as [n1 n2 n3 o12 o23 o31].
-    unfold nrm2 in n1, n2, n3.
-    split; unfold nrm2.
+    unfold norm_squared in n1, n2, n3.
+    split; unfold norm_squared.
     + now rewrite (dot_constant _ _ t s fx fx).
     + now rewrite (dot_constant _ _ t s fy fy).
     + now rewrite (dot_constant _ _ t s fz fz).

@@ -76,11 +76,11 @@ Qed.
 Definition curve a b c phi := mk (a * cos phi) (b * sin phi) (c * delta m phi).
 
 Lemma curve_derive a b c phi : - a * nu = p * (b * c) -> b * nu = q * (c * a) -> - c * m * nu = r * (a * b) ->
-  vderive (curve a b c) phi (Vec3.scal (/ (nu * delta m phi)) (triple p q r (curve a b c phi))).
+  has_velocity (curve a b c) phi (scale (/ (nu * delta m phi)) (triple p q r (curve a b c phi))).
 Proof.
   intros ha hb hc.
   assert (root := delta_positive m m_range phi).
-  refine (conj _ (conj _ _)); unfold curve; cbn [X Y Z Vec3.scal triple].
+  refine (conj _ (conj _ _)); unfold curve; cbn [X Y Z scale triple].
   - replace (/ (nu * delta m phi) * (p * (b * sin phi * (c * delta m phi)))) with
       (p * (b * c) * (sin phi * / nu)) by (field; lra).
     rewrite <- ha.

@@ -30,28 +30,28 @@ Proof. intros x. exact (continuous_const k x). Qed.
 
 (* Three weighted points along orthonormal axes of S have S as their matrix of second moments. *)
 Lemma equimomental a b c d e f : (forall u, 0 <= dot u (A a b c d e f u)) -> exists l, nonneg l /\
-  Msum l (fun r => X r * X r) = a /\ Msum l (fun r => Y r * Y r) = b /\ Msum l (fun r => Z r * Z r) = c /\
-  Msum l (fun r => X r * Y r) = d /\ Msum l (fun r => X r * Z r) = e /\ Msum l (fun r => Y r * Z r) = f.
+  sum_over l (fun r => X r * X r) = a /\ sum_over l (fun r => Y r * Y r) = b /\ sum_over l (fun r => Z r * Z r) = c /\
+  sum_over l (fun r => X r * Y r) = d /\ sum_over l (fun r => X r * Z r) = e /\ sum_over l (fun r => Y r * Z r) = f.
 Proof.
   intros positive.
   destruct (spectral a b c d e f) as (u & v & w & l1 & l2 & l3 & axes & _ & eigen1 & eigen2 & eigen3).
   unfold eigen in *.
-  assert (value : forall x l, nrm2 x = 1 -> A a b c d e f x = Vec3.scal l x -> 0 <= l).
+  assert (value : forall x l, norm_squared x = 1 -> A a b c d e f x = scale l x -> 0 <= l).
   { intros x l unit equation.
     assert (sign := positive x).
     rewrite equation in sign.
-    replace (dot x (Vec3.scal l x)) with (l * nrm2 x) in sign by vring.
+    replace (dot x (scale l x)) with (l * norm_squared x) in sign by vector_ring.
     rewrite unit in sign; lra. }
   exists [(l1, u); (l2, v); (l3, w)].
   split.
   - destruct axes.
     repeat apply Forall_cons; cbn [fst]; [apply (value u) | apply (value v) | apply (value w) | apply Forall_nil]; auto.
   - assert (image : forall r, A a b c d e f r =
-      add (add (Vec3.scal (l1 * dot r u) u) (Vec3.scal (l2 * dot r v) v)) (Vec3.scal (l3 * dot r w) w)).
+      add (add (scale (l1 * dot r u) u) (scale (l2 * dot r v) v)) (scale (l3 * dot r w) w)).
     { intros r.
-      rewrite (onb_expand u v w r axes) at 1.
+      rewrite (orthonormal_expand u v w r axes) at 1.
       rewrite !A_add, !A_scal, eigen1, eigen2, eigen3.
-      vring. }
+      vector_ring. }
     assert (first := image e1).
     assert (second := image e2).
     assert (third := image e3).
@@ -61,9 +61,9 @@ Proof.
     assert (yy := f_equal Y second).
     assert (yz := f_equal Z second).
     assert (zz := f_equal Z third).
-    unfold A, add, Vec3.scal, dot, e1, e2, e3 in xx, xy, xz, yy, yz, zz.
+    unfold A, add, scale, dot, e1, e2, e3 in xx, xy, xz, yy, yz, zz.
     cbn [X Y Z] in xx, xy, xz, yy, yz, zz.
-    unfold Msum; cbn [fold_right fst snd].
+    unfold sum_over; cbn [fold_right fst snd].
     refine (conj _ (conj _ (conj _ (conj _ (conj _ _))))); [clear - xx | clear - yy | clear - zz | clear - xy |
       clear - xz | clear - yz]; lra.
 Qed.
@@ -185,20 +185,20 @@ Proof.
     rewrite (over_body_ext f combination form), (M_ext (points l positive) f combination form).
     rewrite (proj2 (over_body_quadratic a b c d e g) : over_body combination = _).
     unfold combination.
-    rewrite !M_add, !M_scal.
+    rewrite !M_add, !M_scale.
     cbn [M points].
     unfold xx, yy, zz, xy, xz, yz in *.
     now rewrite mxx, myy, mzz, mxy, mxz, myz.
 Qed.
 
 (* The inertia tensor as an integral, and what Inertia.v and PrincipalAxes.v say about it. *)
-Definition density_inertia i j := over_body (fun r => nrm2 r * delta i j - co r i * co r j).
+Definition density_inertia i j := over_body (fun r => norm_squared r * delta i j - coordinate r i * coordinate r j).
 Definition density_apply u := mk
   (density_inertia 0 0 * X u + density_inertia 0 1 * Y u + density_inertia 0 2 * Z u)
   (density_inertia 1 0 * X u + density_inertia 1 1 * Y u + density_inertia 1 2 * Z u)
   (density_inertia 2 0 * X u + density_inertia 2 1 * Y u + density_inertia 2 2 * Z u).
 
-Lemma inertia_integrand i j : quadratic_form (fun r => nrm2 r * delta i j - co r i * co r j).
+Lemma inertia_integrand i j : quadratic_form (fun r => norm_squared r * delta i j - coordinate r i * coordinate r j).
 Proof.
   set (k := delta i j).
   set (basis := fun n l => if Nat.eqb (match n with 0 => 0 | 1 => 1 | _ => 2 end)%nat l then 1 else 0).
@@ -206,22 +206,22 @@ Proof.
     (- (basis i 0%nat * basis j 1%nat + basis i 1%nat * basis j 0%nat)),
     (- (basis i 0%nat * basis j 2%nat + basis i 2%nat * basis j 0%nat)),
     (- (basis i 1%nat * basis j 2%nat + basis i 2%nat * basis j 1%nat)).
-  assert (component : forall n r, co r n = basis n 0%nat * X r + basis n 1%nat * Y r + basis n 2%nat * Z r).
-  { intros [|[|n]] r; unfold basis, co; cbn; ring. }
+  assert (component : forall n r, coordinate r n = basis n 0%nat * X r + basis n 1%nat * Y r + basis n 2%nat * Z r).
+  { intros [|[|n]] r; unfold basis, coordinate; cbn; ring. }
   intros r.
   rewrite !component.
-  unfold nrm2, dot; ring.
+  unfold norm_squared, dot; ring.
 Qed.
 
-Lemma cross_integrand u : quadratic_form (fun r => nrm2 (cross r u)).
+Lemma cross_integrand u : quadratic_form (fun r => norm_squared (cross r u)).
 Proof.
   exists (Y u * Y u + Z u * Z u), (X u * X u + Z u * Z u), (X u * X u + Y u * Y u), (- 2 * (X u * Y u)),
     (- 2 * (X u * Z u)), (- 2 * (Y u * Z u)).
   intros r.
-  unfold nrm2, dot, cross; cbn [X Y Z]; ring.
+  unfold norm_squared, dot, cross; cbn [X Y Z]; ring.
 Qed.
 
-Theorem density_energy u : dot u (density_apply u) = over_body (fun r => nrm2 (cross r u)).
+Theorem density_energy u : dot u (density_apply u) = over_body (fun r => norm_squared (cross r u)).
 Proof.
   destruct density_is_mass as (m & same).
   rewrite <- (same _ (cross_integrand u)), <- (I_energy m u).
@@ -230,7 +230,7 @@ Proof.
 Qed.
 
 Theorem density_definite : (forall u, u <> zero -> 0 < dot u (density_apply u)) <->
-  ~ exists u, u <> zero /\ over_body (fun r => nrm2 (cross r u)) = 0.
+  ~ exists u, u <> zero /\ over_body (fun r => norm_squared (cross r u)) = 0.
 Proof.
   destruct density_is_mass as (m & same).
   assert (apply_same : forall u, density_apply u = Iv m u).
@@ -238,7 +238,7 @@ Proof.
     unfold density_apply, Iv, density_inertia, I.
     now rewrite !(same _ (inertia_integrand _ _)). }
   assert (line_same : forall u,
-    over_body (fun r => nrm2 (cross r u)) = M m (fun r => nrm2 (cross r u))).
+    over_body (fun r => norm_squared (cross r u)) = M m (fun r => norm_squared (cross r u))).
   { intros u.
     symmetry.
     apply same, cross_integrand. }
@@ -264,9 +264,9 @@ Qed.
 Definition on_one_line u := forall x y z, a1 < x < b1 -> a2 < y < b2 -> a3 < z < b3 -> 0 < weight (x, y, z) ->
   cross (place (x, y, z)) u = zero.
 
-Theorem density_line u : over_body (fun r => nrm2 (cross r u)) = 0 <-> on_one_line u.
+Theorem density_line u : over_body (fun r => norm_squared (cross r u)) = 0 <-> on_one_line u.
 Proof.
-  assert (continuity : regular (fun r => nrm2 (cross r u))).
+  assert (continuity : regular (fun r => norm_squared (cross r u))).
   { intros s.
     destruct (cross_integrand u) as (a & b & c & d & e & g & form).
     apply (continuous_ext (fun s => a * xx (place s) + b * yy (place s) + c * zz (place s) + d * xy (place s) +
@@ -275,23 +275,23 @@ Proof.
       symmetry; apply form.
     - exact (proj1 (over_body_quadratic a b c d e g) s). }
   assert (positive : forall x y z, a1 <= x <= b1 -> a2 <= y <= b2 -> a3 <= z <= b3 ->
-    0 <= weight (x, y, z) * nrm2 (cross (place (x, y, z)) u)).
+    0 <= weight (x, y, z) * norm_squared (cross (place (x, y, z)) u)).
   { intros x y z hx hy hz.
-    apply Rmult_le_pos; auto using nrm2_ge0. }
+    apply Rmult_le_pos; auto using norm_squared_ge0. }
   split.
   - intros zero_integral x y z hx hy hz heavy.
     destruct (V_dec (cross (place (x, y, z)) u) zero) as [on_line|off_line]; [exact on_line | exfalso].
-    assert (strict : 0 < over_body (fun r => nrm2 (cross r u))).
+    assert (strict : 0 < over_body (fun r => norm_squared (cross r u))).
     { apply (integral_strict a1 b1 a2 b2 a3 b3 h2 h3 _ x y z (weighted _ continuity) positive hx hy hz).
       apply Rmult_lt_0_compat; auto.
-      now apply nrm2_pos. }
+      now apply norm_squared_pos. }
     lra.
   - intros line.
     apply (integral_zero a1 b1 a2 b2 a3 b3 h1 h2 h3).
     intros x y z hx hy hz.
     destruct (weight_positive x y z ltac:(lra) ltac:(lra) ltac:(lra)) as [heavy|empty].
     + rewrite (line x y z hx hy hz heavy).
-      unfold nrm2, dot, zero; cbn [X Y Z]; ring.
+      unfold norm_squared, dot, zero; cbn [X Y Z]; ring.
     + rewrite <- empty; ring.
 Qed.
 
@@ -303,8 +303,8 @@ Proof.
   split; intros none (u & nonzero & line); apply none; exists u; split; auto; now apply density_line.
 Qed.
 
-Theorem density_principal_axes : exists u v w l1 l2 l3, onb u v w /\ w = cross u v /\
-  density_apply u = Vec3.scal l1 u /\ density_apply v = Vec3.scal l2 v /\ density_apply w = Vec3.scal l3 w /\
+Theorem density_principal_axes : exists u v w l1 l2 l3, orthonormal u v w /\ w = cross u v /\
+  density_apply u = scale l1 u /\ density_apply v = scale l2 v /\ density_apply w = scale l3 w /\
   0 <= l1 /\ 0 <= l2 /\ 0 <= l3 /\ l1 <= l2 + l3 /\ l2 <= l3 + l1 /\ l3 <= l1 + l2.
 Proof.
   destruct density_is_mass as (m & same).

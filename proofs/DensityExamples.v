@@ -68,7 +68,7 @@ Proof.
   transitivity (RInt (fun z => rho * (y * y) + rho * (z * z)) (- c) c);
     [|rewrite integral_even_quadratic; over_reals; field].
   apply RInt_ext; intros z _.
-  unfold nrm2, dot, delta, co, cartesian; cbn [fst snd X Y Z Nat.eqb].
+  unfold norm_squared, dot, delta, coordinate, cartesian; cbn [fst snd X Y Z Nat.eqb].
   over_reals; ring.
 Qed.
 
@@ -126,7 +126,7 @@ Proof.
     + apply RInt_ext; intros theta _.
       transitivity (RInt (fun _ => rho * (r * r * r * r) * (sin theta * (1 - cos theta * cos theta))) 0 (2 * PI)).
       * apply RInt_ext; intros phi _.
-        unfold nrm2, dot, delta, co, spherical, ball_weight; cbn [fst snd X Y Z Nat.eqb].
+        unfold norm_squared, dot, delta, coordinate, spherical, ball_weight; cbn [fst snd X Y Z Nat.eqb].
         assert (circle := sin2_cos2 phi).
         assert (circle' := sin2_cos2 theta).
         unfold Rsqr in circle, circle'.

@@ -11,13 +11,13 @@ Import ListNotations.
 Local Open Scope R_scope.
 
 Definition unit_rate (t : R) := 1.
-Definition solves_at p q r (c : R -> V) t := vderive c t (triple p q r (c t)).
+Definition solves_at p q r (c : R -> V) t := has_velocity c t (triple p q r (c t)).
 
 Lemma driven_of_solves p q r c a b : (forall t, a <= t <= b -> solves_at p q r c t) -> driven p q r unit_rate c a b.
 Proof.
   intros solution t ht.
-  replace (Vec3.scal (unit_rate t) (triple p q r (c t))) with (triple p q r (c t))
-    by (unfold unit_rate, triple; vring).
+  replace (scale (unit_rate t) (triple p q r (c t))) with (triple p q r (c t))
+    by (unfold unit_rate, triple; vector_ring).
   now apply solution.
 Qed.
 
@@ -32,11 +32,11 @@ Proof.
 Qed.
 
 (* A change of time t -> k t + s of a curve. *)
-Lemma vderive_affine c k s t v : vderive c (k * t + s) v -> vderive (fun x => c (k * x + s)) t (Vec3.scal k v).
+Lemma vderive_affine c k s t v : has_velocity c (k * t + s) v -> has_velocity (fun x => c (k * x + s)) t (scale k v).
 Proof.
   assert (inner : is_derive (fun x => k * x + s) t k) by (auto_derive; auto; ring).
   intros (x & y & z).
-  refine (conj _ (conj _ _)); cbn [X Y Z Vec3.scal].
+  refine (conj _ (conj _ _)); cbn [X Y Z scale].
   - exact (is_derive_comp (fun u => X (c u)) (fun x => k * x + s) t _ _ x inner).
   - exact (is_derive_comp (fun u => Y (c u)) (fun x => k * x + s) t _ _ y inner).
   - exact (is_derive_comp (fun u => Z (c u)) (fun x => k * x + s) t _ _ z inner).
@@ -45,9 +45,9 @@ Qed.
 Lemma solves_reversed p q r c t : solves_at (- p) (- q) (- r) c (- t) -> solves_at p q r (fun x => c (- x)) t.
 Proof.
   unfold solves_at; intros solution.
-  apply (vderive_ext (fun x => c (-1 * x + 0))); [intros; f_equal; ring|].
-  replace (triple p q r (c (- t))) with (Vec3.scal (-1) (triple (- p) (- q) (- r) (c (- t))))
-    by (unfold triple; vring).
+  apply (has_velocity_ext (fun x => c (-1 * x + 0))); [intros; f_equal; ring|].
+  replace (triple p q r (c (- t))) with (scale (-1) (triple (- p) (- q) (- r) (c (- t))))
+    by (unfold triple; vector_ring).
   apply vderive_affine.
   now replace (-1 * t + 0) with (- t) by ring.
 Qed.
@@ -97,13 +97,13 @@ Lemma rates_balanced : rate1 + rate2 + rate3 = 0.
 Proof. unfold rate1, rate2, rate3; ring. Qed.
 
 (* A motion: a curve that obeys Euler's equations at every time, past and future. *)
-Definition motion (L : R -> V) := forall t, vderive L t (eul I1 I2 I3 (L t)).
+Definition motion (L : R -> V) := forall t, has_velocity L t (euler_field I1 I2 I3 (L t)).
 
-Lemma eul_triple L : eul I1 I2 I3 L = triple rate1 rate2 rate3 L.
-Proof. exact (eul_components I1 I2 I3 p1 p2 p3 L). Qed.
+Lemma euler_field_triple L : euler_field I1 I2 I3 L = triple rate1 rate2 rate3 L.
+Proof. exact (euler_field_components I1 I2 I3 p1 p2 p3 L). Qed.
 
-Lemma solves_of_motion L t : vderive L t (eul I1 I2 I3 (L t)) <-> solves_at rate1 rate2 rate3 L t.
-Proof. unfold solves_at. rewrite eul_triple; tauto. Qed.
+Lemma solves_of_motion L t : has_velocity L t (euler_field I1 I2 I3 (L t)) <-> solves_at rate1 rate2 rate3 L t.
+Proof. unfold solves_at. rewrite euler_field_triple; tauto. Qed.
 
 (* One value, at any time, determines a motion. *)
 Theorem motion_determined L L' s : motion L -> motion L' -> L s = L' s -> forall t, L t = L' t.
@@ -132,7 +132,7 @@ Proof.
 Qed.
 
 (* A solution on [0, T], the notion of Stability.v, is a piece of exactly one motion. *)
-Theorem sol_extends c T : 0 <= T -> sol I1 I2 I3 c T ->
+Theorem solution_extends c T : 0 <= T -> solution I1 I2 I3 c T ->
   exists! L : R -> V, motion L /\ forall t, 0 <= t <= T -> c t = L t.
 Proof.
   intros order solution.

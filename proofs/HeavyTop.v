@@ -18,8 +18,8 @@ Variables I1 I2 I3 : R.
 Hypotheses (p1 : 0 < I1) (p2 : 0 < I2) (p3 : 0 < I3).
 Variable g : V.
 
-Definition top_motion (L Gamma : R -> V) t := let W := Om I1 I2 I3 (L t) in
-  vderive L t (add (cross (L t) W) (cross (Gamma t) g)) /\ vderive Gamma t (cross (Gamma t) W).
+Definition top_motion (L Gamma : R -> V) t := let W := angular_velocity I1 I2 I3 (L t) in
+  has_velocity L t (add (cross (L t) W) (cross (Gamma t) g)) /\ has_velocity Gamma t (cross (Gamma t) W).
 
 (* Unknowns 0 to 2 are L, 3 to 5 Gamma, and 6 is the constant 1. *)
 Definition top_unknowns L Gamma (i : nat) := match i with
@@ -161,7 +161,7 @@ Proof.
     now rewrite (bound_constant c a b solution s hs), (bound_constant c a b solution t ht).
 Qed.
 
-Ltac components := unfold Om, cross, add;
+Ltac components := unfold angular_velocity, cross, add;
   cbn [X Y Z top_unknowns top_terms evaluate fold_right factor left right]; over_reals; field; lra.
 
 Lemma top_solves L Gamma t : top_motion L Gamma t -> solves 7 top_terms (fun x => top_unknowns (L x) (Gamma x)) t.

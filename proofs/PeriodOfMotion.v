@@ -26,8 +26,8 @@ Variables I1 I2 I3 : R.
 Hypotheses (p1 : 0 < I1) (p2 : 0 < I2) (p3 : 0 < I3).
 Variable L : R -> V.
 Hypothesis solution : motion I1 I2 I3 L.
-Let E := energy I1 I2 I3 (L 0).
-Let G := nrm2 (L 0).
+Let E := double_energy I1 I2 I3 (L 0).
+Let G := norm_squared (L 0).
 
 Lemma solves_everywhere t : solves_at (rate1 I2 I3) (rate2 I1 I3) (rate3 I1 I2) L t.
 Proof. now apply solves_of_motion. Qed.
@@ -47,7 +47,7 @@ Lemma rate_argument : 0 < (I3 - I2) * (G - I1 * E).
 Proof.
   assert (split_value : (I3 - I2) * (G - I1 * E) = (I3 - I2) * (G - I2 * E) + (I2 - I1) * (I3 - I2) * E) by ring.
   assert (energy_positive : 0 <= E).
-  { unfold E, energy.
+  { unfold E, double_energy.
     assert (x2 := Rle_0_sqr (X (L 0))).
     assert (y2 := Rle_0_sqr (Y (L 0))).
     assert (z2 := Rle_0_sqr (Z (L 0))).
@@ -62,7 +62,7 @@ Lemma nu_square3 : nu * nu =
 Proof.
   unfold nu, angular_rate.
   rewrite sqrt_sqrt.
-  - unfold E, G, energy, nrm2, dot, rate1, rate2, rate3.
+  - unfold E, G, double_energy, norm_squared, dot, rate1, rate2, rate3.
     field; lra.
   - apply Rlt_le, Rdiv_lt_0_compat; [apply rate_argument | apply moments_product].
 Qed.
@@ -82,7 +82,7 @@ Proof.
     generalize ((I3 - I2) * (G - I1 * E)), (I1 * I2 * I3).
     intros a b ha hb.
     field; lra.
-  - unfold E, G, energy, nrm2, dot, rate1, rate2, rate3.
+  - unfold E, G, double_energy, norm_squared, dot, rate1, rate2, rate3.
     field; lra.
 Qed.
 
@@ -111,7 +111,7 @@ Lemma inside3 : rate2 I1 I3 * (rate1 I2 I3 * (Z (L 0) * Z (L 0)) - rate3 I1 I2 *
 Proof.
   set (value := rate1 I2 I3 * (Z (L 0) * Z (L 0)) - rate3 I1 I2 * (X (L 0) * X (L 0))).
   assert (separatrix : (I3 - I2) * (G - I2 * E) = I2 * I2 * I3 * (rate1 I2 I3 * value)).
-  { unfold value, E, G, energy, nrm2, dot, rate1, rate3.
+  { unfold value, E, G, double_energy, norm_squared, dot, rate1, rate3.
     field; lra. }
   assert (weight : 0 < I2 * I2 * I3) by (repeat apply Rmult_lt_0_compat; auto).
   assert (same : 0 < rate1 I2 I3 * value).
@@ -164,8 +164,8 @@ Variables I1 I2 I3 : R.
 Hypotheses (p1 : 0 < I1) (p2 : 0 < I2) (p3 : 0 < I3).
 Variable L : R -> V.
 Hypothesis solution : motion I1 I2 I3 L.
-Let E := energy I1 I2 I3 (L 0).
-Let G := nrm2 (L 0).
+Let E := double_energy I1 I2 I3 (L 0).
+Let G := norm_squared (L 0).
 
 (* Exchange of the axes 1 and 3 is a reflection: it turns a motion into a motion of the relabelled body run backward. *)
 Lemma swapped_motion : motion I3 I2 I1 (fun t => swap13 (L (- t))).
@@ -174,7 +174,7 @@ Proof.
   apply solves_of_motion; auto.
   apply (solves_reversed _ _ _ (fun s => swap13 (L s)) t).
   destruct (solution (- t)) as (x & y & z).
-  rewrite eul_components in x, y, z by auto.
+  rewrite euler_field_components in x, y, z by auto.
   refine (conj _ (conj _ _)); unfold swap13, triple, rate1, rate2, rate3; cbn [X Y Z] in *.
   - replace (- (1 / I1 - 1 / I2) * (Y (L (- t)) * X (L (- t)))) with
       ((1 / I2 - 1 / I1) * (X (L (- t)) * Y (L (- t)))) by ring.
@@ -224,24 +224,24 @@ Proof.
   intros middle circled moving.
   apply closed_orbit_swapped.
   assert (orbit := circles_axis3 I3 I2 I1 p3 p2 p1 (fun t => swap13 (L (- t))) swapped_motion).
-  assert (energy_same : energy I3 I2 I1 (swap13 (L (- 0))) = E).
+  assert (energy_same : double_energy I3 I2 I1 (swap13 (L (- 0))) = E).
   { rewrite Ropp_0.
-    unfold E, energy, swap13; cbn [X Y Z]; ring. }
-  assert (size_same : nrm2 (swap13 (L (- 0))) = G) by (rewrite Ropp_0; unfold G, swap13; vring).
+    unfold E, double_energy, swap13; cbn [X Y Z]; ring. }
+  assert (size_same : norm_squared (swap13 (L (- 0))) = G) by (rewrite Ropp_0; unfold G, swap13; vector_ring).
   cbv beta in orbit.
   rewrite energy_same, size_same, Ropp_0 in orbit.
   now apply orbit.
 Qed.
 
 (* Every motion off the separatrix and off the axes, of a body with three different moments, is a closed orbit. *)
-Theorem closed_orbits : I1 < I2 < I3 -> eul I1 I2 I3 (L 0) <> zero -> G <> I2 * E ->
+Theorem closed_orbits : I1 < I2 < I3 -> euler_field I1 I2 I3 (L 0) <> zero -> G <> I2 * E ->
   (I2 * E < G /\ closed_orbit L (period I1 I2 I3 E G) half_turn3) \/
   (G < I2 * E /\ closed_orbit L (period I3 I2 I1 E G) half_turn1).
 Proof.
   intros (order & order') moving generic.
   assert (off_axis : (Y (L 0) = 0 -> X (L 0) <> 0 /\ Z (L 0) <> 0)).
   { intros y_zero.
-    split; intros other; apply moving; rewrite eul_components by auto; rewrite y_zero, other;
+    split; intros other; apply moving; rewrite euler_field_components by auto; rewrite y_zero, other;
       apply V_eq; cbn; ring. }
   destruct (Rlt_dec (I2 * E) G) as [short|long]; [left | right].
   - split; [exact short|].
@@ -257,7 +257,7 @@ Proof.
       apply Rmult_lt_0_compat; lra.
 Qed.
 
-Lemma at_rest : eul I1 I2 I3 (L 0) = zero -> forall t, L t = L 0.
+Lemma at_rest : euler_field I1 I2 I3 (L 0) = zero -> forall t, L t = L 0.
 Proof.
   intros rest t.
   symmetry.
@@ -271,7 +271,7 @@ Proof.
 Qed.
 
 (* On the separatrix L never comes back: L2 would have an extremum, where the motion would be at rest. *)
-Theorem separatrix_open : I1 < I2 < I3 -> eul I1 I2 I3 (L 0) <> zero -> G = I2 * E ->
+Theorem separatrix_open : I1 < I2 < I3 -> euler_field I1 I2 I3 (L 0) <> zero -> G = I2 * E ->
   forall t s, s <> 0 -> L (t + s) <> L t.
 Proof.
   intros (order & order') moving critical.
@@ -296,7 +296,7 @@ Proof.
     intros t.
     rewrite (constant_everywhere _ flat t 0).
     replace (a * (Z (L 0) * Z (L 0)) - b * (X (L 0) * X (L 0))) with (E - G / I2)
-      by (unfold a, b, rate1, rate3, E, G, energy, nrm2, dot; field; lra).
+      by (unfold a, b, rate1, rate3, E, G, double_energy, norm_squared, dot; field; lra).
     rewrite critical; field; lra. }
   assert (never_still : forall t, Z (L t) * X (L t) <> 0).
   { intros t product.
@@ -317,8 +317,8 @@ Proof.
         destruct (Rmult_integral _ _ square) as [a_zero|z_square]; [lra|].
         destruct (Rmult_integral _ _ z_square); auto. }
     destruct both as (x_zero & z_zero).
-    assert (still : eul I1 I2 I3 (L t) = zero).
-    { rewrite eul_components, x_zero, z_zero by auto.
+    assert (still : euler_field I1 I2 I3 (L t) = zero).
+    { rewrite euler_field_components, x_zero, z_zero by auto.
       apply V_eq; cbn; ring. }
     assert (constant : L 0 = L t).
     { symmetry.
@@ -355,7 +355,7 @@ Theorem motions_classified : I1 < I2 < I3 ->
   (G = I2 * E /\ forall t s, s <> 0 -> L (t + s) <> L t).
 Proof.
   intros order.
-  destruct (V_dec (eul I1 I2 I3 (L 0)) zero) as [rest|moving]; [left; now apply at_rest | right].
+  destruct (V_dec (euler_field I1 I2 I3 (L 0)) zero) as [rest|moving]; [left; now apply at_rest | right].
   destruct (Req_dec G (I2 * E)) as [critical|generic].
   - right; right.
     exact (conj critical (separatrix_open order moving critical)).

@@ -14,7 +14,7 @@ Local Open Scope R_scope.
 (* The quadratic field, and the curves that it drives at the rate h on a closed interval. *)
 Definition triple p q r u := mk (p * (Y u * Z u)) (q * (Z u * X u)) (r * (X u * Y u)).
 Definition driven p q r (h : R -> R) (c : R -> V) a b :=
-  forall t, a <= t <= b -> vderive c t (scal (h t) (triple p q r (c t))).
+  forall t, a <= t <= b -> has_velocity c t (scale (h t) (triple p q r (c t))).
 
 (* A function with a derivative that is nowhere negative does not decrease. *)
 Lemma nondecreasing (f df : R -> R) a b : (forall t, a <= t <= b -> is_derive f t (df t)) ->
@@ -77,9 +77,9 @@ Proof.
     nra.
 Qed.
 
-Lemma component_bound u n : 0 <= n -> nrm2 u <= n * n -> Rabs (X u) <= n /\ Rabs (Y u) <= n /\ Rabs (Z u) <= n.
+Lemma component_bound u n : 0 <= n -> norm_squared u <= n * n -> Rabs (X u) <= n /\ Rabs (Y u) <= n /\ Rabs (Z u) <= n.
 Proof.
-  unfold nrm2, dot; intros positive size.
+  unfold norm_squared, dot; intros positive size.
   assert (square : forall x, x * x <= n * n -> Rabs x <= n).
   { intros x hx.
     apply Rabs_le; split; nra. }
@@ -101,8 +101,8 @@ Proof.
     apply Rabs_le; split; lra.
 Qed.
 
-Lemma vderive_sub c c' t v v' : vderive c t v -> vderive c' t v' ->
-  vderive (fun s => sub (c s) (c' s)) t (sub v v').
+Lemma vderive_sub c c' t v v' : has_velocity c t v -> has_velocity c' t v' ->
+  has_velocity (fun s => sub (c s) (c' s)) t (sub v v').
 Proof.
   intros (x & y & z) (x' & y' & z').
   refine (conj _ (conj _ _)); cbn [X Y Z sub].
@@ -115,8 +115,8 @@ Section Field.
 Variables p q r : R.
 
 Lemma lipschitz m n u v : Rabs p <= m -> Rabs q <= m -> Rabs r <= m -> 0 <= n ->
-  nrm2 u <= n * n -> nrm2 v <= n * n ->
-  Rabs (dot (sub u v) (sub (triple p q r u) (triple p q r v))) <= 2 * m * n * nrm2 (sub u v).
+  norm_squared u <= n * n -> norm_squared v <= n * n ->
+  Rabs (dot (sub u v) (sub (triple p q r u) (triple p q r v))) <= 2 * m * n * norm_squared (sub u v).
 Proof.
   intros hp hq hr positive hu hv.
   destruct (component_bound u n positive hu) as (xu & yu & zu).
@@ -124,7 +124,7 @@ Proof.
   replace (dot (sub u v) (sub (triple p q r u) (triple p q r v))) with
     ((p * (X u - X v) * (Y u - Y v) * Z u + p * (X u - X v) * (Z u - Z v) * Y v) +
      (q * (Y u - Y v) * (Z u - Z v) * X u + q * (Y u - Y v) * (X u - X v) * Z v) +
-     (r * (Z u - Z v) * (X u - X v) * Y u + r * (Z u - Z v) * (Y u - Y v) * X v)) by (unfold triple; vring).
+     (r * (Z u - Z v) * (X u - X v) * Y u + r * (Z u - Z v) * (Y u - Y v) * X v)) by (unfold triple; vector_ring).
   assert (t1 := term_bound m n p (X u - X v) (Y u - Y v) (Z u) hp zu).
   assert (t2 := term_bound m n p (X u - X v) (Z u - Z v) (Y v) hp yv).
   assert (t3 := term_bound m n q (Y u - Y v) (Z u - Z v) (X u) hq xu).
@@ -132,22 +132,22 @@ Proof.
   assert (t5 := term_bound m n r (Z u - Z v) (X u - X v) (Y u) hr yu).
   assert (t6 := term_bound m n r (Z u - Z v) (Y u - Y v) (X v) hr xv).
   apply Rabs_le_between in t1, t2, t3, t4, t5, t6.
-  unfold nrm2, dot, sub; cbn [X Y Z].
+  unfold norm_squared, dot, sub; cbn [X Y Z].
   apply Rabs_le; split; lra.
 Qed.
 
 Hypothesis balanced : p + q + r = 0.
 
 Lemma driven_norm h c a b : driven p q r h c a b ->
-  forall s t, a <= s <= b -> a <= t <= b -> nrm2 (c s) = nrm2 (c t).
+  forall s t, a <= s <= b -> a <= t <= b -> norm_squared (c s) = norm_squared (c t).
 Proof.
   intros solution.
-  assert (constant : forall t, a <= t <= b -> nrm2 (c t) = nrm2 (c a)).
-  { apply (const_of_derive (fun t => nrm2 (c t))).
+  assert (constant : forall t, a <= t <= b -> norm_squared (c t) = norm_squared (c a)).
+  { apply (const_of_derive (fun t => norm_squared (c t))).
     intros t ht.
-    replace 0 with (dot (Vec3.scal 2 (c t)) (Vec3.scal (h t) (triple p q r (c t)))).
-    - exact (chain cas c t _ _ (solution t ht) (cas_grad (c t))).
-    - transitivity (2 * h t * (p + q + r) * (X (c t) * Y (c t) * Z (c t))); [unfold triple; vring|].
+    replace 0 with (dot (scale 2 (c t)) (scale (h t) (triple p q r (c t)))).
+    - exact (chain norm_squared c t _ _ (solution t ht) (norm_squared_gradient (c t))).
+    - transitivity (2 * h t * (p + q + r) * (X (c t) * Y (c t) * Z (c t))); [unfold triple; vector_ring|].
       rewrite balanced; ring. }
   intros s t hs ht.
   now rewrite (constant s hs), (constant t ht).
@@ -158,39 +158,39 @@ Theorem driven_unique h g c c' a b s : (forall t, a <= t <= b -> Rabs (h t) <= g
   forall t, a <= t <= b -> c t = c' t.
 Proof.
   intros rate solution solution' hs start t ht.
-  set (n := sqrt (nrm2 (c s))).
+  set (n := sqrt (norm_squared (c s))).
   assert (n_positive : 0 <= n) by apply sqrt_pos.
-  assert (n_square : n * n = nrm2 (c s)) by (apply sqrt_sqrt, nrm2_ge0).
+  assert (n_square : n * n = norm_squared (c s)) by (apply sqrt_sqrt, norm_squared_ge0).
   set (m := Rabs p + Rabs q + Rabs r).
   assert (ap := Rabs_pos p).
   assert (aq := Rabs_pos q).
   assert (ar := Rabs_pos r).
-  set (distance := fun x => nrm2 (sub (c x) (c' x))).
-  set (rhs := fun x => Vec3.scal (h x) (sub (triple p q r (c x)) (triple p q r (c' x)))).
+  set (distance := fun x => norm_squared (sub (c x) (c' x))).
+  set (rhs := fun x => scale (h x) (sub (triple p q r (c x)) (triple p q r (c' x)))).
   assert (vanishes : distance t <= 0).
-  { apply (gronwall_zero distance (fun x => dot (Vec3.scal 2 (sub (c x) (c' x))) (rhs x)) (4 * g * m * n) a b s); auto.
+  { apply (gronwall_zero distance (fun x => dot (scale 2 (sub (c x) (c' x))) (rhs x)) (4 * g * m * n) a b s); auto.
     - intros x hx.
-      replace (rhs x) with (sub (Vec3.scal (h x) (triple p q r (c x))) (Vec3.scal (h x) (triple p q r (c' x))))
-        by (unfold rhs; vring).
-      refine (chain cas (fun y => sub (c y) (c' y)) x _ _ _ (cas_grad _)).
+      replace (rhs x) with (sub (scale (h x) (triple p q r (c x))) (scale (h x) (triple p q r (c' x))))
+        by (unfold rhs; vector_ring).
+      refine (chain norm_squared (fun y => sub (c y) (c' y)) x _ _ _ (norm_squared_gradient _)).
       apply vderive_sub; auto.
     - intros x hx.
-      assert (radius : nrm2 (c x) <= n * n) by (rewrite n_square; right; apply (driven_norm h c a b); auto).
-      assert (radius' : nrm2 (c' x) <= n * n).
+      assert (radius : norm_squared (c x) <= n * n) by (rewrite n_square; right; apply (driven_norm h c a b); auto).
+      assert (radius' : norm_squared (c' x) <= n * n).
       { rewrite n_square, start; right; apply (driven_norm h c' a b); auto. }
       assert (estimate := lipschitz m n (c x) (c' x) ltac:(unfold m; lra) ltac:(unfold m; lra) ltac:(unfold m; lra)
         n_positive radius radius').
-      replace (dot (Vec3.scal 2 (sub (c x) (c' x))) (rhs x)) with
+      replace (dot (scale 2 (sub (c x) (c' x))) (rhs x)) with
         (2 * (h x * dot (sub (c x) (c' x)) (sub (triple p q r (c x)) (triple p q r (c' x)))))
-        by (unfold rhs; vring).
+        by (unfold rhs; vector_ring).
       rewrite Rabs_mult, Rabs_mult, (Rabs_right 2) by lra.
       assert (product := Rmult_le_compat _ _ _ _ (Rabs_pos _) (Rabs_pos _) (rate x hx) estimate).
       unfold distance; lra.
     - unfold distance.
-      rewrite start; vring. }
+      rewrite start; vector_ring. }
   assert (zero_distance : sub (c t) (c' t) = zero).
-  { apply nrm2_eq0.
-    assert (positive := nrm2_ge0 (sub (c t) (c' t))).
+  { apply norm_squared_eq0.
+    assert (positive := norm_squared_ge0 (sub (c t) (c' t))).
     unfold distance in vanishes; lra. }
   apply V_eq;
     [apply (f_equal X) in zero_distance | apply (f_equal Y) in zero_distance | apply (f_equal Z) in zero_distance];
