@@ -12,7 +12,7 @@
     [fused_product_is_exact] and [jax_product_is_exact] are the code's three ways.
     The definitions have the operations of the code in the code's order.  u^2 = 1.2e-32.
 
-    Code: polhode.special.doubledouble and polhode.exact.kernel_arithmetic, which agree.  Compare Joldes, Muller &
+    Code: polhode.special._doubledouble and polhode.exact._kernel_arithmetic, which agree.  Compare Joldes, Muller &
     Popescu, ACM Trans. Math. Softw. 44 (2017) 15, whose bounds for these algorithms are a little smaller. *)
 From Coq Require Import Reals ZArith Lia Lra.
 From Flocq Require Import Core Plus_error Mult_error Relative.

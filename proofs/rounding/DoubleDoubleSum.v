@@ -9,7 +9,7 @@
     The final renormalisation is included, also where cancellation leaves a sum smaller than the error term, so that
     Dekker's condition fails.  The definition has the operations of the code in the code's order.
 
-    Code: [add] of polhode.special.doubledouble and polhode.exact.kernel_arithmetic; [subtract] adds the negative. *)
+    Code: [add] of polhode.special._doubledouble and polhode.exact._kernel_arithmetic; [subtract] adds the negative. *)
 From Coq Require Import Reals ZArith Lia Lra.
 From Flocq Require Import Core.
 From Interval Require Import Tactic.

@@ -4,11 +4,11 @@
     exactly the product.  Each definition has the operations of the code in the code's order (a test evaluates these
     definitions and the code on the same numbers and compares every bit):
 
-    - [numpy_two_product]: polhode.special.doubledouble, for NumPy arrays, and polhode.exact.kernel_arithmetic, single
+    - [numpy_two_product]: polhode.special._doubledouble, for NumPy arrays, and polhode.exact._kernel_arithmetic, single
       numbers run by Python;
-    - [numpy_two_square]: polhode.special.doubledouble, for NumPy arrays;
+    - [numpy_two_square]: polhode.special._doubledouble, for NumPy arrays;
     - [fused_two_product]: what takes its place when Numba compiles, with one fused multiply-add;
-    - [jax_two_product]: polhode.special.doubledouble, for JAX arrays; how their numbers are split is in
+    - [jax_two_product]: polhode.special._doubledouble, for JAX arrays; how their numbers are split is in
       [Splitting.v].
 
     Sources: Dekker, Numer. Math. 18 (1971) 224; Dekker's theorem with Veltkamp's splitting is that of Flocq. *)

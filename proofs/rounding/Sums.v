@@ -4,8 +4,8 @@
     the sum.  Each definition has the operations of the code in the code's order (a test evaluates these definitions
     and the code on the same numbers and compares every bit):
 
-    - [numpy_two_sum]: polhode.special.doubledouble, for arrays of NumPy and JAX;
-    - [kernel_two_sum]: polhode.exact.kernel_arithmetic, single numbers, run by Python and compiled by Numba;
+    - [numpy_two_sum]: polhode.special._doubledouble, for arrays of NumPy and JAX;
+    - [kernel_two_sum]: polhode.exact._kernel_arithmetic, single numbers, run by Python and compiled by Numba;
     - [fast_two_sum]: both.
 
     Sources: Knuth, The Art of Computer Programming II, 4.2.2; Dekker, Numer. Math. 18 (1971) 224; the theorems of

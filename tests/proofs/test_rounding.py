@@ -10,9 +10,9 @@ import pytest
 from numba import njit
 
 from polhode.arrays import split_halves
-from polhode.exact import kernel_arithmetic as kernel
-from polhode.exact.compiling import two_product as compiled_two_product
-from polhode.special import doubledouble as dd
+from polhode.exact import _kernel_arithmetic as kernel
+from polhode.exact._compiling import two_product as compiled_two_product
+from polhode.special import _doubledouble as dd
 from proofs.rocq_arithmetic import definitions, functions
 
 ROUNDING = Path(__file__).parents[2] / "proofs" / "rounding"
