@@ -84,7 +84,10 @@ def _solid_angle(
     angle = dd.subtract(two_pi, dd.subtract(per_period, dynamic))
     small = body.P[0] / (body.B[0] * body.G2[0])
     cap = math.pi * body.P[0] / (xp.sqrt(body.B[0] * body.C[0]) * body.G2[0])
-    return xp.where(small < SMALL_CAP, cap, angle[0])
+    # a symmetric body's period has no bound near its equator, and the difference no digit left
+    sine2, cosine2 = body.P[0] / (body.C[0] * body.G2[0]), body.Q[0] / (body.C[0] * body.G2[0])
+    round_cap = 2.0 * math.pi * sine2 / (1.0 + xp.sqrt(cosine2))
+    return xp.where(body.A[0] == 0, round_cap, xp.where(small < SMALL_CAP, cap, angle[0]))
 
 
 def _regime(moments: Array, momentum: Array, body: Reduction, rates: Frequencies) -> Array:
