@@ -57,16 +57,25 @@ class EnclosedNumber:
         Raises:
             OverflowError: for an infinite answer.
         """
-        return _fraction(self.ball.lower())
+        middle, radius = self._exact
+        return middle - radius
 
     @property
     def upper(self) -> Fraction:
         """The upper end of the ball, exact; raises as ``lower`` does."""
-        return _fraction(self.ball.upper())
+        middle, radius = self._exact
+        return middle + radius
+
+    @property
+    def _exact(self) -> tuple[Fraction, Fraction]:
+        """Midpoint and radius; python-flint's own ends are rounded to its present precision."""
+        if not self.ball.is_finite():
+            raise OverflowError("an infinite answer has no ends")
+        return _fraction(self.ball.mid()), _fraction(self.ball.rad())
 
     def __contains__(self, number: ExactNumber) -> bool:
         exact = exact_rational("number", number)
-        return self.ball.is_finite() and bool(self.ball.lower().fmpq() <= exact <= self.ball.upper().fmpq())
+        return self.ball.is_finite() and self.lower <= Fraction(int(exact.p), int(exact.q)) <= self.upper
 
     def __float__(self) -> float:
         return self.value
@@ -91,8 +100,6 @@ class EnclosedNumber:
 
 
 def _fraction(ball: Ball) -> Fraction:
-    if not ball.is_finite():
-        raise OverflowError("an infinite answer has no ends")
     exact = ball.fmpq()
     return Fraction(int(exact.p), int(exact.q))
 

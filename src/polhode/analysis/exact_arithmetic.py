@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -18,8 +18,11 @@ Ball = Any
 """A real or complex ball of python-flint."""
 Rational = Any
 """A rational of python-flint."""
-ExactNumber = int | float | str | Fraction | Decimal
-"""A number without error: a double is the rational that it is, a text its decimals or its quotient, like "1/3"."""
+if TYPE_CHECKING:
+    ExactNumber = int | float | str | Fraction | Decimal
+    """A number without error: a double is the rational that it is, a text its decimals or its quotient, like "1/3"."""
+else:
+    ExactNumber = Any  # as functions check a user's numbers themselves
 
 MOST_DIGITS = 10_000
 SPARE_BITS = 64
