@@ -38,6 +38,7 @@ GIVEN = {
     "new": [["top"]],
     "view": [["free.toml", "--no-open"]],
     "body": [["free.toml"]],
+    "certify": [["free.toml", "--at", "2 s"]],
     "levels": [["water.xyz", "--j-max", "2"]],
     "lines": [["water.xyz", "--j-max", "2", "--dipole", "0,1.8,0"]],
     "fit": [["log.csv", *COLUMNS, "--window", "0,0.89", "--no-drag", "--no-gain"]],

@@ -175,6 +175,18 @@ def errors_of_state(found, state, size):
         return max(float(x) for x in turned) / EPS, max(float(x) for x in moved) / EPS
 
 
+def least_sizes(found, motion):
+    """Return the sizes of what cancels in some numbers, to which their errors are relative."""
+    turns = dict.fromkeys(("precession_per_period", "spin_per_period", "solid_angle", "geometric_phase"), 1.0)
+    if motion.kind == "free-body":
+        return {**turns, "solid_angle": 2.0 * np.pi, "geometric_phase": 2.0 * np.pi, "action": motion.momentum_norm}
+    size = float(np.linalg.norm(motion.momentum_at_epoch))
+    kinetic = 0.5 * float(np.sum(motion.momentum_at_epoch**2 / motion.moments))
+    rate = 0.0 if found.nutation_period is None else 1.0 / float(found.nutation_period)
+    return {**turns, "precession_rate": rate, "spin_rate": rate, "energy": kinetic + abs(float(motion.mgl)),
+            "vertical_momentum": size, "axial_momentum": size}  # fmt: skip
+
+
 def check_numbers(found, motion, names, case):
     for name in names:
         enclosed, double = getattr(found, name), getattr(motion, name)
@@ -182,15 +194,7 @@ def check_numbers(found, motion, names, case):
         if enclosed is None or not enclosed.ball.is_finite():
             assert enclosed is None or double == np.inf, (name, case)
             continue
-        size = abs(float(enclosed))
-        if name in ("solid_angle", "geometric_phase"):
-            size = 2.0 * np.pi
-        elif name == "action":
-            size = float(found.momentum_norm)
-        elif name.endswith("per_period"):  # zero where turns cancel
-            size = max(size, 1.0)
-        elif name in ("precession_rate", "spin_rate"):
-            size = max(size, size if motion.kind == "free-body" else 1.0 / float(found.nutation_period))
+        size = max(abs(float(enclosed)), least_sizes(found, motion).get(name, 0.0))
         with ctx.workprec(400):
             off = abs(float(enclosed.ball - arb(double)))
         assert off <= WORST_NUMBER * EPS * size + 1e-300, (name, enclosed, double, case)

@@ -134,6 +134,27 @@ def body(spec: SpecPath, json: AsJson = False) -> None:
     run_body(spec, json)
 
 
+@app.command(cls=StrictCommand)
+def certify(
+    spec: SpecPath,
+    json: AsJson = False,
+    digits: Annotated[
+        int, typer.Option("--digits", metavar="N", parser=whole_number(1, 1000), help="Decimals (default: 25).")
+    ] = 25,
+    at: Annotated[
+        list[str] | None, typer.Option("--at", metavar="T", help='Time of a state, like "1e9 s"; may be repeated.')
+    ] = None,
+) -> None:
+    """Prove bounds of a free body's or a Lagrange top's motion, to any number of digits.
+
+    Printed are the regime and verdicts, decided in exact arithmetic, and periods, precession, geometric phase, action
+    and states, each with a radius within which the truth lies. Needs the extra symbolic.
+    """
+    from polhode.cli.certify import run_certify
+
+    run_certify(spec, digits, at or [], json)
+
+
 MoleculeFile = Annotated[
     Path, typer.Argument(metavar="FILE", help="Spec in TOML, of any kind with a molecule, or atoms, such as an .xyz.")
 ]
