@@ -1,6 +1,7 @@
 """`polhode certify`: enclosures of a spec's motion, of its decimals where it gives them."""
 
 import json
+import re
 from fractions import Fraction
 
 import pytest
@@ -93,13 +94,11 @@ def test_tops_and_bodies_with_shapes_are_of_doubles(run):
 
 
 @pytest.mark.parametrize(("arguments", "words"), [
-    (("euler_disk.toml",), "system euler-disk has no closed form.*free-body and lagrange-top have one.*ph.certify"),
+    (("euler_disk.toml",), "euler-disk has no closed form.*free-body and lagrange-top have one.*polhode.certify"),
     (("t_handle.toml", "--at", "3"), "--at needs a unit"),
     (("t_handle.toml", "--at", "3 kg"), "--at has the wrong unit"),
     (("t_handle.toml", "--digits", "0"), "digits"),
 ])  # fmt: skip
 def test_bad_input_is_one_message(run, arguments, words):
-    import re
-
     said = run("certify", EXAMPLES / arguments[0], *arguments[1:], code="2")
     assert re.search(words, said.err) and not said.out

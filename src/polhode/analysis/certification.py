@@ -49,6 +49,10 @@ def certify(
 ) -> TopEnclosure: ...
 @overload
 def certify(
+    system: AbstractMotion, *, digits: int | None = None, exact: Mapping[str, Any] | None = None
+) -> MotionEnclosure: ...
+@overload
+def certify(
     system: AbstractSystem, state: Real[ArrayLike, "..."], times: Real[ArrayLike, "time"], radius: float | None = None,
     other: AbstractSystem | None = None, state_radii: Real[ArrayLike, "..."] | None = None,
 ) -> Enclosure: ...  # fmt: skip

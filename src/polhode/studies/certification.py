@@ -13,8 +13,6 @@ from polhode.analysis.enclosed_numbers import EnclosedNumber, EnclosedState
 from polhode.analysis.motion_enclosures import FreeEnclosure, MotionEnclosure, TopEnclosure
 from polhode.analysis.motion_starts import GIVEN
 from polhode.errors import InvalidInput, shown
-from polhode.exact.free_body import FreeMotion
-from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import closed_form_kinds
 from polhode.reports.answer import Answer, Group, Table
@@ -25,7 +23,7 @@ from polhode.studies.naming import name_file_in_errors
 
 IN_THE_FILE = "the decimals in the file"
 COMPONENTS = (*(("attitude", k, "") for k in "wxyz"), *(("momentum", f"L{k}", "kg m²/s") for k in "123"))
-# name, label and unit of each number
+# name, label and unit of each number; the period comes first
 OF_BODIES = (
     ("period", "polhode period T", "s"), ("precession_per_period", "precession per period", "rad"),
     ("precession_rate", "mean precession", "rad/s"), ("geometric_phase", "geometric phase", "rad"),
@@ -38,6 +36,7 @@ OF_TOPS = (
     ("spin_rate", "mean own turn", "rad/s"), ("action", "action of the nutation", "J s"), ("energy", "energy", "J"),
     ("vertical_momentum", "vertical momentum", "kg m²/s"), ("axial_momentum", "axial momentum", "kg m²/s"),
 )  # fmt: skip
+NUMBERS: dict[type, Sequence[tuple[str, str, str]]] = {FreeEnclosure: OF_BODIES, TopEnclosure: OF_TOPS}
 
 
 @dataclass(frozen=True)
@@ -57,7 +56,7 @@ class CertifyReport(StudyReport):
 
     @property
     def summary(self) -> str:
-        period = getattr(self.found, "period" if isinstance(self.found, FreeEnclosure) else "nutation_period")
+        period = getattr(self.found, NUMBERS[type(self.found)][0][0])
         verdict = "" if self.found.verdict is None else f", {self.found.verdict}"
         found = f"The motion is in the regime {self.found.regime}{verdict}, decided in exact arithmetic."
         if period is None:
@@ -90,7 +89,7 @@ class CertifyReport(StudyReport):
             low, high = found.nutation_limits
             answers += [*_enclosed("nutation_limits.lowest", low, "least cos of the tilt", ""),
                         *_enclosed("nutation_limits.highest", high, "largest cos of the tilt", "")]  # fmt: skip
-        for name, label, unit in OF_BODIES if isinstance(found, FreeEnclosure) else OF_TOPS:
+        for name, label, unit in NUMBERS[type(found)]:
             answers += _enclosed(name, getattr(found, name), label, unit)
         return Group("Enclosures: the number lies in value ± radius", answers)
 
@@ -129,16 +128,16 @@ def certify_report(path: Path, digits: int, at: Sequence[str], called: Callable[
     with name_file_in_errors(path):
         spec = read_spec(path)
         motion = spec.kind.closed_form(spec)
-        if not isinstance(motion, FreeMotion | LagrangeMotion):
+        if motion is None:
             raise InvalidInput(
                 f"{path}: the system {spec.kind.name} has no closed form, which enclosures of so many digits need; "
-                f"{' and '.join(closed_form_kinds())} have one. In Python, `ph.certify(system, state, times)` proves "
-                "bounds for other systems."
+                f"{' and '.join(closed_form_kinds())} have one. In Python, `polhode.certify` proves bounds for other "
+                "systems."
             )
-        exact: dict[str, Any] = {}
-        if isinstance(motion, FreeMotion) and spec.body is not None:
-            exact = exact_numbers(path, spec.body.principal_axes)
-        found: MotionEnclosure = certify(motion, digits=digits, exact=exact)
+        # the numbers of a free body are those in the file; a top's are about its pivot
+        of_file = None if motion.free_moments is None else spec.body
+        exact = {} if of_file is None else exact_numbers(path, of_file.principal_axes)
+        found = certify(motion, digits=digits, exact=exact)
         return CertifyReport(spec.name, found, {text: found.state(time) for text, time in times.items()})
 
 
