@@ -20,6 +20,8 @@ WAYS = {
     "spiceypy": ("spiceypy", lambda path: spiceypy()),
     "python-flint, for proofs": ("flint", lambda path: ph.certify(
         ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), (0.1, 1.0, 0.1), (0.0, 1.0))),
+    "python-flint, for proofs of motions": ("flint", lambda path: ph.certify(
+        ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.1, 1.0, 0.1)))),
     "python-flint": ("flint", lambda path: ph.algebra.polynomial_casimirs(ph.algebra.SO3(), 2)),
 }
 
