@@ -1,3 +1,6 @@
+from ._conserved_function import ConservedFunction as ConservedFunction
+from ._mechanics import Mechanics as Mechanics
+from ._mechanics import invariants_along as invariants_along
 from .alignment import Alignment as Alignment
 from .alignment import fit_alignment as fit_alignment
 from .certification import certify as certify
@@ -8,7 +11,6 @@ from .cone import axis_angles as axis_angles
 from .cone import cone_angles as cone_angles
 from .cone import rotation_form as rotation_form
 from .cone import velocity_angles as velocity_angles
-from .conserved_function import ConservedFunction as ConservedFunction
 from .continuation import Bifurcation as Bifurcation
 from .continuation import Branch as Branch
 from .continuation import Continuation as Continuation
@@ -61,8 +63,6 @@ from .light_curves import light_curve_lines as light_curve_lines
 from .lyapunov_exponents import LyapunovExponents as LyapunovExponents
 from .lyapunov_exponents import lyapunov as lyapunov
 from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
-from .mechanics import Mechanics as Mechanics
-from .mechanics import invariants_along as invariants_along
 from .motion_enclosures import FreeEnclosure as FreeEnclosure
 from .motion_enclosures import MotionEnclosure as MotionEnclosure
 from .motion_enclosures import TopEnclosure as TopEnclosure
