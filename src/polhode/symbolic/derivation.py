@@ -252,8 +252,8 @@ class Derivation:
         self._near(text, "the KKS form", np.array(-float(reduced.form)), np.array(form))
         place = sympy.Tuple(*reduced.embedding)
         named = [Equation(sympy.Tuple(*x), place), Equation(Name("H", "H"), reduced.hamiltonian),
-                 Equation(Name(r"\omega", "ω"), Name(f"{_sign(reduced.form)}d\\varphi \\wedge dz",
-                                                    f"{_sign(reduced.form)}dφ ∧ dz"))]  # fmt: skip
+                 Equation(Name(r"\omega", "ω"), Name(f"{'-' if reduced.form < 0 else ''}d\\varphi \\wedge dz",
+                                                    f"{'−' if reduced.form < 0 else ''}dφ ∧ dz"))]  # fmt: skip
         self._add(text, [*named, *(Equation(Rate(v), rate) for v, rate in reduced.rates.items())],
                   "the brackets of coordinates restrict to the sphere", f"equal to the vector field of {self._against}",
                   "equal to the KKS form of ad* vectors")  # fmt: skip
@@ -324,10 +324,6 @@ def _evaluate_condition(condition: Any, symbols: Sequence[Any], numbers: Sequenc
     """Return where a condition holds (trials,)."""
     holds = sympy.lambdify(symbols, condition, modules="numpy")(*numbers)
     return np.broadcast_to(np.asarray(holds, dtype=bool), (TRIALS,))
-
-
-def _sign(number: Any) -> str:
-    return "−" if number == -1 else ""
 
 
 def _gradient_rank(functions: Sequence[Any], coordinates: Sequence[Any]) -> int:

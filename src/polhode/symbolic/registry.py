@@ -28,8 +28,8 @@ def derive(name: str) -> Page:
         InvalidInput: for a name that is none.
         DerivationBroken: if a step does not hold, by symbols or against the numerical system.
 
-    >>> derive("free-body").title
-    'The free rigid body'
+    >>> derive("clebsch").title
+    "Clebsch's case"
     """
     if name not in derivation_names():
         near = difflib.get_close_matches(str(name), derivation_names(), 1)

@@ -16,7 +16,7 @@ WIDTH = 100  # of terminal text; wider formulas are written in lines
 INDENT = "    "
 STYLE = (
     "body{max-width:60rem;margin:2rem auto;padding:0 1rem;font-family:serif;line-height:1.5}"
-    "math{display:block;margin:.5rem 0 .5rem 2rem;overflow-x:auto}small{color:#555}"
+    "math{display:block;margin:.5rem 0 .5rem 2rem;overflow:auto hidden}small{color:#555}"
 )
 
 
@@ -176,7 +176,7 @@ def _latex_page(page: Page) -> str:
 
 def _escape_latex(text: str) -> str:
     text = re.sub(r"([&%$#_{}])", r"\\\1", text)
-    return text.replace("–", "--").replace("’", "'").replace("é", r"\'e")
+    return text.replace("–", "--").replace("’", "'").replace("²", "$^2$")
 
 
 def _html_page(page: Page) -> str:
@@ -206,7 +206,9 @@ def _mathml_of(thing: Any) -> str:
         return f"<mrow><mo>{{</mo>{_mathml_of(thing.first)}<mo>,</mo>{_mathml_of(thing.second)}<mo>}}</mo></mrow>"
     if isinstance(thing, Name):
         return f"<mi>{html.escape(thing.text)}</mi>"
-    return mathml(thing, printer="presentation")
+    # SymPy leaves these two signs as they are, which no reader takes
+    written = mathml(thing, printer="presentation")
+    return written.replace("<mo><</mo>", "<mo>&lt;</mo>").replace("<mo>></mo>", "<mo>&gt;</mo>")
 
 
 FORMS: dict[str, Callable[[Page], str]] = {

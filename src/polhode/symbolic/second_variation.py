@@ -14,7 +14,7 @@ from typing import Any
 from polhode.errors import InvalidInput, shown
 from polhode.symbolic.gate import sympy
 from polhode.symbolic.sign_conditions import definite_conditions, definite_for_some, unstable_condition
-from polhode.symbolic.systems import SymbolicSystem
+from polhode.symbolic.systems import SymbolicSystem, exact_expression
 
 EXPONENT = sympy.Symbol("s")
 
@@ -43,6 +43,13 @@ class SecondVariation:
     def definite(self) -> Any:
         """The condition under which the energy–Casimir method proves stability."""
         return sympy.Or(self.positive, self.negative)
+
+    def latex(self) -> str:
+        """Return multipliers, matrix and condition as LaTeX for a display."""
+        lines = [rf"\lambda_{{{k}}} &= {sympy.latex(v)}" for k, v in enumerate(self.multipliers, 1)]
+        lines.append(rf"D^2 F &= {sympy.latex(self.matrix)}")
+        lines.append(rf"\text{{stable}} &\Longleftarrow {sympy.latex(self.definite)}")
+        return "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}"
 
 
 def linearisation(system: SymbolicSystem, equilibrium: Sequence[Any] | Mapping[Any, Any]) -> Any:
@@ -108,6 +115,7 @@ def second_variation(
     """
     x = sympy.Matrix(system.bracket.coordinates)
     point = _point(system, equilibrium)
+    conserved = [exact_expression(C) for C in conserved]
     for C in conserved:
         if not system.is_integral(C):
             raise InvalidInput(f"`conserved` must be Casimirs or integrals; {{C, H}} does not vanish for "
@@ -145,4 +153,4 @@ def _point(system: SymbolicSystem, equilibrium: Sequence[Any] | Mapping[Any, Any
     if len(values) != len(coordinates) or any(value is None for value in values):
         raise InvalidInput(f"`equilibrium` must have the {len(coordinates)} coordinates "
                            f"{', '.join(map(str, coordinates))}; got {shown(str(values))}.")  # fmt: skip
-    return dict(zip(coordinates, map(sympy.sympify, values), strict=True))
+    return dict(zip(coordinates, map(exact_expression, values), strict=True))

@@ -78,28 +78,29 @@ def definite_for_some(matrix: Any, unknown: Any) -> tuple[Any, Any]:
 def unstable_condition(characteristic: Any, exponent: Any) -> Any:
     """Return the condition for a Hamiltonian characteristic polynomial to have a root with positive real part.
 
-    Each factor is a polynomial p(u) of u = s² then; it has none if and only if all u are real and not positive: the
-    coefficients and the discriminant of p are not negative, for degrees up to 3 in u.
+    But for a power of s it is a polynomial of u = s². A factor p(u) gives no such root if and only if all its u are
+    real and not positive: its coefficients and its discriminant are not negative, for degrees up to 3 in u.
 
     Raises:
         InvalidInput: for a polynomial that is not even, or a factor of a higher degree.
     """
     u = sympy.Dummy("u")
+    powers = sympy.Poly(sympy.numer(sympy.together(characteristic)), exponent).terms()
+    lowest = min(n for (n,), _ in powers)
+    if any((n - lowest) % 2 for (n,), _ in powers):
+        raise InvalidInput(f"the characteristic polynomial must be even in {exponent} but for a power of it; got "
+                           f"{shown(str(characteristic))}.")  # fmt: skip
+    even = sympy.Add(*(c * u ** ((n - lowest) // 2) for (n,), c in powers))
     cases = []
-    for factor, _ in sympy.factor_list(sympy.numer(sympy.together(characteristic)))[1]:
-        poly = sympy.Poly(factor, exponent)
-        if poly.degree() < 1 or poly.monoms() == [(1,)]:
-            continue
-        if any(n % 2 for (n,) in poly.monoms()):
-            raise InvalidInput(f"the characteristic polynomial must be even in {exponent}; it has the factor "
-                               f"{shown(str(factor))}.")  # fmt: skip
-        even = sympy.Poly({(n // 2,): c for (n,), c in poly.terms()}, u)
-        if even.degree() > 3:
-            raise InvalidInput(f"factors of degree above 6 are not decided; got {shown(str(factor))}.")
-        leading = even.LC()
-        cases += [positive_condition(-leading * c) for c in even.coeffs()[1:]]
-        if even.degree() > 1:
-            cases.append(positive_condition(-even.discriminant()))
+    for factor, _ in sympy.factor_list(even)[1]:
+        poly = sympy.Poly(factor, u)
+        if poly.degree() > 3:
+            raise InvalidInput(f"factors of degree above 3 in {exponent}² are not decided; got "
+                               f"{shown(str(factor.subs(u, exponent**2)))}.")  # fmt: skip
+        if poly.degree():
+            cases += [positive_condition(-poly.LC() * c) for c in poly.all_coeffs()[1:]]
+        if poly.degree() > 1:
+            cases.append(positive_condition(-poly.discriminant()))
     return sympy.Or(*cases)
 
 
@@ -131,7 +132,8 @@ def _relation(expression: Any) -> Any:
     terms = sympy.Add.make_args(sympy.expand(expression))
     right = [-t for t in terms if t.could_extract_minus_sign()]
     left = [t for t in terms if not t.could_extract_minus_sign()]
-    return sympy.Gt(sympy.factor_terms(sympy.Add(*left)), sympy.factor_terms(sympy.Add(*right)))
+    greater, less = (sympy.factor_terms(sympy.Add(*terms)) for terms in (left, right))
+    return sympy.Lt(less, 0) if greater == 0 else sympy.Gt(greater, less)
 
 
 def _definite(matrix: Any, sign: int, unknown: Any = None) -> Any:

@@ -6,6 +6,7 @@ import itertools
 import math
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 
 import equinox as eqx
@@ -38,7 +39,7 @@ class SymbolicSystem:
 
     Attributes:
         bracket: as given.
-        hamiltonian: as given.
+        hamiltonian: as given, with fractions in place of doubles.
 
     >>> from polhode.algebra import SO3
     >>> so3 = LiePoissonBracket(SO3(), ["L1", "L2", "L3"])
@@ -52,7 +53,7 @@ class SymbolicSystem:
     def __init__(self, bracket: LiePoissonBracket, hamiltonian: Any) -> None:
         if not isinstance(bracket, LiePoissonBracket):
             raise InvalidInput(f"`bracket` must be a LiePoissonBracket; got {shown(bracket)}.")
-        self.bracket, self.hamiltonian = bracket, sympy.sympify(hamiltonian)
+        self.bracket, self.hamiltonian = bracket, exact_expression(hamiltonian)
 
     @classmethod
     def from_system(cls, system: AbstractLiePoissonSystem, coordinates: Sequence[Any] | None = None) -> SymbolicSystem:
@@ -128,7 +129,7 @@ class SymbolicSystem:
     ) -> LiePoisson:
         """Return the numerical system, which ``simulate``, ``stability`` and all else take.
 
-        Parameters are data: another call with other values compiles nothing again where the system is kept.
+        Parameters are data: with other values nothing is compiled again.
 
         Args:
             values: numbers of all parameters, by symbol or name.
@@ -160,6 +161,18 @@ class SymbolicSystem:
 def as_symbolic(system: SymbolicSystem | AbstractLiePoissonSystem) -> SymbolicSystem:
     """Return a system in symbols; a numerical one is read by ``SymbolicSystem.from_system``."""
     return system if isinstance(system, SymbolicSystem) else SymbolicSystem.from_system(system)
+
+
+def exact_expression(expression: Any) -> Any:
+    """Return a SymPy expression with fractions in place of its doubles, as ``exact_numbers`` reads them.
+
+    >>> str(exact_expression(0.5 * sympy.Symbol("x") ** 2))
+    'x**2/2'
+    """
+    expression = sympy.sympify(expression)
+    doubles = sorted(expression.atoms(sympy.Float), key=float)
+    numbers = (sympy.Rational(n.numerator, n.denominator) for n in exact_numbers([float(v) for v in doubles]))
+    return expression.xreplace(dict(zip(doubles, numbers, strict=True)))
 
 
 class CompiledExpression(eqx.Module):
@@ -195,8 +208,17 @@ def compile_expression(
     if unknown:
         raise InvalidInput(f"the expression has symbols without values, {', '.join(sorted(map(str, unknown)))}. Give "
                            "their numbers.")  # fmt: skip
-    function = sympy.lambdify([tuple(coordinates), tuple(parameters)], expression, modules="jax", cse=True)
+    function = _jax_function(expression, tuple(coordinates), tuple(parameters))
     return CompiledExpression(jnp.asarray(np.asarray(numbers, dtype=float)), algebra, function)
+
+
+@lru_cache(maxsize=256)
+def _jax_function(expression: Any, coordinates: tuple[Any, ...], parameters: tuple[Any, ...]) -> Callable[..., Any]:
+    """Return the expression as a function of coordinates and parameters, the same one for the same expression.
+
+    JAX compiles a function anew for every object, so that other values of parameters would compile all again.
+    """
+    return sympy.lambdify([coordinates, parameters], expression, modules="jax", cse=True)
 
 
 def _exact_energy(system: AbstractLiePoissonSystem) -> dict[tuple[int, ...], Any]:
@@ -208,14 +230,14 @@ def _exact_energy(system: AbstractLiePoissonSystem) -> dict[tuple[int, ...], Any
 
     derivative, terms = energy, {}
     points = np.random.default_rng(0).normal(size=(POINTS, algebra.dim))
-    values = np.asarray(jax.vmap(energy)(jnp.asarray(points)))
+    values = np.asarray(jax.jit(jax.vmap(energy))(jnp.asarray(points)))
     for degree in range(HIGHEST_DEGREE + 1):
         if algebra.dim**degree > MOST_DERIVATIVES:
             raise InvalidInput(
                 f"reading a Hamiltonian of degree {degree} in {algebra.dim} variables takes more than "
                 f"{MOST_DERIVATIVES} derivatives. Make a SymbolicSystem from the expression itself."
             )
-        terms |= _taylor_terms(np.asarray(derivative(jnp.zeros(algebra.dim))), degree, algebra.dim)
+        terms |= _taylor_terms(np.asarray(jax.jit(derivative)(jnp.zeros(algebra.dim))), degree, algebra.dim)
         if degree > 1 and _agrees(terms, points, values):
             exact = exact_numbers(list(terms.values()))
             return dict(zip(terms, exact, strict=True))
