@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import Any, NamedTuple
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 
@@ -21,12 +23,19 @@ from polhode.poisson.orbits import kks_form
 from polhode.symbolic.gate import sympy
 from polhode.symbolic.integrals import polynomial_integrals
 from polhode.symbolic.rendering import Bracket, Equation, Name, Page, Rate, Step
-from polhode.symbolic.second_variation import characteristic_polynomial, instability, linearisation, second_variation
+from polhode.symbolic.second_variation import (
+    SecondVariation,
+    characteristic_polynomial,
+    instability,
+    linearisation,
+    second_variation,
+)
 from polhode.symbolic.sphere import reduce_to_sphere
 from polhode.symbolic.systems import SymbolicSystem
 from polhode.systems.base import AbstractLiePoissonSystem
 
 POINTS, TRIALS = 6, 200
+FREE = 0.3  # value of a multiplier that the equilibrium leaves free, where numbers are compared
 GROWS = 1e-4  # real parts below it are rounding errors of a double exponent
 AGREES = 1e-11  # of numbers, relative to the largest of their kind: some roundings of both sides
 
@@ -154,13 +163,17 @@ class Derivation:
     def integral(self, text: str, name: Name, F: Any) -> None:
         """Add an integral; {F, H} must vanish, and so must its rate along the numerical vector field."""
         self._equal(text, f"the rate of {name.text}", sympy.Integer(0), self.system.bracket(F, self.system.hamiltonian))
-        gradient = [sympy.diff(F, x) for x in self.system.bracket.coordinates]
         for _, values, system in self._cases:
-            field = np.asarray(system.algebra.to_dual_vector(system.vector_field(0.0, self._states(system))))
-            slopes = self._evaluate(gradient, values)
-            size = float(np.abs(slopes).max() * np.abs(field).max())
-            self._near(text, f"the rate of {name.text}", (slopes * field).sum(axis=1), np.zeros(POINTS), size)
+            self._constant(text, name.text, F, values, system)
         self._add(text, [Equation(name, F)], "its bracket with H vanishes", f"constant along {self._against}")
+
+    def _constant(
+        self, text: str, name: str, F: Any, values: Mapping[Any, float], system: AbstractLiePoissonSystem
+    ) -> None:
+        field = np.asarray(system.algebra.to_dual_vector(system.vector_field(0.0, self._states(system))))
+        slopes = self._evaluate([sympy.diff(F, x) for x in self.system.bracket.coordinates], values)
+        size = float(np.abs(slopes).max() * np.abs(field).max())
+        self._near(text, f"the rate of {name}", (slopes * field).sum(axis=1), np.zeros(POINTS), size)
 
     def further_integrals(
         self, text: str, degree: int, known: Sequence[Any], values: Mapping[str, Any] | None = None
@@ -179,13 +192,22 @@ class Derivation:
         if len(found) != len(wanted) or ranks[0] != ranks[1]:
             raise DerivationBroken(f"{text} {len(wanted)} further integrals are stated up to degree {degree}, and "
                                    f"found are {len(found)}: {', '.join(map(str, found))}.")  # fmt: skip
+        cases = self._cases
+        if values:
+            numbers = {name: float(Fraction(value)) for name, value in values.items()}
+            cases = [_Case(numbers, {}, self.numerical.make(numbers))]
+        for F in found:
+            for _, place, numerical in cases:
+                self._constant(text, "F", F, place, numerical)
         words = "found by exact linear algebra" if found else "exact linear algebra finds no other"
-        self._add(text, [Equation(Name("F", "F"), F) for F in found], f"{words} up to degree {degree}")
+        along = [f"constant along {type(cases[0].system).__name__} at {POINTS} random points"] if found else []
+        self._add(text, [Equation(Name("F", "F"), F) for F in found], f"{words} up to degree {degree}", *along)
 
     def stable_if(self, text: str, point: Sequence[Any], conserved: Sequence[Any], condition: Any) -> None:
         """Add the condition for the second variation to be definite; where it holds, ``stability`` must say stable."""
         variation = second_variation(self.system, point, conserved)
         self._same_condition(text, condition, variation.definite)
+        self._check_variation(text, point, conserved, variation)
         seen = self._judge(text, point, condition, "stable")
         names = sympy.symbols(f"lambda1:{len(conserved) + 1}")
         total = sympy.Symbol("H") + sum((n * C for n, C in zip(names, conserved, strict=True)), sympy.Integer(0))
@@ -193,7 +215,8 @@ class Derivation:
         lines += [Equation(n, v) for n, v in zip(names, variation.multipliers, strict=True) if str(v) != str(n)]
         lines.append(Equation(Name(r"D^2 F", "D²F"), variation.matrix))
         self._add(text, [*lines, Equation(Name(r"\text{stable}", "stable"), condition, "⇐")],
-                  "definite by the minors exactly then", self._said("stable", seen))
+                  f"definite by the minors exactly then, for {TRIALS} random parameters",
+                  "equal to derivatives of the numerical energy", self._said("stable", seen))
 
     def unstable_if(self, text: str, point: Sequence[Any], condition: Any, polynomial: Any) -> None:
         """Add characteristic polynomial and condition of instability; where it holds, ``stability`` must agree."""
@@ -203,7 +226,8 @@ class Derivation:
         seen = self._judge(text, point, condition, "unstable")
         self._add(text, [Equation(Name(r"\det(s - A)", "det(s − A)"), polynomial),
                          Equation(Name(r"\text{unstable}", "unstable"), condition, "⇐")],
-                  "the polynomial is that of the linearised equations", "its roots decide the condition",
+                  "the polynomial is that of the linearised equations",
+                  f"its roots decide the condition, for {TRIALS} random parameters",
                   self._said("unstable", seen))  # fmt: skip
 
     def exponents_if(self, text: str, point: Sequence[Any], condition: Any) -> None:
@@ -242,10 +266,12 @@ class Derivation:
             x1, x2 = radius * planar[:, 0], radius * planar[:, 1]
             turning = (x1 * field[:, 1] - x2 * field[:, 0]) / (x1**2 + x2**2)
             symbols = [reduced.radius, reduced.angle, reduced.height, *values]
-            rates = sympy.lambdify(symbols, [*reduced.rates.values()], modules="numpy")
+            rates = sympy.lambdify(symbols, [*reduced.rates.values(), reduced.hamiltonian], modules="numpy")
             stated = np.array([rates(radius, a, radius * z, *values.values())
                                for a, z in zip(angles, planar[:, 2], strict=True)])  # fmt: skip
-            self._near(text, "rates on the sphere", stated, np.stack([turning, field[:, 2]], axis=1))
+            energy = np.asarray(system.energy(jnp.asarray(radius * planar)))
+            numbers = np.stack([turning, field[:, 2], energy], axis=1)
+            self._near(text, "rates and energy on the sphere", stated, numbers)
         system, e = self._cases[0].system, np.eye(3)
         # at μ = (1, 0, ½) these elements move by −∂φ and by ∂z
         form = float(kks_form(system.algebra, jnp.array([1.0, 0.0, 0.5]), e[2], e[1], system.sign))
@@ -255,7 +281,8 @@ class Derivation:
                  Equation(Name(r"\omega", "ω"), Name(f"{'-' if reduced.form < 0 else ''}d\\varphi \\wedge dz",
                                                     f"{'−' if reduced.form < 0 else ''}dφ ∧ dz"))]  # fmt: skip
         self._add(text, [*named, *(Equation(Rate(v), rate) for v, rate in reduced.rates.items())],
-                  "the brackets of coordinates restrict to the sphere", f"equal to the vector field of {self._against}",
+                  "the brackets of coordinates restrict to the sphere",
+                  f"equal to vector field and energy of {self._against}",
                   "equal to the KKS form of ad* vectors")  # fmt: skip
 
     # ------------------------------------------------------------------ checks
@@ -301,11 +328,35 @@ class Derivation:
             raise DerivationBroken(f"{text} the condition is stated as {stated}, and computed as {computed}; they "
                                    f"differ at {place}.")  # fmt: skip
 
+    def _check_variation(
+        self, text: str, point: Sequence[Any], conserved: Sequence[Any], found: SecondVariation
+    ) -> None:
+        """Require gradient and second variation of H + Σ λ C to be those of the numerical energy by differentiation."""
+        x = self.system.bracket.coordinates
+        total = sum((n * C for n, C in zip(found.multipliers, conserved, strict=True)), sympy.Integer(0))
+        for sample, _, system in self._cases:
+            place = {s: sample.get(str(s), FREE) for s in (*_symbols_of(point), *_symbols_of(found.multipliers))}
+            place |= {s: sample[str(s)] for s in self.system.parameters}
+            z = [float(sympy.sympify(p).subs(place)) for p in point]
+
+            def energy(v: Any, system: AbstractLiePoissonSystem = system) -> Any:
+                return jnp.asarray(system.energy(system.algebra.from_dual_vector(v)))
+
+            slope, hessian = jax.jit(lambda v, f=energy: (jax.grad(f)(v), jax.hessian(f)(v)))(jnp.array(z))
+            at = dict(zip(x, z, strict=True)) | place
+            other = np.array(sympy.Matrix([total]).jacobian(x).subs(at), dtype=float)[0]
+            second = np.array(sympy.hessian(total, x).subs(at), dtype=float)
+            size = max(float(np.abs(slope).max()), float(np.abs(other).max()))
+            self._near(text, "the gradient of H + Σ λ C", np.asarray(slope) + other, np.zeros(len(x)), size)
+            basis = np.array(found.basis.subs(place), dtype=float)
+            numbers = basis.T @ (np.asarray(hessian) + second) @ basis
+            self._near(text, "the second variation", np.array(found.matrix.subs(place), dtype=float), numbers)
+
     def _judge(self, text: str, point: Sequence[Any], condition: Any, verdict: str) -> int:
         """Require the verdict of ``stability`` for samples that satisfy the condition; return how many do."""
         seen = 0
         for sample, _, system in self._cases:
-            numbers = {s: sample[str(s)] for p in (*point, condition) for s in sympy.sympify(p).free_symbols}
+            numbers = {s: sample[str(s)] for s in _symbols_of([*point, condition])}
             if not bool(sympy.sympify(condition).subs(numbers)):
                 continue
             z = jnp.array([float(sympy.sympify(p).subs(numbers)) for p in point])
@@ -326,10 +377,14 @@ def _evaluate_condition(condition: Any, symbols: Sequence[Any], numbers: Sequenc
     return np.broadcast_to(np.asarray(holds, dtype=bool), (TRIALS,))
 
 
+def _symbols_of(expressions: Iterable[Any]) -> set[Any]:
+    return set().union(*(sympy.sympify(e).free_symbols for e in expressions))
+
+
 def _gradient_rank(functions: Sequence[Any], coordinates: Sequence[Any]) -> int:
     """Return how many functions are independent at a point without special values."""
     point = {x: sympy.Rational(3 + 7 * k * k, 11 + 2 * k) for k, x in enumerate(coordinates)}
-    symbols = set().union(*(sympy.sympify(F).free_symbols for F in functions)) - set(coordinates)
+    symbols = _symbols_of(functions) - set(coordinates)
     point |= {s: sympy.Rational(5 + 3 * k * k, 7 + 4 * k) for k, s in enumerate(sorted(symbols, key=str))}
     rows = [[sympy.diff(F, x).subs(point) for x in coordinates] for F in functions]
     return sympy.Matrix(rows).rank()

@@ -38,7 +38,7 @@ def derive() -> Page:
     square = L1**2 + L2**2 + L3**2
     page.casimirs("The square of the momentum is a Casimir: it is constant whatever the Hamiltonian.",
                   {Name(r"|L|^2", "|L|²"): square})  # fmt: skip
-    page.further_integrals("Energy and Casimir are all polynomial integrals of low degree.", 4, [])
+    page.further_integrals("With general moments every polynomial integral up to degree four is one of energy and Casimir.", 4, [])
     spin = (size, 0, 0)
     page.unstable_if(
         "Spin about the first axis is an equilibrium. Linearised there, small deviations grow if the first moment lies "
