@@ -15,8 +15,8 @@ from itertools import combinations_with_replacement
 
 import numpy as np
 
+from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.polynomial import Polynomial
 from polhode.errors import InvalidInput, not_installed, shown
 
 Terms = dict[tuple[int, ...], Fraction]
