@@ -14,7 +14,7 @@ from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset import write_zarr
 from polhode.formats.dataset_reading import read_dataset
 from polhode.formats.spice_kernels import spiceypy
-from polhode.symbolic import gate
+from polhode.symbolic import _gate
 
 WAYS = {
     "zarr, written": ("zarr.storage", lambda path: write_zarr(motion(), path / "new.zarr")),
@@ -22,7 +22,7 @@ WAYS = {
     "spiceypy": ("spiceypy", lambda path: spiceypy()),
     "python-flint, for proofs": ("flint", lambda path: ph.certify(
         ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), (0.1, 1.0, 0.1), (0.0, 1.0))),
-    "sympy": ("sympy", lambda path: importlib.reload(gate)),
+    "sympy": ("sympy", lambda path: importlib.reload(_gate)),
     "python-flint": ("flint", lambda path: ph.algebra.polynomial_casimirs(ph.algebra.SO3(), 2)),
 }
 

@@ -18,13 +18,11 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.integrators.accuracy import run_to_tolerance, run_with_error
-from polhode.integrators.adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
-from polhode.integrators.base import AbstractOrbitSolver
-from polhode.integrators.difference import EPS
-from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
-from polhode.integrators.probing import find_undeclared_jumps, jumps_along, jumps_between, name_jumps
-from polhode.integrators.series import (
+from polhode.integrators._accuracy import run_to_tolerance, run_with_error
+from polhode.integrators._adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
+from polhode.integrators._difference import EPS
+from polhode.integrators._equal_steps import run_by_equal_steps, step_counts
+from polhode.integrators._series import (
     NoSeries,
     Taylor,
     goes_by_arrays,
@@ -34,9 +32,11 @@ from polhode.integrators.series import (
     series_to_tolerance,
     solve_by_series,
 )
+from polhode.integrators.base import AbstractOrbitSolver
+from polhode.integrators.probing import find_undeclared_jumps, jumps_along, jumps_between, name_jumps
 from polhode.integrators.splitting import Splitting
-from polhode.motion.outcome import Ending, Ends, Outcome, Status
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._outcome import Ending, Ends, Outcome, Status
+from polhode.motion._trajectory import Trajectory
 from polhode.solving import (
     adaptive_solver,
     check_every,
@@ -47,7 +47,7 @@ from polhode.solving import (
     step_angle,
     turning_rates,
 )
-from polhode.systems.agreement import check_agreement, moves_by_generator
+from polhode.systems._agreement import check_agreement, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.systems.trajectories import make_trajectory
 from polhode.types import Array, ArrayLike, Real

@@ -17,17 +17,17 @@ import numpy as np
 
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.integrators.adaptive import TOLERANCE
+from polhode.integrators._adaptive import TOLERANCE
+from polhode.integrators._sampled import Observe, Sampled, as_floats, sample_by_either_mode
+from polhode.integrators._series import Taylor, is_series
+from polhode.integrators._series_operation import series_solution
 from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps
-from polhode.integrators.sampled import Observe, Sampled, as_floats, sample_by_either_mode
-from polhode.integrators.series import Taylor, is_series
-from polhode.integrators.series_operation import series_solution
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
-from polhode.motion.outcome import Status
-from polhode.systems.agreement import MOMENTS_OF_TIME, moves_by_generator
+from polhode.motion._outcome import Status
+from polhode.systems._agreement import MOMENTS_OF_TIME, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.taylor.runs import choose_precision
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real

@@ -15,8 +15,8 @@ from itertools import combinations_with_replacement
 
 import numpy as np
 
+from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.polynomial import Polynomial
 from polhode.errors import InvalidInput, not_installed, shown
 
 Terms = dict[tuple[int, ...], Fraction]
@@ -44,7 +44,7 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polyno
     Source: Abellanas & Martínez Alonso, J. Math. Phys. 16 (1975) 1580.
     """
     check_degree(degree, math.comb(algebra.dim + degree - 1, degree) if isinstance(degree, int) else 0, algebra.dim)
-    found = invariant_terms(exact_brackets(algebra), degree)
+    found = invariant_terms(rational_brackets(algebra), degree)
     return [Polynomial(np.array(list(terms)).reshape(-1, algebra.dim), list(terms.values())) for terms in found]
 
 
@@ -62,7 +62,7 @@ def check_degree(degree: int, count: int, dim: int) -> None:
 
 
 def invariant_terms(brackets: list[list[dict[int, Fraction]]], degree: int) -> list[Terms]:
-    """Return what ``polynomial_casimirs`` finds as {exponents: coefficient}, for brackets as ``exact_brackets`` gives.
+    """Return what ``polynomial_casimirs`` finds as {exponents: coefficient}, of what ``rational_brackets`` gives.
 
     Raises:
         InvalidInput: for a problem too large, or a missing python-flint.
@@ -76,7 +76,7 @@ def invariant_terms(brackets: list[list[dict[int, Fraction]]], degree: int) -> l
     return [whole_terms(terms) for terms in found]
 
 
-def exact_brackets(algebra: AbstractLieAlgebra) -> list[list[dict[int, Fraction]]]:
+def rational_brackets(algebra: AbstractLieAlgebra) -> list[list[dict[int, Fraction]]]:
     """Return [e_i, e_j] as {k: c_ijk} with exact fractions.
 
     Raises:

@@ -15,8 +15,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra._real_products import product
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.real_products import product
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Double, Float64
 

@@ -19,7 +19,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import AbstractMatrixAlgebra, Element, Operand, adjoint, check_size, traceless
 from polhode.arrays import is_traced
-from polhode.special.spherical_tensors import spherical_tensor
+from polhode.special._spherical_tensors import spherical_tensor
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 POWERS = (2, 3, 4)  # of −iμ whose traces are named among the Casimirs; ``spectrum`` has them all

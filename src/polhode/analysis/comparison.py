@@ -9,12 +9,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis._mechanics import Mechanics, invariants_along
 from polhode.analysis.alignment import Alignment, fit_alignment
-from polhode.analysis.mechanics import Mechanics, invariants_along
 from polhode.arrays import is_traced
 from polhode.errors import InvalidInput, shown
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
-from polhode.motion.trajectory import Trajectory
 from polhode.types import Array, Float64
 
 SAME_TIME = 1e-9  # of a step: two samples that near are at the same time, written with other digits

@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.algebra.functions import Function
-from polhode.analysis.branches import Family, Place, crossings, follow, is_on, step_onto_branch
-from polhode.analysis.conserved import choose_casimirs
+from polhode.algebra._functions import Function
+from polhode.analysis._branches import Family, Place, crossings, follow, is_on, step_onto_branch
+from polhode.analysis._conserved import choose_casimirs
 from polhode.analysis.equilibria import STARTS, find_equilibria
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown

@@ -9,9 +9,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.analysis._reasons import SettlesOnCircle, SphereOfRests
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.first_method import first_method
-from polhode.analysis.reasons import SettlesOnCircle, SphereOfRests
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.double_bracket import DoubleBracket

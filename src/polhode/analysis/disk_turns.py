@@ -13,9 +13,9 @@ import numpy as np
 from polhode.analysis.spin_down import FALL_SAMPLES
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.integrators.adaptive import solve_adaptively
-from polhode.motion.outcome import Ending, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.integrators._adaptive import solve_adaptively
+from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.simulation import simulate
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
 from polhode.types import Array, ArrayLike, Float64, Real

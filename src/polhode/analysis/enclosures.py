@@ -9,10 +9,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.analysis.tangent_flow import one_state
+from polhode.analysis._tangent_flow import one_state
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, not_installed, shown
-from polhode.integrators.interrupts import keep_interrupts
+from polhode.integrators._interrupts import keep_interrupts
 from polhode.simulation import simulate
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.balls import Ball, BallSystem, collect_numbers

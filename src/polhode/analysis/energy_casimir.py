@@ -19,8 +19,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.analysis.conserved_function import ConservedFunction
-from polhode.analysis.reasons import (
+from polhode.analysis._conserved_function import ConservedFunction
+from polhode.analysis._reasons import (
     AbstractReason,
     DefiniteVariation,
     EquilibriaWithoutShear,
@@ -32,7 +32,7 @@ from polhode.analysis.reasons import (
     Restriction,
     SteadyDrift,
 )
-from polhode.analysis.second_variation import Leaf, definite_combination, null_space, scale_leaf
+from polhode.analysis._second_variation import Leaf, definite_combination, null_space, scale_leaf
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real

@@ -10,8 +10,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.functions import Function
-from polhode.analysis.conserved import Energy, Source, check_motion, choose_casimirs, choose_unit
+from polhode.algebra._functions import Function
+from polhode.analysis._conserved import Energy, Source, check_motion, choose_casimirs, choose_unit
 from polhode.analysis.stability import scaled_field
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput

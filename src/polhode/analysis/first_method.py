@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from scipy.linalg import eig
 
+from polhode.analysis._reasons import Exponents, LeafIsPoint
 from polhode.analysis.energy_casimir import Stability
-from polhode.analysis.reasons import Exponents, LeafIsPoint
 from polhode.arrays import known_numbers_only
 from polhode.types import ArrayLike, Real
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from polhode.analysis.conserved_function import ConservedFunction
+from polhode.analysis._conserved_function import ConservedFunction
+from polhode.analysis._reasons import AxisOfFreeBody
 from polhode.analysis.energy_casimir import Stability, energy_casimir
-from polhode.analysis.reasons import AxisOfFreeBody
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import ArrayLike, Real

@@ -9,7 +9,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body.motion import FreeMotion
-from polhode.motion.inputs import refuse_not_finite
+from polhode.motion._inputs import refuse_not_finite
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
 PRECESSION_ORDERS, ROTATION_SAMPLES = 32, 64  # of the brightness over both angles; doubled until the rest is small

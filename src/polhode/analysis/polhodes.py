@@ -14,7 +14,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
-from polhode.motion.inputs import finite
+from polhode.motion._inputs import finite
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Energy = Callable[[Float64[Array, "*batch 3"]], Float64[Array, "*batch"]]

@@ -20,12 +20,12 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.analysis._reasons import Restriction
 from polhode.analysis.energy_casimir import Stability, energy_casimir
-from polhode.analysis.reasons import Restriction
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
+from polhode.systems._rolling_mechanics import RollingMechanics
 from polhode.systems.euler_disk import EulerDisk, rolling_parts
-from polhode.systems.rolling_mechanics import RollingMechanics
 from polhode.types import Array, ArrayLike, Float64, Real
 
 RESTRICTED = Restriction(within=("tilt", "rates"), without=("heading", "place"))

@@ -9,10 +9,10 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.integrators.adaptive import check_events
-from polhode.integrators.interrupts import keep_interrupts
-from polhode.integrators.series import check_sizes
-from polhode.motion.outcome import Status
+from polhode.integrators._adaptive import check_events
+from polhode.integrators._interrupts import keep_interrupts
+from polhode.integrators._series import check_sizes
+from polhode.motion._outcome import Status
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import choose_precision, find_crossings

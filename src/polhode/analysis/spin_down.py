@@ -20,13 +20,13 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.analysis.power_law import PowerLaw, Singularity, fit_singularity, power_law
+from polhode.analysis._power_law import PowerLaw, Singularity, fit_singularity, power_law
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.integrators import embedded
-from polhode.integrators.adaptive import TOLERANCE, solve_adaptively
-from polhode.motion.outcome import Ending, Outcome, Status
-from polhode.motion.trajectory import Trajectory
+from polhode.integrators import _embedded as embedded
+from polhode.integrators._adaptive import TOLERANCE, solve_adaptively
+from polhode.motion._outcome import Ending, Outcome, Status
+from polhode.motion._trajectory import Trajectory
 from polhode.systems.euler_disk import LAYOUT, EulerDisk, rolling_parts
 from polhode.systems.rolling_dissipation import RollingDissipation
 from polhode.systems.trajectories import make_trajectory

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.analysis.periapsis_map import Table, carry_neighbours, section, tabulate
+from polhode.analysis._periapsis_map import Table, carry_neighbours, section, tabulate
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.spin_orbit import SpinOrbit

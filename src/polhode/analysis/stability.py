@@ -18,13 +18,11 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.functions import Function, check_functions
+from polhode.algebra._functions import Function, check_functions
 from polhode.algebra.properties import index, is_compact
-from polhode.analysis.conserved import Casimirs, Energy, Source, check_motion, choose_casimirs, samples_around
-from polhode.analysis.energy_casimir import Stability, energy_casimir
-from polhode.analysis.equilibrium_data import Problem, problem
-from polhode.analysis.first_method import first_method
-from polhode.analysis.reasons import (
+from polhode.analysis._conserved import Casimirs, Energy, Source, check_motion, choose_casimirs, samples_around
+from polhode.analysis._equilibrium_data import Problem, problem
+from polhode.analysis._reasons import (
     DefiniteOnLeaf,
     ExponentialGrowth,
     FieldVanishes,
@@ -33,8 +31,10 @@ from polhode.analysis.reasons import (
     Restriction,
     SteadyDrift,
 )
+from polhode.analysis._second_variation import null_space
+from polhode.analysis.energy_casimir import Stability, energy_casimir
+from polhode.analysis.first_method import first_method
 from polhode.analysis.rolling import rolling_stability
-from polhode.analysis.second_variation import null_space
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points

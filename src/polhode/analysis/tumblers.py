@@ -6,7 +6,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.motion.inputs import refuse_not_finite
+from polhode.motion._inputs import refuse_not_finite
 from polhode.types import ArrayLike, Float64, Real
 
 

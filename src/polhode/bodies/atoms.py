@@ -8,9 +8,9 @@ from importlib.resources import files
 
 import numpy as np
 
-from polhode.bodies import points
-from polhode.bodies.digits import judge_moments, last_digit, unsure_moments
-from polhode.bodies.inertia import MassProperties, principal_axes
+from polhode.bodies import _points as points
+from polhode.bodies._digits import judge_moments, last_digit, unsure_moments
+from polhode.bodies._inertia import MassProperties, principal_axes
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from polhode import rotation
-from polhode.analysis.mechanics import Mechanics, invariants_along
+from polhode.analysis._mechanics import Mechanics, invariants_along
 from polhode.cli.columns import ColumnOptions, table_to_import
 from polhode.cli.destinations import check_spares
 from polhode.cli.publish import publish
@@ -17,9 +17,9 @@ from polhode.formats.form import Kernels
 from polhode.formats.form_registry import forms
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.stamps import in_words
+from polhode.motion._layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, StateLayout
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, StateLayout
-from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
 from polhode.reports.report import PlainReport
 from polhode.reports.wording import drifts, rate, write_count

@@ -11,14 +11,14 @@ from scipy.spatial.transform import Rotation
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.estimation.estimate import Estimate
+from polhode.estimation._estimate import Estimate
+from polhode.estimation._linear_start import linear_inertia
+from polhode.estimation._principal import Principal, explain_undetermined, principal
+from polhode.estimation._throw_doubts import why_impossible
+from polhode.estimation._throw_fit import ROBUST, compute_covariance, cross_matrix, right_jacobian
+from polhode.estimation._throw_models import D_MOMENTS, compute_moments, compute_shape, free_states
+from polhode.estimation._torqued_states import estimate_torqued_start, integrate_torqued
 from polhode.estimation.gyro_log import check_sizes
-from polhode.estimation.linear_start import linear_inertia
-from polhode.estimation.principal import Principal, explain_undetermined, principal
-from polhode.estimation.throw_doubts import why_impossible
-from polhode.estimation.throw_fit import ROBUST, compute_covariance, cross_matrix, right_jacobian
-from polhode.estimation.throw_models import D_MOMENTS, compute_moments, compute_shape, free_states
-from polhode.estimation.torqued_states import estimate_torqued_start, integrate_torqued
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -9,10 +9,10 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._momentum_flight import UNEVEN, Stretch, momentum_stretches, of_one_body, within
+from polhode.estimation._weightless_flight import weightless_stretches
 from polhode.estimation.gyro_log import MIN_SAMPLES, GyroLog
-from polhode.estimation.momentum_flight import UNEVEN, Stretch, momentum_stretches, of_one_body, within
 from polhode.estimation.rest import rest_stretches
-from polhode.estimation.weightless_flight import weightless_stretches
 from polhode.types import Array
 
 SHORTEST = 0.25  # s

@@ -18,9 +18,9 @@ from scipy.optimize import minimize_scalar
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
-from polhode.estimation.estimate import Estimate
-from polhode.estimation.line_noise import LineNoise, accumulate_walk, level_at, noise_about
-from polhode.estimation.pole_series import DAY, YEAR, Pole, average_steps, clean_pole
+from polhode.estimation._estimate import Estimate
+from polhode.estimation._line_noise import LineNoise, accumulate_walk, level_at, noise_about
+from polhode.estimation._pole_series import DAY, YEAR, Pole, average_steps, clean_pole
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 STEP = 5.0 * DAY  # means over it are fitted: nothing that the model has changes within

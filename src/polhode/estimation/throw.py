@@ -11,16 +11,16 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.estimation.estimate import Estimate
+from polhode.estimation._estimate import Estimate
+from polhode.estimation._principal import Principal, principal, widen_errors
+from polhode.estimation._rest_bias import RestBias, rest_bias
+from polhode.estimation._saturation import saturation
+from polhode.estimation._throw_doubts import why_no_result, why_nothing_explains
+from polhode.estimation._throw_fit import PAIRS, Model, Solution, Throw, rms
+from polhode.estimation._throw_search import Start, covariance_beside_wheel, fit_models, rival
+from polhode.estimation._unmodelled import Settled, allow_for_unmodelled
 from polhode.estimation.flight import Window, check_windows, free_flights
 from polhode.estimation.gyro_log import GyroLog
-from polhode.estimation.principal import Principal, principal, widen_errors
-from polhode.estimation.rest_bias import RestBias, rest_bias
-from polhode.estimation.saturation import saturation
-from polhode.estimation.throw_doubts import why_no_result, why_nothing_explains
-from polhode.estimation.throw_fit import PAIRS, Model, Solution, Throw, rms
-from polhode.estimation.throw_search import Start, covariance_beside_wheel, fit_models, rival
-from polhode.estimation.unmodelled import Settled, allow_for_unmodelled
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, Float64
 

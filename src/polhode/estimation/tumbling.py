@@ -11,9 +11,9 @@ from scipy.spatial.transform import Rotation
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.estimation.estimate import Estimate
+from polhode.estimation._estimate import Estimate
 from polhode.exact.free_body.motion import FreeMotion
-from polhode.motion.inputs import refuse_not_finite
+from polhode.motion._inputs import refuse_not_finite
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Mode = Literal["short-axis", "long-axis"]

@@ -23,9 +23,9 @@ from scipy.optimize import brentq, minimize
 from scipy.stats import chi2
 
 from polhode.arrays import known_numbers_only
-from polhode.estimation.estimate import Estimate
+from polhode.estimation._estimate import Estimate
+from polhode.estimation._pole_series import DAY, Pole, even
 from polhode.estimation.polar_motion import ANNUAL, ChandlerFit, fit_chandler
-from polhode.estimation.pole_series import DAY, Pole, even
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 LEVELS = (0.6827, 0.95)

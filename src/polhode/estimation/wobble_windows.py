@@ -8,9 +8,9 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.estimation.line_noise import level_at
+from polhode.estimation._line_noise import level_at
+from polhode.estimation._pole_series import DAY, YEAR, Pole, average_steps, clean_pole, even
 from polhode.estimation.polar_motion import LONGEST, SEASONS, SHORTEST, STEP, fit_chandler
-from polhode.estimation.pole_series import DAY, YEAR, Pole, average_steps, clean_pole, even
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 SIX_YEARS = 6.0 * YEAR

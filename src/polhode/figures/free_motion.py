@@ -7,7 +7,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.errors import shown as in_words
 from polhode.exact.free_body import FreeMotion
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 
 COUNT, SAMPLES = 3, 1000  # periods of a motion that is drawn, and samples of them
 

@@ -11,8 +11,8 @@ from polhode.analysis import poinsot
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.free_motion import take_free_motion
-from polhode.motion.inputs import finite
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._inputs import finite
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 PERIODS, TURNS = 6, 24  # drawn at most

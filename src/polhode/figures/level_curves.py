@@ -11,7 +11,7 @@ from polhode.analysis.polhodes import polhode
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
-from polhode.quantum.level_polhodes import LevelPolhodes, level_directions, level_polhodes
+from polhode.quantum._level_polhodes import LevelPolhodes, level_directions, level_polhodes
 from polhode.quantum.rotor import Rotor
 from polhode.types import Array, Float64
 

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from polhode.figures import style
 from polhode.figures.level_curves import CROWDED, ROUND_A, ROUND_C, side_colour
-from polhode.quantum.level_polhodes import level_polhodes
+from polhode.quantum._level_polhodes import level_polhodes
 from polhode.quantum.rotor import Rotor, find_fallen
 from polhode.types import Array
 

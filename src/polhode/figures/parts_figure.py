@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 
 from polhode.errors import InvalidInput, shown
 from polhode.figures import style
-from polhode.motion.layout import StatePart
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import StatePart
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.wording import unit_in_words
 from polhode.types import Array
 

@@ -9,7 +9,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-from polhode.quantum.strengths import Lines
+from polhode.quantum._strengths import Lines
 
 WIDE, HIGH = 5.6, 2.8  # inches
 DECADES = 6.0  # of intensity

@@ -11,14 +11,14 @@ from matplotlib.figure import Figure
 
 from polhode.analysis.polhodes import polhode_family, separatrix
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._estimate import Estimate
 from polhode.estimation.attitude_fit import AttitudeFit
-from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import FittedThrow, ThrowFit
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.energy_levels import label_axes
 from polhode.figures.sphere import draw_curve, draw_disk, view_frame
-from polhode.motion.inputs import finite
+from polhode.motion._inputs import finite
 from polhode.types import Array
 
 VIEW = (0.80, 0.46, 0.38)

@@ -8,14 +8,14 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode import rotation
+from polhode.bodies._turned import revolve
 from polhode.bodies.surface import Surface, box_in_place
-from polhode.bodies.turned import revolve
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.figures import style
 from polhode.figures.scene import Scene, circle_about, draw_cone
 from polhode.figures.sphere import view_frame
 from polhode.figures.top_shown import Followed, TopShown, sample_axis, take_top
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 ELEVATION = np.radians(20.0)

@@ -12,8 +12,8 @@ from polhode.analysis.top_motion import keeps_its_tilt
 from polhode.errors import InvalidInput
 from polhode.errors import shown as in_words
 from polhode.exact.lagrange_top import LagrangeMotion
-from polhode.motion.inputs import finite
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._inputs import finite
+from polhode.motion._trajectory import Trajectory
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, Float64
 

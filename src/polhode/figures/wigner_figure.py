@@ -11,10 +11,10 @@ from matplotlib.figure import Figure
 from polhode.errors import InvalidInput
 from polhode.figures import style
 from polhode.figures.level_curves import find_polhodes
-from polhode.quantum.operators import Representation, rigid_terms
+from polhode.quantum._operators import Representation, rigid_terms
+from polhode.quantum._strengths import compute_states
 from polhode.quantum.racket import Racket
 from polhode.quantum.rotor import Rotor
-from polhode.quantum.strengths import compute_states
 from polhode.quantum.symbols import sum_harmonics, symbol_coefficients
 from polhode.types import Array, Float64
 

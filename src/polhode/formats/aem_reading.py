@@ -12,9 +12,9 @@ from polhode.formats.aem_attitudes import Meaning, attitudes
 from polhode.formats.aem_segments import Segment, read_segments, refuse
 from polhode.formats.epochs import shortest, since
 from polhode.formats.labels import AttitudeLabels, Recording, is_in_spacecraft, plain
-from polhode.motion.layout import ATTITUDE, StateLayout
-from polhode.motion.outcome import Ending, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import ATTITUDE, StateLayout
+from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 ONE_ALONE = ("Leave one of them in the file, or read one in Python by read_aem(path, segment=k), where k counts from 0")

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array, Float64, Shaped
 
 UNIT = 1e-6  # how far from one the norm of a quaternion in a file may be: seven digits of each component, at least

@@ -24,9 +24,9 @@ from polhode.formats.labels import Recording
 from polhode.formats.plain_table import PlainTable, name_column, read_cells, table_form
 from polhode.formats.stamps import in_words, read_clock
 from polhode.formats.table_form import DELIMITERS, TableForm
-from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, StateLayout
-from polhode.motion.outcome import Ending, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import ANGULAR_VELOCITY, ATTITUDE, StateLayout
+from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._trajectory import Trajectory
 
 COLUMNS_SHOWN = 12  # in a message
 

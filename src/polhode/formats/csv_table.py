@@ -19,9 +19,9 @@ from polhode.formats.labels import Recording
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
 from polhode.formats.paths import write_whole
-from polhode.motion.layout import ATTITUDE, MOMENTUM, StateLayout
-from polhode.motion.outcome import Ending, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import ATTITUDE, MOMENTUM, StateLayout
+from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 LARGEST_FILE = 2000 * MB  # seven million rows of fourteen columns

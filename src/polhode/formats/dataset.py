@@ -17,9 +17,9 @@ from polhode.formats.labels import AttitudeLabels, find_labels
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import write_whole
 from polhode.formats.zarr_gate import DOCUMENTS
+from polhode.motion._outcome import Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.outcome import Outcome
-from polhode.motion.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import xarray

@@ -8,16 +8,16 @@ from pathlib import Path
 import numpy as np
 
 from polhode import rotation
+from polhode.bodies._turned import revolve
 from polhode.bodies.surface import Surface, box_in_place
-from polhode.bodies.turned import revolve
 from polhode.errors import InvalidInput, shown
 from polhode.formats.animation_keys import make_keys
 from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.glb import Glb
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.paths import write_whole
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
 
 WATCHABLE = (1.0, 600.0)  # s; a motion that lasts shorter or longer is not shown in real time

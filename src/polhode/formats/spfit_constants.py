@@ -22,8 +22,8 @@ from polhode.formats.numerals import read_fortran, read_number
 from polhode.formats.opening import MB, read_text
 from polhode.formats.paths import write_whole
 from polhode.quantum import Reduction, Representation, Rotor
-from polhode.quantum.derivatives import find_tied
-from polhode.quantum.operators import TERMS, Term
+from polhode.quantum._derivatives import find_tied
+from polhode.quantum._operators import TERMS, Term
 from polhode.types import Array, Float64, Integer, Real
 
 LARGEST_FILE = 16 * MB

@@ -34,7 +34,7 @@ from polhode.formats.spice_kernels import (
     spiceypy,
 )
 from polhode.formats.time_scales import leap_seconds_kernel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array, Float64
 
 HEAD = 1000  # bytes in which a kernel of ours says so

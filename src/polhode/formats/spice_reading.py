@@ -20,9 +20,9 @@ from polhode.formats.opening import MB, open_file
 from polhode.formats.spice_checks import Segment, byte_order, check_ck, check_text_kernel, record_ticks
 from polhode.formats.spice_kernels import KINDS, load_kernels, reword
 from polhode.formats.time_scales import as_epoch, leap_seconds_kernel
-from polhode.motion.layout import ATTITUDE, StateLayout
-from polhode.motion.outcome import Ending, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import ATTITUDE, StateLayout
+from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 BEGINNINGS = (b"DAF/CK", b"NAIF/DAF")

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from polhode.estimation._estimate import Estimate
 from polhode.estimation.attitude_fit import AttitudeFit
-from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import ThrowFit
 from polhode.formats.dataset import pack
 from polhode.formats.paths import write_whole

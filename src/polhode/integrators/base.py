@@ -17,9 +17,9 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 
-from polhode.integrators.difference import parts_with_units
-from polhode.integrators.reversal import Given, repeat_steps
-from polhode.systems.agreement import check_generated
+from polhode.integrators._difference import parts_with_units
+from polhode.integrators._reversal import Given, repeat_steps
+from polhode.systems._agreement import check_generated
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayOrFloat, Bool, Double, Float64, Integer
 

@@ -9,9 +9,9 @@ import jax
 import jax.numpy as jnp
 
 from polhode.errors import InvalidInput
+from polhode.integrators._composition import DEFAULT_ORDER, compose_with_hints, stages
+from polhode.integrators._fixed_point import fixed_point
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
-from polhode.integrators.composition import DEFAULT_ORDER, compose_with_hints, stages
-from polhode.integrators.fixed_point import fixed_point
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Double, Float64, Integer
 

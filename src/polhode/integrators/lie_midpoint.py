@@ -9,10 +9,10 @@ import jax
 import jax.numpy as jnp
 
 from polhode.errors import InvalidInput, shown
+from polhode.integrators._composition import DEFAULT_ORDER, compose, stages
+from polhode.integrators._fixed_point import fixed_point
+from polhode.integrators._group import attitude_by_cayley, attitude_by_exp
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
-from polhode.integrators.composition import DEFAULT_ORDER, compose, stages
-from polhode.integrators.fixed_point import fixed_point
-from polhode.integrators.group import attitude_by_cayley, attitude_by_exp
 from polhode.systems.base import AbstractLiePoissonSystem, join_state
 from polhode.types import Array, Double, Float64
 

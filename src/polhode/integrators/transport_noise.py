@@ -10,10 +10,10 @@ import numpy as np
 
 from polhode.arrays import is_traced
 from polhode.errors import InvalidInput, shown
+from polhode.integrators._group import attitude_by_exp
+from polhode.integrators._step_noise import normals_of_step
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
-from polhode.integrators.group import attitude_by_exp
 from polhode.integrators.lie_midpoint import LieMidpoint
-from polhode.integrators.step_noise import normals_of_step
 from polhode.systems.base import AbstractLiePoissonSystem, join_state
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 

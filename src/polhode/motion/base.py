@@ -13,9 +13,8 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import always, as_float64, compiled, is_jax, namespace, register_node
 from polhode.errors import InvalidInput
-from polhode.motion.axes import PlainTurn, Turn, chosen_axes
-from polhode.motion.exact import ExactMotion
-from polhode.motion.inputs import (
+from polhode.motion._axes import PlainTurn, Turn, chosen_axes
+from polhode.motion._inputs import (
     MOST_RADIANS,
     cached_unless_traced,
     checked,
@@ -27,9 +26,10 @@ from polhode.motion.inputs import (
     refuse_tensor,
     spin_of,
 )
-from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout
-from polhode.motion.trajectory import Trajectory
-from polhode.special.doubledouble import two_sum
+from polhode.motion._layout import ATTITUDE, MOMENTUM, Quantity, StateLayout
+from polhode.motion._trajectory import Trajectory
+from polhode.motion.exact import ExactMotion
+from polhode.special._doubledouble import two_sum
 from polhode.types import Array, ArrayLike, Float64, Real
 
 MOST_TIME = 1e300  # s, where a body at rest, or hardly turning, is too

@@ -15,8 +15,8 @@ from scipy.optimize import least_squares
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged
-from polhode.quantum.derivatives import AXES, LevelModel, check_names, find_tied, get_constant, once_each
-from polhode.quantum.measured import MeasuredLines, Observations, check_labels, observations
+from polhode.quantum._derivatives import AXES, LevelModel, check_names, find_tied, get_constant, once_each
+from polhode.quantum._measured import MeasuredLines, Observations, check_labels, observations
 from polhode.quantum.rotor import Rotor
 from polhode.types import Array, Float64, Integer
 

@@ -20,8 +20,8 @@ from scipy.optimize import brentq, minimize_scalar
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body import FreeMotion
-from polhode.quantum.operators import Representation, matrix_elements, rigid_terms
-from polhode.quantum.orbits import orbit
+from polhode.quantum._operators import Representation, matrix_elements, rigid_terms
+from polhode.quantum._orbits import orbit
 from polhode.quantum.rotor import Rotor, check_j, equal_constants
 from polhode.quantum.spin import coherent_state
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real

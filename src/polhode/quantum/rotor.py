@@ -13,10 +13,10 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
-from polhode.quantum import wang
-from polhode.quantum.operators import Reduction, Representation, Term, distortion_terms, rigid_terms
-from polhode.quantum.partition import THERMAL, check_temperature, partition_sum
-from polhode.quantum.strengths import EINSTEIN, INTENSITY, Lines, compute_states, lines_between
+from polhode.quantum import _wang as wang
+from polhode.quantum._operators import Reduction, Representation, Term, distortion_terms, rigid_terms
+from polhode.quantum._partition import THERMAL, check_temperature, partition_sum
+from polhode.quantum._strengths import EINSTEIN, INTENSITY, Lines, compute_states, lines_between
 from polhode.types import Array, ArrayLike, Bool, Float64, Integer, Real
 
 Kind = TypeVar("Kind", bound=enum.Enum)

@@ -20,7 +20,7 @@ from scipy.special import loggamma
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.quantum.orbits import Three, orbit
+from polhode.quantum._orbits import Three, orbit
 from polhode.quantum.rotor import Rotor, check_j, equal_constants
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 

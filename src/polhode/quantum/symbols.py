@@ -14,7 +14,7 @@ from scipy.special import gammaln, sph_harm_y
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.quantum.spin import unit_vectors
-from polhode.special.spherical_tensors import spherical_tensor
+from polhode.special._spherical_tensors import spherical_tensor
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 KINDS = {"q": -1.0, "weyl": 0.0, "p": 1.0}

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from polhode.analysis.conserved_function import ConservedFunction
+from polhode.analysis._conserved_function import ConservedFunction
 from polhode.analysis.energy_casimir import Stability
 from polhode.bodies.body import Body
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.wording import distinct, drifts, vector
 from polhode.types import Array, Float64

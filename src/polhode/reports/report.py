@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from polhode.bodies.surface import Surface
-    from polhode.motion.trajectory import Trajectory
+    from polhode.motion._trajectory import Trajectory
     from polhode.viewer.page import NotebookPage
 
 

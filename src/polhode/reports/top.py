@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from polhode.analysis._mechanics import Mechanics
 from polhode.analysis.energy_casimir import Stability
-from polhode.analysis.mechanics import Mechanics
 from polhode.analysis.top_motion import axial_spin, axis_in_space, axis_tilt, keeps_its_tilt, top_period
 from polhode.analysis.top_rates import TopRates, gyroscopic_rates, mean_top_rates, steady_top_rates
 from polhode.analysis.top_rests import top_stability
@@ -17,8 +17,8 @@ from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import GIVEN, about_axes, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport

@@ -12,9 +12,9 @@ from polhode.bodies.atoms import isotopic_masses
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.formats.molecule import read_molecule
-from polhode.quantum.partition import NEGLIGIBLE, THERMAL
+from polhode.quantum._partition import NEGLIGIBLE, THERMAL
+from polhode.quantum._strengths import DEBYE
 from polhode.quantum.rotor import Rotor
-from polhode.quantum.strengths import DEBYE
 from polhode.spec.models import BodyTable
 from polhode.types import Array, Float64
 

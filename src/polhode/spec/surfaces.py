@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
+from polhode.bodies._turned import SECTIONS, ball, bar, cone, torus, tube
 from polhode.bodies.surface import Surface, cuboid, join_surfaces
-from polhode.bodies.turned import SECTIONS, ball, bar, cone, torus, tube
 from polhode.formats.mesh import read_mesh
 from polhode.formats.molecule import ANGSTROM, read_molecule
 from polhode.spec.building import TURNS

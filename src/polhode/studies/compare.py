@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from polhode.analysis import comparison
-from polhode.analysis.mechanics import Mechanics
+from polhode.analysis._mechanics import Mechanics
 from polhode.errors import InvalidInput, shown
 from polhode.formats.form import Kernels
 from polhode.formats.labels import plain as same_name

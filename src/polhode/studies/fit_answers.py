@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from polhode.estimation._estimate import Estimate
 from polhode.estimation.attitude_fit import AttitudeFit
-from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import ThrowFit
 from polhode.reports.answer import Answer, Group
 from polhode.reports.wording import count_known_digits, uncertain

@@ -12,9 +12,9 @@ import numpy as np
 from polhode.errors import InvalidInput, shown
 from polhode.formats.spfit import read_lin
 from polhode.kinds.reading import read_spec_or_molecule
-from polhode.quantum.derivatives import AXES, get_constant, once_each
+from polhode.quantum._derivatives import AXES, get_constant, once_each
+from polhode.quantum._measured import MeasuredLines
 from polhode.quantum.fitting import RotorFit, fit_rotor
-from polhode.quantum.measured import MeasuredLines
 from polhode.quantum.rotor import Rotor
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport

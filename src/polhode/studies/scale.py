@@ -6,8 +6,8 @@ import re
 from typing import NamedTuple
 
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._estimate import Estimate
 from polhode.estimation.attitude_fit import AttitudeFit
-from polhode.estimation.estimate import Estimate
 from polhode.estimation.scale import moments_from_one, moments_from_weight
 from polhode.estimation.throw import ThrowFit
 from polhode.spec.uncertain import quantity

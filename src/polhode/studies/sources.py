@@ -21,8 +21,8 @@ from polhode.formats.opening import is_folder, open_file
 from polhode.formats.stamps import exact_number
 from polhode.formats.table_form import Line, detect_form, is_comment
 from polhode.kinds.reading import read_spec
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.trajectory import Trajectory
 from polhode.studies.naming import name_file_in_errors
 from polhode.studies.tables import Table, needs_mapping
 

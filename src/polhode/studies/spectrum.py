@@ -16,8 +16,8 @@ from polhode.formats.paths import as_path
 from polhode.formats.rotor_dataset import rotor_attributes, write_spectrum
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec_or_molecule
+from polhode.quantum._strengths import DEBYE, Lines
 from polhode.quantum.rotor import Levels, Rotor, warn_of_fallen
-from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport, with_inputs
 from polhode.reports.spectra import AREA, frequency, level_table, line_table

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from polhode.errors import InvalidInput
 from polhode.formats.column_mapping import ColumnMapping
 from polhode.formats.labels import Recording
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
 
 APART = 0.5  # relative; rates that far from how the attitude turns are of another direction, order or unit

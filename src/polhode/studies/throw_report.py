@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from polhode.estimation.estimate import Estimate
+from polhode.estimation._estimate import Estimate
+from polhode.estimation._throw_fit import BIAS_SPREAD
 from polhode.estimation.flight import Flights
 from polhode.estimation.throw import GAIN_SPREAD, ThrowFit
-from polhode.estimation.throw_fit import BIAS_SPREAD
 from polhode.formats.gyro_logs import ReadLog
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport

@@ -10,9 +10,9 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._saturation import saturation
 from polhode.estimation.attitude_fit import fit_attitude
 from polhode.estimation.flight import SHORTEST, Flights, Window, find_flights
-from polhode.estimation.saturation import saturation
 from polhode.estimation.throw import ThrowFit, fit_throw
 from polhode.formats.form import Kernels
 from polhode.formats.form_registry import forms

@@ -6,10 +6,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._pole_series import DAY, YEAR
 from polhode.estimation.euler_periods import euler_chain
 from polhode.estimation.excitation import polar_excitation
 from polhode.estimation.polar_motion import fit_chandler
-from polhode.estimation.pole_series import DAY, YEAR
 from polhode.estimation.wobble_process import fit_chandler_process
 from polhode.estimation.wobble_windows import fit_chandler_windows, pole_spectrum
 from polhode.formats.paths import as_path

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
-from polhode.bodies.inertia import ROUNDING
+from polhode.bodies._inertia import ROUNDING
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Bodies, Spec
 from polhode.spec.building import build_body

@@ -14,7 +14,7 @@ import numpy as np
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.kinds.base import Ensemble, ManySpecs, Spec
 from polhode.kinds.reading import build_spec
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table, collect_values, plain
 from polhode.spec.keys import with_value, write_quantity
 from polhode.sweeps.bodies import vary_body

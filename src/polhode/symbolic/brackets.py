@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.casimirs import exact_brackets, invariant_terms
+from polhode.algebra.casimirs import invariant_terms, rational_brackets
 from polhode.errors import InvalidInput, shown
-from polhode.symbolic.gate import sympy
-from polhode.symbolic.polynomials import from_terms
+from polhode.symbolic._gate import sympy
+from polhode.symbolic._polynomials import from_terms
 from polhode.symbolic.rationals import exact_number
 
 Expression = Any  # of SymPy, which has no types of its own for checkers
@@ -159,7 +159,7 @@ class LiePoissonBracket:
 
 
 def _own_table(algebra: AbstractLieAlgebra) -> tuple[tuple[tuple[Any, ...], ...], ...]:
-    brackets = exact_brackets(algebra)
+    brackets = rational_brackets(algebra)
     zero = sympy.Integer(0)
     number = {(i, j, k): sympy.Rational(c.numerator, c.denominator)
               for i, row in enumerate(brackets) for j, vector in enumerate(row) for k, c in vector.items()}  # fmt: skip

@@ -20,7 +20,7 @@ from polhode.analysis.stability import stability
 from polhode.errors import PolhodeError
 from polhode.poisson.brackets import poisson_tensor
 from polhode.poisson.orbits import kks_form
-from polhode.symbolic.gate import sympy
+from polhode.symbolic._gate import sympy
 from polhode.symbolic.integrals import polynomial_integrals
 from polhode.symbolic.rendering import Bracket, Equation, Name, Page, Rate, Step
 from polhode.symbolic.second_variation import (

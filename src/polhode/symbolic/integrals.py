@@ -16,8 +16,8 @@ from typing import Any
 
 from polhode.algebra.casimirs import check_degree, new_terms, null_space, whole_terms
 from polhode.errors import InvalidInput
-from polhode.symbolic.gate import sympy
-from polhode.symbolic.polynomials import bracket_terms, from_terms, multiply_terms, symbolic_terms, to_terms
+from polhode.symbolic._gate import sympy
+from polhode.symbolic._polynomials import bracket_terms, from_terms, multiply_terms, symbolic_terms, to_terms
 from polhode.symbolic.systems import SymbolicSystem, as_symbolic
 from polhode.systems.base import AbstractLiePoissonSystem
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from polhode.errors import InvalidInput, shown
-from polhode.symbolic.gate import PrettyPrinter, mathml, sympy
+from polhode.symbolic._gate import PrettyPrinter, mathml, sympy
 
 WIDTH = 100  # of terminal text; wider formulas are written in lines
 INDENT = "    "

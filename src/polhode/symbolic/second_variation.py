@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from polhode.errors import InvalidInput, shown
-from polhode.symbolic.gate import sympy
+from polhode.symbolic._gate import sympy
 from polhode.symbolic.sign_conditions import definite_conditions, definite_for_some, unstable_condition
 from polhode.symbolic.systems import SymbolicSystem, exact_expression
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from polhode.errors import InvalidInput, shown
-from polhode.symbolic.gate import sympy
+from polhode.symbolic._gate import sympy
 
 MOST_CASES = 2  # factors of unknown sign that are written as cases; more stay one product
 

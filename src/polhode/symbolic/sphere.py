@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from polhode.errors import InvalidInput
+from polhode.symbolic._gate import sympy
 from polhode.symbolic.brackets import LiePoissonBracket
-from polhode.symbolic.gate import sympy
 from polhode.symbolic.systems import SymbolicSystem
 
 

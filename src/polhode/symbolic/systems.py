@@ -17,9 +17,9 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.constants import from_structure_constants
 from polhode.errors import InvalidInput, shown
+from polhode.symbolic._gate import sympy
+from polhode.symbolic._polynomials import from_terms
 from polhode.symbolic.brackets import LiePoissonBracket
-from polhode.symbolic.gate import sympy
-from polhode.symbolic.polynomials import from_terms
 from polhode.symbolic.rationals import exact_number, exact_numbers
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.systems.lie_poisson import LiePoisson

@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, PolhodeError, shown
-from polhode.motion.layout import StateLayout, StatePart
+from polhode.motion._layout import StateLayout, StatePart
 from polhode.types import Array, ArrayLike, Float64, Real
 
 # what methods of attachments take

@@ -8,8 +8,8 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import known_numbers_only
+from polhode.bodies._inertia import principal_axes
 from polhode.bodies.body import Body
-from polhode.bodies.inertia import principal_axes
 from polhode.errors import InvalidInput, shown
 from polhode.systems.gyrostat import Gyrostat
 from polhode.types import Array, ArrayLike, Float64, Real

@@ -13,14 +13,14 @@ from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.arrays import is_traced, known_numbers_only, refuse_single_precision
+from polhode.bodies._pivot import STANDARD_GRAVITY, about_pivot
 from polhode.bodies.body import Body
-from polhode.bodies.pivot import STANDARD_GRAVITY, about_pivot
 from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top import LagrangeMotion
-from polhode.motion.layout import Quantity
+from polhode.motion._layout import Quantity
+from polhode.systems._top_integrals import INTEGRAL_UNITS, Integral, integrable_case, leaf_integral
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_rigid_body import axis_flows, checked_moments
-from polhode.systems.top_integrals import INTEGRAL_UNITS, Integral, integrable_case, leaf_integral
 from polhode.types import Array, ArrayLike, Float64, Real
 
 ALONG = 1e-9  # sine of the angle up to which the line to the centre of mass counts as a principal axis

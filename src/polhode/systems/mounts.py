@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.motion.layout import StatePart
+from polhode.motion._layout import StatePart
 from polhode.systems.attachments import (
     AbstractAttachment,
     Attitude,

@@ -9,15 +9,15 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.functions import Function
+from polhode.algebra._functions import Function
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.arrays import is_traced, known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.systems._dipoles import dipole_field, dipole_kernel
+from polhode.systems._lattice_bonds import BondType, Matrix, bond_flows, checked_bonds, dot, find_cells, turn
 from polhode.systems.base import AbstractLiePoissonSystem, Balance, Components, Flow
-from polhode.systems.dipoles import dipole_field, dipole_kernel
 from polhode.systems.lattice import Bond, Lattice
-from polhode.systems.lattice_bonds import BondType, Matrix, bond_flows, checked_bonds, dot, find_cells, turn
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 KEPT = 1e-12  # relative: what the Hamiltonian breaks by less is rounding of its matrices

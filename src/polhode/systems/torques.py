@@ -13,7 +13,7 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.motion.layout import StatePart
+from polhode.motion._layout import StatePart
 from polhode.systems.attachments import (
     AbstractAttachment,
     Attitude,

@@ -10,8 +10,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.motion.outcome import Ends, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._outcome import Ends, Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64
 

@@ -15,9 +15,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.motion.outcome import Status
+from polhode.motion._outcome import Status
+from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
-from polhode.systems.forms import rates_of_change
 from polhode.taylor.array_rules import Unrolled, bind
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import Precision, Runs

@@ -17,8 +17,8 @@ import jax
 import jax.flatten_util
 import numpy as np
 
+from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
-from polhode.systems.forms import rates_of_change
 from polhode.taylor.expressions import Expression, Operation, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import uses_first, write_jaxpr
 from polhode.taylor.machine import TRACING, Form, tape_value

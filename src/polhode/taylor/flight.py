@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from polhode.motion.outcome import Status
+from polhode.motion._outcome import Status
 from polhode.taylor import kernel
 from polhode.taylor.kernel_extended import PAIRS
 from polhode.taylor.kernel_space import EVENT, NEXT, STEPS, TIME, Copies, Course, exact_for, lanes_for, series_for
@@ -95,7 +95,7 @@ def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, runn
             use.advance(rates, integrals, Copies(*(x[part] for x in copies)), lanes, course, limit)
 
     if use.is_compiled:  # as Python's threads wait for each other
-        from polhode.exact.kernel_arithmetic import in_threads
+        from polhode.exact._kernel_arithmetic import in_threads
 
         in_threads(fill, running.size, WORTH)
     else:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.special.doubledouble import add, divide, fast_two_sum, multiply, multiply_float
+from polhode.special._doubledouble import add, divide, fast_two_sum, multiply, multiply_float
 from polhode.taylor.kernel_space import Course, Exact, Lanes, Series
 from polhode.taylor.program import (
     ARGUMENT,

@@ -16,7 +16,7 @@ from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any, ClassVar, NamedTuple
 
-from polhode.special import doubledouble
+from polhode.special import _doubledouble as doubledouble
 from polhode.taylor import (
     kernel,
     kernel_extended,
@@ -123,7 +123,7 @@ def python_kernel(width: int) -> Kernel:
 @cache
 def compile_kernel(width: int) -> Kernel:
     """Return the kernel as Numba compiles it when it is first called, or has it on the disk."""
-    from polhode.exact import compiling
+    from polhode.exact import _compiling as compiling
     from polhode.taylor import compiled_vectors
 
     files = [inspect.getfile(module) for module in (*MODULES[width], compiled_vectors, compiling)]

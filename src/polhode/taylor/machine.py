@@ -14,8 +14,8 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.arrays import in_jax_numpy
+from polhode.systems._forms import distances, rates_of_change
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
-from polhode.systems.forms import distances, rates_of_change
 from polhode.taylor.expressions import Expression, Operation, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import operations_on, uses_first, write_jaxpr
 from polhode.taylor.program import Program, make_program

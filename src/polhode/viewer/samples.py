@@ -7,9 +7,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from polhode.errors import InvalidInput
+from polhode.motion._layout import StateLayout
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
-from polhode.motion.layout import StateLayout
-from polhode.motion.trajectory import Trajectory
 from polhode.reports.wording import unit_in_words
 from polhode.types import Array, Double, Float64
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from polhode.bodies._turned import tube
 from polhode.bodies.surface import Surface, box_of_same_inertia, join_surfaces, weld_corners
-from polhode.bodies.turned import tube
 from polhode.types import Array, ArrayLike, Float64, Real
 
 MOST_FACES = 8000  # about 0.15 MB

@@ -21,8 +21,8 @@ from polhode.errors import InvalidInput, NotConverged
 from polhode.kinds.base import Spec
 from polhode.kinds.euler_disk.report import EulerDiskReport, LawShare, law_names
 from polhode.kinds.euler_disk.table import EulerDiskTable
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import WITHOUT_MOTION, make_placeholder
 from polhode.reports.length import Watch

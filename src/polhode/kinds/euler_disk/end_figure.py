@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
-from polhode.analysis.power_law import PowerLaw
+from polhode.analysis._power_law import PowerLaw
 from polhode.analysis.spin_down import SpinDown
 from polhode.figures import style
 from polhode.kinds.euler_disk.report import EulerDiskReport

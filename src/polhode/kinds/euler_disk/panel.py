@@ -10,7 +10,7 @@ from polhode.bodies.surface import Surface
 from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.report import EulerDiskReport
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.systems import rolling_dissipation
 from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel

@@ -8,13 +8,13 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
+from polhode.analysis._power_law import PowerLaw
 from polhode.analysis.disk_turns import DiskPath
-from polhode.analysis.power_law import PowerLaw
 from polhode.analysis.rolling import SteadyRolling
 from polhode.analysis.spin_down import ASYMPTOTIC_FIT, END_OF_REGIME, SpinDown, predicted_exponents
 from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.table import EulerDiskTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport

@@ -8,10 +8,10 @@ from typing import ClassVar
 
 import numpy as np
 
+from polhode.analysis._mechanics import Mechanics
 from polhode.analysis.cone import CONING, axis_angles, rotation_form, velocity_angles
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.free_axes import axis_stability
-from polhode.analysis.mechanics import Mechanics
 from polhode.analysis.poinsot import Herpolhode, herpolhode
 from polhode.analysis.precession import (
     Precession,
@@ -27,8 +27,8 @@ from polhode.exact.free_body import FreeMotion
 from polhode.kinds.base import Spec
 from polhode.kinds.free_body.headline import headline
 from polhode.kinds.free_body.table import FreeBodyTable
-from polhode.motion.inputs import finite
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._inputs import finite
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport

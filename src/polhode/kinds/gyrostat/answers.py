@@ -21,8 +21,8 @@ from polhode.bodies.body import Body
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.gyrostat.build import build, simulate_samples
 from polhode.kinds.gyrostat.table import GyrostatTable
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport

@@ -10,7 +10,7 @@ from polhode import rotation
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.gyrostat.table import GyrostatTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.length import Watch
 from polhode.simulation import simulate
 from polhode.systems.body_with_rotor import RotorInBody, find_direction, rotor_in_body, rotor_misfit

@@ -14,7 +14,7 @@ from polhode.analysis.vortex_equilibria import VortexTurn, vortex_stability, vor
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.point_vortices.table import VorticesTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport

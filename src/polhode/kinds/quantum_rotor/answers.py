@@ -16,11 +16,11 @@ from polhode.kinds.quantum_rotor.build import build
 from polhode.kinds.quantum_rotor.flip import about_flip
 from polhode.kinds.quantum_rotor.table import QuantumRotorTable
 from polhode.motion.frame import BodyFrame
-from polhode.quantum.level_polhodes import LevelPolhodes, level_polhodes
-from polhode.quantum.partition import THERMAL
+from polhode.quantum._level_polhodes import LevelPolhodes, level_polhodes
+from polhode.quantum._partition import THERMAL
+from polhode.quantum._strengths import DEBYE, Lines
 from polhode.quantum.racket import Racket
 from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED, Levels, Rotor, find_fallen, warn_of_fallen
-from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import SystemReport
 from polhode.reports.spectra import WAVE_NUMBER, frequency, label, level_table, line_table, wave_number

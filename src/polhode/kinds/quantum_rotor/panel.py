@@ -14,12 +14,12 @@ from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.kinds.panel import KindPanel
 from polhode.kinds.quantum_rotor.answers import QuantumRotorReport, is_split
-from polhode.motion.trajectory import Trajectory
-from polhode.quantum.level_polhodes import LevelPolhodes, level_directions
-from polhode.quantum.operators import Representation, rigid_terms
+from polhode.motion._trajectory import Trajectory
+from polhode.quantum._level_polhodes import LevelPolhodes, level_directions
+from polhode.quantum._operators import Representation, rigid_terms
+from polhode.quantum._strengths import States, compute_states
 from polhode.quantum.racket import Racket
 from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED
-from polhode.quantum.strengths import States, compute_states
 from polhode.quantum.symbols import pole_values
 from polhode.reports.spectra import WAVE_NUMBER, frequency, label, wave_number
 from polhode.reports.wording import in_its_unit

@@ -15,7 +15,7 @@ from polhode.integrators import IsospectralMidpoint
 from polhode.kinds.base import Spec
 from polhode.kinds.sphere_fluid.start import build_start, load_earlier_run
 from polhode.kinds.sphere_fluid.table import FluidTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport

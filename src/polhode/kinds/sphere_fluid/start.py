@@ -10,7 +10,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.formats.dataset_reading import read_dataset
 from polhode.kinds.sphere_fluid.table import FluidTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.spec.sphere_start import RandomTable, coefficient
 from polhode.systems.sphere_fluid import SphereFluid
 from polhode.types import Array, Complex128

@@ -17,7 +17,7 @@ from polhode.integrators import IsospectralMidpoint
 from polhode.kinds.base import Spec
 from polhode.kinds.sphere_mhd.start import build_start, load_earlier_run, wave_speed
 from polhode.kinds.sphere_mhd.table import MagneticFluidTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport

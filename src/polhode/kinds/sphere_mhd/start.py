@@ -13,7 +13,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.formats.dataset_reading import read_dataset
 from polhode.kinds.sphere_mhd.table import AlfvenWaveTable, MagneticFluidTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.spec.sphere_start import Degrees, coefficient
 from polhode.systems.sphere_mhd import SphereMHD
 from polhode.types import Array, Complex128

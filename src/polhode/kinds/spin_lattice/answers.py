@@ -20,8 +20,8 @@ from polhode.integrators.base import AbstractOrbitSolver
 from polhode.kinds.base import Spec
 from polhode.kinds.spin_lattice.build import build_lattice, build_start, wave_path
 from polhode.kinds.spin_lattice.table import SpinLatticeTable
-from polhode.motion.layout import ENERGY
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import ENERGY
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport

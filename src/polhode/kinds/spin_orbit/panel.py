@@ -10,7 +10,7 @@ from polhode.analysis.spin_motion import steps_for
 from polhode.analysis.spin_orbit import poincare_section
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.simulation import simulate
 from polhode.types import Array
 from polhode.viewer.encoding import pack

@@ -16,7 +16,7 @@ from polhode.analysis.plasma_waves import Beam, PlasmaWave, fastest_growing_wave
 from polhode.integrators import Splitting
 from polhode.kinds.base import Spec
 from polhode.kinds.vlasov_poisson.table import PlasmaTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport

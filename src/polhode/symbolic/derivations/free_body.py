@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from polhode.algebra import SO3
+from polhode.symbolic._gate import sympy
 from polhode.symbolic.brackets import LiePoissonBracket
 from polhode.symbolic.derivation import Derivation, Numerical
-from polhode.symbolic.gate import sympy
 from polhode.symbolic.rendering import Name, Page
 from polhode.symbolic.second_variation import EXPONENT as s
 from polhode.symbolic.systems import SymbolicSystem
@@ -38,7 +38,9 @@ def derive() -> Page:
     square = L1**2 + L2**2 + L3**2
     page.casimirs("The square of the momentum is a Casimir: it is constant whatever the Hamiltonian.",
                   {Name(r"|L|^2", "|L|²"): square})  # fmt: skip
-    page.further_integrals("With general moments every polynomial integral up to degree four is one of energy and Casimir.", 4, [])
+    page.further_integrals(
+        "With general moments every polynomial integral up to degree four is a polynomial in energy and Casimir.", 4, []
+    )
     spin = (size, 0, 0)
     page.unstable_if(
         "Spin about the first axis is an equilibrium. Linearised there, small deviations grow if the first moment lies "

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from polhode.algebra import SO3
+from polhode.symbolic._gate import sympy
 from polhode.symbolic.brackets import LiePoissonBracket
 from polhode.symbolic.derivation import Derivation, Numerical
-from polhode.symbolic.gate import sympy
 from polhode.symbolic.rendering import Name, Page
 from polhode.symbolic.second_variation import EXPONENT as s
 from polhode.symbolic.sign_conditions import positive_condition

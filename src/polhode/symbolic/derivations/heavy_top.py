@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from polhode.algebra import SE3
+from polhode.symbolic._gate import sympy
 from polhode.symbolic.brackets import LiePoissonBracket
 from polhode.symbolic.derivation import Derivation, Numerical
-from polhode.symbolic.gate import sympy
 from polhode.symbolic.rendering import Name, Page
 from polhode.symbolic.systems import SymbolicSystem
 from polhode.systems.heavy_top import HeavyTop

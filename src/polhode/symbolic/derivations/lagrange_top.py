@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from polhode.algebra import SE3
+from polhode.symbolic._gate import sympy
 from polhode.symbolic.brackets import LiePoissonBracket
 from polhode.symbolic.derivation import Derivation, DerivationBroken, Numerical
 from polhode.symbolic.derivations.heavy_top import se3_brackets
-from polhode.symbolic.gate import sympy
 from polhode.symbolic.rendering import Equation, Name, Page
 from polhode.symbolic.second_variation import EXPONENT as s
 from polhode.symbolic.second_variation import characteristic_polynomial

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from polhode.algebra import SE3
+from polhode.symbolic._gate import sympy
 from polhode.symbolic.brackets import LiePoissonBracket
 from polhode.symbolic.derivation import Derivation, Numerical
 from polhode.symbolic.derivations.heavy_top import se3_brackets
-from polhode.symbolic.gate import sympy
 from polhode.symbolic.rendering import Name, Page
 from polhode.symbolic.systems import SymbolicSystem
 from polhode.systems.kirchhoff import Kirchhoff
