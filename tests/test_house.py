@@ -152,7 +152,7 @@ def test_public_names_are_there():
     ("code", "heavy"),
     [
         ("import polhode", "jax matplotlib xarray trimesh scipy pydantic"),
-        ("from polhode.cli.main import main; main(['report', r'{spec}', '--out', r'{out}'])", "jax equinox diffrax"),
+        ("from polhode.cli.main import main; main(['report', r'{spec}', '--out', r'{out}'])", "jax equinox diffrax sympy"),
     ],
     ids=["import", "report on a free body"],
 )

@@ -7,7 +7,7 @@ import pytest
 import sympy
 
 from polhode import poisson
-from polhode.algebra import SE3, SO, SO3, from_structure_constants, index
+from polhode.algebra import SE3, SO3, from_structure_constants, index
 from polhode.errors import InvalidInput
 from polhode.symbolic import LiePoissonBracket
 from specimens import ALGEBRAS
@@ -56,12 +56,19 @@ def test_equals_the_numerical_bracket(algebra):
     assert not symbolic.broken_triples()
 
 
-@pytest.mark.parametrize(("algebra", "degree"), [(SO3(), 2), (SE3(), 2), (SO(4), 2)], ids=lambda a: str(a)[:6])
+@pytest.mark.parametrize(("algebra", "degree"), [
+    (SO3(), 2), (SE3(), 2), *(pytest.param(a, 4, marks=pytest.mark.sweep) for a in ALGEBRAS if a.dim <= 10),
+], ids=lambda a: getattr(a, "name", ""))  # fmt: skip
 def test_casimirs_are_those_of_the_algebra(algebra, degree):
     """As many as can be, their brackets vanish, and the gradients of the numerical ones lie in the span of theirs."""
+    if not rational(algebra):
+        pytest.skip("constants are not rational")
     symbolic = LiePoissonBracket(algebra)
     found = symbolic.casimirs(degree)
-    assert len(found) == index(algebra) and all(map(symbolic.is_casimir, found))
+    assert len(found) == index(algebra) or not algebra.casimir_names
+    assert all(map(symbolic.is_casimir, found))
+    if not found:
+        return
     point = POINTS[0, : algebra.dim]
     slopes = sympy.lambdify(symbolic.coordinates, [[sympy.diff(C, x) for x in symbolic.coordinates] for C in found])
     mine = np.array(slopes(*point), dtype=float)

@@ -108,6 +108,8 @@ def test_integrals_of_symmetry():
     assert polynomial_integrals(HeavyTop((1.0, 1.0, 0.4), 1.0), 4) == [X[2]]
     assert polynomial_integrals(Gyrostat((2.0, 2.0, 3.0), (0.0, 0.0, 0.3)), 2) == [X[2]]
     assert len(polynomial_integrals(HeavyTop((1.0, 2.0, 2.5), 0.0), 2)) == 1  # Euler's |Π|²
+    # with three equal moments L3 is the difference of energy and Casimir
+    assert polynomial_integrals(Gyrostat((2.0, 2.0, 2.0), (0.0, 0.0, 0.3)), 1) == []
 
 
 def test_manakov_in_four_dimensions():

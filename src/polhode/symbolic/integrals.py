@@ -28,8 +28,8 @@ Polynomial = dict[tuple[int, ...], Any]
 def polynomial_integrals(system: SymbolicSystem | AbstractLiePoissonSystem, degree: int) -> list[Any]:
     """Return generators of the polynomial integrals of a system's flow up to a degree, lowest first.
 
-    Left out are polynomials in the Hamiltonian, the polynomial Casimirs and the integrals listed before, as far as
-    their products have no higher degree; so the list is empty for a system without further polynomial integrals of that
+    Left out are polynomials in the Hamiltonian, the polynomial Casimirs and the integrals listed before, made of
+    products up to the degree or that of H; so the list is empty for a system without further polynomial integrals of that
     degree. An integral is determined up to a factor and up to what is left out. Numbers are exact: doubles of a
     numerical system are read as ``exact_numbers`` says, 0.3333333333333333 as 1/3. Where H has symbols, integrals are
     those for generic values of them, with coefficients that are rational functions; special values may have more.
@@ -73,12 +73,14 @@ def polynomial_integrals(system: SymbolicSystem | AbstractLiePoissonSystem, degr
     zero = (0,) * dim
     H = {powers: value for powers, value in H.items() if powers != zero}
     one = Fraction(1) if field is None else field.one
-    known = [{m: v * one for m, v in to_terms(C, x).items()} for C in bracket.casimirs(degree)]
+    # an integral of low degree may be a difference of products of higher degree, as L3 is of H and |L|²
+    highest = max(degree, max(map(sum, H), default=0))
+    known = [{m: v * one for m, v in to_terms(C, x).items()} for C in bracket.casimirs(highest)]
     known += [H] if H else []
     found: list[Polynomial] = []
     for d in range(1, degree + 1):
         invariants = _commuting(constants, bracket.sign, H, dim, d, one, field)
-        found += _new(invariants, _products([*known, *found], d), field)
+        found += _new(invariants, _products([*known, *found], highest), field)
     return [_as_expression(terms, x, field) for terms in found]
 
 
