@@ -125,6 +125,7 @@ def test_own_tables_and_the_other_sign_run():
     assert np.allclose(field, mine, rtol=1e-14)
 
 
+@pytest.mark.sweep
 def test_matrix_algebras_run():
     bracket = LiePoissonBracket(SO(4))
     system = SymbolicSystem(bracket, sum(x**2 / (2 * (k + 1)) for k, x in enumerate(bracket.coordinates)))

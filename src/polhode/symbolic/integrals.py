@@ -29,8 +29,8 @@ def polynomial_integrals(system: SymbolicSystem | AbstractLiePoissonSystem, degr
     """Return generators of the polynomial integrals of a system's flow up to a degree, lowest first.
 
     Left out are polynomials in the Hamiltonian, the polynomial Casimirs and the integrals listed before, made of
-    products up to the degree or that of H; so the list is empty for a system without further polynomial integrals of that
-    degree. An integral is determined up to a factor and up to what is left out. Numbers are exact: doubles of a
+    products up to the degree or that of H; so the list is empty for a system without further polynomial integrals of
+    that degree. An integral is determined up to a factor and up to what is left out. Numbers are exact: doubles of a
     numerical system are read as ``exact_numbers`` says, 0.3333333333333333 as 1/3. Where H has symbols, integrals are
     those for generic values of them, with coefficients that are rational functions; special values may have more.
 
