@@ -82,8 +82,9 @@ BROKEN = {
     "verdicts of another body": lambda: page(make=lambda v: FreeRigidBody((v["I2"], v["I1"], v["I3"]))).stable_if(
         "S.", SPIN, [SQUARE], EXTREMAL),
     "the same verdict by another energy": lambda: page(
-        make=lambda v: FreeRigidBody((2 * v["I1"], 2 * v["I2"], 2 * v["I3"]))).stable_if("S.", SPIN, [SQUARE], EXTREMAL),
-    "an integral that the numerical body does not keep": lambda: page(H.subs(I2, I1)).further_integrals("F.", 1, [L3]),
+        make=lambda v: FreeRigidBody(tuple(2 * v[k] for k in ("I1", "I2", "I3")))).stable_if(
+            "S.", SPIN, [SQUARE], EXTREMAL),
+    "an integral that the body does not keep": lambda: page(H.subs(I2, I1)).further_integrals("F.", 1, [L3]),
     "a condition of exponents turned round": lambda: page().exponents_if("U.", SPIN, EXTREMAL),
     "a sum that is not zero": lambda: page().vanishes("Z.", I1 - I2),
     "a sphere of another body": lambda: page(make=lambda v: FreeRigidBody((v["I2"], v["I1"], v["I3"]))).sphere("R."),

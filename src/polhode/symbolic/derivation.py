@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -175,32 +174,23 @@ class Derivation:
         size = float(np.abs(slopes).max() * np.abs(field).max())
         self._near(text, f"the rate of {name}", (slopes * field).sum(axis=1), np.zeros(POINTS), size)
 
-    def further_integrals(
-        self, text: str, degree: int, known: Sequence[Any], values: Mapping[str, Any] | None = None
-    ) -> None:
-        """Add what ``polynomial_integrals`` finds, for numbers of some parameters; it must be as many as are known.
+    def further_integrals(self, text: str, degree: int, known: Sequence[Any]) -> None:
+        """Add what ``polynomial_integrals`` finds for generic parameters; it must be as many as are known.
 
         Those that are known must be functions of what is found, H and the Casimirs: gradients tell.
         """
-        system = self.system.subs(values or {})
-        found = polynomial_integrals(system, degree)
-        x = system.bracket.coordinates
-        exact = {s: sympy.sympify(values[str(s)]) for s in self.system.parameters if values and str(s) in values}
-        wanted = [sympy.sympify(F).subs(exact) for F in known]
-        base = [*system.bracket.casimirs(2), system.hamiltonian, *found]
-        ranks = [_gradient_rank([*base, *more], x) for more in ([], wanted)]
-        if len(found) != len(wanted) or ranks[0] != ranks[1]:
-            raise DerivationBroken(f"{text} {len(wanted)} further integrals are stated up to degree {degree}, and "
+        found = polynomial_integrals(self.system, degree)
+        x = self.system.bracket.coordinates
+        base = [*self.system.bracket.casimirs(2), self.system.hamiltonian, *found]
+        ranks = [_gradient_rank([*base, *more], x) for more in ([], known)]
+        if len(found) != len(known) or ranks[0] != ranks[1]:
+            raise DerivationBroken(f"{text} {len(known)} further integrals are stated up to degree {degree}, and "
                                    f"found are {len(found)}: {', '.join(map(str, found))}.")  # fmt: skip
-        cases = self._cases
-        if values:
-            numbers = {name: float(Fraction(value)) for name, value in values.items()}
-            cases = [_Case(numbers, {}, self.numerical.make(numbers))]
         for F in found:
-            for _, place, numerical in cases:
+            for _, place, numerical in self._cases:
                 self._constant(text, "F", F, place, numerical)
         words = "found by exact linear algebra" if found else "exact linear algebra finds no other"
-        along = [f"constant along {type(cases[0].system).__name__} at {POINTS} random points"] if found else []
+        along = [f"constant along {self._against}"] if found else []
         self._add(text, [Equation(Name("F", "F"), F) for F in found], f"{words} up to degree {degree}", *along)
 
     def stable_if(self, text: str, point: Sequence[Any], conserved: Sequence[Any], condition: Any) -> None:

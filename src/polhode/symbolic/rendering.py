@@ -18,6 +18,7 @@ STYLE = (
     "body{max-width:60rem;margin:2rem auto;padding:0 1rem;font-family:serif;line-height:1.5}"
     "math{display:block;margin:.5rem 0 .5rem 2rem;overflow:auto hidden}small{color:#555}"
 )
+_PRINTER = PrettyPrinter({"use_unicode": True, "wrap_line": False})
 
 
 @dataclass(frozen=True)
@@ -109,15 +110,37 @@ def _text_page(page: Page) -> str:
 
 
 def _text_equation(equation: Equation) -> list[str]:
-    left = "" if equation.left is None else f"{_text_of(equation.left)} {equation.word} "
-    form = PrettyPrinter({"use_unicode": True, "wrap_line": False})._print(
-        equation.right if not isinstance(equation.right, Name | Bracket | Rate) else
-        sympy.Symbol(_text_of(equation.right)))  # fmt: skip
-    rows = str(form).split("\n")
-    if len(INDENT) + len(left) + max(map(len, rows)) > WIDTH:
-        flat = f"{left}{str(equation.right).replace('**', '^')}"
-        return textwrap.wrap(flat, WIDTH, initial_indent=INDENT, subsequent_indent=2 * INDENT, break_long_words=False)
-    return [(INDENT + (left if k == form.baseline else " " * len(left)) + row).rstrip() for k, row in enumerate(rows)]
+    left = INDENT + ("" if equation.left is None else f"{_text_of(equation.left)} {equation.word} ")
+    right = equation.right
+    if isinstance(right, Name | Bracket | Rate):
+        return [left + _text_of(right)]
+    rows = _rows_of(left, right)
+    if max(map(len, rows)) <= WIDTH:
+        return rows
+    if isinstance(right, sympy.Add):
+        return _rows_of_sum(left, right)
+    return textwrap.wrap(left + str(right).replace("**", "^"), WIDTH, subsequent_indent=2 * INDENT,
+                         break_long_words=False)  # fmt: skip
+
+
+def _rows_of(left: str, right: Any) -> list[str]:
+    """Return a formula in two dimensions, behind what stands at its left."""
+    form = _PRINTER._print(right)
+    return [((left if k == form.baseline else " " * len(left)) + row).rstrip()
+            for k, row in enumerate(str(form).split("\n"))]  # fmt: skip
+
+
+def _rows_of_sum(left: str, total: Any) -> list[str]:
+    """Return a sum in several lines, each as long as fits."""
+    rows: list[str] = []
+    terms = total.as_ordered_terms()
+    while terms:
+        count = next((n for n in range(len(terms), 1, -1)
+                      if max(map(len, _rows_of(left, sympy.Add(*terms[:n])))) <= WIDTH), 1)  # fmt: skip
+        rows += [*([""] if rows else []), *_rows_of(left, sympy.Add(*terms[:count]))]
+        terms = terms[count:]
+        left = " " * (len(left.rstrip()) - 1) + ("+ " if terms and not terms[0].could_extract_minus_sign() else "  ")
+    return rows
 
 
 def _text_of(thing: Any) -> str:

@@ -46,7 +46,7 @@ def derive() -> Page:
     page.integral("Kovalevskaya's integral is of fourth degree in the momentum, here from the angular velocity.",
                   Name("K", "K"), K)  # fmt: skip
     page.further_integrals(
-        "Exact linear algebra finds it, and nothing else, up to energy and Casimirs; here for I3 = 1 and weight 1.",
-        4, [K], {"I3": 1, "m": 1, "g": 1, "l": 1},
+        "Linear algebra over rational functions of the parameters finds it, up to energy and Casimirs, and no other.",
+        4, [K],
     )  # fmt: skip
     return page.page()
