@@ -154,10 +154,10 @@ class Derivation:
         system = self._cases[0].system
         values = np.asarray(system.algebra.casimirs(self._states(system)))
         mine = self._evaluate([*stated.values()], {})
-        self._spans(text, mine, values)
+        self._near(text, "Casimirs", mine @ np.linalg.lstsq(mine, values, rcond=None)[0], values)
         self._add(text, (Equation(name, C) for name, C in stated.items()), "brackets with all coordinates vanish",
                   f"linear algebra finds as many up to degree {degree}",
-                  f"the Casimirs of {type(system.algebra).__name__} are combinations of them")  # fmt: skip
+                  f"the Casimirs of {type(system.algebra).__name__} are linear combinations")  # fmt: skip
 
     def integral(self, text: str, name: Name, F: Any) -> None:
         """Add an integral; {F, H} must vanish, and so must its rate along the numerical vector field."""
@@ -300,12 +300,6 @@ class Derivation:
         if not off <= AGREES * size:
             raise DerivationBroken(f"{text} {what}: the numerical system differs from what is stated by {off:.3g}, "
                                    f"where the values are up to {size:.3g}.")  # fmt: skip
-
-    def _spans(self, text: str, mine: np.ndarray, numbers: np.ndarray) -> None:
-        products = [mine, *(mine[:, [k]] * mine[:, k:] for k in range(mine.shape[1]))]
-        columns = np.hstack(products)[:, : POINTS - 1]
-        fit = np.linalg.lstsq(columns, numbers, rcond=None)[0]
-        self._near(text, "Casimirs", columns @ fit, numbers)
 
     def _same_condition(self, text: str, stated: Any, computed: Any) -> None:
         """Require two conditions to agree for random parameters, multiples of 1/8, of which doubles make no error."""
