@@ -147,9 +147,10 @@ def _refuse_disabled_double_precision(name: str) -> None:
 
 
 def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
-    """Have a function that decides on numbers refuse traced ones; known ones are good within a traced function too.
+    """Make a function that branches on its numbers refuse traced ones.
 
-    There JAX would trace whatever is computed from them, so they are computed with at once.
+    Known numbers are accepted inside a traced function too. There JAX would trace whatever is computed from them, so
+    the function is evaluated at once.
     """
     name = function.__qualname__.removesuffix(".__init__")
 
@@ -182,10 +183,10 @@ def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Param
 
 @contextlib.contextmanager
 def in_jax_numpy(what: str) -> Iterator[None]:
-    """Word JAX's errors about what cannot be traced, such as a user's function that calls NumPy.
+    """Reword JAX's errors about what cannot be traced, such as a user's function that calls NumPy.
 
-    The message blames what it is about only where the error comes from there; of an error in polhode's own code it says
-    where it is.
+    The message blames the user's function only where the error comes from there; for an error in polhode's own code it
+    gives file and line.
 
     Args:
         what: subject of the message, in the plural.

@@ -18,6 +18,7 @@ ENVIRONMENT = 512  # bytes, more than any system's fenv_t
 @contextlib.contextmanager
 def gradual_underflow() -> Iterator[None]:
     """Compute with subnormal numbers within this context, as the thread does that called ``remember_environment``."""
+    # flush-to-zero and denormals-are-zero are bits of the floating-point environment, which belongs to a thread
     usual = remember_environment()
     if usual is None:
         yield
