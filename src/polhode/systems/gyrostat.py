@@ -76,6 +76,7 @@ class Gyrostat(AbstractLiePoissonSystem):
         """
         if self.rotor_moment is None:
             raise InvalidInput("`rotor_moment` of the gyrostat must be given to find how fast its rotor turns.")
+        # h = Jσ of a driven rotor, h = J (σ + Ω·a) of a free one, solved for σ
         size = jnp.sqrt(jnp.sum(self.rotor**2))
         along = velocity @ (self.rotor / jnp.where(size > 0.0, size, 1.0))
         return size / self.rotor_moment - (along if self.free else 0.0 * along)

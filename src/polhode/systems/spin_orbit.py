@@ -88,6 +88,7 @@ class SpinOrbit(AbstractSystem):
         """Return sine and cosine of 2(θ − f)."""
         centre = self.orbit.direction(t)
         x, y = centre[..., 0], centre[..., 1]
+        # sin and cos of 2θ − 2f with sin 2f = 2xy, cos 2f = x² − y²: no angle f is formed
         sine, cosine, twice_sine, twice_cosine = jnp.sin(2.0 * angle), jnp.cos(2.0 * angle), 2.0 * x * y, x * x - y * y
         return sine * twice_cosine - cosine * twice_sine, cosine * twice_cosine + sine * twice_sine
 
@@ -107,6 +108,7 @@ class SpinOrbit(AbstractSystem):
         n, e, ratio = self.mean_motion, self.eccentricity, self.orbit.distance_ratio(t)
         sine, cosine = self._phase(t, angle)
         root, depth = jnp.sqrt((1.0 - e) * (1.0 + e)), 0.25 * self._strength(t)
+        # ∂H/∂t of −depth cos 2(θ − f) with depth ∝ r⁻³: depth (3ṙ/r cos 2(θ−f) − 2ḟ sin 2(θ−f))
         outward, around = n * e * self.orbit.direction(t)[..., 1] / root, n * root / ratio**2
         energy = 0.5 * rate**2 - depth * cosine
         growth = depth * (3.0 * outward / ratio * cosine - 2.0 * around * sine)
