@@ -51,6 +51,7 @@ class SE2(AbstractLieAlgebra):
     def cayley(self, x: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 4"]:
         a, b1, b2 = _parts(x)
         half = 0.5 * a
+        # (1 − aJ/2)⁻¹ = (1 + aJ/2)/(1 + a²/4), as J² = −1: cos and sin are (1 − h²)/(1 + h²) and 2h/(1 + h²), h = a/2
         scale = 1.0 / (1.0 + half * half)
         return _stack((1.0 - half * half) * scale, a * scale, (b1 - half * b2) * scale, (b2 + half * b1) * scale)
 
@@ -62,6 +63,7 @@ class SE2(AbstractLieAlgebra):
         self, g: Float64[Array, "*#batch 4"], mu: Float64[Array, "*#batch 3"]
     ) -> Float64[Array, "*batch 3"]:
         (c, s, d1, d2), (angular, p1, p2) = _parts(g), _parts(mu)
+        # ⟨Ad*_g (Π, P), (a, b)⟩ = Πa + P·(Rb − a J d): Π becomes Π − P·Jd, P becomes RᵀP
         return _stack(angular + p1 * d2 - p2 * d1, c * p1 + s * p2, c * p2 - s * p1)
 
     def exp_change(self, x: Float64[Array, "*#batch 3"], mu: Float64[Array, "*#batch 3"]) -> Float64[Array, "*batch 3"]:
