@@ -44,7 +44,9 @@ def tabulate(system: SpinOrbit, steps: int) -> Table:
     """Return the orbit in a number of steps, each of nine kicks."""
     e = system.eccentricity
     edges = TURN * np.arange(steps + 1) / steps
+    # M = E − e sin E at equal steps of E
     edges -= float(e) * np.sin(edges)
+    # stages of a symmetric composition of leapfrog steps; a stage kicks in its middle, and drifts of neighbours join
     sizes = np.diff(edges)[:, None] * stages(ORDER)
     middles = edges[:-1, None] + np.cumsum(sizes, axis=1) - 0.5 * sizes
     sizes, middles = sizes.ravel(), middles.ravel()
@@ -100,6 +102,7 @@ def carry_neighbours(
     def kick(state: tuple[Array, ...], row: tuple[Array, ...]) -> tuple[tuple[Array, ...], None]:
         (q, p, dq, dp), (drift, strength, phase) = state, row
         q, dq = q + drift * p, dq + drift * dp
+        # the derivative of p ↦ p − strength sin(2q − phase)
         angle = 2.0 * q - phase
         dp = dp - (2.0 * strength * jnp.cos(angle))[..., None] * dq
         return (q, p - strength * jnp.sin(angle), dq, dp), None
