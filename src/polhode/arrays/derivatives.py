@@ -50,6 +50,7 @@ def forward_columns(function: Callable[..., tuple[Any, ...]], name: str) -> Call
             tangents = tuple(jnp.broadcast_to(part, x.shape) for part, x in zip(parts, primals, strict=True))
             return jax.jvp(function, primals, tangents)[1]
 
+        # J e_k for each unit vector e_k
         columns = jax.vmap(column)(jnp.eye(sum(sizes)))
         # df = Σ_k (∂f/∂x_k) dx_k
         changes = [jnp.sum(jnp.moveaxis(c, 0, -1) * jnp.concatenate(tangents, axis=-1), axis=-1) for c in columns]

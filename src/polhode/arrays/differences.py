@@ -50,6 +50,7 @@ def differences(function: Elementwise, *arguments: Any) -> tuple[tuple[Any, ...]
     weights = xp.asarray(WEIGHTS).reshape(1, -1, *(1,) * (len(batch) + 2))
     change = xp.sum(weights * jacobian(*parts)[1], axis=1)
     steps = xp.moveaxis(steps, -1, 0)[..., None, None]
+    # Σ_j w_j J(x + j h e_k)/h = ∂J/∂x_k
     second = xp.moveaxis(change / steps, 0, -1).reshape(*batch, -1, sum(sizes))
     return (*values, columns), xp.concat([columns, second], axis=-2)
 

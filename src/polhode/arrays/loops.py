@@ -61,8 +61,8 @@ def split_halves(a: Any) -> tuple[Any, Any]:
         return high, a - high
     import jax
 
-    # float64 has 52 bits of mantissa: 2²⁶, half a unit of what is kept, is added and the lower 27 bits are cut off, which
-    # leaves 25 and the implicit one
+    # float64 has 52 bits of mantissa: 2²⁶, half a unit of what is kept, is added and the lower 27 bits are cut off:
+    # 25 and the implicit one stay
     bits = jax.lax.bitcast_convert_type(a, np.int64)
     high = jax.lax.bitcast_convert_type((bits + np.int64(1 << 26)) & np.int64(-(1 << 27)), np.float64)
     return high, a - high
@@ -143,6 +143,8 @@ def choose(
 
         if jnp.ndim(condition) == 0:
             return jax.lax.cond(condition, when_true, when_false, *columns)
+        # both sides are evaluated on all elements, so that each must be finite where it is not chosen: a NaN times a
+        # derivative of zero is NaN
         pairs = zip(when_true(*columns), when_false(*columns), strict=True)
         return tuple(jnp.where(condition, yes, no) for yes, no in pairs)
     condition = np.asarray(condition)
