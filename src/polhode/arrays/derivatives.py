@@ -34,7 +34,7 @@ def custom_derivative(function: Callable[..., Any], rule: Callable[..., Any]) ->
 def forward_columns(function: Callable[..., tuple[Any, ...]], name: str) -> Callable[..., tuple[Any, ...]]:
     """Return a function of JAX arrays (…, n) → tuple of (…) whose Jacobian is taken forward, a column at a time.
 
-    Multiplying by it is all that is left to either mode, so reverse mode passes through loops of unknown length. A
+    Either mode then only multiplies by this Jacobian, so that reverse mode passes through loops of unknown length. A
     second derivative is refused, with the name.
     """
     import jax
@@ -61,7 +61,7 @@ def forward_columns(function: Callable[..., tuple[Any, ...]], name: str) -> Call
 
 
 def first_order_only(values: Any, name: str) -> Any:
-    """Return the values; differentiating them, which a second derivative would, is refused instead of being wrong."""
+    """Return the values unchanged, but refuse to differentiate them, as a second derivative would: it would be wrong."""
     leaf = values
     while isinstance(leaf, tuple):
         leaf = leaf[0]

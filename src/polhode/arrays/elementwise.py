@@ -120,7 +120,7 @@ class Elementwise:
 
     @property
     def width(self) -> int:
-        """How many numbers the arguments are for one element of the batch."""
+        """The number of scalars in the arguments of one element of the batch."""
         return sum(math.prod(shape) for shape in self.inputs)
 
     def shapes(self, arguments: tuple[Any, ...]) -> list[tuple[tuple[int, ...], Any]]:

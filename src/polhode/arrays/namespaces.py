@@ -54,7 +54,7 @@ def is_traced(*values: Any) -> bool:
 
 
 def known_false(condition: Any) -> bool:
-    """Whether a condition is known not to hold; what a traced function computes, of known arrays too, is not known."""
+    """Whether a condition is known not to hold; results in a traced function, even of known arrays, are not known."""
     return not is_traced(condition) and not bool(condition)
 
 
@@ -77,7 +77,7 @@ def namespace(*values: Any) -> Any:
 
 
 def always(x: Any, value: float) -> bool:
-    """Return whether NumPy's x is a single number, and this one: what it does to arrays may then be left out."""
+    """Return whether x is a single NumPy number equal to ``value``, so that an operation with it may be left out."""
     return isinstance(x, np.ndarray) and x.ndim == 0 and bool(x == value)
 
 

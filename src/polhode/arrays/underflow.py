@@ -1,7 +1,7 @@
 """Restores gradual underflow in threads where it is switched off.
 
-XLA's threads take numbers below 2.2e-308 for zero, and NumPy called back from them does so too: then the same closed
-form would give other answers in a compiled function than outside of it.
+XLA's threads treat numbers below 2.2e-308 as zero, and so does NumPy when it is called back from them: the same closed
+form would then give different answers inside and outside of a compiled function.
 """
 
 from __future__ import annotations

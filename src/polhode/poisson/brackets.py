@@ -1,7 +1,8 @@
 """The Lie–Poisson bracket of functions on the dual, by automatic differentiation.
 
 {F, G}(μ) = sign · ⟨μ, [dF, dG]⟩; minus (left-invariant) is the default, for which Ḟ = {F, H} and μ̇ = ad*_{dH} μ.
-Functions take one point and give a real scalar; results take points (…, *element_shape).
+The differential dF is the element of the algebra with δF = ⟨δμ, dF⟩, and ⟨ad*_x μ, y⟩ = ⟨μ, [x, y]⟩. Functions take one
+point and give a real scalar; results take points (…, *element_shape).
 Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §13.1.
 """
 

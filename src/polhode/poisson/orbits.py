@@ -1,5 +1,7 @@
 """Coadjoint orbits: dimension, tangent space, and the Kirillov–Kostant–Souriau form.
 
+The orbit through μ is the set of all Ad*_g μ, on which every Casimir is constant: on so(3)* the sphere of one |L|. Its
+tangent vectors at μ are ad*_x μ, and its symplectic form is
 ω(ad*_x μ, ad*_y μ) = sign · ⟨μ, [x, y]⟩, so that ω(X_F, X_G) = {F, G} for either sign. Source: Marsden & Ratiu,
 *Introduction to Mechanics and Symmetry*, §14.2–14.4.
 """

@@ -1,7 +1,8 @@
 """Rotations and their momenta: T*SO(3), its two trivialisations, momentum maps, and reduction to so(3)*.
 
-A covector at R is a matrix P (…, 3, 3), paired with velocities by ½ tr(PᵀṘ). Left-trivialised it is the body momentum
-L, ⟨P, R hat(ξ)⟩ = L · ξ; right-trivialised the space momentum π, ⟨P, hat(η) R⟩ = π · η; π = R L.
+A covector at R is a matrix P (…, 3, 3), paired with velocities by ½ tr(PᵀṘ). A trivialisation carries it to the
+identity: from the left it is the body momentum L, ⟨P, R hat(ξ)⟩ = L · ξ; from the right the space momentum π,
+⟨P, hat(η) R⟩ = π · η; π = R L.
 Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §13.2–13.4, 15.
 """
 

@@ -183,7 +183,7 @@ def expansion_product(terms: Iterable[Operand], factor: Operand) -> list[Result]
 
 
 def distil(terms: list[Operand], passes: int = 5) -> Pairs:
-    """Return the sum of the terms to double-double accuracy whatever cancels, up to 2^(-53 passes).
+    """Return the sum of the terms to double-double accuracy, even if they cancel to 2^(−53 passes) of their size.
 
     Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK).
     """

@@ -1,7 +1,9 @@
 """Jacobi's elliptic functions and Legendre's integrals, given the *complementary* parameter m1 = 1 − m.
 
-Near m = 1 the parameter itself has lost what matters: 1 − m is then known to few digits or none, and functions that
-take m are wrong by order one beyond u = K. Source: Whittaker & Watson, ch. 21–22; DLMF 19, 20, 22.
+The parameter m = k² is the square of the modulus. Near m = 1 it cannot carry what matters: 1 − m is then known to few
+digits or none, and functions that take m are wrong by order one beyond u = K, the quarter period. The nome of m is
+q = exp(−πK(m1)/K(m)), in whose powers theta functions are short series. Source: Whittaker & Watson, ch. 21–22; DLMF
+19, 20, 22.
 """
 
 from __future__ import annotations
@@ -24,7 +26,7 @@ SMALLEST_SQUARE = math.exp(-2.0 * 340.0)  # of e^−x, whose inverse is the inte
 def jacobi(u: Real[ArrayLike, "*#shape"], m1: Real[ArrayLike, "*#shape"]) -> tuple[Result, Result, Result]:
     """Return (sn, cn, dn) of u with complementary parameter m1 in [0, 1].
 
-    Errors are a few 1e-16 plus 1e-16 |u| times the slope, which the rounding of u itself costs. cn and dn keep their
+    Errors are a few 1e-16 plus 1e-16 |u| times the slope, the effect of rounding u itself. cn and dn keep their
     relative accuracy where they are small.
 
     Raises:

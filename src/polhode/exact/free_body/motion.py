@@ -179,7 +179,10 @@ class FreeMotion(AbstractMotion):
     def regime(self) -> Any:
         """One of "rest", "spherical", "permanent", "symmetric", "short-axis", "long-axis", "separatrix".
 
-        Exact comparisons on the given floats decide. In batches, integer codes in that order from 0.
+        "spherical": all moments are equal; "permanent": the body turns steadily about a principal axis; "symmetric":
+        two moments are equal; "short-axis" and "long-axis": L circles the axis of largest and of least moment;
+        "separatrix": between both, where L tends to the middle axis. Exact comparisons on the given floats decide. In
+        batches, integer codes in that order from 0.
         """
         return named_code(self._numbers.regime, geometry.REGIMES)
 
@@ -244,7 +247,7 @@ class FreeMotion(AbstractMotion):
 
     @property
     def long_axis_period(self) -> Any:
-        """P1 [s]: mean period of the axis of least inertia about L; 1/P1 = 1/P_φ − 1/P_ψ if it is not encircled."""
+        """P1 [s]: mean period of the axis of least inertia about L; 1/P1 = 1/P_φ − 1/P_ψ where L does not circle it."""
         xp = namespace(self._numbers.period)
         with np.errstate(over="ignore", divide="ignore"):  # slower than numbers go: infinite
             own = xp.where(self._encircles_smallest(), 0.0, 2.0 * math.pi / self._numbers.period)
