@@ -61,7 +61,7 @@ def forward_columns(function: Callable[..., tuple[Any, ...]], name: str) -> Call
 
 
 def first_order_only(values: Any, name: str) -> Any:
-    """Return the values unchanged, but refuse to differentiate them, as a second derivative would: it would be wrong."""
+    """Return the values unchanged, but refuse to differentiate them: a second derivative would be wrong."""
     leaf = values
     while isinstance(leaf, tuple):
         leaf = leaf[0]

@@ -376,6 +376,7 @@ class EulerDisk(AbstractSystem):
             raise InvalidInput(
                 f"the steady motion at tilt {shown(tilt)} rad is unstable: no slow manifold to start on."
             )
+        # 0 = d(θ̈)/dt = ∂f/∂ω·push − (nutation)² θ̇
         return push / square
 
     def _check_tilt(self, theta: np.ndarray) -> None:

@@ -63,6 +63,7 @@ class Gyrostat(AbstractLiePoissonSystem):
         return 0.5 * jnp.sum((point - self.rotor) ** 2 / self.moments, axis=-1)
 
     def velocity(self, point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 3"]:
+        # dH = I⁻¹(Π − h), which is Ω: the momentum h is not carried by the body
         return (point - self.rotor) / self.moments
 
     def rotor_rate(self, velocity: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch"]:

@@ -204,6 +204,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         return state
 
     def energy(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch"]:
+        # the height of the centre of mass is l Γ·χ
         angular, up = point[..., :3], point[..., 3:]
         return 0.5 * jnp.sum(angular * angular / self.moments, axis=-1) + self.mgl * jnp.sum(up * self.axis, axis=-1)
 

@@ -56,6 +56,7 @@ class Kirchhoff(AbstractLiePoissonSystem):
         return 0.5 * jnp.sum(point * self.velocity(point), axis=-1)
 
     def velocity(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch 6"]:
+        # (Ω, U) = M⁻¹ (Π, P), M symmetric
         return point @ self.inverse
 
     @property

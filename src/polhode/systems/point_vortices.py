@@ -86,6 +86,7 @@ class SphereVortices(AbstractLiePoissonSystem):
             point: (n, 3) a state.
             places: (…, 3) unit vectors x; at a vortex ψ is infinite.
         """
+        # |x − x_j|² = 2(1 − x·x_j); the factor 2 is a constant of ψ
         cosines = jnp.asarray(places) @ self.positions(point).T
         return 0.5 * HALF_TURN * jnp.sum(self.strengths * jnp.log(1.0 - cosines), axis=-1)
 
@@ -294,6 +295,7 @@ def rounds_of_pairs(count: int) -> list[np.ndarray]:
             if one >= 0 and other >= 0:
                 mates[one], mates[other] = other, one
         rounds.append(mates)
+        # the circle method of tournaments: all but the first seat move on by one
         seats = [seats[0], seats[-1], *seats[1:-1]]
     return rounds
 

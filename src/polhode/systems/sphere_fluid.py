@@ -209,6 +209,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         # the coherent state is the top eigenvector of the spin along the direction
         spin = np.einsum("k,kij->ij", axis / np.linalg.norm(axis), self.algebra.coordinates) / (1j * self.algebra.hbar)
         state = np.linalg.eigh(spin)[1][:, -1]
+        # ∫ω = (4π/N) tr(−iW), which is Γ of the projector and −Γ of the rest
         n = self.size
         return jnp.asarray(1j * strength * n / (4.0 * math.pi) * (np.outer(state, state.conj()) - np.eye(n) / n))
 

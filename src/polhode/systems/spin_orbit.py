@@ -65,6 +65,7 @@ class SpinOrbit(AbstractSystem):
     def from_body(cls, body: Body, orbit: KeplerOrbit) -> SpinOrbit:
         """Return the system of a body on an orbit, its axis of largest moment along the orbit's normal."""
         least, middle, largest = (float(moment) for moment in body.principal_moments)
+        # ω0² = 3(B − A)/C, the frequency of librations on a circular orbit over n
         asphericity = math.sqrt(3.0 * (middle - least) / largest)
         return cls(asphericity, float(orbit.eccentricity), float(orbit.mean_motion), float(orbit.mean_anomaly_at_start))
 
