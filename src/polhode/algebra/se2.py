@@ -46,6 +46,7 @@ class SE2(AbstractLieAlgebra):
         near = jnp.abs(half) < 1e-4
         share = jnp.where(near, 1.0 - half * half / 6.0, jnp.sin(half) / jnp.where(near, 1.0, half))
         s, c = share * jnp.cos(half), share * jnp.sin(half)
+        # d = ∫₀¹ R(sa) b ds = (sin a/a) b + ((1 − cos a)/a) J b
         return _stack(jnp.cos(a), jnp.sin(a), s * b1 - c * b2, c * b1 + s * b2)
 
     def cayley(self, x: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 4"]:
@@ -69,6 +70,7 @@ class SE2(AbstractLieAlgebra):
     def exp_change(self, x: Float64[Array, "*#batch 3"], mu: Float64[Array, "*#batch 3"]) -> Float64[Array, "*batch 3"]:
         half = 0.5 * jnp.asarray(x)[..., 0]
         s, c = jnp.sin(half), jnp.cos(half)
+        # cos a − 1 = −2 sin² ½a
         return _coadjoint_change(-2.0 * s * s, 2.0 * s * c, self.exp(x), mu)
 
     def cayley_change(
@@ -76,6 +78,7 @@ class SE2(AbstractLieAlgebra):
     ) -> Float64[Array, "*batch 3"]:
         half = 0.5 * jnp.asarray(x)[..., 0]
         scale = 2.0 * half / (1.0 + half * half)
+        # cos − 1 = −2h²/(1 + h²) and sin = 2h/(1 + h²), h = a/2
         return _coadjoint_change(-half * scale, scale, self.cayley(x), mu)
 
 

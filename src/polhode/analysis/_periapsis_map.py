@@ -59,6 +59,7 @@ def tabulate(system: SpinOrbit, steps: int) -> Table:
 def _kicks(anomalies: Array, sizes: Array, e: Array, asphericity: Array) -> tuple[Array, Array]:
     """Return strengths and phases of kicks at mean anomalies."""
     eccentric = solve_kepler(anomalies, e)
+    # dp/dM = −½ ω0² (a/r)³ sin(2θ − 2f), at fixed θ during a kick
     strength = 0.5 * asphericity**2 / ratio_from_eccentric(eccentric, e) ** 3
     return strength * sizes, 2.0 * true_from_eccentric(eccentric, e)
 
