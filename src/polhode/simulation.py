@@ -198,8 +198,8 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
         raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
     named, meter = name_jumps(system, find_undeclared_jumps(system, state, times)), _meter(asked.progress)
     if asked.tolerance is not None and asked.estimate_error:
-        given = named, method, state, times, meter, asked.step, asked.tolerance, asked.every
-        motion, error = series_to_tolerance(*given)
+        arguments = named, method, state, times, meter, asked.step, asked.tolerance, asked.every
+        motion, error = series_to_tolerance(*arguments)
     else:
         motion = solve_by_series(named, method, state, times, meter, asked.step, asked.tolerance, asked.every,
                                  asked.memory)  # fmt: skip
@@ -207,10 +207,10 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
         error = series_error(named, method, state, times, motion, asked.step, asked.tolerance) if known else None
     if by_default and not np.all(motion.successful):
         raise NoSeries("its motion comes to a singularity.")
-    found = _finish(system, type(method).__name__, motion, error, asked.throw)
+    trajectory = _finish(system, type(method).__name__, motion, error, asked.throw)
     if asked.resumable and motion.memory is None:
         raise InvalidInput("`resumable` of Taylor goes with one state of a system without events, jumps and balances.")
-    return replace(found, memory=motion.memory) if asked.resumable else found
+    return replace(trajectory, memory=motion.memory) if asked.resumable else trajectory
 
 
 def _finish(
@@ -248,15 +248,15 @@ def _solve_past_jumps(
     They are sought at the start, and again along the motion; what is found only there makes a second run.
     """
     named = name_jumps(system, find_undeclared_jumps(system, state, times))
-    given = (solver, state, times, meter, asked.step, asked.tolerance, asked.every)
-    motion = solve_adaptively(named, *given)
+    arguments = (solver, state, times, meter, asked.step, asked.tolerance, asked.every)
+    motion = solve_adaptively(named, *arguments)
     later = jumps_along(system, motion.states, motion.times)
     known = jumps_between(times, named.jumps)
     near = np.abs(later[:, None] - known).min(axis=-1, initial=np.inf) <= 1e-14 * np.ptp(times)
     if near.all():
         return motion, named
     named = name_jumps(named, later[~near])
-    return solve_adaptively(named, *given), named
+    return solve_adaptively(named, *arguments), named
 
 
 def _by_equal_steps(
@@ -282,16 +282,16 @@ def _by_equal_steps(
         )
     counts = step_counts(times, sizes).sum(axis=-1)
     shown = asked.progress if asked.progress is not None else counts.max() > LONG_RUN and sys.stderr.isatty()
-    given = solver, state, times, sizes, rates
+    arguments = solver, state, times, sizes, rates
     memory = None if asked.memory is None else restore_memory(solver, state, asked.memory)
     if asked.tolerance is not None:
         if memory is not None:
             raise InvalidInput("`memory` goes with the earlier run's `step`; `tolerance` would choose another.")
-        run, sizes, error = run_to_tolerance(*given, asked.tolerance, _meter(shown), _meter(False), asked.every)
+        run, sizes, error = run_to_tolerance(*arguments, asked.tolerance, _meter(shown), _meter(False), asked.every)
     elif asked.estimate_error:
-        run, sizes, error = run_with_error(*given, _meter(shown), _meter(False), asked.every, memory)
+        run, sizes, error = run_with_error(*arguments, _meter(shown), _meter(False), asked.every, memory)
     else:
-        run, error = run_by_equal_steps(*given, _meter(shown), asked.every, memory), None
+        run, error = run_by_equal_steps(*arguments, _meter(shown), asked.every, memory), None
     steps = step_counts(times, sizes).sum(axis=-1)
     statistics = {"steps": int(steps.max()), "iterations": int(run.iterations.max())}
     name, failed, ends = type(solver).__name__, np.argwhere(~run.fine), None
@@ -308,8 +308,8 @@ def _by_equal_steps(
     if run.fine.ndim:
         status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
         ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)
-    found = make_trajectory(own, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
-    return replace(found, memory=tuple(jax.tree.leaves(run.memory))) if asked.resumable else found
+    trajectory = make_trajectory(own, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
+    return replace(trajectory, memory=tuple(jax.tree.leaves(run.memory))) if asked.resumable else trajectory
 
 
 def _indices(where: np.ndarray) -> str:

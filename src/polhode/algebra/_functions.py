@@ -18,12 +18,12 @@ Function = Callable[[Double[Array, "..."]], Float64[Array, "..."]]
 SINGLE_PRECISION = re.compile(r"\b(?:b?f16|f32)\[")  # as a jaxpr writes the type of a value
 
 
-def check_functions(name: str, given: Any, shape: tuple[int, ...], dtype: Any) -> tuple[Function, ...]:
+def check_functions(name: str, value: Any, shape: tuple[int, ...], dtype: Any) -> tuple[Function, ...]:
     """Return a list of functions; refuse what is not one, and functions as ``check_scalar`` does."""
-    if callable(given) or not isinstance(given, Iterable):
-        got = shown(given)
+    if callable(value) or not isinstance(value, Iterable):
+        got = shown(value)
         raise InvalidInput(f"`{name}` must be a list of functions of one point; got {got}. Put it in brackets.")
-    functions = tuple(given)
+    functions = tuple(value)
     for k, function in enumerate(functions):
         check_scalar(f"{name}[{k}]", function, shape, dtype)
     return functions

@@ -34,25 +34,25 @@ def find_casimirs(algebra: AbstractLieAlgebra) -> tuple[Polynomial, ...]:
     simple fractions or python-flint, the extra `symbolic`, is missing.
     """
     wanted = index(algebra)
-    found: list[Polynomial] = []
+    casimirs: list[Polynomial] = []
     for degree in range(1, HIGHEST_DEGREE + 1):
-        if len(found) >= wanted or math.comb(algebra.dim + degree - 1, degree) > MOST_MONOMIALS:
+        if len(casimirs) >= wanted or math.comb(algebra.dim + degree - 1, degree) > MOST_MONOMIALS:
             break
         try:
-            found = polynomial_casimirs(algebra, degree)
+            casimirs = polynomial_casimirs(algebra, degree)
         except InvalidInput:
             break
-    return tuple(found)
+    return tuple(casimirs)
 
 
-def check_casimirs(algebra: AbstractLieAlgebra, given: Any) -> tuple[Function, ...]:
+def check_casimirs(algebra: AbstractLieAlgebra, value: Any) -> tuple[Function, ...]:
     """Return functions of one point (dim,), after checking that they are independent Casimirs.
 
     Raises:
         InvalidInput: for one that is not a real scalar of one point, that does not commute with every coordinate at
             random points or is defined at few of them, and for functions that depend on each other.
     """
-    functions = check_functions("casimirs", given, algebra.element_shape, algebra.dtype)
+    functions = check_functions("casimirs", value, algebra.element_shape, algebra.dtype)
     if not functions:
         return ()
     points = np.random.default_rng(0).normal(size=(POINTS, algebra.dim))

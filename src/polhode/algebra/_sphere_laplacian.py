@@ -88,8 +88,8 @@ def inverse_laplacian(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Arr
         return now, now
 
     start = jnp.zeros_like(places[0])
-    _, found = jax.lax.scan(forward, start, (places, jnp.asarray(below)))
-    found = found * jnp.asarray(inverse)[wide]
+    _, solution = jax.lax.scan(forward, start, (places, jnp.asarray(below)))
+    solution = solution * jnp.asarray(inverse)[wide]
 
     def backward(after: jax.Array, row: tuple[jax.Array, jax.Array]) -> tuple[jax.Array, jax.Array]:
         own, low = row
@@ -98,6 +98,6 @@ def inverse_laplacian(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Arr
 
     above = np.roll(below, -1, axis=0)
     above[-1] = 0.0
-    _, found = jax.lax.scan(backward, start, (found, jnp.asarray(above)), reverse=True)
-    found = found.at[:, 0].add(-jnp.mean(found[:, 0], axis=0))
-    return unwrap_diagonals(found)
+    _, solution = jax.lax.scan(backward, start, (solution, jnp.asarray(above)), reverse=True)
+    solution = solution.at[:, 0].add(-jnp.mean(solution[:, 0], axis=0))
+    return unwrap_diagonals(solution)

@@ -156,16 +156,16 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         columns = []
         for m, rows in enumerate(self.tensors):
             entries = jnp.diagonal(matrix, -m, -2, -1)
-            found = entries @ rows.T * (math.sqrt(4.0 * math.pi) / (1j * self.n))
-            columns.append(jnp.concatenate([jnp.zeros((*found.shape[:-1], m), complex), found], axis=-1))
+            coefficients = entries @ rows.T * (math.sqrt(4.0 * math.pi) / (1j * self.n))
+            columns.append(jnp.concatenate([jnp.zeros((*coefficients.shape[:-1], m), complex), coefficients], axis=-1))
         return jnp.stack(columns, axis=-1)
 
     def _extract_harmonics(self, matrix: np.ndarray) -> np.ndarray:
-        found = np.zeros(matrix.shape, complex)
+        coefficients = np.zeros(matrix.shape, complex)
         for m, rows in enumerate(self.tensors):
             entries = np.diagonal(matrix, -m, -2, -1)
-            found[..., m:, m] = entries @ rows.T * (math.sqrt(4.0 * math.pi) / (1j * self.n))
-        return found
+            coefficients[..., m:, m] = entries @ rows.T * (math.sqrt(4.0 * math.pi) / (1j * self.n))
+        return coefficients
 
     def _make_basis(self) -> np.ndarray:
         return np.asarray(self.from_vector(jnp.eye(self.dim)))

@@ -151,46 +151,46 @@ class Family:
 
     def equations(self, z: Array, value: float) -> Equations:
         """Return the equations of an equilibrium at a point and a value."""
-        found = self._at(z, value)
+        derivatives = self._at(z, value)
         left, sizes, _ = np.linalg.svd(self._constants @ z)
         leaf = left[:, sizes > RANK * max(sizes[0], 1e-300)]
         # on the leaf dH = Σ w dC, and its curvature is D²H − Σ w D²C
-        weights = np.linalg.lstsq(found.slopes.T, found.slope, rcond=None)[0]
-        curvature = found.curvature - np.tensordot(weights, found.curvatures, 1)
+        weights = np.linalg.lstsq(derivatives.slopes.T, derivatives.slope, rcond=None)[0]
+        curvature = derivatives.curvature - np.tensordot(weights, derivatives.curvatures, 1)
         step = DIFFERENCE * self.range
         # dH as a function of the parameter, by a central difference
         by_value = (self._at(z, value + step).slope - self._at(z, value - step).slope) / (2.0 * step)
-        steepness = max(float(np.abs(found.slope).max()), float(np.abs(curvature).max()) * self.size, 1e-300)
-        levels = np.maximum(np.linalg.norm(found.slopes, axis=1) * self.size, 1e-300)
-        off = np.concatenate([leaf.T @ found.slope / steepness, (found.levels - self._wanted) / levels])
+        steepness = max(float(np.abs(derivatives.slope).max()), float(np.abs(curvature).max()) * self.size, 1e-300)
+        levels = np.maximum(np.linalg.norm(derivatives.slopes, axis=1) * self.size, 1e-300)
+        off = np.concatenate([leaf.T @ derivatives.slope / steepness, (derivatives.levels - self._wanted) / levels])
         matrix = np.block([
             [leaf.T @ curvature * (self.size / steepness), (leaf.T @ by_value)[:, None] * (self.range / steepness)],
-            [found.slopes * (self.size / levels[:, None]), np.zeros((len(levels), 1))],
+            [derivatives.slopes * (self.size / levels[:, None]), np.zeros((len(levels), 1))],
         ])  # fmt: skip
-        return Equations(float(found.energy), leaf, off, matrix, leaf.T @ curvature @ leaf)
+        return Equations(float(derivatives.energy), leaf, off, matrix, leaf.T @ curvature @ leaf)
 
     def place(
         self, z: Float64[np.ndarray, "n"], value: float, along: Float64[np.ndarray, "extended"] | None = None
     ) -> Place:
         """Return a settled point as a place, its direction as near as can be to another, or towards higher values."""
-        found = self.equations(z, value)
-        _, sizes, rows = np.linalg.svd(found.matrix)
+        equations = self.equations(z, value)
+        _, sizes, rows = np.linalg.svd(equations.matrix)
         sizes = np.concatenate([sizes, np.zeros(len(rows) - len(sizes))])
         kernel = rows[sizes <= NULL * sizes[0]] if (sizes <= NULL * sizes[0]).any() else rows[-1:]
         along = np.eye(len(rows))[-1] if along is None else along
         tangent = kernel.T @ (kernel @ along)
         length = np.linalg.norm(tangent)
         tangent = tangent / length if length > 1e-6 else kernel[-1]
-        curvature = 0.5 * (found.curvature + found.curvature.T)
+        curvature = 0.5 * (equations.curvature + equations.curvature.T)
         values, vectors = np.linalg.eigh(curvature)
         still = np.abs(values) <= NULL * np.abs(values).max(initial=0.0)
-        tensor, vectors, least = self._constants @ z, found.leaf @ vectors, int(np.argmin(np.abs(values)))
+        tensor, vectors, least = self._constants @ z, equations.leaf @ vectors, int(np.argmin(np.abs(values)))
         # the linearised flow on the leaf is π times the curvature there
-        exponents = np.linalg.eigvals(found.leaf.T @ tensor @ found.leaf @ curvature).astype(complex)
+        exponents = np.linalg.eigvals(equations.leaf.T @ tensor @ equations.leaf @ curvature).astype(complex)
         # two that meet are off by the root of a rounding
         noise = NULL * float(np.linalg.norm(tensor, 2) * np.linalg.norm(curvature, 2))
         return Place(z, float(value), tangent, int(np.sum((values < 0.0) & ~still)), vectors[:, still],
-                     vectors[:, least], float(values[least]), found.energy, exponents, noise)  # fmt: skip
+                     vectors[:, least], float(values[least]), equations.energy, exponents, noise)  # fmt: skip
 
     def settle(
         self, z: Float64[np.ndarray, "n"], value: float, row: Float64[np.ndarray, "extended"]
@@ -216,14 +216,14 @@ class Family:
         length = float(np.linalg.norm(way))
         if length == 0.0:
             return one
-        found = self.settle(one.vector + share * self.size * way[:-1], one.value + share * self.range * way[-1],
+        solution = self.settle(one.vector + share * self.size * way[:-1], one.value + share * self.range * way[-1],
                              way / length)  # fmt: skip
-        return None if found is None else self.place(*found, one.tangent)
+        return None if solution is None else self.place(*solution, one.tangent)
 
     def at_value(self, z: Float64[np.ndarray, "n"], value: float) -> Float64[np.ndarray, "n"] | None:
         """Return the equilibrium next to a guess at a value of the parameter."""
-        found = self.settle(z, value, np.eye(len(z) + 1)[-1])
-        return None if found is None else found[0]
+        solution = self.settle(z, value, np.eye(len(z) + 1)[-1])
+        return None if solution is None else solution[0]
 
     def apart(self, one: Place, other: Place) -> float:
         """Return how far two places are from each other, in units of size and range."""
@@ -243,11 +243,11 @@ def follow(family: Family, begin: Place) -> list[Place]:
     while len(places) < MOST_PLACES and step > SHORTEST:
         last = places[-1]
         guess = last.vector + step * family.size * tangent[:-1], last.value + step * family.range * tangent[-1]
-        found = family.settle(*guess, tangent)
-        if found is None:
+        solution = family.settle(*guess, tangent)
+        if solution is None:
             step *= 0.5
             continue
-        place = family.place(*found, tangent)
+        place = family.place(*solution, tangent)
         if place.tangent @ tangent < STRAIGHT or family.apart(place, last) > 3.0 * step:
             step *= 0.5
             continue
@@ -278,17 +278,17 @@ def crossings(family: Family, path: list[Place]) -> Iterator[tuple[Place, Place,
         for k in range(HALVINGS):
             # by the eigenvalue that vanishes, where it is the smallest already; halved now and then
             secant = low + (high - low) * a / (a - b) if a * b < 0.0 and k % 3 else 0.5 * (low + high)
-            found = family.between(one, other, secant)
-            if found is None:
+            place = family.between(one, other, secant)
+            if place is None:
                 break
-            at = found
-            if found.flat.shape[1] and abs(found.least) < 1e-13 * abs(a - b):
+            at = place
+            if place.flat.shape[1] and abs(place.least) < 1e-13 * abs(a - b):
                 break
-            before = found.negative == one.negative if not found.flat.shape[1] else found.least * a > 0.0
+            before = place.negative == one.negative if not place.flat.shape[1] else place.least * a > 0.0
             if before:
-                low, a = secant, found.least
+                low, a = secant, place.least
             else:
-                high, b = secant, found.least
+                high, b = secant, place.least
             if high - low < 1e-15:
                 break
         yield one, at, other
@@ -296,14 +296,14 @@ def crossings(family: Family, path: list[Place]) -> Iterator[tuple[Place, Place,
 
 def step_onto_branch(family: Family, place: Place) -> list[Place]:
     """Return places on another branch that meets this one at a place: one on either side."""
-    found = []
+    places = []
     for sign in (1.0, -1.0):
         way = sign * place.weakest
         row = np.append(way, 0.0)
         beside = family.settle(place.vector + ASIDE * family.size * way, place.value, row)
         if beside is not None:
-            found.append(family.place(*beside, row))
-    return found
+            places.append(family.place(*beside, row))
+    return places
 
 
 def is_on(family: Family, place: Place, path: list[Place], same: float) -> bool:
@@ -315,10 +315,10 @@ def is_on(family: Family, place: Place, path: list[Place], same: float) -> bool:
         ahead = float(one.tangent @ (here - node))
         if abs(ahead) > 2.0 * LONGEST:
             continue
-        found = family.settle(*_parts((node + ahead * one.tangent) * scale), one.tangent)
-        if found is None:
+        solution = family.settle(*_parts((node + ahead * one.tangent) * scale), one.tangent)
+        if solution is None:
             continue
-        if family.apart(family.place(*found, one.tangent), place) < same:
+        if family.apart(family.place(*solution, one.tangent), place) < same:
             return True
     return bool(place.flat.shape[1]) and any(_alike(family, place, *pair) for pair in itertools.pairwise(path))
 

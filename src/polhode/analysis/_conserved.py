@@ -74,12 +74,12 @@ class Known(Source):
     @property
     def names(self) -> list[str]:
         """Of each value; components of vectors and arrays are counted from 1."""
-        algebra, found = self.system.algebra, []
+        algebra, names = self.system.algebra, []
         point = jax.ShapeDtypeStruct(algebra.element_shape, algebra.dtype)
         for name, function in self.system.extra_invariants.items():
             shape = jax.eval_shape(function, point).shape
-            found += [name] if not shape else [f"{name}, {_place(k)}" for k in np.ndindex(*shape)]
-        return found
+            names += [name] if not shape else [f"{name}, {_place(k)}" for k in np.ndindex(*shape)]
+        return names
 
 
 class Own(Source):
@@ -117,10 +117,10 @@ class Casimirs(NamedTuple):
     missing: MissingCasimirs | None
 
 
-def choose_casimirs(algebra: AbstractLieAlgebra, given: Sequence[Function] | None) -> Casimirs:
+def choose_casimirs(algebra: AbstractLieAlgebra, casimirs: Sequence[Function] | None) -> Casimirs:
     """Return the user's Casimirs, or those that the algebra names, or polynomials found by exact algebra."""
-    if given is not None:
-        functions = check_functions("casimirs", given, algebra.element_shape, algebra.dtype)
+    if casimirs is not None:
+        functions = check_functions("casimirs", casimirs, algebra.element_shape, algebra.dtype)
         names = [f"C{k + 1}" for k in range(len(functions))]
         return Casimirs(Given(algebra, functions), names, _lack(len(functions), index(algebra), "were given"))
     wanted = index(algebra)
@@ -129,11 +129,12 @@ def choose_casimirs(algebra: AbstractLieAlgebra, given: Sequence[Function] | Non
         return Casimirs(Own(algebra), names, None)
     constants = np.ascontiguousarray(algebra.structure_constants())
     try:
-        found = _polynomials(constants.tobytes(), len(constants))
+        polynomials = _polynomials(constants.tobytes(), len(constants))
     except InvalidInput as error:
         return Casimirs(Own(algebra), names, _lack(len(names), wanted, f"are known ({error})"))
-    texts = [str(p) for p in found]
-    return Casimirs(Polynomials(found), texts, _lack(len(found), wanted, f"of degree ≤ {HIGHEST_DEGREE} exist"))
+    texts = [str(p) for p in polynomials]
+    return Casimirs(Polynomials(polynomials), texts,
+                    _lack(len(polynomials), wanted, f"of degree ≤ {HIGHEST_DEGREE} exist"))  # fmt: skip
 
 
 def _lack(count: int, wanted: int, how: str) -> MissingCasimirs | None:
@@ -203,21 +204,22 @@ def derivatives(source: Source, z: Float64[Array, "n"], samples: Float64[Array, 
     return Derivatives(slopes, curvatures, gradients[5:], errors, rough)
 
 
-def refuse_rough(found: Derivatives, name: str) -> None:
+def refuse_rough(derived: Derivatives, name: str) -> None:
     """Refuse functions without second derivatives at the point.
 
     Raises:
         InvalidInput: naming them.
     """
-    if not (np.isfinite(found.gradients).all() and np.isfinite(found.hessians).all()):
+    if not (np.isfinite(derived.gradients).all() and np.isfinite(derived.hessians).all()):
         raise InvalidInput(
             f"{name} must have finite first and second derivatives at the equilibrium; got NaN or an infinity. "
             "Check that the function is smooth there, or choose units in which |μ| is nearer to one."
         )
-    if not found.smooth.all():
+    if not derived.smooth.all():
         raise InvalidInput(
             f"{name} must be twice differentiable at the equilibrium; difference quotients of its gradient differ "
-            f"from the second derivative by {found.rough.max():.3g} of it. Replace kinks and jumps by smooth functions."
+            f"from the second derivative by {derived.rough.max():.3g} of it. Replace kinks and jumps by smooth "
+            "functions."
         )
 
 

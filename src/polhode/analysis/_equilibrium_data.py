@@ -79,7 +79,7 @@ def problem(
     casimirs: Casimirs,
     integrals: tuple[Function, ...],
     z: Float64[Array, "n"],
-    given: bool,
+    casimirs_given: bool,
 ) -> Problem:
     """Differentiate all functions, and refuse those that are not conserved."""
     unit = choose_unit(z)
@@ -90,7 +90,7 @@ def problem(
     refuse_rough(energy, "the energy")
     own = derivatives(casimirs.source, y, around)
     refuse_rough(own, "each Casimir")
-    if given:
+    if casimirs_given:
         check_casimirs(tensors, own.around)
     tensor = constants @ y
     known = _integrals(Known(system), Known(system).names, tensor, z, unit, around)
@@ -103,8 +103,8 @@ def problem(
         k for k, rest in enumerate(known.rest)
         if rest and known.derived.smooth[k] and all(commute(tensors, known.derived.around[:, k], x) for x in moving)
     ])  # fmt: skip
-    for found in (known, wanted):
-        for name, slopes in zip(found.names, np.moveaxis(found.derived.around, 1, 0), strict=True):
+    for functions in (known, wanted):
+        for name, slopes in zip(functions.names, np.moveaxis(functions.derived.around, 1, 0), strict=True):
             check_commute(tensors, slopes, energy.around[:, 0], (name, "H"),
                           "It is not conserved; check the function, its sign and its parameters.")  # fmt: skip
     names = [*_name_scaled(casimirs, y, unit), *known.names, *wanted.names]
@@ -157,9 +157,9 @@ def _is_at_rest(tensor: Array, gradient: Array) -> bool:
     return bool(np.abs(tensor @ gradient).max() <= NULL * np.abs(tensor).max() * np.abs(gradient).max())
 
 
-def _in_units(found: Derivatives, unit: float) -> Derivatives:
+def _in_units(derived: Derivatives, unit: float) -> Derivatives:
     """Return derivatives of f(unit · y)/unit²."""
-    return found._replace(gradients=found.gradients / unit, around=found.around / unit)
+    return derived._replace(gradients=derived.gradients / unit, around=derived.around / unit)
 
 
 def _name_scaled(casimirs: Casimirs, y: Array, unit: float) -> list[str]:

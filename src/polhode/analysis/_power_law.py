@@ -92,8 +92,8 @@ def _nearest(times: Array, q: Array) -> tuple[float, float]:
     misses = lambda d: _line(np.log(times + np.exp(d)), q)[2]  # noqa: E731
     grid = np.linspace(span - 2.0 * REACH, span + REACH, GRID)
     k = int(np.clip(np.argmin([misses(d) for d in grid]), 1, GRID - 2))
-    found: Any = minimize_scalar(misses, bounds=(grid[k - 1], grid[k + 1]), method="bounded", options={"xatol": 1e-12})
-    return float(np.exp(found.x)), float(found.fun)
+    best: Any = minimize_scalar(misses, bounds=(grid[k - 1], grid[k + 1]), method="bounded", options={"xatol": 1e-12})
+    return float(np.exp(best.x)), float(best.fun)
 
 
 def _line(p: Array, q: Array) -> tuple[float, float, float]:

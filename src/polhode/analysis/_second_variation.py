@@ -226,9 +226,9 @@ def _multipliers(g: Array, dC: Array, sizes: Array) -> Array:
     rows, lengths = _unit_rows(dC)
     # divided before solving, for gradients near the largest and smallest numbers
     size = np.abs(g).max(initial=0.0) or 1.0
-    found = np.linalg.lstsq(rows.T, -g / size, rcond=RANK_TOLERANCE)[0]
-    found = np.where(np.abs(found) * size > ROUNDING * sizes.max(initial=0.0), found, 0.0)
-    return found * size / np.where(lengths > 0, lengths, 1.0)
+    multipliers = np.linalg.lstsq(rows.T, -g / size, rcond=RANK_TOLERANCE)[0]
+    multipliers = np.where(np.abs(multipliers) * size > ROUNDING * sizes.max(initial=0.0), multipliers, 0.0)
+    return multipliers * size / np.where(lengths > 0, lengths, 1.0)
 
 
 def _equilibrate(terms: Array) -> Array:

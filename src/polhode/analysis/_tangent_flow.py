@@ -50,17 +50,17 @@ class TangentFlow:
         stacked = np.concatenate([state[None], own])
         if count not in self._by_series:
             self._by_series[count] = has_series(varied, stacked, self._times)
-        given = stacked, np.array([now, end])
+        arguments = stacked, np.array([now, end])
         if self._by_series[count]:
-            found = solve_by_series(varied, Taylor(), *given)
+            motion = solve_by_series(varied, Taylor(), *arguments)
         else:
-            found = solve_adaptively(varied, diffrax.Dopri8(), *given)
-        if found.event is not None:
+            motion = solve_adaptively(varied, diffrax.Dopri8(), *arguments)
+        if motion.event is not None:
             raise InvalidInput(
                 f"`times` must be within the motion of {type(self._system).__name__}, which ends at "
-                f"{found.times[-1]:g} s by the event {found.event}. Give an earlier last time."
+                f"{motion.times[-1]:g} s by the event {motion.event}. Give an earlier last time."
             )
-        after = np.asarray(found.states[-1])
+        after = np.asarray(motion.states[-1])
         return after[0], np.ascontiguousarray(after[1:]).reshape(count, -1).view(float).T
 
     def flat(self, state: Double[np.ndarray, "..."]) -> Float64[np.ndarray, "n"]:

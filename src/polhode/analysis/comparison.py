@@ -280,8 +280,8 @@ def _interpolation_error(history: AttitudeHistory, wanted: Array) -> float:
     odd = np.arange(1, len(times) - 1, 2)
     if len(odd) < 2:
         return float(np.pi)
-    found = rotation.from_scipy(_spline(times[::2], attitude[::2])(np.clip(times[odd], times[0], times[::2][-1])))
-    angle = rotation.angle_between(found, attitude[odd])
+    between = rotation.from_scipy(_spline(times[::2], attitude[::2])(np.clip(times[odd], times[0], times[::2][-1])))
+    angle = rotation.angle_between(between, attitude[odd])
     within = (times[odd + 1] >= wanted[0]) & (times[odd - 1] <= wanted[-1])
     return float(angle[within].max() if within.any() else angle.max())
 

@@ -107,14 +107,14 @@ def rolling_path(
     ticks, times, states = step * np.arange(FALL_SAMPLES), [np.array([since])], [np.asarray(state)[None]]
     outcome = Outcome(Ending.COMPLETED)
     for k in range(math.ceil(max(samples - 1, piece) / piece)):
-        found = solve_adaptively(disk, diffrax.Dopri8(), jnp.asarray(states[-1][-1]), ticks)
-        times.append(since + k * piece * step + found.times[1:])
-        states.append(np.asarray(found.states)[1:])
-        if not found.successful:
+        motion = solve_adaptively(disk, diffrax.Dopri8(), jnp.asarray(states[-1][-1]), ticks)
+        times.append(since + k * piece * step + motion.times[1:])
+        states.append(np.asarray(motion.states)[1:])
+        if not motion.successful:
             at = times[-1][-1] if len(times[-1]) else since
             raise NotConverged(f"the disk cannot be followed past {at:.6g} s. Ask for a shorter span.")
-        if found.event is not None:
-            outcome = Outcome(Ending.EVENT, found.event)
+        if motion.event is not None:
+            outcome = Outcome(Ending.EVENT, motion.event)
             break
     return DiskPath(np.concatenate(times), np.concatenate(states), outcome)
 

@@ -246,11 +246,11 @@ def _weights(leaf: Leaf) -> Array:
     if ends[0] > leaf.zero(plain) or ends[1] < -leaf.zero(plain):
         return plain
     matrices = np.array([leaf.combination(direction) / size for direction, size in zip(directions, sizes, strict=True)])
-    found = definite_combination(matrices, leaf.noise)
-    if found is None:
+    weights = definite_combination(matrices, leaf.noise)
+    if weights is None:
         return plain
-    found[0] = found[0] if abs(found[0]) > NO_ENERGY else 0.0
-    parts = ((c / size) * direction for c, size, direction in zip(found, sizes, directions, strict=True))
+    weights[0] = weights[0] if abs(weights[0]) > NO_ENERGY else 0.0
+    parts = ((c / size) * direction for c, size, direction in zip(weights, sizes, directions, strict=True))
     return sum(parts, np.zeros(plain.shape))
 
 
@@ -273,8 +273,8 @@ def _growth(leaf: Leaf) -> _Growth:
         return _Growth(np.zeros(0, complex), 0.0, 0.0, None)
     from scipy.linalg import eig
 
-    found: Any = eig(leaf.flow, left=True, right=True)
-    spectrum, left, right = found
+    eigensystem: Any = eig(leaf.flow, left=True, right=True)
+    spectrum, left, right = eigensystem
     k = int(np.argmax(spectrum.real))
     alignment = max(abs(np.vdot(left[:, k], right[:, k])), np.finfo(float).tiny)
     real_part, sure_from = float(spectrum[k].real), leaf.noise * leaf.flow_size / alignment

@@ -34,8 +34,8 @@ def first_method(
     inner = basis.T @ A @ basis
     if not inner.size:
         return Stability("stable", 0.0, None, None, LeafIsPoint(), np.zeros(0, complex))
-    found: Any = eig(inner, left=True, right=True)
-    spectrum, left, right = found
+    eigensystem: Any = eig(inner, left=True, right=True)
+    spectrum, left, right = eigensystem
     alignment = np.abs(np.einsum("ik,ik->k", left.conj(), right))
     unsure = tolerance * np.abs(inner).max() / np.maximum(alignment, np.finfo(float).tiny)
     k = int(np.argmax(spectrum.real))

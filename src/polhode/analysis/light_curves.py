@@ -193,8 +193,8 @@ def _magnitude(R: Array, semi_axes: ArrayLike, sun: Array, observer: Array) -> A
     return -2.5 * np.log10(light)
 
 
-def _directions(name: str, given: ArrayLike) -> Array:
-    value = np.asarray(given, dtype=np.float64)
+def _directions(name: str, directions: ArrayLike) -> Array:
+    value = np.asarray(directions, dtype=np.float64)
     if value.shape[-1:] != (3,):
         raise InvalidInput(f"`{name}` must have a last axis of 3; got shape {shown(value.shape)}.")
     refuse_not_finite(**{name: value})

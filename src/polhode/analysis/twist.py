@@ -53,8 +53,8 @@ def racket_twist(motion: FreeMotion | Trajectory, handle: int = 0) -> float:
     """
     free = motion.motion if isinstance(motion, Trajectory) else motion
     if not isinstance(free, FreeMotion):
-        made = f" of a {type(motion.source).__name__}" if isinstance(motion, Trajectory) else ""
-        raise InvalidInput(f"`motion` must be a FreeMotion or samples of one; got a {type(motion).__name__}{made}.")
+        origin = f" of a {type(motion.source).__name__}" if isinstance(motion, Trajectory) else ""
+        raise InvalidInput(f"`motion` must be a FreeMotion or samples of one; got a {type(motion).__name__}{origin}.")
     return _twist(free.along("principal"), handle)
 
 

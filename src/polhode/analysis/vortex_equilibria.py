@@ -53,8 +53,8 @@ def vortex_turn(system: SphereVortices | PlaneVortices, state: Real[ArrayLike, "
     0.242889453
     """
     point = _one_state(system, state)
-    found = _turn_on_sphere(system, point) if isinstance(system, SphereVortices) else _turn_in_plane(system, point)
-    turn, left = found
+    pair = _turn_on_sphere(system, point) if isinstance(system, SphereVortices) else _turn_in_plane(system, point)
+    turn, left = pair
     whole = float(np.linalg.norm(_terms(system, point)))
     if left > TURNING * whole:
         raise InvalidInput(

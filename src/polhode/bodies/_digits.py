@@ -32,17 +32,17 @@ def judge_moments(
     >>> judge_moments(np.array([1e-9, 1.0, 1.0 + 1e-9]), np.full(3, 1e-8))
     (array([0., 1., 1.]), [[0], [1, 2]])
     """
-    found = np.where(np.abs(moments) <= unsure, 0.0, moments)
-    line = found[0] == 0.0 and found[2] - found[1] <= unsure.sum()
+    rounded = np.where(np.abs(moments) <= unsure, 0.0, moments)
+    line = rounded[0] == 0.0 and rounded[2] - rounded[1] <= unsure.sum()
     groups = [[0]]
     for k in (1, 2):
-        if found[k] - found[k - 1] <= max(unsure[k], unsure[k - 1]) or (k == 2 and line):
+        if rounded[k] - rounded[k - 1] <= max(unsure[k], unsure[k - 1]) or (k == 2 and line):
             groups[-1].append(k)
         else:
             groups.append([k])
     for group in groups:
-        found[group] = found[group].mean() if len(group) > 1 else found[group]
-    return found, groups
+        rounded[group] = rounded[group].mean() if len(group) > 1 else rounded[group]
+    return rounded, groups
 
 
 def unsure_moments(moments: Float64[Array, "3"], mass: float, digit: float) -> Float64[Array, "3"]:

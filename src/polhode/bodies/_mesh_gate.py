@@ -94,8 +94,8 @@ def as_mesh(
     if not np.issubdtype(faces.dtype, np.integer):
         raise InvalidInput(f"`faces` must be integer indices; got {faces.dtype}.")
     if faces.min() < 0 or faces.max() >= len(vertices):
-        found = f"{faces.min()} to {faces.max()}"
-        raise InvalidInput(f"`faces` must index the {len(vertices)} vertices from 0; got {found}.")
+        span = f"{faces.min()} to {faces.max()}"
+        raise InvalidInput(f"`faces` must index the {len(vertices)} vertices from 0; got {span}.")
     if not np.isfinite(vertices).all():
         raise InvalidInput("`vertices` must be finite; got NaN or an infinity. Check the file.")
     if not FINEST < np.abs(vertices).max() < 1.0 / FINEST:
@@ -202,14 +202,14 @@ def _check_edges(faces: np.ndarray, repaired: bool) -> None:
 
 
 def _check_crossings(vertices: np.ndarray, faces: np.ndarray, pieces: list[np.ndarray]) -> None:
-    found = find_crossing_faces(vertices, faces)
-    if found is None:
+    pair = find_crossing_faces(vertices, faces)
+    if pair is None:
         return
     labels = np.empty(len(faces), dtype=int)
     for k, piece in enumerate(pieces):
         labels[piece] = k
-    where = ", ".join(f"{x:.4g}" for x in vertices[faces[found[0]]].mean(axis=0))
-    if labels[found[0]] == labels[found[1]]:
+    where = ", ".join(f"{x:.4g}" for x in vertices[faces[pair[0]]].mean(axis=0))
+    if labels[pair[0]] == labels[pair[1]]:
         what = "its surface passes through itself"
     else:
         what = f"two of its {len(pieces)} pieces pass through each other"

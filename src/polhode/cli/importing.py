@@ -89,8 +89,8 @@ def _with_body(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | 
         frame: the principal axes; its moments are about the point that the body turns about.
         mechanics: of the same body along the given axes; None where momentum is not the moments times the velocity.
     """
-    given, attitude = trajectory, trajectory.attitude
-    turned = replace(given, frame=frame, axes=np.asarray(frame.axes)).along("principal")
+    samples, attitude = trajectory, trajectory.attitude
+    turned = replace(samples, frame=frame, axes=np.asarray(frame.axes)).along("principal")
     if mechanics is None or turned.angular_velocity is None:
         return _with_states(turned)
     momentum = turned.angular_velocity * np.asarray(frame.moments)
@@ -99,7 +99,7 @@ def _with_body(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | 
         return turned  # the weight's torque is along axes that are not known
     still = np.tile((1.0, 0.0, 0.0, 0.0), (len(momentum), 1))  # energy and |L| are the same for any attitude
     invariants, drift = invariants_along(
-        still if attitude is None else attitude, np.asarray(given.angular_velocity), mechanics
+        still if attitude is None else attitude, np.asarray(samples.angular_velocity), mechanics
     )
     if attitude is None:
         del invariants["momentum_space"], drift["momentum_space"]

@@ -73,7 +73,7 @@ def noise_about(
 
     starts = [np.log([level * a, level * b / size]) for a, b in ((0.9, 1e-2), (0.3, 0.7))]
     best = min((minimize(cost, start, method="Nelder-Mead", options={"xatol": 1e-3, "fatol": 1e-4})
-                for start in starts), key=lambda found: found.fun)  # fmt: skip
+                for start in starts), key=lambda minimum: minimum.fun)  # fmt: skip
     both = np.exp(best.x)
     basis = np.stack([white, walk])
     shares = (both[:, None] * basis).sum(axis=1) / (both @ basis).sum()

@@ -104,5 +104,5 @@ def possible_moments(moments: Float64[Array, "3"]) -> Float64[Array, "3"]:
     a, b, c = (0.5 * moments.sum() - moments).tolist()
     largest = max(a, 1e-300)
     b, c = max(b, 0.02 * largest), max(c, FLATTEST * largest)
-    found = np.sort(np.array([b + c, largest + c, largest + b]))
-    return found / found[2]
+    ordered = np.sort(np.array([b + c, largest + c, largest + b]))
+    return ordered / ordered[2]

@@ -52,16 +52,16 @@ def momentum_stretches(t: Float64[Array, "n"], rates: Float64[Array, "n 3"], sho
         rates: [rad/s, device frame], without the gyro's bias as far as it is known.
         shortest: of a stretch [s].
     """
-    found: list[Stretch] = []
+    stretches: list[Stretch] = []
     speeds = np.linalg.norm(rates, axis=1)
     for first, last in _find_turning_parts(t, speeds):
         for begin in range(first, last + 1, MOST_AT_ONCE // 2):
             end = min(begin + MOST_AT_ONCE, last + 1)
             if t[end - 1] - t[begin] >= shortest:
-                found += _within(t[begin:end], rates[begin:end], shortest, begin)
+                stretches += _within(t[begin:end], rates[begin:end], shortest, begin)
             if end > last:
                 break
-    return _apart(found)
+    return _apart(stretches)
 
 
 def within(t: Float64[Array, "n"], rates: Float64[Array, "n 3"]) -> Stretch | None:
@@ -174,7 +174,7 @@ def _within(t: Array, rates: Array, shortest: float, offset: int) -> list[Stretc
     maps = momentum_map(integrate_rates(t, rates), rates)
     angle = np.concatenate([[0.0], np.cumsum(0.5 * (_speed(rates[1:]) + _speed(rates[:-1])) * np.diff(t))])
     taken = np.zeros(len(t), dtype=bool)
-    found = []
+    stretches = []
     for begin, end, inertia in _seeds(t, maps, angle):
         if taken[begin:end].mean() > 0.5:
             continue
@@ -185,8 +185,8 @@ def _within(t: Array, rates: Array, shortest: float, offset: int) -> list[Stretc
         if t[last] - t[first] >= shortest:
             taken[first : last + 1] = True
             change = measure_change(maps[first : last + 1], inertia)
-            found.append(Stretch(first + offset, last + offset, inertia, change, float(angle[last] - angle[first])))
-    return found
+            stretches.append(Stretch(first + offset, last + offset, inertia, change, float(angle[last] - angle[first])))
+    return stretches
 
 
 def _speed(rates: Array) -> Array:
@@ -289,10 +289,10 @@ def _possible(inertias: Float64[Array, "n 6"]) -> Bool[Array, "n"]:
     return (moments[:, 0] > 0.03 * moments[:, 2]) & (moments[:, 0] + moments[:, 1] > 0.8 * moments[:, 2])
 
 
-def _apart(found: list[Stretch]) -> list[Stretch]:
+def _apart(stretches: list[Stretch]) -> list[Stretch]:
     """Return stretches that do not overlap, the longest of those that do."""
     kept: list[Stretch] = []
-    for one in sorted(found, key=lambda each: each.first - each.last):
+    for one in sorted(stretches, key=lambda each: each.first - each.last):
         if all(one.last < other.first or one.first > other.last for other in kept):
             kept.append(one)
     kept.sort(key=lambda each: each.first)

@@ -40,19 +40,19 @@ def clean_pole(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[Arr
     Raises:
         InvalidInput: for arrays that are not finite, of different lengths, too few, not ascending, or not in radians.
     """
-    found = []
-    for name, given in (("times", times), ("x", x), ("y", y)):
+    arrays = []
+    for name, column in (("times", times), ("x", x), ("y", y)):
         try:
-            array = np.asarray(given, dtype=np.float64)
+            array = np.asarray(column, dtype=np.float64)
         except (TypeError, ValueError):
-            raise InvalidInput(f"`{name}` must be numbers, one for each sample; got {shown(given)}.") from None
+            raise InvalidInput(f"`{name}` must be numbers, one for each sample; got {shown(column)}.") from None
         if array.ndim != 1:
             raise InvalidInput(f"`{name}` must be one-dimensional; got the shape {array.shape}. Give one series.")
         if not np.isfinite(array).all():
             bad = int(np.argmin(np.isfinite(array)))
             raise InvalidInput(f"`{name}` must be finite; entry {bad} is {array[bad]}. Leave such samples out.")
-        found.append(array)
-    t, east, west = found
+        arrays.append(array)
+    t, east, west = arrays
     if not len(t) == len(east) == len(west):
         raise InvalidInput(f"`times`, `x` and `y` must be equally long; got {len(t)}, {len(east)} and {len(west)}.")
     if len(t) < FEWEST:

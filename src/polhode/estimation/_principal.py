@@ -58,12 +58,12 @@ def principal(
         axes: the fit's principal axes by columns [device frame].
         freedom: degrees of freedom of the residuals.
     """
-    given = compute_moments(parameters[places["shape"]])
-    which = np.argsort(given, kind="stable")
+    unsorted = compute_moments(parameters[places["shape"]])
+    which = np.argsort(unsorted, kind="stable")
     order = np.eye(3)[:, which]
     order[:, 2] *= np.linalg.det(order)
-    largest = given[which[2]]
-    moments = given[which] / largest
+    largest = unsorted[which[2]]
+    moments = unsorted[which] / largest
     # d(m_i/m_3) = (dm_i − (m_i/m_3) dm_3)/m_3
     slopes = (D_MOMENTS[:, which].T - np.outer(moments, D_MOMENTS[:, which[2]])) / largest
     by = np.zeros((5, 5))
@@ -88,16 +88,16 @@ def principal(
     return Principal(ratios, moments, axes @ order, turn, joint, forces, order, _equal(ratios), _is_narrow(ratios))
 
 
-def widen_errors(found: Principal, other: Principal) -> Principal:
+def widen_errors(inertia: Principal, other: Principal) -> Principal:
     """Return a solution with errors of ratios and axes widened to cover another solution that may be the true one."""
-    between = Rotation.from_matrix(found.axes.T @ other.axes)
+    between = Rotation.from_matrix(inertia.axes.T @ other.axes)
     halves = [between * Rotation.from_matrix(np.diag(signs)) for signs in HALF_TURNS]  # the same axes
     apart = min((half.as_rotvec() for half in halves), key=np.linalg.norm)
-    apart = np.concatenate([other.ratios.value - found.ratios.value, apart])
-    joint = replace(found.joint, covariance=found.joint.covariance + np.outer(apart, apart))
-    ratios = replace(found.ratios, covariance=joint.covariance[:2, :2])
-    turn = replace(found.turn, covariance=joint.covariance[2:, 2:])
-    return replace(found, joint=joint, ratios=ratios, turn=turn, equal=_equal(ratios), determined=_is_narrow(ratios))
+    apart = np.concatenate([other.ratios.value - inertia.ratios.value, apart])
+    joint = replace(inertia.joint, covariance=inertia.joint.covariance + np.outer(apart, apart))
+    ratios = replace(inertia.ratios, covariance=joint.covariance[:2, :2])
+    turn = replace(inertia.turn, covariance=joint.covariance[2:, 2:])
+    return replace(inertia, joint=joint, ratios=ratios, turn=turn, equal=_equal(ratios), determined=_is_narrow(ratios))
 
 
 def _is_narrow(ratios: Estimate) -> bool:
@@ -113,12 +113,12 @@ def _equal(ratios: Estimate) -> str | None:
     return "I2 = I3" if 1.0 - ratios.value[1] < 2 * ratios.standard_error[1] else None
 
 
-def explain_undetermined(rates: list[Float64[Array, "n 3"]], found: Principal | None) -> str:
+def explain_undetermined(rates: list[Float64[Array, "n 3"]], inertia: Principal | None) -> str:
     """Return why throws do not determine the inertia, in a sentence.
 
     Args:
         rates: of each throw [rad/s, device frame].
-        found: the fit with too wide intervals, or None where the linear method already failed.
+        inertia: the fit with too wide intervals, or None where the linear method already failed.
     """
     sizes = [float(np.linalg.norm(r, axis=1).mean()) for r in rates]
     means = [r.mean(axis=0) for r in rates]
@@ -135,13 +135,13 @@ def explain_undetermined(rates: list[Float64[Array, "n 3"]], found: Principal | 
             "the body spins about a principal axis, or is a sphere; either way the log does not determine the moments. "
             "Throw it with a tumble, best about its middle axis."
         )
-    if found is None:
+    if inertia is None:
         return (
             f"within the noise, bodies of quite different moments fit the rates ({sizes[k]:.3g} rad/s, up to "
             f"{away[k]:.0f}° from ({text})). Throw it longer or faster, with a tumble about its middle axis, or give "
             "more throws of it."
         )
-    half = 0.5 * np.diff(found.ratios.interval(), axis=1)[:, 0]
+    half = 0.5 * np.diff(inertia.ratios.interval(), axis=1)[:, 0]
     return (
         f"the intervals of I1/I3 and I2/I3 are ±{half[0]:.2g} and ±{half[1]:.2g}, too wide to say something; the rates "
         f"stay within {away[k]:.0f}° of ({text}). Throw it longer, or with a tumble about its middle axis."

@@ -46,8 +46,8 @@ def saturation(logs: Sequence[GyroLog]) -> float | None:
     Args:
         logs: from ``clean_log``, of one gyro.
     """
-    found = [edge for log in logs if (edge := _limit(log.rates)) is not None]
-    return min(found, default=None)
+    limits = [edge for log in logs if (edge := _limit(log.rates)) is not None]
+    return min(limits, default=None)
 
 
 def _limit(rates: Float64[Array, "n 3"]) -> float | None:

@@ -23,12 +23,12 @@ def why_nothing_explains(solution: Solution, throws: list[Throw]) -> str | None:
             "may be of another unit, like deg/s, or the stretch no free flight.")  # fmt: skip
 
 
-def why_no_result(solution: Solution, found: Principal, throws: list[Throw]) -> str | None:
+def why_no_result(solution: Solution, inertia: Principal, throws: list[Throw]) -> str | None:
     """Return why a fit does not determine the inertia, in a sentence, or None where it does.
 
     Args:
         solution: of the model that was chosen.
-        found: its moments and axes.
+        inertia: its moments and axes.
         throws: the samples.
     """
     bound = find_bound(solution)
@@ -38,9 +38,9 @@ def why_no_result(solution: Solution, found: Principal, throws: list[Throw]) -> 
     far = _doubt_expectations(solution)
     if far is not None:
         return far
-    if not found.determined:
-        return explain_undetermined([throw.rates for throw in throws], found)
-    return why_impossible(found) or _doubt_drag(found, throws)
+    if not inertia.determined:
+        return explain_undetermined([throw.rates for throw in throws], inertia)
+    return why_impossible(inertia) or _doubt_drag(inertia, throws)
 
 
 def _doubt_expectations(solution: Solution) -> str | None:
@@ -61,29 +61,29 @@ def _doubt_expectations(solution: Solution) -> str | None:
     return None
 
 
-def _doubt_drag(found: Principal, throws: list[Throw]) -> str | None:
+def _doubt_drag(inertia: Principal, throws: list[Throw]) -> str | None:
     """Return a sentence if the fitted drag would accelerate the body, else None."""
     typical = float(np.median(np.linalg.norm(np.concatenate([throw.rates for throw in throws]), axis=1)))
     least, variance = np.zeros(3), np.zeros(3)
     for name, scale in (("drag", 1.0), ("linear_drag", 1.0 / typical), ("one_sided_drag", 1.0)):
-        if name in found.forces:
-            value = scale * found.forces[name].value
+        if name in inertia.forces:
+            value = scale * inertia.forces[name].value
             least += -np.abs(value) if name == "one_sided_drag" else value
-            variance += (scale * found.forces[name].standard_error) ** 2
+            variance += (scale * inertia.forces[name].standard_error) ** 2
     if (least < -np.maximum(DRIVEN, IMPOSSIBLE * np.sqrt(variance))).any():
         return (f"the fit needs air that accelerates the body, not slows it, by {-least.min():.2g} I3 |ω|²: the "
                 "motion is another one than those that were tried, or the stretch is no free flight.")  # fmt: skip
     return None
 
 
-def why_impossible(found: Principal) -> str | None:
+def why_impossible(inertia: Principal) -> str | None:
     """Return why such moments are impossible, in a sentence, or None."""
-    for name, (low, high) in zip(found.ratios.names, found.ratios.interval().tolist(), strict=True):
+    for name, (low, high) in zip(inertia.ratios.names, inertia.ratios.interval().tolist(), strict=True):
         if low <= 0.0:
             return (f"the interval of {name}, {low:.2g} to {high:.2g}, reaches zero, which no moment is. Throw it "
                     "longer, or with more tumble.")  # fmt: skip
-    flat = float(found.ratios.value.sum() - 1.0)
-    error = float(np.sqrt(found.ratios.covariance.sum()))
+    flat = float(inertia.ratios.value.sum() - 1.0)
+    error = float(np.sqrt(inertia.ratios.covariance.sum()))
     if flat < -IMPOSSIBLE * error:
         return (f"I1 + I2 would be less than I3 by {-flat:.2g} ± {error:.2g} of it, which no body is: the motion is "
                 "another one than those that were tried, or the stretch is no free flight.")  # fmt: skip

@@ -65,12 +65,12 @@ class Model:
         """The slice of each group of parameters."""
         names = ["shape", "turn", "bias", *["gain", "cross_axis"] * self.gain, *self.forces]
         names += [f"start {k}" for k in range(self.throws)]
-        found, at = {}, 0
+        slices, at = {}, 0
         for name in names:
             size = 2 if name == "shape" else 3
-            found[name] = slice(at, at + size)
+            slices[name] = slice(at, at + size)
             at += size
-        return found
+        return slices
 
     @property
     def size(self) -> int:
@@ -155,10 +155,10 @@ def cross_matrix(v: Array) -> Float64[Array, "3 3"]:
 
 def cross_matrices(v: Float64[Array, "n 3"]) -> Float64[Array, "n 3 3"]:
     """Return hat(v), hat(v) x = v × x, of each row."""
-    found = np.zeros((len(v), 3, 3))
-    found[:, [2, 0, 1], [1, 2, 0]] = v
-    found[:, [1, 2, 0], [2, 0, 1]] = -v
-    return found
+    matrices = np.zeros((len(v), 3, 3))
+    matrices[:, [2, 0, 1], [1, 2, 0]] = v
+    matrices[:, [1, 2, 0], [2, 0, 1]] = -v
+    return matrices
 
 
 def right_jacobian(turn: Array) -> Float64[Array, "3 3"]:
@@ -276,8 +276,8 @@ def estimate_noise(residuals: Array, fast: Array, lost: float, latest: float) ->
 
     # ratios of the clock's part to the gyro's, from nothing to a thousand times
     typical = max(float(np.median(size2)), 1e-300)
-    found: Any = minimize_scalar(lambda v: parts(np.exp(v) / typical)[1], bounds=(-9.0, 7.0), method="bounded")
-    ratio = float(np.exp(found.x) / typical) if found.fun < parts(0.0)[1] else 0.0
+    minimum: Any = minimize_scalar(lambda v: parts(np.exp(v) / typical)[1], bounds=(-9.0, 7.0), method="bounded")
+    ratio = float(np.exp(minimum.x) / typical) if minimum.fun < parts(0.0)[1] else 0.0
     variance, cost = parts(ratio)
     sigma = float(np.sqrt(variance * count / max(count - lost, 1.0)))
     if np.sqrt(ratio) * sigma > latest:

@@ -55,7 +55,7 @@ class Start:
     def of(cls, throws: list[Throw]) -> Start:
         """Return the start for throws of one body."""
         rates = [throw.rates for throw in throws]
-        found = linear_inertia(rates, [integrate_rates(t.elapsed, t.rates) for t in throws])
+        estimate = linear_inertia(rates, [integrate_rates(t.elapsed, t.rates) for t in throws])
         noise = _noise(throws)
         # noise of σ makes each singular value about σ √n; biases and drag make them larger, so the fit judges again
         floor = 6.0 * noise * np.sqrt(sum(len(r) for r in rates))
@@ -66,15 +66,15 @@ class Start:
         if between > MOST_TURN:
             reason = (f"the rates say that the body turns by {between:.3g} rad from sample to sample, too far to be "
                       "followed: the rates are of another unit, like deg/s, or the times are.")  # fmt: skip
-        elif max(_typical(r) for r in rates) > FASTEST and found.moments[0] > ROUND:
+        elif max(_typical(r) for r in rates) > FASTEST and estimate.moments[0] > ROUND:
             reason = (f"the rates, about {max(_typical(r) for r in rates):.3g} rad/s, are beyond what gyros can tell, "
                       "and make the body nearly a sphere. Both happen where rates in deg/s are read as rad/s: give "
                       "their unit.")  # fmt: skip
         elif turned < MIN_TURN:
             reason = f"the body turned by {turned:.2g} rad only: nothing can be said of its inertia."
-        elif found.singular_values[-2] < floor:
+        elif estimate.singular_values[-2] < floor:
             reason = explain_undetermined(rates, None)
-        return cls(compute_shape(found.moments), found.axes, found.singular_values, noise, reason)
+        return cls(compute_shape(estimate.moments), estimate.axes, estimate.singular_values, noise, reason)
 
 
 def _typical(rates: Array) -> float:
@@ -100,22 +100,22 @@ def fit_models(
         rotor: whether a wheel turns in the body.
         gain: whether the gyro has gains.
     """
-    found = []
+    fits = []
     if rotor is not True:
-        found += _in_air(plain, start, throws, drag)
-    if rotor is True or (rotor == "auto" and _asks_for_wheel(min(found, key=criterion), start, throws)):
-        found += _with_wheel(plain, throws, drag)
-    best = min(found, key=criterion)
-    if best.model.rotor and rotor == "auto" and not any(explains(one, throws) for one in found if not one.model.rotor):
-        found += _again(replace(plain, forces=() if drag is False else AIR[1]), best, drag, start, throws)
-        best = min(found, key=criterion)
+        fits += _in_air(plain, start, throws, drag)
+    if rotor is True or (rotor == "auto" and _asks_for_wheel(min(fits, key=criterion), start, throws)):
+        fits += _with_wheel(plain, throws, drag)
+    best = min(fits, key=criterion)
+    if best.model.rotor and rotor == "auto" and not any(explains(one, throws) for one in fits if not one.model.rotor):
+        fits += _again(replace(plain, forces=() if drag is False else AIR[1]), best, drag, start, throws)
+        best = min(fits, key=criterion)
     if _in_a_valley(best, start):
         kept = best.model if best.model.rotor else replace(plain, forces=() if drag is False else AIR[1])
-        found += _again(kept, best, drag, start, throws)
+        fits += _again(kept, best, drag, start, throws)
     if gain == "auto":
-        best = min(found, key=criterion)
-        found.append(_richer(best, replace(best.model, gain=True), throws))
-    return sorted(found, key=criterion)
+        best = min(fits, key=criterion)
+        fits.append(_richer(best, replace(best.model, gain=True), throws))
+    return sorted(fits, key=criterion)
 
 
 def _again(model: Model, best: Solution, drag: bool | str, start: Start, throws: list[Throw]) -> list[Solution]:
@@ -131,14 +131,14 @@ def criterion(solution: Solution) -> float:
     return solution.aicc + SURE * solution.model.rotor
 
 
-def rival(found: list[Solution]) -> Solution | None:
+def rival(fits: list[Solution]) -> Solution | None:
     """Return the best model of the other sort, with or without a wheel, where it does as well as the chosen one.
 
     Args:
-        found: the fits, the best of them first.
+        fits: the best of them first.
     """
-    others = [each for each in found if each.model.rotor != found[0].model.rotor]
-    return others[0] if others and criterion(others[0]) - criterion(found[0]) < RIVAL else None
+    others = [each for each in fits if each.model.rotor != fits[0].model.rotor]
+    return others[0] if others and criterion(others[0]) - criterion(fits[0]) < RIVAL else None
 
 
 def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -> list[Solution]:
@@ -146,7 +146,7 @@ def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -
     begin = [start.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
     x = np.concatenate([start.shape, np.zeros(3), plain.bias, *_no_gains(plain), *begin])
     last = _fit_growing(plain, x, start.axes, throws)
-    found = [last]
+    fits = [last]
     for forces in AIR[1:] if drag is not False else ():
         model = replace(plain, forces=forces)
         if explains(last, throws):
@@ -156,11 +156,11 @@ def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -
             more = _choose_best(model, [(at, start.axes)], throws)
         else:
             break
-        found.append(more)
+        fits.append(more)
         if len(forces) > 1 and more.aicc > last.aicc:
             break
         last = more
-    return found[1:] if drag is True and len(found) > 1 else found
+    return fits[1:] if drag is True and len(fits) > 1 else fits
 
 
 def _no_gains(plain: Model) -> list[Array]:
@@ -180,10 +180,10 @@ def _with_wheel(plain: Model, throws: list[Throw], drag: bool | str) -> list[Sol
         x = np.concatenate([compute_shape(linear.moments), np.zeros(3), plain.bias, *_no_gains(plain),
                             linear.axes.T @ linear.rotor, *begin])  # fmt: skip
         starts.append((x, linear.axes))
-    found = [_choose_best(replace(plain, forces=WHEEL[0]), starts, throws)]
+    fits = [_choose_best(replace(plain, forces=WHEEL[0]), starts, throws)]
     if drag is not False:
-        found.append(_richer(found[0], replace(plain, forces=WHEEL[1]), throws))
-    return found[1:] if drag is True else found
+        fits.append(_richer(fits[0], replace(plain, forces=WHEEL[1]), throws))
+    return fits[1:] if drag is True else fits
 
 
 def _choose_best(model: Model, starts: list[tuple[Array, Array]], throws: list[Throw]) -> Solution:
@@ -272,9 +272,9 @@ def _fit_growing(model: Model, x: Array, axes: Array, throws: list[Throw]) -> So
     for samples in (500, 2500):
         if max(len(throw.elapsed) for throw in throws) > 2 * samples:
             middles = [_middle(throw, samples) for throw in throws]
-            found = fit_model(model, x, axes, middles, None)
-            x, axes = carry_over(found, model), found.axes
-            if not explains(found, middles):
+            fit = fit_model(model, x, axes, middles, None)
+            x, axes = carry_over(fit, model), fit.axes
+            if not explains(fit, middles):
                 return fit_model(model, x, axes, throws, None, rounds=0)
     return fit_model(model, x, axes, throws, None)
 

@@ -224,8 +224,8 @@ class _Mixed:
         here[: self.model.size] += self.x
         if "gain" in self.model.places:
             here[self.model.places["gain"]] -= 1.0
-        told = 6.0 * bool(gains.any()) - float(np.trace(gains @ self.covariance))
-        self.told = max(told, 0.0)
+        determined = 6.0 * bool(gains.any()) - float(np.trace(gains @ self.covariance))
+        self.told = max(determined, 0.0)
         known = GAINS_KNOWN * self.model.gain_spread**2
         spread = (known + float(here @ gains @ here) * self.scales.gain**2) / (GAINS_KNOWN + self.told)
         self.seen = max(self.torques - float(np.trace(torque @ self.covariance)), 1e-6)

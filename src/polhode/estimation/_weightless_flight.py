@@ -47,15 +47,15 @@ def weightless_stretches(log: GyroLog, shortest: float) -> list[Weightless]:
     beyond = np.concatenate([np.linalg.norm(felt[part] - lever @ place, axis=1)
                              for part, lever in _levers(log, t, 0)])  # fmt: skip
     inside = (t >= log.times[0]) & (t <= log.times[-1])
-    found = []
+    stretches = []
     for first, last in _runs((beyond < FELT) & inside, max(2, round(GAP / step))):
         limit = max(LEAST_FELT, OWN_FELT * float(np.median(beyond[first : last + 1])))
         calm = np.flatnonzero(beyond[first : last + 1] < limit)
         first, last = first + int(calm[0]), first + int(calm[-1])
         if t[last] - t[first] >= shortest:
             rms = float(np.sqrt(np.mean(beyond[first : last + 1] ** 2)))
-            found.append(Weightless(first, last, rms))
-    return found
+            stretches.append(Weightless(first, last, rms))
+    return stretches
 
 
 def _levers(log: GyroLog, t: Array, overlap: int) -> Iterator[tuple[slice, Array]]:
@@ -71,7 +71,7 @@ def _levers(log: GyroLog, t: Array, overlap: int) -> Iterator[tuple[slice, Array
 def _place(log: GyroLog, t: Array, felt: Array, size: int) -> Float64[Array, "3"] | None:
     """Return the place of the accelerometer that explains a calm span best; None where no span is calm."""
     stride = max(1, size // 8)
-    told: list[Array] = []
+    candidates: list[Array] = []
     for part, lever in _levers(log, t, size):
         n = part.stop - part.start
         if n < size:
@@ -86,8 +86,8 @@ def _place(log: GyroLog, t: Array, felt: Array, size: int) -> Float64[Array, "3"
         # at the minimum, where N r = b, the mean of |f − L r|² and the penalty together are ⟨f²⟩ − r·b
         left = mean((felt[part] ** 2).sum(axis=1)) - (place * right).sum(axis=1)
         calm = inside & (left < FELT**2) & (np.linalg.norm(place, axis=1) < LONGEST_ARM)
-        told.append(np.column_stack([np.linalg.det(normal), left, place])[calm])
-    spans = np.concatenate(told) if told else np.empty((0, 5))
+        candidates.append(np.column_stack([np.linalg.det(normal), left, place])[calm])
+    spans = np.concatenate(candidates) if candidates else np.empty((0, 5))
     if not len(spans):
         return None
     telling = spans[spans[:, 0] >= 0.1 * spans[:, 0].max()]  # of those whose turning tells enough of it

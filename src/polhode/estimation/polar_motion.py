@@ -159,9 +159,9 @@ def _best_rate(clock: Float64[Array, "n"], pole: Pole) -> float:
         raise InvalidInput(f"no Chandler wobble with a period between {SHORTEST / DAY:g} and {LONGEST / DAY:g} d is in "
                            "the series: the fit runs to an end. Check columns and units, or give a longer series."
                            )  # fmt: skip
-    found: Any = minimize_scalar(cost, bounds=(grid[best - 1], grid[best + 1]), method="bounded",
+    minimum: Any = minimize_scalar(cost, bounds=(grid[best - 1], grid[best + 1]), method="bounded",
                             options={"xatol": 1e-7 * grid[best]})  # fmt: skip
-    return float(found.x)
+    return float(minimum.x)
 
 
 def _columns(clock: Float64[Array, "n"], rates: list[float], span: float) -> Complex128[Array, "n c"]:
@@ -235,8 +235,8 @@ def _headline(rate: float, value: complex, covariance: Float64[Array, "3 3"], de
         [0.0, value.real / size, value.imag / size],
         [0.0, -value.imag / size**2, value.real / size**2],
     ])  # fmt: skip
-    found = np.array([2.0 * np.pi / rate, size, float(np.angle(value))])
-    return Estimate(("period", "amplitude", "phase"), found, slopes @ covariance @ slopes.T, degrees)
+    values = np.array([2.0 * np.pi / rate, size, float(np.angle(value))])
+    return Estimate(("period", "amplitude", "phase"), values, slopes @ covariance @ slopes.T, degrees)
 
 
 def _polar(parts: Float64[Array, "2"], covariance: Float64[Array, "2 2"]) -> tuple[float, float]:

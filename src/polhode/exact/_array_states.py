@@ -27,8 +27,8 @@ class ArrayStates:
     def evaluate(self, flat: Columns, time: Times, rest: Times) -> tuple[Float64[Array, "*shape"], ...]:
         """Return the four quaternion and three momentum components at the times since the epoch, given in two parts."""
         high, low = split_halves(time)
-        *found, last = self._formulas.state_of(self._formulas.unflatten(flat), self._sums(flat, high, low + rest))
-        return (*found, last + 0.0 * found[0])  # a top's is one number for all times
+        *components, last = self._formulas.state_of(self._formulas.unflatten(flat), self._sums(flat, high, low + rest))
+        return (*components, last + 0.0 * components[0])  # a top's is one number for all times
 
     def sums_at_start(self, flat: Columns) -> Sums:
         """Return the sums at the epoch."""

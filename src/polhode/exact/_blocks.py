@@ -74,5 +74,5 @@ def in_blocks(
     flat = [x.reshape(size, *x.shape[len(shape) :]) for x in whole]
     with np.errstate(all="ignore"):
         parts = [columns(*(x[k : k + JACOBIANS] for x in flat)) for k in range(0, max(size, 1), JACOBIANS)]
-    found = np.concatenate(parts)
-    return found.reshape(*shape, *found.shape[1:])
+    joined = np.concatenate(parts)
+    return joined.reshape(*shape, *joined.shape[1:])

@@ -109,20 +109,20 @@ class ClosedForm:
         return columns.reshape(len(columns), *shape)
 
     def _set_up_many(self, flat: Sequence[Array], columns: Array, left: Array) -> None:
-        given = [np.ascontiguousarray(v, float) for v in flat]
+        inputs = [np.ascontiguousarray(v, float) for v in flat]
         fill = lambda low, high: self._compiled.set_up(  # noqa: E731
-            *(v[low:high] for v in given), columns[:, low:high], left[low:high]
+            *(v[low:high] for v in inputs), columns[:, low:high], left[low:high]
         )
         in_threads(fill, len(left), self._constant("_kernel_setup", "WORTH"))
 
-    def _set_up_one(self, given: list[Array], k: int, columns: Array, left: Array) -> None:
-        found, is_left = [[0.0] for _ in range(len(columns))], [True]
+    def _set_up_one(self, inputs: list[Array], k: int, columns: Array, left: Array) -> None:
+        outputs, is_left = [[0.0] for _ in range(len(columns))], [True]
         try:
-            self._python.set_up(*([v.tolist()] for v in given), found, is_left)
+            self._python.set_up(*([v.tolist()] for v in inputs), outputs, is_left)
         except (ArithmeticError, ValueError):  # where Numba's numbers become infinite or none
-            self._set_up_many([v[None] for v in given], columns[:, k : k + 1], left[k : k + 1])
+            self._set_up_many([v[None] for v in inputs], columns[:, k : k + 1], left[k : k + 1])
             return
-        columns[:, k], left[k] = [x for (x,) in found], is_left[0]
+        columns[:, k], left[k] = [x for (x,) in outputs], is_left[0]
 
     # ------------------------------------------------------------------ states
 
@@ -151,22 +151,22 @@ class ClosedForm:
         flat = columns.reshape(len(columns), count)
         compiled = self._is_worth("states_of_one" if count == 1 else "states_of_many", STATE * len(times))
         bodies = None if count == 1 else np.broadcast_to(np.arange(count).reshape(batch), shape).reshape(-1)
-        found = np.empty((len(times), 4)), np.empty((len(times), 3))  # apart, as strided ones would not do for others
+        outputs = np.empty((len(times), 4)), np.empty((len(times), 3))  # apart, as strided ones would not do for others
         if not compiled:
-            self._by_python(flat, bodies, times, rests, *found)
+            self._by_python(flat, bodies, times, rests, *outputs)
         elif bodies is None:
-            self._of_one(flat[:, 0].tolist(), times, rests, *found)
+            self._of_one(flat[:, 0].tolist(), times, rests, *outputs)
         else:
-            self._of_many(flat, bodies, times, rests, *found)
-        return found[0].reshape(*shape, 4), found[1].reshape(*shape, 3)
+            self._of_many(flat, bodies, times, rests, *outputs)
+        return outputs[0].reshape(*shape, 4), outputs[1].reshape(*shape, 3)
 
     def _by_python(
         self, flat: Array, bodies: Array | None, times: Array, rests: Array, attitude: Array, momentum: Array
     ) -> None:
         rows = flat.T.tolist()
         for i, (time, rest) in enumerate(zip(times.tolist(), rests.tolist(), strict=True)):
-            found = self.state(rows[0 if bodies is None else bodies[i]], time, rest)
-            attitude[i], momentum[i] = found[:4], found[4:]
+            components = self.state(rows[0 if bodies is None else bodies[i]], time, rest)
+            attitude[i], momentum[i] = components[:4], components[4:]
 
     def _of_one(
         self, column: Sequence[float], times: Array, rests: Array, attitude: Array, momentum: Array

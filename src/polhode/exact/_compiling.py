@@ -86,13 +86,13 @@ def _fused(context: Any, a: Any, b: Any, c: Any) -> Any:
 
 @_instruction
 def _bits_of(context: Any, x: Any) -> Any:
-    cast = lambda made, builder, _, values: builder.bitcast(values[0], made.get_value_type(int64))  # noqa: E731
+    cast = lambda target, builder, _, values: builder.bitcast(values[0], target.get_value_type(int64))  # noqa: E731
     return int64(float64), cast
 
 
 @_instruction
 def _of_bits(context: Any, n: Any) -> Any:
-    cast = lambda made, builder, _, values: builder.bitcast(values[0], made.get_value_type(float64))  # noqa: E731
+    cast = lambda target, builder, _, values: builder.bitcast(values[0], target.get_value_type(float64))  # noqa: E731
     return float64(int64), cast
 
 
@@ -114,9 +114,9 @@ def _record(context: Any, rows: Any, i: Any, count: Any) -> Any:
 
 @intrinsic
 def _put_record(context: Any, rows: Any, i: Any, values: Any) -> Any:
-    def write(context: Any, builder: Any, _: Any, given: Any) -> Any:
-        places = _places(context, builder, rows, given, len(values))
-        for place, value in zip(places, unpack_tuple(builder, given[2]), strict=True):
+    def write(context: Any, builder: Any, _: Any, operands: Any) -> Any:
+        places = _places(context, builder, rows, operands, len(values))
+        for place, value in zip(places, unpack_tuple(builder, operands[2]), strict=True):
             builder.store(value, place)
         return context.get_dummy_value()
 

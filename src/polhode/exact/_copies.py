@@ -28,7 +28,7 @@ def copy_modules(
         make: function with the names of its copy, and its mark → what stands in place of any other.
     """
     spaces: dict[str, Space] = {module.__name__: dict(vars(module)) for module in modules}
-    made, named, given = dict[Any, Any](), Space(), dict[Any, str]()
+    copies, named, names = dict[Any, Any](), Space(), dict[Any, str]()
     for place, space in spaces.items():
         for name, value in tuple(space.items()):
             plain = inspect.unwrap(value) if callable(value) else value  # tests wrap functions to check annotations
@@ -36,16 +36,16 @@ def copy_modules(
             if mark is None or plain.__module__ != place:
                 continue
             if mark == "given":
-                given[plain] = name
+                names[plain] = name
             else:
                 named[name] = words[name] if name in words else make(FunctionType(plain.__code__, space, name), mark)
-                made[plain] = named[name]
-    made |= {plain: named[name] for plain, name in given.items()}
+                copies[plain] = named[name]
+    copies |= {plain: named[name] for plain, name in names.items()}
     for space in spaces.values():
         for name, value in space.items():
             plain = inspect.unwrap(value) if isinstance(value, FunctionType) else None
-            if plain in made:
-                space[name] = made[plain]
+            if plain in copies:
+                space[name] = copies[plain]
     return spaces
 
 

@@ -141,8 +141,8 @@ def _complementary_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -
     _exponentials(work, count)
     for i in range(count):
         a, b, c, exponent, factor, other, other_factor = record(work, i, PHASE)
-        found = complementary_sums(motion_at(m, i), a, b, c, exponent * factor, other * other_factor)
-        put_record(work, SUMS + i, found)
+        sums = complementary_sums(motion_at(m, i), a, b, c, exponent * factor, other * other_factor)
+        put_record(work, SUMS + i, sums)
 
 
 @called

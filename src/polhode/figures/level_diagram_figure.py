@@ -77,9 +77,9 @@ def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
 
 
 def _above(rotor: Rotor, J: int) -> Array:
-    found = level_polhodes(rotor.constants, J)
-    if found is not None:
-        return found.above
+    polhodes = level_polhodes(rotor.constants, J)
+    if polhodes is not None:
+        return polhodes.above
     # circles round the axis of symmetry; of a linear molecule round none
     A, B, C = rotor.constants
     return np.full(1 if rotor.is_linear else 2 * J + 1, B - C < A - B)

@@ -83,8 +83,8 @@ def spinning_top(
 def _solid(top: TopShown, surface: Surface | None) -> tuple[Surface, float, str]:
     """Return the surface, along the principal axes, the distance of its centre of mass, and words for the title."""
     frame = top.trajectory.frame
-    if frame is not None and (found := surface or box_in_place(frame)) is not None:
-        return found.along(frame), float(np.linalg.norm(np.asarray(frame.center_of_mass) - frame.origin)), ""
+    if frame is not None and (solid := surface or box_in_place(frame)) is not None:
+        return solid.along(frame), float(np.linalg.norm(np.asarray(frame.center_of_mass) - frame.origin)), ""
     if surface is not None:
         return surface, 0.5 * float(np.linalg.norm(np.asarray(surface.vertices), axis=-1).max()), ""
     toy = revolve(TOY)

@@ -70,9 +70,9 @@ def take_top(shown: LagrangeMotion | Trajectory) -> TopShown:
     if isinstance(source, LagrangeMotion):
         return TopShown(trajectory, source, np.array([0.0, 0.0, 1.0]), float(source.mgl) == 0.0)
     if not isinstance(source, HeavyTop) or trajectory.attitude is None:
-        made = "a file" if source is None else type(source).__name__
+        origin = "a file" if source is None else type(source).__name__
         without = " without attitude" if isinstance(source, HeavyTop) else ""
-        raise InvalidInput(f"the figure is of a top; got a trajectory of {made}{without}. {REMEDY}")
+        raise InvalidInput(f"the figure is of a top; got a trajectory of {origin}{without}. {REMEDY}")
     return TopShown(trajectory, None, np.asarray(source.axis), float(source.mgl) == 0.0)
 
 

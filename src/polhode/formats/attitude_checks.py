@@ -54,6 +54,6 @@ def check_recorded(
     wrong = ~(np.abs(norms - 1.0) <= UNIT)
     if wrong.any():
         place = tuple(np.argwhere(wrong)[0])
-        found = np.asarray(attitude)[place].tolist()
-        why = f"the attitude of sample {place[-1]} is not a unit quaternion; got {found}"
+        got = np.asarray(attitude)[place].tolist()
+        why = f"the attitude of sample {place[-1]} is not a unit quaternion; got {got}"
         raise FormatError(f"{path}: {why}. {DAMAGED}")

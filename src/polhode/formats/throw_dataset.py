@@ -113,12 +113,12 @@ def _describe(fit: ThrowFit, names: Sequence[str]) -> tuple[dict[str, Any], dict
 
 def _estimates(named: list[tuple[str, Estimate | None, str, str, str]]) -> dict[str, Any]:
     """Return estimates with their covariances."""
-    found: dict[str, Any] = {}
+    variables: dict[str, Any] = {}
     for name, estimate, axis, units, meaning in named:
         if estimate is None:
             continue
         squared = SQUARED[units]
-        found[name] = (axis, estimate.value, {"units": units, "long_name": meaning})
-        found[f"{name}_covariance"] = ((axis, f"{axis}_2"), estimate.covariance,
+        variables[name] = (axis, estimate.value, {"units": units, "long_name": meaning})
+        variables[f"{name}_covariance"] = ((axis, f"{axis}_2"), estimate.covariance,
                                        {"units": squared, "long_name": f"covariance of {name}"})  # fmt: skip
-    return found
+    return variables

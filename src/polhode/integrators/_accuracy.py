@@ -123,11 +123,11 @@ def run_to_tolerance(
     last = error = np.full(np.shape(rates), np.inf)
     stuck, wanted = np.zeros(np.shape(rates), bool), 0.0
     for _ in range(ROUNDS):
-        found = run_with_error(solver, state, times, sizes, rates, meter, quiet, every)
-        error = np.asarray(found.error)
+        run = run_with_error(solver, state, times, sizes, rates, meter, quiet, every)
+        error = np.asarray(run.error)
         missed = error > tolerance
         if not missed.any():
-            return found
+            return run
         stuck = missed & np.isfinite(error) & (error > 0.9 * last)
         shorter = (SAFETY * tolerance / error) ** (1.0 / solver.order(None))
         sizes = np.where(missed, sizes * np.clip(shorter, SHORTEST, 0.8), sizes)

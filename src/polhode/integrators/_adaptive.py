@@ -110,28 +110,28 @@ def solve_adaptively(
     allowed = jnp.asarray(TOLERANCE if tolerance is None else tolerance)
     kept = times[::every]
     jumps_between(times, system.jumps)  # refuses what is no time
-    given = (system, solver, states, jnp.asarray(times), jnp.asarray(kept), largest, allowed, meter)
-    found = (_by_stretches if embedded.is_embedded(solver) else _at_once)(*given)
-    found = jax.tree.map(np.asarray, found)  # each operation on a JAX array would be compiled by itself
-    steps = int(np.max(found.steps, initial=0))
+    arguments = (system, solver, states, jnp.asarray(times), jnp.asarray(kept), largest, allowed, meter)
+    motion = (_by_stretches if embedded.is_embedded(solver) else _at_once)(*arguments)
+    motion = jax.tree.map(np.asarray, motion)  # each operation on a JAX array would be compiled by itself
+    steps = int(np.max(motion.steps, initial=0))
     if steps >= MOST_STEPS:
         raise NotConverged(
             f"{MOST_STEPS:.1e} steps did not reach the last time, {times[-1]:g} s, and at most so many are taken. Give "
             "an earlier last time, which is `time.until` in a spec, or follow the motion in parts."
         )
     if batch:
-        found = jax.tree.map(lambda y: np.reshape(y, (*batch, *y.shape[1:])), found)
-    ends = Ends(found.status, found.event, found.end, found.end_state, tuple(system.events))
-    fine = found.status != Status.NOT_CONVERGED
-    if batch or found.status != Status.EVENT:
-        return AdaptiveMotion(kept, found.saved, found.received, None, fine, steps, ends)
-    last = float(found.end)
+        motion = jax.tree.map(lambda y: np.reshape(y, (*batch, *y.shape[1:])), motion)
+    ends = Ends(motion.status, motion.event, motion.end, motion.end_state, tuple(system.events))
+    fine = motion.status != Status.NOT_CONVERGED
+    if batch or motion.status != Status.EVENT:
+        return AdaptiveMotion(kept, motion.saved, motion.received, None, fine, steps, ends)
+    last = float(motion.end)
     before = np.abs(kept - times[0]) < abs(last - times[0])
-    received = {name: value[before] for name, value in found.received.items()}
+    received = {name: value[before] for name, value in motion.received.items()}
     # one row more, for the event itself
-    received = {name: np.append(value, found.end_received[name]) for name, value in received.items()}
-    states = np.concatenate([found.saved[before], found.end_state[None]])
-    event = tuple(system.events)[int(found.event)]
+    received = {name: np.append(value, motion.end_received[name]) for name, value in received.items()}
+    states = np.concatenate([motion.saved[before], motion.end_state[None]])
+    event = tuple(system.events)[int(motion.event)]
     return AdaptiveMotion(np.append(kept[before], last), states, received, event, fine, steps, ends)
 
 
@@ -158,10 +158,10 @@ def adaptive_error(
     if len(times) > 2 and other.steps > SAME_STEPS * motion.steps:
         at, every = _in_pairs(times), 2
         other = again(state, at)
-    found = _apart(system, motion, other, kept, every)
-    if found is None:
+    deviation = _apart(system, motion, other, kept, every)
+    if deviation is None:
         return None
-    off, unknown = found
+    off, unknown = deviation
     grown = np.zeros(np.shape(off))
     windows = 1 if kept > 1 or every > 1 or system.events else inner_windows(len(times), motion.steps // len(times[1:]))
 

@@ -97,8 +97,8 @@ def compose_with_hints(
         beside: keeps the middle of a stage on the step's side of what jumps; None where nothing does.
     """
     if order == 2:
-        found, hint = stage(t, h, state, jax.tree.map(lambda x: x[0], hints))
-        return found, jax.tree.map(lambda x: x[None], hint)
+        change, hint = stage(t, h, state, jax.tree.map(lambda x: x[0], hints))
+        return change, jax.tree.map(lambda x: x[None], hint)
     fractions, begins = jnp.asarray(stages(order)), jnp.asarray(stage_times(order))
 
     def add(k: Array, carried: tuple[Array, Change, Any]) -> tuple[Array, Change, Any]:
@@ -106,11 +106,11 @@ def compose_with_hints(
         begin, length = t + begins[k] * h, fractions[k] * h
         if beside is not None:
             begin = beside(begin + 0.5 * length) - 0.5 * length
-        found, hint = stage(begin, length, now, jax.tree.map(lambda x: x[k], hints))
+        change, hint = stage(begin, length, now, jax.tree.map(lambda x: x[k], hints))
         total = Change(
-            total.state + found.state, total.iterations + found.iterations, total.converged & found.converged
+            total.state + change.state, total.iterations + change.iterations, total.converged & change.converged
         )
-        return now + found.state, total, jax.tree.map(lambda xs, x: xs.at[k].set(x), hints, hint)
+        return now + change.state, total, jax.tree.map(lambda xs, x: xs.at[k].set(x), hints, hint)
 
     none = Change(jnp.zeros_like(state), jnp.zeros((), int), jnp.asarray(True))
     return jax.lax.fori_loop(0, len(fractions), add, (state, none, hints))[1:]

@@ -82,9 +82,9 @@ def by_either_mode(forward: Callable[[Any], Any], back: Back, operands: Any, nam
         if moving:
             known, ways = (*primals, *outputs), [tangents[k] for k in moving]
             rules = {"along": along, "back": pulled, "name": name, "twice": twice}
-            found = _linear.bind(*known, *ways, count=len(known), **rules)
+            smooth_changes = _linear.bind(*known, *ways, count=len(known), **rules)
             smooth = [k for k, x in enumerate(outputs) if jnp.issubdtype(x.dtype, jnp.inexact)]
-            for k, change in zip(smooth, found, strict=True):
+            for k, change in zip(smooth, smooth_changes, strict=True):
                 changes[k] = change
         return out, jax.tree.unflatten(shape, changes)
 
@@ -111,10 +111,10 @@ def _jvp(primals: Any, tangents: Any, *, count: int, along: Any, name: str, twic
     known, ways = primals[:count], primals[count:]
     changes = [ad.instantiate_zeros(tangent) for tangent in tangents[count:]]
     bind = lambda ways: _linear.bind(*known, *ways, count=count, along=along, name=name, twice=twice, **more)  # noqa: E731
-    found, moved = bind(ways), bind(changes)
+    results, moved = bind(ways), bind(changes)
     moving = [k for k, tangent in enumerate(tangents[:count]) if not isinstance(tangent, ad.Zero)]
     if not moving:
-        return found, moved
+        return results, moved
     if not twice:
         raise InvalidInput(f"`{name}` has first derivatives only; take second ones by differences of the first.")
 
@@ -125,13 +125,13 @@ def _jvp(primals: Any, tangents: Any, *, count: int, along: Any, name: str, twic
         return along(*at, *ways)
 
     _, turned = jax.jvp(of_known, [known[k] for k in moving], [tangents[k] for k in moving])
-    return found, [a + b for a, b in zip(moved, _forward_only(turned, f"the derivative of {name}"), strict=True)]
+    return results, [a + b for a, b in zip(moved, _forward_only(turned, f"the derivative of {name}"), strict=True)]
 
 
 def _transpose(weights: Any, *args: Any, count: int, along: Any, back: Any, **more: Any) -> list[Any]:
     weights = [ad.instantiate_zeros(weight) for weight in weights]
-    found = _linear.bind(*args[:count], *weights, count=count, along=back, back=along, **more)
-    return [None] * count + list(found)
+    cotangents = _linear.bind(*args[:count], *weights, count=count, along=back, back=along, **more)
+    return [None] * count + list(cotangents)
 
 
 def _batch(args: Any, axes: Any, *, count: int, along: Any, back: Any, **more: Any) -> Any:
@@ -148,13 +148,13 @@ def _batch(args: Any, axes: Any, *, count: int, along: Any, back: Any, **more: A
         jnp.broadcast_to(x, (size, *jnp.shape(x))) if axis is None else jnp.moveaxis(x, axis, 0)
         for x, axis in zip(args[count:], axes[count:], strict=True)
     ]
-    found = _linear.bind(*args[:count], *ways, count=count, along=each(along), back=each(back), **more)
-    return found, [0] * len(found)
+    results = _linear.bind(*args[:count], *ways, count=count, along=each(along), back=each(back), **more)
+    return results, [0] * len(results)
 
 
 def _shapes(*args: Any, along: Any, **known: Any) -> list[ShapedArray]:
-    given = [jax.ShapeDtypeStruct(x.shape, x.dtype) for x in args]
-    return [ShapedArray(x.shape, x.dtype) for x in jax.eval_shape(along, *given)]
+    structs = [jax.ShapeDtypeStruct(x.shape, x.dtype) for x in args]
+    return [ShapedArray(x.shape, x.dtype) for x in jax.eval_shape(along, *structs)]
 
 
 def _forward_only(values: Any, name: str) -> Any:

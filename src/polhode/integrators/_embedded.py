@@ -177,9 +177,9 @@ def advance(
         high = jnp.where(past, h, run.high)
         width = EVENT_TOLERANCE * jnp.maximum(jnp.abs(run.time + low), jnp.abs(run.time + high))
         split = (h == run.low) | (h == run.high)  # no time is left between the two
-        found = (high != 0.0) & ((jnp.abs(high - low) <= width) | (seeking & split)) | (past & probing)
+        hit = (high != 0.0) & ((jnp.abs(high - low) <= width) | (seeking & split)) | (past & probing)
         status = jnp.where(reached & (run.interval == count - 1), Status.COMPLETED, run.status)
-        status = jnp.where(found, Status.EVENT, jnp.where(stuck, Status.NOT_CONVERGED, status))
+        status = jnp.where(hit, Status.EVENT, jnp.where(stuck, Status.NOT_CONVERGED, status))
         saved = _save(run.saved, place, seen(time, later), saves)
         chosen = lambda yes, new, old: jax.tree.map(lambda a, b: jnp.where(yes, a, b), new, old)  # noqa: E731
         return Run(

@@ -92,7 +92,7 @@ def run_by_equal_steps(
     flat, ordered = flat[order], np.ravel(sizes)[order]
     kept = jax.tree.map(lambda x: np.asarray(x).reshape(-1, *np.shape(x)[len(batch) :])[order], memory)
     width = min(BLOCK, 1 << (len(flat) - 1).bit_length())
-    found = []
+    blocks = []
     for first in range(0, len(flat), width):
         # the last block is filled up with its last copy, so that one compiled function serves every number of copies
         chosen = np.minimum(np.arange(first, first + width), len(flat) - 1)
@@ -101,10 +101,10 @@ def run_by_equal_steps(
         begun = jax.tree.map(lambda x, k=chosen: x[k], kept)
         block = _run_block(_go_block, solver, flat[chosen], times, ordered[chosen], show_block, every, begun)
         rest = len(flat) - first
-        found.append(jax.tree.map(lambda x, n=rest: x[:n], block))
+        blocks.append(jax.tree.map(lambda x, n=rest: x[:n], block))
     meter.close(shown)
     back = np.argsort(order)
-    return jax.tree.map(lambda *x: np.concatenate(x)[back].reshape(*batch, *x[0].shape[1:]), *found)
+    return jax.tree.map(lambda *x: np.concatenate(x)[back].reshape(*batch, *x[0].shape[1:]), *blocks)
 
 
 def run_through_windows(

@@ -75,42 +75,42 @@ class Reached(NamedTuple):
     hint: Any
 
 
-def repeat_steps(step: Step, given: Given, parts: Sequence[Any], symmetric: bool, name: str) -> Reached:
+def repeat_steps(step: Step, inputs: Given, parts: Sequence[Any], symmetric: bool, name: str) -> Reached:
     """Return the end of a run of equal steps, with derivatives of either mode; ``held`` is always computed here.
 
     Args:
         step: (t, h, state, lost, hint) → the same pair after a step, its iterations, whether it went well, the hint for
             the next one.
-        given: from where, and how many steps; they end where one fails.
+        inputs: from where, and how many steps; they end where one fails.
         parts: indices of a state's parts, each with a size of its own.
         symmetric: whether a step of length −h undoes one of length h.
         name: of the method.
     """
-    made = jax.make_jaxpr(step)(given.start, given.h, given.state, given.lost, given.hint)
-    given = given._replace(held=[jnp.asarray(x) for x in made.consts])
-    jaxpr, hints = made.jaxpr, jax.tree.structure(given.hint)
+    traced = jax.make_jaxpr(step)(inputs.start, inputs.h, inputs.state, inputs.lost, inputs.hint)
+    inputs = inputs._replace(held=[jnp.asarray(x) for x in traced.consts])
+    jaxpr, hints = traced.jaxpr, jax.tree.structure(inputs.hint)
 
     def take_step(held: Any, t: Array, h: Array, state: Array, lost: Array, hint: Any) -> tuple[Any, ...]:
         out = jax.core.eval_jaxpr(jaxpr, held, t, h, state, lost, *jax.tree.leaves(hint))  # type: ignore[attr-defined]
         return *out[:4], jax.tree.map(jax.lax.stop_gradient, jax.tree.unflatten(hints, out[4:]))
 
-    def forward(given: Given) -> Reached:
+    def forward(inputs: Given) -> Reached:
         def unfinished(now: Reached) -> Array:
-            return (now.steps < given.wanted) & now.fine
+            return (now.steps < inputs.wanted) & now.fine
 
         def once(now: Reached) -> Reached:
-            t = given.start + now.steps * given.h
-            state, lost, iterations, fine, hint = take_step(given.held, t, given.h, now.state, now.lost, now.hint)
+            t = inputs.start + now.steps * inputs.h
+            state, lost, iterations, fine, hint = take_step(inputs.held, t, inputs.h, now.state, now.lost, now.hint)
             return Reached(now.steps + 1, state, lost, now.iterations + iterations, fine, hint)
 
-        hint = jax.tree.map(jax.lax.stop_gradient, given.hint)
-        first = Reached(jnp.zeros((), int), given.state, given.lost, given.iterations, given.fine, hint)
+        hint = jax.tree.map(jax.lax.stop_gradient, inputs.hint)
+        first = Reached(jnp.zeros((), int), inputs.state, inputs.lost, inputs.iterations, inputs.fine, hint)
         return jax.lax.while_loop(unfinished, once, first)
 
     def back(whole: Callable[[Any], Given], moved: Any, reached: Reached, weights: Any) -> Any:
         return _Way(take_step, whole, moved, parts).back(reached, weights, SEGMENT if symmetric else 1)
 
-    return by_either_mode(forward, back, given, name, twice=True)
+    return by_either_mode(forward, back, inputs, name, twice=True)
 
 
 class _Back(NamedTuple):
@@ -141,22 +141,22 @@ class _Way:
 
     def one(self, moved: Any, k: Array, state: Array, lost: Array) -> Pair:
         """Return the state after the k-th step as a function of what moves and the state before."""
-        given = self.whole(moved)
-        return self.stepped(given.held, given.start + k * given.h, given.h, state, lost, self.no_hint)[:2]
+        inputs = self.whole(moved)
+        return self.stepped(inputs.held, inputs.start + k * inputs.h, inputs.h, state, lost, self.no_hint)[:2]
 
     def back(self, reached: Reached, weights: Any, longest: int) -> Any:
         """Return the cotangents of what moves from those of the state at the end."""
-        given = self.given
+        inputs = self.given
         saved = _Saved(
             jnp.ones((), int), jnp.zeros(PLACES, int),
-            jax.tree.map(lambda x: jnp.zeros((PLACES, *x.shape), x.dtype).at[0].set(x), (given.state, given.lost)),
+            jax.tree.map(lambda x: jnp.zeros((PLACES, *x.shape), x.dtype).at[0].set(x), (inputs.state, inputs.lost)),
         )  # fmt: skip
         # a motion that failed has no derivative to bring back
         fine = reached.fine & jnp.all(jnp.isfinite(reached.state))
         count, last = jnp.where(fine, reached.steps, 0), (reached.state, reached.lost)
-        if jax.tree.leaves(given.hint):
+        if jax.tree.leaves(inputs.hint):
             # the end without hints, from which the states before can be regained to rounding
-            last = self._ahead(jnp.zeros((), int), count, (given.state, given.lost))
+            last = self._ahead(jnp.zeros((), int), count, (inputs.state, inputs.lost))
         end = _Back(count, last, tuple(weights[:2]), [jnp.zeros_like(x) for x in self.moved])
 
         def unfinished(carried: tuple[_Back, _Saved, Array]) -> Array:
@@ -192,7 +192,7 @@ class _Way:
 
     def _go_back(self, now: _Back, count: Array, first: Pair) -> tuple[_Back, Array]:
         """Return the way back over a segment of so many steps, and whether its first state was regained."""
-        given, begin = self.given, now.at - count
+        inputs, begin = self.given, now.at - count
 
         def unfinished(carried: tuple[_Back, Array, Array]) -> Array:
             return carried[0].at > begin
@@ -200,7 +200,7 @@ class _Way:
         def once(carried: tuple[_Back, Array, Array]) -> tuple[_Back, Array, Array]:
             now, sizes, _ = carried
             k = now.at - 1
-            state = self.stepped(given.held, given.start + now.at * given.h, -given.h, *now.state, self.no_hint)[:2]
+            state = self.stepped(inputs.held, inputs.start + now.at * inputs.h, -inputs.h, *now.state, self.no_hint)[:2]
             sizes = jnp.maximum(sizes, self._sizes(state[0]))
             gaps = self._sizes((state[0] - first[0]) + (state[1] - first[1]))
             # at the segment's start the state is known, and counts instead of what was regained

@@ -243,11 +243,11 @@ def sample_by_either_mode(
 ) -> Sampled:  # fmt: skip
     """Return what ``sample_motion`` does, with derivatives of either mode."""
 
-    def forward(given: tuple[Any, ...]) -> Sampled:
-        return sample_motion(*given[:-1], observe=given[-1])
+    def forward(arguments: tuple[Any, ...]) -> Sampled:
+        return sample_motion(*arguments[:-1], observe=arguments[-1])
 
-    def reverse(given: tuple[Any, ...]) -> Sampled:
-        return sample_motion(*given[:-1], observe=given[-1], reverse=True)
+    def reverse(arguments: tuple[Any, ...]) -> Sampled:
+        return sample_motion(*arguments[:-1], observe=arguments[-1], reverse=True)
 
     operands = (system, solver, state, times, kept, largest, tolerance, observe)
     return by_either_mode(forward, by_transposing(reverse), operands, "solve by adaptive steps")

@@ -132,26 +132,26 @@ def solve_by_series(
     jumps_between(times, system.jumps)  # refuses what is not a finite time
     precision = choose_precision(tolerance, method.order, method.is_extended)
     place = None if memory is None else _find_place(memory, states, times[0])
-    found, place = _run_or_refuse(system, states, kept, times[-1], precision, longest, meter, place)
+    runs, place = _run_or_refuse(system, states, kept, times[-1], precision, longest, meter, place)
     shaped = lambda x: x.reshape((*batch, *x.shape[1:]))  # noqa: E731
-    ends = Ends(shaped(found.status), shaped(found.event), shaped(found.end), shaped(found.end_state),
+    ends = Ends(shaped(runs.status), shaped(runs.event), shaped(runs.end), shaped(runs.end_state),
                 tuple(system.events))  # fmt: skip
-    fine = shaped(found.status) != Status.NOT_CONVERGED
-    received = {name: shaped(found.received[..., k]) for k, name in enumerate(found.balances)}
-    steps = int(found.steps.max())
-    if batch or found.status[0] != Status.EVENT:
+    fine = shaped(runs.status) != Status.NOT_CONVERGED
+    received = {name: shaped(runs.received[..., k]) for k, name in enumerate(runs.balances)}
+    steps = int(runs.steps.max())
+    if batch or runs.status[0] != Status.EVENT:
         carried = None
         if place is not None and not batch:
             carried = tuple(map(np.asarray, (times[-1] - place.time, place.state, place.unit)))
-        return AdaptiveMotion(kept, shaped(found.states), received, None, fine, steps, ends, carried)
-    before = np.abs(kept - times[0]) < abs(float(found.end[0]) - times[0])
+        return AdaptiveMotion(kept, shaped(runs.states), received, None, fine, steps, ends, carried)
+    before = np.abs(kept - times[0]) < abs(float(runs.end[0]) - times[0])
     # one row more, for the event itself
     received = {
-        name: np.append(value[before], found.end_received[0, k]) for k, (name, value) in enumerate(received.items())
+        name: np.append(value[before], runs.end_received[0, k]) for k, (name, value) in enumerate(received.items())
     }
-    rows = np.concatenate([found.states[0][before], found.end_state])
-    event = tuple(system.events)[int(found.event[0])]
-    return AdaptiveMotion(np.append(kept[before], found.end[0]), rows, received, event, fine, steps, ends)
+    rows = np.concatenate([runs.states[0][before], runs.end_state])
+    event = tuple(system.events)[int(runs.event[0])]
+    return AdaptiveMotion(np.append(kept[before], runs.end[0]), rows, received, event, fine, steps, ends)
 
 
 def series_error(
@@ -198,14 +198,14 @@ def series_to_tolerance(
     Raises:
         NotConverged: if rounding alone makes more of it.
     """
-    local, error, given = tolerance, np.inf, (system, method, state, times)
+    local, error, arguments = tolerance, np.inf, (system, method, state, times)
     least = EXTENDED_LOCAL if method.is_extended else LOCAL
     for k in range(ROUNDS):
-        motion = solve_by_series(*given, meter, step, local, every)
-        found = series_error(*given, motion, step, local)
-        error = float(np.max(np.where(motion.successful, found, 0.0), initial=0.0))
+        motion = solve_by_series(*arguments, meter, step, local, every)
+        errors = series_error(*arguments, motion, step, local)
+        error = float(np.max(np.where(motion.successful, errors, 0.0), initial=0.0))
         if error <= tolerance:
-            return motion, found
+            return motion, errors
         if local == least or k == ROUNDS - 1:
             break
         local = max(local * min(0.1 * tolerance / error, 0.1), least)
@@ -217,16 +217,16 @@ def series_to_tolerance(
 
 def _apart(system: AbstractSystem, times: np.ndarray, one: Runs, other: Runs) -> tuple[Array, Array]:
     """Return how far runs are apart (C,) until either ends, and which of them failed."""
-    found, whole = np.zeros(len(one.states)), np.full(len(one.states), abs(times[-1] - times[0]))
+    distances, whole = np.zeros(len(one.states)), np.full(len(one.states), abs(times[-1] - times[0]))
     last = np.nanmin([np.abs(one.end - times[0]), np.abs(other.end - times[0]), whole], axis=0)
     counts = np.maximum(np.sum(np.abs(times - times[0]) <= last[:, None] * (1.0 - 1e-9), axis=1), 1)
     counts[(one.event == -1) & (other.event == -1)] = len(times)
     for count in np.unique(counts):
         some = counts == count
         with np.errstate(invalid="ignore"):
-            found[some] = difference(system, one.states[some, :count], other.states[some, :count])
+            distances[some] = difference(system, one.states[some, :count], other.states[some, :count])
     failed = (one.status == Status.NOT_CONVERGED) | (other.status == Status.NOT_CONVERGED)
-    return np.nan_to_num(found, nan=np.inf), failed
+    return np.nan_to_num(distances, nan=np.inf), failed
 
 
 def _by_arrays_or_tape(
@@ -269,7 +269,7 @@ def _run_or_refuse(
 
         whole = times if times[-1] == last else np.append(times, last)
         try:
-            found, place = _by_arrays_or_tape(system, states, whole, precision, longest, report_progress, place)
+            runs, place = _by_arrays_or_tape(system, states, whole, precision, longest, report_progress, place)
         except Untraceable as error:
             instead = ('Give `precision` "double".' if precision.extended
                        else "Leave out `method`, or give a solver of diffrax.")  # fmt: skip
@@ -279,12 +279,12 @@ def _run_or_refuse(
             ) from None
         if meter is not None:
             meter.close(shown_state[0])
-    if (steps := int(found.steps.max())) >= MOST_STEPS:
+    if (steps := int(runs.steps.max())) >= MOST_STEPS:
         raise NotConverged(
             f"{steps:.1e} steps did not reach the last time, {last:g} s, and at most so many are taken. Give an "
             "earlier last time, which is `time.until` in a spec, or follow the motion in parts."
         )
-    kept = found._replace(states=found.states[:, : len(times)], received=found.received[:, : len(times)])
+    kept = runs._replace(states=runs.states[:, : len(times)], received=runs.received[:, : len(times)])
     return kept, place
 
 

@@ -48,7 +48,7 @@ class Returning(AbstractSystem):
 
 
 def weights_back(
-    motion: AbstractSystem, back: Returning, given: tuple[Array, Array, Array], times: Float64[np.ndarray, "time"],
+    motion: AbstractSystem, back: Returning, inputs: tuple[Array, Array, Array], times: Float64[np.ndarray, "time"],
     weights: Float64[Array, "copies time rows"], precision: Precision, longest: float,
 ) -> tuple[Float64[Array, "copies n"], Float64[Array, "copies m"], Bool[Array, "copies"]]:  # fmt: skip
     """Return the weights of starts and numbers, from those of the states at times, and which of them are good.
@@ -56,7 +56,7 @@ def weights_back(
     Args:
         motion: of state, what balances receive, and numbers.
         back: the same with weights.
-        given: starts (C, n), numbers (C, m) and sizes of the state's components (C, n).
+        inputs: starts (C, n), numbers (C, m) and sizes of the state's components (C, n).
         times: (T,) [s].
         weights: of state and of what balances received.
         precision, longest: of the steps.
@@ -69,7 +69,7 @@ def weights_back(
         left = np.flatnonzero(~good)
         if not left.size:
             break
-        start, numbers, sizes = (x[left] for x in given)
+        start, numbers, sizes = (x[left] for x in inputs)
         fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
         none, scales = np.zeros((left.size, received)), np.full((left.size, n + received + count), np.inf)
         scales[:, :n] = sizes
@@ -81,8 +81,8 @@ def weights_back(
         scales = np.full((left.size, kicks.shape[2]), np.inf)
         scales[:, :n] = sizes
         with np.errstate(invalid="ignore"):
-            found, missed = runs_back(back, known, kicks, fine, precision, longest, scales)
+            ends, missed = runs_back(back, known, kicks, fine, precision, longest, scales)
         near = missed <= CLOSE
         good[left] = near
-        of_start[left], of_numbers[left] = found[:, n : 2 * n], found[:, 2 * n + received + count :]
+        of_start[left], of_numbers[left] = ends[:, n : 2 * n], ends[:, 2 * n + received + count :]
     return of_start, of_numbers, good

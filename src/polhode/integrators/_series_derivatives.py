@@ -76,8 +76,8 @@ class Sensitive(AbstractSystem):
     def invariants(self, state: Any) -> dict[str, Any]:
         n, m, rows = self.skeleton.form.size, self.skeleton.structure.size, self.rows
         system = self.skeleton.structure.with_numbers(state[rows : rows + m])
-        found = system.invariants(self.skeleton.form.state(state[:n]))
-        return {name: value for name, value in found.items() if jnp.ndim(value) == 0}
+        invariants = system.invariants(self.skeleton.form.state(state[:n]))
+        return {name: value for name, value in invariants.items() if jnp.ndim(value) == 0}
 
     def __hash__(self) -> int:
         return hash((self.skeleton, self.varied))
@@ -155,48 +155,48 @@ class Motion:
         derivatives = (self.jacobian, Ways(self.ahead, self.weights_of)) if self.has_derivatives else (None, None)
         return Elementwise("solve by Taylor", self.values, inputs, outputs, derivatives[0], 0, ways=derivatives[1])
 
-    def values(self, *given: Array) -> tuple[Any, ...]:
+    def values(self, *arguments: Array) -> tuple[Any, ...]:
         """Return what the operation gives."""
-        found = self.run(self.plain, given, np.zeros(0))
-        return _flat(found.states[..., : self.rows]), found.failed, found.steps
+        runs = self.run(self.plain, arguments, np.zeros(0))
+        return _flat(runs.states[..., : self.rows]), runs.failed, runs.steps
 
-    def jacobian(self, *given: Array) -> tuple[tuple[Any, ...], Float64[Array, "*batch moved given"]]:
+    def jacobian(self, *arguments: Array) -> tuple[tuple[Any, ...], Float64[Array, "*batch moved given"]]:
         """Return the same, and the derivatives of what moved."""
         n, m, rows, count = self.n, self.m, self.rows, self.count
         every = np.eye(n + m, rows)
         every[n:] = 0.0
-        runs = [self.run(part, given, every[part.varied.start : part.varied.stop].ravel()) for part in self.varied]
+        runs = [self.run(part, arguments, every[part.varied.start : part.varied.stop].ravel()) for part in self.varied]
         batch = runs[0].failed.shape
-        found = [run.states[..., rows + m :].reshape(*batch, count, len(part.varied), rows)
+        blocks = [run.states[..., rows + m :].reshape(*batch, count, len(part.varied), rows)
                  for part, run in zip(self.varied, runs, strict=True)]  # fmt: skip
-        by = np.swapaxes(np.concatenate(found, axis=-2), -1, -2).reshape(*batch, count * rows, n + m)
+        by = np.swapaxes(np.concatenate(blocks, axis=-2), -1, -2).reshape(*batch, count * rows, n + m)
         zeros = np.zeros((*batch, count * rows, count))
         columns = np.concatenate([by[..., :n], zeros, by[..., n:], zeros[..., :1].repeat(n, axis=-1)], axis=-1)
         return (_flat(runs[0].states[..., :rows]), runs[0].failed, runs[0].steps), columns
 
-    def ahead(self, *given: Array) -> tuple[Float64[Array, "*batch moved"]]:
+    def ahead(self, *arguments: Array) -> tuple[Float64[Array, "*batch moved"]]:
         """Return changes of what moved, by arguments and changes of each; times and sizes do not change."""
-        primals, changes = given[:4], given[4:]
-        own, asked = _batch(primals), _batch(given)
+        primals, changes = arguments[:4], arguments[4:]
+        own, asked = _batch(primals), _batch(arguments)
         if math.prod(asked) > FEW * math.prod(own):
             moved = np.concatenate([np.broadcast_to(x, (*asked, x.shape[-1])) for x in changes], axis=-1)
             return (np.einsum("...mn,...n->...m", self.jacobian(*primals)[1], moved),)
         of_start, of_numbers = (np.broadcast_to(x, (*asked, x.shape[-1])) for x in (changes[0], changes[2]))
         tangent = np.concatenate([of_start, np.zeros((*asked, self.rows - self.n)), of_numbers], axis=-1)
-        found = self.run(self.directed, [np.broadcast_to(x, (*asked, x.shape[-1])) for x in primals], tangent)
-        return (_flat(found.states[..., self.rows + self.m : 2 * self.rows + self.m]),)
+        runs = self.run(self.directed, [np.broadcast_to(x, (*asked, x.shape[-1])) for x in primals], tangent)
+        return (_flat(runs.states[..., self.rows + self.m : 2 * self.rows + self.m]),)
 
-    def weights_of(self, *given: Array) -> tuple[Float64[Array, "..."], ...]:
+    def weights_of(self, *arguments: Array) -> tuple[Float64[Array, "..."], ...]:
         """Return weights of the arguments, by those and weights of what moved; times and sizes have none."""
-        primals, weights = given[:4], given[4]
-        own, asked = _batch(primals), _batch(given)
+        primals, weights = arguments[:4], arguments[4]
+        own, asked = _batch(primals), _batch(arguments)
         many = self.count - 1 > SAMPLES * len(self.varied)
         if many or not self.comes_back or math.prod(asked) > math.prod(own):
             return self._by_columns(primals, weights)
         start, late, numbers, scales, weights = (
-            np.broadcast_to(x, (*asked, x.shape[-1])).reshape(-1, x.shape[-1]) for x in given
+            np.broadcast_to(x, (*asked, x.shape[-1])).reshape(-1, x.shape[-1]) for x in arguments
         )
-        found = [np.full((len(start), size), np.nan) for size in self.inputs]
+        cotangents = [np.full((len(start), size), np.nan) for size in self.inputs]
         good = np.ones(len(start), bool)
         for times, some in _by_times(late, _finite(late, start, numbers)):
             these, weighed = (start[some], numbers[some], scales[some]), weights[some]
@@ -204,22 +204,22 @@ class Motion:
             of_start, of_numbers, good[some] = weights_back(
                 self.plain, self.back, these, times, weighed, self.precision, self.longest
             )
-            for x, part in zip(found, (of_start, 0.0, of_numbers, 0.0), strict=True):
+            for x, part in zip(cotangents, (of_start, 0.0, of_numbers, 0.0), strict=True):
                 x[some] = part
         if not good.all():  # what is damped fast has no way back
             rest = [x[~good] for x in (start, late, numbers, scales)]
-            for x, part in zip(found, self._by_columns(rest, weights[~good]), strict=True):
+            for x, part in zip(cotangents, self._by_columns(rest, weights[~good]), strict=True):
                 x[~good] = part
-        return tuple(x.reshape(*asked, -1) for x in found)
+        return tuple(x.reshape(*asked, -1) for x in cotangents)
 
-    def _by_columns(self, given: Any, weights: Array) -> tuple[Array, ...]:
-        found = np.einsum("...mn,...m->...n", self.jacobian(*given)[1], weights)
-        return tuple(np.split(found, np.cumsum(self.inputs)[:-1], axis=-1))
+    def _by_columns(self, arguments: Any, weights: Array) -> tuple[Array, ...]:
+        cotangents = np.einsum("...mn,...m->...n", self.jacobian(*arguments)[1], weights)
+        return tuple(np.split(cotangents, np.cumsum(self.inputs)[:-1], axis=-1))
 
-    def run(self, moving: AbstractSystem, given: Any, tangents: Array) -> Runs:
+    def run(self, moving: AbstractSystem, arguments: Any, tangents: Array) -> Runs:
         """Return a motion with tangents, which may be those of each copy."""
-        start, times, numbers, scales = given
-        batch, copies = _batch(given), math.prod(_batch(given))
+        start, times, numbers, scales = arguments
+        batch, copies = _batch(arguments), math.prod(_batch(arguments))
         flat = lambda x: np.broadcast_to(x, (*batch, x.shape[-1])).reshape(copies, x.shape[-1])  # noqa: E731
         late, none = flat(times), np.zeros((copies, self.rows - self.n))
         y = np.concatenate([flat(start), none, flat(numbers), flat(tangents)], axis=1)
@@ -228,9 +228,9 @@ class Motion:
         samples = np.full((copies, self.count, y.shape[1]), np.nan)
         failed, steps = np.ones(copies, np.int64), np.zeros(copies, np.int64)
         for times_of_some, some in _by_times(late, _finite(late, y)):
-            found = run_copies(moving, y[some], times_of_some, self.precision, self.longest, scales=sizes[some])
-            samples[some], steps[some] = found.states, found.steps
-            failed[some] = found.status == Status.NOT_CONVERGED
+            runs = run_copies(moving, y[some], times_of_some, self.precision, self.longest, scales=sizes[some])
+            samples[some], steps[some] = runs.states, runs.steps
+            failed[some] = runs.status == Status.NOT_CONVERGED
         return Runs(samples.reshape(*batch, self.count, -1), failed.reshape(batch), steps.reshape(batch))
 
 
@@ -249,8 +249,8 @@ def _is_traced(system: AbstractSystem, size: int) -> bool:
     return True
 
 
-def _batch(given: Any) -> tuple[int, ...]:
-    return np.broadcast_shapes(*(x.shape[:-1] for x in given))
+def _batch(arguments: Any) -> tuple[int, ...]:
+    return np.broadcast_shapes(*(x.shape[:-1] for x in arguments))
 
 
 def _flat(x: Array) -> Array:
@@ -258,12 +258,12 @@ def _flat(x: Array) -> Array:
     return x.reshape(*x.shape[:-2], -1)
 
 
-def _finite(times: Float64[Array, "copies time"], *given: Array) -> Bool[Array, "copies"]:
+def _finite(times: Float64[Array, "copies time"], *arrays: Array) -> Bool[Array, "copies"]:
     """Return for which copies all is a number, and times advance in one direction."""
     with np.errstate(invalid="ignore"):
         gaps = np.diff(times, axis=1)
         fine = np.isfinite(gaps).all(axis=1) & (gaps * gaps[:, :1] > 0.0).all(axis=1)
-    return fine & np.all([np.isfinite(x).all(axis=1) for x in given], axis=0)
+    return fine & np.all([np.isfinite(x).all(axis=1) for x in arrays], axis=0)
 
 
 def _by_times(

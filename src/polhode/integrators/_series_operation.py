@@ -101,18 +101,18 @@ def _place(
         moved = jax.vmap(moved, (None, 0))
     first = moved(times[0], flat)
     start = flat - first[..., :n] * (times[0] - still(times[0]))
-    found, lost, steps = operation(start, still(times), parameters, sizes)
-    found = jnp.reshape(found, (*batch, len(times), -1))
+    samples, lost, steps = operation(start, still(times), parameters, sizes)
+    samples = jnp.reshape(samples, (*batch, len(times), -1))
     along = jax.vmap(rates)
     for _ in batch:
         along = jax.vmap(along, (None, 0))
     late = (times - still(times)).at[0].set(0.0)[:, None]
-    found = found + along(still(times), found[..., :n]) * late
-    at_first = jnp.zeros_like(found[..., 0, :]).at[..., :n].set(first[..., :n] * (times[0] - still(times[0])))
-    found = found.at[..., 0, :].add(at_first)
-    received = {name: found[..., n + k] - first[..., None, n + k] * (times[0] - still(times[0]))
+    samples = samples + along(still(times), samples[..., :n]) * late
+    at_first = jnp.zeros_like(samples[..., 0, :]).at[..., :n].set(first[..., :n] * (times[0] - still(times[0])))
+    samples = samples.at[..., 0, :].add(at_first)
+    received = {name: samples[..., n + k] - first[..., None, n + k] * (times[0] - still(times[0]))
                 for k, name in enumerate(skeleton.balances)}  # fmt: skip
-    numbers = found[..., :n]
+    numbers = samples[..., :n]
     if form.is_complex:
         pairs = jnp.reshape(numbers, (*numbers.shape[:-1], -1, 2))
         numbers = jax.lax.complex(pairs[..., 0], pairs[..., 1])

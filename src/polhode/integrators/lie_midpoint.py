@@ -72,13 +72,13 @@ class LieMidpoint(AbstractOrbitSolver):
         half_way = t + 0.5 * h
         start = h * self.system.generator(half_way, point)
         scale = jnp.max(jnp.abs(start), axis=tuple(range(-len(algebra.element_shape), 0)))
-        found = fixed_point(lambda x: h * self.system.generator(half_way, middle(x)), start, scale)
-        x = found.value
+        solution = fixed_point(lambda x: h * self.system.generator(half_way, middle(x)), start, scale)
+        x = solution.value
         if self.coordinates == "cayley":
             moved = join_state(attitude_by_cayley(attitude, x), algebra.cayley_change(x, point))
         else:
             moved = join_state(attitude_by_exp(attitude, x), algebra.exp_change(x, point))
-        return Change(moved, found.iterations, found.converged)
+        return Change(moved, solution.iterations, solution.converged)
 
 
 def has_cayley(system: AbstractLiePoissonSystem) -> bool:

@@ -61,5 +61,5 @@ class SphericalMidpoint(AbstractOrbitSolver):
         start = improve(jnp.zeros_like(point))
         # the size of the change's terms, which do not vanish where the change does
         scale = jnp.abs(h) * jnp.max(jnp.abs(self.system.generator(half_way, point))) * jnp.max(length)
-        found = fixed_point(improve, start, scale)
-        return Change(*found)
+        solution = fixed_point(improve, start, scale)
+        return Change(*solution)

@@ -77,13 +77,13 @@ class PlainTurn(NamedTuple):
 
 
 def chosen_axes(
-    axes: str | Real[ArrayLike, "3 3"], given: Float64[Array, "3 3"] | None
+    axes: str | Real[ArrayLike, "3 3"], given_axes: Float64[Array, "3 3"] | None
 ) -> Float64[Array, "3 3"] | None:
     """Return the principal axes by columns in the chosen ones; None for the principal ones themselves.
 
     Args:
         axes: "principal", "given", or axes by columns in the given ones.
-        given: the principal axes by columns in the given ones; None where these are the same.
+        given_axes: the principal axes by columns in the given ones; None where these are the same.
 
     Raises:
         InvalidInput: for anything else.
@@ -92,14 +92,14 @@ def chosen_axes(
         if axes not in (PRINCIPAL, GIVEN):
             rule = '"principal", "given", or a rotation matrix (3, 3)'
             raise InvalidInput(f"`axes` must be {rule}; got {shown(axes)}.")
-        return None if axes == PRINCIPAL else given
+        return None if axes == PRINCIPAL else given_axes
     xp: Any = namespace(axes)
     matrix = as_float64(xp, axes, "axes")
     proper = matrix.shape == (3, 3) and (is_traced(matrix) or _is_rotation(np.asarray(matrix)))
     if not proper:
         raise InvalidInput(f"`axes` must have three orthonormal columns (3, 3), right-handed; got {shown(axes)}.")
     # columns of the principal axes: in the given ones G, in the chosen ones, which are the columns of M, Mᵀ G
-    return matrix.T if given is None else matrix.T @ xp.asarray(given)
+    return matrix.T if given_axes is None else matrix.T @ xp.asarray(given_axes)
 
 
 def _is_rotation(matrix: Array) -> bool:

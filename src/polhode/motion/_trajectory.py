@@ -141,9 +141,9 @@ class Trajectory(Plotted):
         >>> samples.angular_velocity[0].tolist(), samples.along("principal").angular_velocity[0].tolist()
         ([1.0, 0.0, 0.0], [0.0, 0.0, -1.0])
         """
-        given = self.given_axes if self.frame is None else np.asarray(self.frame.axes)
-        given = self.axes if given is None else given
-        return self.standing(chosen_axes(axes, given))
+        given_axes = self.given_axes if self.frame is None else np.asarray(self.frame.axes)
+        given_axes = self.axes if given_axes is None else given_axes
+        return self.standing(chosen_axes(axes, given_axes))
 
     def standing(self, axes: Float64[Array, "3 3"] | None) -> Trajectory:
         """Return the same samples along axes in which the columns of ``axes`` are the principal ones."""
@@ -204,9 +204,9 @@ class Trajectory(Plotted):
         """Return a description, one line for each part."""
         times, batch = np.asarray(self.times), self.batch_shape
         span = f", {times[0]:g} s to {times[-1]:g} s" if len(times) else ""
-        made = "" if self.source is None else f" of {type(self.source).__name__}"
+        origin = "" if self.source is None else f" of {type(self.source).__name__}"
         copies = f", batch of shape {batch}" if batch else ""
-        lines = [("Trajectory", f"{len(times)} samples{span}{made}{copies}")]
+        lines = [("Trajectory", f"{len(times)} samples{span}{origin}{copies}")]
         parts = ", ".join(f"{part.name} ({part.size})" for part in self.layout.parts)
         own = np.shape(self.states)[np.ndim(self.states) - self.layout.axes :]
         lines.append(("states", parts or f"shape {own}"))

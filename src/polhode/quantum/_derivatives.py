@@ -104,9 +104,9 @@ class LevelModel:
         """Return energies (n,) [Hz] and their derivatives by the constants (n, p)."""
         energy, slope = np.empty(self.count), np.empty((self.count, self.size))
         for block in self._blocks:
-            found, vectors = wang.eigenvectors(block.rest + np.tensordot(values, block.of_constants, 1))
+            levels, vectors = wang.eigenvectors(block.rest + np.tensordot(values, block.of_constants, 1))
             states = vectors[:, block.places]
-            energy[block.rows] = found[block.places]
+            energy[block.rows] = levels[block.places]
             # ψᵀ B ψ of a symmetric band: the diagonal once, each band below it twice
             total = block.of_constants[:, 0] @ states**2
             for n in range(1, min(block.of_constants.shape[1], len(states))):

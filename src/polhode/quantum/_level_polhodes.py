@@ -74,7 +74,7 @@ def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhod
     G, (rest, d) = J + 0.5, without_casimir(constants)
     shared = d * J * (J + 1.0)
     exact = Rotor(rest).levels_of(J)
-    found, _, _ = quantise(rest, J, 2 if J >= LOWEST_SECOND else 1)
+    energies, _, _ = quantise(rest, J, 2 if J >= LOWEST_SECOND else 1)
     step = np.full(2 * J + 1, np.nan)
     step[:-2] = exact.energy[2:] - exact.energy[:-2]  # every second level is of the same ladder
     between = exact.energy[:-2] + 0.5 * step[:-2]
@@ -82,6 +82,6 @@ def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhod
     off = (between != rest[1] * G * G) & (between > rest[2] * G * G) & (between < rest[0] * G * G)
     classical[:-2][off] = 2.0 * math.pi / orbit(rest, G, between[off]).period
     return LevelPolhodes(
-        exact.Ka, exact.Kc, exact.energy + shared, found + shared, found > rest[1] * G * G, step, classical,
-        doublet_splitting(rest, J, found), rest[1] * G * G + shared,
+        exact.Ka, exact.Kc, exact.energy + shared, energies + shared, energies > rest[1] * G * G, step, classical,
+        doublet_splitting(rest, J, energies), rest[1] * G * G + shared,
     )  # fmt: skip

@@ -50,18 +50,18 @@ def check_labels(name: str, labels: Array) -> Integer[Array, "n 3"]:
     Raises:
         InvalidInput: for what no level has.
     """
-    found = np.asarray(labels)
-    if found.ndim != 2 or found.shape[1] != 3 or not np.issubdtype(found.dtype, np.integer):
-        raise InvalidInput(f"`{name}` must be whole numbers (n, 3), J, Ka, Kc of each line; got shape {found.shape}.")
-    J, Ka, Kc = found.T
+    rows = np.asarray(labels)
+    if rows.ndim != 2 or rows.shape[1] != 3 or not np.issubdtype(rows.dtype, np.integer):
+        raise InvalidInput(f"`{name}` must be whole numbers (n, 3), J, Ka, Kc of each line; got shape {rows.shape}.")
+    J, Ka, Kc = rows.T
     wrong = (J < 0) | (Ka < 0) | (Kc < 0) | (Ka > J) | (Kc > J) | ((Ka + Kc - J) * (Ka + Kc - J - 1) != 0)
     if wrong.any():
         k = int(np.flatnonzero(wrong)[0])
         raise InvalidInput(
             f"`{name}` must have Ka and Kc from 0 to J, with Ka + Kc = J or J + 1; got J, Ka, Kc = "
-            f"{', '.join(str(int(x)) for x in found[k])} in line {k + 1}. Check the assignment."
+            f"{', '.join(str(int(x)) for x in rows[k])} in line {k + 1}. Check the assignment."
         )
-    return found
+    return rows
 
 
 def observations(lines: MeasuredLines) -> Observations:
@@ -72,12 +72,12 @@ def observations(lines: MeasuredLines) -> Observations:
             positive, and arrays of other lengths.
     """
     upper, lower = check_labels("upper", lines.upper), check_labels("lower", lines.lower)
-    given = {"frequency": lines.frequency, "error": lines.error}
-    given["weight"] = np.ones(len(upper)) if lines.weight is None else lines.weight
+    raw = {"frequency": lines.frequency, "error": lines.error}
+    raw["weight"] = np.ones(len(upper)) if lines.weight is None else lines.weight
     if not len(upper):
         raise InvalidInput("`lines` must not be empty. Give measured lines.")
     columns = {}
-    for name, values in given.items():
+    for name, values in raw.items():
         column = np.asarray(values, float)
         if column.shape != (len(upper),) or len(lower) != len(upper):
             raise InvalidInput(f"`lines.{name}` must have one number for each line; got shape {column.shape} and "

@@ -64,10 +64,10 @@ def compute_states(terms: list[tuple[float, Term]], J: int, representation: Repr
     """Return levels and states of one J, by label."""
     parts = []
     for block in wang.blocks(J):
-        values, found = wang.eigenvectors(wang.band(terms, J, block))
+        values, states = wang.eigenvectors(wang.band(terms, J, block))
         labels = wang.labels(J, block, representation)
         whole, K = np.zeros((2 * J + 1, len(values))), block.K.astype(int)
-        for k, row in zip(K, found, strict=True):
+        for k, row in zip(K, states, strict=True):
             if k:
                 whole[J + k], whole[J - k] = math.sqrt(0.5) * row, block.sign * math.sqrt(0.5) * row
             else:

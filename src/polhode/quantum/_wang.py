@@ -59,24 +59,24 @@ def energies(rows: Float64[Array, "bands k"]) -> Float64[Array, "k"]:
     """Return a block's levels, ascending."""
     if rows.shape[1] == 1:
         return rows[0].copy()
-    found: Any
+    values: Any
     if not rows[2:].any():
-        found = eigh_tridiagonal(rows[0], rows[1, :-1], eigvals_only=True)
+        values = eigh_tridiagonal(rows[0], rows[1, :-1], eigvals_only=True)
     else:
-        found = eig_banded(rows[: rows.shape[1]], lower=True, eigvals_only=True)
-    return found
+        values = eig_banded(rows[: rows.shape[1]], lower=True, eigvals_only=True)
+    return values
 
 
 def eigenvectors(rows: Float64[Array, "bands k"]) -> tuple[Float64[Array, "k"], Float64[Array, "k k"]]:
     """Return a block's levels, ascending, and their states by columns."""
     if rows.shape[1] == 1:
         return rows[0].copy(), np.ones((1, 1))
-    found: Any
+    eigensystem: Any
     if not rows[2:].any():
-        found = eigh_tridiagonal(rows[0], rows[1, :-1])
+        eigensystem = eigh_tridiagonal(rows[0], rows[1, :-1])
     else:
-        found = eig_banded(rows[: rows.shape[1]], lower=True)
-    return found
+        eigensystem = eig_banded(rows[: rows.shape[1]], lower=True)
+    return eigensystem
 
 
 def labels(J: int, block: Block, representation: Representation) -> tuple[Integer[Array, "k"], Integer[Array, "k"]]:

@@ -124,8 +124,8 @@ def complete_rotor(
     rotor: Rotor, temperature: float | None = None, j_max: int | None = None, notes: tuple[str, ...] = ()
 ) -> SpecRotor:
     """Return a rotor with temperature and largest J, or their defaults."""
-    found = ROOM_TEMPERATURE if temperature is None else temperature
-    return SpecRotor(rotor, found, usual_j(rotor, found) if j_max is None else j_max, notes)
+    kelvins = ROOM_TEMPERATURE if temperature is None else temperature
+    return SpecRotor(rotor, kelvins, usual_j(rotor, kelvins) if j_max is None else j_max, notes)
 
 
 def check_summable(asked: SpecRotor) -> None:

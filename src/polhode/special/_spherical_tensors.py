@@ -68,12 +68,12 @@ def _signs(rows: Array, values: Array, diagonal: Array, beside: Array) -> Array:
     """
     place = np.argmax(np.abs(rows) > 1e-6 * np.abs(rows).max(axis=1, keepdims=True), axis=1)
     before, now = np.zeros(len(rows)), np.ones(len(rows))
-    told = np.sign(rows[:, 0])
+    signs = np.sign(rows[:, 0])
     for i in range(int(place.max(initial=0))):
         # row i of (M − k(k+1)) t = 0, solved for its last entry
         after = ((values - diagonal[i]) * now - (beside[i - 1] * before if i else 0.0)) / beside[i]
         size = np.maximum(np.abs(after), np.abs(now))
         before, now = now / size, after / size
         here = place == i + 1
-        told[here] = np.sign(rows[here, i + 1]) * np.sign(now[here])
-    return told
+        signs[here] = np.sign(rows[here, i + 1]) * np.sign(now[here])
+    return signs

@@ -39,8 +39,8 @@ def wobble(
         raise InvalidInput(f'`{wrong[0]}` must be a day like "1976-01-01"; got {shown(days[wrong[0]])}.')
     if isinstance(window, bool) or not isinstance(window, int | float):
         raise InvalidInput(f"`window` must be a positive number of years; got {shown(window)}.")
-    given = series if series is None or isinstance(series, PoleSeries) else as_path("series", series)
-    return with_inputs(lambda: wobble_report(given, start, end, window, ("`start`", "`end`")))
+    source = series if series is None or isinstance(series, PoleSeries) else as_path("series", series)
+    return with_inputs(lambda: wobble_report(source, start, end, window, ("`start`", "`end`")))
 
 
 def wobble_report(

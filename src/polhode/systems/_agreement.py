@@ -73,15 +73,15 @@ def check_agreement(
     moments = jnp.asarray([first + share * (last - first) for share in MOMENTS_OF_TIME])
     try:
         with in_jax_numpy(f"the methods of {type(system).__name__}"):
-            found = _misfits(system, state, moments, by_flows)
+            misfits = _misfits(system, state, moments, by_flows)
     except TypeError as error:
         raise InvalidInput(
             f"{type(system).__name__} cannot be evaluated: {error}. Its methods are energy(point), velocity(point), "
             "generator(t, point), and flows of (time, components)."
         ) from error
     for pair in PAIRS:
-        if float(found.get(pair, 0.0)) > TOLERANCE:
-            raise InvalidInput(_message(system, *pair, float(found[pair])))
+        if float(misfits.get(pair, 0.0)) > TOLERANCE:
+            raise InvalidInput(_message(system, *pair, float(misfits[pair])))
 
 
 def _message(system: AbstractLiePoissonSystem, one: str, other: str, misfit: float) -> str:
@@ -113,7 +113,7 @@ def _misfits(
     points = jnp.stack([point, *(point + algebra.exp_change(x, point) for x in turns)])
     gradient = algebra.from_gradient(jax.grad(lambda mu: jnp.sum(system.energy(mu)))(points))
     as_vector = algebra.to_vector
-    found = {("velocity", "energy"): _misfit(as_vector(system.velocity(points)), as_vector(gradient), NOISE)}
+    misfits = {("velocity", "energy"): _misfit(as_vector(system.velocity(points)), as_vector(gradient), NOISE)}
     generators = jnp.stack([jnp.broadcast_to(system.generator(t, points), points.shape) for t in times])
     if system.conserves_energy:
         field = algebra.to_dual_vector(algebra.coadjoint(generators, points))
@@ -122,7 +122,7 @@ def _misfits(
         power, size = jnp.abs(jnp.sum(terms, axis=-1)), jnp.sum(jnp.abs(terms), axis=-1)
         # where a rate is rounding of larger terms of ad*, so is its power
         size = size + NOISE * jnp.linalg.norm(field, axis=-1) * jnp.linalg.norm(as_vector(gradient), axis=-1)
-        found["generator", "energy"] = _largest(power / jnp.where(size > 0, size, 1.0))
+        misfits["generator", "energy"] = _largest(power / jnp.where(size > 0, size, 1.0))
     if by_flows:
         states = points if attitude is None else jax.vmap(lambda mu: join_state(attitude, mu))(points)
         fields = jnp.stack([AbstractLiePoissonSystem.vector_field(system, t, states) for t in times])
@@ -131,8 +131,8 @@ def _misfits(
         own = system.state_axes
         summed = jax.vmap(lambda one: _first_order(system, step, one))(states)
         flat = lambda x: x.reshape(*x.shape[: x.ndim - own], -1)  # noqa: E731
-        found["flows", "generator"] = _misfit(flat(jnp.broadcast_to(summed, fields.shape)), flat(fields), FLOW_NOISE)
-    return found
+        misfits["flows", "generator"] = _misfit(flat(jnp.broadcast_to(summed, fields.shape)), flat(fields), FLOW_NOISE)
+    return misfits
 
 
 def _first_order(system: AbstractLiePoissonSystem, step: Array, state: Array) -> Array:

@@ -47,13 +47,13 @@ def checked_bonds(lattice: Lattice, bonds: Sequence[Bond]) -> tuple[BondType, ..
     Raises:
         InvalidInput: for sites that the basis does not have, shifts of the wrong length, a site bound to itself.
     """
-    found = []
+    checked = []
     for k, bond in enumerate(bonds):
-        i, j, cell, given = bond
-        matrix = np.asarray(given, float)
+        i, j, cell, exchange = bond
+        matrix = np.asarray(exchange, float)
         matrix = matrix * np.eye(3) if matrix.ndim == 0 else matrix
         if matrix.shape != (3, 3) or not np.isfinite(matrix).all():
-            raise InvalidInput(f"`bonds[{k}].matrix` must be a finite number or (3, 3); got {shown(given)}.")
+            raise InvalidInput(f"`bonds[{k}].matrix` must be a finite number or (3, 3); got {shown(exchange)}.")
         if not (0 <= i < lattice.sites and 0 <= j < lattice.sites):
             raise InvalidInput(f"`bonds[{k}]` joins sites {i} and {j}; the basis has 0 to {lattice.sites - 1}.")
         if len(cell) != lattice.dimension or not all(isinstance(n, int | np.integer) for n in cell):
@@ -61,8 +61,8 @@ def checked_bonds(lattice: Lattice, bonds: Sequence[Bond]) -> tuple[BondType, ..
         shift = (*map(int, cell), *(0,) * (3 - len(cell)))
         if i == j and not any(shift):
             raise InvalidInput(f"`bonds[{k}]` joins a site with itself; give such terms as `onsite`.")
-        found.append(BondType(i, j, shift, tuple(map(tuple, matrix.tolist()))))  # pyright: ignore[reportArgumentType]
-    return tuple(found)
+        checked.append(BondType(i, j, shift, tuple(map(tuple, matrix.tolist()))))  # pyright: ignore[reportArgumentType]
+    return tuple(checked)
 
 
 def find_cells(lattice: Lattice, bond: BondType) -> np.ndarray | None:
@@ -99,10 +99,10 @@ def classes(lattice: Lattice, bond: BondType) -> list[np.ndarray]:
         colour = start // length % 2
         if closed and size % (2 * length):
             colour = np.where(start >= size - length, 2, colour)
-        found = [mask & (colour == c) for c in range(3)]
-        found = [one for one in found if one.any()]
-        if not best or len(found) < len(best):
-            best = found
+        masks = [mask & (colour == c) for c in range(3)]
+        masks = [one for one in masks if one.any()]
+        if not best or len(masks) < len(best):
+            best = masks
     if not best and mask.any():
         raise InvalidInput(
             f"a bond by {bond.cell} cells joins each site with itself in a periodic lattice of {lattice.shape} cells. "

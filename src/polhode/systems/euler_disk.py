@@ -170,8 +170,8 @@ class EulerDisk(AbstractSystem):
         """
         tilt = LAYOUT.part(jnp.asarray(state), "tilt")
         tilt, rate = jnp.minimum(tilt, jnp.pi - tilt), jnp.abs(self.precession(state))
-        found = [jnp.broadcast_to(law.power(self.mechanics, tilt, rate), tilt.shape) for law in self.dissipation]
-        return jnp.stack(found, axis=-1) if found else jnp.zeros((*tilt.shape, 0))
+        powers = [jnp.broadcast_to(law.power(self.mechanics, tilt, rate), tilt.shape) for law in self.dissipation]
+        return jnp.stack(powers, axis=-1) if powers else jnp.zeros((*tilt.shape, 0))
 
     def normal_force(self, state: States) -> Float64[Array, "*batch"]:
         """Return the force [N] with which the plane pushes upwards."""

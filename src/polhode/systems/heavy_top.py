@@ -160,8 +160,8 @@ class HeavyTop(AbstractLiePoissonSystem):
         # known numbers by NumPy, as JAX would compile every operation by itself
         xp: Any = jnp if is_traced(self.axes, self.moments, attitude, vector) else np
         axes = xp.asarray(self.axes)
-        given = rotation.normalize(xp.asarray(attitude, dtype=float))
-        turned = rotation.multiply(given, rotation.from_matrix(axes))
+        normalized = rotation.normalize(xp.asarray(attitude, dtype=float))
+        turned = rotation.multiply(normalized, rotation.from_matrix(axes))
         spin = xp.zeros(3) if vector is None else xp.asarray(vector, dtype=float) @ axes
         spin = spin if momentum is not None else spin * xp.asarray(self.moments)
         # Γ = Rᵀ e_z

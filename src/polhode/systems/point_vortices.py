@@ -67,11 +67,11 @@ class SphereVortices(AbstractLiePoissonSystem):
         """
         refuse_single_precision(positions=positions)
         xp = jnp if is_traced(positions) else np
-        given = xp.asarray(positions, dtype=float)
-        size = xp.linalg.norm(given, axis=-1, keepdims=True)
+        places = xp.asarray(positions, dtype=float)
+        size = xp.linalg.norm(places, axis=-1, keepdims=True)
         if xp is np and not (np.isfinite(size).all() and (size > 0).all()):
             raise InvalidInput(f"`positions` must be finite directions other than zero; got {shown(positions)}.")
-        return self.strengths[:, None] * (given / size)
+        return self.strengths[:, None] * (places / size)
 
     def positions(self, point: Real[ArrayLike, "*batch n 3"]) -> Float64[Array, "*batch n 3"]:
         """Return the unit vectors x (…, n, 3) at which the vortices are."""

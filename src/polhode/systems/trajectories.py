@@ -102,13 +102,13 @@ def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
 
     def of_one(x: Array) -> dict[str, Array]:
         values, back = jax.vjp(lambda y: choose(y, False), x)
-        found = {}
+        terms = {}
         for name in values:
             picked = {other: jnp.asarray(other == name, values[other].dtype) for other in values}
-            found[name] = jnp.sum(jnp.abs(x * back(picked)[0]))
+            terms[name] = jnp.sum(jnp.abs(x * back(picked)[0]))
         for name, each in choose(x, True).items():
-            found[name] = _of_copies(lambda y, name=name: choose(y, True)[name], x, each.size)
-        return found
+            terms[name] = _of_copies(lambda y, name=name: choose(y, True)[name], x, each.size)
+        return terms
 
     for _ in range(jnp.ndim(state) - system.state_axes):
         of_one = jax.vmap(of_one)

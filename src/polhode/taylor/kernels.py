@@ -76,8 +76,8 @@ class _Spent:
 def choose_kernel(copies: int, extended: bool = False) -> Kernel:
     """Return the fastest kernel for so many copies that is compiled already or worth compiling."""
     if extended:
-        made = compile_kernel if _is_worth(EXTENDED, _Spent.by_python) else python_kernel
-        return made(EXTENDED)
+        build = compile_kernel if _is_worth(EXTENDED, _Spent.by_python) else python_kernel
+        return build(EXTENDED)
     if not _is_worth(1, _Spent.by_python):
         return python_kernel(1)
     if copies >= lanes.LANES and _is_worth(lanes.LANES, _Spent.one_by_one):
@@ -158,11 +158,11 @@ def use_compiled_kernel(*widths: int) -> None:
 def _is_on_disk(width: int) -> bool:
     """Whether Numba has compiled it before."""
     kept = [Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi") for entry in compile_kernel(width)[2:4]]
-    return all(any(found) for found in kept)
+    return all(any(files) for files in kept)
 
 
 def _join_modules(
-    width: int, made: Callable[[FunctionType, str], Any], operations: dict[str, Any]
+    width: int, convert: Callable[[FunctionType, str], Any], operations: dict[str, Any]
 ) -> dict[str, Any]:  # fmt: skip
     """Return the names of all modules, in which functions, made into what is wanted, call each other."""
     space: dict[str, Any] = {}
@@ -172,5 +172,5 @@ def _join_modules(
            if inspect.isfunction(value) and value.__module__ == module.__name__]  # fmt: skip
     for name, value in own:
         plain = inspect.unwrap(value)  # tests wrap functions to check annotations
-        space[name] = operations.get(name) or made(FunctionType(plain.__code__, space, name), name)
+        space[name] = operations.get(name) or convert(FunctionType(plain.__code__, space, name), name)
     return space

@@ -60,5 +60,5 @@ def state_tangent(values: Values, state: State, changes: Changes) -> Changed:
     turn = tuple(xp.where(resting, r, x) + v * (rate * d_time) for r, x, v in zip(at_rest, turn, velocity, strict=True))
     moved = tuple((x + f * (rate * d_time)) * scale for x, f in zip(change, flow, strict=True))
     xi = xp.stack(from_sorted(body, turn), axis=-1)
-    given = rotation.multiply(d_attitude, relative)
-    return given + rotation.quaternion_rate(attitude_t, xi), xp.stack(from_sorted(body, moved), axis=-1)
+    of_start = rotation.multiply(d_attitude, relative)
+    return of_start + rotation.quaternion_rate(attitude_t, xi), xp.stack(from_sorted(body, moved), axis=-1)

@@ -64,9 +64,9 @@ def _state_jacobian(*arguments: Array) -> tuple[tuple[Array, Array], Array]:
         xp = namespace(time)
         d_moments, d_momentum, d_attitude, d_time = units(xp, time.shape, (3, 3, 4, 1))
         changes = d_moments, d_momentum, d_attitude, d_time[..., 0]
-        found = state_tangent((moments, momentum, attitude, time), (turned, moved), changes)
-        found = xp.moveaxis(xp.concat(found, axis=-1), 0, -1)
-        return xp.concat([found, xp.zeros_like(found[..., :1])], axis=-1)
+        tangents = state_tangent((moments, momentum, attitude, time), (turned, moved), changes)
+        tangents = xp.moveaxis(xp.concat(tangents, axis=-1), 0, -1)
+        return xp.concat([tangents, xp.zeros_like(tangents[..., :1])], axis=-1)
 
     return value, in_blocks(columns, (*arguments[:4], *value), (1, 1, 1, 0, 1, 1))
 
@@ -84,8 +84,8 @@ def _numbers_jacobian(moments: Array, momentum: Array) -> tuple[geometry.Charact
         xp = namespace(moments)
         prepared = prepare(moments, momentum, xp.zeros((*moments.shape[:-1], 4)) + xp.asarray(IDENTITY))
         changes = units(xp, moments.shape[:-1], (3, 3))
-        found = changed_numbers(prepared, geometry.Characteristics(*numbers), *changes)
-        return xp.moveaxis(xp.stack(found, axis=-1), 0, -1)
+        tangents = changed_numbers(prepared, geometry.Characteristics(*numbers), *changes)
+        return xp.moveaxis(xp.stack(tangents, axis=-1), 0, -1)
 
     return value, in_blocks(columns, (moments, momentum, *value), (1, 1, *(0 for _ in value)))
 

@@ -77,8 +77,8 @@ def changed_numbers(
     d_modulus = 0.5 / k * xp.where(form.full, by_g, by_kappa) / form.b
     undefined = rates.constant | rates.separatrix
     d_rate = (d_turn - numbers.precession_rate / rate * d_period) / period * rate
-    found = (d_modulus, d_period / rate, d_rate, d_turn, d_angle)
-    whole = tuple(xp.where(undefined, math.nan, x) for x in found)
+    changes = (d_modulus, d_period / rate, d_rate, d_turn, d_angle)
+    whole = tuple(xp.where(undefined, math.nan, x) for x in changes)
     return whole  # type: ignore[return-value]
 
 

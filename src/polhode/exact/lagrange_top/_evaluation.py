@@ -66,14 +66,14 @@ def _state_jacobian(*arguments: Array) -> tuple[tuple[Array, Array], Array]:
     """The columns are of the arguments, of which the rest of the elapsed time changes nothing more."""
     value = _state(*arguments)
 
-    def columns(*given: Array) -> Array:
-        moments, *vectors, time, attitude, momentum = given
+    def columns(*arguments: Array) -> Array:
+        moments, *vectors, time, attitude, momentum = arguments
         xp = namespace(time)
         *changes, d_time = units(xp, time.shape, (*SIZES, 1))
         data = tangent_data(prepare(_symmetric(moments), *vectors))
-        found = state_tangent(data, time, (attitude, momentum), (*changes, d_time[..., 0]))
-        found = xp.moveaxis(xp.concat(found, axis=-1), 0, -1)
-        return xp.concat([found, xp.zeros_like(found[..., :1])], axis=-1)
+        tangents = state_tangent(data, time, (attitude, momentum), (*changes, d_time[..., 0]))
+        tangents = xp.moveaxis(xp.concat(tangents, axis=-1), 0, -1)
+        return xp.concat([tangents, xp.zeros_like(tangents[..., :1])], axis=-1)
 
     return value, in_blocks(columns, (*arguments[:5], *value), (1, 1, 1, 1, 0, 1, 1))
 
@@ -89,12 +89,12 @@ def _numbers(moments: Array, *vectors: Array) -> geometry.Characteristics:
 def _numbers_jacobian(*arguments: Array) -> tuple[geometry.Characteristics, Array]:
     value = _numbers(*arguments)
 
-    def columns(*given: Array) -> Array:
-        vectors, numbers = (_symmetric(given[0]), *given[1:4]), given[5:]
-        xp = namespace(*given)
+    def columns(*arguments: Array) -> Array:
+        vectors, numbers = (_symmetric(arguments[0]), *arguments[1:4]), arguments[5:]
+        xp = namespace(*arguments)
         changes = tuple(units(xp, numbers[0].shape, SIZES))
-        found = changed_numbers(tangent_data(prepare(*vectors)), numbers, changes)
-        return xp.moveaxis(xp.stack(xp.broadcast_arrays(*found), axis=-1), 0, -1)
+        tangents = changed_numbers(tangent_data(prepare(*vectors)), numbers, changes)
+        return xp.moveaxis(xp.stack(xp.broadcast_arrays(*tangents), axis=-1), 0, -1)
 
     return value, in_blocks(columns, (*arguments, *value), (1, 1, 1, 1, *(0 for _ in value)))
 

@@ -131,12 +131,12 @@ def _lower_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f: Pair, s1: Pair) 
 
 @inlined
 def turning_points_of(
-    is_upper: bool, found: Pair, g: Pair, safe: Pair, s0: Pair, t0: Pair, p2: Pair, c2: Pair, c_plus: Pair, f: Pair,
+    is_upper: bool, lone_root: Pair, g: Pair, safe: Pair, s0: Pair, t0: Pair, p2: Pair, c2: Pair, c_plus: Pair, f: Pair,
     f1: Pair,
 ) -> TurningPoints:  # fmt: skip
     """Return the turning points from the root that stands apart, Y or else s1; ``safe`` is G, where it is positive."""
-    x = _upper_root_apart(g, s0, p2, c2, f1, found)
-    y = _lower_root_apart(safe, s0, p2, c2, f, found)
+    x = _upper_root_apart(g, s0, p2, c2, f1, lone_root)
+    y = _lower_root_apart(safe, s0, p2, c2, f, lone_root)
     upper, apart = choice(is_upper, x[1], y[1]), choice(is_upper, x[7], y[7])
     t2, z = add(t0, upper), add(apart, multiply(g, t0))
     return TurningPoints(
@@ -260,7 +260,7 @@ def complementary_series(
 
 @inlined
 def _constant_phase(
-    r: float, i: float, dr: float, di: float, turns: float, rate: float, given: Pair, slope: Pair, norm: float,
+    r: float, i: float, dr: float, di: float, turns: float, rate: float, component: Pair, slope: Pair, norm: float,
     drop: float, turn: float, size: float,
 ) -> Pair:  # fmt: skip
     """Return cos and sin of the phase that turns A or B at the epoch into the given α or β.
@@ -270,7 +270,7 @@ def _constant_phase(
     r, i = r / norm, i / norm
     sr = turn * (dr / norm - r * drop) - rate * i
     si = turn * (di / norm - i * drop) + rate * r
-    (gr, gi), (er, ei) = given, slope
+    (gr, gi), (er, ei) = component, slope
     real = (r * gr + i * gi) + (sr * er + si * ei) / size
     imaginary = (r * gi - i * gr) + (sr * ei - si * er) / size
     s, c = sine_cosine(turns - whole(turns))

@@ -68,11 +68,11 @@ def top_frequencies(top: Reduction, points: TurningPoints) -> Frequencies:
     beta = dd.where(separatrix, zero, beta)
     I1, I3 = top.moments
     spin = FORMULAS.spin(I1, I3, a)
-    found = Frequencies(
+    frequencies = Frequencies(
         dd.scale(root_A, 0.5), dd.where(separatrix, zero, nutation), dd.scale(alpha, sign_alpha),
         dd.scale(beta, sign_beta), sign_alpha, sign_beta, spin, permanent, separatrix, ~(points.d[0] > 0) & ~aperiodic,
     )  # fmt: skip
-    return _lingering(top, found)
+    return _lingering(top, frequencies)
 
 
 def climb(top: Reduction) -> DoubleDouble:

@@ -125,10 +125,10 @@ def _pole_of_alpha(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
         d, t2 = w[at.GAP + i], w[at.T2 + i]
         s[X + i], s[Y_ + i] = d / t2, d * w[at.Z_PLUS + i] / (w[at.A + i] * t2)
-    found = _first_kind(s, count)
+    converged = _first_kind(s, count)
     for i in range(count):
         w[at.V_ALPHA + i] = square_root(w[at.T1 + i] / w[at.T2 + i]) * s[X + i]
-    return found
+    return converged
 
 
 @called
@@ -136,10 +136,10 @@ def _pole_of_beta(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
         d, s1 = w[at.GAP + i], w[at.S1 + i]
         s[X + i], s[Y_ + i] = d * w[at.Z_MINUS + i] / (s1 * w[at.B + i]), d / s1
-    found = _first_kind(s, count)
+    converged = _first_kind(s, count)
     for i in range(count):
         w[at.V_BETA + i] = square_root(w[at.S2 + i] * w[at.A + i] / (w[at.S1 + i] * w[at.B + i])) * s[X + i]
-    return found
+    return converged
 
 
 @called
@@ -147,10 +147,10 @@ def _rest_of_alpha(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
         g, z = w[at.G + i], w[at.Z_PLUS + i]
         s[X + i], s[Y_ + i] = g * w[at.T1 + i] / z, g * w[at.T2 + i] / z
-    found = _first_kind(s, count)
+    converged = _first_kind(s, count)
     for i in range(count):
         w[at.W_ALPHA + i] = square_root(w[at.A + i] / w[at.Z_PLUS + i]) * s[X + i]
-    return found
+    return converged
 
 
 @called
@@ -158,10 +158,10 @@ def _rest_of_beta(w: Any, count: int, s: Any) -> bool:
     for i in range(count):
         g, a, b = w[at.G + i], w[at.A + i], w[at.B + i]
         s[X + i], s[Y_ + i] = g * w[at.S2 + i] / b, g * w[at.S1 + i] / a
-    found = _first_kind(s, count)
+    converged = _first_kind(s, count)
     for i in range(count):
         w[at.W_BETA + i] = square_root(w[at.Z_MINUS + i] / w[at.B + i]) * s[X + i]
-    return found
+    return converged
 
 
 @called
@@ -170,11 +170,11 @@ def _start(w: Any, count: int, s: Any) -> bool:
         d = pair(w, at.GAP + i)
         put(s, X + i, divide(pair(w, at.UPPER + i), d))
         put(s, Y_ + i, divide(pair(w, at.Y + i), pair(w, at.A + i)))
-    found = _first_kind_sharply(s, count)
+    converged = _first_kind_sharply(s, count)
     for i in range(count):
         x0 = multiply(root_or_zero(divide(pair(w, at.LOWER + i), pair(w, at.GAP + i))), pair(s, X + i))
         put(w, at.X0 + i, scale(x0, 1.0 if w[at.P + i] >= 0.0 else -1.0))
-    return found
+    return converged
 
 
 @called
@@ -187,6 +187,6 @@ def integrals(w: Any, full: int, count: int, s: Any) -> bool:
         count: of all tops.
         s: STEPS rows.
     """
-    found = _pole_of_alpha(w, count, s) & _pole_of_beta(w, count, s)
-    found &= _rest_of_alpha(w, full, s) & _rest_of_beta(w, full, s)
-    return found & _start(w, count, s)
+    converged = _pole_of_alpha(w, count, s) & _pole_of_beta(w, count, s)
+    converged &= _rest_of_alpha(w, full, s) & _rest_of_beta(w, full, s)
+    return converged & _start(w, count, s)

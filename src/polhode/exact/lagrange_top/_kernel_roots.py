@@ -63,11 +63,11 @@ def _apart(w: Any, count: int) -> None:
         y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0)
         start = 2.0 * (r if upper else other_r) * y - (third if upper else other_third)
         b, c, d = choice(upper, of_y[0], of_s[0]), choice(upper, of_y[1], of_s[1]), choice(upper, of_y[2], of_s[2])
-        found, _ = _polished((start, 0.0), b, c, d)
-        found, change = _polished(found, b, c, d)
-        good = (found[0] > 0.0) & (abs(change) <= CONVERGED * found[0])
+        root, _ = _polished((start, 0.0), b, c, d)
+        root, change = _polished(root, b, c, d)
+        good = (root[0] > 0.0) & (abs(change) <= CONVERGED * root[0])
         w[at.UP + i] = (1.0 if upper else 0.0) if (w[at.UP + i] == 0.0) & good else -1.0
-        put(w, at.Y + i, found)
+        put(w, at.Y + i, root)
         put(w, at.A + i, f1)
 
 

@@ -32,13 +32,13 @@ WORTH = 1_000  # tops for which a thread is worth its start
 
 
 @called
-def _sorted(begun: Any, count: int, found: Any, w: Any, place: Any, order: Any) -> tuple[int, int]:
+def _sorted(begun: Any, count: int, sources: Any, w: Any, place: Any, order: Any) -> tuple[int, int]:
     """Copy the tops that the kernels take, those of the full form first; return how many take it, and how many any.
 
     Args:
         begun, w: stores of tops before and after.
         count: of tops before.
-        found, place: where the tops come from, before and after.
+        sources, place: where the tops come from, before and after.
         order: room for BLOCK whole numbers.
     """
     full, back = 0, count
@@ -59,7 +59,7 @@ def _sorted(begun: Any, count: int, found: Any, w: Any, place: Any, order: Any) 
         for i in range(good):
             w[k * BLOCK + i] = begun[k * BLOCK + order[i]]
     for i in range(good):
-        place[i] = found[order[i]]
+        place[i] = sources[order[i]]
     return full, good
 
 
@@ -80,13 +80,13 @@ def set_up(
 ) -> None:  # fmt: skip
     begun, w, m = room(ROWS * BLOCK), room(ROWS * BLOCK), room(COLUMNS * BLOCK)
     steps, work, zeros, terms = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK), room(TERMS)
-    found, place, who = places(BLOCK), places(BLOCK), places(BLOCK)
+    sources, place, who = places(BLOCK), places(BLOCK), places(BLOCK)
     good = flags(BLOCK)
     for low in range(0, len(moments), BLOCK):
         part = slice(low, low + BLOCK)
-        count = begin(moments[part], mgl[part], momentum[part], attitude[part], begun, found, terms)
+        count = begin(moments[part], mgl[part], momentum[part], attitude[part], begun, sources, terms)
         turning_points(begun, count)
-        full, count = _sorted(begun, count, found, w, place, who)
+        full, count = _sorted(begun, count, sources, w, place, who)
         rates(w, count, steps, who, m)
         if not integrals(w, full, count, steps):
             continue

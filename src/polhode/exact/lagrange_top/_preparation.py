@@ -112,9 +112,12 @@ def _integrals(top: Reduction, points: TurningPoints, idle: Array) -> tuple[Any,
         over(t1, t2), over(dd.multiply(s2, A), dd.multiply(s1, B)), over(A, points.Z_plus), over(points.Z_minus, B),
         over(points.from_lower, d),
     )  # fmt: skip
-    found = [dd.multiply(dd.sqrt(f), v) for f, v in zip(factors, of, strict=True)]
+    integrals = [dd.multiply(dd.sqrt(f), v) for f, v in zip(factors, of, strict=True)]
     zero = dd.from_float(xp.zeros_like(d[0]))
-    return found[0][0], found[1][0], found[2][0], found[3][0], dd.where(idle & ~(d[0] > 0), zero, found[4])
+    return (
+        integrals[0][0], integrals[1][0], integrals[2][0], integrals[3][0],
+        dd.where(idle & ~(d[0] > 0), zero, integrals[4]),
+    )  # fmt: skip
 
 
 def _motion(

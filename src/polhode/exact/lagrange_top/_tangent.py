@@ -284,17 +284,17 @@ def _stood(
     sense = xp.where(hanging, -1.0, 1.0)
     a, da = sense * top.L3, sense * by.a
     of = da, xp.where(hanging, 2.0 * da, by.c + 2.0 * da)
-    found = standing.upright_change(
+    tangent = standing.upright_change(
         a, standing.reversed_axis(hanging, now), standing.reversed_axis(hanging, change), of, growth
     )
     climbing = top.separatrix & (begin == course.tau[0])
-    found = tuple(xp.where(climbing, x, y) for x, y in zip(change, found, strict=True))
+    tangent = tuple(xp.where(climbing, x, y) for x, y in zip(change, tangent, strict=True))
     # α's phase of the climb is in the flow
     back = xp.exp(-0.5j * a * begin)
-    found = (found[0] * back, found[1], found[2] * xp.conj(back))
+    tangent = (tangent[0] * back, tangent[1], tangent[2] * xp.conj(back))
     idle = standing.resting_change(values[0], changes[0], (by.G, by.a), course.tau[0])
     resting = (top.G == 0) & (top.L3 == 0)
-    return tuple(xp.where(resting, x, y) for x, y in zip(idle, standing.given_axis(hanging, found), strict=True))
+    return tuple(xp.where(resting, x, y) for x, y in zip(idle, standing.given_axis(hanging, tangent), strict=True))
 
 
 def _spherical(xp: Any, top: TangentData, attitude: Array, momentum: Array) -> Vector:
@@ -302,8 +302,8 @@ def _spherical(xp: Any, top: TangentData, attitude: Array, momentum: Array) -> V
     turned, sense = top.reversed, xp.where(top.reversed, -1.0, 1.0)
     w, x, y, z = (attitude[..., k] for k in range(4))
     L1, L2 = momentum[..., 0] / top.momentum_scale, sense * momentum[..., 1] / top.momentum_scale
-    given = (xp.where(turned, -x, w), xp.where(turned, -y, z), xp.where(turned, w, x), xp.where(turned, z, y), L1, L2)
-    return _paired(given)
+    parts = (xp.where(turned, -x, w), xp.where(turned, -y, z), xp.where(turned, w, x), xp.where(turned, z, y), L1, L2)
+    return _paired(parts)
 
 
 def _assembled(

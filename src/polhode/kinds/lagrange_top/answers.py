@@ -52,9 +52,9 @@ class LagrangeTopReport(TopReport):
 
     @property
     def exact(self) -> LagrangeMotion:
-        found = self.trajectory.motion
-        assert isinstance(found, LagrangeMotion)
-        return found
+        motion = self.trajectory.motion
+        assert isinstance(motion, LagrangeMotion)
+        return motion
 
     @property
     def summary(self) -> str:

@@ -101,14 +101,14 @@ class VorticesReport(MotionReport):
 
     @property
     def notes(self) -> list[str]:
-        found = []
+        notes = []
         if self.sphere_radius is not None and abs(self.strengths.sum()) > 1e-12 * np.abs(self.strengths).sum():
-            found.append("a uniform vorticity over the sphere makes up for the sum of the strengths; it moves nothing.")
+            notes.append("a uniform vorticity over the sphere makes up for the sum of the strengths; it moves nothing.")
         if self.turn is None and len(self.strengths) > 3:
-            found.append("more than three vortices may move chaotically: small differences of the start then grow.")
+            notes.append("more than three vortices may move chaotically: small differences of the start then grow.")
         if self.no_verdict:
-            found.append(f"no verdict: {self.no_verdict}")
-        return found
+            notes.append(f"no verdict: {self.no_verdict}")
+        return notes
 
     @property
     def answers(self) -> list[Group | Table]:

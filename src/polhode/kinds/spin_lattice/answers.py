@@ -128,13 +128,13 @@ class SpinLatticeReport(MotionReport):
 
     @property
     def notes(self) -> list[str]:
-        found = []
+        notes = []
         if self.skyrmions is not None and self.table.periodic and abs(self.skyrmions[1]) > 0.5:
-            found.append(f"the spins cover the sphere {self.skyrmions[1]:.0f} times: skyrmions.")
+            notes.append(f"the spins cover the sphere {self.skyrmions[1]:.0f} times: skyrmions.")
         if len(self.trajectory.times) < self.asked:
-            found.append(f"{len(self.trajectory.times)} of {self.asked} samples are kept: more would take over "
+            notes.append(f"{len(self.trajectory.times)} of {self.asked} samples are kept: more would take over "
                          f"{MEMORY >> 20} MiB.")  # fmt: skip
-        return found
+        return notes
 
     def without_motion(self) -> list[Group | Table]:
         """Return the answers that need no trajectory."""
