@@ -68,12 +68,12 @@ def invariant_terms(brackets: list[list[dict[int, Fraction]]], degree: int) -> l
         InvalidInput: for a problem too large, or a missing python-flint.
     """
     generators = _generators(brackets)
-    found: list[Terms] = []
+    independent: list[Terms] = []
     for d in range(1, degree + 1):
         invariants = _invariants(brackets, generators, d)
         if invariants:
-            found += new_terms(invariants, _products(found, d))
-    return [whole_terms(terms) for terms in found]
+            independent += new_terms(invariants, _products(independent, d))
+    return [whole_terms(terms) for terms in independent]
 
 
 def rational_brackets(algebra: AbstractLieAlgebra) -> list[list[dict[int, Fraction]]]:
