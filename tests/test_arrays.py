@@ -12,7 +12,7 @@ jax.config.update("jax_enable_x64", True)
 import jax.numpy as jnp
 import numpy as np
 from polhode.arrays import stack_last
-from polhode.special import doubledouble as dd
+from polhode.special import _doubledouble as dd
 
 def chain(a, b):
     x, y, z = dd.from_float(a), dd.from_float(b), dd.two_product(a, b)

@@ -14,7 +14,7 @@ import pytest
 import lacking
 import polhode as ph
 from polhode.errors import InvalidInput
-from polhode.exact.kernel_arithmetic import in_threads
+from polhode.exact._kernel_arithmetic import in_threads
 from polhode.kinds.registry import known_figures
 from polhode.sweeps.running import _deaf_to_interrupts, default_workers
 from polhode.testing.kinds import FILE_NAME

@@ -48,7 +48,7 @@ FROM = {
     "formats/column_reading.py": "import compare fit", "formats/gyro_logs.py": "fit",
     "formats/plain_table.py": "import compare fit", "formats/spice_reading.py": "import compare fit",
     "studies/comparison_report.py": "compare", "studies/throw_report.py": "fit", "sweeps/running.py": "sweep",
-    "sweeps/evaluation.py": "sweep", "estimation/throw_fit.py": "fit", "estimation/flight.py": "fit",
+    "sweeps/evaluation.py": "sweep", "estimation/_throw_fit.py": "fit", "estimation/flight.py": "fit",
     "studies/left_out.py": "fit",
 }  # fmt: skip
 DECLARED = ("cli/commands.py", "cli/source_options.py", "cli/fit_options.py", "cli/tumble_options.py")

@@ -20,7 +20,7 @@ import typed
 from polhode import rotation, systems
 from polhode.analysis import poinsot
 from polhode.errors import InvalidInput
-from polhode.integrators import composition
+from polhode.integrators import _composition as composition
 
 SRC = Path(polhode.__file__).parent
 SPECIMEN = '''

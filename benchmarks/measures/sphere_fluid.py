@@ -9,7 +9,7 @@ from measure import Row, compared
 from scipy.linalg import lapack
 
 import polhode as ph
-from polhode.algebra.sphere_laplacian import diagonals
+from polhode.algebra._sphere_laplacian import diagonals
 from polhode.taylor.array_series import run_arrays
 from polhode.taylor.runs import choose_precision
 

@@ -34,7 +34,7 @@ from .kinds.page import write_page as write_page
 from .kinds.plotting import plot as plot
 from .kinds.reading import read_spec as read_spec
 from .kinds.reading import report as report
-from .motion.trajectory import Trajectory as Trajectory
+from .motion._trajectory import Trajectory as Trajectory
 from .simulation import simulate as simulate
 from .solving import Fold as Fold
 from .solving import solve as solve

@@ -148,9 +148,9 @@ def rotate(
     """
     xp, (q, v) = _arrays(quaternion=quaternion, vector=vector)
     _refuse_not_unit(q)
-    (w, *u), given = _parts(q), _parts(v)
-    across = [2.0 * x for x in cross_of_parts(u, given)]
-    turned = zip(given, across, cross_of_parts(u, across), strict=True)
+    (w, *u), components = _parts(q), _parts(v)
+    across = [2.0 * x for x in cross_of_parts(u, components)]
+    turned = zip(components, across, cross_of_parts(u, across), strict=True)
     return xp.stack([x + w * t + further for x, t, further in turned], axis=-1)
 
 
@@ -354,10 +354,10 @@ def perpendicular(vector: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch
     farthest = xp.argmin(xp.abs(v), axis=-1)[..., None]
     x, y, z = (v[..., k : k + 1] for k in range(3))
     zero = xp.zeros_like(x)
-    found = xp.concat([y, -x, zero], axis=-1)
-    found = xp.where(farthest == 1, xp.concat([-z, zero, x], axis=-1), found)
-    found = xp.where(farthest == 0, xp.concat([zero, z, -y], axis=-1), found)
-    return found / xp.sqrt(xp.sum(found * found, axis=-1, keepdims=True))
+    normal = xp.concat([y, -x, zero], axis=-1)
+    normal = xp.where(farthest == 1, xp.concat([-z, zero, x], axis=-1), normal)
+    normal = xp.where(farthest == 0, xp.concat([zero, z, -y], axis=-1), normal)
+    return normal / xp.sqrt(xp.sum(normal * normal, axis=-1, keepdims=True))
 
 
 def _unit(xp: Any, vector: Array, name: str) -> Array:

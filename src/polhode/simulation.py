@@ -18,13 +18,11 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.integrators.accuracy import run_to_tolerance, run_with_error
-from polhode.integrators.adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
-from polhode.integrators.base import AbstractOrbitSolver
-from polhode.integrators.difference import EPS
-from polhode.integrators.equal_steps import run_by_equal_steps, step_counts
-from polhode.integrators.probing import find_undeclared_jumps, jumps_along, jumps_between, name_jumps
-from polhode.integrators.series import (
+from polhode.integrators._accuracy import run_to_tolerance, run_with_error
+from polhode.integrators._adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
+from polhode.integrators._difference import EPS
+from polhode.integrators._equal_steps import run_by_equal_steps, step_counts
+from polhode.integrators._series import (
     NoSeries,
     Taylor,
     goes_by_arrays,
@@ -34,9 +32,11 @@ from polhode.integrators.series import (
     series_to_tolerance,
     solve_by_series,
 )
+from polhode.integrators.base import AbstractOrbitSolver
+from polhode.integrators.probing import find_undeclared_jumps, jumps_along, jumps_between, name_jumps
 from polhode.integrators.splitting import Splitting
-from polhode.motion.outcome import Ending, Ends, Outcome, Status
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._outcome import Ending, Ends, Outcome, Status
+from polhode.motion._trajectory import Trajectory
 from polhode.solving import (
     adaptive_solver,
     check_every,
@@ -47,7 +47,7 @@ from polhode.solving import (
     step_angle,
     turning_rates,
 )
-from polhode.systems.agreement import check_agreement, moves_by_generator
+from polhode.systems._agreement import check_agreement, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.systems.trajectories import make_trajectory
 from polhode.types import Array, ArrayLike, Real
@@ -198,8 +198,8 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
         raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
     named, meter = name_jumps(system, find_undeclared_jumps(system, state, times)), _meter(asked.progress)
     if asked.tolerance is not None and asked.estimate_error:
-        given = named, method, state, times, meter, asked.step, asked.tolerance, asked.every
-        motion, error = series_to_tolerance(*given)
+        arguments = named, method, state, times, meter, asked.step, asked.tolerance, asked.every
+        motion, error = series_to_tolerance(*arguments)
     else:
         motion = solve_by_series(named, method, state, times, meter, asked.step, asked.tolerance, asked.every,
                                  asked.memory)  # fmt: skip
@@ -207,10 +207,10 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
         error = series_error(named, method, state, times, motion, asked.step, asked.tolerance) if known else None
     if by_default and not np.all(motion.successful):
         raise NoSeries("its motion comes to a singularity.")
-    found = _finish(system, type(method).__name__, motion, error, asked.throw)
+    trajectory = _finish(system, type(method).__name__, motion, error, asked.throw)
     if asked.resumable and motion.memory is None:
         raise InvalidInput("`resumable` of Taylor goes with one state of a system without events, jumps and balances.")
-    return replace(found, memory=motion.memory) if asked.resumable else found
+    return replace(trajectory, memory=motion.memory) if asked.resumable else trajectory
 
 
 def _finish(
@@ -248,15 +248,15 @@ def _solve_past_jumps(
     They are sought at the start, and again along the motion; what is found only there makes a second run.
     """
     named = name_jumps(system, find_undeclared_jumps(system, state, times))
-    given = (solver, state, times, meter, asked.step, asked.tolerance, asked.every)
-    motion = solve_adaptively(named, *given)
+    arguments = (solver, state, times, meter, asked.step, asked.tolerance, asked.every)
+    motion = solve_adaptively(named, *arguments)
     later = jumps_along(system, motion.states, motion.times)
     known = jumps_between(times, named.jumps)
     near = np.abs(later[:, None] - known).min(axis=-1, initial=np.inf) <= 1e-14 * np.ptp(times)
     if near.all():
         return motion, named
     named = name_jumps(named, later[~near])
-    return solve_adaptively(named, *given), named
+    return solve_adaptively(named, *arguments), named
 
 
 def _by_equal_steps(
@@ -282,16 +282,16 @@ def _by_equal_steps(
         )
     counts = step_counts(times, sizes).sum(axis=-1)
     shown = asked.progress if asked.progress is not None else counts.max() > LONG_RUN and sys.stderr.isatty()
-    given = solver, state, times, sizes, rates
+    arguments = solver, state, times, sizes, rates
     memory = None if asked.memory is None else restore_memory(solver, state, asked.memory)
     if asked.tolerance is not None:
         if memory is not None:
             raise InvalidInput("`memory` goes with the earlier run's `step`; `tolerance` would choose another.")
-        run, sizes, error = run_to_tolerance(*given, asked.tolerance, _meter(shown), _meter(False), asked.every)
+        run, sizes, error = run_to_tolerance(*arguments, asked.tolerance, _meter(shown), _meter(False), asked.every)
     elif asked.estimate_error:
-        run, sizes, error = run_with_error(*given, _meter(shown), _meter(False), asked.every, memory)
+        run, sizes, error = run_with_error(*arguments, _meter(shown), _meter(False), asked.every, memory)
     else:
-        run, error = run_by_equal_steps(*given, _meter(shown), asked.every, memory), None
+        run, error = run_by_equal_steps(*arguments, _meter(shown), asked.every, memory), None
     steps = step_counts(times, sizes).sum(axis=-1)
     statistics = {"steps": int(steps.max()), "iterations": int(run.iterations.max())}
     name, failed, ends = type(solver).__name__, np.argwhere(~run.fine), None
@@ -308,8 +308,8 @@ def _by_equal_steps(
     if run.fine.ndim:
         status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
         ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)
-    found = make_trajectory(own, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
-    return replace(found, memory=tuple(jax.tree.leaves(run.memory))) if asked.resumable else found
+    trajectory = make_trajectory(own, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
+    return replace(trajectory, memory=tuple(jax.tree.leaves(run.memory))) if asked.resumable else trajectory
 
 
 def _indices(where: np.ndarray) -> str:

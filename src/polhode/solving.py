@@ -17,17 +17,17 @@ import numpy as np
 
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.integrators.adaptive import TOLERANCE
+from polhode.integrators._adaptive import TOLERANCE
+from polhode.integrators._sampled import Observe, Sampled, as_floats, sample_by_either_mode
+from polhode.integrators._series import Taylor, is_series
+from polhode.integrators._series_operation import series_solution
 from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.lie_midpoint import LieMidpoint
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps
-from polhode.integrators.sampled import Observe, Sampled, as_floats, sample_by_either_mode
-from polhode.integrators.series import Taylor, is_series
-from polhode.integrators.series_operation import series_solution
 from polhode.integrators.spherical_midpoint import SphericalMidpoint
 from polhode.integrators.splitting import Splitting
-from polhode.motion.outcome import Status
-from polhode.systems.agreement import MOMENTS_OF_TIME, moves_by_generator
+from polhode.motion._outcome import Status
+from polhode.systems._agreement import MOMENTS_OF_TIME, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.taylor.runs import choose_precision
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
@@ -129,8 +129,8 @@ def solve(
 
     >>> import polhode as ph
     >>> body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
-    >>> found = solve(body, [0.3, 1.8, 1.5], jnp.linspace(0.0, 5.0, 11), save=lambda t, L: jnp.sum(L * L))
-    >>> found.saved.shape, bool(jnp.ptp(found.saved) < 1e-13), int(found.status)
+    >>> solution = solve(body, [0.3, 1.8, 1.5], jnp.linspace(0.0, 5.0, 11), save=lambda t, L: jnp.sum(L * L))
+    >>> solution.saved.shape, bool(jnp.ptp(solution.saved) < 1e-13), int(solution.status)
     ((11,), True, 0)
     """
     state, times = _check(system, state, times)
@@ -159,10 +159,10 @@ def solve(
             )
         tolerance = TOLERANCE if tolerance is None else tolerance
         largest = None if step is None else jnp.asarray(step, float)
-        found = _adaptively(system, solver, state, times, times[::every], largest, jnp.asarray(tolerance), observe)
-        none = jnp.zeros_like(found.steps)
-        return Solution(jnp.asarray(times[::every]), found.saved, found.received, found.status, found.event, found.end,
-                        found.end_state, found.steps, none)  # fmt: skip
+        run = _adaptively(system, solver, state, times, times[::every], largest, jnp.asarray(tolerance), observe)
+        none = jnp.zeros_like(run.steps)
+        return Solution(jnp.asarray(times[::every]), run.saved, run.received, run.status, run.event, run.end,
+                        run.end_state, run.steps, none)  # fmt: skip
 
 
 def _check(system: AbstractSystem, state: Array, times: Array) -> tuple[Array, Array]:
@@ -231,24 +231,24 @@ def _by_series(
     if order not in (None, method.order):
         raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
     precision = choose_precision(None if tolerance is None else float(tolerance), method.order, method.is_extended)
-    found = series_solution(system, state, times, precision, math.inf if step is None else float(step))
-    axis, kept = jnp.ndim(found.failed), jnp.asarray(times)[::every]
-    saved, received = found.states, found.received
+    motion = series_solution(system, state, times, precision, math.inf if step is None else float(step))
+    axis, kept = jnp.ndim(motion.failed), jnp.asarray(times)[::every]
+    saved, received = motion.states, motion.received
     if isinstance(observe, Fold):
-        saved = _fold(observe, jnp.asarray(times), found.states, axis)
+        saved = _fold(observe, jnp.asarray(times), motion.states, axis)
         received = {}
     elif observe is not None:
         seen = jax.vmap(lambda t, one: as_floats(observe(t, one)))
         for _ in range(axis):
             seen = jax.vmap(seen, (None, 0))
-        saved = seen(jnp.asarray(times), found.states)
+        saved = seen(jnp.asarray(times), motion.states)
     else:
         saved = saved[(slice(None),) * axis + (slice(None, None, every),)]
         received = {name: value[..., ::every] for name, value in received.items()}
-    status = jnp.where(found.failed, Status.NOT_CONVERGED, Status.COMPLETED)
-    end = jnp.where(found.failed, jnp.nan, jnp.asarray(times)[-1])
-    none = jnp.zeros_like(found.steps)
-    return Solution(kept, saved, received, status, none - 1, end, jnp.take(found.states, -1, axis=axis), found.steps,
+    status = jnp.where(motion.failed, Status.NOT_CONVERGED, Status.COMPLETED)
+    end = jnp.where(motion.failed, jnp.nan, jnp.asarray(times)[-1])
+    none = jnp.zeros_like(motion.steps)
+    return Solution(kept, saved, received, status, none - 1, end, jnp.take(motion.states, -1, axis=axis), motion.steps,
                     none)  # fmt: skip
 
 
@@ -292,15 +292,15 @@ def restore_memory(solver: AbstractOrbitSolver, state: Double[Array, "..."], arr
     fresh = solver.memory
     for _ in range(jnp.ndim(state) - solver.system.state_axes):
         fresh = jax.vmap(fresh)
-    wanted, given = jax.eval_shape(fresh, jnp.asarray(state)), [jnp.asarray(x) for x in jax.tree.leaves(arrays)]
-    shapes = [[x.shape for x in nest] for nest in (jax.tree.leaves(wanted), given)]
+    wanted, stored = jax.eval_shape(fresh, jnp.asarray(state)), [jnp.asarray(x) for x in jax.tree.leaves(arrays)]
+    shapes = [[x.shape for x in nest] for nest in (jax.tree.leaves(wanted), stored)]
     if shapes[0] != shapes[1] or any(jnp.iscomplexobj(x) and not jnp.issubdtype(w.dtype, jnp.complexfloating)
-                                     for w, x in zip(jax.tree.leaves(wanted), given, strict=True)):  # fmt: skip
+                                     for w, x in zip(jax.tree.leaves(wanted), stored, strict=True)):  # fmt: skip
         raise InvalidInput(
             f"`memory` must be that of a run of {type(solver).__name__} from states of the same shape, at the same "
             "order; leave it out to start over."
         )
-    leaves = [x.astype(w.dtype) for w, x in zip(jax.tree.leaves(wanted), given, strict=True)]
+    leaves = [x.astype(w.dtype) for w, x in zip(jax.tree.leaves(wanted), stored, strict=True)]
     return jax.tree.unflatten(jax.tree.structure(wanted), leaves)
 
 
@@ -322,8 +322,8 @@ def _run(
 
     for _ in range(batch):
         one = jax.vmap(one)
-    found = one(state, sizes, memory)
-    return found._replace(times=times[::every])
+    solution = one(state, sizes, memory)
+    return solution._replace(times=times[::every])
 
 
 def _run_one(

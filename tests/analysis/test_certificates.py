@@ -11,7 +11,7 @@ import polhode as ph
 from polhode import algebra as lie
 from polhode import systems
 from polhode.algebra.properties import is_compact
-from polhode.analysis import equilibrium_data
+from polhode.analysis import _equilibrium_data as equilibrium_data
 from polhode.errors import InvalidInput
 from sweeping import first
 

@@ -8,7 +8,7 @@ import polhode as ph
 from polhode import analysis, systems
 from polhode.analysis.spin_down import predicted_exponents
 from polhode.errors import InvalidInput
-from polhode.motion.outcome import Ending
+from polhode.motion._outcome import Ending
 from polhode.systems.euler_disk import LAYOUT
 
 M, A, G = 0.4, 0.04, 9.80665

@@ -7,7 +7,7 @@ import pytest
 
 import polhode as ph
 from analysis.random_systems import ALGEBRAS, OFF, departures, judge, judge_motion, random_specimen
-from polhode.analysis import equilibrium_data
+from polhode.analysis import _equilibrium_data as equilibrium_data
 
 SWEEP = 60  # systems of each algebra
 JUDGED = 3  # equilibria of each: of lowest and highest energy, and one between

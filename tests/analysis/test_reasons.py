@@ -7,7 +7,7 @@ import pytest
 import polhode as ph
 from analysis.test_certificates import UNDECIDED, borel, e1, e3, fluid
 from polhode import analysis, systems
-from polhode.analysis import reasons
+from polhode.analysis import _reasons as reasons
 from polhode.analysis.energy_casimir import energy_casimir
 from polhode.analysis.first_method import first_method
 

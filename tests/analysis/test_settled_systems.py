@@ -11,7 +11,7 @@ import polhode as ph
 from analysis.random_systems import CONFINED, departures, judge, judge_motion
 from analysis.settled_systems import PLACES, SETTLED, settled_specimen
 from polhode.algebra import SE2, SO3, AffineLine, Heisenberg, from_structure_constants
-from polhode.analysis.reasons import LeafIsPoint
+from polhode.analysis._reasons import LeafIsPoint
 
 SWEEP = 24  # systems of each place: 1,008 on all algebras
 OFF = 1e-5  # of the point's distance from singular ones, at which neighbours start

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.analysis.power_law import fit_singularity, power_law
+from polhode.analysis._power_law import fit_singularity, power_law
 from polhode.analysis.spin_down import END_OF_REGIME, adiabatic_end, spin_down
 from polhode.errors import InvalidInput, NotConverged
 from polhode.systems import (

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from polhode.analysis._second_variation import definite_combination
 from polhode.analysis.energy_casimir import energy_casimir
 from polhode.analysis.free_axes import axis_stability
-from polhode.analysis.second_variation import definite_combination
 from polhode.errors import InvalidInput
 
 EXACT = 1e-13

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.bodies.inertia import principal_axes
+from polhode.bodies._inertia import principal_axes
 from polhode.errors import InvalidInput
 
 EXACT = 1e-14

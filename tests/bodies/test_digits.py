@@ -8,10 +8,10 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import polhode as ph
+from polhode.bodies._digits import last_digit
 from polhode.bodies.atoms import isotopic_masses
-from polhode.bodies.digits import last_digit
 from polhode.quantum import Rotor
-from polhode.quantum.level_polhodes import level_polhodes
+from polhode.quantum._level_polhodes import level_polhodes
 
 ANGSTROM = 1e-10
 

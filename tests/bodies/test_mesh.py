@@ -8,7 +8,7 @@ import trimesh
 
 import polhode as ph
 from bodies.meshes import box, inside_out, joined
-from polhode.bodies.mesh import volume_moments
+from polhode.bodies._mesh import volume_moments
 from polhode.errors import InvalidInput
 
 EXACT = 1e-14

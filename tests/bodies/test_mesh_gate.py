@@ -6,7 +6,7 @@ import trimesh
 
 import polhode as ph
 from bodies.meshes import box, inside_out, joined
-from polhode.bodies.mesh_crossing import find_crossing_faces
+from polhode.bodies._mesh_crossing import find_crossing_faces
 from polhode.errors import InvalidInput
 
 EXACT = 1e-13

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import polhode as ph
+from polhode.bodies._turned import ball, torus
 from polhode.bodies.surface import Surface, box_in_place, box_of_same_inertia, cuboid, join_surfaces
-from polhode.bodies.turned import ball, torus
 from polhode.motion.frame import BodyFrame
 
 EXACT = 1e-13

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import polhode as ph
+from polhode.bodies._turned import ball, bar, cone, revolve, torus, tube
 from polhode.bodies.surface import Surface, cuboid, join_surfaces
-from polhode.bodies.turned import ball, bar, cone, revolve, torus, tube
 
 DRAWN = 0.01
 """An inscribed polygon of 64 corners has second moments 0.32 % below its circle's; balls, flat both ways, 0.7 %."""

@@ -18,7 +18,9 @@ from polhode.integrators import (
     MuntheKaas,
     SphericalMidpoint,
     Splitting,
-    composition,
+)
+from polhode.integrators import (
+    _composition as composition,
 )
 from specimens import in_su3, spins
 

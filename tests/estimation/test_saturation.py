@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from estimation.thrown import euler
 from polhode.estimation import Window, clean_log, fit_throw
-from polhode.estimation.saturation import saturation
+from polhode.estimation._saturation import saturation
 
 DPS = np.pi / 180
 STEPS = {"whole deg/s": DPS, "counts": DPS / 16.4, "mrad/s": 1e-3, "none": 0.0}

@@ -9,12 +9,12 @@ from estimation.thrown import BODIES, SPINS, TROUBLES, euler, throw
 from polhode import estimation
 from polhode.errors import InvalidInput
 from polhode.estimation import Window, clean_log, fit_throw
+from polhode.estimation._principal import explain_undetermined
+from polhode.estimation._throw_fit import Model, Throw, fit_model
+from polhode.estimation._throw_models import free_rates, integrate_forced
+from polhode.estimation._throw_search import AIR, Start
+from polhode.estimation._unmodelled import allow_for_unmodelled
 from polhode.estimation.flight import Flights
-from polhode.estimation.principal import explain_undetermined
-from polhode.estimation.throw_fit import Model, Throw, fit_model
-from polhode.estimation.throw_models import free_rates, integrate_forced
-from polhode.estimation.throw_search import AIR, Start
-from polhode.estimation.unmodelled import allow_for_unmodelled
 from polhode.figures.throw_figure import throw_figures
 from polhode.formats.gyro_logs import ReadLog
 from polhode.reports.answer import Group

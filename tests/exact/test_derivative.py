@@ -12,7 +12,7 @@ import polhode as ph
 from oracle.derivatives import Direction, reference_derivative
 from oracle.families import Case, draw
 from polhode.errors import InvalidInput
-from polhode.exact.free_body.derivative import state_tangent
+from polhode.exact.free_body._derivative import state_tangent
 from polhode.testing.laws import ONCE
 from starts import free_motion
 

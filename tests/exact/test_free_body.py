@@ -6,7 +6,7 @@ from scipy.integrate import quad, solve_ivp
 
 import polhode as ph
 from polhode.errors import InvalidInput
-from polhode.exact.free_body.geometry import REGIMES
+from polhode.exact.free_body._geometry import REGIMES
 from starts import free_motion
 
 MOMENTS = (1.0, 2.0, 3.0)

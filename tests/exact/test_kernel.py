@@ -11,10 +11,10 @@ import polhode as ph
 from oracle.families import draw
 from oracle.measures import error_in_eps
 from oracle.numpy_alone import compiled_alone, numpy_alone, python_alone
-from polhode.exact import kernel_loops
-from polhode.exact.closed_form import COMPILING, ClosedForm
-from polhode.exact.free_body import kernel_setup
-from polhode.exact.free_body.evaluation import FORM
+from polhode.exact import _kernel_loops as kernel_loops
+from polhode.exact._closed_form import COMPILING, ClosedForm
+from polhode.exact.free_body import _kernel_setup as kernel_setup
+from polhode.exact.free_body._evaluation import FORM
 from starts import free_motion
 
 WORST_ERROR = 16.0

@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from polhode.exact.lagrange_top.geometry import REGIMES, characteristics
-from polhode.exact.lagrange_top.geometry_tangent import changed_numbers
-from polhode.exact.lagrange_top.preparation import prepare
+from polhode.exact.lagrange_top._geometry import REGIMES, characteristics
+from polhode.exact.lagrange_top._geometry_tangent import changed_numbers
+from polhode.exact.lagrange_top._preparation import prepare
+from polhode.exact.lagrange_top._tangent import tangent_data
 from polhode.exact.lagrange_top.steady_precession import steady_precession
-from polhode.exact.lagrange_top.tangent import tangent_data
 
 STEP, BY_DIFFERENCES = 1e-5, 3e-8
 """Central differences leave h² times third derivatives of up to a hundred, 1e-8, and rounding over h, 1e-11."""

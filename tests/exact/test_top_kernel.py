@@ -11,10 +11,10 @@ from oracle.lagrange_families import TopCase, draw_tops
 from oracle.numpy_alone import compiled_alone, numpy_alone
 from oracle.test_lagrange_motion import WORST_ERROR, errors
 from polhode.errors import InvalidInput
-from polhode.exact import kernel_loops
-from polhode.exact.closed_form import ClosedForm
-from polhode.exact.lagrange_top import kernel_setup
-from polhode.exact.lagrange_top.evaluation import FORM
+from polhode.exact import _kernel_loops as kernel_loops
+from polhode.exact._closed_form import ClosedForm
+from polhode.exact.lagrange_top import _kernel_setup as kernel_setup
+from polhode.exact.lagrange_top._evaluation import FORM
 from starts import lagrange_motion
 
 PER_FAMILY, PER_FAMILY_OF_MANY, SWEEP_PER_FAMILY = 3, 20, 600

@@ -10,9 +10,9 @@ from scipy.integrate import solve_ivp
 
 import polhode as ph
 from polhode import rotation
-from polhode.bodies.pivot import PivotedBody
+from polhode.bodies._pivot import PivotedBody
 from polhode.errors import InvalidInput
-from polhode.exact.lagrange_top.symmetry import third_axis_to_centre
+from polhode.exact.lagrange_top._symmetry import third_axis_to_centre
 from polhode.formats.aem import write_aem
 from polhode.formats.aem_reading import read_aem
 from polhode.kinds.reading import read_spec

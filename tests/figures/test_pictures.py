@@ -7,9 +7,9 @@ import pytest
 from matplotlib.colors import to_hex
 
 from polhode.analysis.poinsot import touching_point
+from polhode.bodies._turned import ball
 from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface, cuboid
-from polhode.bodies.turned import ball
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.axis_figure import axis_locus

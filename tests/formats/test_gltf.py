@@ -20,8 +20,8 @@ from polhode.bodies.surface import Surface, cuboid
 from polhode.errors import InvalidInput
 from polhode.formats.gltf import write_gltf
 from polhode.formats.labels import AttitudeLabels
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.trajectory import Trajectory
 
 SINGLE = 2.0**-23
 """rad: rounding the four components to single precision moves a unit quaternion by half of this at most."""
@@ -222,7 +222,7 @@ def top_case():
 
 @cache
 def disk_case():
-    from polhode.bodies.turned import tube
+    from polhode.bodies._turned import tube
     from polhode.systems.euler_disk import EulerDisk
 
     disk = EulerDisk(mass=0.4, radius=0.04, thickness=0.01)

@@ -157,7 +157,7 @@ def test_a_folder_or_an_archive_without_a_gyro_is_refused(tmp_path):
 
 def test_reading_tells_how_far_it_is(tmp_path):
     lines = []
-    read_gyro_log(written(tmp_path, table(PHYPHOX, [TIMES, RATES])), told=lines.append)
+    read_gyro_log(written(tmp_path, table(PHYPHOX, [TIMES, RATES])), progress=lines.append)
     assert lines == [13]
 
 

@@ -59,7 +59,7 @@ def says(text):
 
 
 def nothing_finite(path):
-    from polhode.motion.trajectory import Trajectory
+    from polhode.motion._trajectory import Trajectory
 
     reader_fuzz.check_trajectory(Trajectory(np.array([np.nan]), np.zeros((1, 3))))
 

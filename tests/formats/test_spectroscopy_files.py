@@ -12,7 +12,7 @@ from polhode.errors import FormatError, InvalidInput
 from polhode.formats.fixed_columns import read_coded, write_coded
 from polhode.formats.spfit_constants import encode
 from polhode.quantum import MeasuredLines, Reduction, Rotor, fit_rotor, spin_matrices
-from polhode.quantum.operators import TERMS
+from polhode.quantum._operators import TERMS
 from quantum.molecules import FORMALDEHYDE, WATER
 
 # frequency    error   lg I    DR  E"        g' tag    form upper       lower

@@ -11,7 +11,8 @@ from scipy.integrate import solve_ivp
 import polhode as ph
 from polhode import systems
 from polhode.errors import InvalidInput, NotConverged
-from polhode.integrators import LieMidpoint, MuntheKaas, Splitting, equal_steps
+from polhode.integrators import LieMidpoint, MuntheKaas, Splitting
+from polhode.integrators import _equal_steps as equal_steps
 from sweeping import first
 
 FACTOR = 10.0  # between an estimate and the error

@@ -15,7 +15,7 @@ from polhode import algebra as lie
 from polhode import systems
 from polhode.errors import NotConverged
 from polhode.integrators import LieMidpoint, MuntheKaas, SphericalMidpoint
-from polhode.integrators.equal_steps import BLOCK
+from polhode.integrators._equal_steps import BLOCK
 from specimens import spins
 from sweeping import first
 

@@ -13,9 +13,9 @@ import pytest
 
 import polhode as ph
 from polhode.errors import InvalidInput
-from polhode.integrators import embedded
-from polhode.integrators.sampled import sample_motion
-from polhode.motion.outcome import Status
+from polhode.integrators import _embedded as embedded
+from polhode.integrators._sampled import sample_motion
+from polhode.motion._outcome import Status
 from polhode.systems import AbstractSystem
 from sweeping import first
 

@@ -11,7 +11,7 @@ from polhode import algebra as lie
 from polhode import systems
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import IsospectralMidpoint
-from polhode.integrators.fixed_point import fixed_point
+from polhode.integrators._fixed_point import fixed_point
 
 RNG = np.random.default_rng(7)
 ALGEBRAS = [lie.SO(5), lie.SOpq(3, 1), lie.SU(3), lie.U(2), lie.Sp(2), lie.QuantizedSphere(4)]

@@ -9,7 +9,8 @@ import pytest
 import polhode as ph
 from polhode import systems
 from polhode.errors import InvalidInput
-from polhode.integrators import LieMidpoint, Taylor, series_derivatives
+from polhode.integrators import LieMidpoint, Taylor
+from polhode.integrators import _series_derivatives as series_derivatives
 from polhode.motion import Status
 from polhode.taylor import machine
 

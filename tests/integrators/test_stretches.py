@@ -8,7 +8,7 @@ import pytest
 
 import polhode as ph
 from polhode import systems
-from polhode.integrators import equal_steps
+from polhode.integrators import _equal_steps as equal_steps
 from sweeping import first
 
 BODY = systems.FreeRigidBody((1.0, 2.0, 3.0))
@@ -63,7 +63,7 @@ def test_an_interrupt_that_is_lost_in_a_callback_ends_the_run_as_well():
     code = (
         "import os, signal, threading, gc, numpy as np, polhode as ph\n"
         "body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))\n"
-        "from polhode.integrators import equal_steps\n"
+        "from polhode.integrators import _equal_steps as equal_steps\n"
         "def run(end):\n"
         "    ph.simulate(body, (0.3, 1.8, 1.5), np.linspace(0, end, 3), step=0.01, estimate_error=False)\n"
         "run(1.0)\n"

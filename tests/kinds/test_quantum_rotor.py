@@ -12,7 +12,7 @@ from polhode.figures import level_diagram, spectrum
 from polhode.figures.level_curves import level_curves
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import next_steps
-from polhode.quantum.level_polhodes import level_polhodes
+from polhode.quantum._level_polhodes import level_polhodes
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 MHZ, WAVE_NUMBER = 1e6, 29979.2458e6

@@ -8,7 +8,7 @@ import pytest
 import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.motion import Ending, Outcome, StateLayout, StatePart
-from polhode.motion.layout import ATTITUDE, MOMENTUM
+from polhode.motion._layout import ATTITUDE, MOMENTUM
 from polhode.systems import TorquedGyrostat
 
 MOMENTS, MOMENTUM_AT_EPOCH = (1.0, 2.0, 3.0), (0.3, 1.8, 1.5)

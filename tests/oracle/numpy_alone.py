@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from polhode.exact.blocks import columns_in_blocks
-from polhode.exact.closed_form import COMPILING
-from polhode.exact.free_body import evaluation as free_body
-from polhode.exact.lagrange_top import evaluation as lagrange_top
+from polhode.exact._blocks import columns_in_blocks
+from polhode.exact._closed_form import COMPILING
+from polhode.exact.free_body import _evaluation as free_body
+from polhode.exact.lagrange_top import _evaluation as lagrange_top
 
 
 class ByArrays:

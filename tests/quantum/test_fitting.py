@@ -8,7 +8,7 @@ from scipy.stats import kstest
 
 from polhode.errors import InvalidInput
 from polhode.quantum import MeasuredLines, Rotor, fit_rotor, spin_matrices
-from polhode.quantum.derivatives import LevelModel
+from polhode.quantum._derivatives import LevelModel
 from quantum.molecules import MHZ, SULFUR_DIOXIDE, WATER, rotor
 
 S_NAMES = ["A", "B", "C", "D_J", "D_JK", "D_K", "d1", "d2", "H_J", "H_JK", "H_KJ", "H_K", "h1", "h2", "h3"]

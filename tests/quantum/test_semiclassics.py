@@ -9,7 +9,7 @@ from scipy.integrate import quad
 import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.quantum import Rotor, doublet_splitting, semiclassical_levels, semiclassical_pairs, spin_matrices
-from polhode.quantum.orbits import orbit
+from polhode.quantum._orbits import orbit
 from polhode.quantum.semiclassics import quantise, without_casimir
 
 W = (27.0, 14.0, 9.0)

@@ -10,7 +10,7 @@ import diffrax
 import numpy as np
 
 import polhode as ph
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.systems import (
     AirLayer,
     BoundaryLayer,

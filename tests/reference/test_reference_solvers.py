@@ -14,8 +14,8 @@ from oracle.lagrange_families import draw_tops
 from oracle.measures import EPS, error_in_eps
 from polhode import rotation
 from polhode.errors import InvalidInput
-from polhode.exact.free_body.geometry import REGIMES as FREE_REGIMES
-from polhode.exact.lagrange_top.geometry import REGIMES as TOP_REGIMES
+from polhode.exact.free_body._geometry import REGIMES as FREE_REGIMES
+from polhode.exact.lagrange_top._geometry import REGIMES as TOP_REGIMES
 from reference.solvers import (
     COMPILER,
     NODE,

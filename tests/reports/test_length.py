@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from polhode.errors import InvalidInput, NotConverged
-from polhode.integrators import adaptive
+from polhode.integrators import _adaptive as adaptive
 from polhode.kinds.reading import read_spec
 from polhode.reports import length
 from polhode.systems.spin_orbit import SpinOrbit

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from polhode.arrays import split_halves
-from polhode.special.circular import reduced_phase, sine_cosine_turns, split_rate
+from polhode.special._circular import reduced_phase, sine_cosine_turns, split_rate
 
 SINE_ERROR = 4e-16
 """Two roundings of the tangent's or polynomial's last operations, on values up to 1."""

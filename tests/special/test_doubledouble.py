@@ -6,7 +6,7 @@ import jax
 import numpy as np
 import pytest
 
-from polhode.special import doubledouble as dd
+from polhode.special import _doubledouble as dd
 
 BOUND = Fraction(1, 2**100)
 """About 8e-31; the operations promise 1e-31 or better."""

@@ -4,7 +4,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from polhode.special.legendre import legendre_function
+from polhode.special._legendre import legendre_function
 
 CLOSE = 1e-13  # relative; where κ is small the constants of the far series cancel by 1/κ
 

@@ -15,7 +15,7 @@ from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint, LieMidpoint, MuntheKaas, SphericalMidpoint, Splitting
 from polhode.motion import Ending
 from polhode.systems import FreeRigidBody, LiePoisson
-from polhode.systems.agreement import check_agreement
+from polhode.systems._agreement import check_agreement
 from specimens import in_su3
 
 MOMENTS = np.array([1.0, 2.0, 3.0])

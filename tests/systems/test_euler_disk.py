@@ -19,8 +19,8 @@ from polhode.systems import (
     RollingCouple,
     ViscousContourFriction,
 )
+from polhode.systems._rolling_mechanics import RollingMechanics
 from polhode.systems.rolling_dissipation import couples
-from polhode.systems.rolling_mechanics import RollingMechanics
 from sweeping import first
 from systems.newton_euler import DIGITS, accelerations, cross, dot, vector
 

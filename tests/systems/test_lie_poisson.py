@@ -10,7 +10,7 @@ import pytest
 
 import polhode as ph
 from polhode import algebra as lie
-from polhode.integrators import equal_steps
+from polhode.integrators import _equal_steps as equal_steps
 from polhode.systems import LiePoisson
 from specimens import ALGEBRAS, SYSTEMS, named
 

@@ -8,7 +8,7 @@ from scipy.special import sph_harm_y
 
 import polhode as ph
 from polhode.algebra import QuantizedSphere
-from polhode.algebra.sphere_laplacian import inverse_laplacian, laplacian
+from polhode.algebra._sphere_laplacian import inverse_laplacian, laplacian
 from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint
 from polhode.systems import SphereFluid

@@ -11,7 +11,7 @@ from polhode import systems
 from polhode.errors import InvalidInput
 from polhode.integrators import SphericalMidpoint, Splitting, SublatticeTurns
 from polhode.systems import Bond, Lattice, SpinLattice, exchange_matrix
-from polhode.systems.lattice_bonds import classes
+from polhode.systems._lattice_bonds import classes
 from polhode.testing import LawBroken, check_system
 
 RNG = np.random.default_rng(3)

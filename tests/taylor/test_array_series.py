@@ -9,7 +9,7 @@ import polhode as ph
 from polhode import systems
 from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint, Taylor
-from polhode.integrators.series import NoSeries
+from polhode.integrators._series import NoSeries
 from polhode.taylor import array_rules
 from polhode.taylor.array_series import coefficients
 from sweeping import first

@@ -7,7 +7,7 @@ import polhode as ph
 from polhode import algebra as lie
 from polhode import systems
 from polhode.integrators import Taylor
-from polhode.integrators.series import series_error, solve_by_series
+from polhode.integrators._series import series_error, solve_by_series
 
 WITHIN = 30.0
 FEW, MANY = 6, 1000

@@ -9,7 +9,7 @@ import polhode as ph
 from polhode import systems
 from polhode.errors import InvalidInput
 from polhode.integrators import Taylor
-from polhode.integrators.series import NoSeries
+from polhode.integrators._series import NoSeries
 from polhode.taylor import flight, kernels
 
 EXTENDED = Taylor(precision="extended")

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from polhode import systems
-from polhode.motion.outcome import Status
+from polhode.motion._outcome import Status
 from polhode.taylor import kernels, lanes, straight_line
 from polhode.taylor.machine import build_machine
 from polhode.taylor.program import FACTOR

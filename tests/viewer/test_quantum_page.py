@@ -9,10 +9,10 @@ from polhode.kinds.page import write_page
 from polhode.kinds.quantum_rotor.panel import LARGEST_J
 from polhode.kinds.reading import read_spec
 from polhode.quantum import Rotor
-from polhode.quantum.level_polhodes import level_polhodes
-from polhode.quantum.operators import Representation, rigid_terms
+from polhode.quantum._level_polhodes import level_polhodes
+from polhode.quantum._operators import Representation, rigid_terms
+from polhode.quantum._strengths import compute_states
 from polhode.quantum.racket import Racket
-from polhode.quantum.strengths import compute_states
 from polhode.quantum.symbols import symbol
 
 CONSTANTS = (27e9, 14e9, 9e9)

@@ -1,6 +1,6 @@
 """Lie algebras, their duals and the actions of their groups. Importing this room switches JAX to 64 bits."""
 
-from polhode.algebra.precision import enable_double_precision
+from polhode.algebra._precision import enable_double_precision
 
 enable_double_precision()
 

@@ -19,7 +19,7 @@ import numpy as np
 
 from polhode.arrays import custom_derivative, is_traced
 from polhode.errors import InvalidInput
-from polhode.motion.layout import StatePart
+from polhode.motion._layout import StatePart
 from polhode.types import Array, ArrayLike, Double, Float64
 
 SERIES_TERMS = 60  # of Σ ad*ᵏμ/k!: enough for a turn by 2π and more in one step

@@ -15,8 +15,8 @@ from itertools import combinations_with_replacement
 
 import numpy as np
 
+from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.polynomial import Polynomial
 from polhode.errors import InvalidInput, not_installed, shown
 
 Terms = dict[tuple[int, ...], Fraction]
@@ -51,12 +51,12 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polyno
                            f"{MOST_MONOMIALS}. {REMEDY}")  # fmt: skip
     brackets = _rational_brackets(algebra)
     generators = _generators(brackets)
-    found: list[Terms] = []
+    independent: list[Terms] = []
     for d in range(1, degree + 1):
         invariants = _invariants(brackets, generators, d)
         if invariants:
-            found += _new_ones(invariants, _products(found, d))
-    return [_polynomial(terms, algebra.dim) for terms in found]
+            independent += _new_ones(invariants, _products(independent, d))
+    return [_polynomial(terms, algebra.dim) for terms in independent]
 
 
 def _rational_brackets(algebra: AbstractLieAlgebra) -> list[list[dict[int, Fraction]]]:
@@ -150,7 +150,7 @@ def _reduce_rows(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[in
         from flint import fmpq, fmpq_mat
     except ImportError:
         raise not_installed("exact Casimirs", "python-flint", "symbolic") from None
-    found: list[tuple[int, dict[int, Fraction]]] = []
+    pairs: list[tuple[int, dict[int, Fraction]]] = []
     for block, unknowns in _blocks(rows, columns):
         matrix = fmpq_mat(len(block), len(unknowns))
         place = {c: n for n, c in enumerate(unknowns)}
@@ -160,9 +160,9 @@ def _reduce_rows(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[in
         echelon, rank = matrix.rref()
         for i in range(rank):
             row = {c: Fraction(int(v.p), int(v.q)) for n, c in enumerate(unknowns) if (v := echelon[i, n]) != 0}
-            found.append((min(row), row))
-    found.sort(key=lambda pair: pair[0])
-    return [pivot for pivot, _ in found], [row for _, row in found]
+            pairs.append((min(row), row))
+    pairs.sort(key=lambda pair: pair[0])
+    return [pivot for pivot, _ in pairs], [row for _, row in pairs]
 
 
 def _blocks(rows: list[dict[int, Fraction]], columns: int) -> Iterator[tuple[list[dict[int, Fraction]], list[int]]]:
@@ -194,17 +194,17 @@ def _blocks(rows: list[dict[int, Fraction]], columns: int) -> Iterator[tuple[lis
     yield from blocks
 
 
-def _products(found: list[Terms], degree: int) -> list[Terms]:
+def _products(polynomials: list[Terms], degree: int) -> list[Terms]:
     """Return all products of given polynomials that have the degree."""
-    degrees = [sum(next(iter(terms))) for terms in found]
+    degrees = [sum(next(iter(terms))) for terms in polynomials]
 
     def extend(start: int, left: int) -> list[Terms]:
         results: list[Terms] = []
-        for n in range(start, len(found)):
+        for n in range(start, len(polynomials)):
             if degrees[n] == left:
-                results.append(found[n])
+                results.append(polynomials[n])
             elif degrees[n] < left:
-                results += [_multiply(found[n], rest) for rest in extend(n, left - degrees[n])]
+                results += [_multiply(polynomials[n], rest) for rest in extend(n, left - degrees[n])]
         return results
 
     return extend(0, degree)

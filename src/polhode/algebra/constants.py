@@ -11,10 +11,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra._fixed_array import FixedArray
+from polhode.algebra._functions import Function
+from polhode.algebra._own_casimirs import check_casimirs, evaluate_functions, find_casimirs, name_functions
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
-from polhode.algebra.fixed_array import FixedArray
-from polhode.algebra.functions import Function
-from polhode.algebra.own_casimirs import check_casimirs, evaluate_functions, find_casimirs, name_functions
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Double, Float64, Real

@@ -15,8 +15,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra._real_products import product
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.real_products import product
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Double, Float64
 
@@ -115,8 +115,8 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
         In algebras of traceless matrices it may have a trace, which is no part of a dual element.
         """
         one, half = jnp.eye(self.size), 0.5 * adjoint(x)
-        found = adjoint(jnp.linalg.solve(one + adjoint(half), adjoint(jnp.linalg.solve(one - half, mu))))
-        return self.odd_part(found)  # rounding must not leave the algebra, step after step
+        middle = adjoint(jnp.linalg.solve(one + adjoint(half), adjoint(jnp.linalg.solve(one - half, mu))))
+        return self.odd_part(middle)  # rounding must not leave the algebra, step after step
 
     def cayley_terms(self, x: Operand, mu: Operand) -> tuple[Element, Element, Element]:
         """Return y μ, [y, μ] and y μ y with y = x†/2, by two products of matrices.

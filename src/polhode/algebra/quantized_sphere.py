@@ -19,7 +19,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import AbstractMatrixAlgebra, Element, Operand, adjoint, check_size, traceless
 from polhode.arrays import is_traced
-from polhode.special.spherical_tensors import spherical_tensor
+from polhode.special._spherical_tensors import spherical_tensor
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 POWERS = (2, 3, 4)  # of −iμ whose traces are named among the Casimirs; ``spectrum`` has them all
@@ -153,16 +153,16 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         columns = []
         for m, rows in enumerate(self.tensors):
             entries = jnp.diagonal(matrix, -m, -2, -1)
-            found = entries @ rows.T * (math.sqrt(4.0 * math.pi) / (1j * self.n))
-            columns.append(jnp.concatenate([jnp.zeros((*found.shape[:-1], m), complex), found], axis=-1))
+            coefficients = entries @ rows.T * (math.sqrt(4.0 * math.pi) / (1j * self.n))
+            columns.append(jnp.concatenate([jnp.zeros((*coefficients.shape[:-1], m), complex), coefficients], axis=-1))
         return jnp.stack(columns, axis=-1)
 
     def _extract_harmonics(self, matrix: np.ndarray) -> np.ndarray:
-        found = np.zeros(matrix.shape, complex)
+        coefficients = np.zeros(matrix.shape, complex)
         for m, rows in enumerate(self.tensors):
             entries = np.diagonal(matrix, -m, -2, -1)
-            found[..., m:, m] = entries @ rows.T * (math.sqrt(4.0 * math.pi) / (1j * self.n))
-        return found
+            coefficients[..., m:, m] = entries @ rows.T * (math.sqrt(4.0 * math.pi) / (1j * self.n))
+        return coefficients
 
     def _make_basis(self) -> np.ndarray:
         return np.asarray(self.from_vector(jnp.eye(self.dim)))

@@ -9,7 +9,7 @@ import jax.numpy as jnp
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3, scaled_norm
-from polhode.motion.layout import LINEAR, MOMENTUM, StatePart
+from polhode.motion._layout import LINEAR, MOMENTUM, StatePart
 from polhode.types import Array, Float64
 
 

@@ -8,10 +8,10 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra._fixed_array import FixedArray
+from polhode.algebra._functions import Function
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
 from polhode.algebra.constants import ConstantsAlgebra
-from polhode.algebra.fixed_array import FixedArray
-from polhode.algebra.functions import Function
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Real

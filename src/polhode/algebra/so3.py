@@ -6,7 +6,7 @@ import jax.numpy as jnp
 
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.motion.layout import MOMENTUM, StatePart
+from polhode.motion._layout import MOMENTUM, StatePart
 from polhode.types import Array, Float64
 
 

@@ -1,3 +1,6 @@
+from ._conserved_function import ConservedFunction as ConservedFunction
+from ._mechanics import Mechanics as Mechanics
+from ._mechanics import invariants_along as invariants_along
 from .alignment import Alignment as Alignment
 from .alignment import fit_alignment as fit_alignment
 from .comparison import AttitudeHistory as AttitudeHistory
@@ -7,7 +10,6 @@ from .cone import axis_angles as axis_angles
 from .cone import cone_angles as cone_angles
 from .cone import rotation_form as rotation_form
 from .cone import velocity_angles as velocity_angles
-from .conserved_function import ConservedFunction as ConservedFunction
 from .continuation import Bifurcation as Bifurcation
 from .continuation import Branch as Branch
 from .continuation import Continuation as Continuation
@@ -59,8 +61,6 @@ from .light_curves import light_curve_lines as light_curve_lines
 from .lyapunov_exponents import LyapunovExponents as LyapunovExponents
 from .lyapunov_exponents import lyapunov as lyapunov
 from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
-from .mechanics import Mechanics as Mechanics
-from .mechanics import invariants_along as invariants_along
 from .periodic_branches import continue_periodic as continue_periodic
 from .plasma_growth import GrowthFit as GrowthFit
 from .plasma_growth import fitted_growth as fitted_growth

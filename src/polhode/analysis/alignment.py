@@ -55,12 +55,12 @@ def fit_alignment(
     chosen = np.unique(np.linspace(0, len(times) - 1, min(len(times), MOST)).round().astype(int))
     middle, half = 0.5 * (times[0] + times[-1]), 0.5 * (times[-1] - times[0])
     some = (times[chosen] - middle) / half, a[chosen], b[chosen]
-    found = min(_guess_start(*some), key=lambda fit: _rms(_remainder(*fit, *some)))
-    best, rank = found, 0
+    candidate = min(_guess_start(*some), key=lambda fit: _rms(_remainder(*fit, *some)))
+    best, rank = candidate, 0
     for _ in range(ROUNDS):
-        found, step, rank = _improve(*found, *some)
-        if _rms(_remainder(*found, *some)) <= _rms(_remainder(*best, *some)):
-            best = found
+        candidate, step, rank = _improve(*candidate, *some)
+        if _rms(_remainder(*candidate, *some)) <= _rms(_remainder(*best, *some)):
+            best = candidate
         if step < SETTLED:
             break
     body, space, turn = best
@@ -121,12 +121,12 @@ def _improve(
         [np.broadcast_to(np.eye(3), back.shape), back @ rotation.as_matrix(drift), back @ by_rate], axis=-1
     )
     step, _, rank, _ = np.linalg.lstsq(design.reshape(-1, 9), left.reshape(-1), rcond=SAME)
-    found = (
+    fit = (
         rotation.normalize(rotation.multiply(body, rotation.from_rotation_vector(step[:3]))),
         rotation.normalize(rotation.multiply(rotation.from_rotation_vector(step[3:6]), space)),
         turn + step[6:],
     )
-    return found, float(np.abs(step).max()), int(rank)
+    return fit, float(np.abs(step).max()), int(rank)
 
 
 def _left_jacobian(vectors: Array) -> Array:

@@ -9,12 +9,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis._mechanics import Mechanics, invariants_along
 from polhode.analysis.alignment import Alignment, fit_alignment
-from polhode.analysis.mechanics import Mechanics, invariants_along
 from polhode.arrays import is_traced
 from polhode.errors import InvalidInput, shown
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
-from polhode.motion.trajectory import Trajectory
 from polhode.types import Array, Float64
 
 SAME_TIME = 1e-9  # of a step: two samples that near are at the same time, written with other digits
@@ -280,8 +280,8 @@ def _interpolation_error(history: AttitudeHistory, wanted: Array) -> float:
     odd = np.arange(1, len(times) - 1, 2)
     if len(odd) < 2:
         return float(np.pi)
-    found = rotation.from_scipy(_spline(times[::2], attitude[::2])(np.clip(times[odd], times[0], times[::2][-1])))
-    angle = rotation.angle_between(found, attitude[odd])
+    between = rotation.from_scipy(_spline(times[::2], attitude[::2])(np.clip(times[odd], times[0], times[::2][-1])))
+    angle = rotation.angle_between(between, attitude[odd])
     within = (times[odd + 1] >= wanted[0]) & (times[odd - 1] <= wanted[-1])
     return float(angle[within].max() if within.any() else angle.max())
 

@@ -15,8 +15,8 @@ import numpy as np
 from polhode.analysis.poinsot import herpolhode
 from polhode.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
-from polhode.exact.free_body.geometry import REGIMES
-from polhode.exact.free_body.reduction import canonical_reduction
+from polhode.exact.free_body._geometry import REGIMES
+from polhode.exact.free_body._reduction import canonical_reduction
 from polhode.types import Array, Float64, Shaped
 
 RIGHT = 0.5 * math.pi
@@ -46,15 +46,15 @@ def axis_angles(motion: FreeMotion) -> Float64[np.ndarray, "3 2"] | None:
         return _angles_without_period(motion, momentum)
     nearest, farthest = _cone(motion, momentum)
     axis = motion.encircled_axis
-    found = np.empty((3, 2))
-    found[axis] = (nearest, farthest) if momentum[axis] > 0.0 else (math.pi - farthest, math.pi - nearest)
+    angles = np.empty((3, 2))
+    angles[axis] = (nearest, farthest) if momentum[axis] > 0.0 else (math.pi - farthest, math.pi - nearest)
     others = [k for k in range(3) if k != axis]
     middle = int(np.argsort(motion.moments, kind="stable")[1])
     for k in others:
         # of a symmetric body both run as far, and of others the middle one comes closer to L
         least = RIGHT - (farthest if k == middle else nearest)
-        found[k] = least, math.pi - least
-    return found
+        angles[k] = least, math.pi - least
+    return angles
 
 
 @known_numbers_only
@@ -72,11 +72,11 @@ def cone_angles(motion: FreeMotion) -> tuple[float, float] | None:
 @known_numbers_only
 def velocity_angles(motion: FreeMotion) -> tuple[float, float] | None:
     """Return the smallest and largest angle [rad] between the angular velocity and L over all time; None at rest."""
-    found = herpolhode(motion)
-    if found is None:
+    curve = herpolhode(motion)
+    if curve is None:
         return None
     # the contact point of Poinsot's picture stands along the angular velocity, and the plane across L
-    inner, outer = (math.atan2(r, found.plane_distance) for r in (found.inner_radius, found.outer_radius))
+    inner, outer = (math.atan2(r, curve.plane_distance) for r in (curve.inner_radius, curve.outer_radius))
     return min(inner, outer), max(inner, outer)
 
 
@@ -128,7 +128,7 @@ def _angles_without_period(
     """Return the angles where L stands still in the body, or goes once from one end of the middle axis to the other."""
     scaled = momentum / np.abs(momentum).max()
     still = np.array([math.atan2(math.hypot(*np.delete(scaled, k)), scaled[k]) for k in range(3)])
-    found = np.stack([still, still], axis=1)
+    angles = np.stack([still, still], axis=1)
     if motion.regime == "separatrix":
         moments = np.asarray(motion.moments)
         low, middle, high = np.argsort(moments, kind="stable")
@@ -136,6 +136,6 @@ def _angles_without_period(
         # half-way the great circle of the separatrix stands at this angle from the axis of largest moment
         tilt = math.atan2(math.sqrt(b - c), math.sqrt(a - b))
         for k, least in ((low, RIGHT - tilt), (high, tilt)):
-            found[k] = (least, RIGHT) if momentum[k] > 0.0 else (RIGHT, math.pi - least)
-        found[middle] = 0.0, math.pi
-    return found
+            angles[k] = (least, RIGHT) if momentum[k] > 0.0 else (RIGHT, math.pi - least)
+        angles[middle] = 0.0, math.pi
+    return angles

@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.algebra.functions import Function
-from polhode.analysis.branches import Family, Place, crossings, follow, is_on, step_onto_branch
-from polhode.analysis.conserved import choose_casimirs
+from polhode.algebra._functions import Function
+from polhode.analysis._branches import Family, Place, crossings, follow, is_on, step_onto_branch
+from polhode.analysis._conserved import choose_casimirs
 from polhode.analysis.equilibria import STARTS, find_equilibria
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
@@ -108,8 +108,8 @@ def continue_equilibria(
     >>> import polhode as ph, jax.numpy as jnp
     >>> def spin(field):  # with an easy axis z, in a field along x
     ...     return ph.systems.LiePoisson(ph.algebra.SO3(), lambda m: -0.5 * m[2] ** 2 - field * m[0])
-    >>> found = ph.analysis.continue_equilibria(spin, (0.0, 2.0), [0.0, 0.0, 1.0])
-    >>> [(b.kind, round(b.value, 9)) for b in found.bifurcations]
+    >>> continuation = ph.analysis.continue_equilibria(spin, (0.0, 2.0), [0.0, 0.0, 1.0])
+    >>> [(b.kind, round(b.value, 9)) for b in continuation.bifurcations]
     [('pitchfork', 1.0)]
 
     Source: Keller, in *Applications of Bifurcation Theory* (1977); Seydel, *Practical Bifurcation and Stability
@@ -137,10 +137,10 @@ def continue_equilibria(
         atlas.meetings.extend((kind, place, [number]) for kind, place in _exchanges(family, path)
                               if not any(number in m[2] and family.apart(m[1], place) < NEAR
                                          for m in atlas.meetings))  # fmt: skip
-    found = [Bifurcation(kind, place.value, family.point(place.vector), tuple(sorted(set(numbers))))
+    bifurcations = [Bifurcation(kind, place.value, family.point(place.vector), tuple(sorted(set(numbers))))
              for kind, place, numbers in atlas.meetings]  # fmt: skip
     branches = tuple(_branch(family, path) for path in atlas.paths)
-    return Continuation(branches, tuple(sorted(found, key=lambda one: one.value)))
+    return Continuation(branches, tuple(sorted(bifurcations, key=lambda one: one.value)))
 
 
 class _Atlas(NamedTuple):

@@ -9,9 +9,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.analysis._reasons import SettlesOnCircle, SphereOfRests
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.first_method import first_method
-from polhode.analysis.reasons import SettlesOnCircle, SphereOfRests
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.double_bracket import DoubleBracket
@@ -39,8 +39,8 @@ def damped_axis_stability(
     Source: Lyapunov's first method; for the double bracket, Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys.
     175 (1996) 1, §3.
 
-    >>> found = damped_axis_stability(DoubleBracket((1.0, 2.0, 3.0), 0.1), 1.0)
-    >>> [verdict.verdict for verdict in found]
+    >>> verdicts = damped_axis_stability(DoubleBracket((1.0, 2.0, 3.0), 0.1), 1.0)
+    >>> [verdict.verdict for verdict in verdicts]
     ['unstable', 'unstable', 'stable']
     """
     if not isinstance(system, DoubleBracket | TorquedBody):
@@ -61,11 +61,11 @@ def damped_axis_stability(
 
 
 def _verdict(rates: Array, moments: Array, k: int) -> Stability:
-    found = first_method(rates, np.delete(np.eye(3), k, axis=1))
-    return found if found.verdict != "undecided" else _along_family(found, moments, k)
+    stability = first_method(rates, np.delete(np.eye(3), k, axis=1))
+    return stability if stability.verdict != "undecided" else _along_family(stability, moments, k)
 
 
-def _along_family(found: Stability, moments: Array, k: int) -> Stability:
+def _along_family(stability: Stability, moments: Array, k: int) -> Stability:
     """Return the verdict where only drift along other axes of the same moment, all at rest, does not decay.
 
     Across a circle of equilibria the exponent decides: where it is negative, neighbours settle on the circle as near as
@@ -73,8 +73,8 @@ def _along_family(found: Stability, moments: Array, k: int) -> Stability:
     """
     alike = int((moments == moments[k]).sum())
     if alike == 3:
-        return replace(found, verdict="stable", reason=SphereOfRests())
-    rest = float(np.min(found.spectrum.real))
-    if alike == 2 and rest < 0 and np.min(np.abs(found.spectrum)) < abs(rest) * 1e-6:
-        return replace(found, verdict="stable", rate=rest, reason=SettlesOnCircle(rest))
-    return found
+        return replace(stability, verdict="stable", reason=SphereOfRests())
+    rest = float(np.min(stability.spectrum.real))
+    if alike == 2 and rest < 0 and np.min(np.abs(stability.spectrum)) < abs(rest) * 1e-6:
+        return replace(stability, verdict="stable", rate=rest, reason=SettlesOnCircle(rest))
+    return stability

@@ -38,9 +38,9 @@ def angle_to_axis(momentum: Real[ArrayLike, "3"], axis: int) -> float:
     return math.atan2(float(np.linalg.norm(np.delete(L, axis))), abs(float(L[axis])))
 
 
-def time_constant(found: Stability) -> float | None:
+def time_constant(stability: Stability) -> float | None:
     """Return the time [s] in which neighbours of an equilibrium leave or return by a factor of e; None if never."""
-    return 1.0 / abs(found.rate) if found.rate else None
+    return 1.0 / abs(stability.rate) if stability.rate else None
 
 
 @known_numbers_only

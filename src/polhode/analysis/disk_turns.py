@@ -13,9 +13,9 @@ import numpy as np
 from polhode.analysis.spin_down import FALL_SAMPLES
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.integrators.adaptive import solve_adaptively
-from polhode.motion.outcome import Ending, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.integrators._adaptive import solve_adaptively
+from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.simulation import simulate
 from polhode.systems.euler_disk import LAYOUT, EulerDisk
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -107,14 +107,14 @@ def rolling_path(
     ticks, times, states = step * np.arange(FALL_SAMPLES), [np.array([since])], [np.asarray(state)[None]]
     outcome = Outcome(Ending.COMPLETED)
     for k in range(math.ceil(max(samples - 1, piece) / piece)):
-        found = solve_adaptively(disk, diffrax.Dopri8(), jnp.asarray(states[-1][-1]), ticks)
-        times.append(since + k * piece * step + found.times[1:])
-        states.append(np.asarray(found.states)[1:])
-        if not found.successful:
+        motion = solve_adaptively(disk, diffrax.Dopri8(), jnp.asarray(states[-1][-1]), ticks)
+        times.append(since + k * piece * step + motion.times[1:])
+        states.append(np.asarray(motion.states)[1:])
+        if not motion.successful:
             at = times[-1][-1] if len(times[-1]) else since
             raise NotConverged(f"the disk cannot be followed past {at:.6g} s. Ask for a shorter span.")
-        if found.event is not None:
-            outcome = Outcome(Ending.EVENT, found.event)
+        if motion.event is not None:
+            outcome = Outcome(Ending.EVENT, motion.event)
             break
     return DiskPath(np.concatenate(times), np.concatenate(states), outcome)
 

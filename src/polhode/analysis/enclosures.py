@@ -9,10 +9,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.analysis.tangent_flow import one_state
+from polhode.analysis._tangent_flow import one_state
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, not_installed, shown
-from polhode.integrators.interrupts import keep_interrupts
+from polhode.integrators._interrupts import keep_interrupts
 from polhode.simulation import simulate
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.balls import Ball, BallSystem, collect_numbers
@@ -91,9 +91,9 @@ def certify(
         NotConverged: if the motion runs into a singularity, or needs more digits than are reasonable.
 
     >>> import polhode as ph
-    >>> found = ph.certify(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), [0.3, 1.8, 1.5], [0.0, 5.0])
+    >>> enclosure = ph.certify(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), [0.3, 1.8, 1.5], [0.0, 5.0])
     >>> exact = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).momentum(5.0)
-    >>> bool((abs(found.states[-1] - exact) < 3e-15).all() and (found.radii < 1e-15).all() and found.exact)
+    >>> bool((abs(enclosure.states[-1] - exact) < 3e-15).all() and (enclosure.radii < 1e-15).all() and enclosure.exact)
     True
 
     Source: Moore, *Methods and Applications of Interval Analysis*, ch. 8; Dahlquist's logarithmic norm, Hairer, Nørsett
@@ -223,14 +223,14 @@ class _Proof:
                 return None
             return [(size + x.abs_upper() * ring).upper() for size, x in zip(sizes, rates, strict=True)]
 
-        found = reach(sizes)
+        reached = reach(sizes)
         for _ in range(TRIALS):
-            if found is None:
+            if reached is None:
                 return None
-            wider = [(size + (x - size) * WIDENED).upper() for size, x in zip(sizes, found, strict=True)]
-            found = reach(wider)
-            if found is not None and all(bool(x <= y) for x, y in zip(found, wider, strict=True)):
-                return found
+            wider = [(size + (x - size) * WIDENED).upper() for size, x in zip(sizes, reached, strict=True)]
+            reached = reach(wider)
+            if reached is not None and all(bool(x <= y) for x, y in zip(reached, wider, strict=True)):
+                return reached
         return None
 
     def _step(self, h: Ball, box: list[Ball], disc: float) -> None:
@@ -265,13 +265,13 @@ class _Proof:
         half = (abs(h) / 2).upper()
         during = h / 2 + arb(0, half)
         cut = (ratio ** (FIRST + 1) / (1 - ratio)).upper()
-        found = []
+        tube = []
         for row, size in zip(series, box, strict=True):
             value = row[FIRST]
             for x in reversed(row[:FIRST]):
                 value = value * during + x
-            found.append(value + arb(0, (size * cut).upper()))
-        return found
+            tube.append(value + arb(0, (size * cut).upper()))
+        return tube
 
     def _faster(self, motion: list[Ball], h: Ball, pushed: Ball) -> Ball:
         """Return an upper bound of the logarithmic norm along the step, of the true motion and of the midpoint's."""
@@ -312,10 +312,10 @@ def _largest(flint: Any, matrix: list[list[Ball]]) -> Ball:
     middle = np.array([[float(x) for x in row] for row in matrix])
     spread = np.array([[float(x.rad().upper()) for x in row] for row in matrix])
     size = float(np.abs(middle).max()) or 1e-300
-    found = float(np.linalg.eigvalsh(middle)[-1]) + float(np.linalg.norm(spread))
+    estimate = float(np.linalg.eigvalsh(middle)[-1]) + float(np.linalg.norm(spread))
     margin = 1e-9 * size
     while math.isfinite(margin):
-        bound = flint.arb(found + margin)
+        bound = flint.arb(estimate + margin)
         if _is_positive([[bound * (i == j) - matrix[i][j] for j in range(len(matrix))] for i in range(len(matrix))]):
             return bound
         margin *= 8.0
@@ -343,11 +343,11 @@ def _look_ahead(
     All three by doubles: nothing that is proved depends on them.
     """
     path = np.linspace(times[0], times[-1], LOOKED)
-    found = simulate(system, start, path, estimate_error=False)
-    if found.outcome.event:
+    run = simulate(system, start, path, estimate_error=False)
+    if run.outcome.event:
         raise InvalidInput(
-            f"`times` must be within the motion of {type(system).__name__}, which ends at {found.times[-1]:g} s by the "
-            f"event {found.outcome.event}. Give an earlier last time."
+            f"`times` must be within the motion of {type(system).__name__}, which ends at {run.times[-1]:g} s by the "
+            f"event {run.outcome.event}. Give an earlier last time."
         )
     form = balls.form
 
@@ -355,7 +355,7 @@ def _look_ahead(
     def slopes(t: Array, numbers: Array) -> Array:
         return jax.jacfwd(lambda x: form.numbers(system.vector_field(t, form.state(x))))(numbers)
 
-    flat = form.flat(found.states)
+    flat = form.flat(run.states)
     forth = 1.0 if times[-1] > times[0] else -1.0
     J = forth * np.stack([np.asarray(slopes(jnp.asarray(t), jnp.asarray(x))) for t, x in zip(path, flat, strict=True)])
     largest = np.abs(flat).max() or 1.0
@@ -401,16 +401,16 @@ def _limits(system: AbstractSystem, other: AbstractSystem | None, balls: BallSys
     return middle, radii
 
 
-def _check_radii(given: ArrayLike | None, balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
+def _check_radii(value: ArrayLike | None, balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
     """Return the radius of each number of the start."""
     shape = np.shape(start)
     try:
-        radii = np.asarray(0.0 if given is None else given, float)
+        radii = np.asarray(0.0 if value is None else value, float)
     except (TypeError, ValueError):
         radii = np.full(1, np.nan)
     if radii.shape not in ((), shape) or not (np.isfinite(radii) & (radii >= 0.0)).all():
         raise InvalidInput(
-            f"`state_radii` must be numbers that are not negative, one or of shape {shape}; got {shown(given)}."
+            f"`state_radii` must be numbers that are not negative, one or of shape {shape}; got {shown(value)}."
         )
     return np.repeat(np.broadcast_to(radii, shape).ravel(), 2 if balls.form.is_complex else 1)
 

@@ -19,8 +19,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.analysis.conserved_function import ConservedFunction
-from polhode.analysis.reasons import (
+from polhode.analysis._conserved_function import ConservedFunction
+from polhode.analysis._reasons import (
     AbstractReason,
     DefiniteVariation,
     EquilibriaWithoutShear,
@@ -32,7 +32,7 @@ from polhode.analysis.reasons import (
     Restriction,
     SteadyDrift,
 )
-from polhode.analysis.second_variation import Leaf, definite_combination, null_space, scale_leaf
+from polhode.analysis._second_variation import Leaf, definite_combination, null_space, scale_leaf
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
@@ -246,11 +246,11 @@ def _weights(leaf: Leaf) -> Array:
     if ends[0] > leaf.zero(plain) or ends[1] < -leaf.zero(plain):
         return plain
     matrices = np.array([leaf.combination(direction) / size for direction, size in zip(directions, sizes, strict=True)])
-    found = definite_combination(matrices, leaf.noise)
-    if found is None:
+    weights = definite_combination(matrices, leaf.noise)
+    if weights is None:
         return plain
-    found[0] = found[0] if abs(found[0]) > NO_ENERGY else 0.0
-    parts = ((c / size) * direction for c, size, direction in zip(found, sizes, directions, strict=True))
+    weights[0] = weights[0] if abs(weights[0]) > NO_ENERGY else 0.0
+    parts = ((c / size) * direction for c, size, direction in zip(weights, sizes, directions, strict=True))
     return sum(parts, np.zeros(plain.shape))
 
 
@@ -273,8 +273,8 @@ def _growth(leaf: Leaf) -> _Growth:
         return _Growth(np.zeros(0, complex), 0.0, 0.0, None)
     from scipy.linalg import eig
 
-    found: Any = eig(leaf.flow, left=True, right=True)
-    spectrum, left, right = found
+    eigensystem: Any = eig(leaf.flow, left=True, right=True)
+    spectrum, left, right = eigensystem
     k = int(np.argmax(spectrum.real))
     alignment = max(abs(np.vdot(left[:, k], right[:, k])), np.finfo(float).tiny)
     real_part, sure_from = float(spectrum[k].real), leaf.noise * leaf.flow_size / alignment

@@ -10,8 +10,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.functions import Function
-from polhode.analysis.conserved import Energy, Source, check_motion, choose_casimirs, choose_unit
+from polhode.algebra._functions import Function
+from polhode.analysis._conserved import Energy, Source, check_motion, choose_casimirs, choose_unit
 from polhode.analysis.stability import scaled_field
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
@@ -63,20 +63,20 @@ def find_equilibria(
     unit = choose_unit(z)
     draws = np.random.default_rng(seed).normal(size=(starts, z.size)) / np.sqrt(z.size)
     check_motion(system, np.linalg.norm(z) * draws[:CHECKED])
-    found, left, energies, works = (
+    roots, left, energies, works = (
         np.asarray(x)
         for x in _solve(system, known.source, jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(draws))
     )
     energies = energies if unit == 1.0 else works
-    good = np.isfinite(found).all(axis=1) & (left < SOLVED)
+    good = np.isfinite(roots).all(axis=1) & (left < SOLVED)
     kept: list[int] = []
     for k in np.flatnonzero(good):
-        if all(np.linalg.norm(found[k] - found[other]) > SAME for other in kept):
+        if all(np.linalg.norm(roots[k] - roots[other]) > SAME for other in kept):
             kept.append(int(k))
     if not np.isfinite(energies[kept]).all():
         raise InvalidInput("the energy must be finite at the equilibria; choose units in which |μ| is nearer to one.")
     order = sorted(kept, key=lambda k: float(energies[k]))
-    points = unit * np.linalg.norm(z / unit) * found[order].reshape(-1, z.size)
+    points = unit * np.linalg.norm(z / unit) * roots[order].reshape(-1, z.size)
     return np.asarray(algebra.from_dual_vector(jnp.asarray(points)))
 
 

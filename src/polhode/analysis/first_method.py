@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from scipy.linalg import eig
 
+from polhode.analysis._reasons import Exponents, LeafIsPoint
 from polhode.analysis.energy_casimir import Stability
-from polhode.analysis.reasons import Exponents, LeafIsPoint
 from polhode.arrays import known_numbers_only
 from polhode.types import ArrayLike, Real
 
@@ -34,8 +34,8 @@ def first_method(
     inner = basis.T @ A @ basis
     if not inner.size:
         return Stability("stable", 0.0, None, None, LeafIsPoint(), np.zeros(0, complex))
-    found: Any = eig(inner, left=True, right=True)
-    spectrum, left, right = found
+    eigensystem: Any = eig(inner, left=True, right=True)
+    spectrum, left, right = eigensystem
     alignment = np.abs(np.einsum("ik,ik->k", left.conj(), right))
     unsure = tolerance * np.abs(inner).max() / np.maximum(alignment, np.finfo(float).tiny)
     k = int(np.argmax(spectrum.real))

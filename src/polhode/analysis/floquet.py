@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.analysis.tangent_flow import TangentFlow, check_start, compute_multipliers
+from polhode.analysis._tangent_flow import TangentFlow, check_start, compute_multipliers
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
@@ -102,8 +102,8 @@ def periodic_motion(
 
     >>> import polhode as ph
     >>> body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
-    >>> found = periodic_motion(body, [0.3, 0.1, 2.0], 9.5)
-    >>> found.verdict, bool(abs(found.multipliers - 1.0).max() < 1e-5)
+    >>> periodic = periodic_motion(body, [0.3, 0.1, 2.0], 9.5)
+    >>> periodic.verdict, bool(abs(periodic.multipliers - 1.0).max() < 1e-5)
     ('spectrally stable', True)
 
     Source: Seydel, *Practical Bifurcation and Stability Analysis*, ch. 7; for families Muñoz-Almaraz et al., Physica D

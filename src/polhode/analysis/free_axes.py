@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from polhode.analysis.conserved_function import ConservedFunction
+from polhode.analysis._conserved_function import ConservedFunction
+from polhode.analysis._reasons import AxisOfFreeBody
 from polhode.analysis.energy_casimir import Stability, energy_casimir
-from polhode.analysis.reasons import AxisOfFreeBody
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import ArrayLike, Real
@@ -55,18 +55,18 @@ def _about(I: np.ndarray, norm: float, i: int) -> Stability:  # noqa: E741
     flow = np.zeros((3, 3))
     flow[j, k], flow[k, j] = -curvature[k, k], curvature[j, j]
     axis = np.eye(3)[i]
-    found = energy_casimir(
+    stability = energy_casimir(
         flow, np.zeros(3), curvature, axis[None], np.eye(3)[None], ["½|L|²"], on_equilibria=True, tolerance=0.0
     )
     bends = np.array([curvature[j, j], curvature[k, k]])
     used = ConservedFunction(("|L|²",), np.array([1.0, -0.5 / I[i]]), bends / (np.abs(bends).max() or 1.0), 0.0)
     terms = {n + 1: float(curvature[n, n] / I[i]) for n in (j, k)}
-    found = replace(
-        found, function=used, reason=AxisOfFreeBody(float(I[i]), terms, found.rate * rate, found.growth, norm == 0.0)
-    )
+    reason = AxisOfFreeBody(float(I[i]), terms, stability.rate * rate, stability.growth, norm == 0.0)
+    stability = replace(stability, function=used, reason=reason)
     if norm == 0.0:
-        return replace(found, verdict="stable", rate=0.0, growth=None, direction=None, spectrum=0.0 * found.spectrum,
-                       function=None, reason=AxisOfFreeBody(float(I[i]), terms, 0.0, None, True))  # fmt: skip
+        return replace(stability, verdict="stable", rate=0.0, growth=None, direction=None, function=None,
+                       spectrum=0.0 * stability.spectrum,
+                       reason=AxisOfFreeBody(float(I[i]), terms, 0.0, None, True))  # fmt: skip
     if not curvature.any():
-        return replace(found, verdict="stable")
-    return replace(found, rate=found.rate * rate, spectrum=found.spectrum * rate)
+        return replace(stability, verdict="stable")
+    return replace(stability, rate=stability.rate * rate, spectrum=stability.spectrum * rate)

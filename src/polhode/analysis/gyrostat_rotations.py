@@ -60,10 +60,10 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
 
     Source: Hughes, *Spacecraft Attitude Dynamics*, §6.4 and §6.6.
 
-    >>> found = steady_rotations(Gyrostat((1.0, 2.0, 3.0), (0.0, 0.0, 0.5)), 2.0)
-    >>> [(rotation.extremum, rotation.verdict.verdict) for rotation in found[::2]]
+    >>> rotations = steady_rotations(Gyrostat((1.0, 2.0, 3.0), (0.0, 0.0, 0.5)), 2.0)
+    >>> [(rotation.extremum, rotation.verdict.verdict) for rotation in rotations[::2]]
     [('minimum', 'stable'), ('saddle', 'unstable'), ('maximum', 'stable')]
-    >>> [rotation.nutation and round(rotation.nutation, 6) for rotation in found[::2]]
+    >>> [rotation.nutation and round(rotation.nutation, 6) for rotation in rotations[::2]]
     [0.866025, None, 1.145644]
     """
     if not isinstance(gyrostat, Gyrostat):
@@ -74,7 +74,7 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
     if not norm:
         return []
     moments, rotor = np.asarray(gyrostat.moments), np.asarray(gyrostat.rotor)
-    found = []
+    rotations = []
     for point, circle in _points(gyrostat, moments, rotor, norm):
         velocity = (point - rotor) / moments
         multiplier = float(velocity @ point) / norm**2
@@ -83,10 +83,10 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
         # the linearised flow on the sphere turns at |L| times the geometric mean of the curvatures
         nutation = norm * math.sqrt(abs(bends[0])) * math.sqrt(abs(bends[1])) if bends[0] * bends[1] > 0.0 else None
         verdict = stability(gyrostat, point)
-        found.append(
+        rotations.append(
             SteadyRotation(along, multiplier * norm, energy, _extremum(bends), circle, nutation, verdict)
         )
-    return sorted(found, key=lambda rotation: rotation.energy)
+    return sorted(rotations, key=lambda rotation: rotation.energy)
 
 
 def _points(gyrostat: Gyrostat, moments: Array, rotor: Array, norm: float) -> list[tuple[Array, bool]]:
@@ -95,8 +95,8 @@ def _points(gyrostat: Gyrostat, moments: Array, rotor: Array, norm: float) -> li
     if k is None:
         # the search starts where the body does not rest
         start = -rotor / np.abs(rotor).max() if rotor.any() else np.eye(3)[0]
-        found = find_equilibria(gyrostat, norm * start / np.linalg.norm(start))
-        return [(point, False) for point in found]
+        equilibria = find_equilibria(gyrostat, norm * start / np.linalg.norm(start))
+        return [(point, False) for point in equilibria]
     if (moments == moments[0]).all() and not rotor.any():
         return [(norm * np.eye(3)[0], True)]
     pole, side = np.eye(3)[k], np.eye(3)[(k + 1) % 3]
@@ -186,8 +186,8 @@ def mean_winding_rate(
 @known_numbers_only
 def angle_from_axis(vectors: Real[ArrayLike, "*times 3"], axis: Real[ArrayLike, "3"]) -> Float64[Array, "*times"]:
     """Return the angle from a unit axis (3,) to each of (…, 3) vectors [rad], 0 to π; zero to one of no length."""
-    along, found = np.asarray(axis, dtype=float), np.asarray(vectors, dtype=float)
-    return np.asarray(np.arctan2(np.linalg.norm(np.cross(found, along), axis=-1), found @ along))
+    along, components = np.asarray(axis, dtype=float), np.asarray(vectors, dtype=float)
+    return np.asarray(np.arctan2(np.linalg.norm(np.cross(components, along), axis=-1), components @ along))
 
 
 def symmetry_axis(moments: Float64[Array, "3"], rotor: Float64[Array, "3"] | None = None) -> int | None:

@@ -61,9 +61,9 @@ def hysteresis_loop(
 
     def rest(now: Array, field: Array) -> tuple[Array, tuple[Array, Array]]:
         there = eqx.tree_at(lambda s: s.field, system, field)
-        found = solve(there, now, jnp.array([0.0, wait]), SphericalMidpoint, step, order=2).end_state
-        torque = jnp.cross(found, there.effective_field(found))
-        return found, (found, jnp.max(jnp.linalg.norm(torque, axis=-1)))
+        end = solve(there, now, jnp.array([0.0, wait]), SphericalMidpoint, step, order=2).end_state
+        torque = jnp.cross(end, there.effective_field(end))
+        return end, (end, jnp.max(jnp.linalg.norm(torque, axis=-1)))
 
     _, (states, torque) = jax.jit(lambda start: jax.lax.scan(rest, start, jnp.asarray(path)))(jnp.asarray(state, float))
     states = np.asarray(states)

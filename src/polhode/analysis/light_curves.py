@@ -9,7 +9,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body.motion import FreeMotion
-from polhode.motion.inputs import refuse_not_finite
+from polhode.motion._inputs import refuse_not_finite
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
 PRECESSION_ORDERS, ROTATION_SAMPLES = 32, 64  # of the brightness over both angles; doubled until the rest is small
@@ -187,8 +187,8 @@ def _magnitude(R: Array, semi_axes: ArrayLike, sun: Array, observer: Array) -> A
     return -2.5 * np.log10(light)
 
 
-def _directions(name: str, given: ArrayLike) -> Array:
-    value = np.asarray(given, dtype=np.float64)
+def _directions(name: str, directions: ArrayLike) -> Array:
+    value = np.asarray(directions, dtype=np.float64)
     if value.shape[-1:] != (3,):
         raise InvalidInput(f"`{name}` must have a last axis of 3; got shape {shown(value.shape)}.")
     refuse_not_finite(**{name: value})

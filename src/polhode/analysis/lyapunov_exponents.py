@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.analysis.tangent_flow import TangentFlow, check_start
+from polhode.analysis._tangent_flow import TangentFlow, check_start
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem

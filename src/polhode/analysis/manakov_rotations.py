@@ -36,8 +36,8 @@ def plane_rotation_exponents(
 
     >>> M = np.zeros((4, 4))
     >>> M[0, 3], M[3, 0] = 1.0, -1.0
-    >>> found = plane_rotation_exponents(Manakov((1.0, 2.0, 3.0, 4.0)), M)
-    >>> round(15.0 * float(max(x.real.max() for x in found.values())), 12)
+    >>> exponents = plane_rotation_exponents(Manakov((1.0, 2.0, 3.0, 4.0)), M)
+    >>> round(15.0 * float(max(x.real.max() for x in exponents.values())), 12)
     1.0
     """
     if not isinstance(system, Manakov):

@@ -11,8 +11,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.analysis._tangent_flow import TangentFlow, compute_multipliers
 from polhode.analysis.floquet import FLAT, PeriodicMotion, periodic_motion
-from polhode.analysis.tangent_flow import TangentFlow, compute_multipliers
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
@@ -111,9 +111,9 @@ def continue_periodic(
 
     >>> import polhode as ph
     >>> body = lambda third: ph.systems.FreeRigidBody((1.0, 2.0, third))
-    >>> found = continue_periodic(body, (3.0, 3.2), [0.3, 0.1, 2.0], 9.5)
-    >>> exact = ph.FreeMotion((1.0, 2.0, 3.2), momentum=found.motions[-1].state).period
-    >>> bool(abs(found.periods[-1] / exact - 1.0) < 1e-10), set(found.verdicts)
+    >>> branch = continue_periodic(body, (3.0, 3.2), [0.3, 0.1, 2.0], 9.5)
+    >>> exact = ph.FreeMotion((1.0, 2.0, 3.2), momentum=branch.motions[-1].state).period
+    >>> bool(abs(branch.periods[-1] / exact - 1.0) < 1e-10), set(branch.verdicts)
     (True, {'spectrally stable'})
 
     Source: Seydel, *Practical Bifurcation and Stability Analysis*, ch. 7; Muñoz-Almaraz et al., Physica D 181 (2003) 1,
@@ -136,8 +136,8 @@ def continue_periodic(
             "it is: it may be one of a family that belongs to this value alone."
         )
     places = family.follow(first_place)
-    found = [change for pair in itertools.pairwise(places) for change in family.changes(*pair)]
-    return PeriodicBranch(np.array([p.value for p in places]), tuple(p.motion for p in places), tuple(found))
+    changes = [change for pair in itertools.pairwise(places) for change in family.changes(*pair)]
+    return PeriodicBranch(np.array([p.value for p in places]), tuple(p.motion for p in places), tuple(changes))
 
 
 def _levels_and_slopes(
@@ -150,8 +150,8 @@ def _levels_and_slopes(
     except Untraceable:
 
         def values(x: Array) -> Array:
-            found = [jnp.asarray(v) for v in system.invariants(form.state(x)).values()]
-            return jnp.stack([jnp.zeros(()), *(jnp.real(v) for v in found if v.ndim == 0)])[1:]
+            invariants = [jnp.asarray(v) for v in system.invariants(form.state(x)).values()]
+            return jnp.stack([jnp.zeros(()), *(jnp.real(v) for v in invariants if v.ndim == 0)])[1:]
 
         return np.asarray(values(jnp.asarray(z))), np.asarray(jax.jacfwd(values)(jnp.asarray(z)))
 
@@ -253,10 +253,10 @@ class _Family:
         None where the motions beside it do not exist.
         """
         z = self._form.flat(motion.state)
-        found = self._equations(z, motion.period, value, z)
-        if found is None:
+        equations = self._equations(z, motion.period, value, z)
+        if equations is None:
             return None
-        matrix = found[1] * self._units(z.size)
+        matrix = equations[1] * self._units(z.size)
         _, sizes, rows = np.linalg.svd(matrix)
         still = rows[np.append(sizes, np.zeros(len(rows)))[: len(rows)] <= FAMILY * sizes[0]]
         still = still if len(still) else rows[-1:]
@@ -306,8 +306,8 @@ class _Family:
         move = step * last.tangent * self._units(n)
         state = self._form.back(self._form.flat(last.motion.state) + move[:n])
         guess = last.motion._replace(state=state, period=last.motion.period + float(move[n]))
-        found = self.settle(guess, last.value + float(move[-1]), last.tangent)
-        return None if found is None else self.place(*found, last.tangent)
+        solution = self.settle(guess, last.value + float(move[-1]), last.tangent)
+        return None if solution is None else self.place(*solution, last.tangent)
 
     def _at_value(self, before: _Place, after: _Place, value: float) -> _Place | None:
         """Return the place at a value between two."""
@@ -316,8 +316,8 @@ class _Family:
             state=before.motion.state + share * (after.motion.state - before.motion.state),
             period=before.motion.period + share * (after.motion.period - before.motion.period),
         )
-        found = self.settle(motion, value, np.eye(before.tangent.size)[-1])
-        return None if found is None else self.place(found[0], value, before.tangent)
+        solution = self.settle(motion, value, np.eye(before.tangent.size)[-1])
+        return None if solution is None else self.place(solution[0], value, before.tangent)
 
     def _apart(self, one: _Place, other: _Place) -> float:
         gap = float(np.abs(one.motion.state - other.motion.state).max()) / self.size
@@ -325,14 +325,14 @@ class _Family:
 
     def changes(self, one: _Place, other: _Place) -> Sequence[PeriodicBifurcation]:
         """Return where the kind of the motions changes between two places, in order."""
-        found = []
+        meetings = []
         if one.tangent[-1] * other.tangent[-1] < 0.0:
-            found.append(("fold", self._locate(one, other, lambda place: place.tangent[-1] * one.tangent[-1] > 0.0)))
+            meetings.append(("fold", self._locate(one, other, lambda place: place.tangent[-1] * one.tangent[-1] > 0.0)))
         for k, kind in enumerate(("branch point", "period doubling", "torus")):
             # a multiplier goes through 1 at a fold too
-            if one.kinds[k] != other.kinds[k] and not (k == 0 and found):
-                found.append((kind, self._locate(one, other, lambda place, k=k: place.kinds[k] == one.kinds[k])))
-        return [PeriodicBifurcation(kind, place.value, place.motion) for kind, place in found]
+            if one.kinds[k] != other.kinds[k] and not (k == 0 and meetings):
+                meetings.append((kind, self._locate(one, other, lambda place, k=k: place.kinds[k] == one.kinds[k])))
+        return [PeriodicBifurcation(kind, place.value, place.motion) for kind, place in meetings]
 
     def _locate(self, one: _Place, other: _Place, is_before: Callable[[_Place], bool]) -> _Place:
         """Return the place up to which something holds, by halving the way."""

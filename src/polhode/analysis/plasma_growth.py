@@ -53,8 +53,8 @@ def fitted_growth(
 
     >>> t = np.linspace(0.0, 30.0, 301)
     >>> wave = PlasmaWave(0.5, 1.4, -0.15, 1.5, 0.5)
-    >>> found = fitted_growth(t, 0.01 * np.abs(np.exp(-0.15 * t) * np.cos(1.4 * t)), 0.5, wave, 30.0)
-    >>> round(found.growth, 3)
+    >>> fit = fitted_growth(t, 0.01 * np.abs(np.exp(-0.15 * t) * np.cos(1.4 * t)), 0.5, wave, 30.0)
+    >>> round(fit.growth, 3)
     -0.15
     """
     t, amplitude = np.asarray(times, float), np.asarray(field, float)

@@ -165,12 +165,12 @@ def fastest_growing_wave(beams: Sequence[Beam], wavenumber: float) -> PlasmaWave
             # between two beams the phase velocity is one of neither
             guesses += [complex(k * (share * one.drift + (1.0 - share) * other.drift), high)
                         for share in (0.5, 0.75) for high in (0.05, 0.2, 0.5)]  # fmt: skip
-    found = []
+    waves = []
     for guess in guesses:
         with contextlib.suppress(NotConverged):
-            found.append(plasma_wave(beams, k, guess))
-    forwards = [wave for wave in found if wave.frequency >= -SOLVED]
-    return max(forwards or found, key=lambda wave: wave.growth, default=None)
+            waves.append(plasma_wave(beams, k, guess))
+    forwards = [wave for wave in waves if wave.frequency >= -SOLVED]
+    return max(forwards or waves, key=lambda wave: wave.growth, default=None)
 
 
 def _with_response(beams: Sequence[Beam], k: float, omega: complex) -> PlasmaWave:

@@ -14,7 +14,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
-from polhode.motion.inputs import finite
+from polhode.motion._inputs import finite
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Energy = Callable[[Float64[Array, "*batch 3"]], Float64[Array, "*batch"]]
@@ -128,15 +128,15 @@ def saddle_energies(moments: Real[ArrayLike, "3"], rotor: Real[ArrayLike, "3"], 
         change = np.linalg.pinv(slope) @ miss[..., None]
         u, rate = u - change[:, :3, 0], rate - change[:, 3, 0]
     missed = np.abs(u * (1.0 - rate[:, None] * I) - h).max(axis=-1) + np.abs(np.sum(u * u, axis=-1) - 1.0)
-    found: list[float] = []
+    energies: list[float] = []
     for direction, spin in zip(u[missed < SETTLED], rate[missed < SETTLED], strict=True):
         across = np.linalg.svd(direction[None])[2][1:]
         bends = np.linalg.eigvalsh(across @ np.diag(1.0 / I - spin) @ across.T)
         value = 0.5 * float(np.sum((direction - h) ** 2 / I)) * norm**2 / float(np.max(moments))
         flat = SETTLED * np.max(1.0 / I)
-        if bends[0] < -flat and bends[1] > flat and not any(abs(value - other) <= 1e-9 * value for other in found):
-            found.append(value)
-    return sorted(found)
+        if bends[0] < -flat and bends[1] > flat and not any(abs(value - other) <= 1e-9 * value for other in energies):
+            energies.append(value)
+    return sorted(energies)
 
 
 def _octahedron() -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
-from polhode.motion.inputs import finite
+from polhode.motion._inputs import finite
 
 
 class Precession(NamedTuple):

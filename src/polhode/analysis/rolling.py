@@ -20,12 +20,12 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.analysis._reasons import Restriction
 from polhode.analysis.energy_casimir import Stability, energy_casimir
-from polhode.analysis.reasons import Restriction
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
+from polhode.systems._rolling_mechanics import RollingMechanics
 from polhode.systems.euler_disk import EulerDisk, rolling_parts
-from polhode.systems.rolling_mechanics import RollingMechanics
 from polhode.types import Array, ArrayLike, Float64, Real
 
 RESTRICTED = Restriction(within=("tilt", "rates"), without=("heading", "place"))
@@ -60,9 +60,9 @@ def rolling_stability(disk: EulerDisk, state: Real[ArrayLike, "8"]) -> Stability
             f"the state is not steady: θ̇ = {field[0]:.3g} rad/s and θ̈ = {field[1]:.3g} rad/s². "
             "Make one by `disk.rolling_state`."
         )
-    found = energy_casimir(flow, slope, curvature, dJ, ddJ, ["J2", "J3"], is_equilibrium=True, tolerance=1e-12)
-    legend = "J2, J3 are ω2, ω3 carried to this tilt by their linear equations" if "J" in str(found.reason) else ""
-    return replace(found, legend=legend, restricted=RESTRICTED if found.verdict == "stable" else None)
+    stability = energy_casimir(flow, slope, curvature, dJ, ddJ, ["J2", "J3"], is_equilibrium=True, tolerance=1e-12)
+    legend = "J2, J3 are ω2, ω3 carried to this tilt by their linear equations" if "J" in str(stability.reason) else ""
+    return replace(stability, legend=legend, restricted=RESTRICTED if stability.verdict == "stable" else None)
 
 
 @known_numbers_only
@@ -103,8 +103,8 @@ def steady_rolling(
         InvalidInput: for a disk with dissipation, which has no steady motion.
 
     >>> disk = EulerDisk(mass=0.4, radius=0.04)
-    >>> found = steady_rolling(disk, 0.1)
-    >>> found.verdict.verdict, round(found.nutation / float(disk.precession(found.state)), 3)
+    >>> motion = steady_rolling(disk, 0.1)
+    >>> motion.verdict.verdict, round(motion.nutation / float(disk.precession(motion.state)), 3)
     ('stable', 0.776)
     """
     if disk.dissipation:

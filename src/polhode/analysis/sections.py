@@ -9,10 +9,10 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.integrators.adaptive import check_events
-from polhode.integrators.interrupts import keep_interrupts
-from polhode.integrators.series import check_sizes
-from polhode.motion.outcome import Status
+from polhode.integrators._adaptive import check_events
+from polhode.integrators._interrupts import keep_interrupts
+from polhode.integrators._series import check_sizes
+from polhode.motion._outcome import Status
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import choose_precision, find_crossings
@@ -67,8 +67,8 @@ def section(
 
     >>> import polhode as ph
     >>> body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
-    >>> found = ph.section(body, [0.3, 1.9, 0.1], lambda t, momentum: momentum[1], (0.0, 100.0))
-    >>> bool(abs(found.states[:, 1]).max() < 1e-13)
+    >>> crossings = ph.section(body, [0.3, 1.9, 0.1], lambda t, momentum: momentum[1], (0.0, 100.0))
+    >>> bool(abs(crossings.states[:, 1]).max() < 1e-13)
     True
 
     Source: Hénon, Physica D 5 (1982) 412, for what a section is; the zeros by Taylor series on each step.
@@ -89,20 +89,20 @@ def section(
     through = surface if direction != "rising" else _negative(surface)
     with keep_interrupts() as check:
         try:
-            found = find_crossings(system, np.asarray(start), through, ends, choose_precision(None), most,
+            crossings = find_crossings(system, np.asarray(start), through, ends, choose_precision(None), most,
                                  direction != "either", lambda share: check())  # fmt: skip
         except Untraceable as error:
             raise InvalidInput(
                 f"a section of {type(system).__name__} needs Taylor series, and its rates of change or `surface` "
                 f"contain {error}. Simulate it with close samples instead, and look for changes of sign."
             ) from None
-    if found.status == Status.NOT_CONVERGED:
+    if crossings.status == Status.NOT_CONVERGED:
         raise NotConverged(
             f"the motion of {type(system).__name__} runs into a singularity before {ends[1]:g} s. Give an earlier last "
             "time."
         )
-    event = tuple(system.events)[found.event] if found.status == Status.EVENT else None
-    return Section(found.times, found.states, found.end, event)
+    event = tuple(system.events)[crossings.event] if crossings.status == Status.EVENT else None
+    return Section(crossings.times, crossings.states, crossings.end, event)
 
 
 def _negative(surface: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:

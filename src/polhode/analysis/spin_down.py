@@ -20,13 +20,13 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.analysis.power_law import PowerLaw, Singularity, fit_singularity, power_law
+from polhode.analysis._power_law import PowerLaw, Singularity, fit_singularity, power_law
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.integrators import embedded
-from polhode.integrators.adaptive import TOLERANCE, solve_adaptively
-from polhode.motion.outcome import Ending, Outcome, Status
-from polhode.motion.trajectory import Trajectory
+from polhode.integrators import _embedded as embedded
+from polhode.integrators._adaptive import TOLERANCE, solve_adaptively
+from polhode.motion._outcome import Ending, Outcome, Status
+from polhode.motion._trajectory import Trajectory
 from polhode.systems.euler_disk import LAYOUT, EulerDisk, rolling_parts
 from polhode.systems.rolling_dissipation import RollingDissipation
 from polhode.systems.trajectories import make_trajectory
@@ -115,8 +115,8 @@ def spin_down(
 
     >>> from polhode.systems import EulerDisk, ViscousContourFriction
     >>> disk = EulerDisk(mass=0.4, radius=0.04, dissipation=[ViscousContourFriction(2e-7)])
-    >>> found = spin_down(disk, disk.rolling_state(tilt=0.05))
-    >>> print(f"{found.tilt.exponent:.3f}", list(found.events))
+    >>> fit = spin_down(disk, disk.rolling_state(tilt=0.05))
+    >>> print(f"{fit.tilt.exponent:.3f}", list(fit.events))
     0.500 ['end of asymptotic regime', 'flat']
 
     Source: Moffatt, Nature 404 (2000) 833; Leine, Arch. Appl. Mech. 79 (2009) 1063, for the exponents.
@@ -140,16 +140,16 @@ def spin_down(
     ratio, rate = (np.asarray(x) for x in _pace(disk, states))
     fitted, tilt = _choose_samples(ratio[:regular]), np.asarray(trajectory.part("tilt"))
     spans = np.asarray(run.spans)
-    found = fit_singularity(spans[fitted][1:], tilt[fitted])
-    distance = _distances(spans, fitted, found)
-    finite = found.law.exponent > 0.0
+    singularity = fit_singularity(spans[fitted][1:], tilt[fitted])
+    distance = _distances(spans, fitted, singularity)
+    finite = singularity.law.exponent > 0.0
     return SpinDown(
         trajectory=trajectory,
         remaining=distance if finite else None,
         adiabaticity=ratio,
-        end=math.fsum([*spans[: fitted.stop], found.distance]) if finite else None,
-        end_uncertainty=found.uncertainty if finite else None,
-        tilt=found.law,
+        end=math.fsum([*spans[: fitted.stop], singularity.distance]) if finite else None,
+        end_uncertainty=singularity.uncertainty if finite else None,
+        tilt=singularity.law,
         precession=power_law(distance[fitted], rate[fitted]),
         precession_by_tilt=power_law(tilt[fitted], rate[fitted]),
         fitted=fitted,
@@ -355,13 +355,13 @@ def _choose_samples(ratio: Array) -> slice:
     return slice(int(deep[0]), int(deep[-1]) + 1)
 
 
-def _distances(spans: Array, fitted: slice, found: Singularity) -> Array:
+def _distances(spans: Array, fitted: slice, singularity: Singularity) -> Array:
     """Return the distance of all samples from the singularity in time, counted from the sample next to it."""
     elapsed = np.cumsum(spans)
-    if found.law.exponent < 0.0:
-        return elapsed - elapsed[fitted.start] + found.distance
-    before = np.append(np.cumsum(spans[1 : fitted.stop][::-1])[::-1], 0.0) + found.distance
-    return np.append(before, found.distance - np.cumsum(spans[fitted.stop :]))
+    if singularity.law.exponent < 0.0:
+        return elapsed - elapsed[fitted.start] + singularity.distance
+    before = np.append(np.cumsum(spans[1 : fitted.stop][::-1])[::-1], 0.0) + singularity.distance
+    return np.append(before, singularity.distance - np.cumsum(spans[fitted.stop :]))
 
 
 def _check_start(disk: EulerDisk, state: Real[ArrayLike, "8"], decades: float, samples_per_decade: int) -> Array:

@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from polhode.analysis.periapsis_map import section
+from polhode.analysis._periapsis_map import section
 from polhode.analysis.spin_orbit import (
     STEPS,
     check_count,

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.analysis.periapsis_map import Table, carry_neighbours, section, tabulate
+from polhode.analysis._periapsis_map import Table, carry_neighbours, section, tabulate
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.spin_orbit import SpinOrbit
@@ -125,13 +125,13 @@ def resonances(system: SpinOrbit, largest: float = 3.0) -> list[Resonance]:
     [(0.5, -0.1025), (1.0, 0.8954), (1.5, 0.6552)]
     """
     n, e = float(system.mean_motion), float(system.eccentricity)
-    found = []
+    zones = []
     for order in np.arange(0.5, largest + 0.25, 0.5):
         strength = resonance_strength(float(order), e)
         width = n * float(system.asphericity) * math.sqrt(abs(strength))
         angle = None if strength == 0.0 else 0.0 if strength > 0.0 else 0.5 * math.pi
-        found.append(Resonance(float(order), float(order) * n, strength, width, angle))
-    return found
+        zones.append(Resonance(float(order), float(order) * n, strength, width, angle))
+    return zones
 
 
 @known_numbers_only
@@ -166,7 +166,7 @@ def resonance_strength(order: float, eccentricity: float) -> float:
     return 0.0 if abs(strength) < 4e-16 * float(np.abs(values).max()) else strength
 
 
-def overlap_of(found: Sequence[Resonance]) -> float | None:
+def overlap_of(zones: Sequence[Resonance]) -> float | None:
     """Return the least asphericity ω0 = √(3(B − A)/C) at which two neighbours of these resonances touch.
 
     Half-widths add up to the distance, ω0 (√|H(p)| + √|H(p + ½)|) = ½, by Chirikov's criterion. None where no two
@@ -174,7 +174,7 @@ def overlap_of(found: Sequence[Resonance]) -> float | None:
 
     Source: Chirikov, Phys. Rep. 52 (1979) 263; Wisdom, Peale & Mignard, Icarus 58 (1984) 137.
     """
-    roots = [math.sqrt(abs(resonance.strength)) for resonance in found]
+    roots = [math.sqrt(abs(resonance.strength)) for resonance in zones]
     pairs = [a + b for a, b in itertools.pairwise(roots) if a and b]
     return 0.5 / max(pairs) if pairs else None
 

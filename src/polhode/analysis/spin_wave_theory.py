@@ -53,8 +53,8 @@ def spin_waves(
     torque = np.abs(np.cross(spins, uniform)).max()
     if torque > AT_REST * lengths.max() * max(largest, np.abs(uniform).max()):
         raise InvalidInput(f"`ground_state` must rest; it feels a torque of {torque:.3g}. Relax it by damping first.")
-    found = [_frequencies(one, couplings, uniform, spins, lengths, frames) for one in q.reshape(-1, 3)]
-    return np.array(found).reshape(*q.shape[:-1], -1)
+    frequencies = [_frequencies(one, couplings, uniform, spins, lengths, frames) for one in q.reshape(-1, 3)]
+    return np.array(frequencies).reshape(*q.shape[:-1], -1)
 
 
 def _frames(spins: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -82,18 +82,18 @@ def _couplings(system: SpinLattice, cells: tuple[int, ...]) -> list[tuple[int, i
     """Return (a, b, how far, matrix) with B_a = Σ matrix S_b, of sites of the magnetic cell, by both ways of a bond."""
     vectors = np.zeros((3, 3))
     vectors[: system.lattice.dimension] = system.lattice.vectors
-    sites, found = system.lattice.sites, []
+    sites, couplings = system.lattice.sites, []
     for place in np.ndindex(*cells):
         here = int(np.ravel_multi_index(place, cells)) * sites
         for bond in system.bonds:
             end = tuple((np.add(place, bond.cell) % cells).tolist())
             there = int(np.ravel_multi_index(end, cells)) * sites
             far, matrix = np.array(bond.cell) @ vectors, np.array(bond.matrix)
-            found.append((here + bond.i, there + bond.j, far, matrix))
-            found.append((there + bond.j, here + bond.i, -far, matrix.T))
+            couplings.append((here + bond.i, there + bond.j, far, matrix))
+            couplings.append((there + bond.j, here + bond.i, -far, matrix.T))
         for a, matrix in enumerate(system.onsite or ()):
-            found.append((here + a, here + a, np.zeros(3), 2.0 * np.array(matrix)))
-    return found
+            couplings.append((here + a, here + a, np.zeros(3), 2.0 * np.array(matrix)))
+    return couplings
 
 
 def _frequencies(

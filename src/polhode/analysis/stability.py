@@ -18,13 +18,11 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.functions import Function, check_functions
+from polhode.algebra._functions import Function, check_functions
 from polhode.algebra.properties import index, is_compact
-from polhode.analysis.conserved import Casimirs, Energy, Source, check_motion, choose_casimirs, samples_around
-from polhode.analysis.energy_casimir import Stability, energy_casimir
-from polhode.analysis.equilibrium_data import Problem, problem
-from polhode.analysis.first_method import first_method
-from polhode.analysis.reasons import (
+from polhode.analysis._conserved import Casimirs, Energy, Source, check_motion, choose_casimirs, samples_around
+from polhode.analysis._equilibrium_data import Problem, problem
+from polhode.analysis._reasons import (
     DefiniteOnLeaf,
     ExponentialGrowth,
     FieldVanishes,
@@ -33,8 +31,10 @@ from polhode.analysis.reasons import (
     Restriction,
     SteadyDrift,
 )
+from polhode.analysis._second_variation import null_space
+from polhode.analysis.energy_casimir import Stability, energy_casimir
+from polhode.analysis.first_method import first_method
 from polhode.analysis.rolling import rolling_stability
-from polhode.analysis.second_variation import null_space
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
@@ -115,30 +115,30 @@ def stability(
         if len(integrals):
             raise InvalidInput("`integrals` must be left out where energy is lost: exponents alone decide there.")
         return _judge_dissipative(system, known, z)
-    found = problem(system, known, tuple(integrals), z, casimirs is not None)
-    return _at(_note_missing(_judge_equilibrium_first(found), known.missing), np.asarray(mu))
+    p = problem(system, known, tuple(integrals), z, casimirs is not None)
+    return _at(_note_missing(_judge_equilibrium_first(p), known.missing), np.asarray(mu))
 
 
 def _judge_equilibrium_first(p: Problem) -> Stability:
     """Judge as an equilibrium if it is one; else, or where that decides nothing, up to the flows of the integrals."""
     sizes = p.sizes(np.eye(len(p.g))[0])
     resting = np.linalg.norm(p.tensor @ p.g[0]) <= AT_REST * sizes[2]
-    found = None
+    judgement = None
     if resting or not p.free:
         _check_at_rest(p.tensor @ p.g[0], sizes[2], False)
-        found = _judge(p, np.eye(len(p.g))[0])
+        judgement = _judge(p, np.eye(len(p.g))[0])
         # a drift along a group that does not commute is what it was given for
-        drifts = found.verdict == "unstable" and not found.rate and not p.commute
-        if not p.free or not (found.verdict == "undecided" or drifts):
-            return found
+        drifts = judgement.verdict == "unstable" and not judgement.rate and not p.commute
+        if not p.free or not (judgement.verdict == "undecided" or drifts):
+            return judgement
     weights = np.eye(len(p.g))[0]
     if not resting:
         weights[p.free] = -np.linalg.lstsq(p.tensor @ p.g[p.free].T, p.tensor @ p.g[0], rcond=None)[0]
     _check_at_rest(p.tensor @ (weights @ p.g), p.sizes(weights)[2], True)
     p, weights = _of_isotropy(p, weights)
     relative = _judge(p, weights, p.free)
-    if relative.verdict != "stable" and found is not None and found.verdict != "undecided":
-        return found
+    if relative.verdict != "stable" and judgement is not None and judgement.verdict != "undecided":
+        return judgement
     if relative.verdict == "stable":
         relative = replace(relative, restricted=Restriction(flows=tuple(p.names[n - 1] for n in p.free)))
     return relative
@@ -165,25 +165,25 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
 
     def judge_part(basis: Array, H: Array, chosen: Sequence[int], error: float, **options: Any) -> Stability:
         inside, leafwise = np.abs(basis), basis is not across
-        found = energy_casimir(
+        judgement = energy_casimir(
             p.unit * basis.T @ flow @ basis, (0.0 if leafwise else 1.0) * slope @ basis, basis.T @ H @ basis,
             p.g[chosen] @ basis, (0.0 if leafwise else 1.0) * basis.T @ p.H[chosen] @ basis,
             is_equilibrium=True, tolerance=min(error, 0.5), unit=p.unit,
             sizes=((0.0 if leafwise else 1.0) * sizes[0] @ inside, p.unit * inside.T @ sizes[1] @ inside), **options,
         )  # fmt: skip
-        return _express_direction(found, basis)
+        return _express_direction(judgement, basis)
 
     family = not len(divided) and _on_equilibria(p, flow, p.g[rows], float(sizes[1].max()))
-    found = judge_part(across, curvature, kept, p.error, casimir_names=[p.names[n - 1] for n in kept],
+    judgement = judge_part(across, curvature, kept, p.error, casimir_names=[p.names[n - 1] for n in kept],
                    on_equilibria=family, contained=weights[kept])  # fmt: skip
     tangent, effective, error = _on_tangent(p, flow, sizes[1])
-    if found.verdict != "undecided" or tangent.shape[1] >= null_space(_unit_rows(p.g[rows]), NULL).shape[1]:
-        return found
+    if judgement.verdict != "undecided" or tangent.shape[1] >= null_space(_unit_rows(p.g[rows]), NULL).shape[1]:
+        return judgement
     leaf = tangent @ null_space(_unit_rows(np.array(moved).reshape(-1, len(slope))) @ tangent, NULL)
     # on a point there is nothing to judge
     leafwise = (judge_part(leaf, effective, list(divided), error) if leaf.shape[1] else
                 Stability("stable", 0.0, None, None, LeafIsPoint(), np.zeros(0, complex)))  # fmt: skip
-    return _leafwise(p, found, leafwise, tangent.shape[1], bool(len(divided)))
+    return _leafwise(p, judgement, leafwise, tangent.shape[1], bool(len(divided)))
 
 
 def _of_isotropy(p: Problem, weights: Array) -> tuple[Problem, Array]:
@@ -230,20 +230,20 @@ def _combination(row: Array, names: list[str]) -> str:
     return text.replace("+ -", "− ").replace("-", "−")
 
 
-def _express_direction(found: Stability, basis: Array) -> Stability:
+def _express_direction(judgement: Stability, basis: Array) -> Stability:
     """Return a verdict with its direction along the coordinates instead of a basis (n, d)."""
-    if found.direction is None:
-        return found
-    direction, reason = basis @ found.direction, found.reason
+    if judgement.direction is None:
+        return judgement
+    direction, reason = basis @ judgement.direction, judgement.reason
     if isinstance(reason, ExponentialGrowth | SteadyDrift):
         reason = replace(reason, direction=direction)
-    return replace(found, direction=direction, reason=reason)
+    return replace(judgement, direction=direction, reason=reason)
 
 
-def _leafwise(p: Problem, found: Stability, leafwise: Stability, dimension: int, divided: bool) -> Stability:
+def _leafwise(p: Problem, judgement: Stability, leafwise: Stability, dimension: int, divided: bool) -> Stability:
     """Return the consequence of an extremum on the leaf, or a leaf of one point, for all neighbours."""
     if leafwise.verdict != "stable":
-        return found
+        return judgement
     sign = -1 if leafwise.function is not None and leafwise.function.signature[2] else 1
     reason = DefiniteOnLeaf("H + Σ ω J" if divided else "H", dimension, sign, "alike")
     if isinstance(leafwise.reason, LeafIsPoint):
@@ -252,7 +252,7 @@ def _leafwise(p: Problem, found: Stability, leafwise: Stability, dimension: int,
         return replace(leafwise, reason=reason, function=None)
     if is_compact(p.system.algebra):
         return replace(leafwise, reason=replace(reason, leaves_nearby="near"), function=None)
-    return replace(found, reason=replace(reason, leaves_nearby="larger"))
+    return replace(judgement, reason=replace(reason, leaves_nearby="larger"))
 
 
 def _on_tangent(p: Problem, flow: Array, flow_sizes: Array) -> tuple[Array, Array, float]:
@@ -284,14 +284,15 @@ def _check_at_rest(field: Array, size: float, relative: bool) -> None:
         )
 
 
-def _note_missing(found: Stability, missing: MissingCasimirs | None) -> Stability:
+def _note_missing(judgement: Stability, missing: MissingCasimirs | None) -> Stability:
     """Return an undecided verdict with the Casimirs that might have helped."""
-    return replace(found, missing=missing) if found.verdict == "undecided" else found
+    return replace(judgement, missing=missing) if judgement.verdict == "undecided" else judgement
 
 
-def _at(found: Stability, point: Array) -> Stability:
+def _at(judgement: Stability, point: Array) -> Stability:
     """Return a verdict whose function has the values at the equilibrium."""
-    return found if found.function is None else replace(found, function=replace(found.function, point=point))
+    function = judgement.function
+    return judgement if function is None else replace(judgement, function=replace(function, point=point))
 
 
 def _unit_rows(rows: Array) -> Array:

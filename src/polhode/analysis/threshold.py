@@ -51,8 +51,8 @@ def stability_threshold(
     >>> from polhode.analysis import stability
     >>> from polhode.systems import HeavyTop
     >>> top = HeavyTop((1.0, 1.0, 0.5), 1.0)
-    >>> found = stability_threshold(lambda spin: stability(top, top.upright(spin)), 1.0, 6.0)
-    >>> round(found.value, 6), found.below.verdict, found.above.verdict  # (I3 ω)² = 4 mgl I1
+    >>> threshold = stability_threshold(lambda spin: stability(top, top.upright(spin)), 1.0, 6.0)
+    >>> round(threshold.value, 6), threshold.below.verdict, threshold.above.verdict  # (I3 ω)² = 4 mgl I1
     (4.0, 'unstable', 'stable')
     """
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
@@ -70,9 +70,9 @@ def stability_threshold(
         middle = 0.5 * (low + high)
         if high - low <= 2.0 * tolerance * size or not low < middle < high:
             break
-        found = verdict(middle)
-        if found.verdict == first:
-            low, below = middle, found
+        judgement = verdict(middle)
+        if judgement.verdict == first:
+            low, below = middle, judgement
         else:
-            high, above = middle, found
+            high, above = middle, judgement
     return Threshold(0.5 * (low + high), 0.5 * (high - low), below, above)

@@ -97,7 +97,7 @@ def steady_precession_of(motion: LagrangeMotion) -> SteadyPrecession | None:
 
 
 def _vector(momentum: Array) -> Array:
-    found = np.asarray(momentum, dtype=float)
-    if found.shape != (3,) or not np.isfinite(found).all():
+    vector = np.asarray(momentum, dtype=float)
+    if vector.shape != (3,) or not np.isfinite(vector).all():
         raise InvalidInput(f"`momentum` must be three finite numbers [kg m²/s, principal axes]; got {shown(momentum)}.")
-    return found
+    return vector

@@ -79,11 +79,11 @@ def steady_top_rates(top: HeavyTop, axial_momentum: float, tilt: float) -> TopRa
     if moments is None or not 0.0 < tilt < math.pi:
         return None
     across, along = moments
-    found = steady_precession((across, across, along), float(top.mgl), tilt, axial_momentum / along)
-    if found is None:
+    precession = steady_precession((across, across, along), float(top.mgl), tilt, axial_momentum / along)
+    if precession is None:
         return None
-    rest = axial_momentum / across - 2.0 * found.slow * math.cos(tilt)
-    return TopRates(found.slow, math.hypot(rest, found.slow * math.sin(tilt)))
+    rest = axial_momentum / across - 2.0 * precession.slow * math.cos(tilt)
+    return TopRates(precession.slow, math.hypot(rest, precession.slow * math.sin(tilt)))
 
 
 @known_numbers_only

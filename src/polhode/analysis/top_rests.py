@@ -52,7 +52,7 @@ def top_stability(top: HeavyTop, spin: float = 0.0) -> TopRests:
     return TopRests(upright, hanging)
 
 
-def _in_a_tops_words(found: Stability) -> Stability:
+def _in_a_tops_words(judgement: Stability) -> Stability:
     """Return a verdict with the usual names of the Casimirs of se(3)* and of Lagrange's integral."""
-    function = None if found.function is None else found.function.rename(NAMES)
-    return replace(found, reason=found.reason.rename(NAMES | SHORT), function=function)
+    function = None if judgement.function is None else judgement.function.rename(NAMES)
+    return replace(judgement, reason=judgement.reason.rename(NAMES | SHORT), function=function)

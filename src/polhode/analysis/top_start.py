@@ -9,7 +9,7 @@ import numpy as np
 from polhode import rotation
 from polhode.analysis.top_motion import VERTICAL, axis_in_space
 from polhode.arrays import known_numbers_only
-from polhode.bodies.pivot import axis_of_symmetry
+from polhode.bodies._pivot import axis_of_symmetry
 from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, least_spin_rate, steady_precession
 from polhode.systems.heavy_top import HeavyTop
@@ -51,8 +51,8 @@ def top_velocity(
     rates = (spin_rate, precession_rate, nutation_rate)
     if not all(np.ndim(rate) == 0 and np.isfinite(rate) for rate in rates):
         raise InvalidInput(f"the rates must be finite numbers [rad/s]; got {shown(rates)}.")
-    given = rotation.normalize(np.asarray(attitude, dtype=float))
-    axis, back = axis_in_space(top, given), rotation.conjugate(given)
+    q = rotation.normalize(np.asarray(attitude, dtype=float))
+    axis, back = axis_in_space(top, q), rotation.conjugate(q)
     in_space = precession_rate * UP
     if nutation_rate:
         sine = math.hypot(axis[0], axis[1])
@@ -91,12 +91,12 @@ def steady_precession_at(top: HeavyTop, tilt: float, spin_rate: float) -> Steady
     if not VERTICAL < tilt < math.pi - VERTICAL:
         raise InvalidInput(f"steady precession needs an axis that leans; got a tilt of {math.degrees(tilt):g}°.")
     across, along = float(moments[(k + 1) % 3]), float(moments[k])
-    found = steady_precession((across, across, along), mgl, tilt, spin_rate=float(spin_rate))
-    if found is None:
+    precession = steady_precession((across, across, along), mgl, tilt, spin_rate=float(spin_rate))
+    if precession is None:
         least = least_spin_rate((across, across, along), mgl, tilt)
         why = f"least spin is {least:.6g} rad/s, either way round" if least else "body needs some spin for it"
         raise InvalidInput(
             f"there is no steady precession at a tilt of {math.degrees(tilt):g}° and a spin of {spin_rate:.6g} rad/s: "
             f"the {why}. Spin it faster, or give the precession as a rate."
         )
-    return found
+    return precession

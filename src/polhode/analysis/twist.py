@@ -17,8 +17,8 @@ from polhode import rotation
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.exact.free_body import FreeMotion
-from polhode.motion.inputs import finite
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._inputs import finite
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 TURN = 2.0 * math.pi
@@ -53,8 +53,8 @@ def racket_twist(motion: FreeMotion | Trajectory, handle: int = 0) -> float:
     """
     free = motion.motion if isinstance(motion, Trajectory) else motion
     if not isinstance(free, FreeMotion):
-        made = f" of a {type(motion.source).__name__}" if isinstance(motion, Trajectory) else ""
-        raise InvalidInput(f"`motion` must be a FreeMotion or samples of one; got a {type(motion).__name__}{made}.")
+        origin = f" of a {type(motion.source).__name__}" if isinstance(motion, Trajectory) else ""
+        raise InvalidInput(f"`motion` must be a FreeMotion or samples of one; got a {type(motion).__name__}{origin}.")
     return _twist(free.along("principal"), handle)
 
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.functions import Function
+from polhode.algebra._functions import Function
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
 from polhode.arrays import known_numbers_only, refuse_single_precision
@@ -53,8 +53,8 @@ def vortex_turn(system: SphereVortices | PlaneVortices, state: Real[ArrayLike, "
     0.242889453
     """
     point = _one_state(system, state)
-    found = _turn_on_sphere(system, point) if isinstance(system, SphereVortices) else _turn_in_plane(system, point)
-    turn, left = found
+    pair = _turn_on_sphere(system, point) if isinstance(system, SphereVortices) else _turn_in_plane(system, point)
+    turn, left = pair
     whole = float(np.linalg.norm(_terms(system, point)))
     if left > TURNING * whole:
         raise InvalidInput(

@@ -82,10 +82,10 @@ def register_node(kind: type, fields: tuple[str, ...], like: Any) -> None:
     import jax
 
     def build(_: Any, children: Any) -> Any:
-        made = object.__new__(kind)
+        node = object.__new__(kind)
         for name, child in zip(fields, children, strict=True):
-            object.__setattr__(made, name, child)
-        return made
+            object.__setattr__(node, name, child)
+        return node
 
     jax.tree_util.register_pytree_node(kind, lambda x: (tuple(getattr(x, name) for name in fields), None), build)
     _nodes.add(kind)
@@ -105,8 +105,8 @@ def derivative_columns(
     count = len(arguments)
     if not is_jax(*arguments):
         unit = np.eye(count).reshape(count, count, *(1,) * np.ndim(arguments[0]))
-        found = function(*(a + 1j * step * unit[j] for j, a in enumerate(arguments)))
-        return tuple(np.real(x[0]) for x in found), tuple(np.imag(x) / step for x in found)
+        values = function(*(a + 1j * step * unit[j] for j, a in enumerate(arguments)))
+        return tuple(np.real(x[0]) for x in values), tuple(np.imag(x) / step for x in values)
     import jax
     import jax.numpy as jnp
 

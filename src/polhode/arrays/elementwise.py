@@ -156,16 +156,16 @@ def _primitive() -> Any:
     from jax.interpreters import ad, batching, mlir
 
     remember_environment()
-    made = Primitive("polhode_elementwise")
-    made.multiple_results = True
-    made.def_impl(_at_once)
-    made.def_abstract_eval(_abstract)
-    ad.primitive_jvps[made] = _jvp
-    batching.primitive_batchers[made] = _batch
+    primitive = Primitive("polhode_elementwise")
+    primitive.multiple_results = True
+    primitive.def_impl(_at_once)
+    primitive.def_abstract_eval(_abstract)
+    ad.primitive_jvps[primitive] = _jvp
+    batching.primitive_batchers[primitive] = _batch
     in_line = mlir.lower_fun(lambda *args, function, compiled: function.values(*args), multiple_results=True)
-    mlir.register_lowering(made, in_line)
-    mlir.register_lowering(made, partial(_lower_for_cpu, in_line), platform="cpu")
-    return made
+    mlir.register_lowering(primitive, in_line)
+    mlir.register_lowering(primitive, partial(_lower_for_cpu, in_line), platform="cpu")
+    return primitive
 
 
 def _abstract(*args: Any, function: Elementwise, compiled: bool) -> list[Any]:
@@ -201,7 +201,7 @@ def _lower_for_cpu(in_line: Any, ctx: Any, *operands: Any, function: Elementwise
         return in_line(ctx, *operands, function=function, compiled=compiled)
     # jax.pure_callback would put the operands on a device first, for which the pool may have no thread left
     words = [ShapedArray((*x.shape, 2), np.uint32) for x in ctx.avals_out]
-    found, _, _ = mlir.emit_python_callback(
+    outputs, _, _ = mlir.emit_python_callback(
         ctx.replace(avals_out=words), partial(_words_on_host, function), None, list(operands), ctx.avals_in, words,
         has_side_effect=False, returns_token=False,
     )  # fmt: skip
@@ -211,22 +211,22 @@ def _lower_for_cpu(in_line: Any, ctx: Any, *operands: Any, function: Elementwise
         ],
         multiple_results=True,
     )
-    return joined(ctx.replace(avals_in=words), *found)
+    return joined(ctx.replace(avals_in=words), *outputs)
 
 
 def _words_on_host(function: Elementwise, *arguments: Any) -> tuple[np.ndarray, ...]:
     """Return the values as pairs of 32-bit words: JAX takes 64 bits from a callback only where its thread allows them,
     which one of its own threads does not within a function that ``jax.enable_x64`` governs."""
     with gradual_underflow():
-        found = _on_host(function, *arguments)
-    return tuple(np.ascontiguousarray(x[..., None]).view(np.uint32) for x in found)
+        values = _on_host(function, *arguments)
+    return tuple(np.ascontiguousarray(x[..., None]).view(np.uint32) for x in values)
 
 
 def _batch(args: Any, axes: Any, *, function: Elementwise, compiled: bool) -> tuple[Any, list[int]]:
     import jax.numpy as jnp
 
-    given = list(zip(args, axes, function.inputs, strict=True))
-    rank = max(x.ndim - len(core) - (axis is not None) for x, axis, core in given)
+    triples = list(zip(args, axes, function.inputs, strict=True))
+    rank = max(x.ndim - len(core) - (axis is not None) for x, axis, core in triples)
 
     def move_axis(x: Any, axis: Any, core: tuple[int, ...]) -> Any:
         """Return x with the new axis before all batch axes, those of the others between."""
@@ -236,9 +236,9 @@ def _batch(args: Any, axes: Any, *, function: Elementwise, compiled: bool) -> tu
         missing = rank - (x.ndim - 1 - len(core))
         return x.reshape(x.shape[0], *(1,) * missing, *x.shape[1:])
 
-    moved_args = (move_axis(*each) for each in given)
-    found = _primitive().bind(*moved_args, function=function, compiled=compiled)
-    return found, [0] * len(found)
+    moved_args = (move_axis(*each) for each in triples)
+    values = _primitive().bind(*moved_args, function=function, compiled=compiled)
+    return values, [0] * len(values)
 
 
 def _jvp(primals: Any, tangents: Any, *, function: Elementwise, compiled: bool) -> tuple[Any, Any]:
@@ -253,12 +253,12 @@ def _jvp(primals: Any, tangents: Any, *, function: Elementwise, compiled: bool) 
     ways = [tangents[k] for k in which]
     if function.ways is None:
         *values, columns = bind(*primals, function=function.differential)
-        found = _changes(function, which)(columns, *ways)
+        smooth_changes = _changes(function, which)(columns, *ways)
     else:
         values = bind(*primals, function=function)
-        found = push(function, compiled, primals, which, ways)
+        smooth_changes = push(function, compiled, primals, which, ways)
     changes: list[Any] = [ad.Zero(_tangent_type(v)) for v in values]
-    for k, change in zip(function.smooth, found, strict=True):
+    for k, change in zip(function.smooth, smooth_changes, strict=True):
         changes[k] = change
     return values, changes
 

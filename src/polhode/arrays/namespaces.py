@@ -218,13 +218,13 @@ def _own_place(error: BaseException) -> str | None:
 
     Both call JAX, NumPy and others, whose frames say nothing: the last one before them does.
     """
-    rooms, frame, found = __name__.partition(".")[0], error.__traceback__, None
+    rooms, frame, innermost = __name__.partition(".")[0], error.__traceback__, None
     while frame is not None:
         module = str(frame.tb_frame.f_globals.get("__name__", "")).partition(".")[0]
         if module not in CALLED:
-            found = module, frame
+            innermost = module, frame
         frame = frame.tb_next
-    if found is None or found[0] != rooms:
+    if innermost is None or innermost[0] != rooms:
         return None
-    path = found[1].tb_frame.f_code.co_filename.replace("\\", "/")
-    return f"{path[path.rfind(f'{rooms}/') :]}, line {found[1].tb_lineno}"
+    path = innermost[1].tb_frame.f_code.co_filename.replace("\\", "/")
+    return f"{path[path.rfind(f'{rooms}/') :]}, line {innermost[1].tb_lineno}"

@@ -35,15 +35,15 @@ def _primitive() -> Any:
     from jax.extend.core import Primitive
     from jax.interpreters import ad, batching, mlir
 
-    made = Primitive("polhode_pushed")
-    made.multiple_results = True
-    made.def_impl(_push)
-    made.def_abstract_eval(_abstract)
-    ad.primitive_jvps[made] = _jvp
-    ad.primitive_transposes[made] = _transpose
-    batching.primitive_batchers[made] = _batch
-    mlir.register_lowering(made, mlir.lower_fun(_push, multiple_results=True))
-    return made
+    primitive = Primitive("polhode_pushed")
+    primitive.multiple_results = True
+    primitive.def_impl(_push)
+    primitive.def_abstract_eval(_abstract)
+    ad.primitive_jvps[primitive] = _jvp
+    ad.primitive_transposes[primitive] = _transpose
+    batching.primitive_batchers[primitive] = _batch
+    mlir.register_lowering(primitive, mlir.lower_fun(_push, multiple_results=True))
+    return primitive
 
 
 def _push(*args: Any, function: Elementwise, compiled: bool, which: tuple[int, ...]) -> list[Any]:
@@ -71,8 +71,8 @@ def _jvp(primals: Any, tangents: Any, **known: Any) -> tuple[Any, Any]:
 def _batch(args: Any, axes: Any, **known: Any) -> tuple[Any, list[int]]:
     import jax
 
-    found = jax.vmap(partial(_push, **known), in_axes=tuple(axes))(*args)
-    return found, [0] * len(found)
+    changes = jax.vmap(partial(_push, **known), in_axes=tuple(axes))(*args)
+    return changes, [0] * len(changes)
 
 
 def _transpose(weights: Any, *args: Any, function: Elementwise, compiled: bool, which: tuple[int, ...]) -> list[Any]:
@@ -82,31 +82,31 @@ def _transpose(weights: Any, *args: Any, function: Elementwise, compiled: bool, 
     primals, ways = args[: len(function.inputs)], args[len(function.inputs) :]
     batch = function.batch(primals)
     flat = [jnp.reshape(ad.instantiate_zeros(x), (*batch, -1)) for x in weights]
-    found = _make_back(function, compiled)(*primals, jnp.concatenate(flat, axis=-1))
-    given = [_sum_shared(found[k], way.aval.shape) if ad.is_undefined_primal(way) else None
+    cotangents = _make_back(function, compiled)(*primals, jnp.concatenate(flat, axis=-1))
+    summed = [_sum_shared(cotangents[k], way.aval.shape) if ad.is_undefined_primal(way) else None
              for k, way in zip(which, ways, strict=True)]  # fmt: skip
-    return [None] * len(primals) + given
+    return [None] * len(primals) + summed
 
 
-def _sum_shared(found: Any, shape: tuple[int, ...]) -> Any:
+def _sum_shared(weights: Any, shape: tuple[int, ...]) -> Any:
     """Return weights of an argument that all copies share, from those of each copy."""
     import jax.numpy as jnp
 
-    lead = found.ndim - len(shape)
-    shared = (*range(lead), *(lead + k for k, n in enumerate(shape) if n == 1 and found.shape[lead + k] != 1))
-    return jnp.reshape(jnp.sum(found, axis=shared), shape) if shared else found
+    lead = weights.ndim - len(shape)
+    shared = (*range(lead), *(lead + k for k, n in enumerate(shape) if n == 1 and weights.shape[lead + k] != 1))
+    return jnp.reshape(jnp.sum(weights, axis=shared), shape) if shared else weights
 
 
 def split_values(function: Elementwise, change: Any) -> list[Any]:
     """Return changes (batch…, M) of all smooth values as those of each."""
     import jax.numpy as jnp
 
-    found, row = [], 0
+    parts, row = [], 0
     for k in function.smooth:
         shape = function.outputs[k][0]
-        found.append(jnp.reshape(change[..., row : row + math.prod(shape)], (*change.shape[:-1], *shape)))
+        parts.append(jnp.reshape(change[..., row : row + math.prod(shape)], (*change.shape[:-1], *shape)))
         row += math.prod(shape)
-    return found
+    return parts
 
 
 def _count_values(function: Elementwise) -> int:
@@ -121,8 +121,8 @@ def _make_ahead(function: Elementwise, compiled: bool) -> Any:
     assert function.ways is not None
     inputs, outputs = (*function.inputs, *function.inputs), (((_count_values(function),), float),)
 
-    def by_columns(*given: Any) -> Any:
-        primals, changes = given[: len(function.inputs)], given[len(function.inputs) :]
+    def by_columns(*arguments: Any) -> Any:
+        primals, changes = arguments[: len(function.inputs)], arguments[len(function.inputs) :]
         columns = function.differential.bind(compiled, primals)[-1]
         flat = [x if core else x[..., None] for x, core in zip(changes, function.inputs, strict=True)]
         batch = jnp.broadcast_shapes(*(x.shape[:-1] for x in flat))
@@ -141,15 +141,15 @@ def _make_back(function: Elementwise, compiled: bool) -> Any:
     inputs = (*function.inputs, (_count_values(function),))
     outputs = tuple((shape, float) for shape in function.inputs)
 
-    def by_columns(*given: Any) -> tuple[Any, ...]:
-        *primals, weights = given
+    def by_columns(*arguments: Any) -> tuple[Any, ...]:
+        *primals, weights = arguments
         columns = function.differential.bind(compiled, primals)[-1]
-        rows, found, start = jnp.sum(columns * weights[..., None], axis=-2), [], 0
+        rows, parts, start = jnp.sum(columns * weights[..., None], axis=-2), [], 0
         for shape in function.inputs:
             size = math.prod(shape)
-            found.append(jnp.reshape(rows[..., start : start + size], (*rows.shape[:-1], *shape)))
+            parts.append(jnp.reshape(rows[..., start : start + size], (*rows.shape[:-1], *shape)))
             start += size
-        return tuple(found)
+        return tuple(parts)
 
     return _make_differentiable(function, function.ways.back, inputs, outputs, compiled, by_columns, tuple)
 
@@ -163,8 +163,8 @@ def _make_differentiable(
     operation = replace(function, values=values, inputs=inputs, outputs=outputs, jacobian=None, ways=None)
 
     @jax.custom_jvp
-    def bind_operation(*given: Any) -> Any:
-        return formed(operation.bind(compiled, given))
+    def bind_operation(*arguments: Any) -> Any:
+        return formed(operation.bind(compiled, arguments))
 
     @bind_operation.defjvp
     def rule(primals: Any, tangents: Any) -> tuple[Any, Any]:

@@ -41,6 +41,6 @@ def remember_environment() -> tuple[Any, Any] | None:
     except (AttributeError, OSError, TypeError):  # Windows, whose threads cannot be asked in this way
         return None
     get.argtypes = set_.argtypes = [ctypes.c_void_p]
-    found = ctypes.create_string_buffer(ENVIRONMENT)
-    get(found)
-    return library, found
+    environment = ctypes.create_string_buffer(ENVIRONMENT)
+    get(environment)
+    return library, environment

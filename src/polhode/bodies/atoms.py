@@ -8,9 +8,9 @@ from importlib.resources import files
 
 import numpy as np
 
-from polhode.bodies import points
-from polhode.bodies.digits import judge_moments, last_digit, unsure_moments
-from polhode.bodies.inertia import MassProperties, principal_axes
+from polhode.bodies import _points as points
+from polhode.bodies._digits import judge_moments, last_digit, unsure_moments
+from polhode.bodies._inertia import MassProperties, principal_axes
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -40,10 +40,10 @@ def mass_properties(
 def _round_to_digits(properties: MassProperties, positions: Array) -> MassProperties:
     """Return moments that are equal or zero where the digits of the positions do not tell them apart."""
     moments, axes = principal_axes(properties.inertia)
-    found, _ = judge_moments(moments, unsure_moments(moments, properties.mass, last_digit(positions, ANGSTROM)))
-    if (found == moments).all():
+    rounded, _ = judge_moments(moments, unsure_moments(moments, properties.mass, last_digit(positions, ANGSTROM)))
+    if (rounded == moments).all():
         return properties
-    return properties._replace(inertia=axes @ np.diag(found) @ axes.T)
+    return properties._replace(inertia=axes @ np.diag(rounded) @ axes.T)
 
 
 def atomic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:

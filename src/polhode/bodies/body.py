@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 
 from polhode.arrays import known_numbers_only
-from polhode.bodies import atoms, mesh, points
-from polhode.bodies.inertia import LARGEST, ROUNDING, check_moments, finite_array, point_inertia, principal_axes
+from polhode.bodies import _mesh as mesh
+from polhode.bodies import _points as points
+from polhode.bodies import atoms
+from polhode.bodies._inertia import LARGEST, ROUNDING, check_moments, finite_array, point_inertia, principal_axes
 from polhode.errors import InvalidInput, shown
 from polhode.motion.frame import BodyFrame
 from polhode.rotation import as_matrix, from_matrix, normalize

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from polhode.arrays import known_numbers_only
-from polhode.bodies.inertia import point_inertia, principal_axes
+from polhode.bodies._inertia import point_inertia, principal_axes
 from polhode.errors import InvalidInput
 from polhode.motion.frame import BodyFrame
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
@@ -65,12 +65,12 @@ class Surface:
         # fast-simplification's quadrics take a minute for a thin tube, and leave 50 % more or other shapes below 3 %
         coarse, fine = 1, 2  # cells along the longest edge
         best = _cluster_corners(self, coarse)
-        while fine < _FINEST and len((found := _cluster_corners(self, fine)).faces) <= most:
-            coarse, fine, best = fine, 2 * fine, found
+        while fine < _FINEST and len((coarser := _cluster_corners(self, fine)).faces) <= most:
+            coarse, fine, best = fine, 2 * fine, coarser
         while fine - coarse > 1:
             middle = (coarse + fine) // 2
-            found = _cluster_corners(self, middle)
-            coarse, fine, best = (middle, fine, found) if len(found.faces) <= most else (coarse, middle, best)
+            coarser = _cluster_corners(self, middle)
+            coarse, fine, best = (middle, fine, coarser) if len(coarser.faces) <= most else (coarse, middle, best)
         return best
 
 
@@ -85,8 +85,8 @@ def join_surfaces(surfaces: Sequence[Surface]) -> Surface:
     starts = np.cumsum([0, *(len(surface.vertices) for surface in surfaces[:-1])])
     faces = [np.asarray(surface.faces) + start for surface, start in zip(surfaces, starts, strict=True)]
     colors = [surface.colors for surface in surfaces if surface.colors is not None]
-    found = Surface(np.vstack([surface.vertices for surface in surfaces]), np.vstack(faces))
-    return replace(found, colors=np.concatenate(colors)) if len(colors) == len(surfaces) else found
+    whole = Surface(np.vstack([surface.vertices for surface in surfaces]), np.vstack(faces))
+    return replace(whole, colors=np.concatenate(colors)) if len(colors) == len(surfaces) else whole
 
 
 def _cluster_corners(surface: Surface, cells: int) -> Surface:

@@ -62,21 +62,21 @@ def tables_to_compare(options: ColumnOptions) -> tuple[Table | None, Table | Non
     for side, value in own.items():
         if not isinstance(value, dict):
             raise InvalidInput(f"{options.mapping}: [{side}] must be a table of words of a mapping.")
-    found: list[Table | None] = []
+    tables: list[Table | None] = []
     for side in SIDES:
-        given = {**words, **own.get(side, {})}
+        settings = {**words, **own.get(side, {})}
         needed = side in own or not own  # with one side alone, the other needs no mapping
         where = f"{_place(options)}[{side}]: " if side in own else _place(options)
-        found.append(Table(_make_mapping(given, where), side in own) if needed else None)
-    return found[0], found[1]
+        tables.append(Table(_make_mapping(settings, where), side in own) if needed else None)
+    return tables[0], tables[1]
 
 
 def _all_words(options: ColumnOptions) -> dict[str, Any] | None:
     if options.mapping is None:
         return options.words or None
     if options.words:
-        given = ", ".join(f"--{name.replace('_', '-')}" for name in options.words)
-        raise InvalidInput(f"--mapping has what {given} would say. Give the file or the options.")
+        flags = ", ".join(f"--{name.replace('_', '-')}" for name in options.words)
+        raise InvalidInput(f"--mapping has what {flags} would say. Give the file or the options.")
     words = read_tables(options.mapping, "mapping")
     if not words:
         raise FormatError(f"{options.mapping}: is empty. Write what the columns are, like time = \"t\".")

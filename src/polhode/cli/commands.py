@@ -228,8 +228,8 @@ def fit(
     from polhode.studies.throws import ThrowOptions
 
     columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
-    given = ThrowOptions(window or (), drag, torque, rotor, gain, clip, moment, mass, added_weight, weighted or ())
-    run_fit(files, free, given, columns, out, figures, json)
+    for_throws = ThrowOptions(window or (), drag, torque, rotor, gain, clip, moment, mass, added_weight, weighted or ())
+    run_fit(files, free, for_throws, columns, out, figures, json)
 
 
 @app.command(cls=StrictCommand)

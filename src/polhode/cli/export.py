@@ -17,8 +17,8 @@ from polhode.formats.form import Content, Form, Molecule
 from polhode.formats.form_registry import check_importable, writable_forms
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
-from polhode.motion.trajectory import Trajectory
-from polhode.quantum.strengths import Lines
+from polhode.motion._trajectory import Trajectory
+from polhode.quantum._strengths import Lines
 from polhode.reports.base import MotionReport, SystemReport
 from polhode.spec.rotors import SpecRotor, check_summable
 

@@ -48,12 +48,12 @@ def run_fit(
 
 def _progress(path: Path) -> Callable[[int], None]:
     """Return a function that shows how far the reading of a file is; short files show nothing."""
-    told = 0
+    last = 0
 
     def tell(line: int) -> None:
-        nonlocal told
-        if line - told >= EVERY:
-            told = line
+        nonlocal last
+        if line - last >= EVERY:
+            last = line
             print(f"{path.name}: {line} lines read", file=sys.stderr, flush=True)
 
     return tell

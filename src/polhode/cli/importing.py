@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from polhode import rotation
-from polhode.analysis.mechanics import Mechanics, invariants_along
+from polhode.analysis._mechanics import Mechanics, invariants_along
 from polhode.cli.columns import ColumnOptions, table_to_import
 from polhode.cli.destinations import check_spares
 from polhode.cli.publish import publish
@@ -17,9 +17,9 @@ from polhode.formats.form import Kernels
 from polhode.formats.form_registry import forms
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.stamps import in_words
+from polhode.motion._layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, StateLayout
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, StateLayout
-from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
 from polhode.reports.report import PlainReport
 from polhode.reports.wording import drifts, rate, write_count
@@ -89,8 +89,8 @@ def _with_body(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | 
         frame: the principal axes; its moments are about the point that the body turns about.
         mechanics: of the same body along the given axes; None where momentum is not the moments times the velocity.
     """
-    given, attitude = trajectory, trajectory.attitude
-    turned = replace(given, frame=frame, axes=np.asarray(frame.axes)).along("principal")
+    samples, attitude = trajectory, trajectory.attitude
+    turned = replace(samples, frame=frame, axes=np.asarray(frame.axes)).along("principal")
     if mechanics is None or turned.angular_velocity is None:
         return _with_states(turned)
     momentum = turned.angular_velocity * np.asarray(frame.moments)
@@ -99,7 +99,7 @@ def _with_body(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | 
         return turned  # the weight's torque is along axes that are not known
     still = np.tile((1.0, 0.0, 0.0, 0.0), (len(momentum), 1))  # energy and |L| are the same for any attitude
     invariants, drift = invariants_along(
-        still if attitude is None else attitude, np.asarray(given.angular_velocity), mechanics
+        still if attitude is None else attitude, np.asarray(samples.angular_velocity), mechanics
     )
     if attitude is None:
         del invariants["momentum_space"], drift["momentum_space"]

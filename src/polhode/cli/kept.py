@@ -45,13 +45,13 @@ def load_or_make_report(spec: Spec) -> SystemReport:
         place = Path(folder) / f"{_digest(spec)}.pickle"
     except TypeError:  # a value whose digest is not known
         return spec.report()
-    found = _load(place)
-    if found is None:
+    report = _load(place)
+    if report is None:
         with record_files() as read:
-            found = spec.report()
+            report = spec.report()
         with contextlib.suppress(Exception):  # what cannot be kept is computed again
-            _keep(found, read, place)
-    return found
+            _keep(report, read, place)
+    return report
 
 
 def _load(place: Path) -> SystemReport | None:
@@ -62,11 +62,11 @@ def _load(place: Path) -> SystemReport | None:
             read = pickle.load(file)
             if any(content_digest(path) != digest for path, digest in read.items()):
                 return None
-            found = pickle.load(file)
+            report = pickle.load(file)
         os.utime(place)
     except Exception:  # missing, damaged in whatever way, or not to be read
         return None
-    return found if isinstance(found, SystemReport) else None
+    return report if isinstance(report, SystemReport) else None
 
 
 def _keep(report: SystemReport, read: dict[Path, str], place: Path) -> None:

@@ -57,13 +57,13 @@ def _copy_together(wanted: list[Path], folder: Path) -> Iterator[Path]:
 
 def kinds_of_others() -> dict[str, AbstractKind]:
     """Return the kinds that other packages bring, by name; those that cannot be imported are left out."""
-    found = {}
+    kinds = {}
     for name in kind_names():
         with contextlib.suppress(PolhodeError):
             kind = find_kind(name)
             if kind is not None and not type(kind).__module__.startswith("polhode."):
-                found[name] = kind
-    return found
+                kinds[name] = kind
+    return kinds
 
 
 def examples() -> dict[str, Path]:
@@ -74,8 +74,8 @@ def examples() -> dict[str, Path]:
     """
     package = Path(polhode.__file__).parent
     for folder in (package / "examples", package.parents[1] / "examples"):
-        if found := sorted(folder.glob("*.toml")):
-            return {path.stem: path for path in found}
+        if paths := sorted(folder.glob("*.toml")):
+            return {path.stem: path for path in paths}
     raise InvalidInput("the examples are missing from this installation. Install polhode again.")
 
 

@@ -77,12 +77,12 @@ class _Watch:
 
     def _see_to_it(self) -> None:
         with self._told:  # open until nobody writes any more: a signal that is held and raised again writes twice
-            while (told := self._told.recv(1)) and told[0] not in SIGNALS:
+            while (message := self._told.recv(1)) and message[0] not in SIGNALS:
                 pass
-            if told and not self._ended.wait(GRACE):
-                _end_now(told[0])
-            while told:
-                told = self._told.recv(64)
+            if message and not self._ended.wait(GRACE):
+                _end_now(message[0])
+            while message:
+                message = self._told.recv(64)
 
 
 @contextlib.contextmanager

@@ -27,8 +27,8 @@ IN_ASCII = {
 def spell_command(*arguments: str) -> str:
     """Return a command that works where this one was given: as ``.venv/bin/polhode`` where the search path has none."""
     program = sys.argv[0]
-    found = shutil.which("polhode")
-    on_path = found is not None and Path(program).exists() and Path(found).samefile(program)
+    executable = shutil.which("polhode")
+    on_path = executable is not None and Path(program).exists() and Path(executable).samefile(program)
     called = "polhode" if on_path or Path(program).stem != "polhode" else program
     return shlex.join([called, *arguments])
 

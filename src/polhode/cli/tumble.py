@@ -56,14 +56,14 @@ def run_tumble(body: str | None, options: TumbleOptions, json: bool) -> None:
     if options.out is not None and options.out.suffix.lower() not in (".csv", ".toml"):
         raise InvalidInput(f"--out must end in .csv (light curve) or .toml (spec); got {shown(str(options.out))}.")
     known = None if body is None else known_tumbler(body)
-    given = Given(
+    inputs = Given(
         options.precession, options.rotation, options.moments, options.semi_axes,
         _check_choice("--axis", options.axis, AXES) or "encircled", _check_choice("--mode", options.mode, MODES),
         _friction(options), _angle("--aspect", options.aspect, "60 deg", 180.0),
         _angle("--phase", options.phase, "20 deg", 170.0),
     )  # fmt: skip
-    found = tumble_report(known, given, as_option)
-    publish(found, json, options.out, options.figures)
+    report = tumble_report(known, inputs, as_option)
+    publish(report, json, options.out, options.figures)
 
 
 def _friction(options: TumbleOptions) -> Friction | None:

@@ -1,6 +1,6 @@
+from ._estimate import Estimate as Estimate
 from .attitude_fit import AttitudeFit as AttitudeFit
 from .attitude_fit import fit_attitude as fit_attitude
-from .estimate import Estimate as Estimate
 from .euler_periods import EulerPeriod as EulerPeriod
 from .euler_periods import euler_chain as euler_chain
 from .excitation import PolarExcitation as PolarExcitation

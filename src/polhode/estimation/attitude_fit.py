@@ -11,14 +11,14 @@ from scipy.spatial.transform import Rotation
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.estimation.estimate import Estimate
+from polhode.estimation._estimate import Estimate
+from polhode.estimation._linear_start import linear_inertia
+from polhode.estimation._principal import Principal, explain_undetermined, principal
+from polhode.estimation._throw_doubts import why_impossible
+from polhode.estimation._throw_fit import ROBUST, compute_covariance, cross_matrix, right_jacobian
+from polhode.estimation._throw_models import D_MOMENTS, compute_moments, compute_shape, free_states
+from polhode.estimation._torqued_states import estimate_torqued_start, integrate_torqued
 from polhode.estimation.gyro_log import check_sizes
-from polhode.estimation.linear_start import linear_inertia
-from polhode.estimation.principal import Principal, explain_undetermined, principal
-from polhode.estimation.throw_doubts import why_impossible
-from polhode.estimation.throw_fit import ROBUST, compute_covariance, cross_matrix, right_jacobian
-from polhode.estimation.throw_models import D_MOMENTS, compute_moments, compute_shape, free_states
-from polhode.estimation.torqued_states import estimate_torqued_start, integrate_torqued
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -153,27 +153,27 @@ def _make_result(
     change[2:5, 2:5] = right_jacobian(x[2:5])
     covariance = change @ solution.covariance @ change.T
     axes = system.axes0 @ Rotation.from_rotvec(x[2:5]).as_matrix()
-    found = principal(x[:11], covariance[:11, :11], PLACES, axes, solution.freedom)
+    inertia = principal(x[:11], covariance[:11, :11], PLACES, axes, solution.freedom)
     residuals = system.blocks(x)[0][0]
     rms = float(np.sqrt(np.mean(residuals**2)))
     sigma, rate_sigma = float(solution.noise[0]), float(solution.noise[1]) if len(solution.noise) > 1 else None
-    reason = why_impossible(found) if found.determined else explain_undetermined([rates], found)
+    reason = why_impossible(inertia) if inertia.determined else explain_undetermined([rates], inertia)
     if reason is not None:
         return AttitudeFit(None, None, None, None, None, None, None, None, t, residuals, rms, sigma, rate_sigma, scores,
                            reason, singular)  # fmt: skip
-    start = found.order.T @ x[PLACES["start"]]
-    there = system.attitude0 * Rotation.from_rotvec(x[PLACES["attitude"]]) * Rotation.from_matrix(found.order)
+    start = inertia.order.T @ x[PLACES["start"]]
+    there = system.attitude0 * Rotation.from_rotvec(x[PLACES["attitude"]]) * Rotation.from_matrix(inertia.order)
     motion = FreeMotion(
-        found.moments, momentum=found.moments * start, attitude=there.as_quat(scalar_first=True), epoch=epoch
+        inertia.moments, momentum=inertia.moments * start, attitude=there.as_quat(scalar_first=True), epoch=epoch
     )
-    torque = _torque(x, covariance, axes, found, solution.freedom) if system.torque else None
-    return AttitudeFit(found.ratios, found.axes, found.turn, found.joint, found.equal, torque, motion, motion.regime, t,
-                       residuals, rms, sigma, rate_sigma, scores, None, singular)  # fmt: skip
+    torque = _torque(x, covariance, axes, inertia, solution.freedom) if system.torque else None
+    return AttitudeFit(inertia.ratios, inertia.axes, inertia.turn, inertia.joint, inertia.equal, torque, motion,
+                       motion.regime, t, residuals, rms, sigma, rate_sigma, scores, None, singular)  # fmt: skip
 
 
-def _torque(x: Array, covariance: Array, axes: Array, found: Principal, freedom: float) -> Estimate:
+def _torque(x: Array, covariance: Array, axes: Array, inertia: Principal, freedom: float) -> Estimate:
     """Return the torque over the largest moment along the device's axes, errors of moments and axes included."""
-    third = int(np.argmax(found.order[:, 2] != 0))
+    third = int(np.argmax(inertia.order[:, 2] != 0))
     largest = float(compute_moments(x[PLACES["shape"]])[third])
     own = x[TORQUE]
     value = axes @ own / largest
@@ -280,14 +280,14 @@ class _System:
         J[:, :, columns] = np.moveaxis(turns @ A.T, 0, 2)
         J[:, :, 2:5] = -A @ moved
         J[:, :, 8:11] = A @ np.swapaxes(since.as_matrix(), 1, 2) @ right_jacobian(x[8:11])
-        found: list[tuple[Array, Array]] = [(np.nan_to_num(r, nan=1e3), -np.nan_to_num(J))]
+        blocks: list[tuple[Array, Array]] = [(np.nan_to_num(r, nan=1e3), -np.nan_to_num(J))]
         if self.samples.rates is not None:
             K = np.zeros_like(J)
             K[:, :, columns] = np.moveaxis(slopes @ A.T, 0, 2)
             K[:, :, 2:5] = A @ np.stack([cross_matrix(-w) for w in rates]) @ moved
-            found.append((np.nan_to_num(self.samples.rates - rates @ A.T, nan=1e3), -np.nan_to_num(K)))
-        self.at, self.found = x.copy(), found
-        return found
+            blocks.append((np.nan_to_num(self.samples.rates - rates @ A.T, nan=1e3), -np.nan_to_num(K)))
+        self.at, self.found = x.copy(), blocks
+        return blocks
 
     def residuals(self, x: Array) -> Float64[Array, "m"]:
         """Return all residuals over their noise."""

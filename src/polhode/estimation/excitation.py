@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.estimation.pole_series import DAY, clean_pole, even
+from polhode.estimation._pole_series import DAY, clean_pole, even
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 STEP = 10.0 * DAY

@@ -9,10 +9,10 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._momentum_flight import UNEVEN, Stretch, momentum_stretches, of_one_body, within
+from polhode.estimation._weightless_flight import weightless_stretches
 from polhode.estimation.gyro_log import MIN_SAMPLES, GyroLog
-from polhode.estimation.momentum_flight import UNEVEN, Stretch, momentum_stretches, of_one_body, within
 from polhode.estimation.rest import rest_stretches
-from polhode.estimation.weightless_flight import weightless_stretches
 from polhode.types import Array
 
 SHORTEST = 0.25  # s
@@ -66,8 +66,8 @@ def free_flights(log: GyroLog, limit: float | None = None) -> list[Window]:
         >>> from polhode.estimation import clean_log
         >>> t = np.arange(0, 2, 0.01)
         >>> felt = np.where(abs(t - 1) < 0.4, 0.0, 9.8)[:, None] * [0.0, 0.0, 1.0]
-        >>> [found] = free_flights(clean_log(t, np.ones((200, 3)), t, felt))
-        >>> bool(abs(found.start - 0.6) < 0.03 and abs(found.end - 1.4) < 0.03)
+        >>> [flight] = free_flights(clean_log(t, np.ones((200, 3)), t, felt))
+        >>> bool(abs(flight.start - 0.6) < 0.03 and abs(flight.end - 1.4) < 0.03)
         True
     """
     return find_flights(log, limit).windows
@@ -122,11 +122,11 @@ def _thin(t: Array, rates: Array) -> tuple[Array, Array]:
 
 
 def _by_momentum(t: Array, rates: Array) -> tuple[list[Window], list[Window]]:
-    found = momentum_stretches(t, rates, SHORTEST_TOLD)
-    long = [one for one in found if t[one.last] - t[one.first] >= SHORTEST]
+    stretches = momentum_stretches(t, rates, SHORTEST_TOLD)
+    long = [one for one in stretches if t[one.last] - t[one.first] >= SHORTEST]
     used, others = of_one_body(t, rates, long)
     left = [_window(t, one, f"{MOMENTUM}, by another inertia than the rest") for one in others]
-    short = [one for one in found if one not in long]
+    short = [one for one in stretches if one not in long]
     left += [_window(t, one, f"{MOMENTUM}, for less than {SHORTEST} s") for one in short
              if of_one_body(t, rates, [*used, one])[1] == []]  # fmt: skip
     return [_window(t, one, MOMENTUM) for one in used], left
@@ -135,11 +135,11 @@ def _by_momentum(t: Array, rates: Array) -> tuple[list[Window], list[Window]]:
 def _by_weight(log: GyroLog, t: Array, rates: Array) -> tuple[list[Window], list[Window]]:
     clock = log.acceleration_times
     assert clock is not None
-    found = [Window(float(clock[one.first]), float(clock[one.last]), WEIGHTLESS, one.felt)
+    windows = [Window(float(clock[one.first]), float(clock[one.last]), WEIGHTLESS, one.felt)
              for one in weightless_stretches(log, SHORTEST_TOLD)]  # fmt: skip
-    used = [_trim(t, rates, window) for window in found if window.end - window.start >= SHORTEST]
+    used = [_trim(t, rates, window) for window in windows if window.end - window.start >= SHORTEST]
     left = [Window(one.start, one.end, f"{WEIGHTLESS}, for less than {SHORTEST} s", one.score)
-            for one in found if one.end - one.start < SHORTEST]  # fmt: skip
+            for one in windows if one.end - one.start < SHORTEST]  # fmt: skip
     if not used:  # a device that turns on a bearing keeps a momentum too
         left += [Window(one.start, one.end, f"{MOMENTUM}, but the accelerometer feels weight", one.score)
                  for one in _by_momentum(t, rates)[0]]  # fmt: skip
@@ -149,13 +149,13 @@ def _by_weight(log: GyroLog, t: Array, rates: Array) -> tuple[list[Window], list
 def _trim(t: Array, rates: Array, window: Window) -> Window:
     """Return a window without ends at which a torque acts: a hand that carries no weight may still turn the device."""
     part = slice(int(np.searchsorted(t, window.start)), int(np.searchsorted(t, window.end, "right")))
-    found = within(t[part], rates[part]) if part.stop - part.start >= MIN_SAMPLES else None
-    if found is None or found.change > UNEVEN:
+    stretch = within(t[part], rates[part]) if part.stop - part.start >= MIN_SAMPLES else None
+    if stretch is None or stretch.change > UNEVEN:
         return window
-    start, end = float(t[part][found.first]), float(t[part][found.last])
+    start, end = float(t[part][stretch.first]), float(t[part][stretch.last])
     if start - window.start > MOST_TRIMMED or window.end - end > MOST_TRIMMED or end - start < SHORTEST:
         return window
-    first, last = found.first == 0, found.last == part.stop - part.start - 1
+    first, last = stretch.first == 0, stretch.last == part.stop - part.start - 1
     return Window(window.start if first else start, window.end if last else end, window.reason, window.score)
 
 

@@ -18,9 +18,9 @@ from scipy.optimize import minimize_scalar
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
-from polhode.estimation.estimate import Estimate
-from polhode.estimation.line_noise import LineNoise, accumulate_walk, level_at, noise_about
-from polhode.estimation.pole_series import DAY, YEAR, Pole, average_steps, clean_pole
+from polhode.estimation._estimate import Estimate
+from polhode.estimation._line_noise import LineNoise, accumulate_walk, level_at, noise_about
+from polhode.estimation._pole_series import DAY, YEAR, Pole, average_steps, clean_pole
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 STEP = 5.0 * DAY  # means over it are fitted: nothing that the model has changes within
@@ -159,9 +159,9 @@ def _best_rate(clock: Float64[Array, "n"], pole: Pole) -> float:
         raise InvalidInput(f"no Chandler wobble with a period between {SHORTEST / DAY:g} and {LONGEST / DAY:g} d is in "
                            "the series: the fit runs to an end. Check columns and units, or give a longer series."
                            )  # fmt: skip
-    found: Any = minimize_scalar(cost, bounds=(grid[best - 1], grid[best + 1]), method="bounded",
+    minimum: Any = minimize_scalar(cost, bounds=(grid[best - 1], grid[best + 1]), method="bounded",
                             options={"xatol": 1e-7 * grid[best]})  # fmt: skip
-    return float(found.x)
+    return float(minimum.x)
 
 
 def _columns(clock: Float64[Array, "n"], rates: list[float], span: float) -> Complex128[Array, "n c"]:
@@ -229,8 +229,8 @@ def _headline(rate: float, value: complex, covariance: Float64[Array, "3 3"], de
         [0.0, value.real / size, value.imag / size],
         [0.0, -value.imag / size**2, value.real / size**2],
     ])  # fmt: skip
-    found = np.array([2.0 * np.pi / rate, size, float(np.angle(value))])
-    return Estimate(("period", "amplitude", "phase"), found, slopes @ covariance @ slopes.T, degrees)
+    values = np.array([2.0 * np.pi / rate, size, float(np.angle(value))])
+    return Estimate(("period", "amplitude", "phase"), values, slopes @ covariance @ slopes.T, degrees)
 
 
 def _polar(parts: Float64[Array, "2"], covariance: Float64[Array, "2 2"]) -> tuple[float, float]:

@@ -51,28 +51,28 @@ def rest_stretches(log: GyroLog) -> list[tuple[float, float]]:
     weighed = felt is not None
     if felt is not None and clock is not None:
         still &= _weight_is_constant(clock, felt, t)
-    found = _alike(_stretches(still & (np.linalg.norm(means, axis=1) < LARGEST_BIAS), t), t, rates)
-    if not found:
-        found = _alike(_stretches(still & (np.abs(means) < LARGEST_OF_AN_AXIS).all(axis=1), t), t, rates)
-        found = found if weighed or _is_handled_between(found, rates) else []
-    return [(float(t[i]), float(t[j])) for i, j in found]
+    stretches = _alike(_stretches(still & (np.linalg.norm(means, axis=1) < LARGEST_BIAS), t), t, rates)
+    if not stretches:
+        stretches = _alike(_stretches(still & (np.abs(means) < LARGEST_OF_AN_AXIS).all(axis=1), t), t, rates)
+        stretches = stretches if weighed or _is_handled_between(stretches, rates) else []
+    return [(float(t[i]), float(t[j])) for i, j in stretches]
 
 
-def _alike(found: list[tuple[int, int]], t: Array, rates: Array) -> list[tuple[int, int]]:
+def _alike(stretches: list[tuple[int, int]], t: Array, rates: Array) -> list[tuple[int, int]]:
     """Return the stretches whose mean is near that of the longest."""
-    if not found:
+    if not stretches:
         return []
-    means = [rates[i : j + 1].mean(axis=0) for i, j in found]
-    bias = means[int(np.argmax([t[j] - t[i] for i, j in found]))]
-    return [each for each, mean in zip(found, means, strict=True) if np.linalg.norm(mean - bias) < BIASES_APART]
+    means = [rates[i : j + 1].mean(axis=0) for i, j in stretches]
+    bias = means[int(np.argmax([t[j] - t[i] for i, j in stretches]))]
+    return [each for each, mean in zip(stretches, means, strict=True) if np.linalg.norm(mean - bias) < BIASES_APART]
 
 
-def _is_handled_between(found: list[tuple[int, int]], rates: Array) -> bool:
+def _is_handled_between(stretches: list[tuple[int, int]], rates: Array) -> bool:
     """Whether the device was moved between two of the stretches, and shows the same rates before and after."""
-    if len(found) < 2:
+    if len(stretches) < 2:
         return False
-    bias = rates[found[0][0] : found[0][1] + 1].mean(axis=0)
-    gaps = [rates[one[1] : two[0]] for one, two in pairwise(found)]
+    bias = rates[stretches[0][0] : stretches[0][1] + 1].mean(axis=0)
+    gaps = [rates[one[1] : two[0]] for one, two in pairwise(stretches)]
     return any(len(gap) > 0 and np.linalg.norm(gap - bias, axis=1).max() > HANDLED for gap in gaps)
 
 
@@ -115,10 +115,10 @@ def _weight_is_constant(clock: Array, felt: Array, t: Array) -> Bool[Array, "n"]
 def _stretches(still: Bool[Array, "n"], t: Float64[Array, "n"]) -> list[tuple[int, int]]:
     """Return the first and last sample of each long enough run, whose ends a mean has spread over are cut off."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(np.int8)))
-    found = []
+    stretches = []
     for first, behind in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         start = first if first == 0 else int(np.searchsorted(t, t[first] + MEAN_OVER / 2))
         last = behind - 1 if behind == len(t) else int(np.searchsorted(t, t[behind - 1] - MEAN_OVER / 2, "right")) - 1
         if last > start and t[last] - t[start] >= SHORTEST - MEAN_OVER:
-            found.append((start, last))
-    return found
+            stretches.append((start, last))
+    return stretches

@@ -7,8 +7,8 @@ from scipy.spatial.transform import Rotation
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._estimate import Estimate
 from polhode.estimation.attitude_fit import AttitudeFit
-from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import ThrowFit
 from polhode.types import Array, ArrayLike, Real
 

@@ -11,16 +11,16 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.estimation.estimate import Estimate
+from polhode.estimation._estimate import Estimate
+from polhode.estimation._principal import Principal, principal, widen_errors
+from polhode.estimation._rest_bias import RestBias, rest_bias
+from polhode.estimation._saturation import saturation
+from polhode.estimation._throw_doubts import why_no_result, why_nothing_explains
+from polhode.estimation._throw_fit import PAIRS, Model, Solution, Throw, rms
+from polhode.estimation._throw_search import Start, covariance_beside_wheel, fit_models, rival
+from polhode.estimation._unmodelled import Settled, allow_for_unmodelled
 from polhode.estimation.flight import Window, check_windows, free_flights
 from polhode.estimation.gyro_log import GyroLog
-from polhode.estimation.principal import Principal, principal, widen_errors
-from polhode.estimation.rest_bias import RestBias, rest_bias
-from polhode.estimation.saturation import saturation
-from polhode.estimation.throw_doubts import why_no_result, why_nothing_explains
-from polhode.estimation.throw_fit import PAIRS, Model, Solution, Throw, rms
-from polhode.estimation.throw_search import Start, covariance_beside_wheel, fit_models, rival
-from polhode.estimation.unmodelled import Settled, allow_for_unmodelled
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, Float64
 
@@ -217,13 +217,13 @@ def fit_throw(
     if clip is not None and not clip > 0:
         raise InvalidInput(f"clip must be a positive rate, or infinity for no limit; got {shown(clip)} rad/s.")
     level = saturation(every) if clip is None else float(clip) if clip < math.inf else None
-    found = _choose_windows(every, windows, level)
-    cut = [(k, window, *_cut(every[k], window, level)) for k, per_log in enumerate(found) for window in per_log]
+    flights = _choose_windows(every, windows, level)
+    cut = [(k, window, *_cut(every[k], window, level)) for k, per_log in enumerate(flights) for window in per_log]
     throws = [throw for *_, throw in cut]
     start = Start.of(throws)
     if start.degenerate:
         return _make_empty_fit(cut, start, level)
-    rest = rest_bias(every, found)
+    rest = rest_bias(every, flights)
     plain = Model((), gain is True, len(throws), gain_spread)
     if rest is not None:
         plain = replace(plain, bias=tuple(rest.value.tolist()), bias_spread=tuple(rest.spread.tolist()))
@@ -233,8 +233,8 @@ def fit_throw(
     if reason is not None:
         return replace(_make_empty_fit(cut, start, level), degenerate=reason)
     other = rival(tried)
-    found = allow_for_unmodelled(best, throws), None if other is None else allow_for_unmodelled(other, throws)
-    return _result(*found, rest, _scores(tried), cut, start, level)
+    models = allow_for_unmodelled(best, throws), None if other is None else allow_for_unmodelled(other, throws)
+    return _result(*models, rest, _scores(tried), cut, start, level)
 
 
 def _scores(tried: list[Solution]) -> list[ModelScore]:
@@ -254,15 +254,15 @@ def _choose_windows(
         raise InvalidInput("at least one log is needed; got none.")
     if windows is not None and len(windows) != len(logs):
         raise InvalidInput(f"each log needs its windows: got {len(logs)} logs and windows for {len(windows)}.")
-    found = [free_flights(log, level) for log in logs] if windows is None else [list(per_log) for per_log in windows]
-    if not any(found):
+    flights = [free_flights(log, level) for log in logs] if windows is None else [list(per_log) for per_log in windows]
+    if not any(flights):
         raise InvalidInput(
             "no free flight was found in the log: no stretch of a quarter of a second keeps an angular momentum, or "
             "feels no weight. Give its start and end."
         )
-    for per_log, log in zip(found, logs, strict=True):
+    for per_log, log in zip(flights, logs, strict=True):
         check_windows(per_log, log)
-    return found
+    return flights
 
 
 def _cut(log: GyroLog, window: Window, level: float | None) -> tuple[Array, Throw]:
@@ -291,26 +291,26 @@ def _result(
 ) -> ThrowFit:  # fmt: skip
     """Return the fit; where models with and without a wheel do about as well, the errors cover both."""
     best, throws = done.solution, [throw for *_, throw in cut]
-    found = _principal(best)
+    inertia = _principal(best)
     if other is not None:
-        found = widen_errors(found, _principal(other.solution))
-    reason = why_no_result(best, found, throws)
+        inertia = widen_errors(inertia, _principal(other.solution))
+    reason = why_no_result(best, inertia, throws)
     if reason is not None:
         return replace(_make_empty_fit(cut, start, level), criterion=scores, degenerate=reason)
     parts = np.split(done.predicted, np.cumsum([len(throw.rates) for throw in throws])[:-1])
-    told = [FittedThrow(k, window, times, throw.rates, part, *_motion(found, best, i, throw))
+    fitted = [FittedThrow(k, window, times, throw.rates, part, *_motion(inertia, best, i, throw))
             for i, ((k, window, times, throw), part) in enumerate(zip(cut, parts, strict=True))]  # fmt: skip
     bias = _part(best, "bias", BIAS)
     assert bias is not None
     at_rest = None if rest is None else Estimate(BIAS, rest.value, np.diag(rest.spread**2))
     return ThrowFit(
-        ratios=found.ratios, axes=found.axes, axes_error=found.turn, joint=found.joint, equal=found.equal, bias=bias,
-        rest=at_rest, gain=_part(best, "gain", ("gain x", "gain y", "gain z")),
+        ratios=inertia.ratios, axes=inertia.axes, axes_error=inertia.turn, joint=inertia.joint, equal=inertia.equal,
+        bias=bias, rest=at_rest, gain=_part(best, "gain", ("gain x", "gain y", "gain z")),
         cross_axis=_part(best, "cross_axis", ("gain yz", "gain xz", "gain xy")), gain_spread=done.gain_spread,
-        drag=found.forces.get("drag"), linear_drag=found.forces.get("linear_drag"),
-        one_sided_drag=found.forces.get("one_sided_drag"), rotor=found.forces.get("rotor"),
+        drag=inertia.forces.get("drag"), linear_drag=inertia.forces.get("linear_drag"),
+        one_sided_drag=inertia.forces.get("one_sided_drag"), rotor=inertia.forces.get("rotor"),
         beside_wheel=None if best.model.rotor else _beside_wheel(best, done, throws), unmodelled=done.torque,
-        widened=done.widened, criterion=scores, with_or_without=other is not None, throws=told,
+        widened=done.widened, criterion=scores, with_or_without=other is not None, throws=fitted,
         residuals=best.residuals, rms=rms(best.residuals),
         sigma=best.sigma, jitter=best.jitter, degenerate=None, singular_values=start.singular_values, clip=level,
     )  # fmt: skip
@@ -327,23 +327,23 @@ def _beside_wheel(best: Solution, done: Settled, throws: list[Throw]) -> Float64
     return np.maximum(alone, beside)
 
 
-def _motion(found: Principal, best: Solution, k: int, throw: Throw) -> tuple[FreeMotion | None, str | None]:
+def _motion(inertia: Principal, best: Solution, k: int, throw: Throw) -> tuple[FreeMotion | None, str | None]:
     if best.model.rotor:
         return None, None
-    rates = found.order.T @ best.parameters[best.model.places[f"start {k}"]]
-    motion = FreeMotion(found.moments, momentum=found.moments * rates, epoch=throw.epoch)
+    rates = inertia.order.T @ best.parameters[best.model.places[f"start {k}"]]
+    motion = FreeMotion(inertia.moments, momentum=inertia.moments * rates, epoch=throw.epoch)
     return motion, motion.regime
 
 
 def _make_empty_fit(cut: list[Any], start: Start, level: float | None) -> ThrowFit:
     """Return the result for throws that do not determine the inertia."""
-    told = [FittedThrow(k, window, times, throw.rates, np.full_like(throw.rates, np.nan), None, None)
+    fitted = [FittedThrow(k, window, times, throw.rates, np.full_like(throw.rates, np.nan), None, None)
             for k, window, times, throw in cut]  # fmt: skip
     unknown = Estimate(BIAS, np.full(3, np.nan), np.full((3, 3), np.nan))
     return ThrowFit(
         ratios=None, axes=None, axes_error=None, joint=None, equal=None, bias=unknown, rest=None, gain=None,
         cross_axis=None, gain_spread=float("nan"), drag=None, linear_drag=None, one_sided_drag=None, rotor=None,
-        beside_wheel=None, unmodelled=float("nan"), widened=1.0, criterion=[], with_or_without=False, throws=told,
+        beside_wheel=None, unmodelled=float("nan"), widened=1.0, criterion=[], with_or_without=False, throws=fitted,
         residuals=np.empty((0, 3)), rms=float("nan"), sigma=start.noise, jitter=0.0, degenerate=start.degenerate,
         singular_values=start.singular_values, clip=level,
     )  # fmt: skip

@@ -11,9 +11,9 @@ from scipy.spatial.transform import Rotation
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.estimation.estimate import Estimate
+from polhode.estimation._estimate import Estimate
 from polhode.exact.free_body.motion import FreeMotion
-from polhode.motion.inputs import refuse_not_finite
+from polhode.motion._inputs import refuse_not_finite
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Mode = Literal["short-axis", "long-axis"]
@@ -116,16 +116,16 @@ def fit_tumbling(
     if axis not in ("encircled", "long", "short"):
         raise InvalidInput(f'`axis` must be "encircled", "long" or "short"; got {shown(axis)}.')
     sizes = _check_errors(errors)
-    found = []
+    motions = []
     for mode in MODES:
         solved = _solve(mode, np.array([precession]), np.array([rotation]), moments[None], axis)
         if not np.isfinite(solved.place[0]):
             continue
         interval = None if sizes is None else _interval(mode, precession, rotation, moments, axis, sizes, seed)
-        found.append(_make_motion(mode, solved, rotation, interval))
-    if not found:
+        motions.append(_make_motion(mode, solved, rotation, interval))
+    if not motions:
         raise InvalidInput(_why_none(precession, rotation, moments, axis))
-    return tuple(found)
+    return tuple(motions)
 
 
 @known_numbers_only
@@ -223,9 +223,9 @@ def _solve(mode: Mode, precession: Array, rotation: Array, moments: Array, axis:
     def excess(place: Array, i1: Array, i2: Array, i3: Array, turns: Array) -> Array:
         return _turns(mode, np.stack([i1, i2, i3], axis=-1), place)[0] - turns
 
-    found = find_root(excess, (SEPARATRIX, PRINCIPAL), args=(*safe.T, wanted))
-    place = np.where(found.success, found.x, 0.0)
-    exists &= found.success
+    roots = find_root(excess, (SEPARATRIX, PRINCIPAL), args=(*safe.T, wanted))
+    place = np.where(roots.success, roots.x, 0.0)
+    exists &= roots.success
     _, period, momentum = _turns(mode, safe, place)
     place = np.where(exists, place, np.nan)
     nowhere = np.where(exists, 1.0, np.nan)
@@ -247,12 +247,12 @@ def _interval(
 ) -> TumblingInterval | None:
     """Return the intervals, by draws within the errors: near its limits a motion depends on them nonlinearly."""
     normal = np.random.default_rng(seed).standard_normal((DRAWS, 5))
-    given = np.array([precession, rotation, *moments]) + normal * sizes
-    drawn = np.sort(given[:, 2:], axis=-1)
+    draws = np.array([precession, rotation, *moments]) + normal * sizes
+    drawn = np.sort(draws[:, 2:], axis=-1)
     drawn = drawn / drawn[:, 2:]
-    possible = (given[:, :2] > 0).all(axis=-1) & (drawn[:, 0] > 0) & (drawn[:, 0] + drawn[:, 1] >= 1.0)
+    possible = (draws[:, :2] > 0).all(axis=-1) & (drawn[:, 0] > 0) & (drawn[:, 0] + drawn[:, 1] >= 1.0)
     possible &= drawn[:, 0] < 1.0
-    solved = _solve(mode, given[possible, 0], given[possible, 1], drawn[possible], axis)
+    solved = _solve(mode, draws[possible, 0], draws[possible, 1], drawn[possible], axis)
     numbers = solved.numbers(mode)
     numbers = numbers[np.isfinite(numbers).all(axis=-1)]
     if len(numbers) < 2:

@@ -23,9 +23,9 @@ from scipy.optimize import brentq, minimize
 from scipy.stats import chi2
 
 from polhode.arrays import known_numbers_only
-from polhode.estimation.estimate import Estimate
+from polhode.estimation._estimate import Estimate
+from polhode.estimation._pole_series import DAY, Pole, even
 from polhode.estimation.polar_motion import ANNUAL, ChandlerFit, fit_chandler
-from polhode.estimation.pole_series import DAY, Pole, even
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 LEVELS = (0.6827, 0.95)
@@ -105,8 +105,8 @@ def fit_chandler_process(
         >>> kicks, s = np.random.default_rng(2).normal(size=(900, 2)) @ [1e-7, 1e-7j], np.zeros(900, complex)
         >>> for k in range(1, 900):
         ...     s[k] = np.exp((2j - 0.01) * np.pi * 20 / 433) * s[k - 1] + kicks[k]
-        >>> found = fit_chandler_process(t, s.real, -s.imag)
-        >>> low, high = found.period_intervals[0.95]
+        >>> process = fit_chandler_process(t, s.real, -s.imag)
+        >>> low, high = process.period_intervals[0.95]
         >>> low < 433 * 86400 < high
         True
     """
@@ -115,7 +115,7 @@ def fit_chandler_process(
     cost = lambda p: _filter(p, band).cost  # noqa: E731
     starts = [np.array([line.estimate.value[0] / UNIT, np.log(q), r]) for q, r in ((50.0, 0.0), (300.0, 2.0))]
     best = min((minimize(cost, start, method="Nelder-Mead", bounds=BOUNDS, options={"xatol": 1e-5, "fatol": 1e-7})
-                for start in starts), key=lambda found: found.fun)  # fmt: skip
+                for start in starts), key=lambda minimum: minimum.fun)  # fmt: skip
     intervals = [_intervals(cost, best.x, float(best.fun), k) for k in (0, 1)]
     filtered = _filter(best.x, band)
     quality = float(np.exp(best.x[1]))
@@ -176,13 +176,13 @@ def _filter(p: Float64[Array, "3"], band: _Band) -> _Filtered:
 def _curvature(cost: Callable[[Float64[Array, "3"]], float], at: Float64[Array, "3"]) -> Float64[Array, "3 3"]:
     """Return second derivatives by differences, at steps over which the likelihood changes by about one."""
     steps = np.eye(3) * np.array([1e-3, 0.1, 0.1])
-    found = np.empty((3, 3))
+    hessian = np.empty((3, 3))
     for i in range(3):
         for j in range(3):
             a, b = steps[i], steps[j]
-            found[i, j] = (cost(at + a + b) - cost(at + a - b) - cost(at - a + b) + cost(at - a - b)) / 4.0
+            hessian[i, j] = (cost(at + a + b) - cost(at + a - b) - cost(at - a + b) + cost(at - a - b)) / 4.0
     size = np.diagonal(steps)
-    return found / np.outer(size, size)
+    return hessian / np.outer(size, size)
 
 
 def _intervals(
@@ -198,17 +198,17 @@ def _intervals(
             p[k], p[others] = value, rest
             return cost(p)
 
-        found = minimize(along, best[others], method="Nelder-Mead", bounds=limits,
+        minimum = minimize(along, best[others], method="Nelder-Mead", bounds=limits,
                          options={"xatol": 1e-3, "fatol": 1e-3, "maxfev": 80})  # fmt: skip
-        return float(found.fun) - least
+        return float(minimum.fun) - least
 
     reach = (0.004, 0.3)[k]
-    found = {}
+    intervals = {}
     for level in LEVELS:
         height = 0.5 * float(chi2.ppf(level, 1))
         low, high = BOUNDS[k]
-        found[level] = (_end(rise, best[k], -reach, height, low), _end(rise, best[k], reach, height, high))
-    return found
+        intervals[level] = (_end(rise, best[k], -reach, height, low), _end(rise, best[k], reach, height, high))
+    return intervals
 
 
 def _end(rise: Callable[[float], float], start: float, reach: float, height: float, limit: float) -> float:
@@ -218,8 +218,8 @@ def _end(rise: Callable[[float], float], start: float, reach: float, height: flo
         if (outer - limit) * np.sign(reach) >= 0.0:
             outer = limit
         if rise(outer) > height:
-            found: Any = brentq(lambda value: rise(value) - height, inner, outer, xtol=0.02 * abs(reach))
-            return float(found)
+            root: Any = brentq(lambda value: rise(value) - height, inner, outer, xtol=0.02 * abs(reach))
+            return float(root)
         if outer == limit:
             break
         inner, outer = outer, outer + 2.0 * (outer - start)
@@ -233,8 +233,8 @@ def _smooth(
     wobble = _covariance(p, band)
     factor = cholesky(wobble + np.exp(p[2]) * np.eye(len(wobble)), lower=True)
     mean = wobble @ cho_solve((factor, True), band.data[:, 0] - band.data[:, 1:] @ filtered.values)
-    told = solve_triangular(factor, wobble, lower=True)
-    variance = np.real(np.diagonal(wobble)) - np.sum(np.abs(told) ** 2, axis=0)
+    whitened = solve_triangular(factor, wobble, lower=True)
+    variance = np.real(np.diagonal(wobble)) - np.sum(np.abs(whitened) ** 2, axis=0)
     return mean, np.sqrt(0.5 * filtered.scale * np.maximum(variance, 0.0))
 
 

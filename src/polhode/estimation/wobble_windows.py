@@ -8,9 +8,9 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.estimation.line_noise import level_at
+from polhode.estimation._line_noise import level_at
+from polhode.estimation._pole_series import DAY, YEAR, Pole, average_steps, clean_pole, even
 from polhode.estimation.polar_motion import LONGEST, SEASONS, SHORTEST, STEP, fit_chandler
-from polhode.estimation.pole_series import DAY, YEAR, Pole, average_steps, clean_pole, even
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 SIX_YEARS = 6.0 * YEAR
@@ -102,8 +102,8 @@ def fit_chandler_windows(
         >>> import numpy as np
         >>> t = 86400.0 * np.arange(0.0, 4000.0, 5.0)
         >>> m = (1 + t / t[-1]) * 5e-7 * np.exp(2j * np.pi * t / (433 * 86400))
-        >>> found = fit_chandler_windows(t, m.real, -m.imag, period=433 * 86400)
-        >>> (found.amplitude[[0, -1]] * 1e7).round(1).tolist()
+        >>> windows = fit_chandler_windows(t, m.real, -m.imag, period=433 * 86400)
+        >>> (windows.amplitude[[0, -1]] * 1e7).round(1).tolist()
         [6.4, 8.5]
     """
     raw = clean_pole(times, x, y)
@@ -122,14 +122,14 @@ def fit_chandler_windows(
     steps = int((pole.span - window) / EACH + 1e-6)
     centres = pole.times[0] + 0.5 * window + EACH * np.arange(steps + 1)
     usual = float(np.median(np.diff(pole.times)))
-    found = []
+    windows = []
     for centre in centres:
         inside = np.abs(pole.times - centre) <= 0.5 * window
         if inside.sum() * usual > FULL * window:
-            found.append((centre, *_in_window(pole.times[inside] - epoch, pole.m[inside], rate)))
-    if not found:
+            windows.append((centre, *_in_window(pole.times[inside] - epoch, pole.m[inside], rate)))
+    if not windows:
         raise InvalidInput(f"no window of {window / YEAR:g} years is full: the gaps are too long. Choose another span.")
-    middles, values, variances = map(np.array, zip(*found, strict=True))
+    middles, values, variances = map(np.array, zip(*windows, strict=True))
     covariance = 0.5 * variances[:, None, None] * np.eye(2)
     return ChandlerWindows(middles, values, covariance, rate, epoch, float(window))
 
@@ -163,8 +163,8 @@ def pole_spectrum(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[
     Example:
         >>> import numpy as np
         >>> t = 86400.0 * np.arange(4000.0)
-        >>> found = pole_spectrum(t, np.cos(t / 6e6) * 1e-7, -np.sin(t / 6e6) * 1e-7)
-        >>> bool(abs(found.frequencies[np.argmax(found.density)] * 2 * np.pi * 6e6 - 1) < 0.1)
+        >>> spectrum = pole_spectrum(t, np.cos(t / 6e6) * 1e-7, -np.sin(t / 6e6) * 1e-7)
+        >>> bool(abs(spectrum.frequencies[np.argmax(spectrum.density)] * 2 * np.pi * 6e6 - 1) < 0.1)
         True
     """
     raw = clean_pole(times, x, y)

@@ -11,7 +11,7 @@ from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.figures import style
 from polhode.figures.sphere import draw_curve, draw_disk, mark_point, view_frame
 from polhode.figures.top_shown import sample_axis, take_top
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 
 VIEW = (0.62, -0.62, 0.48)
 

@@ -17,28 +17,31 @@ LONGEST = 60  # characters of a name that fit into the figure's width
 STRETCHES = 240  # a curve of more samples is the largest of each stretch: noise would fill the picture
 
 
-def comparison(found: Comparison) -> Figure:
+def comparison(comparison: Comparison) -> Figure:
     """Return the angle over time, and the relative change of energy and momentum of each below, on logarithmic axes.
 
     Args:
-        found: as ``polhode.compare`` returns it.
+        comparison: as ``polhode.compare`` returns it.
 
     Raises:
         InvalidInput: for anything else.
     """
-    if not isinstance(found, Comparison):
-        raise InvalidInput(f"`found` must be a Comparison, as polhode.compare(a, b) returns it; got {shown(found)}.")
-    known = [(side, kept) for side, kept in zip("AB", found.invariants, strict=True) if kept is not None]
+    if not isinstance(comparison, Comparison):
+        got = shown(comparison)
+        raise InvalidInput(f"`comparison` must be a Comparison, as polhode.compare(a, b) returns it; got {got}.")
+    known = [(side, kept) for side, kept in zip("AB", comparison.invariants, strict=True) if kept is not None]
     figure = style.new_figure(height=4.1 if known else 2.7)
     upper, *rest = np.atleast_1d(figure.subplots(2 if known else 1, 1, sharex=True))
-    power = style.power_of_ten((found.times[0], found.times[-1]))
+    power = style.power_of_ten((comparison.times[0], comparison.times[-1]))
     unit = 10.0**power
-    binned = ", largest of each stretch" if len(found.times) > STRETCHES else ""
-    if found.interpolation_error is not None and found.interpolation_error > 0.0:
-        upper.axhline(found.interpolation_error, color=style.GREY, lw=0.8, ls=":", label="interpolation misses less")
-    _plot(upper, found.times / unit, found.angle, color=style.BLUE, lw=1.1, label=f"angle between them{binned}")
-    if found.alignment is not None and found.explained:
-        _plot(upper, found.times / unit, found.alignment.remaining, color=style.VERMILION, lw=0.9, ls="--",
+    binned = ", largest of each stretch" if len(comparison.times) > STRETCHES else ""
+    if comparison.interpolation_error is not None and comparison.interpolation_error > 0.0:
+        upper.axhline(comparison.interpolation_error, color=style.GREY, lw=0.8, ls=":",
+                      label="interpolation misses less")  # fmt: skip
+    _plot(upper, comparison.times / unit, comparison.angle, color=style.BLUE, lw=1.1,
+          label=f"angle between them{binned}")  # fmt: skip
+    if comparison.alignment is not None and comparison.explained:
+        _plot(upper, comparison.times / unit, comparison.alignment.remaining, color=style.VERMILION, lw=0.9, ls="--",
               label="after the best fit")  # fmt: skip
     upper.set_ylabel("angle  [rad]")
     for axes in rest:
@@ -50,9 +53,9 @@ def comparison(found: Comparison) -> Figure:
         axes.legend(fontsize=style.FONT - 2, frameon=False, loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=2,
                     borderaxespad=0.2, columnspacing=1.2, handlelength=2.2)  # fmt: skip
         style.tidy(axes)
-    if len(found.times) == 1:
-        upper.set_xticks([found.times[0] / unit])
-    _write_title(figure, found.names)
+    if len(comparison.times) == 1:
+        upper.set_xticks([comparison.times[0] / unit])
+    _write_title(figure, comparison.names)
     (rest or [upper])[-1].set_xlabel(f"time of A  [{style.factor(power)}s]")
     return figure
 

@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.free_motion import take_free_motion
-from polhode.motion.inputs import finite
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._inputs import finite
+from polhode.motion._trajectory import Trajectory
 
 LONGEST = 4  # periods shown; more would only blur
 

@@ -13,15 +13,15 @@ from matplotlib.figure import Figure
 
 from polhode.analysis.poinsot import ellipsoid_semi_axes, touching_point
 from polhode.analysis.polhodes import polhode_family, separatrix
+from polhode.bodies._turned import ball
 from polhode.bodies.surface import Surface
-from polhode.bodies.turned import ball
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.energy_levels import default_frame
 from polhode.figures.free_motion import take_free_motion
 from polhode.figures.scene import Scene
-from polhode.motion.inputs import finite
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._inputs import finite
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 BODY = "#eef0f3"

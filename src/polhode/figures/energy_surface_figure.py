@@ -11,8 +11,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.analysis.polhodes import separatrix
+from polhode.bodies._turned import ball
 from polhode.bodies.surface import Surface
-from polhode.bodies.turned import ball
 from polhode.figures import style
 from polhode.figures.level_curves import ROUND_A, ROUND_C, VIEW, curve_width, level_curves, rotor_moments, side_colour
 from polhode.figures.quantum_sphere_figure import AXES

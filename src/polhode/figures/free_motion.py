@@ -7,7 +7,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.errors import shown as in_words
 from polhode.exact.free_body import FreeMotion
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 
 COUNT, SAMPLES = 3, 1000  # periods of a motion that is drawn, and samples of them
 
@@ -26,8 +26,8 @@ def take_free_motion(shown: Trajectory | FreeMotion) -> tuple[FreeMotion, Trajec
     samples = (_sample(shown) if isinstance(shown, FreeMotion) else shown).along("principal")
     motion = samples.motion
     if not isinstance(motion, FreeMotion):
-        made = "a file" if samples.source is None else type(samples.source).__name__
-        raise InvalidInput(f"the figure is of a FreeMotion; got a trajectory of {made}. Sample a FreeMotion for it.")
+        origin = "a file" if samples.source is None else type(samples.source).__name__
+        raise InvalidInput(f"the figure is of a FreeMotion; got a trajectory of {origin}. Sample a FreeMotion for it.")
     if samples.batch_shape or not len(samples):
         raise InvalidInput(
             f"the figure is of one body at one time at least; got {len(samples)} samples of a batch of shape "

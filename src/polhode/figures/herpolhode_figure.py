@@ -11,8 +11,8 @@ from polhode.analysis import poinsot
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.free_motion import take_free_motion
-from polhode.motion.inputs import finite
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._inputs import finite
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 PERIODS, TURNS = 6, 24  # drawn at most
@@ -31,18 +31,18 @@ def herpolhode(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | 
         InvalidInput: for the motion of anything else, or of several bodies.
     """
     motion, samples = take_free_motion(shown)
-    found = poinsot.herpolhode(motion)
-    if found is None or found.outer_radius <= 1e-12 * found.plane_distance:
+    limits = poinsot.herpolhode(motion)
+    if limits is None or limits.outer_radius <= 1e-12 * limits.plane_distance:
         return None
-    power = style.power_of_ten(found.outer_radius)
-    outer = found.outer_radius / 10.0**power
+    power = style.power_of_ten(limits.outer_radius)
+    outer = limits.outer_radius / 10.0**power
     curve = poinsot.herpolhode_curve(motion, _times(motion, samples)) / 10.0**power
-    given = axes
+    user_axes = axes
     figure, (axes,) = style.axes_for(axes, height=3.9)
     circle = np.linspace(0.0, 2.0 * np.pi, 400)
     # where both limits are the curve itself, they would only hide it
-    distinct = found.outer_radius - found.inner_radius > SAME * found.outer_radius
-    for radius in () if not distinct else {found.inner_radius / 10.0**power, outer}:
+    distinct = limits.outer_radius - limits.inner_radius > SAME * limits.outer_radius
+    for radius in () if not distinct else {limits.inner_radius / 10.0**power, outer}:
         axes.plot(radius * np.cos(circle), radius * np.sin(circle), color=style.VERMILION, lw=0.7, ls="--", zorder=1,
                   label="its limits" if radius == outer else None)  # fmt: skip
     axes.plot(*curve.T, color=style.BLUE, lw=0.9, label="herpolhode")
@@ -57,7 +57,7 @@ def herpolhode(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | 
     axes.set_title("Herpolhode, L towards the viewer", fontsize=style.FONT, color=style.DARK)
     style.tidy(axes)
     settings: Any = {"ncols": 2, "fontsize": style.FONT - 1, "frameon": False, "handlelength": 2.2}
-    if given is None:
+    if user_axes is None:
         figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", **settings)
     else:
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), **settings)

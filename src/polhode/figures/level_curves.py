@@ -11,7 +11,7 @@ from polhode.analysis.polhodes import polhode
 from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
-from polhode.quantum.level_polhodes import LevelPolhodes, level_directions, level_polhodes
+from polhode.quantum._level_polhodes import LevelPolhodes, level_directions, level_polhodes
 from polhode.quantum.rotor import Rotor
 from polhode.types import Array, Float64
 
@@ -41,13 +41,13 @@ def find_polhodes(rotor: Rotor, J: int) -> LevelPolhodes:
     Raises:
         InvalidInput: for a molecule of which two constants are equal, whose polhodes are circles.
     """
-    found = level_polhodes(rotor.constants, J)
-    if found is None:
+    polhodes = level_polhodes(rotor.constants, J)
+    if polhodes is None:
         raise InvalidInput(
             "`rotor` must have three different constants, and J be at least 1: polhodes of a symmetric molecule are "
             "circles. Draw its levels by `level_diagram`."
         )
-    return found
+    return polhodes
 
 
 def rotor_moments(rotor: Rotor) -> Float64[Array, "3"]:
@@ -57,9 +57,9 @@ def rotor_moments(rotor: Rotor) -> Float64[Array, "3"]:
 
 def level_curves(rotor: Rotor, J: int) -> Iterator[LevelCurve]:
     """Yield both polhodes of each level of one J, of a rigid asymmetric rotor, |L| = J + ½."""
-    found = find_polhodes(rotor, J)
-    starts = level_directions(rotor.constants, J, found.semiclassical)
-    for energy, above, start in zip(found.semiclassical.tolist(), found.above.tolist(), starts, strict=True):
+    polhodes = find_polhodes(rotor, J)
+    starts = level_directions(rotor.constants, J, polhodes.semiclassical)
+    for energy, above, start in zip(polhodes.semiclassical.tolist(), polhodes.above.tolist(), starts, strict=True):
         curve = polhode(FreeMotion(rotor_moments(rotor), momentum=start), POINTS)
         if curve is not None:
             yield LevelCurve(energy, above, curve)

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from polhode.figures import style
 from polhode.figures.level_curves import CROWDED, ROUND_A, ROUND_C, side_colour
-from polhode.quantum.level_polhodes import level_polhodes
+from polhode.quantum._level_polhodes import level_polhodes
 from polhode.quantum.rotor import Rotor, find_fallen
 from polhode.types import Array
 
@@ -77,9 +77,9 @@ def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
 
 
 def _above(rotor: Rotor, J: int) -> Array:
-    found = level_polhodes(rotor.constants, J)
-    if found is not None:
-        return found.above
+    polhodes = level_polhodes(rotor.constants, J)
+    if polhodes is not None:
+        return polhodes.above
     # circles round the axis of symmetry; of a linear molecule round none
     A, B, C = rotor.constants
     return np.full(1 if rotor.is_linear else 2 * J + 1, B - C < A - B)

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 
 from polhode.errors import InvalidInput, shown
 from polhode.figures import style
-from polhode.motion.layout import StatePart
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import StatePart
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.wording import unit_in_words
 from polhode.types import Array
 
@@ -42,11 +42,11 @@ def parts(trajectory: Trajectory, *, axes: Any = None) -> Figure:
             f"the figure is of one body or system at one time at least; got {len(trajectory)} samples of a batch of "
             f"shape {trajectory.batch_shape}. Take one of it, and give it times."
         )
-    found = _columns(trajectory)
-    figure, panels = style.axes_for(axes, len(found), height=max(2.2, 0.6 + HEIGHT * len(found)))
+    columns = _columns(trajectory)
+    figure, panels = style.axes_for(axes, len(columns), height=max(2.2, 0.6 + HEIGHT * len(columns)))
     times = np.asarray(trajectory.times)
     slow = style.power_of_ten((times[0], times[-1]))
-    for panel, (part, values) in zip(panels, found, strict=True):
+    for panel, (part, values) in zip(panels, columns, strict=True):
         power = style.power_of_ten(values)
         count = min(values.shape[1], MOST)
         for k in range(count):

@@ -9,7 +9,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-from polhode.quantum.strengths import Lines
+from polhode.quantum._strengths import Lines
 
 WIDE, HIGH = 5.6, 2.8  # inches
 DECADES = 6.0  # of intensity
@@ -38,7 +38,7 @@ def spectrum(lines: Lines, *, axes: Any = None) -> Figure | None:
     size = np.log10(lines.intensity[seen] / AREA)
     nu, change = lines.frequency[seen], lines.upper[seen, 0] - lines.lower[seen, 0]
     strong = size > size.max() + np.log10(WEAK)
-    unit, name = next(found for found in UNITS if nu[strong].max() >= found[0] or found == UNITS[-1])
+    unit, name = next(entry for entry in UNITS if nu[strong].max() >= entry[0] or entry == UNITS[-1])
     if axes is None:
         figure = style.new_figure(WIDE, HIGH)
         axes = figure.subplots()

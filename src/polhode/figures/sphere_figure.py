@@ -12,8 +12,8 @@ from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.free_motion import take_free_motion
 from polhode.figures.sphere import draw_curve, draw_disk, mark_point, view_frame
-from polhode.motion.inputs import finite
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._inputs import finite
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 VIEW = (0.80, 0.46, 0.38)

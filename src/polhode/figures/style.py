@@ -56,13 +56,13 @@ def axes_for(axes: Any, rows: int = 1, height: float = COLUMN) -> tuple[Any, lis
     if axes is None:
         figure = new_figure(height=height)
         return figure, list(np.atleast_1d(figure.subplots(rows, 1, sharex=True)))
-    found = [axes] if isinstance(axes, Axes) else list(axes) if isinstance(axes, list | tuple | np.ndarray) else []
-    if len(found) != rows or not all(isinstance(each, Axes) for each in found):
+    panels = [axes] if isinstance(axes, Axes) else list(axes) if isinstance(axes, list | tuple | np.ndarray) else []
+    if len(panels) != rows or not all(isinstance(each, Axes) for each in panels):
         wanted = "one matplotlib Axes" if rows == 1 else f"a sequence of {rows} matplotlib Axes"
         raise InvalidInput(f"`axes` must be {wanted}; got {shown(axes)}. Leave it out for a new figure.")
-    if strange := [each.name for each in found if each.name != "rectilinear"]:
+    if strange := [each.name for each in panels if each.name != "rectilinear"]:
         raise InvalidInput(f"`axes` must be flat ones, with x and y; got {strange[0]} axes. Make them without that.")
-    return found[0].figure.figure, found  # of a part of a figure, the whole
+    return panels[0].figure.figure, panels  # of a part of a figure, the whole
 
 
 def label_time(panels: Sequence[Any], words: str) -> None:
@@ -73,10 +73,10 @@ def label_time(panels: Sequence[Any], words: str) -> None:
     panels[-1].set_xlabel(words)
 
 
-def legend_above(axes: Any, given: Any, handles: Any, labels: Any) -> None:
+def legend_above(axes: Any, user_axes: Any, handles: Any, labels: Any) -> None:
     """Draw a legend above the uppermost axes: outside of them in a figure of its own, at their edge on given ones."""
     settings: Any = {"ncols": 3, "fontsize": FONT - 1, "frameon": False, "handlelength": 2.2}
-    if given is None:
+    if user_axes is None:
         axes.figure.legend(handles, labels, loc="outside upper center", **settings)
     else:
         axes.legend(handles, labels, loc="lower center", bbox_to_anchor=(0.5, 1.0), borderaxespad=0.2, **settings)

@@ -11,14 +11,14 @@ from matplotlib.figure import Figure
 
 from polhode.analysis.polhodes import polhode_family, separatrix
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._estimate import Estimate
 from polhode.estimation.attitude_fit import AttitudeFit
-from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import FittedThrow, ThrowFit
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
 from polhode.figures.energy_levels import label_axes
 from polhode.figures.sphere import draw_curve, draw_disk, view_frame
-from polhode.motion.inputs import finite
+from polhode.motion._inputs import finite
 from polhode.types import Array
 
 VIEW = (0.80, 0.46, 0.38)
@@ -37,13 +37,13 @@ def throw_figures(fit: ThrowFit) -> dict[str, Callable[[], Figure]]:
     """
     if not isinstance(fit, ThrowFit):
         raise InvalidInput(f"`fit` must be a ThrowFit, as fit_throw returns it; got {shown(fit)}.")
-    found: dict[str, Callable[[], Figure]] = {"data_and_fit": partial(_data, fit)}
+    figures: dict[str, Callable[[], Figure]] = {"data_and_fit": partial(_data, fit)}
     if fit.degenerate is None and fit.ratios is not None and fit.axes is not None:
         known = [part for part in (fit.ratios, fit.drag) if part is not None]
-        found |= {"residuals": partial(_residuals, fit), "corner": partial(_corner, known)}
+        figures |= {"residuals": partial(_residuals, fit), "corner": partial(_corner, known)}
         if fit.rotor is None:  # with a wheel the motion is on no polhode of the body
-            found["polhode"] = partial(_polhode, fit)
-    return found
+            figures["polhode"] = partial(_polhode, fit)
+    return figures
 
 
 def attitude_figures(fit: AttitudeFit) -> dict[str, Callable[[], Figure]]:
@@ -57,8 +57,8 @@ def attitude_figures(fit: AttitudeFit) -> dict[str, Callable[[], Figure]]:
     """
     if not isinstance(fit, AttitudeFit):
         raise InvalidInput(f"`fit` must be an AttitudeFit, as fit_attitude returns it; got {shown(fit)}.")
-    found: dict[str, Callable[[], Figure]] = {"residuals": partial(_attitude_residuals, fit)}
-    return found if fit.ratios is None else found | {"corner": partial(_corner, [fit.ratios])}
+    figures: dict[str, Callable[[], Figure]] = {"residuals": partial(_attitude_residuals, fit)}
+    return figures if fit.ratios is None else figures | {"corner": partial(_corner, [fit.ratios])}
 
 
 def _attitude_residuals(fit: AttitudeFit) -> Figure:

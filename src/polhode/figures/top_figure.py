@@ -8,14 +8,14 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode import rotation
+from polhode.bodies._turned import revolve
 from polhode.bodies.surface import Surface, box_in_place
-from polhode.bodies.turned import revolve
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.figures import style
 from polhode.figures.scene import Scene, circle_about, draw_cone
 from polhode.figures.sphere import view_frame
 from polhode.figures.top_shown import Followed, TopShown, sample_axis, take_top
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 ELEVATION = np.radians(20.0)
@@ -83,8 +83,8 @@ def spinning_top(
 def _solid(top: TopShown, surface: Surface | None) -> tuple[Surface, float, str]:
     """Return the surface, along the principal axes, the distance of its centre of mass, and words for the title."""
     frame = top.trajectory.frame
-    if frame is not None and (found := surface or box_in_place(frame)) is not None:
-        return found.along(frame), float(np.linalg.norm(np.asarray(frame.center_of_mass) - frame.origin)), ""
+    if frame is not None and (solid := surface or box_in_place(frame)) is not None:
+        return solid.along(frame), float(np.linalg.norm(np.asarray(frame.center_of_mass) - frame.origin)), ""
     if surface is not None:
         return surface, 0.5 * float(np.linalg.norm(np.asarray(surface.vertices), axis=-1).max()), ""
     toy = revolve(TOY)

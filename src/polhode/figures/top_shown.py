@@ -12,8 +12,8 @@ from polhode.analysis.top_motion import keeps_its_tilt
 from polhode.errors import InvalidInput
 from polhode.errors import shown as in_words
 from polhode.exact.lagrange_top import LagrangeMotion
-from polhode.motion.inputs import finite
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._inputs import finite
+from polhode.motion._trajectory import Trajectory
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, Float64
 
@@ -70,9 +70,9 @@ def take_top(shown: LagrangeMotion | Trajectory) -> TopShown:
     if isinstance(source, LagrangeMotion):
         return TopShown(trajectory, source, np.array([0.0, 0.0, 1.0]), float(source.mgl) == 0.0)
     if not isinstance(source, HeavyTop) or trajectory.attitude is None:
-        made = "a file" if source is None else type(source).__name__
+        origin = "a file" if source is None else type(source).__name__
         without = " without attitude" if isinstance(source, HeavyTop) else ""
-        raise InvalidInput(f"the figure is of a top; got a trajectory of {made}{without}. {REMEDY}")
+        raise InvalidInput(f"the figure is of a top; got a trajectory of {origin}{without}. {REMEDY}")
     return TopShown(trajectory, None, np.asarray(source.axis), float(source.mgl) == 0.0)
 
 

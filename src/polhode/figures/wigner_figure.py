@@ -11,10 +11,10 @@ from matplotlib.figure import Figure
 from polhode.errors import InvalidInput
 from polhode.figures import style
 from polhode.figures.level_curves import find_polhodes
-from polhode.quantum.operators import Representation, rigid_terms
+from polhode.quantum._operators import Representation, rigid_terms
+from polhode.quantum._strengths import compute_states
 from polhode.quantum.racket import Racket
 from polhode.quantum.rotor import Rotor
-from polhode.quantum.strengths import compute_states
 from polhode.quantum.symbols import sum_harmonics, symbol_coefficients
 from polhode.types import Array, Float64
 
@@ -52,9 +52,9 @@ def level_wigner(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
         panels = list(np.atleast_1d(figure.subplots(math.ceil(len(chosen) / 3), 3)).flat)
     else:
         figure, panels = style.axes_for(axes, rows=len(chosen))
-    found = compute_states(rigid_terms(rotor.constants, MIDDLE_IS_Z), J, MIDDLE_IS_Z)
+    states = compute_states(rigid_terms(rotor.constants, MIDDLE_IS_Z), J, MIDDLE_IS_Z)
     for panel, k in zip(panels, chosen, strict=False):
-        state = found.vectors[::-1, k]  # their K ascends, m of a spin descends
+        state = states.vectors[::-1, k]  # their K ascends, m of a spin descends
         values = wigner_on_side(state, 1.0, J)
         _draw(panel, values, 1.0, float(np.abs(values).max()))
         _draw_energy(panel, rotor, float(levels.energy[k]) / (J + 0.5) ** 2)

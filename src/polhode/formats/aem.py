@@ -23,7 +23,7 @@ from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch, since
 from polhode.formats.labels import USUAL_ID, USUAL_ORIGINATOR, AttitudeLabels, find_labels, is_in_spacecraft
 from polhode.formats.paths import write_whole
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 TYPES = {None: "QUATERNION", "derivative": "QUATERNION/DERIVATIVE", "angular velocity": "QUATERNION/ANGVEL"}

@@ -12,9 +12,9 @@ from polhode.formats.aem_attitudes import Meaning, attitudes
 from polhode.formats.aem_segments import Segment, read_segments, refuse
 from polhode.formats.epochs import shortest, since
 from polhode.formats.labels import AttitudeLabels, Recording, is_in_spacecraft, plain
-from polhode.motion.layout import ATTITUDE, StateLayout
-from polhode.motion.outcome import Ending, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import ATTITUDE, StateLayout
+from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 ONE_ALONE = ("Leave one of them in the file, or read one in Python by read_aem(path, segment=k), where k counts from 0")
@@ -68,8 +68,8 @@ def _history(one: Segment, start: tuple[int, int]) -> tuple[Array, Array, Array 
     except ValueError as error:
         what, k = error.args
         refuse(one.path, int(one.numbers[k]), what)
-    found = attitude if velocity is None else np.concatenate([attitude, velocity], axis=-1)
-    if (wrong := ~np.isfinite(found).all(axis=-1)).any():
+    samples = attitude if velocity is None else np.concatenate([attitude, velocity], axis=-1)
+    if (wrong := ~np.isfinite(samples).all(axis=-1)).any():
         refuse(one.path, int(one.numbers[np.argmax(wrong)]), "gives a rotation or a rate too large for numbers")
     times, within = since(start, one.whole, one.picoseconds), _useable(one)
     return times[within], attitude[within], None if velocity is None else velocity[within]
@@ -154,12 +154,12 @@ def _scalar_first(one: Segment, family: str) -> bool:
 
 
 def _sequence(one: Segment) -> str:
-    given = one.values.get("EULER_ROT_SEQ", "")
-    sequence = given.upper().translate(str.maketrans("123", "XYZ"))
+    text = one.values.get("EULER_ROT_SEQ", "")
+    sequence = text.upper().translate(str.maketrans("123", "XYZ"))
     if not _ROTATION_SEQUENCE.fullmatch(sequence):
         one.wrong(
             "EULER_ROT_SEQ", "must be three axes, neighbours different, like ZXZ; "
-            f"got {shown(given or 'nothing')}"
+            f"got {shown(text or 'nothing')}"
         )
     return sequence
 

@@ -130,20 +130,20 @@ def read_segments(path: Path) -> list[Segment]:
     version = first.split("=")[1].strip()
     if version not in ("1.0", "2.0"):
         refuse(path, number, f"CCSDS_AEM_VERS must be 1.0 or 2.0; got {shown(version)}. Have it written in version 2.0")
-    header, places, found = {}, {}, []
+    header, places, segments = {}, {}, []
     for number, text in lines:
         if text == "META_START":
             one = Segment(path, version == "1.0", dict(header), places | {"META_START": number}, [])
             _read_metadata(lines, one)
             _read_data(lines, one)
-            found.append(one)
-        elif found and not _is_comment(text):
+            segments.append(one)
+        elif segments and not _is_comment(text):
             refuse(path, number, f"must be META_START of the next segment; got {shown(text[:60])}")
         elif not _is_comment(text):
             _assign(path, number, text, HEADER, header, places)
-    if not found:
+    if not segments:
         refuse(path, None, "holds no segment, META_START … DATA_STOP; it is cut short. Get it whole")
-    return found
+    return segments
 
 
 def _lines(path: Path) -> Lines:

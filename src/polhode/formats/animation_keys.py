@@ -8,8 +8,8 @@ import numpy as np
 
 from polhode import rotation
 from polhode.errors import InvalidInput
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
-from polhode.motion.trajectory import Trajectory
 from polhode.types import Array, Float64
 
 FARTHEST = 0.5 * math.pi  # rad from key to key; beyond π viewers, which take the short way, turn it backward

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from polhode.errors import FormatError, InvalidInput
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array, Float64, Shaped
 
 UNIT = 1e-6  # how far from one the norm of a quaternion in a file may be: seven digits of each component, at least
@@ -54,6 +54,6 @@ def check_recorded(
     wrong = ~(np.abs(norms - 1.0) <= UNIT)
     if wrong.any():
         place = tuple(np.argwhere(wrong)[0])
-        found = np.asarray(attitude)[place].tolist()
-        why = f"the attitude of sample {place[-1]} is not a unit quaternion; got {found}"
+        got = np.asarray(attitude)[place].tolist()
+        why = f"the attitude of sample {place[-1]} is not a unit quaternion; got {got}"
         raise FormatError(f"{path}: {why}. {DAMAGED}")

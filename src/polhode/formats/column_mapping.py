@@ -158,41 +158,41 @@ def _is_column(value: Any) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and value >= 1
 
 
-def _columns(given: Any, name: str, wanted: int, problems: list[str]) -> Columns | None:
+def _columns(value: Any, name: str, wanted: int, problems: list[str]) -> Columns | None:
     """Return columns as a tuple, and note mistakes in them."""
-    if given is None:
+    if value is None:
         return None
     example = {"quat": "qw,qx,qy,qz", "euler": "yaw,pitch,roll", "gyro": "gx,gy,gz"}[name]
-    found = tuple(word.strip() for word in given.split(",")) if isinstance(given, str) else given
-    if not isinstance(found, list | tuple) or not all(map(_is_column, found)):
-        problems.append(f'{name} must be columns by name or number, like "{example}"; got {shown(given)}.')
-    elif len(found) != wanted:
-        problems.append(f'{name} must be {wanted} columns, like "{example}"; got {len(found)}, {shown(given)}.')
-    elif len(set(map(str, found))) < wanted:
-        problems.append(f"{name} must be {wanted} different columns; got {shown(given)}.")
-    return tuple(found) if isinstance(found, list | tuple) else ()
+    columns = tuple(word.strip() for word in value.split(",")) if isinstance(value, str) else value
+    if not isinstance(columns, list | tuple) or not all(map(_is_column, columns)):
+        problems.append(f'{name} must be columns by name or number, like "{example}"; got {shown(value)}.')
+    elif len(columns) != wanted:
+        problems.append(f'{name} must be {wanted} columns, like "{example}"; got {len(columns)}, {shown(value)}.')
+    elif len(set(map(str, columns))) < wanted:
+        problems.append(f"{name} must be {wanted} different columns; got {shown(value)}.")
+    return tuple(columns) if isinstance(columns, list | tuple) else ()
 
 
-def _units(given: Any, problems: list[str]) -> tuple[str, ...] | None:
+def _units(value: Any, problems: list[str]) -> tuple[str, ...] | None:
     """Return the units by their names here, and note mistakes in them."""
-    if given is None:
+    if value is None:
         return None
-    words = [word.strip() for word in given.split(",")] if isinstance(given, str) else given
+    words = [word.strip() for word in value.split(",")] if isinstance(value, str) else value
     if not isinstance(words, list | tuple) or not all(isinstance(word, str) for word in words):
-        problems.append(f'unit must be words, like "deg/s" or "deg,deg/s"; got {shown(given)}.')
+        problems.append(f'unit must be words, like "deg/s" or "deg,deg/s"; got {shown(value)}.')
         return None
-    found: list[str] = []
+    units: list[str] = []
     for word in words:
         unit = find_unit(word, RATE_UNITS) or find_unit(word, ANGLE_UNITS)
         if unit is None:
             choices = ", ".join((*ANGLE_UNITS, *RATE_UNITS))
             problems.append(f"unit must be one of {choices}; got {shown(word)}.")
         else:
-            found.append(unit)
+            units.append(unit)
     for table, kind in ((ANGLE_UNITS, "angles"), (RATE_UNITS, "rates")):
-        if sum(unit in table for unit in found) > 1:
-            problems.append(f"unit has two units of {kind}; got {shown(given)}. Give one of each kind at most.")
-    return tuple(found)
+        if sum(unit in table for unit in units) > 1:
+            problems.append(f"unit has two units of {kind}; got {shown(value)}. Give one of each kind at most.")
+    return tuple(units)
 
 
 def _explain_reversed_names(columns: Sequence[str | int], sequence: Word) -> str:

@@ -98,11 +98,11 @@ def make_attitude(
     """
     deviation = None
     if mapping.sequence:
-        found = rotation.from_euler_angles(values * IN_RADIANS[angle_unit], mapping.sequence)
+        attitude = rotation.from_euler_angles(values * IN_RADIANS[angle_unit], mapping.sequence)
     else:
-        found = values[:, [letters.index(letter) for letter in "wxyz"]]
+        attitude = values[:, [letters.index(letter) for letter in "wxyz"]]
         with np.errstate(over="ignore"):  # an infinite length is not one
-            lengths = np.linalg.norm(found, axis=-1)
+            lengths = np.linalg.norm(attitude, axis=-1)
         off = np.abs(lengths - 1.0)
         deviation = float(off.max())
         if deviation > FAR_FROM_UNIT:
@@ -111,8 +111,8 @@ def make_attitude(
                 f"{path}, line {table.lines[row]}: a quaternion must have length 1 to {FAR_FROM_UNIT:g}; got "
                 f"{lengths[row]:.6g} from {values[row].tolist()}. Check which columns it has, or normalise them."
             )
-        found = found / lengths[:, None]
-    return (rotation.conjugate(found) if mapping.is_backward else found), deviation
+        attitude = attitude / lengths[:, None]
+    return (rotation.conjugate(attitude) if mapping.is_backward else attitude), deviation
 
 
 def agreement(
@@ -125,8 +125,8 @@ def agreement(
 
     >>> times = np.linspace(0.0, 0.5, 11)
     >>> attitude = rotation.from_rotation_vector(times[:, None] * np.array([0.0, 0.0, 2.0]))
-    >>> found = [agreement(times, attitude, np.tile([0.0, 0.0, rate], (11, 1))) for rate in (2.0, -2.0)]
-    >>> [round(one, 6) for one in found]
+    >>> ratios = [agreement(times, attitude, np.tile([0.0, 0.0, rate], (11, 1))) for rate in (2.0, -2.0)]
+    >>> [round(one, 6) for one in ratios]
     [0.0, 2.0]
     """
     if attitude is None or velocity is None:
@@ -139,11 +139,11 @@ def agreement(
             rows = np.arange(0, len(times), stride)
             before, after = attitude[rows[:-1]], attitude[rows[1:]]
             turns = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(before), after))
-            given = np.diff(turned[rows], axis=0)
+            integrated = np.diff(turned[rows], axis=0)
             small = np.linalg.norm(turns, axis=-1) < CLEAR_TURN
-            size = max(_rms(turns[small]), _rms(given[small])) if small.any() else 0.0
+            size = max(_rms(turns[small]), _rms(integrated[small])) if small.any() else 0.0
             if size > SEEN_TURN:
-                apart = _rms((turns - given)[small]) / size
+                apart = _rms((turns - integrated)[small]) / size
                 return apart if np.isfinite(apart) else None
             stride *= 2
     return None

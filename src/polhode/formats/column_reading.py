@@ -24,9 +24,9 @@ from polhode.formats.labels import Recording
 from polhode.formats.plain_table import PlainTable, name_column, read_cells, table_form
 from polhode.formats.stamps import in_words, read_clock
 from polhode.formats.table_form import DELIMITERS, TableForm
-from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, StateLayout
-from polhode.motion.outcome import Ending, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import ANGULAR_VELOCITY, ATTITUDE, StateLayout
+from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._trajectory import Trajectory
 
 COLUMNS_SHOWN = 12  # in a message
 
@@ -68,8 +68,8 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
     >>> import tempfile
     >>> path = Path(tempfile.mkdtemp()) / "log.csv"
     >>> _ = path.write_text("time_ms;gx [deg/s];gy [deg/s];gz [deg/s]\\n0;0;0;180\\n10;0;0;90\\n")
-    >>> found = read_columns(path, ColumnMapping("time_ms", gyro="gx,gy,gz"))
-    >>> found.times.tolist(), found.angular_velocity[:, 2].round(6).tolist()
+    >>> trajectory = read_columns(path, ColumnMapping("time_ms", gyro="gx,gy,gz"))
+    >>> trajectory.times.tolist(), trajectory.angular_velocity[:, 2].round(6).tolist()
     ([0.0, 0.01], [3.141593, 1.570796])
     """
     path = Path(path)
@@ -120,22 +120,22 @@ def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Reso
     used = [place for group in places.values() for place in group if place is not None]
     for place in sorted({place for place in used if used.count(place) > 1}):
         problems.append(f"{name_column(form, place)} is given twice. Every column has one meaning.")
-    found = {name: tuple(place for place in group if place is not None) for name, group in places.items()}
+    groups = {name: tuple(place for place in group if place is not None) for name, group in places.items()}
     notes: list[str] = []
 
     def unit(what: str, group: str, said: str | None, units: dict[str, tuple[str, ...]], option: str) -> str:
-        if not found[group] and said is None:
+        if not groups[group] and said is None:
             return ""
-        names = [form.names[place] for place in found[group]] if form.names else []
-        told = {unit_in(name, units) for name in names} - {None}
-        in_header = " and ".join(sorted(map(str, told)))
+        names = [form.names[place] for place in groups[group]] if form.names else []
+        header_units = {unit_in(name, units) for name in names} - {None}
+        in_header = " and ".join(sorted(map(str, header_units)))
         if said is not None:
-            if told - {said}:
+            if header_units - {said}:
                 notes.append(f"the header names {in_header} for {what}; it is read in {said}, as said.")
             return said
-        if len(told) == 1:
+        if len(header_units) == 1:
             return in_header
-        why = f"the header names {in_header}" if told else "the file does not say it"
+        why = f"the header names {in_header}" if header_units else "the file does not say it"
         problems.append(f"the unit of {what} is not known: {why}. Say it by {option} {'|'.join(units)}.")
         return ""
 
@@ -145,26 +145,26 @@ def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Reso
         angle_unit = unit("the angles", "attitude", mapping.angle_unit, ANGLE_UNITS, "--unit")
     if mapping.gyro:
         rate_unit = unit("the angular velocity", "gyro", mapping.rate_unit, RATE_UNITS, "--unit")
-    if mapping.quat and len(found["attitude"]) == 4:
-        names = [form.names[place] for place in found["attitude"]] if form.names else []
+    if mapping.quat and len(groups["attitude"]) == 4:
+        names = [form.names[place] for place in groups["attitude"]] if form.names else []
         letters = _letters(names, mapping.order, problems)
     if mapping.decimal == "comma" and form.delimiter == ",":
         problems.append("decimal commas cannot be distinguished from commas between columns. Save it with semicolons.")
     if problems:
         raise InvalidInput(*(f"{path}: {problem}" for problem in problems))
-    return Resolved(found["time"][0], time_unit, found["attitude"], letters, angle_unit, found["gyro"], rate_unit,
+    return Resolved(groups["time"][0], time_unit, groups["attitude"], letters, angle_unit, groups["gyro"], rate_unit,
                      tuple(notes))  # fmt: skip
 
 
 def _letters(names: list[str], order: str | None, problems: list[str]) -> str:
     """Return which of w, x, y and z each column of a quaternion is."""
-    told = components_in(names)
-    if order is None and told is None:
+    letters = components_in(names)
+    if order is None and letters is None:
         problems.append("the order of the quaternion is not known: its columns are not named by w, x, y and z. Say it "
                         f"by --order {'|'.join(ORDERS)}.")  # fmt: skip
-    if order and told and order != told:
-        problems.append(f"order is {order}, and the columns are named in the order {told}. Correct one of them.")
-    return order or told or ""
+    if order and letters and order != letters:
+        problems.append(f"order is {order}, and the columns are named in the order {letters}. Correct one of them.")
+    return order or letters or ""
 
 
 def _places(form: TableForm, columns: object, problems: list[str]) -> list[int | None]:

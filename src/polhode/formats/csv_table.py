@@ -19,9 +19,9 @@ from polhode.formats.labels import Recording
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
 from polhode.formats.paths import write_whole
-from polhode.motion.layout import ATTITUDE, MOMENTUM, StateLayout
-from polhode.motion.outcome import Ending, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import ATTITUDE, MOMENTUM, StateLayout
+from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 LARGEST_FILE = 2000 * MB  # seven million rows of fourteen columns
@@ -59,11 +59,11 @@ def write_csv(trajectory: Trajectory, path: str | Path) -> Path:
 
 def _columns(trajectory: Trajectory, axes: str) -> list[tuple[str, Array]]:
     times = np.asarray(trajectory.times, dtype=float)
-    found: list[tuple[str, Array]] = [("time [s]", times)]
+    columns: list[tuple[str, Array]] = [("time [s]", times)]
 
     def add(values: Array, names: list[str]) -> None:
         values = np.asarray(values, dtype=float).reshape(len(times), -1) if len(times) else np.zeros((0, len(names)))
-        found.extend(zip(names, values.T, strict=True))
+        columns.extend(zip(names, values.T, strict=True))
 
     if shape := trajectory.batch_shape:
         raise InvalidInput(f"a CSV file holds one body; got a batch of shape {shape}. Write a dataset instead.")
@@ -85,7 +85,7 @@ def _columns(trajectory: Trajectory, axes: str) -> list[tuple[str, Array]]:
         add(values, [_label_column(f"{name}{end}", trajectory.quantity(name).unit) for end in ends])
     for name, values in trajectory.received.items():
         add(values, [_label_column(f"{name}_received", trajectory.quantity(name).unit)])
-    return found
+    return columns
 
 
 def _label_column(name: str, unit: str) -> str:
@@ -185,7 +185,7 @@ def _numbers(path: Path, rows: list[tuple[int, str]], count: int) -> Array:
                 return table
         except ValueError:
             pass
-    found = []
+    values = []
     for number, line in rows:
         words = [word.strip() for word in line.strip().split(",")]
         if words == [""]:
@@ -193,8 +193,8 @@ def _numbers(path: Path, rows: list[tuple[int, str]], count: int) -> Array:
         if len(words) != count:
             why = f"must have {count} numbers, as line 1 has names; got {len(words)}"
             raise FormatError(f"{path}, line {number}: {why}.")
-        found.append([_number(path, number, word) for word in words])
-    return np.array(found, dtype=float).reshape(-1, count)
+        values.append([_number(path, number, word) for word in words])
+    return np.array(values, dtype=float).reshape(-1, count)
 
 
 def _number(path: Path, line: int, word: str) -> float:

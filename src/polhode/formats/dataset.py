@@ -17,9 +17,9 @@ from polhode.formats.labels import AttitudeLabels, find_labels
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import write_whole
 from polhode.formats.zarr_gate import DOCUMENTS
+from polhode.motion._outcome import Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.outcome import Outcome
-from polhode.motion.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import xarray
@@ -143,21 +143,21 @@ def _memory_variables(trajectory: Trajectory) -> Named:
 
 def _outcome_attributes(outcome: Outcome) -> dict[str, str]:
     """Return how the motion ended, in words and, for reading back, part by part."""
-    found = {"status": str(outcome), "outcome": outcome.ending.value}
-    found |= {} if outcome.event is None else {"event": outcome.event}
-    return found | ({"outcome_message": outcome.message} if outcome.message else {})
+    attributes = {"status": str(outcome), "outcome": outcome.ending.value}
+    attributes |= {} if outcome.event is None else {"event": outcome.event}
+    return attributes | ({"outcome_message": outcome.message} if outcome.message else {})
 
 
 def label_attributes(labels: AttitudeLabels | None) -> dict[str, str]:
     """Return labels as global attributes of a dataset, as ``read_dataset`` takes them back; none without labels."""
     if labels is None:
         return {}
-    found = {key: value for key, value in dataclasses.asdict(labels).items() if value not in (None, ())}
-    return {key: "\n".join(value) if key == "comments" else str(value) for key, value in found.items()}
+    entries = {key: value for key, value in dataclasses.asdict(labels).items() if value not in (None, ())}
+    return {key: "\n".join(value) if key == "comments" else str(value) for key, value in entries.items()}
 
 
 def _frame_variables(frame: BodyFrame) -> dict[str, Any]:
-    found: dict[str, Any] = {
+    variables: dict[str, Any] = {
         "principal_moments": ("axis", np.asarray(frame.moments),
                               {"units": "kg m2", "long_name": "moments about the principal axes"}),
         "principal_axes": (("given_axis", "axis"), np.asarray(frame.axes),
@@ -167,10 +167,10 @@ def _frame_variables(frame: BodyFrame) -> dict[str, Any]:
     }  # fmt: skip
     if frame.pivot is not None:
         note = {"units": "m", "long_name": "fixed point in the given axes"}
-        found["pivot"] = ("given_axis", np.asarray(frame.pivot), note)
+        variables["pivot"] = ("given_axis", np.asarray(frame.pivot), note)
     if frame.mass is not None:
-        found["mass"] = ((), frame.mass, {"units": "kg", "long_name": "mass"})
-    return found
+        variables["mass"] = ((), frame.mass, {"units": "kg", "long_name": "mass"})
+    return variables
 
 
 def write_dataset(trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None) -> Path:

@@ -16,10 +16,10 @@ from polhode.formats.hdf5_gate import check_hdf5
 from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.opening import MB, check_is_file, is_folder
 from polhode.formats.zarr_gate import check_store
+from polhode.motion._layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
+from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
-from polhode.motion.outcome import Ending, Outcome
-from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
 
 if TYPE_CHECKING:
@@ -82,19 +82,19 @@ def read_dataset(path: str | Path) -> Trajectory:
 
 
 def _statistics(path: Path, attributes: Any) -> dict[str, int]:
-    found = {str(key).removeprefix(COUNTED): x for key, x in attributes.items() if str(key).startswith(COUNTED)}
-    for name, count in found.items():
+    counts = {str(key).removeprefix(COUNTED): x for key, x in attributes.items() if str(key).startswith(COUNTED)}
+    for name, count in counts.items():
         if not isinstance(count, int | np.integer) or count < 0:
             raise FormatError(f"{path}: the number of {name} must be a whole number; got {shown(count)}. {DAMAGED}")
-    return {name: int(count) for name, count in found.items()}
+    return {name: int(count) for name, count in counts.items()}
 
 
 def _memory(variables: dict[str, Any]) -> tuple[Array, ...] | None:
-    found = []
+    arrays = []
     for name in sorted(variables, key=lambda name: int(name.removeprefix(MEMORY))):
         values = _doubles(variables[name].values)
-        found.append(values[..., 0] + 1j * values[..., 1] if variables[name].dims[-1:] == (COMPLEX_PART,) else values)
-    return tuple(found) or None
+        arrays.append(values[..., 0] + 1j * values[..., 1] if variables[name].dims[-1:] == (COMPLEX_PART,) else values)
+    return tuple(arrays) or None
 
 
 def _of_copies(variable: Any) -> bool:

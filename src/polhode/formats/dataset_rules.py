@@ -119,11 +119,11 @@ def _check_numbers(path: Path, name: str, variable: Any, batched: bool) -> None:
     if not wrong.any():
         return
     place = tuple(np.argwhere(wrong)[0].tolist())
-    found = shown(float(values[place]))
+    got = shown(float(values[place]))
     if "time" in variable.dims:
         what = f"the {name.replace('_', ' ')} of sample {place[variable.dims.index('time')]}"
-        _refuse(path, f"{what} is not a finite number; got {found} at index {place}")
-    _refuse(path, f"{name.replace('_', ' ')} must be finite; got {found} at index {place}")
+        _refuse(path, f"{what} is not a finite number; got {got} at index {place}")
+    _refuse(path, f"{name.replace('_', ' ')} must be finite; got {got} at index {place}")
 
 
 def _check_frame(path: Path, name: str, variable: Any) -> None:

@@ -106,19 +106,19 @@ def make_folder(folder: Path) -> Iterator[None]:
     Raises:
         OSError: as the system does.
     """
-    made = []
+    folders = []
     try:
         for path in reversed([folder, *folder.parents]):
             if not path.exists():
-                made.append(path)
+                folders.append(path)
                 _made.add(path)
                 path.mkdir(exist_ok=True)
         yield
     except BaseException:
-        _remove_empty(made)
+        _remove_empty(folders)
         raise
     finally:
-        _made.difference_update(made)
+        _made.difference_update(folders)
 
 
 def _remove_empty(folders: Iterable[Path]) -> None:

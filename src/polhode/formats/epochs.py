@@ -30,11 +30,11 @@ def read_epoch(text: str, time_system: str) -> tuple[int, int]:
     Raises:
         ValueError: in words, for what is not such an epoch.
     """
-    found = _FORM.fullmatch(text)
-    if not found:
+    match = _FORM.fullmatch(text)
+    if not match:
         raise ValueError(f'must be an epoch like "2026-03-01T12:00:00.5" or "2026-060T12:00:00.5"; got {shown(text)}')
-    day = _day(*found.group(1, 2, 3, 4))
-    hour, minute, second = (int(found[k]) for k in (5, 6, 7))
+    day = _day(*match.group(1, 2, 3, 4))
+    hour, minute, second = (int(match[k]) for k in (5, 6, 7))
     after: tuple[int, ...] = ()
     if time_system == "UTC":
         if day < FIRST_DAY:
@@ -45,7 +45,7 @@ def read_epoch(text: str, time_system: str) -> tuple[int, int]:
     if hour > 23 or minute > 59 or second > longest:
         raise ValueError(f"has no such time of day in {time_system}; got {shown(text)}")
     whole = 86400 * day + 3600 * hour + 60 * minute + second + bisect.bisect_right(after, day)
-    digits = found[8] or ""
+    digits = match[8] or ""
     carry, picoseconds = divmod((int(digits.ljust(13, "0")[:13]) + 5) // 10, PICO)
     return whole + carry, picoseconds
 
@@ -55,10 +55,10 @@ def _day(year: str, month: str | None, day: str | None, day_of_year: str | None)
     try:
         if day_of_year is None:
             return (date(int(year), int(month or 0), int(day or 0)) - ORIGIN).days
-        found = date(int(year), 1, 1) + timedelta(int(day_of_year) - 1)
-        if found.year != int(year):
+        ordinal_date = date(int(year), 1, 1) + timedelta(int(day_of_year) - 1)
+        if ordinal_date.year != int(year):
             raise ValueError
-        return (found - ORIGIN).days
+        return (ordinal_date - ORIGIN).days
     except (ValueError, OverflowError):
         named = f"{month}-{day}" if day_of_year is None else f"day {day_of_year}"
         raise ValueError(f"has no such day; got {named} of {year}") from None

@@ -13,9 +13,9 @@ if TYPE_CHECKING:
     from polhode.bodies.body import Body
     from polhode.bodies.surface import Surface
     from polhode.formats.labels import AttitudeLabels
-    from polhode.motion.trajectory import Trajectory
+    from polhode.motion._trajectory import Trajectory
+    from polhode.quantum._strengths import Lines
     from polhode.quantum.rotor import Levels, Rotor
-    from polhode.quantum.strengths import Lines
 
 
 class Kernels(NamedTuple):

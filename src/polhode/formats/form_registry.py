@@ -20,13 +20,13 @@ HOME = Path(__file__).parent / "forms"
 @cache
 def forms() -> dict[str, Form]:
     """Return all forms by name, those of other packages last; those that cannot be imported are left out."""
-    own = [import_module(f"polhode.formats.forms.{found.name}").FORM for found in pkgutil.iter_modules([str(HOME)])]
-    found: dict[str, Form] = {form.name: form for form in own}
+    own = [import_module(f"polhode.formats.forms.{module.name}").FORM for module in pkgutil.iter_modules([str(HOME)])]
+    by_name: dict[str, Form] = {form.name: form for form in own}
     for point in entry_points(group=GROUP):
         with contextlib.suppress(InvalidInput):
             form = _load(point)
-            found.setdefault(form.name, form)
-    return found
+            by_name.setdefault(form.name, form)
+    return by_name
 
 
 def _load(point: Any) -> Form:

@@ -22,10 +22,10 @@ KINDS = {1: "SCALAR", 3: "VEC3", 4: "VEC4"}
 class Glb:
     """A document in the making.
 
-    >>> made = Glb({"asset": {"version": "2.0"}})
-    >>> made.numbers([[0.0, 1.0, 2.0]])
+    >>> glb = Glb({"asset": {"version": "2.0"}})
+    >>> glb.numbers([[0.0, 1.0, 2.0]])
     0
-    >>> made.as_bytes()[:4]
+    >>> glb.as_bytes()[:4]
     b'glTF'
     """
 

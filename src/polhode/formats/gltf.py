@@ -8,16 +8,16 @@ from pathlib import Path
 import numpy as np
 
 from polhode import rotation
+from polhode.bodies._turned import revolve
 from polhode.bodies.surface import Surface, box_in_place
-from polhode.bodies.turned import revolve
 from polhode.errors import InvalidInput, shown
 from polhode.formats.animation_keys import make_keys
 from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.glb import Glb
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.paths import write_whole
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.trajectory import Trajectory
 from polhode.types import Array
 
 WATCHABLE = (1.0, 600.0)  # s; a motion that lasts shorter or longer is not shown in real time
@@ -87,18 +87,18 @@ def write_gltf(
     solid = None if drawn is None else Surface(drawn.vertices / unit, drawn.faces)
     start = float(keyed.times[0])
     extras = {"seconds_per_second": speed, "metres_per_unit": unit, "seconds_at_start": start}
-    made = Glb({"asset": {"version": "2.0", "generator": "polhode", "extras": extras}, "scene": 0})
+    glb = Glb({"asset": {"version": "2.0", "generator": "polhode", "extras": extras}, "scene": 0})
     name, length = (labels or AttitudeLabels()).object_name, LONG * reach / unit or 1.0
-    place, body = _add_body(made, name, solid, trajectory.frame, length)
+    place, body = _add_body(glb, name, solid, trajectory.frame, length)
     attitude = np.asarray(keyed.along("given").attitude)
     tracks = [(body, "rotation", _xyzw(_continuous(attitude)))]
     center = getattr(keyed.source, "center", None)
     if callable(center):
         tracks.append((place, "translation", np.asarray(center(keyed.states)) / unit))
-    tracks += _add_momentum(made, place, keyed, LONG * reach / unit or 1.0)
-    made.animate("motion", clock, tracks)
+    tracks += _add_momentum(glb, place, keyed, LONG * reach / unit or 1.0)
+    glb.animate("motion", clock, tracks)
     with write_whole(path) as draft:
-        draft.write_bytes(made.as_bytes())
+        draft.write_bytes(glb.as_bytes())
     return path
 
 
@@ -121,21 +121,21 @@ def _about_origin(frame: BodyFrame | None, surface: Surface | None) -> Surface |
 
 
 def _add_body(
-    made: Glb, name: str, solid: Surface | None, frame: BodyFrame | None, length: float
+    glb: Glb, name: str, solid: Surface | None, frame: BodyFrame | None, length: float
 ) -> tuple[int, int]:
     """Add the nodes of space, place, body and axes; return those of place and body, which move."""
-    place = made.node("place", made.node("space, z up", rotation=Z_UP))
-    body = made.node(name, place, **({} if solid is None else made.mesh((solid, BODY))))
+    place = glb.node("place", glb.node("space, z up", rotation=Z_UP))
+    body = glb.node(name, place, **({} if solid is None else glb.mesh((solid, BODY))))
     arrow = _arrow(length)
-    three = made.mesh(*((Surface(arrow.vertices @ turn, arrow.faces), color)
+    three = glb.mesh(*((Surface(arrow.vertices @ turn, arrow.faces), color)
                         for turn, color in zip(TO_AXES, AXES, strict=True)))  # fmt: skip
     axes = np.eye(3) if frame is None else np.asarray(frame.axes)
     called = "body axes" if frame is None else "principal axes"
-    made.node(called, body, **three, rotation=_xyzw(rotation.from_matrix(axes)).tolist())
+    glb.node(called, body, **three, rotation=_xyzw(rotation.from_matrix(axes)).tolist())
     return place, body
 
 
-def _add_momentum(made: Glb, place: int, keyed: Trajectory, length: float) -> list[tuple[int, str, Array]]:
+def _add_momentum(glb: Glb, place: int, keyed: Trajectory, length: float) -> list[tuple[int, str, Array]]:
     """Add the arrow along the angular momentum, if there is any; return its animation, if it moves."""
     if keyed.momentum is None:
         return []
@@ -145,7 +145,7 @@ def _add_momentum(made: Glb, place: int, keyed: Trajectory, length: float) -> li
         return []
     toward = momentum / size
     turns = rotation.shortest_between((0.0, 0.0, 1.0), toward)
-    arrow = made.node("angular momentum", place, **made.mesh((_arrow(length), MOMENTUM)),
+    arrow = glb.node("angular momentum", place, **glb.mesh((_arrow(length), MOMENTUM)),
                       rotation=_xyzw(turns[0]).tolist())  # fmt: skip
     moves = np.abs(toward - toward[0]).max() > STEADY
     return [(arrow, "rotation", _xyzw(_continuous(turns)))] if moves else []

@@ -64,8 +64,8 @@ def find_places(names: Sequence[str], wanted: Sequence[str]) -> tuple[int, ...] 
     (2, 1)
     """
     known = [{name.strip().lower(), bare_name(name).strip().lower()} for name in names]
-    found = [[place for place, words in enumerate(known) if name in words] for name in wanted]
-    return tuple(each[0] for each in found) if all(len(each) == 1 for each in found) else None
+    places = [[place for place, words in enumerate(known) if name in words] for name in wanted]
+    return tuple(each[0] for each in places) if all(len(each) == 1 for each in places) else None
 
 
 def detect_dialect(names: Sequence[str]) -> GyroDialect | None:
@@ -82,8 +82,8 @@ def detect_dialect(names: Sequence[str]) -> GyroDialect | None:
 
 def time_place(names: Sequence[str], dialect: GyroDialect) -> int | None:
     """Return the index of the column of times, from 0."""
-    found = (find_places(names, [name]) for name in dialect.time)
-    return next((places[0] for places in found if places), None)
+    candidates = (find_places(names, [name]) for name in dialect.time)
+    return next((places[0] for places in candidates if places), None)
 
 
 def acceleration_unit(name: str, dialect: GyroDialect) -> float | None:

@@ -28,7 +28,7 @@ from polhode.formats.stamps import read_clock
 from polhode.formats.table_form import DELIMITERS, Line, TableForm, detect_form, split_cells
 from polhode.types import Array
 
-Told = Callable[[int], None] | None
+Progress = Callable[[int], None] | None
 """Called with the number of lines read, now and then."""
 EXAMPLE = "--time t --time-unit s --gyro gx,gy,gz --unit deg/s"
 
@@ -52,7 +52,7 @@ class ReadLog(NamedTuple):
 
 
 def read_gyro_log(
-    path: str | Path, mapping: ColumnMapping | None = None, told: Told = None, rate_unit: str | None = None
+    path: str | Path, mapping: ColumnMapping | None = None, progress: Progress = None, rate_unit: str | None = None
 ) -> ReadLog:
     """Return a gyro log from a table, a folder with one, or a zip archive with one; the notes say which file was read.
 
@@ -63,7 +63,7 @@ def read_gyro_log(
     Args:
         path: of the table, the folder or the archive.
         mapping: the meaning of the columns, for tables of other programs.
-        told: called with the number of lines read, now and then.
+        progress: called with the number of lines read, now and then.
         rate_unit: "deg/s", "rad/s" or "rpm" of a known app's table that says it wrongly; where there is no mapping.
 
     Raises:
@@ -74,20 +74,20 @@ def read_gyro_log(
     >>> path = Path(tempfile.mkdtemp()) / "Gyroscope.csv"
     >>> rows = "".join(f"{k},{k / 100},3,2,{k}\\n" for k in range(9))
     >>> _ = path.write_text("time,seconds_elapsed,z,y,x\\n" + rows)
-    >>> found = read_gyro_log(path)
-    >>> found.dialect, found.log.rates[-1].tolist()
+    >>> read = read_gyro_log(path)
+    >>> read.dialect, read.log.rates[-1].tolist()
     ('Sensor Logger', [8.0, 2.0, 3.0])
     """
     path = Path(path)
     if is_folder(path):
-        return _read_table(_gyro_file(path), mapping, told, rate_unit)
+        return _read_table(_gyro_file(path), mapping, progress, rate_unit)
     check_is_file(path, "log", LARGEST_FILE)
     if not is_archive(path):
-        return _read_table(path, mapping, told, rate_unit)
+        return _read_table(path, mapping, progress, rate_unit)
     beside = [name for dialect in DIALECTS for name in dialect.beside]
     with unpack_log(path, GYRO_FILES, beside) as (table, member):
         try:
-            read = _read_table(table, mapping, told, rate_unit)
+            read = _read_table(table, mapping, progress, rate_unit)
         except PolhodeError as error:
             inside = str(PurePosixPath(member).parent).removeprefix(".")
             place = "/".join(filter(None, (str(path), inside)))
@@ -96,13 +96,13 @@ def read_gyro_log(
 
 
 def _gyro_file(folder: Path) -> Path:
-    found = [folder / name for name in GYRO_FILES if (folder / name).is_file()]
-    if not found:
+    paths = [folder / name for name in GYRO_FILES if (folder / name).is_file()]
+    if not paths:
         raise InvalidInput(f"{folder}: has no {' or '.join(GYRO_FILES)}. Name the file with the angular velocities.")
-    return found[0]
+    return paths[0]
 
 
-def _read_table(path: Path, mapping: ColumnMapping | None, told: Told, rate_unit: str | None) -> ReadLog:
+def _read_table(path: Path, mapping: ColumnMapping | None, progress: Progress, rate_unit: str | None) -> ReadLog:
     form, dialect = _form(path, mapping)
     notes: list[str] = []
     if mapping is None:
@@ -114,14 +114,14 @@ def _read_table(path: Path, mapping: ColumnMapping | None, told: Told, rate_unit
     decimal = mapping.decimal or detect_decimal(path, form)
     felt = _acceleration(form, dialect, notes) if dialect else None
     columns = (resolved.time, *resolved.gyro, *(felt[0] if felt else ()))
-    numbers = read_cells(path, form, columns, decimal, told).numbers
+    numbers = read_cells(path, form, columns, decimal, progress).numbers
     clock_of_rates = read_clock(path, form, resolved.time, resolved.time_unit, decimal, numbers[:, 0])
     times = clock_of_rates.times
     rates = numbers[:, 1:4] * IN_RADIANS[resolved.rate_unit]
     acceleration, clock, source = (numbers[:, 4:] * felt[1], times, path.name) if felt else (None, None, None)
     del numbers  # of long logs these are the most memory
     if not felt and dialect:
-        clock, acceleration, source = _beside(path, dialect, clock_of_rates.begin, told)
+        clock, acceleration, source = _beside(path, dialect, clock_of_rates.begin, progress)
     try:
         log = clean_log(times, rates, clock, acceleration)
     except InvalidInput as error:
@@ -170,8 +170,8 @@ def _make_mapping(form: TableForm, dialect: GyroDialect, rate_unit: str | None) 
 
 def _acceleration(form: TableForm, dialect: GyroDialect, notes: list[str]) -> tuple[tuple[int, ...], float] | None:
     """Return the columns of accelerations in the gyro's own table, and their unit in m/s²; None without them."""
-    found = (find_places(form.names, names) for names in dialect.acceleration if names != dialect.gyro)
-    places = next(filter(None, found), None)
+    candidates = (find_places(form.names, names) for names in dialect.acceleration if names != dialect.gyro)
+    places = next(filter(None, candidates), None)
     if places is None:
         return None
     unit = acceleration_unit(form.names[places[0]], dialect)
@@ -183,7 +183,7 @@ def _acceleration(form: TableForm, dialect: GyroDialect, notes: list[str]) -> tu
 
 
 def _beside(
-    path: Path, dialect: GyroDialect, begin: Decimal, told: Told
+    path: Path, dialect: GyroDialect, begin: Decimal, progress: Progress
 ) -> tuple[Array | None, Array | None, str | None]:
     """Return times [s] and accelerations [m/s²] from the file next to the gyro's, None without one, and its name.
 
@@ -200,7 +200,7 @@ def _beside(
         if time is None or places is None or unit is None:
             continue
         decimal = detect_decimal(other, form)
-        numbers = read_cells(other, form, (time, *places), decimal, told).numbers
+        numbers = read_cells(other, form, (time, *places), decimal, progress).numbers
         time_unit = unit_in(form.names[time], TIME_UNITS) or dialect.time_unit
         clock = read_clock(other, form, time, time_unit, decimal, numbers[:, 0], begin)
         return clock.times, numbers[:, 1:] * unit, name
@@ -208,14 +208,14 @@ def _beside(
 
 
 def _remarks(log: GyroLog) -> list[str]:
-    found = []
+    remarks = []
     if log.reordered:
-        found.append("lines are not in the order of time; they were sorted.")
+        remarks.append("lines are not in the order of time; they were sorted.")
     if log.repeats:
-        found.append(f"{log.repeats} samples come at a time that was there already; the first of each is kept.")
+        remarks.append(f"{log.repeats} samples come at a time that was there already; the first of each is kept.")
     if log.spread:
-        found.append(f"the clock is rounded: {log.spread} samples come at a time that was there already, with other "
+        remarks.append(f"the clock is rounded: {log.spread} samples come at a time that was there already, with other "
                      "values; they are taken at equal steps.")  # fmt: skip
     if log.dropped:
-        found.append(f"{log.dropped} lines without finite values are left out.")
-    return found
+        remarks.append(f"{log.dropped} lines without finite values are left out.")
+    return remarks

@@ -44,8 +44,8 @@ def bare_name(name: str) -> str:
     >>> bare_name("t [s]"), bare_name("Time (s)"), bare_name("time_ms")
     ('t', 'Time', 'time_ms')
     """
-    found = _BRACKETED.fullmatch(name)
-    return found["name"] if found and found["name"] else name.strip()
+    match = _BRACKETED.fullmatch(name)
+    return match["name"] if match and match["name"] else name.strip()
 
 
 def unit_in(name: str, units: Mapping[str, Iterable[str]]) -> str | None:
@@ -56,8 +56,8 @@ def unit_in(name: str, units: Mapping[str, Iterable[str]]) -> str | None:
     >>> unit_in("gyro_x", RATE_UNITS), unit_in("gyros", TIME_UNITS)
     (None, None)
     """
-    if found := _BRACKETED.fullmatch(name):
-        return find_unit(found["unit"], units)
+    if match := _BRACKETED.fullmatch(name):
+        return find_unit(match["unit"], units)
     words = name.strip().lower().split("_")
     endings = ["_".join(words[-k:]) for k in range(min(4, len(words) - 1), 0, -1)]  # the longest first
     return next((unit for ending in endings if (unit := find_unit(ending, units))), None)

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, field
 from typing import Any
 
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 
 # what files that cannot do without them have for what is not known
 USUAL_ID, USUAL_ORIGINATOR, USUAL_NUMBER = "1900-000A", "POLHODE", -999

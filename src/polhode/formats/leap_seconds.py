@@ -62,7 +62,7 @@ def read_leap_seconds(path: Path) -> LeapSeconds:
     """
     lines = path.read_text("utf-8").splitlines()
     rows = [_ROW.fullmatch(line) for line in lines if line.strip() and not line.startswith("#")]
-    expires = [found for line in lines if (found := _EXPIRES.fullmatch(line)) and found[2] in _MONTHS]
+    expires = [match for line in lines if (match := _EXPIRES.fullmatch(line)) and match[2] in _MONTHS]
     if not rows or None in rows or len(expires) != 1:
         raise FormatError(f"{path}: is not the IERS's table of leap seconds. Install {PACKAGE} again.")
     table = [tuple(map(int, row.groups())) for row in rows if row]

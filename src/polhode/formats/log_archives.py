@@ -85,17 +85,17 @@ def _check_directory(path: Path) -> None:
 
 def _log_in(path: Path, members: Sequence[zipfile.ZipInfo], wanted: Sequence[str]) -> zipfile.ZipInfo:
     named = {name: [m for m in members if PurePosixPath(m.filename).name == name] for name in wanted}
-    found = next((each for each in named.values() if each), [])
+    logs = next((each for each in named.values() if each), [])
     tables = [m for m in members if PurePosixPath(m.filename).suffix.lower() in TABLES
               and not PurePosixPath(m.filename).name.startswith("._")]  # fmt: skip
-    found = found or (tables if len(tables) == 1 else [])
-    if not found:
+    logs = logs or (tables if len(tables) == 1 else [])
+    if not logs:
         has = f"; its tables are {_name_all(tables)}" if tables else ""
         raise InvalidInput(f"{path}: has no {' or '.join(wanted)}{has}. Unpack it, and name the file with the angular "
                            "velocities.")  # fmt: skip
-    if len(found) > 1:
-        raise InvalidInput(f"{path}: has {len(found)} logs, {_name_all(found)}. Unpack it, and name those of one body.")
-    return found[0]
+    if len(logs) > 1:
+        raise InvalidInput(f"{path}: has {len(logs)} logs, {_name_all(logs)}. Unpack it, and name those of one body.")
+    return logs[0]
 
 
 def _name_all(members: Sequence[zipfile.ZipInfo]) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.bodies.mesh_gate import repair_mesh
+from polhode.bodies._mesh_gate import repair_mesh
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.mesh_checks import as_text, check_content
 from polhode.formats.obj_mesh import read_obj

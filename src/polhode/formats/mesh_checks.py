@@ -108,12 +108,12 @@ def _gltf(path: Path, content: bytes) -> bytes:
 
 def _json(path: Path, content: bytes) -> dict[str, Any]:
     try:
-        found = json.loads(content.rstrip(b"\0 "))
+        document = json.loads(content.rstrip(b"\0 "))
     except (ValueError, RecursionError):
-        found = None
-    if not isinstance(found, dict):
+        document = None
+    if not isinstance(document, dict):
         _refuse(path, "cannot be read as a mesh: its description is not JSON")
-    return found
+    return document
 
 
 def _check_scene(path: Path, scene: dict[str, Any], size: int, alone: bool = True) -> None:

@@ -34,11 +34,11 @@ def read_obj(path: Path, text: str) -> tuple[Float64[Array, "n 3"], Integer[Arra
             if len(corners) < 3:
                 _refuse(path, number, f"a face must have three corners or more; got {len(corners)}")
             faces += [(corners[0], corners[k], corners[k + 1]) for k in range(1, len(corners) - 1)]
-    found = np.array(faces, dtype=np.int64).reshape(-1, 3)
-    if len(found) and found.max() >= len(vertices):
-        why = f"a face has corner {found.max() + 1}, and there are {len(vertices)}"
+    triangles = np.array(faces, dtype=np.int64).reshape(-1, 3)
+    if len(triangles) and triangles.max() >= len(vertices):
+        why = f"a face has corner {triangles.max() + 1}, and there are {len(vertices)}"
         raise FormatError(f"{path}: {why}. Export it again.")
-    return np.array(vertices, dtype=float).reshape(-1, 3), found
+    return np.array(vertices, dtype=float).reshape(-1, 3), triangles
 
 
 def _refuse(path: Path, number: int, what: str) -> NoReturn:
@@ -60,12 +60,12 @@ def _lines(text: str) -> Iterator[tuple[int, list[str]]]:
 
 def _corner(path: Path, number: int, words: list[str]) -> list[float]:
     try:
-        found = [read_number(word) for word in words[:3]]  # a weight or a colour may follow
+        coordinates = [read_number(word) for word in words[:3]]  # a weight or a colour may follow
     except ValueError:
-        found = []
-    if len(found) != 3:
+        coordinates = []
+    if len(coordinates) != 3:
         _refuse(path, number, f"a corner must be three finite numbers in decimal digits; got {shown(' '.join(words))}")
-    return found
+    return coordinates
 
 
 def _index(path: Path, number: int, word: str, count: int) -> int:

@@ -39,13 +39,13 @@ def record_files() -> Iterator[dict[Path, str]]:
     before a library opened it. Other threads are not recorded.
     """
     seen: set[Path] = set()
-    found: dict[Path, str] = {}
+    digests: dict[Path, str] = {}
     before = _recordings.set((*_recordings.get(), seen))
     try:
-        yield found
+        yield digests
     finally:
         _recordings.reset(before)
-    found.update((path, content_digest(path)) for path in sorted(seen))
+    digests.update((path, content_digest(path)) for path in sorted(seen))
 
 
 def content_digest(path: Path) -> str:
@@ -55,10 +55,10 @@ def content_digest(path: Path) -> str:
         InvalidInput: for what is not a regular file or may not be read.
     """
     try:
-        found = path.stat()
+        status = path.stat()
     except (OSError, ValueError):
         return ""
-    return _digest(path, found.st_size, found.st_mtime_ns, found.st_ctime_ns, found.st_ino)
+    return _digest(path, status.st_size, status.st_mtime_ns, status.st_ctime_ns, status.st_ino)
 
 
 @lru_cache(maxsize=1024)
@@ -83,11 +83,11 @@ def check_is_file(path: Path, kind: str, limit: int | None = None) -> None:
         FormatError: for a file that is too large.
     """
     try:
-        found = path.stat()
+        status = path.stat()
     except (OSError, ValueError):
         why = f"no such {kind} file. Check the path; in a spec it counts from the spec's own folder."
         raise InvalidInput(f"{path}: {why}") from None
-    _check(path, kind, found, limit)
+    _check(path, kind, status, limit)
     for seen in _recordings.get():
         seen.add(path.absolute())
 
@@ -151,10 +151,10 @@ def read_file(path: Path, kind: str, limit: int) -> bytes:
         FormatError: for a file that is too large.
     """
     with open_file(path, kind, limit) as file:
-        found = file.read(limit + 1)
-    if len(found) > limit:
+        content = file.read(limit + 1)
+    if len(content) > limit:
         raise FormatError(_too_large(path, kind, "more", limit))
-    return found
+    return content
 
 
 def read_text(path: Path, kind: str, limit: int) -> str:
@@ -176,13 +176,13 @@ def read_text(path: Path, kind: str, limit: int) -> str:
     return text
 
 
-def _check(path: Path, kind: str, found: os.stat_result, limit: int | None) -> None:
-    if not stat.S_ISREG(found.st_mode):
-        what = _KINDS_OF_NODE.get(stat.S_IFMT(found.st_mode), "something else")
-        remedy = "Check the path." if stat.S_ISDIR(found.st_mode) else "Save what it gives as a file first."
+def _check(path: Path, kind: str, status: os.stat_result, limit: int | None) -> None:
+    if not stat.S_ISREG(status.st_mode):
+        what = _KINDS_OF_NODE.get(stat.S_IFMT(status.st_mode), "something else")
+        remedy = "Check the path." if stat.S_ISDIR(status.st_mode) else "Save what it gives as a file first."
         raise InvalidInput(f"{path}: is {what}, not {_article(kind)} {kind} file. {remedy}")
-    if limit is not None and found.st_size > limit:
-        raise FormatError(_too_large(path, kind, _format_size(found.st_size), limit))
+    if limit is not None and status.st_size > limit:
+        raise FormatError(_too_large(path, kind, _format_size(status.st_size), limit))
 
 
 def _too_large(path: Path, kind: str, size: str, limit: int) -> str:

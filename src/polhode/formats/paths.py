@@ -15,12 +15,12 @@ from polhode.formats.drafts import draft_in, make_folder
 FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
 
 
-def as_path(name: str, given: str | os.PathLike[str]) -> Path:
+def as_path(name: str, value: str | os.PathLike[str]) -> Path:
     """Return a path.
 
     Args:
         name: of the argument, for messages.
-        given: by a user.
+        value: by a user.
 
     Raises:
         InvalidInput: for anything else than a path that is not empty.
@@ -28,9 +28,9 @@ def as_path(name: str, given: str | os.PathLike[str]) -> Path:
     >>> as_path("path", "motion.nc").name
     'motion.nc'
     """
-    if not isinstance(given, str | os.PathLike) or not os.fspath(given):
-        raise InvalidInput(f"`{name}` must be the path of a file or folder; got {shown(given)}. Name one.")
-    return Path(given)
+    if not isinstance(value, str | os.PathLike) or not os.fspath(value):
+        raise InvalidInput(f"`{name}` must be the path of a file or folder; got {shown(value)}. Name one.")
+    return Path(value)
 
 
 @contextlib.contextmanager

@@ -79,7 +79,7 @@ def detect_decimal(path: Path, form: TableForm) -> str:
 
 
 def read_cells(
-    path: Path, form: TableForm, columns: Sequence[int], decimal: str, told: Callable[[int], None] | None = None
+    path: Path, form: TableForm, columns: Sequence[int], decimal: str, progress: Callable[[int], None] | None = None
 ) -> PlainTable:
     """Return the numbers of some columns.
 
@@ -88,7 +88,7 @@ def read_cells(
         form: of the table.
         columns: which, from 0.
         decimal: "point" or "comma".
-        told: called with the number of lines read, now and then.
+        progress: called with the number of lines read, now and then.
 
     Raises:
         InvalidInput: as ``table_form`` does.
@@ -104,11 +104,11 @@ def read_cells(
             kept = [k for k, text in enumerate(texts) if at[k] >= form.first and not is_comment(text)]
             texts, at = [texts[k] for k in kept], at[kept]
         if texts:
-            found = _by_numpy(texts, form, columns, decimal)
-            numbers.append(_line_by_line(path, at, texts, form, columns, decimal) if found is None else found)
+            block = _by_numpy(texts, form, columns, decimal)
+            numbers.append(_line_by_line(path, at, texts, form, columns, decimal) if block is None else block)
             places.append(at)
-        if told is not None:
-            told(last)
+        if progress is not None:
+            progress(last)
     return PlainTable(_join_blocks(numbers), _join_blocks(places))
 
 
@@ -201,8 +201,8 @@ def _line_by_line(
     path: Path, numbers: Integer[Array, "n"], texts: Sequence[str], form: TableForm, columns: Sequence[int],
     decimal: str,
 ) -> Array:  # fmt: skip
-    found = np.empty((len(texts), len(columns)))
-    for row, number, text in zip(found, numbers.tolist(), texts, strict=True):
+    values = np.empty((len(texts), len(columns)))
+    for row, number, text in zip(values, numbers.tolist(), texts, strict=True):
         try:
             cells = split_cells(text, form.delimiter)
         except ValueError as error:
@@ -215,7 +215,7 @@ def _line_by_line(
                               f"{form.width}. Check the line, or delete it.{hint}")  # fmt: skip
         for k, column in enumerate(columns):
             row[k] = _number(path, number, form, column, cells[column], decimal)
-    return found
+    return values
 
 
 def _number(path: Path, line: int, form: TableForm, column: int, cell: str, decimal: str) -> float:

@@ -52,8 +52,8 @@ def spectrum_dataset(
         InvalidInput: without both.
 
     >>> import polhode as ph
-    >>> found = spectrum_dataset(ph.quantum.Rotor((27e9, 14e9, 9e9)).levels(1))
-    >>> found.energy.units, found.energy.values.tolist()
+    >>> dataset = spectrum_dataset(ph.quantum.Rotor((27e9, 14e9, 9e9)).levels(1))
+    >>> dataset.energy.units, dataset.energy.values.tolist()
     ('Hz', [0.0, 23000000000.0, 36000000000.0, 41000000000.0])
     """
     import xarray as xr
@@ -114,12 +114,12 @@ def rotor_attributes(rotor: Rotor, name: str, temperature: float | None = None) 
     >>> rotor_attributes(ph.quantum.Rotor((27e9, 14e9, 9e9)), "molecule")["title"]
     'molecule'
     """
-    found: dict[str, Any] = {"title": name, "rotational_constants_hertz": np.array(rotor.constants)}
+    attributes: dict[str, Any] = {"title": name, "rotational_constants_hertz": np.array(rotor.constants)}
     if rotor.dipole.any():
-        found["dipole_coulomb_metre"] = rotor.dipole
+        attributes["dipole_coulomb_metre"] = rotor.dipole
     if temperature is not None:
-        found["temperature_kelvin"] = temperature
+        attributes["temperature_kelvin"] = temperature
     if rotor.reduction is not None and rotor.representation is not None:
-        found |= {"reduction": rotor.reduction.value, "representation": rotor.representation.name}
-        found |= {f"distortion_{name}_hertz": value for name, value in rotor.distortion.items()}
-    return found
+        attributes |= {"reduction": rotor.reduction.value, "representation": rotor.representation.name}
+        attributes |= {f"distortion_{name}_hertz": value for name, value in rotor.distortion.items()}
+    return attributes

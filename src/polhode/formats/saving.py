@@ -8,8 +8,8 @@ from polhode.errors import InvalidInput, shown
 from polhode.formats.form import Content
 from polhode.formats.form_registry import writable_forms
 from polhode.formats.paths import as_path
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.exact import ExactMotion
-from polhode.motion.trajectory import Trajectory
 
 
 def write_motion(moved: ExactMotion | Trajectory, path: str | Path) -> Path:

@@ -9,7 +9,7 @@ import numpy as np
 from polhode import rotation
 from polhode.errors import InvalidInput
 from polhode.formats.attitude_checks import single_attitude
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation, RotationSpline

@@ -79,14 +79,14 @@ def read_cat(path: str | Path) -> Catalogue:
     path = Path(path)
     text = read_text(path, "catalogue", LARGEST_FILE)
     remedy = "A catalogue has fixed columns: F13.4 F8.4 F8.4 I2 F10.4 I3 I7 I4 12I2."
-    found = list(read_rows(path, text, _row, remedy))
-    rows = [row for row, _ in found]
+    pairs = list(read_rows(path, text, _row, remedy))
+    rows = [row for row, _ in pairs]
     kinds = (float, float, float, int, float, int, int, int)
     columns = zip(*(row.numbers for row in rows), strict=True)
     frequency, error, brightness, degrees, energy, degeneracy, tag, form = (
         np.array(column, kind) for column, kind in zip(columns, kinds, strict=True))  # fmt: skip
     upper, lower = _pad_numbers([row.upper for row in rows]), _pad_numbers([row.lower for row in rows])
-    kept = tuple(line for _, line in found)
+    kept = tuple(line for _, line in pairs)
     return Catalogue(frequency, error, brightness, degrees, energy, degeneracy, tag, form, upper, lower, kept)
 
 
@@ -128,8 +128,8 @@ def catalogue_of(
         InvalidInput: for lines without intensities, or of levels that no linear molecule has.
 
     >>> from polhode.quantum import DEBYE, Rotor
-    >>> found = catalogue_of(Rotor((27e9, 14e9, 9e9), dipole=(0.0, DEBYE, 0.0)).lines(1, 300.0))
-    >>> found.frequency.round(4).tolist(), found.upper.tolist(), found.degeneracy.tolist()
+    >>> catalogue = catalogue_of(Rotor((27e9, 14e9, 9e9), dipole=(0.0, DEBYE, 0.0)).lines(1, 300.0))
+    >>> catalogue.frequency.round(4).tolist(), catalogue.upper.tolist(), catalogue.degeneracy.tolist()
     ([18000.0, 36000.0], [[1, 1, 0], [1, 1, 1]], [3, 3])
     """
     if np.isnan(lines.intensity).any():

@@ -91,14 +91,14 @@ def read_lin(path: str | Path) -> LineList:
     """
     path = Path(path)
     remedy = "A list of lines has twelve fields of three columns, then frequency, error and perhaps a weight."
-    found = list(read_rows(path, read_text(path, "line list", LARGEST_FILE), _row, remedy, True))
-    rows = [row for row, _ in found]
+    pairs = list(read_rows(path, read_text(path, "line list", LARGEST_FILE), _row, remedy, True))
+    rows = [row for row, _ in pairs]
     for k, row in enumerate(rows):
         if len(row[0]) != len(rows[0][0]):
             raise FormatError(f"{path}, entry {k + 1}: has {len(row[0])} quantum numbers for each level, and the first "
                               f"has {len(rows[0][0])}. Write as many in every line.")  # fmt: skip
     upper, lower, value, error, weight = (np.array(column) for column in zip(*rows, strict=True))
-    texts = tuple(text for _, text in found)
+    texts = tuple(text for _, text in pairs)
     left_out = sum(bool(line.strip()) for line in texts[-1].split("\n")) - 1  # the last has what stands behind it
     return LineList(upper, lower, value, error, weight, texts, left_out)
 
@@ -139,7 +139,7 @@ def _row(line: str) -> Row:
     if not count or count % 2 or filled != list(range(count)):
         raise ValueError(f"columns 1 to 36: must hold as many upper as lower quantum numbers, one after the other; got "
                          f"{shown(line[:FREE].rstrip())}")  # fmt: skip
-    found = [field.whole(line) for field in NUMBERS[:count]]
+    numbers = [field.whole(line) for field in NUMBERS[:count]]
     free = [word for word in re.split(r"[\s,]+", line[FREE:].split("/")[0]) if word]
     try:
         value, error = (read_fortran(word) for word in free[:2])
@@ -151,7 +151,7 @@ def _row(line: str) -> Row:
         weight = read_fortran(free[2]) if len(free) > 2 else 1.0
     except ValueError:
         weight = 1.0  # a comment
-    return tuple(found[: count // 2]), tuple(found[count // 2 :]), value, error, weight
+    return tuple(numbers[: count // 2]), tuple(numbers[count // 2 :]), value, error, weight
 
 
 def _is_number(word: str) -> bool:

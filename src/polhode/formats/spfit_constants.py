@@ -22,8 +22,8 @@ from polhode.formats.numerals import read_fortran, read_number
 from polhode.formats.opening import MB, read_text
 from polhode.formats.paths import write_whole
 from polhode.quantum import Reduction, Representation, Rotor
-from polhode.quantum.derivatives import find_tied
-from polhode.quantum.operators import TERMS, Term
+from polhode.quantum._derivatives import find_tied
+from polhode.quantum._operators import TERMS, Term
 from polhode.types import Array, Float64, Integer, Real
 
 LARGEST_FILE = 16 * MB
@@ -290,19 +290,19 @@ def _correlation(path: Path, number: int, lines: list[str], code: Array) -> Arra
     Raises:
         FormatError: for a matrix that is not of correlations.
     """
-    found: list[float] = []
+    lower: list[float] = []
     for line in lines:
         for at in range(0, len(line.rstrip()), WIDTH):
             try:
-                found.append(read_number(line[at : at + WIDTH].strip()))
+                lower.append(read_number(line[at : at + WIDTH].strip()))
             except ValueError:
                 return None  # as SPFIT does; it may be a comment
     own = np.flatnonzero(code >= 0)
-    which = next((each for each in (np.arange(len(code)), own) if len(found) == len(each) * (len(each) + 1) // 2), None)
-    if which is None or not found:
+    which = next((each for each in (np.arange(len(code)), own) if len(lower) == len(each) * (len(each) + 1) // 2), None)
+    if which is None or not lower:
         return None
     factor = np.zeros((len(which), len(which)))
-    factor.T[np.tril_indices(len(which))] = found  # column by column
+    factor.T[np.tril_indices(len(which))] = lower  # column by column
     matrix = factor @ factor.T
     if np.abs(np.diagonal(matrix) - 1.0).max() > 1e-3:
         raise FormatError(f"{path}, line {number}: the rows of the correlations' factor must have length 1; got "
@@ -319,20 +319,20 @@ def _options(path: Path, number: int, line: str) -> list[float | None]:
     Raises:
         FormatError: for other words.
     """
-    found: list[float | None] = []
+    options: list[float | None] = []
     waits = True  # for a number, so that a comma leaves one out
     for word in re.findall(r",|[^\s,]+", line):
         if word == ",":
             if waits:
-                found.append(None)
+                options.append(None)
             waits = True
             continue
         try:
-            found.append(read_fortran(word))
+            options.append(read_fortran(word))
         except ValueError as error:
             raise FormatError(f"{path}, line {number}: each option {error}; got {shown(word)}.") from None
         waits = False
-    return found or [None]
+    return options or [None]
 
 
 def _constant(path: Path, number: int, line: str, left_out: float) -> tuple[int, float, float, str]:
@@ -364,5 +364,5 @@ def _reduction(letter: str, codes: Integer[Array, "n"]) -> str:
 
 
 def _numbers(options: tuple[float | None, ...]) -> str:
-    given = ["" if option is None else f"{option:g}" for option in options]
-    return " ".join(given) if all(given) else ",".join(given)  # only commas can leave one out
+    words = ["" if option is None else f"{option:g}" for option in options]
+    return " ".join(words) if all(words) else ",".join(words)  # only commas can leave one out

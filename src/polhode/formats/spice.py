@@ -34,7 +34,7 @@ from polhode.formats.spice_kernels import (
     spiceypy,
 )
 from polhode.formats.time_scales import leap_seconds_kernel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array, Float64
 
 HEAD = 1000  # bytes in which a kernel of ours says so
@@ -139,12 +139,12 @@ class _Records(NamedTuple):
 
 def _begins(times: Array, velocity: Array | None) -> Array:
     """Return at which samples (T,) an interval of SPICE's interpolation begins."""
-    found = np.zeros(len(times), dtype=bool)
+    begins = np.zeros(len(times), dtype=bool)
     if velocity is not None:
         speed = np.linalg.norm(velocity, axis=-1)
-        found[1:] = np.maximum(speed[1:], speed[:-1]) * np.diff(times) >= math.pi
-    found[0] = True
-    return found
+        begins[1:] = np.maximum(speed[1:], speed[:-1]) * np.diff(times) >= math.pi
+    begins[0] = True
+    return begins
 
 
 def _write_segment(spice: Any, path: Path, labels: AttitudeLabels, records: _Records) -> None:

@@ -69,12 +69,12 @@ def check_ck(path: Path) -> list[Segment]:
     size = path.stat().st_size // 8
     head, order = _head(path), byte_order(path)
     doubles = np.memmap(path, dtype=f"{order}f8", mode="r", shape=(size,)) if size else np.zeros(0)
-    found = list(_segments(path, head, order, doubles))
-    if not found:
+    segments = list(_segments(path, head, order, doubles))
+    if not segments:
         _refuse(path, "holds no segment")
-    for segment in found:
+    for segment in segments:
         _check_segment(path, segment, doubles)
-    return found
+    return segments
 
 
 def _refuse(path: Path, what: str) -> NoReturn:

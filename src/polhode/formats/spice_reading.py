@@ -20,9 +20,9 @@ from polhode.formats.opening import MB, open_file
 from polhode.formats.spice_checks import Segment, byte_order, check_ck, check_text_kernel, record_ticks
 from polhode.formats.spice_kernels import KINDS, load_kernels, reword
 from polhode.formats.time_scales import as_epoch, leap_seconds_kernel
-from polhode.motion.layout import ATTITUDE, StateLayout
-from polhode.motion.outcome import Ending, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import ATTITUDE, StateLayout
+from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 BEGINNINGS = (b"DAF/CK", b"NAIF/DAF")
@@ -63,17 +63,17 @@ def read_ck(
         begun = file.read(8)
     if not begun.startswith(BEGINNINGS):
         raise FormatError(f"{path}: is not a C-kernel, as it does not begin with DAF/CK. Check the file.")
-    found = {name: _beside(path, name, ending, chosen) for (name, ending), chosen in
+    kernels = {name: _beside(path, name, ending, chosen) for (name, ending), chosen in
              zip(KINDS.items(), (fk, sclk, lsk), strict=True)}  # fmt: skip
-    if found["clock"] is None:
+    if kernels["clock"] is None:
         raise InvalidInput(f"{path}: needs the clock kernel of its spacecraft. Put it next to this one under its name, "
                            "or give --sclk of `polhode import` and `polhode compare`.")  # fmt: skip
     segments = check_ck(path)
     with tempfile.TemporaryDirectory(prefix="polhode-") as folder:
-        if found["leap seconds"] is None:
-            found["leap seconds"] = Path(folder, "polhode.tls")
-            found["leap seconds"].write_text(leap_seconds_kernel(), "ascii")
-        return _load(path, [kernel for kernel in found.values() if kernel is not None], segments, spice_id)
+        if kernels["leap seconds"] is None:
+            kernels["leap seconds"] = Path(folder, "polhode.tls")
+            kernels["leap seconds"].write_text(leap_seconds_kernel(), "ascii")
+        return _load(path, [kernel for kernel in kernels.values() if kernel is not None], segments, spice_id)
 
 
 def _load(path: Path, kernels: Sequence[Path], segments: Sequence[Segment], spice_id: int | None) -> Trajectory:
@@ -118,32 +118,32 @@ def _whose(path: Path, segments: Sequence[Segment], spice_id: int | None) -> int
 def _ticks(path: Path, segments: Sequence[Segment]) -> Array:
     """Return the clock's times (n,) at which segments have records; evenly spread ones where they have none."""
     doubles = np.memmap(path, dtype=f"{byte_order(path)}f8", mode="r", shape=(path.stat().st_size // 8,))
-    found = []
+    parts = []
     for one in segments:
         ticks, _ = record_ticks(path, one, doubles[one.start - 1 : one.end])
         equal = np.linspace(one.first_tick, one.last_tick, EQUAL)
-        found.append(equal if ticks is None else np.array(ticks, dtype=float))
-    return np.unique(np.concatenate(found))
+        parts.append(equal if ticks is None else np.array(ticks, dtype=float))
+    return np.unique(np.concatenate(parts))
 
 
 def _sample(spice: Any, path: Path, number: int, clock: int, ticks: Array, segments: Sequence[Segment]) -> Trajectory:
     reference = spice.frmnam(segments[0].reference)
     has_rates = all(segment.has_rates for segment in segments)
-    matrices, rates, found = np.empty((len(ticks), 3, 3)), np.empty((len(ticks), 3)), np.zeros(len(ticks), dtype=bool)
+    matrices, rates, covered = np.empty((len(ticks), 3, 3)), np.empty((len(ticks), 3)), np.zeros(len(ticks), dtype=bool)
     for k, tick in enumerate(ticks.tolist()):
         try:
             if has_rates:
                 matrices[k], rates[k], _ = spice.ckgpav(number, tick, 0.0, reference)
             else:
                 matrices[k], _ = spice.ckgp(number, tick, 0.0, reference)
-            found[k] = True
+            covered[k] = True
         except spice.exceptions.NotFoundError:  # in a gap, where samples are spread evenly
             pass
-    if not found.any():
+    if not covered.any():
         raise FormatError(f"{path}: SPICE finds no attitude in it. Check the clock and frame kernels.")
-    attitude = _continuous(rotation.conjugate(rotation.from_matrix(matrices[found])))
-    velocity = rotation.rotate(rotation.conjugate(attitude), rates[found]) if has_rates else None
-    times, epoch, system = _times(spice, path, clock, ticks[found])
+    attitude = _continuous(rotation.conjugate(rotation.from_matrix(matrices[covered])))
+    velocity = rotation.rotate(rotation.conjugate(attitude), rates[covered]) if has_rates else None
+    times, epoch, system = _times(spice, path, clock, ticks[covered])
     check_recorded(path, times, attitude, velocity)
     labels = AttitudeLabels(
         object_name=_name(spice, number), reference_frame="EME2000" if reference == "J2000" else reference,

@@ -91,9 +91,9 @@ def exact_number(text: str) -> Decimal:
         ValueError: for what is not a finite number of digits, a point, a sign and a small exponent.
     """
     try:
-        found = Decimal(text)
+        number = Decimal(text)
     except InvalidOperation:
-        found = None
-    if found is None or not text.isascii() or "_" in text or not found.is_finite() or abs(found.adjusted()) > 30:
+        number = None
+    if number is None or not text.isascii() or "_" in text or not number.is_finite() or abs(number.adjusted()) > 30:
         raise ValueError("must be a number in decimal digits")
-    return found
+    return number

@@ -44,13 +44,13 @@ def _refuse(path: Path, what: str) -> NoReturn:
 
 
 def _corners_of_text(path: Path, text: str) -> Array:
-    found = _WORDS.findall(text)
-    order = "".join(word[3].lower() for word, _ in found)  # t of vertex, f of endfacet, s of endsolid
+    matches = _WORDS.findall(text)
+    order = "".join(word[3].lower() for word, _ in matches)  # t of vertex, f of endfacet, s of endsolid
     if not order.endswith("s"):
         _refuse(path, "it has no endsolid; it may be cut short")
     if order.replace("tttf", "").strip("s"):
         _refuse(path, "its triangles do not have three corners each; it may be cut short")
-    words = [rest.split() for word, rest in found if word[3] in "tT"]
+    words = [rest.split() for word, rest in matches if word[3] in "tT"]
     if any(len(three) != 3 for three in words):
         _refuse_corner(path, text)
     try:

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from polhode.estimation._estimate import Estimate
 from polhode.estimation.attitude_fit import AttitudeFit
-from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import ThrowFit
 from polhode.formats.dataset import pack
 from polhode.formats.paths import write_whole
@@ -113,12 +113,12 @@ def _describe(fit: ThrowFit, names: Sequence[str]) -> tuple[dict[str, Any], dict
 
 def _estimates(named: list[tuple[str, Estimate | None, str, str, str]]) -> dict[str, Any]:
     """Return estimates with their covariances."""
-    found: dict[str, Any] = {}
+    variables: dict[str, Any] = {}
     for name, estimate, axis, units, meaning in named:
         if estimate is None:
             continue
         squared = SQUARED[units]
-        found[name] = (axis, estimate.value, {"units": units, "long_name": meaning})
-        found[f"{name}_covariance"] = ((axis, f"{axis}_2"), estimate.covariance,
+        variables[name] = (axis, estimate.value, {"units": units, "long_name": meaning})
+        variables[f"{name}_covariance"] = ((axis, f"{axis}_2"), estimate.covariance,
                                        {"units": squared, "long_name": f"covariance of {name}"})  # fmt: skip
-    return found
+    return variables

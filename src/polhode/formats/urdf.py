@@ -116,8 +116,8 @@ def _root(path: Path) -> ET.Element:
 
 def _find_inertial(path: Path, root: ET.Element, link: str | None) -> tuple[str, ET.Element]:
     links = root.findall("link")
-    names = [found.get("name", "") for found in links]
-    massive = [name for name, found in zip(names, links, strict=True) if found.find("inertial") is not None]
+    names = [element.get("name", "") for element in links]
+    massive = [name for name, element in zip(names, links, strict=True) if element.find("inertial") is not None]
     if link is None:
         if not massive:
             raise FormatError(f"{path}: no link has an <inertial>; of {len(links)} links none has mass properties.")
@@ -135,10 +135,10 @@ def _find_inertial(path: Path, root: ET.Element, link: str | None) -> tuple[str,
 
 
 def _child(where: str, parent: ET.Element, tag: str) -> ET.Element:
-    found = parent.find(tag)
-    if found is None:
+    child = parent.find(tag)
+    if child is None:
         raise FormatError(f"{where}: its <inertial> has no <{tag}>. Add it.")
-    return found
+    return child
 
 
 def _number(where: str, element: ET.Element, key: str) -> float:

@@ -90,19 +90,19 @@ def _files(store: Path, folder: Path, depth: int) -> Iterator[_File]:
     except OSError as error:
         _refuse(store, f"cannot be read ({error.strerror}). Check the path")
     for entry in entries:
-        found = entry.stat(follow_symlinks=False)
-        if stat.S_ISDIR(found.st_mode):
+        status = entry.stat(follow_symlinks=False)
+        if stat.S_ISDIR(status.st_mode):
             if depth > 4:
                 _refuse(store, "has folders nested too deep for a store of polhode's. Check the path")
             yield from _files(store, Path(entry.path), depth + 1)
-        elif not stat.S_ISREG(found.st_mode):
+        elif not stat.S_ISREG(status.st_mode):
             _refuse(store, f"has something other than files and folders in it, {shown(entry.name)}. Take it out, or "
                            "write the store again")  # fmt: skip
         else:
             count += 1
             if count > MOST_FILES:
                 _refuse(store, f"has more than {MOST_FILES:,} files in a folder. Write it again with larger chunks")
-            yield _File(Path(entry.path), found.st_size)
+            yield _File(Path(entry.path), status.st_size)
 
 
 def _check_array(store: Path, path: Path, files: list[_File]) -> tuple[int, int]:
@@ -133,21 +133,21 @@ def _check_array(store: Path, path: Path, files: list[_File]) -> tuple[int, int]
 
 def _document(store: Path, path: Path) -> dict[str, Any]:
     try:
-        found = json.loads(read_file(path, "Zarr", LARGEST_DOCUMENT))
+        document = json.loads(read_file(path, "Zarr", LARGEST_DOCUMENT))
     except (ValueError, RecursionError) as error:
         if isinstance(error, FormatError):
             raise
-        found = None
-    if not isinstance(found, dict):
+        document = None
+    if not isinstance(document, dict):
         _refuse(store, f"{shown(f'{path.parent.name}/{path.name}')} is not JSON of an array. It is damaged")
-    return found
+    return document
 
 
 def _lengths(store: Path, name: str, document: dict[str, Any], key: str) -> list[int]:
-    found = document.get(key)
-    if not isinstance(found, list) or len(found) > 16 or not all(type(n) is int and 0 <= n < 2**62 for n in found):
-        _refuse(store, f"{name} has the {key} {shown(found)}, where whole numbers are wanted. It is damaged")
-    return found
+    shape = document.get(key)
+    if not isinstance(shape, list) or len(shape) > 16 or not all(type(n) is int and 0 <= n < 2**62 for n in shape):
+        _refuse(store, f"{name} has the {key} {shown(shape)}, where whole numbers are wanted. It is damaged")
+    return shape
 
 
 def _check_chunk(store: Path, name: str, file: _File, codec: str | None, whole: int) -> None:

@@ -17,9 +17,9 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 
-from polhode.integrators.difference import parts_with_units
-from polhode.integrators.reversal import Given, repeat_steps
-from polhode.systems.agreement import check_generated
+from polhode.integrators._difference import parts_with_units
+from polhode.integrators._reversal import Given, repeat_steps
+from polhode.systems._agreement import check_generated
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayOrFloat, Bool, Double, Float64, Integer
 
@@ -136,19 +136,19 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         count = jnp.where(span == 0.0, 0.0, step_count(jnp, span, self.step_size)).astype(int)
 
         def step(t: Array, h: Array, now: Array, lost: Array, hint: Any) -> tuple[Array, Array, Array, Array, Any]:
-            found, hint = self.change_with_hint(t, h, now, hint)
-            wanted = found.state + lost
+            change, hint = self.change_with_hint(t, h, now, hint)
+            wanted = change.state + lost
             later = now + wanted
-            return later, (now - later) + wanted, found.iterations, found.converged, hint
+            return later, (now - later) + wanted, change.iterations, change.converged, hint
 
         length = jnp.asarray(span / jnp.maximum(count, 1))
-        given = Given([], count, jnp.asarray(start, float), length, state, memory.lost,
+        inputs = Given([], count, jnp.asarray(start, float), length, state, memory.lost,
                       memory.iterations, memory.fine, memory.hint)  # fmt: skip
         parts = parts_with_units(self.system, state)
-        found = repeat_steps(step, given, parts, self.symmetric, type(self).__name__)
-        fine = found.fine & jnp.all(jnp.isfinite(found.state))
-        later = Memory(found.lost, memory.steps + found.steps, found.iterations, fine, found.hint)
-        return jnp.where(fine, found.state, jnp.inf), later
+        reached = repeat_steps(step, inputs, parts, self.symmetric, type(self).__name__)
+        fine = reached.fine & jnp.all(jnp.isfinite(reached.state))
+        later = Memory(reached.lost, memory.steps + reached.steps, reached.iterations, fine, reached.hint)
+        return jnp.where(fine, reached.state, jnp.inf), later
 
     def init(self, terms: Any, t0: Scalar, t1: Scalar, y0: Double[Array, "..."], args: Any) -> Memory:
         return self.memory(y0)

@@ -9,9 +9,9 @@ import jax
 import jax.numpy as jnp
 
 from polhode.errors import InvalidInput
+from polhode.integrators._composition import DEFAULT_ORDER, compose_with_hints, stages
+from polhode.integrators._fixed_point import fixed_point
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
-from polhode.integrators.composition import DEFAULT_ORDER, compose_with_hints, stages
-from polhode.integrators.fixed_point import fixed_point
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Double, Float64, Integer
 
@@ -91,9 +91,9 @@ class IsospectralMidpoint(AbstractOrbitSolver):
         one_sided, commutator, rest = jax.lax.stop_gradient(terms(guess))
         # of the terms of W̃ − W, which do not vanish where it does
         scale = jnp.max(jnp.abs(one_sided), axis=tuple(range(-len(algebra.element_shape), 0)))
-        found = fixed_point(solve_change, commutator + rest, scale, quick=by_products)
-        change = Change(2.0 * terms(found.value)[1], found.iterations + 2, found.converged)
-        rates = jnp.concatenate([(found.value / h)[None], past.rates[:-1]])
+        solution = fixed_point(solve_change, commutator + rest, scale, quick=by_products)
+        change = Change(2.0 * terms(solution.value)[1], solution.iterations + 2, solution.converged)
+        rates = jnp.concatenate([(solution.value / h)[None], past.rates[:-1]])
         return change, Past(rates, jnp.minimum(past.known + 1, KNOWN))
 
 

@@ -9,10 +9,10 @@ import jax
 import jax.numpy as jnp
 
 from polhode.errors import InvalidInput, shown
+from polhode.integrators._composition import DEFAULT_ORDER, compose, stages
+from polhode.integrators._fixed_point import fixed_point
+from polhode.integrators._group import attitude_by_cayley, attitude_by_exp
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
-from polhode.integrators.composition import DEFAULT_ORDER, compose, stages
-from polhode.integrators.fixed_point import fixed_point
-from polhode.integrators.group import attitude_by_cayley, attitude_by_exp
 from polhode.systems.base import AbstractLiePoissonSystem, join_state
 from polhode.types import Array, Double, Float64
 
@@ -72,13 +72,13 @@ class LieMidpoint(AbstractOrbitSolver):
         half_way = t + 0.5 * h
         start = h * self.system.generator(half_way, point)
         scale = jnp.max(jnp.abs(start), axis=tuple(range(-len(algebra.element_shape), 0)))
-        found = fixed_point(lambda x: h * self.system.generator(half_way, middle(x)), start, scale)
-        x = found.value
+        solution = fixed_point(lambda x: h * self.system.generator(half_way, middle(x)), start, scale)
+        x = solution.value
         if self.coordinates == "cayley":
             moved = join_state(attitude_by_cayley(attitude, x), algebra.cayley_change(x, point))
         else:
             moved = join_state(attitude_by_exp(attitude, x), algebra.exp_change(x, point))
-        return Change(moved, found.iterations, found.converged)
+        return Change(moved, solution.iterations, solution.converged)
 
 
 def has_cayley(system: AbstractLiePoissonSystem) -> bool:

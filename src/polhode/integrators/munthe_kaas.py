@@ -7,8 +7,8 @@ from typing import Any, ClassVar
 import equinox as eqx
 
 from polhode.errors import InvalidInput, shown
+from polhode.integrators._group import attitude_by_exp
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar, explicit
-from polhode.integrators.group import attitude_by_exp
 from polhode.systems.base import AbstractLiePoissonSystem, join_state
 from polhode.types import Array, Double, Float64
 

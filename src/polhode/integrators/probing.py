@@ -50,11 +50,11 @@ def jumps_between(
     Raises:
         InvalidInput: for a jump that is not finite.
     """
-    given = np.ravel(np.asarray(jumps, dtype=float))
-    if not np.isfinite(given).all():
-        raise InvalidInput(f"`jumps` must be finite times [s]; got {shown(given[~np.isfinite(given)][0])}.")
+    instants = np.ravel(np.asarray(jumps, dtype=float))
+    if not np.isfinite(instants).all():
+        raise InvalidInput(f"`jumps` must be finite times [s]; got {shown(instants[~np.isfinite(instants)][0])}.")
     low, high = min(times[0], times[-1]), max(times[0], times[-1])
-    return np.unique(given[(given > low) & (given < high)])
+    return np.unique(instants[(instants > low) & (instants < high)])
 
 
 def depends_on_time(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
@@ -78,10 +78,10 @@ def depends_on_time(system: AbstractSystem, state: Double[Array, "..."]) -> bool
 def _uses_time(system: AbstractSystem, shape: Any) -> bool:
     try:
         time = jax.ShapeDtypeStruct((), jnp.zeros(()).dtype)
-        made = jax.make_jaxpr(lambda t, y: system.vector_field(t, y))(time, shape)
+        traced = jax.make_jaxpr(lambda t, y: system.vector_field(t, y))(time, shape)
     except Exception:
         return False  # the run refuses it in its own words
-    _, used = partial_eval.dce_jaxpr(made.jaxpr, [True] * len(made.jaxpr.outvars))
+    _, used = partial_eval.dce_jaxpr(traced.jaxpr, [True] * len(traced.jaxpr.outvars))
     return bool(used[0])
 
 
@@ -114,12 +114,12 @@ def jumps_along(
         times: (T,) [s], in one direction.
     """
     own = np.shape(states)[np.ndim(states) - system.state_axes :]
-    copies, found = np.reshape(states, (-1, len(times), *own)), []
+    copies, jumps = np.reshape(states, (-1, len(times), *own)), []
     for k, trials in _choose_copies(len(copies)):
         there = np.isfinite(copies[k]).reshape(len(times), -1).all(axis=-1)
         if there.sum() > 1:
-            found.append(_changes(system, copies[k][there][:-1], times[there], trials))
-    return _together(times, found)
+            jumps.append(_changes(system, copies[k][there][:-1], times[there], trials))
+    return _together(times, jumps)
 
 
 def _choose_copies(copies: int) -> list[tuple[int, int]]:
@@ -129,10 +129,10 @@ def _choose_copies(copies: int) -> list[tuple[int, int]]:
 
 
 def _together(
-    times: Float64[np.ndarray, "time"], found: list[Any], warned: bool = False
+    times: Float64[np.ndarray, "time"], jumps: list[Any], warned: bool = False
 ) -> Float64[np.ndarray, "inside"]:
     """Return the jumps of several copies; a copy with too many changes gives their number."""
-    many = max((x for x in found if isinstance(x, int)), default=0)
+    many = max((x for x in jumps if isinstance(x, int)), default=0)
     if many and warned:
         warnings.warn(
             f"the torque or other rates of change switch at least {many} times between {times.min():g} s and "
@@ -140,7 +140,7 @@ def _together(
             f"Give `step=` shorter than a switching lasts, as {0.1 * np.ptp(times) / many:.2g} s.",
             stacklevel=5,
         )
-    return jumps_between(times, np.concatenate([np.zeros(0), *(x for x in found if not isinstance(x, int))]))
+    return jumps_between(times, np.concatenate([np.zeros(0), *(x for x in jumps if not isinstance(x, int))]))
 
 
 def _changes(
@@ -174,8 +174,8 @@ def _changes(
     cells = np.unique(np.concatenate([begins, ends, np.flatnonzero(acts & (changes > ABOVE * beside))]))
     long = ends - begins >= INSIDE
     inside = low[begins[long]] + INNER[:, None] * (high[ends[long]] - low[begins[long]])
-    found = [_bisect(rates, low[cells], high[cells], which[cells]), low[begins], high[ends], np.ravel(inside)]
-    return jumps_between(times, np.concatenate(found))
+    jumps = [_bisect(rates, low[cells], high[cells], which[cells]), low[begins], high[ends], np.ravel(inside)]
+    return jumps_between(times, np.concatenate(jumps))
 
 
 class _Rates:
@@ -194,15 +194,15 @@ class _Rates:
         more = -count % together
         rows = np.append(times, np.full(more, times[-1])).reshape(-1, together)
         at = np.append(which, np.full(more, which[-1])).reshape(-1, together)
-        found = [np.asarray(_evaluate(self.system, self.states[k], t)) for t, k in zip(rows, at, strict=True)]
-        return np.concatenate(found)[:count] / self.sizes
+        rates = [np.asarray(_evaluate(self.system, self.states[k], t)) for t, k in zip(rows, at, strict=True)]
+        return np.concatenate(rates)[:count] / self.sizes
 
 
 @eqx.filter_jit
 def _evaluate(system: AbstractSystem, states: Array, times: Array) -> Array:
-    found = jax.vmap(lambda t, y: system.vector_field(t, y))(jnp.asarray(times), jnp.asarray(states))
-    found = found.reshape(times.shape[0], -1)
-    return jnp.concatenate([found.real, found.imag], axis=-1) if jnp.iscomplexobj(found) else found
+    rates = jax.vmap(lambda t, y: system.vector_field(t, y))(jnp.asarray(times), jnp.asarray(states))
+    rates = rates.reshape(times.shape[0], -1)
+    return jnp.concatenate([rates.real, rates.imag], axis=-1) if jnp.iscomplexobj(rates) else rates
 
 
 def _bisect(rates: _Rates, low: np.ndarray, high: np.ndarray, which: np.ndarray) -> np.ndarray:

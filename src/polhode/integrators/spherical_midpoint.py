@@ -9,9 +9,9 @@ import jax.numpy as jnp
 
 from polhode.algebra.so3 import scaled_norm
 from polhode.errors import InvalidInput
+from polhode.integrators._composition import DEFAULT_ORDER, compose, stages
+from polhode.integrators._fixed_point import fixed_point
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
-from polhode.integrators.composition import DEFAULT_ORDER, compose, stages
-from polhode.integrators.fixed_point import fixed_point
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Double, Float64
 
@@ -61,5 +61,5 @@ class SphericalMidpoint(AbstractOrbitSolver):
         start = improve(jnp.zeros_like(point))
         # the size of the change's terms, which do not vanish where the change does
         scale = jnp.abs(h) * jnp.max(jnp.abs(self.system.generator(half_way, point))) * jnp.max(length)
-        found = fixed_point(improve, start, scale)
-        return Change(*found)
+        solution = fixed_point(improve, start, scale)
+        return Change(*solution)

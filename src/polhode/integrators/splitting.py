@@ -11,9 +11,9 @@ import jax
 import jax.numpy as jnp
 
 from polhode.errors import InvalidInput
+from polhode.integrators._composition import DEFAULT_ORDER, NYSTROM, compose, stages
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar, explicit
-from polhode.integrators.composition import DEFAULT_ORDER, NYSTROM, compose, stages
-from polhode.systems.agreement import has_own_flows
+from polhode.systems._agreement import has_own_flows
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick, Round, components
 from polhode.types import Array, Double, Float64
 

@@ -9,9 +9,9 @@ import jax.numpy as jnp
 from polhode.algebra.so3 import scaled_norm
 from polhode.arrays import is_traced
 from polhode.errors import InvalidInput, shown
+from polhode.integrators._fixed_point import fixed_point
+from polhode.integrators._step_noise import normals_of_step
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
-from polhode.integrators.fixed_point import fixed_point
-from polhode.integrators.step_noise import normals_of_step
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 

@@ -10,10 +10,10 @@ import numpy as np
 
 from polhode.arrays import is_traced
 from polhode.errors import InvalidInput, shown
+from polhode.integrators._group import attitude_by_exp
+from polhode.integrators._step_noise import normals_of_step
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar
-from polhode.integrators.group import attitude_by_exp
 from polhode.integrators.lie_midpoint import LieMidpoint
-from polhode.integrators.step_noise import normals_of_step
 from polhode.systems.base import AbstractLiePoissonSystem, join_state
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
@@ -67,10 +67,10 @@ class TransportNoise(AbstractOrbitSolver):
         seed: Any = 0,
         drift: type[AbstractOrbitSolver] = LieMidpoint,
     ) -> None:
-        own, given = system.algebra.element_shape, np.shape(fields)
-        if len(given) != len(own) + 1 or given[1:] != own:
+        own, shape = system.algebra.element_shape, np.shape(fields)
+        if len(shape) != len(own) + 1 or shape[1:] != own:
             raise InvalidInput(
-                f"`fields` must be (m, {', '.join(map(str, own))}), elements of {system.algebra.name}; got {given}."
+                f"`fields` must be (m, {', '.join(map(str, own))}), elements of {system.algebra.name}; got {shape}."
             )
         if not is_traced(fields) and not np.isfinite(np.asarray(fields)).all():
             raise InvalidInput(f"`fields` must be finite; got {shown(np.asarray(fields))}.")
@@ -99,8 +99,8 @@ class TransportNoise(AbstractOrbitSolver):
     def _stir(self, state: Array, moved: Array, sizes: Array, fields: Array) -> Array:
         """Return the change since ``state`` after turns by all fields, one after the other."""
 
-        def turn(moved: Array, given: tuple[Array, Array]) -> tuple[Array, None]:
-            size, field = given
+        def turn(moved: Array, term: tuple[Array, Array]) -> tuple[Array, None]:
+            size, field = term
             attitude, point = self.system.parts(state + moved)
             x = size * field
             return moved + join_state(attitude_by_exp(attitude, x), self.system.algebra.exp_change(x, point)), None

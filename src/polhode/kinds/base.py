@@ -14,13 +14,13 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
-from polhode.analysis.mechanics import Mechanics
+from polhode.analysis._mechanics import Mechanics
 from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import MotionReport, SystemReport
 from polhode.spec.building import build_spin
@@ -370,14 +370,14 @@ class Spec(Generic[TableT]):
     def report(self) -> SystemReport:
         """Return the answers; see ``AbstractKind.report``."""
         with self._within_double_precision():
-            made = self.kind.report(self)
-            if not isinstance(made, SystemReport):
+            report = self.kind.report(self)
+            if not isinstance(report, SystemReport):
                 name = self.kind.name
-                raise InvalidInput(f"`report` of the kind {name} must return a SystemReport; got {shown(made)}.")
-            found = replace(made, name=self.name, drawings=self.kind.figures)
-            if wrong := NOT_FINITE.search("\n".join([found.summary, *found.notes])):
+                raise InvalidInput(f"`report` of the kind {name} must return a SystemReport; got {shown(report)}.")
+            named = replace(report, name=self.name, drawings=self.kind.figures)
+            if wrong := NOT_FINITE.search("\n".join([named.summary, *named.notes])):
                 raise OverflowError(f"its sentences would say {wrong.group()}")
-        return found
+        return named
 
     def motion(self) -> SpecMotion:
         """Return the motion without the answers; see ``AbstractKind.motion``."""
@@ -395,9 +395,9 @@ class Spec(Generic[TableT]):
                 yield
         except (ArithmeticError, np.linalg.LinAlgError) as error:
             until = {} if self.until is None else {"until": self.until}
-            given = {"system": self.system, "body": self.source, "spin": self.spin, "time": until}
-            farthest = most_extreme(given)
-            told = f" Farthest from one {farthest}: check its number and unit." if farthest else ""
+            tables = {"system": self.system, "body": self.source, "spin": self.spin, "time": until}
+            farthest = most_extreme(tables)
+            hint = f" Farthest from one {farthest}: check its number and unit." if farthest else ""
             raise InvalidInput(
-                f"numbers on the way to the answers leave double precision ({error}).{told}"
+                f"numbers on the way to the answers leave double precision ({error}).{hint}"
             ) from error

@@ -11,8 +11,8 @@ from polhode.errors import InvalidInput
 from polhode.formats.paths import write_whole
 from polhode.kinds.base import Spec
 from polhode.kinds.registry import find_kind, kind_of_source
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
-from polhode.motion.trajectory import Trajectory
 from polhode.reports.base import MotionReport, SystemReport
 from polhode.reports.report import Report
 from polhode.viewer.encoding import with_powers

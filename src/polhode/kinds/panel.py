@@ -8,7 +8,7 @@ from polhode.errors import InvalidInput
 
 if TYPE_CHECKING:
     from polhode.bodies.surface import Surface
-    from polhode.motion.trajectory import Trajectory
+    from polhode.motion._trajectory import Trajectory
     from polhode.viewer.panels import Content, Panel
     from polhode.viewer.samples import Samples
 

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from polhode.errors import InvalidInput, shown
 from polhode.kinds.registry import kind_of_source
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
-from polhode.motion.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -62,24 +62,24 @@ def build_spec(tables: dict[str, Any], path: Path) -> Spec:
         path: of the file, which messages name and from whose folder paths count.
     """
     table = dict(tables)
-    raw, kind, found = _read_system(table.pop("system", default_kind().name))
+    raw, kind, faults = _read_system(table.pop("system", default_kind().name))
     mistakes, model = [], None
     mistakes += find_broken_rules(table, _rules_of_kind(kind, table | {"system": raw}))
     system, wrong = (None, []) if kind is None else _system(kind, raw)
-    mistakes += found + wrong
+    mistakes += faults + wrong
     try:
         model = SpecFile.model_validate(table)
     except ValidationError as error:
         mistakes += list_mistakes(error)
     if kind is not None:
         beyond = [*beyond_reach(system, ("system",), kind.reach), *beyond_reach(model, (), kind.reach)]
-        told = {location for location, _ in mistakes}
-        mistakes += [mistake for mistake in beyond if mistake[0] not in told]
+        locations = {location for location, _ in mistakes}
+        mistakes += [mistake for mistake in beyond if mistake[0] not in locations]
     body, unphysical = _build_body(table.get("body"), path.parent, mistakes)
     if model is None or kind is None or system is None or mistakes or unphysical:
-        found = mistakes + [(location, str(error)) for location, error in unphysical]
+        faults = mistakes + [(location, str(error)) for location, error in unphysical]
         of_files = not mistakes and all(isinstance(error, FormatError) for _, error in unphysical)
-        raise (FormatError if of_files else InvalidInput)(*as_message(path, found))
+        raise (FormatError if of_files else InvalidInput)(*as_message(path, faults))
     name = printable(model.name or path.stem).replace("\n", " ")
     return Spec(
         name=name, kind=kind, system=system, body=body, spin=model.spin,
@@ -140,9 +140,9 @@ def _read_system(raw: Any) -> tuple[Any, AbstractKind | None, list[Mistake]]:
 def _kind(raw: dict[str, Any]) -> tuple[AbstractKind | None, list[Mistake]]:
     """Return the kind that a raw table [system] names, or what is wrong with the name."""
     name = raw.get("kind")
-    found = find_kind(name) if isinstance(name, str) else None
-    if found is not None:
-        return found, []
+    kind = find_kind(name) if isinstance(name, str) else None
+    if kind is not None:
+        return kind, []
     got = "it is missing" if name is None else f"got {shown(name)}"
     near = difflib.get_close_matches(name, kind_names(), 1) if isinstance(name, str) else []
     hint = f"; did you mean {near[0]}?" if near else ""

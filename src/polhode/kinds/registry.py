@@ -21,8 +21,8 @@ HOME = Path(__file__).parent
 @cache
 def _folders() -> dict[str, str]:
     """Return module by kind of what this package has."""
-    found = (module.name for module in pkgutil.iter_modules([str(HOME)]) if module.ispkg)
-    return {folder.replace("_", "-"): f"{__package__}.{folder}" for folder in found}
+    folders = (module.name for module in pkgutil.iter_modules([str(HOME)]) if module.ispkg)
+    return {folder.replace("_", "-"): f"{__package__}.{folder}" for folder in folders}
 
 
 @cache
@@ -48,14 +48,14 @@ def find_kind(name: str) -> AbstractKind | None:
         return None
     point = _others()[name]
     try:
-        found = point.load()
+        kind = point.load()
     except Exception as error:
         raise InvalidInput(
             f"the kind {name} of another package, {point.value}, cannot be imported: {error}. Update or remove it."
         ) from error
-    if not isinstance(found, AbstractKind):
+    if not isinstance(kind, AbstractKind):
         raise InvalidInput(f"the kind {name} of another package, {point.value}, is not an AbstractKind. Update it.")
-    return found
+    return kind
 
 
 @cache

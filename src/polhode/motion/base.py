@@ -13,9 +13,8 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import always, as_float64, compiled, is_jax, namespace, register_node
 from polhode.errors import InvalidInput
-from polhode.motion.axes import PlainTurn, Turn, chosen_axes
-from polhode.motion.exact import ExactMotion
-from polhode.motion.inputs import (
+from polhode.motion._axes import PlainTurn, Turn, chosen_axes
+from polhode.motion._inputs import (
     MOST_RADIANS,
     cached_unless_traced,
     checked,
@@ -27,9 +26,10 @@ from polhode.motion.inputs import (
     refuse_tensor,
     spin_of,
 )
-from polhode.motion.layout import ATTITUDE, MOMENTUM, Quantity, StateLayout
-from polhode.motion.trajectory import Trajectory
-from polhode.special.doubledouble import two_sum
+from polhode.motion._layout import ATTITUDE, MOMENTUM, Quantity, StateLayout
+from polhode.motion._trajectory import Trajectory
+from polhode.motion.exact import ExactMotion
+from polhode.special._doubledouble import two_sum
 from polhode.types import Array, ArrayLike, Float64, Real
 
 MOST_TIME = 1e300  # s, where a body at rest, or hardly turning, is too
@@ -132,9 +132,9 @@ class AbstractMotion(ExactMotion):
         """Set all fields from momentum and attitude along the principal axes."""
         object.__setattr__(self, "axes", axes)
         object.__setattr__(self, "_principal", (momentum, attitude))
-        given = self._turned(attitude, momentum)
+        at_epoch = self._turned(attitude, momentum)
         values = dict(zip(("moments", *self.body_numbers), body, strict=True))
-        values |= {"momentum_at_epoch": given[1], "attitude_at_epoch": given[0], "epoch": epoch, "axes": axes,
+        values |= {"momentum_at_epoch": at_epoch[1], "attitude_at_epoch": at_epoch[0], "epoch": epoch, "axes": axes,
                    "given_axes": given_axes, "_principal": (momentum, attitude)}  # fmt: skip
         for name, value in values.items():
             object.__setattr__(self, name, value)
@@ -219,8 +219,8 @@ class AbstractMotion(ExactMotion):
         if (numbers := self._numbers_at(t)) is None:
             return self._turned(*self._principal_state(t))
         turn = self._alone.turn  # type: ignore[union-attr]
-        found = np.array(numbers if turn is None else (*turn.attitude(numbers[:4]), *turn.vector(numbers[4:])))
-        return found[:4], found[4:]
+        components = np.array(numbers if turn is None else (*turn.attitude(numbers[:4]), *turn.vector(numbers[4:])))
+        return components[:4], components[4:]
 
     def _numbers_at(self, t: Any) -> tuple[float, ...] | None:
         """Return attitude and momentum along the principal axes at one time; None where arrays are needed."""
@@ -280,7 +280,7 @@ class AbstractMotion(ExactMotion):
         attitude, momentum = motion._principal_state(times)
         velocity = momentum / motion.moments
         invariants, drift = motion._invariants(attitude, momentum, velocity)
-        found = Trajectory(
+        trajectory = Trajectory(
             times=times,
             states=xp.concat([attitude, momentum], axis=-1),
             layout=StateLayout((ATTITUDE, MOMENTUM)),
@@ -293,7 +293,7 @@ class AbstractMotion(ExactMotion):
             source=self._standing(None),
             given_axes=self.given_axes,
         )
-        return found.standing(self.axes)
+        return trajectory.standing(self.axes)
 
     def along(self: Motion, axes: str | Real[ArrayLike, "3 3"]) -> Motion:
         """Return the same motion with vectors and attitude along other axes of the body.

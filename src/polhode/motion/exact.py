@@ -9,7 +9,7 @@ from polhode.motion.plotting import Plotted
 from polhode.types import Array, ArrayLike, Float64, Real
 
 if TYPE_CHECKING:
-    from polhode.motion.trajectory import Trajectory
+    from polhode.motion._trajectory import Trajectory
 
 
 class ExactMotion(Plotted, abc.ABC):

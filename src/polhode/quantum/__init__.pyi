@@ -1,8 +1,10 @@
+from ._measured import MeasuredLines as MeasuredLines
+from ._operators import Reduction as Reduction
+from ._operators import Representation as Representation
+from ._strengths import DEBYE as DEBYE
+from ._strengths import Lines as Lines
 from .fitting import RotorFit as RotorFit
 from .fitting import fit_rotor as fit_rotor
-from .measured import MeasuredLines as MeasuredLines
-from .operators import Reduction as Reduction
-from .operators import Representation as Representation
 from .racket import Racket as Racket
 from .rotor import Levels as Levels
 from .rotor import Rotor as Rotor
@@ -14,8 +16,6 @@ from .spin import coherent_state as coherent_state
 from .spin import evolve as evolve
 from .spin import orbit_radius as orbit_radius
 from .spin import spin_matrices as spin_matrices
-from .strengths import DEBYE as DEBYE
-from .strengths import Lines as Lines
 from .symbols import spherical_tensor as spherical_tensor
 from .symbols import symbol as symbol
 from .symbols import symbol_coefficients as symbol_coefficients

@@ -15,8 +15,8 @@ from scipy.optimize import least_squares
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged
-from polhode.quantum.derivatives import AXES, LevelModel, check_names, find_tied, get_constant, once_each
-from polhode.quantum.measured import MeasuredLines, Observations, check_labels, observations
+from polhode.quantum._derivatives import AXES, LevelModel, check_names, find_tied, get_constant, once_each
+from polhode.quantum._measured import MeasuredLines, Observations, check_labels, observations
 from polhode.quantum.rotor import Rotor
 from polhode.types import Array, Float64, Integer
 
@@ -105,8 +105,8 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str] | None = N
         NotConverged: if no minimum is found.
 
     >>> rotor = Rotor((27e9, 14e9, 9e9), dipole=(0.0, 1e-30, 0.0))
-    >>> found = rotor.lines(4)
-    >>> lines = MeasuredLines(found.upper, found.lower, found.frequency, np.full(len(found.frequency), 1e4))
+    >>> exact = rotor.lines(4)
+    >>> lines = MeasuredLines(exact.upper, exact.lower, exact.frequency, np.full(len(exact.frequency), 1e4))
     >>> fit = fit_rotor(Rotor((27.1e9, 13.9e9, 9e9)), lines, ["A", "B", "C"])
     >>> bool(np.allclose(fit.values, rotor.constants, rtol=1e-12)), fit.names
     (True, ('A', 'B', 'C'))
@@ -128,9 +128,9 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str] | None = N
         return -_at(model, seen, start + steps * scale)[1] * scale
 
     ways: Any = {"jac": jacobian}
-    found = least_squares(residual, np.zeros(len(names)), **ways, method="lm", xtol=SMALL, ftol=SMALL, gtol=SMALL)
-    values = start + found.x * scale
-    if found.status <= 0 or not np.isfinite(values).all():
+    solution = least_squares(residual, np.zeros(len(names)), **ways, method="lm", xtol=SMALL, ftol=SMALL, gtol=SMALL)
+    values = start + solution.x * scale
+    if solution.status <= 0 or not np.isfinite(values).all():
         raise NotConverged("the fit found no minimum. Start nearer, check the labels, or free fewer constants.")
     return _fit_at(rotor, names, values, model, seen)
 

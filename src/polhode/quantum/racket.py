@@ -20,8 +20,8 @@ from scipy.optimize import brentq, minimize_scalar
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body import FreeMotion
-from polhode.quantum.operators import Representation, matrix_elements, rigid_terms
-from polhode.quantum.orbits import orbit
+from polhode.quantum._operators import Representation, matrix_elements, rigid_terms
+from polhode.quantum._orbits import orbit
 from polhode.quantum.rotor import Rotor, check_j, equal_constants
 from polhode.quantum.spin import coherent_state
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
@@ -144,12 +144,12 @@ class Racket:
             InvalidInput: for times that are not finite.
         """
         t = _check_times(times)
-        found = np.zeros(len(t))
+        mean = np.zeros(len(t))
         for chain in self._chains:
             # phases as parts of a turn, since energies in Hz may be large
             phases = np.exp(-2j * math.pi * np.remainder(np.multiply.outer(t, chain.energy), 1.0))
-            found += np.abs((phases * chain.weights) @ chain.vectors.T) ** 2 @ chain.K
-        return found / self.J
+            mean += np.abs((phases * chain.weights) @ chain.vectors.T) ** 2 @ chain.K
+        return mean / self.J
 
     @known_numbers_only
     def states(self, times: Real[ArrayLike, "time"]) -> Complex128[Array, "time n"]:
@@ -165,11 +165,11 @@ class Racket:
             InvalidInput: for times that are not finite.
         """
         t = _check_times(times)
-        found = np.zeros((len(t), 2 * self.J + 1), complex)
+        states = np.zeros((len(t), 2 * self.J + 1), complex)
         for chain in self._chains:
             phases = np.exp(2j * math.pi * np.remainder(np.multiply.outer(t, chain.energy), 1.0))
-            found[:, np.round(self.J - chain.K).astype(int)] = (phases * chain.weights) @ chain.vectors.T
-        return found
+            states[:, np.round(self.J - chain.K).astype(int)] = (phases * chain.weights) @ chain.vectors.T
+        return states
 
     @property
     def half_time(self) -> float | None:
@@ -190,8 +190,8 @@ class Racket:
         if not len(turns):
             return None
         ends = (times[turns[0] - 1], times[turns[0] + 1])
-        found: Any = minimize_scalar(self._at, bounds=ends, method="bounded", options={"xatol": 1e-9 * ends[1]})
-        return Reversal(float(found.x), float(found.fun))
+        minimum: Any = minimize_scalar(self._at, bounds=ends, method="bounded", options={"xatol": 1e-9 * ends[1]})
+        return Reversal(float(minimum.x), float(minimum.fun))
 
     def _at(self, time: float) -> float:
         return float(self.quantum(np.array([time]))[0])
@@ -205,7 +205,7 @@ class Racket:
     def _chains(self) -> list[Chain]:
         terms = rigid_terms(self.constants, MIDDLE_IS_Z)
         a, b, c = self.direction
-        start, found = coherent_state(self.J, (c, a, b)), []
+        start, chains = coherent_state(self.J, (c, a, b)), []
         # one constant for both chains, whose phases against each other move ⟨L_a⟩ and ⟨L_c⟩
         middle = matrix_elements(terms, self.J, np.arange(self.J, -self.J - 1, -1.0), 0).mean()
         for first in (0, 1):
@@ -214,8 +214,8 @@ class Racket:
                 K = np.arange(self.J - first, -self.J - 1, -2.0)
                 diagonal = matrix_elements(terms, self.J, K, 0)
                 energy, vectors = _diagonalise(diagonal - middle, matrix_elements(terms, self.J, K[1:], 1))
-                found.append(Chain(K, energy, vectors, vectors.T @ psi))
-        return found
+                chains.append(Chain(K, energy, vectors, vectors.T @ psi))
+        return chains
 
     @known_numbers_only
     def classical(self, times: Real[ArrayLike, "time"]) -> Float64[Array, "time"]:
@@ -277,8 +277,8 @@ class Racket:
 def _diagonalise(diagonal: Array, beside: Array) -> tuple[Array, Array]:
     if len(diagonal) == 1:
         return diagonal, np.ones((1, 1))
-    found: Any = eigh_tridiagonal(diagonal, beside)
-    return found
+    eigensystem: Any = eigh_tridiagonal(diagonal, beside)
+    return eigensystem
 
 
 def _check_times(times: Any) -> Array:

@@ -13,10 +13,10 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
-from polhode.quantum import wang
-from polhode.quantum.operators import Reduction, Representation, Term, distortion_terms, rigid_terms
-from polhode.quantum.partition import THERMAL, check_temperature, partition_sum
-from polhode.quantum.strengths import EINSTEIN, INTENSITY, Lines, compute_states, lines_between
+from polhode.quantum import _wang as wang
+from polhode.quantum._operators import Reduction, Representation, Term, distortion_terms, rigid_terms
+from polhode.quantum._partition import THERMAL, check_temperature, partition_sum
+from polhode.quantum._strengths import EINSTEIN, INTENSITY, Lines, compute_states, lines_between
 from polhode.types import Array, ArrayLike, Bool, Float64, Integer, Real
 
 Kind = TypeVar("Kind", bound=enum.Enum)
@@ -55,10 +55,10 @@ class Levels(NamedTuple):
         Raises:
             InvalidInput: if it is not among these.
         """
-        found = np.flatnonzero((self.J == J) & (self.Ka == Ka) & (self.Kc == Kc))
-        if len(found) != 1:
+        indices = np.flatnonzero((self.J == J) & (self.Ka == Ka) & (self.Kc == Kc))
+        if len(indices) != 1:
             raise InvalidInput(f"the level {J}_{Ka},{Kc} must be among those computed; check J, Ka and Kc, or `j_max`.")
-        return float(self.energy[found[0]])
+        return float(self.energy[indices[0]])
 
 
 class Rotor:
@@ -167,11 +167,11 @@ class Rotor:
             energy = sum(value * term.sign * j**term.of_J for value, term in self._terms)
             return self._weigh_levels(np.array([J]), np.array([0]), np.array([J]), np.array([energy]))
         representation = self.representation or RIGID
-        found = []
+        blocks = []
         for block in wang.blocks(J):
             energy = wang.energies(wang.band(self._terms, J, block))
-            found.append((*wang.labels(J, block, representation), energy))
-        Ka, Kc, energy = (np.concatenate(parts) for parts in zip(*found, strict=True))
+            blocks.append((*wang.labels(J, block, representation), energy))
+        Ka, Kc, energy = (np.concatenate(parts) for parts in zip(*blocks, strict=True))
         order = np.lexsort((-Kc, Ka))
         return self._weigh_levels(np.full(2 * J + 1, J), Ka[order], Kc[order], energy[order])
 
@@ -190,8 +190,8 @@ class Rotor:
             raise InvalidInput("a rotor with C = 0 has no partition function: infinitely many levels lie below any.")
 
         def of(J: int) -> tuple[Array, Array]:
-            found = self.levels_of(J)
-            return found.energy, found.weight
+            levels = self.levels_of(J)
+            return levels.energy, levels.weight
 
         return partition_sum(of, values, HIGHEST_J)
 
@@ -211,8 +211,8 @@ class Rotor:
 
         >>> from polhode.quantum import DEBYE
         >>> rotor = Rotor((27e9, 14e9, 9e9), dipole=(0.0, DEBYE, 0.0))
-        >>> found = rotor.lines(1)
-        >>> (found.frequency / 1e9).round(6).tolist(), found.upper.tolist(), found.lower.tolist()
+        >>> lines = rotor.lines(1)
+        >>> (lines.frequency / 1e9).round(6).tolist(), lines.upper.tolist(), lines.lower.tolist()
         ([18.0, 36.0], [[1, 1, 0], [1, 1, 1]], [[1, 0, 1], [0, 0, 0]])
         """
         highest = check_j("j_max", j_max)
@@ -230,10 +230,10 @@ class Rotor:
                 low = high
         return self._weigh_lines(tuple(np.concatenate(x) for x in zip(*parts, strict=True)), temperature)
 
-    def _weigh_lines(self, found: tuple[Array, ...], temperature: float | None) -> Lines:
+    def _weigh_lines(self, columns: tuple[Array, ...], temperature: float | None) -> Lines:
         """Return lines by frequency, with intensities by temperature and spin weights."""
-        order = np.argsort(found[2], kind="stable")
-        upper, lower, frequency, strength, energy = (x[order] for x in found)
+        order = np.argsort(columns[2], kind="stable")
+        upper, lower, frequency, strength, energy = (x[order] for x in columns)
         weight = self._spin_weight(lower[:, 1], lower[:, 2])
         einstein = EINSTEIN * frequency**3 * strength / (2 * upper[:, 0] + 1)
         intensity = np.full(len(order), np.nan)

@@ -20,7 +20,7 @@ from scipy.special import loggamma
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.quantum.orbits import Three, orbit
+from polhode.quantum._orbits import Three, orbit
 from polhode.quantum.rotor import Rotor, check_j, equal_constants
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
@@ -64,8 +64,8 @@ def semiclassical_levels(constants: Real[ArrayLike, "3"], J: int, order: int = 2
         InvalidInput: for constants of which two are equal, whose levels are known exactly, or a J or order that is
             none.
 
-    >>> found = semiclassical_levels((27.0, 14.0, 9.0), 10)
-    >>> round(float(found.energy[0]), 4), round(float(Rotor((27.0, 14.0, 9.0)).levels_of(10).energy[0]), 4)
+    >>> levels = semiclassical_levels((27.0, 14.0, 9.0), 10)
+    >>> round(float(levels.energy[0]), 4), round(float(Rotor((27.0, 14.0, 9.0)).levels_of(10).energy[0]), 4)
     (1083.7342, 1083.7274)
     """
     checked = _asymmetric(constants)
@@ -77,10 +77,10 @@ def semiclassical_levels(constants: Real[ArrayLike, "3"], J: int, order: int = 2
         )
     index = np.arange(2 * J + 1)
     Ka, Kc = (index + 1) // 2, J - index // 2
-    found, period, roomless = quantise(checked, J, order)
+    energies, period, roomless = quantise(checked, J, order)
     if order == 2:
         _warn_of_no_room(checked, J + 0.5, roomless)
-    return SemiclassicalLevels(Ka, Kc, found, period)
+    return SemiclassicalLevels(Ka, Kc, energies, period)
 
 
 def quantise(
@@ -236,8 +236,8 @@ def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -
     inset = NEAR_ENDS * (high - low)
 
     def phase_defect(energy: Array, n: Array, sign: Array, order: int) -> Array:
-        found, delta = phase(constants, G, energy, order)
-        return found - sign * delta - math.pi * n
+        angle, delta = phase(constants, G, energy, order)
+        return angle - sign * delta - math.pi * n
 
     ends = np.full(len(quanta), low + inset), np.full(len(quanta), high - inset)
     first = elementwise.find_root(lambda e, n, s: phase_defect(e, n, s, 1), ends, args=(quanta, sign)).x

@@ -15,7 +15,7 @@ from scipy.stats import binom
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.special.spherical_tensors import magnetic_numbers
+from polhode.special._spherical_tensors import magnetic_numbers
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 LARGEST_SPIN = 4000.0  # whose matrices, dense, take 3 GB

@@ -14,7 +14,7 @@ from scipy.special import gammaln, sph_harm_y
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.quantum.spin import unit_vectors
-from polhode.special.spherical_tensors import spherical_tensor
+from polhode.special._spherical_tensors import spherical_tensor
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 KINDS = {"q": -1.0, "weyl": 0.0, "p": 1.0}
@@ -42,13 +42,13 @@ def symbol_coefficients(operator: Real[ArrayLike, "n n"], kind: str = "weyl") ->
     s = 0.5 * (n - 1)
     k = np.arange(n)
     size = math.sqrt(4.0 * math.pi / n) * np.exp(-KINDS[kind] * _log_weights(n, k))
-    found = np.zeros((n, 2 * n - 1), complex)
+    coefficients = np.zeros((n, 2 * n - 1), complex)
     for q in range(n):
         rows = spherical_tensor(s, q)
         # tr A T†, of T_kq and of T_{k,−q} = (−1)^q T_kq†
-        found[q:, n - 1 + q] = rows @ np.diagonal(A, q)
-        found[q:, n - 1 - q] = (-1.0) ** q * (rows @ np.diagonal(A, -q))
-    return size[:, None] * found
+        coefficients[q:, n - 1 + q] = rows @ np.diagonal(A, q)
+        coefficients[q:, n - 1 - q] = (-1.0) ** q * (rows @ np.diagonal(A, -q))
+    return size[:, None] * coefficients
 
 
 def pole_values(s: float) -> Float64[Array, "n"]:

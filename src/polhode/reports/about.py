@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from polhode.analysis.conserved_function import ConservedFunction
+from polhode.analysis._conserved_function import ConservedFunction
 from polhode.analysis.energy_casimir import Stability
 from polhode.bodies.body import Body
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.wording import distinct, drifts, vector
 from polhode.types import Array, Float64
@@ -66,20 +66,20 @@ def accuracy(trajectory: Trajectory, label: str = "drift") -> list[Answer]:
     ]
 
 
-def stability_values(found: Stability) -> dict[str, Any]:
+def stability_values(stability: Stability) -> dict[str, Any]:
     """Return a verdict as values by name."""
     return {
-        "verdict": found.verdict,
-        "rate": found.rate,
-        "growth": found.growth,
-        "direction": found.direction,
-        "exponents": [[float(x.real), float(x.imag)] for x in found.spectrum],
-        "because": found.words,
-        "certificate": found.certificate,
-        "reason": found.reason.values,
-        "restriction": found.restriction,
-        "missing_casimirs": None if found.missing is None else vars(found.missing),
-        "function": None if found.function is None else _function_values(found.function),
+        "verdict": stability.verdict,
+        "rate": stability.rate,
+        "growth": stability.growth,
+        "direction": stability.direction,
+        "exponents": [[float(x.real), float(x.imag)] for x in stability.spectrum],
+        "because": stability.words,
+        "certificate": stability.certificate,
+        "reason": stability.reason.values,
+        "restriction": stability.restriction,
+        "missing_casimirs": None if stability.missing is None else vars(stability.missing),
+        "function": None if stability.function is None else _function_values(stability.function),
     }
 
 
@@ -101,11 +101,11 @@ def _function_values(function: ConservedFunction) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def about_stability(name: str, found: Stability) -> list[Answer]:
+def about_stability(name: str, stability: Stability) -> list[Answer]:
     """Return one verdict, without lines of its own."""
     return [
         Answer(f"{name}.{key}", value, "1/s" if key in ("rate", "exponents") else "")
-        for key, value in stability_values(found).items()
+        for key, value in stability_values(stability).items()
     ]
 
 

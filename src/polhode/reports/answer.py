@@ -86,30 +86,30 @@ class Table(NamedTuple):
 
 def collect_values(groups: Iterable[Group | Table]) -> dict[str, Any]:
     """Return the answers by name, levels as nested dictionaries."""
-    found: dict[str, Any] = {}
+    values: dict[str, Any] = {}
     for name, value in _list_named(groups):
         *parents, last = name.split(".")
-        level = found
+        level = values
         for parent in parents:
             level = level.setdefault(parent, {})
         assert last not in level, f"two answers are called {name}"
         level[last] = value
-    return found
+    return values
 
 
 def collect_units(groups: Iterable[Group | Table]) -> dict[str, str]:
     """Return the units by the names of the answers, explanations after them."""
-    found: dict[str, str] = {}
+    units: dict[str, str] = {}
     for group in groups:
         if isinstance(group, Table):
             if group.name and group.rows:
-                found |= {f"{group.name}.{name}": unit for name, unit in group.units.items()}
+                units |= {f"{group.name}.{name}": unit for name, unit in group.units.items()}
             continue
         for answer in group.answers:
             said = ", ".join(filter(None, (answer.unit, answer.explanation)))
             if answer.name and said:
-                found[answer.name] = said
-    return found
+                units[answer.name] = said
+    return units
 
 
 def _list_named(groups: Iterable[Group | Table]) -> Iterator[tuple[str, Any]]:

@@ -8,8 +8,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from polhode.analysis.mechanics import Mechanics
-from polhode.motion.trajectory import Trajectory
+from polhode.analysis._mechanics import Mechanics
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import plain
 from polhode.reports.report import Report
 

@@ -48,7 +48,7 @@ def _version(name: str) -> str:
 @cache
 def _sources(package: str) -> str:
     """Return a digest of the files of a package, or of a module of its own."""
-    found, spec = hashlib.sha256(), find_spec(package)
+    digest, spec = hashlib.sha256(), find_spec(package)
     if spec is None:
         return ""
     folders = [Path(place) for place in spec.submodule_search_locations or ()]
@@ -58,6 +58,6 @@ def _sources(package: str) -> str:
         files = [(Path(spec.origin), Path(package))]
     for file, name in files:
         content = file.read_bytes()
-        found.update(f"{name.as_posix()} {len(content)}\n".encode())
-        found.update(content)
-    return found.hexdigest()
+        digest.update(f"{name.as_posix()} {len(content)}\n".encode())
+        digest.update(content)
+    return digest.hexdigest()

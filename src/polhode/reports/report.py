@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from polhode.bodies.surface import Surface
-    from polhode.motion.trajectory import Trajectory
+    from polhode.motion._trajectory import Trajectory
     from polhode.viewer.page import NotebookPage
 
 
@@ -37,8 +37,8 @@ class Report(abc.ABC):
         inputs: the files that it was made from; they are never overwritten.
 
     >>> import polhode as ph
-    >>> found = ph.tumble("apophis")
-    >>> found.kind, round(found.values()["energy_ratio"], 3)
+    >>> report = ph.tumble("apophis")
+    >>> report.kind, round(report.values()["energy_ratio"], 3)
     ('tumble', 1.024)
     """
 

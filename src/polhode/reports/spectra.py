@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
+from polhode.quantum._strengths import Lines
 from polhode.quantum.rotor import Levels
-from polhode.quantum.strengths import Lines
 from polhode.reports.answer import Table
 
 WAVE_NUMBER = 29979245800.0  # Hz of 1 cm⁻¹

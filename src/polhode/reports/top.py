@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from polhode.analysis._mechanics import Mechanics
 from polhode.analysis.energy_casimir import Stability
-from polhode.analysis.mechanics import Mechanics
 from polhode.analysis.top_motion import axial_spin, axis_in_space, axis_tilt, keeps_its_tilt, top_period
 from polhode.analysis.top_rates import TopRates, gyroscopic_rates, mean_top_rates, steady_top_rates
 from polhode.analysis.top_rests import top_stability
@@ -17,8 +17,8 @@ from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import GIVEN, about_axes, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
@@ -93,8 +93,8 @@ class TopReport(MotionReport):
     @property
     def notes(self) -> list[str]:
         note = "the fixed point is the centre of mass: the weight has no torque, the body is free."
-        found = [note] if self.free else []
-        return [*self.remarks, *found] + [str(warning) for warning in self.warned]
+        notes = [note] if self.free else []
+        return [*self.remarks, *notes] + [str(warning) for warning in self.warned]
 
     @property
     def summary(self) -> str:
@@ -120,7 +120,7 @@ class TopReport(MotionReport):
         if self.free:
             return []
         momentum, middle = self.axial_momentum, 0.5 * float(self.tilt.min() + self.tilt.max())
-        found = {
+        cases = {
             "motion": ("the motion, on average", self.mean_rates),
             "steady": ("small nutation about steady precession, at the middle tilt",
                        steady_top_rates(self.top, momentum, middle)),
@@ -128,7 +128,7 @@ class TopReport(MotionReport):
         }  # fmt: skip
         rows = [
             {"by": name, "words": words, **(rates or TopRates(None, None))._asdict()}
-            for name, (words, rates) in found.items()
+            for name, (words, rates) in cases.items()
         ]
         said = lambda what: lambda row: "–" if row[what] is None else f"{row[what]:.6g} rad/s"  # noqa: E731
         columns = {"": lambda row: row["words"], "precession": said("precession"), "nutation": said("nutation")}
@@ -175,9 +175,9 @@ def about_body(body: Body, top: HeavyTop, frame: BodyFrame) -> Group:
     ])  # fmt: skip
 
 
-def about_rests(found: dict[str, Stability]) -> Table:
+def about_rests(judgements: dict[str, Stability]) -> Table:
     """Return the verdicts on the axis upright and hanging, by words."""
-    rows = [{"position": name, **stability_values(verdict)} for name, verdict in found.items()]
+    rows = [{"position": name, **stability_values(verdict)} for name, verdict in judgements.items()]
     title = "Axis to the centre of mass, upright and hanging"
     return verdicts("equilibria", title, "position", lambda row: row["position"], rows, key="position")
 

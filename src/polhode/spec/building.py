@@ -89,12 +89,12 @@ def build_spin(
     Raises:
         InvalidInput: for a momentum beyond the range of numbers.
     """
-    given = (1.0, 0.0, 0.0, 0.0) if table is None else table.attitude
-    attitude = rotation.multiply(rotation.normalize(given), rotation.from_matrix(axes))
+    start = (1.0, 0.0, 0.0, 0.0) if table is None else table.attitude
+    attitude = rotation.multiply(rotation.normalize(start), rotation.from_matrix(axes))
     if table is not None and table.temperature is not None:
         return thermal_momentum(moments, table.temperature), attitude
     ways = () if table is None else (table.momentum, table.angular_velocity, table.rate)
-    if table is None or all(told is None for told in ways):
+    if table is None or all(way is None for way in ways):
         return np.zeros(3), attitude
     if table.momentum is not None or table.angular_velocity is not None:
         vector = np.asarray(table.momentum if table.momentum is not None else table.angular_velocity, dtype=float)

@@ -77,17 +77,17 @@ class ExportTable(BaseModel):
 def export_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...], str]]:
     """Yield mistakes in the epoch, by its time system, and in the names of the two frames."""
     yield from _frame_rules(table)
-    given, system = table.get("epoch"), table.get("time_system", "UTC")
+    epoch, system = table.get("epoch"), table.get("time_system", "UTC")
     try:
-        text = _as_text(given)
+        text = _as_text(epoch)
     except OverflowError:
-        yield ("export", "epoch"), f"lies in UTC outside the years 1 to 9999; got {shown(given)}. Check year and zone"
+        yield ("export", "epoch"), f"lies in UTC outside the years 1 to 9999; got {shown(epoch)}. Check year and zone"
         return
     if text is None:
         return
     if system not in SPEC_TIME_SYSTEMS:
         system = "TAI"  # a mistake of its own; dates and times of day are wrong in any other as well
-    if isinstance(given, datetime) and given.tzinfo and system != "UTC":
+    if isinstance(epoch, datetime) and epoch.tzinfo and system != "UTC":
         yield ("export", "epoch"), f"has a zone, which only UTC has; leave the zone out for {system}"
         return
     try:
@@ -101,21 +101,21 @@ def _frame_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...],
     if not all(isinstance(name, str) for name in names.values()):
         return
     body, space = plain(names["body_frame"]), plain(names["reference_frame"])
-    given = "body_frame" if "body_frame" in table else "reference_frame"
+    frame = "body_frame" if "body_frame" in table else "reference_frame"
     if body == space:
-        yield ("export", given), f"must differ from the other frame; both are {shown(names['body_frame'])}"
+        yield ("export", frame), f"must differ from the other frame; both are {shown(names['body_frame'])}"
     elif body in INERTIAL:
         got = shown(names["body_frame"])
-        yield ("export", given), f"is an inertial frame, and the body turns; got {got}. Name its own"
+        yield ("export", frame), f"is an inertial frame, and the body turns; got {got}. Name its own"
 
 
 def make_labels(table: ExportTable, name: str) -> AttitudeLabels:
     """Return the labels of a spec; the object's default name is that of the spec."""
-    given: dict[str, Any] = {"object_name": _in_ascii(name)}
-    given |= {key: value for key, value in table.model_dump().items() if value is not None}
+    fields: dict[str, Any] = {"object_name": _in_ascii(name)}
+    fields |= {key: value for key, value in table.model_dump().items() if value is not None}
     if table.epoch is not None:
-        given["epoch"] = shortest(read_epoch(table.epoch, table.time_system), table.time_system)
-    return AttitudeLabels(**given)
+        fields["epoch"] = shortest(read_epoch(table.epoch, table.time_system), table.time_system)
+    return AttitudeLabels(**fields)
 
 
 def _in_ascii(name: str) -> str:

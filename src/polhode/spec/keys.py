@@ -97,8 +97,8 @@ def with_value(tables: dict[str, Any], key: str, value: Any) -> dict[str, Any]:
     Raises:
         ValueError: in words, where a list on the way is missing or too short.
     """
-    found = copy.copy(tables)
-    at: Any = found
+    changed = copy.copy(tables)
+    at: Any = changed
     *parents, last = key.split(".")
     for name, after in zip(parents, [*parents[1:], last], strict=True):
         place = _place(at, name, key)
@@ -111,7 +111,7 @@ def with_value(tables: dict[str, Any], key: str, value: Any) -> dict[str, Any]:
         at[place] = copy.copy(inner)
         at = at[place]
     at[_place(at, last, key)] = value
-    return found
+    return changed
 
 
 def _place(at: dict[str, Any] | list[Any], name: str, key: str) -> str | int:

@@ -38,9 +38,9 @@ def as_message(path: Path, mistakes: list[Mistake]) -> list[str]:
     lines = list(dict.fromkeys(f"  {_key(location)}: {text}" for location, text in mistakes))
     count = "1 mistake" if len(lines) == 1 else f"{len(lines)} mistakes"
     sizes = itertools.accumulate(len(line) for line in lines)
-    told = max(1, sum(size <= LONGEST for size in sizes))
-    rest = [] if told == len(lines) else [f"  and {len(lines) - told} more"]
-    return [f"{path} has {count}:", *lines[:told], *rest]
+    kept = max(1, sum(size <= LONGEST for size in sizes))
+    rest = [] if kept == len(lines) else [f"  and {len(lines) - kept} more"]
+    return [f"{path} has {count}:", *lines[:kept], *rest]
 
 
 def _key(location: Location) -> str:
@@ -81,4 +81,4 @@ def _model_in(annotation: Any) -> type[BaseModel] | None:
     """Return the model named anywhere in an annotation."""
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return annotation
-    return next((found for found in map(_model_in, get_args(annotation)) if found), None)
+    return next((model for model in map(_model_in, get_args(annotation)) if model), None)

@@ -114,7 +114,7 @@ class SpinTable(Strict):
     @property
     def is_of_a_top(self) -> bool:
         """Whether it gives the rates of a top's Euler angles."""
-        return any(told is not None for told in (self.spin, self.precession, self.nutation_rate))
+        return any(rate is not None for rate in (self.spin, self.precession, self.nutation_rate))
 
 
 class TimeTable(Strict):

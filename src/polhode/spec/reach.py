@@ -68,9 +68,9 @@ def check_reach(name: str, *numbers: float) -> None:
 
 def most_extreme(tables: dict[str, Any]) -> str:
     """Return the number of tables that is farthest from one, as "system.radius is 1e+90 in SI"; empty for none."""
-    found = [(abs(math.log10(abs(number))), location, number)
+    entries = [(abs(math.log10(abs(number))), location, number)
              for location, number in numbers_in(tables) if number and math.isfinite(number)]  # fmt: skip
-    if not found:
+    if not entries:
         return ""
-    _, location, number = max(found, key=lambda one: one[0])
+    _, location, number = max(entries, key=lambda one: one[0])
     return f"{'.'.join(map(str, location))} is {number:g} in SI"

@@ -13,10 +13,10 @@ ANGSTROM = 1e-10  # m
 
 def remarks_on(body: Body | None, spin: SpinTable | None) -> tuple[str, ...]:
     """Return a sentence or two on what was assumed of a body and its spin."""
-    found = remarks_on_body(body)
+    remarks = remarks_on_body(body)
     if spin is not None and spin.temperature is not None:
-        found += (_of_temperature(body, spin.temperature),)
-    return found
+        remarks += (_of_temperature(body, spin.temperature),)
+    return remarks
 
 
 def remarks_on_body(body: Body | None) -> tuple[str, ...]:

@@ -12,9 +12,9 @@ from polhode.bodies.atoms import isotopic_masses
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.formats.molecule import read_molecule
-from polhode.quantum.partition import NEGLIGIBLE, THERMAL
+from polhode.quantum._partition import NEGLIGIBLE, THERMAL
+from polhode.quantum._strengths import DEBYE
 from polhode.quantum.rotor import Rotor
-from polhode.quantum.strengths import DEBYE
 from polhode.spec.models import BodyTable
 from polhode.types import Array, Float64
 
@@ -124,8 +124,8 @@ def complete_rotor(
     rotor: Rotor, temperature: float | None = None, j_max: int | None = None, notes: tuple[str, ...] = ()
 ) -> SpecRotor:
     """Return a rotor with temperature and largest J, or their defaults."""
-    found = ROOM_TEMPERATURE if temperature is None else temperature
-    return SpecRotor(rotor, found, usual_j(rotor, found) if j_max is None else j_max, notes)
+    kelvins = ROOM_TEMPERATURE if temperature is None else temperature
+    return SpecRotor(rotor, kelvins, usual_j(rotor, kelvins) if j_max is None else j_max, notes)
 
 
 def check_summable(asked: SpecRotor) -> None:

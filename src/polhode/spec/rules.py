@@ -49,9 +49,9 @@ def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | Non
     """
     spin = table.get("spin")
     if model is not None and not model.leans and isinstance(spin, dict):
-        if told := [key for key in OF_A_TOP if key in spin]:
-            verb = "gives" if len(told) == 1 else "give"
-            yield ("spin",), (f"{list_words(told)} {verb} the rates of a top's Euler angles, which the system {kind} "
+        if keys := [key for key in OF_A_TOP if key in spin]:
+            verb = "gives" if len(keys) == 1 else "give"
+            yield ("spin",), (f"{list_words(keys)} {verb} the rates of a top's Euler angles, which the system {kind} "
                               f"does not take; give {list_words(WAYS, 'or')} instead")  # fmt: skip
     if model is None:
         return  # what such a system needs is not known

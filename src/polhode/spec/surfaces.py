@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
+from polhode.bodies._turned import SECTIONS, ball, bar, cone, torus, tube
 from polhode.bodies.surface import Surface, cuboid, join_surfaces
-from polhode.bodies.turned import SECTIONS, ball, bar, cone, torus, tube
 from polhode.formats.mesh import read_mesh
 from polhode.formats.molecule import ANGSTROM, read_molecule
 from polhode.spec.building import TURNS
@@ -52,8 +52,8 @@ def surface_of_disk(radius: float, thickness: float, sections: int = SECTIONS) -
 
 def surface_of_part(table: PartTable) -> Surface:
     """Return one part in its place."""
-    made = _make_shape(table)
-    return Surface(made.vertices @ TURNS[table.axis].T + np.asarray(table.at), made.faces)
+    shape = _make_shape(table)
+    return Surface(shape.vertices @ TURNS[table.axis].T + np.asarray(table.at), shape.faces)
 
 
 def _make_shape(part: PartTable) -> Surface:

@@ -34,32 +34,32 @@ def quantity(name: str, text: str, unit: str, positive: bool = True) -> float:
     return value
 
 
-def uncertain(name: str, given: Uncertain, unit: str, bare: bool = False) -> tuple[float, float]:
+def uncertain(name: str, measured: Uncertain, unit: str, bare: bool = False) -> tuple[float, float]:
     """Return a positive quantity and its standard deviation, in SI.
 
     Args:
         name: for messages.
-        given: numbers, or a text.
+        measured: numbers, or a text.
         unit: to which a text must be convertible.
         bare: whether a text may go without a unit.
 
     Raises:
         InvalidInput: for what cannot be read, and for numbers that are not positive and finite.
     """
-    if isinstance(given, str):
-        value, error = _read_value(name, given, unit, bare)
+    if isinstance(measured, str):
+        value, error = _read_value(name, measured, unit, bare)
     else:
         try:
-            value, error = np.asarray(given if np.ndim(given) else (given, 0.0), float).tolist()
+            value, error = np.asarray(measured if np.ndim(measured) else (measured, 0.0), float).tolist()
         except (TypeError, ValueError):
             raise InvalidInput(
                 f'{name} must be a number, one with its standard deviation, or a text like "27.38 ± 0.07 h"; got '
-                f"{shown(given)}."
+                f"{shown(measured)}."
             ) from None
         if not 0.0 < value < math.inf:
-            raise InvalidInput(f"{name} must be positive; got {shown(given)}.")
+            raise InvalidInput(f"{name} must be positive; got {shown(measured)}.")
     if not 0.0 <= error < math.inf:
-        raise InvalidInput(f"{name} must not have a negative error; got {shown(given)}.")
+        raise InvalidInput(f"{name} must not have a negative error; got {shown(measured)}.")
     return value, error
 
 
@@ -67,8 +67,8 @@ def _read_value(name: str, text: str, unit: str, bare: bool) -> tuple[float, flo
     value, *rest = _ERROR.split(text.strip())
     if len(rest) > 1:
         raise InvalidInput(f'{name} must be like "27.38 ± 0.07 h"; got {shown(text)}.')
-    found = _TRAILING_UNIT.search(rest[-1] if rest else value)
-    if found is None and bare:
+    match = _TRAILING_UNIT.search(rest[-1] if rest else value)
+    if match is None and bare:
         try:
             parts = [read_number(part) for part in (value, *rest)]
         except ValueError:
@@ -78,6 +78,6 @@ def _read_value(name: str, text: str, unit: str, bare: bool) -> tuple[float, flo
             raise InvalidInput(f"{name} must be positive; got {shown(text)}.")
     else:
         own = _TRAILING_UNIT.search(value)
-        first = value if own or found is None else f"{value} {found.group()}"
+        first = value if own or match is None else f"{value} {match.group()}"
         parts = [quantity(name, first, unit), *(quantity(name, part, unit, positive=False) for part in rest)]
     return parts[0], parts[1] if rest else 0.0

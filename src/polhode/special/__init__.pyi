@@ -1,3 +1,5 @@
+from ._legendre import LegendreFunction as LegendreFunction
+from ._legendre import legendre_function as legendre_function
 from .carlson import (
     carlson_rc as carlson_rc,
 )
@@ -31,8 +33,6 @@ from .elliptic import (
 from .elliptic import (
     nome as nome,
 )
-from .legendre import LegendreFunction as LegendreFunction
-from .legendre import legendre_function as legendre_function
 from .theta import theta1 as theta1
 from .theta import theta2 as theta2
 from .theta import theta3 as theta3

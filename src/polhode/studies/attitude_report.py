@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
+from polhode.estimation._estimate import Estimate
 from polhode.estimation.attitude_fit import AttitudeFit
-from polhode.estimation.estimate import Estimate
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
 from polhode.reports.wording import uncertain

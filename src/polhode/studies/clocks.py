@@ -34,11 +34,11 @@ def parse_offset(text: str | None, name: str = "--offset") -> Decimal | str | No
     """
     if text is None or text == START:
         return text
-    found = _TIME.fullmatch(text)
-    unit = find_unit(found["unit"], TIME_UNITS) if found else None
-    if found and unit and _is_number(found["number"]):
+    match = _TIME.fullmatch(text)
+    unit = find_unit(match["unit"], TIME_UNITS) if match else None
+    if match and unit and _is_number(match["number"]):
         try:
-            return exact_number(found["number"]) * IN_DECIMAL_SECONDS[unit]
+            return exact_number(match["number"]) * IN_DECIMAL_SECONDS[unit]
         except ValueError:
             raise InvalidInput(f"{name} must be between 1e-30 and 1e30 in size, or 0; got {shown(text)}. Say A's "
                                "time at B's time zero.") from None  # fmt: skip
@@ -53,21 +53,21 @@ def _is_number(text: str) -> bool:
     return True
 
 
-def lay_side_by_side(a: Source, b: Source, told: Decimal | str | None) -> Laid:
+def lay_side_by_side(a: Source, b: Source, offset: Decimal | str | None) -> Laid:
     """Return the relation between A's and B's times.
 
     Args:
         a, b: the two.
-        told: what ``parse_offset`` made of ``--offset``.
+        offset: what ``parse_offset`` made of ``--offset``.
 
     Raises:
         InvalidInput: where nothing shows that both share a clock, and they begin at different times.
     """
     begins = [side.begin + Decimal(float(side.history.times[0])) for side in (a, b)]
-    if told == START:
+    if offset == START:
         return _make_laid(a, b, begins[0] - begins[1], "both begin at the same moment, as --offset says")
-    if isinstance(told, Decimal):
-        return _make_laid(a, b, told, f"B's time zero is at {in_words(told)} s of A, as --offset says")
+    if isinstance(offset, Decimal):
+        return _make_laid(a, b, offset, f"B's time zero is at {in_words(offset)} s of A, as --offset says")
     if a.labels is not None and b.labels is not None:
         epochs = [terrestrial_time(side.labels.epoch, side.labels.time_system) for side in (a, b) if side.labels]
         words = [f"{side.labels.epoch} {side.labels.time_system}" for side in (a, b) if side.labels]
@@ -87,9 +87,9 @@ def lay_side_by_side(a: Source, b: Source, told: Decimal | str | None) -> Laid:
     return _make_laid(a, b, Decimal(0), f"assumed to be one: both begin at {_seconds(begins[0])}, and {unsaid}")
 
 
-def _make_laid(a: Source, b: Source, told: Decimal, words: str) -> Laid:
+def _make_laid(a: Source, b: Source, offset: Decimal, words: str) -> Laid:
     """Return the offset between the stored times, each of which may count from its file's first stamp."""
-    return Laid(float(told + b.begin - a.begin), words)
+    return Laid(float(offset + b.begin - a.begin), words)
 
 
 def _seconds(time: Decimal) -> str:

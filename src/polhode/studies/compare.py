@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from polhode.analysis import comparison
-from polhode.analysis.mechanics import Mechanics
+from polhode.analysis._mechanics import Mechanics
 from polhode.errors import InvalidInput, shown
 from polhode.formats.form import Kernels
 from polhode.formats.labels import plain as same_name
@@ -55,9 +55,9 @@ def compare(
     if not (offset is None or isinstance(offset, str) or (isinstance(offset, int | float) and math.isfinite(offset))):
         raise InvalidInput(f"`offset` must be a time in seconds, or a text like `-68.5 s`; got {shown(offset)}.")
     if isinstance(a, str | Path) and isinstance(b, str | Path):
-        told = parse_offset(offset, "`offset`") if offset is None or isinstance(offset, str) else Decimal(offset)
+        parsed = parse_offset(offset, "`offset`") if offset is None or isinstance(offset, str) else Decimal(offset)
         body = None if spec is None else as_path("spec", spec)
-        return compare_files(as_path("a", a), as_path("b", b), body, offset=told)
+        return compare_files(as_path("a", a), as_path("b", b), body, offset=parsed)
     sides = [load_source(Path(side), Kernels()).history if isinstance(side, str | Path) else side for side in (a, b)]
     if spec is not None or isinstance(offset, str):
         name, got = ("spec", spec) if spec is not None else ("offset", offset)
@@ -96,13 +96,13 @@ def compare_files(
     histories = [replace(side.history, mechanics=shared or side.history.mechanics or known) for side in (a, b)]
     with name_file_in_errors(f"{first}, {second}"):
         laid = lay_side_by_side(a, b, offset)
-        found = comparison.compare(*histories, offset=laid.offset)
+        result = comparison.compare(*histories, offset=laid.offset)
     reading, notes = _readings(a, b)
     doubts = [f"the moments of {spec} are not those that {name} has." for name in others]
     warned = (*notes, *doubts, *_kinds(a, b), *_names(a, b))
     unknown = _unknown(a, b, known)
     why = {} if unknown is None else {"unknown": unknown}
-    return ComparisonReport(found, laid.words, warned, reading=tuple(reading), **why)
+    return ComparisonReport(result, laid.words, warned, reading=tuple(reading), **why)
 
 
 def _has_other_moments(side: Source, shared: Mechanics) -> bool:
@@ -114,10 +114,10 @@ def _has_other_moments(side: Source, shared: Mechanics) -> bool:
 
 
 def _find_mechanics(spec: Path) -> Mechanics:
-    found = load_body(spec).mechanics
-    if found is None:
+    mechanics = load_body(spec).mechanics
+    if mechanics is None:
         raise InvalidInput(f"{spec}: is neither of a free body nor of a top, so what would be kept is not known here.")
-    return found
+    return mechanics
 
 
 def _check_used(a: Source, b: Source, tables: tuple[Table | None, Table | None]) -> None:
@@ -169,9 +169,9 @@ def _names(a: Source, b: Source) -> list[str]:
     """Note labels that differ; the comparison takes the axes as given."""
     if a.labels is None or b.labels is None:
         return []
-    found = []
+    notes = []
     for name, words in (("reference_frame", "space axes"), ("body_frame", "body axes"), ("object_name", "objects")):
         mine, theirs = getattr(a.labels, name), getattr(b.labels, name)
         if same_name(mine) != same_name(theirs):
-            found.append(f"{words} have different names, {mine} and {theirs}; they are compared as if the same.")
-    return found
+            notes.append(f"{words} have different names, {mine} and {theirs}; they are compared as if the same.")
+    return notes

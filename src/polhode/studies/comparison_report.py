@@ -50,19 +50,19 @@ class ComparisonReport(StudyReport):
     @property
     def summary(self) -> str:
         """The result in a sentence or two."""
-        found = self.comparison
-        if found.is_rounding:
-            size = f"{max(found.largest, LEAST):.1e} rad"
-            if len(found.times) == 1:
+        comparison = self.comparison
+        if comparison.is_rounding:
+            size = f"{max(comparison.largest, LEAST):.1e} rad"
+            if len(comparison.times) == 1:
                 return f"Both agree to {size} at the only time they have in common; nothing is known of other times."
             return f"Both agree to {size}: to rounding."
-        if len(found.times) == 1:
-            return f"They differ by {self._word_angle(found.largest)} at the only time they have in common."
-        text = f"They differ by up to {self._word_angle(found.largest)}, {self._word_angle(found.rms)} rms."
-        if found.alignment is not None:
-            rest = float(found.alignment.remaining.max())
+        if len(comparison.times) == 1:
+            return f"They differ by {self._word_angle(comparison.largest)} at the only time they have in common."
+        text = f"They differ by up to {self._word_angle(comparison.largest)}, {self._word_angle(comparison.rms)} rms."
+        if comparison.alignment is not None:
+            rest = float(comparison.alignment.remaining.max())
             text += " Constant misalignments and a constant rate"
-            text += f" explain all but {rest:.3g} rad of it." if found.explained else (
+            text += f" explain all but {rest:.3g} rad of it." if comparison.explained else (
                 f" do not explain it: the best fit leaves {rest:.3g} rad.")  # fmt: skip
         return text
 
@@ -73,31 +73,33 @@ class ComparisonReport(StudyReport):
         return [names, *self.reading, self._times(), self._angle(), *fit, *self._invariants()]
 
     def _times(self) -> Group:
-        found = self.comparison
-        first, last, missed = float(found.times[0]), float(found.times[-1]), found.interpolation_error
+        comparison = self.comparison
+        first, last, missed = float(comparison.times[0]), float(comparison.times[-1]), comparison.interpolation_error
         words = None if missed is None else f"less than {missed:.2g} rad"
         sources = [
             Answer("", None, "", f"angular velocity of {side}", "", None if kept is None else kept.source)
-            for side, kept in zip("AB", found.invariants, strict=True)
+            for side, kept in zip("AB", comparison.invariants, strict=True)
         ]
         return Group("Times", [
             Answer("clocks", self.clocks, "", "clocks"),
             Answer("times.first", first, "s", "compared from", "A's", f"{first:.9g} to {last:.9g} s of A"),
             Answer("times.last", last, "s", "", "A's"),
-            Answer("times.samples", len(found.times), "", "samples", "", str(len(found.times))),
-            Answer("method", found.method, "", "how"),
+            Answer("times.samples", len(comparison.times), "", "samples", "", str(len(comparison.times))),
+            Answer("method", comparison.method, "", "how"),
             Answer("interpolation_error", missed, "rad", "interpolation misses", "", words),
             *sources,
         ])  # fmt: skip
 
     def _angle(self) -> Group:
-        found = self.comparison
-        sizes = {"largest": found.largest, "rms": found.rms, "first": found.angle[0], "last": found.angle[-1]}
-        growth = None if found.growth is None or found.is_rounding else f"{found.growth:.{self._digits(6)}g} rad/s"
+        comparison = self.comparison
+        sizes = {"largest": comparison.largest, "rms": comparison.rms,
+                 "first": comparison.angle[0], "last": comparison.angle[-1]}  # fmt: skip
+        unseen = comparison.growth is None or comparison.is_rounding
+        growth = None if unseen else f"{comparison.growth:.{self._digits(6)}g} rad/s"
         said = "" if growth is None else "growth, best line"
         return Group("Angle between them", [
             *(Answer(f"angle.{name}", x, "rad", name, "", self._word_tiny(float(x))) for name, x in sizes.items()),
-            Answer("growth", found.growth, "rad/s", said, "", growth),
+            Answer("growth", comparison.growth, "rad/s", said, "", growth),
         ])  # fmt: skip
 
     def _fit(self) -> Group:
@@ -152,12 +154,12 @@ class ComparisonReport(StudyReport):
 
     @property
     def notes(self) -> list[str]:
-        found, notes = self.comparison, list(self.warned)
-        if found.alignment is not None and not found.alignment.determined:
+        comparison, notes = self.comparison, list(self.warned)
+        if comparison.alignment is not None and not comparison.alignment.determined:
             notes.append("the motion does not determine all misalignments and the rate: others would fit equally well.")
-        if found.interpolation_error is not None and found.largest <= found.interpolation_error:
+        if comparison.interpolation_error is not None and comparison.largest <= comparison.interpolation_error:
             notes.append("the angle is no larger than the error of interpolation, and may be due to it.")
-        if found.invariants == (None, None):
+        if comparison.invariants == (None, None):
             notes.append(self.unknown)
         return notes
 

@@ -49,8 +49,8 @@ def fit(
         NotConverged: where a fit finds no end.
 
     >>> import polhode as ph
-    >>> found = ph.fit("examples/phone_throw.csv")  # doctest: +SKIP
-    >>> found.summary  # doctest: +SKIP
+    >>> report = ph.fit("examples/phone_throw.csv")  # doctest: +SKIP
+    >>> report.summary  # doctest: +SKIP
     """
     texts = {"moment": moment, "mass": mass, "added_weight": added_weight}
     if wrong := [name for name, text in texts.items() if text is not None and not isinstance(text, str)]:

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from polhode.estimation._estimate import Estimate
 from polhode.estimation.attitude_fit import AttitudeFit
-from polhode.estimation.estimate import Estimate
 from polhode.estimation.throw import ThrowFit
 from polhode.reports.answer import Answer, Group
 from polhode.reports.wording import count_known_digits, uncertain
@@ -29,8 +29,8 @@ def about_inertia(fit: ThrowFit | AttitudeFit) -> Group:
     for (name, value, error), (low, high) in zip(each(fit.ratios), intervals.tolist(), strict=True):
         digits = count_known_digits(value, error, 16) + 2
         words = f"{uncertain(value, error)}, 95 %: {low:.{digits}g} to {high:.{digits}g}"
-        found = {"value": value, "standard_error": error, "interval": [low, high]}
-        answers.append(Answer(f"ratios.{name}", found, "", name, "interval of 95 %", words))
+        estimate = {"value": value, "standard_error": error, "interval": [low, high]}
+        answers.append(Answer(f"ratios.{name}", estimate, "", name, "interval of 95 %", words))
     return Group("Inertia", [
         *answers, Answer("degenerate", None), Answer("equal", fit.equal, "", "equal within errors"),
     ])  # fmt: skip

@@ -15,7 +15,7 @@ def left_out_table(names: Sequence[str], flights: Sequence[Flights]) -> Table:
     """Return the stretches of each log that look like flights and are left out."""
     rows: list[dict[str, Any]] = [
         {"log": name, "window": [one.start, one.end], "why": one.reason, "score": one.score}
-        for name, found in zip(names, flights, strict=True) for one in found.left_out
+        for name, per_log in zip(names, flights, strict=True) for one in per_log.left_out
     ]  # fmt: skip
     return Table("left_out", "Left out", {
         "log": lambda row: row["log"],
@@ -26,7 +26,7 @@ def left_out_table(names: Sequence[str], flights: Sequence[Flights]) -> Table:
 
 def left_out_note(flights: Sequence[Flights]) -> list[str]:
     """Return a note of what was left out, if something was."""
-    left = sum(len(found.left_out) for found in flights)
+    left = sum(len(per_log.left_out) for per_log in flights)
     if not left:
         return []
     what = "1 stretch that may be a flight is" if left == 1 else f"{left} stretches that may be flights are"

@@ -12,9 +12,9 @@ import numpy as np
 from polhode.errors import InvalidInput, shown
 from polhode.formats.spfit import read_lin
 from polhode.kinds.reading import read_spec_or_molecule
-from polhode.quantum.derivatives import AXES, get_constant, once_each
+from polhode.quantum._derivatives import AXES, get_constant, once_each
+from polhode.quantum._measured import MeasuredLines
 from polhode.quantum.fitting import RotorFit, fit_rotor
-from polhode.quantum.measured import MeasuredLines
 from polhode.quantum.rotor import Rotor
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
@@ -170,17 +170,17 @@ def _worst(fit: RotorFit, measured: MeasuredLines) -> Table:
 
 def _remarks(fit: RotorFit) -> list[str]:
     """Return notes on strongly correlated constants, and on lines that alone determine a constant."""
-    found = []
+    notes = []
     pairs = np.argwhere(np.triu(np.abs(fit.correlation), 1) > CLOSE)
     if len(pairs):
         one, other = pairs[np.argmax([abs(fit.correlation[i, j]) for i, j in pairs])].tolist()
         more = f", and of {len(pairs) - 1} other pairs" if len(pairs) > 1 else ""
         size = fit.correlation[one, other]
-        found.append(f"errors of {fit.names[one]} and {fit.names[other]} go together, correlation {size:.3f}{more}.")
+        notes.append(f"errors of {fit.names[one]} and {fit.names[other]} go together, correlation {size:.3f}{more}.")
     alone = int((fit.leverage > 1.0 - 1e-6).sum())
     if alone:
-        found.append(f"{alone} observations determine something alone: their residuals are zero whatever was measured.")
+        notes.append(f"{alone} observations determine something alone: their residuals are zero whatever was measured.")
     if fit.rms > 2.0:
-        found.append("residuals are larger than the lines' errors: labels, errors or missing constants are wrong, and "
+        notes.append("residuals are larger than the lines' errors: labels, errors or missing constants are wrong, and "
                      "so are the errors of the constants.")  # fmt: skip
-    return found
+    return notes

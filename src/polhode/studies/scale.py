@@ -6,8 +6,8 @@ import re
 from typing import NamedTuple
 
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._estimate import Estimate
 from polhode.estimation.attitude_fit import AttitudeFit
-from polhode.estimation.estimate import Estimate
 from polhode.estimation.scale import moments_from_one, moments_from_weight
 from polhode.estimation.throw import ThrowFit
 from polhode.spec.uncertain import quantity
@@ -68,16 +68,16 @@ def read_scale(
         raise InvalidInput(f"{called('moment')} and {called('added_weight')} both give the moments. Leave one out.")
     if mass is None or added_weight is None:
         return KnownScale(None if moment is None else _moment(moment, called("moment")), None)
-    name, found = called("added_weight"), _PLACE.fullmatch(added_weight)
-    if found is None:
+    name, match = called("added_weight"), _PLACE.fullmatch(added_weight)
+    if match is None:
         raise InvalidInput(f'{name} must be like "20 g at 0, 70, 0 mm"; got {shown(added_weight)}.')
-    x, y, z = (quantity(name, f"{found[k].strip()} {found[5]}", "m", False) for k in (2, 3, 4))
+    x, y, z = (quantity(name, f"{match[k].strip()} {match[5]}", "m", False) for k in (2, 3, 4))
     whole = quantity(called("mass"), mass, "kg")
-    return KnownScale(None, Weight(whole, quantity(name, found[1].strip(), "kg"), (x, y, z)))
+    return KnownScale(None, Weight(whole, quantity(name, match[1].strip(), "kg"), (x, y, z)))
 
 
 def _moment(text: str, name: str) -> tuple[int, float]:
-    found = _MOMENT.fullmatch(text)
-    if found is None:
+    match = _MOMENT.fullmatch(text)
+    if match is None:
         raise InvalidInput(f'{name} must be like "I3 = 1.2e-4 kg m^2", the largest being I3; got {shown(text)}.')
-    return int(found[1]), quantity(name, found[2].strip(), "kg*m^2")
+    return int(match[1]), quantity(name, match[2].strip(), "kg*m^2")

@@ -21,8 +21,8 @@ from polhode.formats.opening import is_folder, open_file
 from polhode.formats.stamps import exact_number
 from polhode.formats.table_form import Line, detect_form, is_comment
 from polhode.kinds.reading import read_spec
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.trajectory import Trajectory
 from polhode.studies.naming import name_file_in_errors
 from polhode.studies.tables import Table, needs_mapping
 
@@ -63,11 +63,11 @@ def find_begin(path: Path, trajectory: Trajectory) -> Decimal:
     Raises:
         FormatError: where a dataset says it in words instead of a number.
     """
-    told = trajectory.source.attributes.get(COUNTED_FROM) if isinstance(trajectory.source, Recording) else None
+    stamp = trajectory.source.attributes.get(COUNTED_FROM) if isinstance(trajectory.source, Recording) else None
     try:
-        return Decimal(0) if told is None else exact_number(str(told))
+        return Decimal(0) if stamp is None else exact_number(str(stamp))
     except ValueError as error:
-        raise FormatError(f"{path}: {COUNTED_FROM} {error}; got {shown(told)}. Import the file again.") from None
+        raise FormatError(f"{path}: {COUNTED_FROM} {error}; got {shown(stamp)}. Import the file again.") from None
 
 
 def kind_in_words(kind: str, article: bool = True) -> str:
@@ -76,8 +76,8 @@ def kind_in_words(kind: str, article: bool = True) -> str:
     >>> kind_in_words("aem"), kind_in_words("spec", article=False)
     ('an AEM', 'spec')
     """
-    found = forms().get(kind)
-    name = kind if found is None else found.title
+    form = forms().get(kind)
+    name = kind if form is None else form.title
     return f"{'an' if name[0] == 'A' else 'a'} {name}" if article else name
 
 
@@ -97,9 +97,9 @@ def detect_kind(path: Path, table: Table | None = None) -> str:
     with open_file(path, "spec or motion") as file:
         head = file.read(HEAD)
     begin = head.removeprefix(b"\xef\xbb\xbf")
-    found = form_that_begins(begin)
-    if found is not None and not (found.name == "csv" and _is_chosen(begin, table)):
-        return found.name
+    form = form_that_begins(begin)
+    if form is not None and not (form.name == "csv" and _is_chosen(begin, table)):
+        return form.name
     if b"<aem" in head or b"<ndm" in head:
         raise FormatError(f"{path}: is XML; AEMs are read as text of keyword = value. Convert it.")
     if head.startswith(b"PK\x03\x04"):
@@ -149,9 +149,9 @@ def read_recorded(
     if form is None or form.read is None:
         raise InvalidInput(f"{path}: is no AEM, C-kernel, table or dataset, as it does not begin like one. Check the "
                            "file.")  # fmt: skip
-    found = _read_form(form, path, kernels)
-    labels = find_labels(found) if form.has_labels else None
-    return kind, found, _keep_chosen(labels) if form.is_own else labels
+    trajectory = _read_form(form, path, kernels)
+    labels = find_labels(trajectory) if form.has_labels else None
+    return kind, trajectory, _keep_chosen(labels) if form.is_own else labels
 
 
 def _read_form(form: Form, path: Path, kernels: Kernels) -> Trajectory:
@@ -162,17 +162,17 @@ def _read_form(form: Form, path: Path, kernels: Kernels) -> Trajectory:
     """
     assert form.read is not None
     try:
-        found = form.read(path, kernels)
+        trajectory = form.read(path, kernels)
     except (ValueError, IndexError, KeyError, TypeError, ArithmeticError) as error:
         if isinstance(error, PolhodeError):
             raise
         raise FormatError(f"{path}: cannot be read as {kind_in_words(form.name)} ({error}). Check the file.") from error
-    check_recorded(path, found.times, found.attitude, found.angular_velocity)
-    times = np.asarray(found.times)
+    check_recorded(path, trajectory.times, trajectory.attitude, trajectory.angular_velocity)
+    times = np.asarray(trajectory.times)
     if not form.is_own and not (len(times) and (np.diff(times) >= 0.0).all()):
         why = "holds no samples" if not len(times) else "has times that fall"
         raise FormatError(f"{path}: {why}. Check the file.")
-    return found
+    return trajectory
 
 
 def load_source(path: Path, kernels: Kernels, table: Table | None = None, kind: str | None = None) -> Source:
@@ -185,16 +185,16 @@ def load_source(path: Path, kernels: Kernels, table: Table | None = None, kind: 
     kind = detect_kind(path, table) if kind is None else kind
     if kind == SPEC:
         return _from_spec(path)
-    _, found, labels = read_recorded(path, kernels, table, kind)
-    if kind == TABLE and found.attitude is None:
+    _, recorded, labels = read_recorded(path, kernels, table, kind)
+    if kind == TABLE and recorded.attitude is None:
         raise InvalidInput(f"{path}: a comparison is of attitudes, and only --gyro is given. Name them by --quat or "
                            "--euler.")  # fmt: skip
-    trajectory = found.along("given")
+    trajectory = recorded.along("given")
     history = replace(
         _history(path, trajectory), resolution=0.0 if kind == TABLE else forms()[kind].resolution,
-        mechanics=_find_mechanics(trajectory, found.frame),
+        mechanics=_find_mechanics(trajectory, recorded.frame),
     )  # fmt: skip
-    return Source(kind, trajectory, history, labels, None, find_begin(path, found))
+    return Source(kind, trajectory, history, labels, None, find_begin(path, recorded))
 
 
 def _find_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanics | None:
@@ -253,8 +253,8 @@ def _from_spec(path: Path) -> Source:
     if moved.trajectory.motion is not None:
 
         def exact(times: Any) -> tuple[Any, Any]:
-            found = moved.trajectory.resampled(times).along("given")
-            return found.attitude, found.angular_velocity
+            samples = moved.trajectory.resampled(times).along("given")
+            return samples.attitude, samples.angular_velocity
 
         history = replace(history, exact=exact)
     return Source("spec", trajectory, history, _keep_chosen(spec.labels), spec.kind.name)

@@ -16,8 +16,8 @@ from polhode.formats.paths import as_path
 from polhode.formats.rotor_dataset import rotor_attributes, write_spectrum
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec_or_molecule
+from polhode.quantum._strengths import DEBYE, Lines
 from polhode.quantum.rotor import Levels, Rotor, warn_of_fallen
-from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport, with_inputs
 from polhode.reports.spectra import AREA, frequency, level_table, line_table
@@ -152,8 +152,8 @@ def _levels(molecule: Path | str | Spec[Any], j_max: int | None) -> LevelsReport
         spec = _spec(molecule)
         rotor, _, usual, doubts = spec.kind.rotor(spec)
         last = usual if j_max is None else j_max
-        found = rotor.levels(last)
-    return LevelsReport(spec.name, rotor, found, last, [*notes, *doubts])
+        rotor_levels = rotor.levels(last)
+    return LevelsReport(spec.name, rotor, rotor_levels, last, [*notes, *doubts])
 
 
 def spectrum(
@@ -192,7 +192,7 @@ def spectrum_within(
 ) -> SpectrumReport:  # fmt: skip
     """Return the report of ``spectrum``; ``called`` says how arguments are called where they are given."""
     kelvin = _read_option(called("temperature"), temperature, lambda text: parse_quantity(text, "K"))
-    low, high = (_read_option(called(name), given, parse_spectroscopic) for name, given in bounds.items())
+    low, high = (_read_option(called(name), bound, parse_spectroscopic) for name, bound in bounds.items())
     low, high = 0.0 if low is None else low, math.inf if high is None else high
     if low > high:
         ends = " and ".join(map(str, bounds.values()))
@@ -210,12 +210,12 @@ def spectrum_within(
             example = f'{called("dipole")} "0,1.857,0"' if called("dipole").startswith("--") else "dipole=(0, 1.857, 0)"
             raise InvalidInput(f"there is no dipole, and no lines without one. Give it, like {example}.")
         check_summable(asked)
-        found = asked.rotor.lines(asked.j_max, asked.temperature)
+        lines = asked.rotor.lines(asked.j_max, asked.temperature)
         partition = float(asked.rotor.partition_function(asked.temperature))
-    within = (found.frequency >= low) & (found.frequency <= high) & (found.intensity >= AREA * min_intensity)
+    within = (lines.frequency >= low) & (lines.frequency <= high) & (lines.intensity >= AREA * min_intensity)
     inside = np.flatnonzero(within)
-    strongest = inside[np.argsort(-found.intensity[inside], kind="stable")[:most]]
-    chosen = Lines(*(column[np.sort(strongest)] for column in found))
+    strongest = inside[np.argsort(-lines.intensity[inside], kind="stable")[:most]]
+    chosen = Lines(*(column[np.sort(strongest)] for column in lines))
     return SpectrumReport(spec.name, asked, chosen, len(inside), partition, notes)
 
 
@@ -228,45 +228,45 @@ def _place(molecule: Path | str | Spec[Any]) -> str:
 
 
 def _apply_options(
-    found: SpecRotor, temperature: float | None, j_max: int | None, dipole: tuple[float, ...] | None
+    request: SpecRotor, temperature: float | None, j_max: int | None, dipole: tuple[float, ...] | None
 ) -> SpecRotor:
     """Return the request of a spec, with the given options in place of its own."""
-    rotor, notes = found.rotor, found.notes
+    rotor, notes = request.rotor, request.notes
     if dipole is not None:
         reduction, representation = (None if x is None else x.name for x in (rotor.reduction, rotor.representation))
         rotor = Rotor(
             rotor.constants, rotor.distortion, reduction, representation, dipole, rotor.spin_weights, rotor.spin_axis
         )
         notes = notes or doubts_of_weights(rotor, None)
-    if temperature is None or temperature == found.temperature:
-        return SpecRotor(rotor, found.temperature, found.j_max if j_max is None else j_max, notes)
+    if temperature is None or temperature == request.temperature:
+        return SpecRotor(rotor, request.temperature, request.j_max if j_max is None else j_max, notes)
     return complete_rotor(rotor, temperature, j_max, notes)
 
 
-def _read_option(name: str, given: float | str | None, read: Callable[[str], float]) -> float | None:
-    if given is None:
+def _read_option(name: str, value: float | str | None, read: Callable[[str], float]) -> float | None:
+    if value is None:
         return None
     try:
-        found = read(given) if isinstance(given, str) else float(given)
+        number = read(value) if isinstance(value, str) else float(value)
     except TypeError:
-        raise InvalidInput(f"{name} must be a number, or a text with its unit; got {shown(given)}.") from None
+        raise InvalidInput(f"{name} must be a number, or a text with its unit; got {shown(value)}.") from None
     except ValueError as error:
         raise InvalidInput(f"{name} {error}.") from None
-    if math.isnan(found):
-        raise InvalidInput(f"{name} must be a number; got {shown(given)}.")
-    if found < 0.0:
-        raise InvalidInput(f"{name} must not be negative; got {shown(given)}.")
-    check_reach(name, found)
-    return found
+    if math.isnan(number):
+        raise InvalidInput(f"{name} must be a number; got {shown(value)}.")
+    if number < 0.0:
+        raise InvalidInput(f"{name} must not be negative; got {shown(value)}.")
+    check_reach(name, number)
+    return number
 
 
-def _dipole(given: Sequence[float], name: str) -> tuple[float, ...]:
+def _dipole(dipole: Sequence[float], name: str) -> tuple[float, ...]:
     """Return a dipole (3,) [C m] of three numbers in debye."""
     try:
-        values = tuple(float(value) * DEBYE for value in given)
+        values = tuple(float(value) * DEBYE for value in dipole)
     except (TypeError, ValueError):
-        raise InvalidInput(f"{name} must be three numbers in debye, along a, b and c; got {shown(given)}.") from None
+        raise InvalidInput(f"{name} must be three numbers in debye, along a, b and c; got {shown(dipole)}.") from None
     if len(values) != 3 or not all(map(math.isfinite, values)):
-        raise InvalidInput(f"{name} must be three numbers in debye, along a, b and c; got {shown(list(given))}.")
+        raise InvalidInput(f"{name} must be three numbers in debye, along a, b and c; got {shown(list(dipole))}.")
     check_reach(name, *values)
     return values

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from polhode.errors import InvalidInput
 from polhode.formats.column_mapping import ColumnMapping
 from polhode.formats.labels import Recording
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
 
 APART = 0.5  # relative; rates that far from how the attitude turns are of another direction, order or unit
@@ -43,23 +43,23 @@ def describe_reading(trajectory: Trajectory, title: str, level: str) -> Group:
         level: of the answers' names, "" for none.
     """
     assert isinstance(trajectory.source, Recording)
-    found = trajectory.source.attributes
+    reading = trajectory.source.attributes
     prefix = f"{level}." if level else ""
-    off, apart = found["largest_deviation"], found["rates_apart"]
-    span = f"{found['first']:.9g} to {found['last']:.9g} s"
+    off, apart = reading["largest_deviation"], reading["rates_apart"]
+    span = f"{reading['first']:.9g} to {reading['last']:.9g} s"
     return Group(title, [
-        Answer(f"{prefix}header", found["header"], "", "header"),
-        Answer(f"{prefix}delimiter", found["delimiter"], "", "between columns"),
-        Answer(f"{prefix}time", found["time"], "", "time"),
-        Answer(f"{prefix}attitude", found["attitude"], "", "attitude"),
-        Answer(f"{prefix}angular_velocity", found["angular_velocity"], "", "angular velocity"),
-        Answer(f"{prefix}samples", found["samples"], "", "samples", "", f"{found['samples']}, {span}"),
-        Answer(f"{prefix}counted_from", found["counted_from"], "", "times count from", "",
-               None if found["counted_from"] is None else f"{found['counted_from']} s of its clock"),
-        Answer(f"{prefix}left_out", found["left_out"], "", "lines without values" if found["left_out"] else "", "",
-               f"{found['left_out']}, left out"),
-        Answer(f"{prefix}repeated", found["repeated"], "", "lines that repeat" if found["repeated"] else "", "",
-               f"{found['repeated']}, left out"),
+        Answer(f"{prefix}header", reading["header"], "", "header"),
+        Answer(f"{prefix}delimiter", reading["delimiter"], "", "between columns"),
+        Answer(f"{prefix}time", reading["time"], "", "time"),
+        Answer(f"{prefix}attitude", reading["attitude"], "", "attitude"),
+        Answer(f"{prefix}angular_velocity", reading["angular_velocity"], "", "angular velocity"),
+        Answer(f"{prefix}samples", reading["samples"], "", "samples", "", f"{reading['samples']}, {span}"),
+        Answer(f"{prefix}counted_from", reading["counted_from"], "", "times count from", "",
+               None if reading["counted_from"] is None else f"{reading['counted_from']} s of its clock"),
+        Answer(f"{prefix}left_out", reading["left_out"], "", "lines without values" if reading["left_out"] else "", "",
+               f"{reading['left_out']}, left out"),
+        Answer(f"{prefix}repeated", reading["repeated"], "", "lines that repeat" if reading["repeated"] else "", "",
+               f"{reading['repeated']}, left out"),
         Answer(f"{prefix}largest_deviation", off, "", "largest deviation of |q| from 1", "",
                None if off is None else f"{off:.2g}, normalised"),
         Answer(f"{prefix}rates_apart", apart, "", "rates differ from the attitude's by", "relative, rms",
@@ -70,9 +70,9 @@ def describe_reading(trajectory: Trajectory, title: str, level: str) -> Group:
 def list_reading_notes(trajectory: Trajectory, name: str) -> list[str]:
     """Return caveats about how a table was understood."""
     assert isinstance(trajectory.source, Recording)
-    found = trajectory.source.attributes
-    notes = [f"{name}: {note}" for note in found["notes"]]
-    if (found["rates_apart"] or 0.0) > APART:
+    reading = trajectory.source.attributes
+    notes = [f"{name}: {note}" for note in reading["notes"]]
+    if (reading["rates_apart"] or 0.0) > APART:
         notes.append(f"{name}: the attitude does not follow the angular velocity. Check direction, order, "
                      "sequence and units.")  # fmt: skip
     return notes

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from polhode.estimation.estimate import Estimate
+from polhode.estimation._estimate import Estimate
+from polhode.estimation._throw_fit import BIAS_SPREAD
 from polhode.estimation.flight import Flights
 from polhode.estimation.throw import GAIN_SPREAD, ThrowFit
-from polhode.estimation.throw_fit import BIAS_SPREAD
 from polhode.formats.gyro_logs import ReadLog
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
@@ -190,12 +190,12 @@ def _bias_in_words(fit: ThrowFit) -> str:
     return f"{in_words(fit.bias)} rad/s{assumed}"
 
 
-def _describe_torque(key: str, found: Estimate | None, unit: str, label: str, torque: str, words: str | None = None
+def _describe_torque(key: str, estimate: Estimate | None, unit: str, label: str, torque: str, words: str | None = None
                ) -> Answer:  # fmt: skip
-    if found is None:
+    if estimate is None:
         return Answer(key, None, unit, label if words else "", "", words)
     about = f"of the torque {torque} along the principal axes; null where there is none"
-    return Answer(key, values(found), unit, label, about, f"{in_words(found)} {unit}".strip())
+    return Answer(key, values(estimate), unit, label, about, f"{in_words(estimate)} {unit}".strip())
 
 
 def _quality(fit: ThrowFit) -> Group:

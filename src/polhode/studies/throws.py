@@ -10,9 +10,9 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._saturation import saturation
 from polhode.estimation.attitude_fit import fit_attitude
 from polhode.estimation.flight import SHORTEST, Flights, Window, find_flights
-from polhode.estimation.saturation import saturation
 from polhode.estimation.throw import ThrowFit, fit_throw
 from polhode.formats.form import Kernels
 from polhode.formats.form_registry import forms
@@ -96,7 +96,7 @@ def _attitude_kind(path: Path, table: Table | None) -> str | None:
 
 
 def _fit_attitudes(path: Path, kind: str, options: ThrowOptions, called: Called) -> AttitudeReport:
-    windows = [_window(given, called) for given in options.windows]
+    windows = [_window(span, called) for span in options.windows]
     if len(windows) > 1:
         raise InvalidInput(f"{called('windows')} must be given once at most for a log of attitudes; got "
                            f"{len(windows)}.")  # fmt: skip
@@ -142,34 +142,34 @@ def _fit_throws(
         drag, rotor = ("auto" if asked is None else asked for asked in (options.drag, options.rotor))
         return fit_throw([each.log for each in some], windows, drag, options.gain is not False, limit, rotor=rotor)
 
-    found = fit(logs, [each.windows for each in flights], math.inf if clip is None else clip)
+    result = fit(logs, [each.windows for each in flights], math.inf if clip is None else clip)
     heavier = fit([read(path) for path in options.weighted], None, clip) if options.weighted else None
-    return ThrowReport(found, names, logs, flights, known.moments(found, heavier))
+    return ThrowReport(result, names, logs, flights, known.moments(result, heavier))
 
 
 def _flights(
-    given: Sequence[str | tuple[float, float]], names: Sequence[str], logs: Sequence[ReadLog], clip: float | None,
+    spans: Sequence[str | tuple[float, float]], names: Sequence[str], logs: Sequence[ReadLog], clip: float | None,
     called: Called,
 ) -> list[Flights]:  # fmt: skip
     """Return the stretches of each log to fit: the given windows, else all flights found."""
-    if given:
-        return [Flights(windows, []) for windows in _windows(given, len(logs), called)]
-    found = [find_flights(read.log, clip) for read in logs]
-    if not any(each.windows for each in found):
-        left = left_out_words([one for each in found for one in each.left_out])
+    if spans:
+        return [Flights(windows, []) for windows in _windows(spans, len(logs), called)]
+    flights = [find_flights(read.log, clip) for read in logs]
+    if not any(each.windows for each in flights):
+        left = left_out_words([one for each in flights for one in each.left_out])
         how = f"{called('window')} START,END" if called("window").startswith("--") else called("windows")
         raise InvalidInput(f"{', '.join(names)}: no free flight was found: no stretch of {SHORTEST} s feels no weight, "
                            f"or keeps an angular momentum while it turns faster than 1 rad/s.{left} If there is one, "
                            f"say where by {how}.")  # fmt: skip
-    for read, each in zip(logs, found, strict=True):
+    for read, each in zip(logs, flights, strict=True):
         if not (each.windows or each.left_out):
             each.left_out.append(Window(float(read.log.times[0]), float(read.log.times[-1]), "no free flight in it"))
-    return found
+    return flights
 
 
-def _windows(given: Sequence[str | tuple[float, float]], logs: int, called: Called) -> list[list[Window]]:
+def _windows(spans: Sequence[str | tuple[float, float]], logs: int, called: Called) -> list[list[Window]]:
     """Return the windows of each log: all windows for a single log, otherwise one for each log."""
-    windows = [_window(one, called) for one in given]
+    windows = [_window(one, called) for one in spans]
     if logs == 1:
         return [windows]
     if len(windows) != logs:
@@ -178,11 +178,11 @@ def _windows(given: Sequence[str | tuple[float, float]], logs: int, called: Call
     return [[window] for window in windows]
 
 
-def _window(given: str | tuple[float, float], called: Called) -> Window:
+def _window(span: str | tuple[float, float], called: Called) -> Window:
     try:
         start, end = (read_number(part) if isinstance(part, str) else float(part)
-                      for part in (given.split(",") if isinstance(given, str) else given))  # fmt: skip
+                      for part in (span.split(",") if isinstance(span, str) else span))  # fmt: skip
     except (TypeError, ValueError):
         raise InvalidInput(f"{called('windows')} must be two times in seconds with a comma, like 1.2,1.9; got "
-                           f"{shown(given)}.") from None  # fmt: skip
+                           f"{shown(span)}.") from None  # fmt: skip
     return Window(start, end)

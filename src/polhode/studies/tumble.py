@@ -67,8 +67,8 @@ def tumble(
     Source: Pravec et al., Icarus 173 (2005) 108; Kaasalainen, Astron. Astrophys. 376 (2001) 302.
 
     >>> import polhode as ph
-    >>> found = ph.tumble(precession="27.38 h", rotation="263 h", moments=(0.61, 0.965, 1.0))
-    >>> found.summary[:22]
+    >>> report = ph.tumble(precession="27.38 h", rotation="263 h", moments=(0.61, 0.965, 1.0))
+    >>> report.summary[:22]
     'Short-axis mode (SAM):'
     """
     if mode not in (None, *MODES):
@@ -85,8 +85,8 @@ def tumble(
     if friction is not None and not isinstance(friction, Friction):
         raise InvalidInput(f"`friction` must be a polhode.studies.tumble.Friction; got {shown(friction)}.")
     known = None if body is None else known_tumbler(str(body))
-    given = Given(precession, rotation, moments, semi_axes, axis, mode, friction, aspect, phase)
-    return tumble_report(known, given, in_python)
+    inputs = Given(precession, rotation, moments, semi_axes, axis, mode, friction, aspect, phase)
+    return tumble_report(known, inputs, in_python)
 
 
 class Given(NamedTuple):
@@ -103,48 +103,48 @@ class Given(NamedTuple):
     phase: float = np.pi / 9
 
 
-def tumble_report(known: KnownTumbler | None, given: Given, called: Called) -> TumbleReport:
+def tumble_report(known: KnownTumbler | None, inputs: Given, called: Called) -> TumbleReport:
     """Return the report on a body's motion.
 
     Args:
         known: the catalogued body, if it is one.
-        given: data that replace those of the catalogue.
+        inputs: data that replace those of the catalogue.
         called: returns how an argument is called where it is given, for messages.
 
     Raises:
         InvalidInput: as ``tumble`` does.
     """
-    periods, moments, errors = _gather_measured(known, given, called)
-    motions = fit_tumbling(*periods, moments, given.axis, errors if any(errors) else None)
-    mode: Mode = given.mode or (motions[0].mode if known is None else known.mode)  # type: ignore[assignment]
+    periods, moments, errors = _gather_measured(known, inputs, called)
+    motions = fit_tumbling(*periods, moments, inputs.axis, errors if any(errors) else None)
+    mode: Mode = inputs.mode or (motions[0].mode if known is None else known.mode)  # type: ignore[assignment]
     chosen = [motion for motion in motions if motion.mode == mode]
     if not chosen:
         there, limit = motions[0].mode, least_period_ratios(moments)[MODES.index(mode)]
         raise InvalidInput(f"no motion in the {mode} mode has these periods: with these moments the rotation must take "
                            f"more than {limit:.4g} times as long as the precession. There is one in the {there} mode: "
                            f"{called('mode')} {there}.")  # fmt: skip
-    motion, friction = chosen[0], given.friction
+    motion, friction = chosen[0], inputs.friction
     damping = None if friction is None else Damping(internal_damping_time(motion.precession, *friction), *friction)
     return TumbleReport(
         "tumbler" if known is None else known.name, "" if known is None else known.source, motion,
         tuple(other for other in motions if other is not motion), least_period_ratios(moments),
-        _light(motion, given.aspect, given.phase), damping,
+        _light(motion, inputs.aspect, inputs.phase), damping,
     )  # fmt: skip
 
 
 def _gather_measured(
-    known: KnownTumbler | None, given: Given, called: Called
+    known: KnownTumbler | None, inputs: Given, called: Called
 ) -> tuple[tuple[float, float], list[float], list[float]]:
     """Return both periods [s], the moments by size, and the errors of all five."""
-    if given.moments is not None and given.semi_axes is not None:
+    if inputs.moments is not None and inputs.semi_axes is not None:
         raise InvalidInput(f"{called('moments')} and {called('semi_axes')} both give the moments. Leave one out.")
-    texts = {"precession": given.precession or (known and known.precession),
-             "rotation": given.rotation or (known and known.rotation)}  # fmt: skip
-    moments = given.moments
-    if moments is None and given.semi_axes is None and known is not None:
+    texts = {"precession": inputs.precession or (known and known.precession),
+             "rotation": inputs.rotation or (known and known.rotation)}  # fmt: skip
+    moments = inputs.moments
+    if moments is None and inputs.semi_axes is None and known is not None:
         moments = known.moments
     missing = [called(name) for name, text in texts.items() if text is None]
-    missing += [called("moments")] if moments is None and given.semi_axes is None else []
+    missing += [called("moments")] if moments is None and inputs.semi_axes is None else []
     if missing:
         whose = "" if known is None else f" of {known.name}"
         raise InvalidInput(f"{' and '.join(missing)} {'are' if len(missing) > 1 else 'is'} missing{whose}. Give for "
@@ -156,11 +156,11 @@ def _gather_measured(
     if moments is not None:
         pairs = sorted(uncertain(called("moments"), x, "kg*m^2", bare=True) for x in moments)
         return (first, second), [x for x, _ in pairs], [d_first, d_second, *(error for _, error in pairs)]
-    semi_axes = np.asarray(given.semi_axes, float)
+    semi_axes = np.asarray(inputs.semi_axes, float)
     check_reach(called("semi_axes"), *semi_axes.tolist())
     squares = np.sort(np.square(semi_axes))[::-1]
     if not (np.isfinite(squares).all() and squares[2] > 0):
-        raise InvalidInput(f"{called('semi_axes')} must be three positive numbers; got {shown(given.semi_axes)}.")
+        raise InvalidInput(f"{called('semi_axes')} must be three positive numbers; got {shown(inputs.semi_axes)}.")
     return (first, second), (squares.sum() - squares).tolist(), [d_first, d_second, 0.0, 0.0, 0.0]
 
 

@@ -156,11 +156,11 @@ def _periods(motion: Tumbling) -> Group:
     ])  # fmt: skip
 
 
-def _body(found: TumbleReport) -> Group:
-    motion = found.motion
-    short, long = found.limits
+def _body(report: TumbleReport) -> Group:
+    motion = report.motion
+    short, long = report.limits
     ratio = motion.rotation / motion.precession
-    axes = None if found.light is None else found.light.semi_axes.tolist()
+    axes = None if report.light is None else report.light.semi_axes.tolist()
     said = [f"{limit:.4g} ({name})" for limit, name in ((short, "SAM"), (long, "LAM")) if np.isfinite(limit)]
     return Group("Body", [
         Answer("moments", motion.moments.tolist(), "", "I1, I2, I3 over I3", "over I3",
@@ -169,7 +169,7 @@ def _body(found: TumbleReport) -> Group:
                None if axes is None else " : ".join(f"{x:.4g}" for x in axes)),
         Answer("period_ratio", ratio, "", "P_ψ/P_φ", "", f"{ratio:.5g}; possible: above {', '.join(said)}"),
         Answer("least_period_ratios", {"short-axis": _or_none(short), "long-axis": _or_none(long)}),
-        Answer("source", found.source or None, "", "source"),
+        Answer("source", report.source or None, "", "source"),
     ])  # fmt: skip
 
 
@@ -197,8 +197,8 @@ def _others(others: tuple[Tumbling, ...]) -> list[Table]:
     }, rows, {"cone_angle": "rad", "tilt": "rad", "momentum_rate": "rad/s"})]  # fmt: skip
 
 
-def _light(found: TumbleReport) -> list[Group | Table]:
-    light = found.light
+def _light(report: TumbleReport) -> list[Group | Table]:
+    light = report.light
     if light is None:
         return [Group("Light curve", [Answer("light_curve", None)])]
     spread = float(np.ptp(light.magnitudes))
@@ -223,14 +223,14 @@ def _or_none(value: float) -> float | None:
     return value if np.isfinite(value) else None
 
 
-def _spec(found: TumbleReport) -> str:
-    motion = found.motion
+def _spec(report: TumbleReport) -> str:
+    motion = report.motion
     spin = np.asarray(motion.motion.angular_velocity(0.0)).tolist()
     moments = ", ".join(f'"{x:.17g} kg*m^2"' for x in motion.moments.tolist())
     rates = ", ".join(f'"{x:.17g} rad/s"' for x in spin)
     return (
-        f"# {found.name}: {motion.mode} mode, P_phi = {motion.precession:.10g} s, P_psi = {motion.rotation:.10g} s.\n"
+        f"# {report.name}: {motion.mode} mode, P_phi = {motion.precession:.10g} s, P_psi = {motion.rotation:.10g} s.\n"
         f"# Periods leave the scale of the moments open; the largest is 1 kg m^2 here.\n"
-        f'name = "{found.name}"\n\n[body]\nmoments = [{moments}]\n\n'
+        f'name = "{report.name}"\n\n[body]\nmoments = [{moments}]\n\n'
         f'[spin]\nangular_velocity = [{rates}]\nframe = "principal"\n\n[time]\nuntil = "{5 * motion.rotation:.10g} s"\n'
     )

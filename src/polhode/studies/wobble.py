@@ -6,10 +6,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._pole_series import DAY, YEAR
 from polhode.estimation.euler_periods import euler_chain
 from polhode.estimation.excitation import polar_excitation
 from polhode.estimation.polar_motion import fit_chandler
-from polhode.estimation.pole_series import DAY, YEAR
 from polhode.estimation.wobble_process import fit_chandler_process
 from polhode.estimation.wobble_windows import fit_chandler_windows, pole_spectrum
 from polhode.formats.paths import as_path
@@ -39,8 +39,8 @@ def wobble(
         raise InvalidInput(f'`{wrong[0]}` must be a day like "1976-01-01"; got {shown(days[wrong[0]])}.')
     if isinstance(window, bool) or not isinstance(window, int | float):
         raise InvalidInput(f"`window` must be a positive number of years; got {shown(window)}.")
-    given = series if series is None or isinstance(series, PoleSeries) else as_path("series", series)
-    return with_inputs(lambda: wobble_report(given, start, end, window, ("`start`", "`end`")))
+    source = series if series is None or isinstance(series, PoleSeries) else as_path("series", series)
+    return with_inputs(lambda: wobble_report(source, start, end, window, ("`start`", "`end`")))
 
 
 def wobble_report(

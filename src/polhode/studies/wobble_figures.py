@@ -81,10 +81,10 @@ def over_time(windows: ChandlerWindows, process: ChandlerProcess, line: Chandler
     return figure
 
 
-def spectrum(found: PoleSpectrum, line: ChandlerFit) -> Figure:
+def spectrum(pole_spectrum: PoleSpectrum, line: ChandlerFit) -> Figure:
     """Return the spectrum of both senses of turning."""
-    frequencies = found.frequencies * YEAR
-    density = found.density / MAS**2 / YEAR
+    frequencies = pole_spectrum.frequencies * YEAR
+    density = pole_spectrum.density / MAS**2 / YEAR
     figure = style.new_figure(width=style.COLUMN * 1.3, height=2.8)
     axes = figure.add_subplot()
     for sign, colour, name in ((1.0, style.BLUE, "prograde"), (-1.0, style.ORANGE, "retrograde")):

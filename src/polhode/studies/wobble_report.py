@@ -106,12 +106,12 @@ def _q(value: float) -> str:
     return f"{value:.0f}" if math.isfinite(value) else "infinite"
 
 
-def _quality(found: WobbleReport) -> str:
-    return _q(float(found.process.estimate.value[1]))
+def _quality(report: WobbleReport) -> str:
+    return _q(float(report.process.estimate.value[1]))
 
 
-def _line(found: WobbleReport) -> Group:
-    fit = found.line
+def _line(report: WobbleReport) -> Group:
+    fit = report.line
     period, amplitude, phase = fit.estimate.value
     errors = fit.estimate.standard_error
     ends = fit.estimate.interval()[0] / DAY
@@ -131,8 +131,8 @@ def _line(found: WobbleReport) -> Group:
     ])  # fmt: skip
 
 
-def _process(found: WobbleReport) -> Group:
-    process = found.process
+def _process(report: WobbleReport) -> Group:
+    process = report.process
     period, quality = process.estimate.value
     errors = process.estimate.standard_error
     spans = {level: np.array(ends) / DAY for level, ends in process.period_intervals.items()}
@@ -151,8 +151,8 @@ def _process(found: WobbleReport) -> Group:
     ])  # fmt: skip
 
 
-def _terms(found: WobbleReport) -> Table:
-    fit = found.line
+def _terms(report: WobbleReport) -> Table:
+    fit = report.line
     rows: list[dict[str, Any]] = []
     for name, rate in fit.rates.items():
         size, error = fit.amplitude(name)
@@ -183,9 +183,9 @@ def _windows(windows: ChandlerWindows) -> Table:
         shown=lambda row: row["centre"] in shown)  # fmt: skip
 
 
-def _excitation(found: WobbleReport) -> Group:
-    excitation = found.excitation
-    density = found.process.excitation / MAS**2 / YEAR
+def _excitation(report: WobbleReport) -> Group:
+    excitation = report.excitation
+    density = report.process.excitation / MAS**2 / YEAR
     rms = float(np.sqrt(0.5 * np.mean(np.abs(excitation.psi - excitation.psi.mean()) ** 2)) / MAS)
     return Group("Excitation, by deconvolution", [
         Answer("excitation.rms_mas", rms, "mas", "of a component", f"means over {excitation.step / DAY:g} d",
@@ -195,9 +195,9 @@ def _excitation(found: WobbleReport) -> Group:
     ])  # fmt: skip
 
 
-def _chain(found: WobbleReport) -> Table:
+def _chain(report: WobbleReport) -> Table:
     rows: list[dict[str, Any]] = [
-        {"stage": stage.name, "period_days": stage.period / DAY, "cause": stage.cause} for stage in found.chain
+        {"stage": stage.name, "period_days": stage.period / DAY, "cause": stage.cause} for stage in report.chain
     ]
     return Table("euler_chain", "From Euler's period to Chandler's", {
         "Earth": lambda row: row["stage"].replace("_", " "),
@@ -206,12 +206,12 @@ def _chain(found: WobbleReport) -> Table:
     }, rows, {"period_days": "d"})  # fmt: skip
 
 
-def _data(found: WobbleReport) -> Group:
-    days = found.series.days
+def _data(report: WobbleReport) -> Group:
+    days = report.series.days
     span = [format_day(float(days[0])), format_day(float(days[-1]))]
     return Group("Data", [
-        Answer("source", found.series.source, "", "source"),
-        Answer("form", found.series.form, "", "form"),
+        Answer("source", report.series.source, "", "source"),
+        Answer("form", report.series.form, "", "form"),
         Answer("span", span, "", "days", "", f"{span[0]} to {span[1]}, {len(days)} of them"),
         Answer("samples", len(days)),
     ])  # fmt: skip

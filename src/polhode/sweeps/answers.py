@@ -58,12 +58,12 @@ def sweep(
     whole = isinstance(workers, int) and not isinstance(workers, bool)
     if workers is not None and not (whole and workers >= 1):
         raise InvalidInput(f"`workers` must be a whole number, at least 1, or None; got {shown(workers)}.")
-    made = Sweep.of(read_plan(spec))
+    work = Sweep.of(read_plan(spec))
     path = Path(f"{Path(spec).stem}.zarr") if store is None else Path(store)
-    count = made.usual_workers() if workers is None and scheduler is None else workers or default_workers()
-    begun = made.begin(path)
-    made.run(begun, count, scheduler)
-    return SweepReport(made, begun)
+    count = work.usual_workers() if workers is None and scheduler is None else workers or default_workers()
+    begun = work.begin(path)
+    work.run(begun, count, scheduler)
+    return SweepReport(work, begun)
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,11 +100,11 @@ class SweepReport(StudyReport):
     @property
     def checksum(self) -> str:
         """Of all samples, which depends neither on who computed them nor on interruptions."""
-        found = hashlib.sha256()
+        checksum = hashlib.sha256()
         for mark in self.marks:
             for name, digest in sorted(mark.digests.items()):
-                found.update(f"{name} {digest}\n".encode())
-        return found.hexdigest()
+                checksum.update(f"{name} {digest}\n".encode())
+        return checksum.hexdigest()
 
     @property
     def outputs(self) -> list[Column]:
@@ -114,9 +114,9 @@ class SweepReport(StudyReport):
     @property
     def status(self) -> dict[str, int]:
         """The number of samples of each status."""
-        found = self.summaries[STATUS]
-        assert isinstance(found, dict)
-        return found
+        counts = self.summaries[STATUS]
+        assert isinstance(counts, dict)
+        return counts
 
     @property
     def summary(self) -> str:
@@ -128,19 +128,19 @@ class SweepReport(StudyReport):
 
     @property
     def notes(self) -> list[str]:
-        found = []
+        notes = []
         reasons = [reason for mark in self.marks for reason in mark.reasons]
         if reasons:
             number, why = reasons[0]
-            found.append(f"statistics leave out the samples that were not computed. The first of them, sample {number} "
+            notes.append(f"statistics leave out the samples that were not computed. The first of them, sample {number} "
                          f"(from 0): {why.removesuffix('.')}.")  # fmt: skip
         design = self.sweep.plan.design
         if design.crossed:
-            found.append(f"samples are {design.group} to each of {design.draws:,} base points, for the sensitivities; "
+            notes.append(f"samples are {design.group} to each of {design.draws:,} base points, for the sensitivities; "
                          "standard errors and intervals count them as independent, which they are not.")  # fmt: skip
         elif design.points == "sobol":
-            found.append("standard errors and intervals are those of random samples; Sobol' points do better.")
-        return found
+            notes.append("standard errors and intervals are those of random samples; Sobol' points do better.")
+        return notes
 
     @property
     def answers(self) -> list[Group | Table]:
@@ -166,10 +166,10 @@ class SweepReport(StudyReport):
 
     def _numbers(self) -> Iterator[dict[str, Any]]:
         for column in self.outputs:
-            found = self.summaries[column.name]
-            if isinstance(found, dict):
+            summary = self.summaries[column.name]
+            if isinstance(summary, dict):
                 continue
-            for k, one in enumerate(found):
+            for k, one in enumerate(summary):
                 quantiles = self._quantiles(column, k, one)
                 yield {
                     "output": column.name + (f".{k + 1}" if column.shape else ""), "count": one.count,
@@ -187,10 +187,10 @@ class SweepReport(StudyReport):
 
     def _words(self) -> Iterator[dict[str, Any]]:
         for column in self.outputs:
-            found = self.summaries[column.name]
-            if not isinstance(found, dict):
+            summary = self.summaries[column.name]
+            if not isinstance(summary, dict):
                 continue
-            known = {word: count for word, count in found.items() if word}
+            known = {word: count for word, count in summary.items() if word}
             total = sum(known.values())
             for word, count in sorted(known.items(), key=lambda item: (-item[1], item[0])):
                 low, high = binomtest(count, total).proportion_ci(LEVEL, "wilson")
@@ -211,8 +211,8 @@ class SweepReport(StudyReport):
             else:
                 parts = {column.name: values}
             for name, part in parts.items():
-                for found in sobol_indices(design, part) or ():
-                    yield {"output": name, **found._asdict()}
+                for indices in sobol_indices(design, part) or ():
+                    yield {"output": name, **indices._asdict()}
 
 
 def _tables(

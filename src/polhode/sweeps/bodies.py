@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
-from polhode.bodies.inertia import ROUNDING
+from polhode.bodies._inertia import ROUNDING
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Bodies, Spec
 from polhode.spec.building import build_body
@@ -42,23 +42,23 @@ def vary_body(spec: Spec, tables: dict[str, Any], varied: Mapping[str, Any], uni
 def _by_moments(moments: tuple[float, float, float], varied: Mapping[str, Any]) -> Bodies:
     """Return bodies of given moments, sorted as ``bodies.body.principal_axes`` does."""
     count = len(next(iter(varied.values())))
-    found = np.tile(np.asarray(moments, dtype=float), (count, 1))
+    rows = np.tile(np.asarray(moments, dtype=float), (count, 1))
     for key, values in varied.items():
         if key == OF_MOMENTS[0]:
-            found = np.array(values, dtype=float)
+            rows = np.array(values, dtype=float)
         else:
-            found[:, int(key[-1]) - 1] = values
-    order = np.argsort(found, axis=1, kind="stable")
-    found = np.take_along_axis(found, order, axis=1)
+            rows[:, int(key[-1]) - 1] = values
+    order = np.argsort(rows, axis=1, kind="stable")
+    rows = np.take_along_axis(rows, order, axis=1)
     axes = np.swapaxes(np.eye(3)[order], 1, 2)
     axes[np.linalg.det(axes) < 0.0, :, 2] *= -1.0
-    beyond = found[:, 0] + found[:, 1] < found[:, 2] * (1.0 - ROUNDING)
+    beyond = rows[:, 0] + rows[:, 1] < rows[:, 2] * (1.0 - ROUNDING)
     refused = {}
-    for k in np.flatnonzero((found[:, 0] < 0.0) | (found[:, 2] <= 0.0) | beyond):
+    for k in np.flatnonzero((rows[:, 0] < 0.0) | (rows[:, 2] <= 0.0) | beyond):
         rule = "must satisfy I1 + I2 ≥ I3" if beyond[k] else "must be positive"
-        got = ", ".join(f"{x:.6g}" for x in found[k])
+        got = ", ".join(f"{x:.6g}" for x in rows[k])
         refused[int(k)] = f"the principal moments {rule}; got ({got}) kg m²"
-    return Bodies(found, axes + 0.0, refused)
+    return Bodies(rows, axes + 0.0, refused)
 
 
 def _one_by_one(folder: Path, tables: dict[str, Any], varied: Mapping[str, Any], units: Mapping[str, str]) -> Bodies:

@@ -68,9 +68,9 @@ class Reader:
         Raises:
             ValueError: in words.
         """
-        found = self(value)
+        number = self(value)
         parts = QUANTITY.fullmatch(value) if isinstance(value, str) and self.number.unit else None
-        return found if parts is None else found - self(f"0 {parts['unit']}")
+        return number if parts is None else number - self(f"0 {parts['unit']}")
 
     def several(self, value: Any, names: tuple[str, ...]) -> list[float]:
         """Return as many numbers as there are names.
@@ -179,9 +179,9 @@ def _read_length(value: Any, reader: Reader, folder: Path) -> AbstractRandom | f
         if not length > 0.0:
             raise ValueError(f"needs a positive length; got {shown(value)}")
         return length
-    found = read_distribution(value, reader, folder, lengths=True)
-    assert isinstance(found, AbstractRandom)
-    return found
+    distribution = read_distribution(value, reader, folder, lengths=True)
+    assert isinstance(distribution, AbstractRandom)
+    return distribution
 
 
 def _lengths(length: AbstractRandom | float, uniform: Uniform) -> Any:
@@ -384,20 +384,20 @@ def _column(path: Path, name: str, scale: Callable[[float], float]) -> tuple[np.
     head = [cell.strip() for cell in rows[0]] if rows else []
     if head.count(name) != 1:
         raise ValueError(f"{path} needs one column {shown(name)}; its first row is {shown(head)}")
-    at, found = head.index(name), []
+    at, numbers = head.index(name), []
     for line, row in enumerate(rows[1:], 2):
         if not row:
             continue
         try:
-            found.append(scale(float(row[at])))
+            numbers.append(scale(float(row[at])))
         except (ValueError, IndexError):
             cell = row[at] if at < len(row) else "nothing"
             raise ValueError(f"{path}, line {line}: {shown(name)} must be a number; got {shown(cell)}") from None
-        if not math.isfinite(found[-1]):
+        if not math.isfinite(numbers[-1]):
             raise ValueError(f"{path}, line {line}: {shown(name)} must be finite; got {shown(row[at])}")
-    if not found:
+    if not numbers:
         raise ValueError(f"{path} has no rows below its head")
-    return np.array(found), str(path)
+    return np.array(numbers), str(path)
 
 
 def _list_subclasses(base: type) -> list[type]:
@@ -428,9 +428,9 @@ def read_distribution(
     whole = known[keys[0]]
     if whole is not FromTable and set(value) != {keys[0]}:
         raise ValueError(f"has more keys than {keys[0]}: {', '.join(sorted(set(value) - {keys[0]}))}; leave them out")
-    found = whole.read(value if whole is FromTable else value[keys[0]], reader, folder)
+    law = whole.read(value if whole is FromTable else value[keys[0]], reader, folder)
     wanted = 0 if lengths else reader.number.length
-    if found.length != wanted:
+    if law.length != wanted:
         sizes = {0: "one number", 3: "a vector of three", 4: "a quaternion"}
-        raise ValueError(f"{keys[0]} gives {sizes[found.length]}, and {sizes.get(wanted, 'a list')} stands there")
-    return found
+        raise ValueError(f"{keys[0]} gives {sizes[law.length]}, and {sizes.get(wanted, 'a list')} stands there")
+    return law

@@ -14,7 +14,7 @@ import numpy as np
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.kinds.base import Ensemble, ManySpecs, Spec
 from polhode.kinds.reading import build_spec
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table, collect_values, plain
 from polhode.spec.keys import with_value, write_quantity
 from polhode.sweeps.bodies import vary_body
@@ -102,11 +102,11 @@ class Evaluator:
             InvalidInput: for names that no answer has, or if no sample has a motion.
         """
         count = self.plan.design.count
-        first, found, error = min(PROBED, count), None, None
+        first, probe, error = min(PROBED, count), None, None
         spread = np.unique(np.linspace(first, count - 1, SPREAD).astype(int)) if count > first else np.array([], int)
         tried = [*range(first), *spread.tolist()]
         for place, k in enumerate(tried):
-            if found is not None and place >= first:
+            if probe is not None and place >= first:
                 break
             try:
                 spec = self.make_spec(self.draw_inputs(k, k + 1), 0)
@@ -116,17 +116,17 @@ class Evaluator:
                     raise
                 error = error or refusal
                 continue
-            if found is None:
-                found = spec, columns, k
-            known = [a if a.known else b for a, b in zip(found[1], columns, strict=True)]
-            found = found[0], known, found[2]
+            if probe is None:
+                probe = spec, columns, k
+            known = [a if a.known else b for a, b in zip(probe[1], columns, strict=True)]
+            probe = probe[0], known, probe[2]
             if all(column.known for column in known):
                 break
-        if found is None:
+        if probe is None:
             assert error is not None
             head, *rest = error.args
             raise InvalidInput(f"none of {len(tried)} samples tried can be computed; of the first: {head}", *rest)
-        return found
+        return probe
 
     def _columns(self, spec: Spec) -> list[Column]:
         """Return the types of the outputs of one sample; undefined numbers may turn out to be words later."""
@@ -141,10 +141,10 @@ class Evaluator:
     @cached_property
     def columns(self) -> list[Column]:
         """The outputs of the sweep; where no sample has shown yet whether one is text, the kind is asked."""
-        columns, found = self._probe[1], self._first
-        if found is None:
+        columns, first = self._probe[1], self._first
+        if first is None:
             return columns
-        texts = {name for name, values in found.values.items() if np.asarray(values).dtype.kind == "U"}
+        texts = {name for name, values in first.values.items() if np.asarray(values).dtype.kind == "U"}
         return [column if column.known else column._replace(text=column.name in texts) for column in columns]
 
     @cached_property
@@ -197,9 +197,9 @@ class Evaluator:
             inputs = {key: np.array(values) for key, values in inputs.items()}
             for key, values in inputs.items():
                 values[wrong] = good[key][0]
-        found = self._ensemble(inputs)
-        assert found is not None
-        return found.values, found.refused | refused, {}
+        ensemble = self._ensemble(inputs)
+        assert ensemble is not None
+        return ensemble.values, ensemble.refused | refused, {}
 
     def _impossible(self, inputs: dict[str, Any], low: int, high: int) -> dict[int, str]:
         """Find by bisection the samples that make a joint computation fail, and why."""
@@ -230,10 +230,10 @@ class Evaluator:
                 trajectory = self._trajectory(spec) if self.plan.states else None
                 for column in self.columns:
                     if trajectory is not None and column.name in self.plan.states:
-                        found = _state(column.name, trajectory, self.plan.times)
+                        value = _state(column.name, trajectory, self.plan.times)
                     else:
-                        found = _fit_to_column(column, _pick(answers, column.name))
-                    values[column.name][k] = found
+                        value = _fit_to_column(column, _pick(answers, column.name))
+                    values[column.name][k] = value
             except InvalidInput as error:
                 refused[k] = str(error)
             except NotConverged as error:
@@ -251,9 +251,9 @@ class Evaluator:
             return {}, groups
         for group in spec.kind.answers_without_motion(spec):
             groups.append(group)
-            found = plain(collect_values(groups))
-            if all(_has(found, name) for name in wanted):
-                return found, groups
+            answers = plain(collect_values(groups))
+            if all(_has(answers, name) for name in wanted):
+                return answers, groups
         report = spec.report()
         return report.as_json_dict(), report.answers
 
@@ -381,8 +381,8 @@ def _state_column(name: str, trajectory: Trajectory, times: tuple[float, ...]) -
     if part not in own:
         has = ", ".join(dict.fromkeys(own))
         raise _NoSuchAnswer(f"sweep.outputs: the state has no part {shown(part)}; it has {has}.")
-    found = next((one for one in trajectory.layout.parts if one.name == part), None)
-    unit = "rad/s" if found is None else found.unit
+    entry = next((one for one in trajectory.layout.parts if one.name == part), None)
+    unit = "rad/s" if entry is None else entry.unit
     values = _state(name, trajectory, times)
     frame = "" if trajectory.frame is None else "body axes are the principal ones"
     return Column(name, np.shape(values), unit=unit, note=frame)

@@ -42,16 +42,16 @@ def histograms(report: SweepReport) -> Figure | None:
 
 def _varies(report: SweepReport, column: Column, k: int) -> bool:
     """Whether there is something to see: any words, or numbers that differ by more than rounding."""
-    found = report.summaries[column.name]
-    if isinstance(found, dict):
-        return any(found)
-    return found[k].high - found[k].low > 1e-12 * max(abs(found[k].low), abs(found[k].high))
+    summary = report.summaries[column.name]
+    if isinstance(summary, dict):
+        return any(summary)
+    return summary[k].high - summary[k].low > 1e-12 * max(abs(summary[k].low), abs(summary[k].high))
 
 
 def _bars(axes: Any, report: SweepReport, column: Column, k: int) -> None:
-    found = report.summaries[column.name]
-    assert isinstance(found, dict)
-    known = {word: count for word, count in found.items() if word}
+    summary = report.summaries[column.name]
+    assert isinstance(summary, dict)
+    known = {word: count for word, count in summary.items() if word}
     total = sum(known.values())
     words = sorted(known, key=lambda word: known[word])[-8:]
     axes.barh(words, [100.0 * known[word] / total for word in words], color=style.BLUE, height=0.6)
@@ -61,10 +61,10 @@ def _bars(axes: Any, report: SweepReport, column: Column, k: int) -> None:
 
 
 def _density(axes: Any, report: SweepReport, column: Column, k: int) -> None:
-    found = report.summaries[column.name]
-    assert not isinstance(found, dict)
-    values, weights = _drawable(report, column, k, found[k])
-    power = style.power_of_ten((found[k].low, found[k].high))
+    summary = report.summaries[column.name]
+    assert not isinstance(summary, dict)
+    values, weights = _drawable(report, column, k, summary[k])
+    power = style.power_of_ten((summary[k].low, summary[k].high))
     unit = f"  [{style.factor(power)}{column.unit}]" if column.unit or power else ""
     scaled = values / 10.0**power
     bins = min(BINS, max(8, len(scaled) // 8))
@@ -74,7 +74,7 @@ def _density(axes: Any, report: SweepReport, column: Column, k: int) -> None:
     axes.set_xlabel(f"{column.name}{part}{unit}")
 
 
-def _drawable(report: SweepReport, column: Column, k: int, found: Numbers) -> tuple[Any, Any]:
+def _drawable(report: SweepReport, column: Column, k: int, summary: Numbers) -> tuple[Any, Any]:
     """Return values and weights: of the samples, or of the summary kept in place of them."""
     if report.sweep.plan.keep == "all":
         values = report.store.read(column.name, DRAWN)
@@ -82,7 +82,7 @@ def _drawable(report: SweepReport, column: Column, k: int, found: Numbers) -> tu
         values = values[~np.isnan(values)]
         if len(values):
             return values, np.ones(len(values))
-    parts = found.parts
+    parts = summary.parts
     return (np.concatenate([knots for _, knots in parts]),
             np.concatenate([np.full(len(knots), count / len(knots)) for count, knots in parts]))  # fmt: skip
 
@@ -96,9 +96,9 @@ def verdict_map(report: SweepReport) -> Figure | None:
     axes_of = [key for key, how in plan.design.inputs.items() if not how.length][:2]
     if words is None or len(axes_of) < 2 or plan.keep != "all":
         return None
-    x, y, found, status = (report.store.read(name, DRAWN) for name in (*axes_of, words.name, STATUS))
-    found = np.where(status == DONE, found, status)
-    known = sorted({str(word) for word in found if word}, key=lambda word: (word in (REFUSED, LOST), word))
+    x, y, verdicts, status = (report.store.read(name, DRAWN) for name in (*axes_of, words.name, STATUS))
+    verdicts = np.where(status == DONE, verdicts, status)
+    known = sorted({str(word) for word in verdicts if word}, key=lambda word: (word in (REFUSED, LOST), word))
     if not known:
         return None
     figure = style.new_figure(height=3.4)
@@ -106,9 +106,9 @@ def verdict_map(report: SweepReport) -> Figure | None:
     powers = [style.power_of_ten(values) for values in (x, y)]
     x, y = x / 10.0 ** powers[0], y / 10.0 ** powers[1]
     if all(isinstance(plan.design.inputs[key], Grid) for key in axes_of):
-        _tiles(axes, x, y, found, known)
+        _tiles(axes, x, y, verdicts, known)
     else:
-        _dots(axes, x, y, found, known)
+        _dots(axes, x, y, verdicts, known)
     for power, key, say in zip(powers, axes_of, (axes.set_xlabel, axes.set_ylabel), strict=True):
         unit = plan.units[key].replace("*", " ").replace("^2", "²").replace("^3", "³")
         say(f"{key}  [{style.factor(power)}{unit}]" if unit or power else key)
@@ -131,7 +131,7 @@ def make_style(word: str, known: list[str]) -> Any:
     return Line2D([], [], ls="", marker=MARKS[k], ms=5, mec="none", color=_colour(word, k), label=word)
 
 
-def _tiles(axes: Any, x: Any, y: Any, found: Any, known: list[str]) -> None:
+def _tiles(axes: Any, x: Any, y: Any, verdicts: Any, known: list[str]) -> None:
     """Colour each point of a grid by its commonest word."""
     from matplotlib.colors import ListedColormap
 
@@ -139,18 +139,18 @@ def _tiles(axes: Any, x: Any, y: Any, found: Any, known: list[str]) -> None:
     counts = np.zeros((len(known), len(along), len(across)))
     columns, rows = np.searchsorted(across, x), np.searchsorted(along, y)
     for k, word in enumerate(known):
-        np.add.at(counts[k], (rows[found == word], columns[found == word]), 1.0)
+        np.add.at(counts[k], (rows[verdicts == word], columns[verdicts == word]), 1.0)
     most = np.where(counts.sum(axis=0) > 0.0, counts.argmax(axis=0), np.nan)
     colours = [_colour(word, k) for k, word in enumerate(known)]
     axes.pcolormesh(across, along, most, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(known) - 0.5,
                     shading="nearest", rasterized=True)  # fmt: skip
 
 
-def _dots(axes: Any, x: Any, y: Any, found: Any, known: list[str]) -> None:
+def _dots(axes: Any, x: Any, y: Any, verdicts: Any, known: list[str]) -> None:
     shown = np.unique(np.linspace(0, len(x) - 1, min(DOTS, len(x))).astype(int))
-    x, y, found = x[shown], y[shown], found[shown]
+    x, y, verdicts = x[shown], y[shown], verdicts[shown]
     for k, word in enumerate(known):
-        here = found == word
+        here = verdicts == word
         axes.plot(x[here], y[here], ls="", marker=MARKS[k % len(MARKS)], ms=2.2, mec="none", alpha=0.7,
                   color=_colour(word, k), rasterized=True)  # fmt: skip
 

@@ -106,8 +106,8 @@ class Layout:
                                        attributes={"_ARRAY_DIMENSIONS": ["time"], "units": "s"})  # fmt: skip
             clock[:] = np.asarray(self.times)
         zarr.consolidate_metadata(store, zarr_format=2)
-        found = {path: part.to_bytes() for path, part in packed.items()}
-        return found | {f"{HOME}/{PLAN}": json.dumps(self.plan, indent=1).encode()}
+        documents = {path: part.to_bytes() for path, part in packed.items()}
+        return documents | {f"{HOME}/{PLAN}": json.dumps(self.plan, indent=1).encode()}
 
 
 def _dimensions(column: Column, states: bool) -> list[str]:
@@ -121,5 +121,5 @@ def _dimensions(column: Column, states: bool) -> list[str]:
 
 def _attributes(column: Column) -> dict[str, str]:
     unit = column.unit.replace("²", "2").replace("³", "3").replace("°", "deg")
-    found = {} if column.text else {"units": unit or "1"}
-    return found | ({"comment": column.note} if column.note else {})
+    attributes = {} if column.text else {"units": unit or "1"}
+    return attributes | ({"comment": column.note} if column.note else {})

@@ -115,6 +115,6 @@ def _can_summarise(numbers: Numbers, samples: int) -> bool:
 def hash_array(values: Any) -> str:
     """Return the SHA-256 of an array, its type and form."""
     array = np.ascontiguousarray(values)
-    found = hashlib.sha256(f"{array.dtype.str} {array.shape}\n".encode())
-    found.update(array.tobytes())
-    return found.hexdigest()
+    digest = hashlib.sha256(f"{array.dtype.str} {array.shape}\n".encode())
+    digest.update(array.tobytes())
+    return digest.hexdigest()

@@ -137,51 +137,51 @@ def read_plan(path: str | Path) -> Plan:
 
 def _flat(inputs: dict[str, Any], before: str = "") -> dict[str, Any]:
     """Return inputs by whole keys; without quotes TOML takes spin.rate for a table in a table."""
-    found: dict[str, Any] = {}
+    flat: dict[str, Any] = {}
     for key, value in inputs.items():
         inner = isinstance(value, dict) and value and all(isinstance(item, dict) for item in value.values())
         ways = {"sphere", "von-mises-fisher", "grid"}
-        found |= _flat(value, f"{before}{key}.") if inner and not ways & set(value) else {f"{before}{key}": value}
-    return found
+        flat |= _flat(value, f"{before}{key}.") if inner and not ways & set(value) else {f"{before}{key}": value}
+    return flat
 
 
 def _find_broken(table: SweepTable, inputs: dict[str, Any]) -> list[Mistake]:
     """Return violations of rules between keys."""
-    found: list[Mistake] = []
+    wrong: list[Mistake] = []
     placed = [how for how in inputs.values() if isinstance(how, AbstractPlaced)]
     rows = [how.count for how in placed if not isinstance(how, Grid)]
     meant = any(isinstance(value, dict) and {"grid", "table"} & set(value) for value in table.inputs.values())
     if not table.inputs:
-        found.append(((SWEEP, "inputs"), f"must name at least one input, like {EXAMPLE}"))
+        wrong.append(((SWEEP, "inputs"), f"must name at least one input, like {EXAMPLE}"))
     if not table.outputs:
-        found.append(((SWEEP, "outputs"), 'must name at least one output, like ["regime"]'))
+        wrong.append(((SWEEP, "outputs"), 'must name at least one output, like ["regime"]'))
     if table.samples is None and not meant and table.inputs:
-        found.append(((SWEEP, "samples"), "is missing; say how many, like samples = 10000"))
+        wrong.append(((SWEEP, "samples"), "is missing; say how many, like samples = 10000"))
     if rows and table.samples is not None and table.samples > min(rows):
-        found.append(((SWEEP, "samples"), f"must be at most the rows of the table, {min(rows)}; got {table.samples}"))
+        wrong.append(((SWEEP, "samples"), f"must be at most the rows of the table, {min(rows)}; got {table.samples}"))
     if len(set(rows)) > 1 and table.samples is None:
         text = f"names tables of {min(rows)} and {max(rows)} rows, whose rows go together"
-        found.append(((SWEEP, "inputs"), f"{text}. Give tables of one length, or samples, how many rows to take"))
+        wrong.append(((SWEEP, "inputs"), f"{text}. Give tables of one length, or samples, how many rows to take"))
     if placed and len(placed) == len(table.inputs) and not rows and (table.samples or 1) > 1:
         text = "repeats each point of the grids, and nothing is random; leave it out"
-        found.append(((SWEEP, "samples"), text))
+        wrong.append(((SWEEP, "samples"), text))
     if table.sensitivity and any(not isinstance(how, AbstractRandom) for how in inputs.values()):
-        found.append(((SWEEP, "sensitivity"), "needs random inputs throughout, neither grids nor tables"))
+        wrong.append(((SWEEP, "sensitivity"), "needs random inputs throughout, neither grids nor tables"))
     if table.sensitivity and table.keep != "all":
-        found.append(((SWEEP, "keep"), 'must be "all": a sensitivity analysis needs all samples'))
+        wrong.append(((SWEEP, "keep"), 'must be "all": a sensitivity analysis needs all samples'))
     if twice := sorted({name for name in table.outputs if table.outputs.count(name) > 1 or name in table.inputs}):
-        found.append(((SWEEP, "outputs"), f"names {twice[0]} twice, or as an input too; inputs are kept anyway"))
+        wrong.append(((SWEEP, "outputs"), f"names {twice[0]} twice, or as an input too; inputs are kept anyway"))
     states = any(name.startswith(STATES) for name in table.outputs)
     if states != bool(table.times):
         text = 'is missing; states need times, like ["10 s", "20 s"]' if states else (
             'goes with outputs such as "states.attitude"; add one, or leave it out')  # fmt: skip
-        found.append(((SWEEP, "times"), text))
+        wrong.append(((SWEEP, "times"), text))
     if np.any(np.diff(table.times) <= 0.0):
-        found.append(((SWEEP, "times"), f"must ascend, without repetitions; got {shown(table.times)} s. Sort them"))
+        wrong.append(((SWEEP, "times"), f"must ascend, without repetitions; got {shown(table.times)} s. Sort them"))
     overlapping = [(a, b) for a in table.inputs for b in table.inputs if b.startswith(f"{a}.")]
     if overlapping:
-        found.append(((SWEEP, "inputs"), f"sets {overlapping[0][1]} twice, alone and as a part of {overlapping[0][0]}"))
-    return found
+        wrong.append(((SWEEP, "inputs"), f"sets {overlapping[0][1]} twice, alone and as a part of {overlapping[0][0]}"))
+    return wrong
 
 
 def _check_size(path: Path, design: Design) -> None:

@@ -226,9 +226,9 @@ def _compute(evaluator: Evaluator, store: Store, number: int, read: dict[Path, s
     Raises:
         InvalidInput: naming the file that is not.
     """
-    with record_files() as found:
+    with record_files() as digests:
         chunk = evaluator.chunk(*store.layout.sample_range(number))
-    for path, digest in found.items():
+    for path, digest in digests.items():
         if read.get(path, digest) != digest:
             raise InvalidInput(f"{path}: changed while the sweep ran, whose samples would be of two kinds. Put it back "
                                "and run the sweep again, or choose another store with --out.")  # fmt: skip

@@ -57,27 +57,27 @@ class Design:
         samples = np.arange(low, high)
         if self.crossed:
             return self._cross(samples)
-        uniform, point, found = self._uniform(low, high), samples // self.draws, {}
+        uniform, point, values = self._uniform(low, high), samples // self.draws, {}
         for key, how in reversed(self.inputs.items()):  # the last grid runs fastest
             if isinstance(how, Grid):
-                found[key] = how.at(point % how.count)
+                values[key] = how.at(point % how.count)
                 point = point // how.count
             elif isinstance(how, AbstractPlaced):
-                found[key] = how.at(samples % self.draws)
+                values[key] = how.at(samples % self.draws)
             else:
                 assert isinstance(how, AbstractRandom)
-                found[key] = how.values(uniform[key])
-        return {key: found[key] for key in self.inputs}
+                values[key] = how.values(uniform[key])
+        return {key: values[key] for key in self.inputs}
 
     def _uniform(self, low: int, high: int, parts: int = 1) -> dict[str, Any]:
         """Return uniform numbers (sample, parts × dimensions) in (0, 1) for each random input."""
         sizes = {key: how.dimensions * parts for key, how in self.inputs.items() if how.dimensions}
         if self.points == "random" and not self.crossed:
             return {key: self._random(key, size, low, high) for key, size in sizes.items()}
-        found, columns, at = {}, self._sobol(sum(sizes.values()), low, high), 0
+        uniform, columns, at = {}, self._sobol(sum(sizes.values()), low, high), 0
         for key, size in sizes.items():
-            found[key], at = columns[:, at : at + size], at + size
-        return found
+            uniform[key], at = columns[:, at : at + size], at + size
+        return uniform
 
     def _random(self, key: str, size: int, low: int, high: int) -> Any:
         """Return numbers of a stream of the input's own, which other inputs do not change."""
@@ -101,10 +101,10 @@ class Design:
     def _cross(self, samples: Any) -> dict[str, Any]:
         base, which = samples // self.group, samples % self.group
         low, high = int(base[0]), int(base[-1]) + 1
-        uniform, found = self._uniform(low, high, parts=2), {}
+        uniform, values = self._uniform(low, high, parts=2), {}
         for k, (key, how) in enumerate(self.inputs.items()):
             assert isinstance(how, AbstractRandom)
             first, second = (uniform[key][:, part : part + how.dimensions] for part in (0, how.dimensions))
             taken = ((which == k + 1) | (which == self.group - 1))[:, None]
-            found[key] = how.values(np.where(taken, second[base - low], first[base - low]))
-        return found
+            values[key] = how.values(np.where(taken, second[base - low], first[base - low]))
+        return values

@@ -52,7 +52,7 @@ def sobol_indices(design: Design, values: Any) -> list[Indices] | None:
     names = list(design.inputs)
     problem = {"num_vars": len(names), "names": names, "bounds": [[0.0, 1.0]] * len(names)}
     with np.errstate(all="ignore"):
-        found = sobol.analyze(problem, groups.ravel(), calc_second_order=False, num_resamples=RESAMPLES,
+        indices = sobol.analyze(problem, groups.ravel(), calc_second_order=False, num_resamples=RESAMPLES,
                               conf_level=LEVEL, seed=design.seed % 2**32)  # fmt: skip
-    columns = (found[key] for key in ("S1", "S1_conf", "ST", "ST_conf"))
+    columns = (indices[key] for key in ("S1", "S1_conf", "ST", "ST_conf"))
     return [Indices(name, *map(float, row)) for name, *row in zip(names, *columns, strict=True)]

@@ -98,26 +98,26 @@ class Store:
 
     def _check_same(self) -> None:
         try:
-            found = json.loads(read_file(self.home / PLAN, "plan", MB))
+            plan = json.loads(read_file(self.home / PLAN, "plan", MB))
         except (ValueError, RecursionError):
-            found = None
+            plan = None
         wanted = self.layout.plan
-        if not isinstance(found, dict) or found.keys() != wanted.keys():
-            old = isinstance(found, dict) and found.get("format") == 1
+        if not isinstance(plan, dict) or plan.keys() != wanted.keys():
+            old = isinstance(plan, dict) and plan.get("format") == 1
             what = f"was made by another version of polhode (format 1, not {FORMAT})" if old else (
                 f"is damaged: {HOME}/{PLAN} is not what a sweep writes")  # fmt: skip
             raise FormatError(f"{self.path}: {what}. Choose another store with --out, or remove this one.")
-        if found["fingerprint"] != wanted["fingerprint"]:
+        if plan["fingerprint"] != wanted["fingerprint"]:
             raise InvalidInput(f"{self.path}: holds another sweep: the spec, a file that it names, polhode or a "
                                "library that it computes with changed since. Choose another store with --out, or "
                                "remove this one.")  # fmt: skip
-        if found["chunk"] != wanted["chunk"]:
-            got = shown(found["chunk"])
+        if plan["chunk"] != wanted["chunk"]:
+            got = shown(plan["chunk"])
             raise InvalidInput(f"{self.path}: was begun with chunks of {got} samples, not {wanted['chunk']}. Set "
                                "sweep.chunk to that, or choose another store with --out.")  # fmt: skip
-        if found != wanted:
-            key = next(key for key in wanted if found[key] != wanted[key])
-            raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} says {key} = {shown(found[key])}, and this "
+        if plan != wanted:
+            key = next(key for key in wanted if plan[key] != wanted[key])
+            raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} says {key} = {shown(plan[key])}, and this "
                               f"sweep has {wanted[key]}. Choose another store with --out, or remove this "
                               "one.")  # fmt: skip
 
@@ -200,13 +200,13 @@ class Store:
 
     def list_finished(self) -> set[int]:
         """Return which chunks have marks, whole or not."""
-        found = set()
+        finished = set()
         for path in (self.home / CHUNKS).glob("*.mark"):
             if path.stem.isascii() and path.stem.isdecimal() and len(path.stem) < 20:
                 number = int(path.stem)
                 if number < self.layout.chunks and path.name == self._mark(number).name:
-                    found.add(number)
-        return found
+                    finished.add(number)
+        return finished
 
     def mark(self, number: int) -> Mark:
         """Return the mark of a chunk.
@@ -215,10 +215,10 @@ class Store:
             InvalidInput: where there is none, or nothing that could be one.
         """
         path = self._mark(number)
-        found = read_mark(read_file(path, "mark", self.layout.largest_mark), number, self.layout)
-        if found is None:
+        mark = read_mark(read_file(path, "mark", self.layout.largest_mark), number, self.layout)
+        if mark is None:
             raise FormatError(f"{path}: is damaged. {AGAIN}")
-        return found
+        return mark
 
     def marks(self) -> Iterator[Mark]:
         """Yield the marks of all chunks in the order of the samples.

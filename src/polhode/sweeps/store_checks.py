@@ -57,21 +57,21 @@ def says(path: Path, wanted: bytes) -> bool:
     if not os.path.lexists(path):
         return False
     try:
-        found = read_file(path, "Zarr", len(wanted) + MB)
+        content = read_file(path, "Zarr", len(wanted) + MB)
     except InvalidInput:
         return False
-    if found == wanted or path.name not in (".zattrs", ".zmetadata"):
-        return found == wanted
+    if content == wanted or path.name not in (".zattrs", ".zmetadata"):
+        return content == wanted
     try:
-        return _holds(json.loads(found), json.loads(wanted))
+        return _holds(json.loads(content), json.loads(wanted))
     except (ValueError, RecursionError):
         return False
 
 
-def _holds(found: Any, wanted: Any) -> bool:
+def _holds(content: Any, wanted: Any) -> bool:
     if isinstance(wanted, dict):
-        return isinstance(found, dict) and all(key in found and _holds(found[key], wanted[key]) for key in wanted)
-    return type(found) is type(wanted) and found == wanted
+        return isinstance(content, dict) and all(key in content and _holds(content[key], wanted[key]) for key in wanted)
+    return type(content) is type(wanted) and content == wanted
 
 
 def unpack_chunk(path: Path, column: Column, count: int) -> Any:
@@ -84,10 +84,10 @@ def unpack_chunk(path: Path, column: Column, count: int) -> Any:
 
     shape = (count, *column.shape)
     whole = math.prod(shape) * column.type.itemsize
-    content, found = read_file(path, "chunk", whole + whole // 64 + MB), b""
+    content, data = read_file(path, "chunk", whole + whole // 64 + MB), b""
     if CODECS[COMPRESSOR["id"]](content, whole) == whole:
         with contextlib.suppress(Exception):  # whatever a decoder makes of damaged bytes
-            found = bytes(get_codec(COMPRESSOR).decode(content))  # type: ignore[arg-type]
-    if len(found) != whole:
+            data = bytes(get_codec(COMPRESSOR).decode(content))  # type: ignore[arg-type]
+    if len(data) != whole:
         raise FormatError(f"{path}: is damaged. {AGAIN}")
-    return np.frombuffer(found, dtype=column.type).reshape(shape)
+    return np.frombuffer(data, dtype=column.type).reshape(shape)

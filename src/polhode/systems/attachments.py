@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, PolhodeError, shown
-from polhode.motion.layout import StateLayout, StatePart
+from polhode.motion._layout import StateLayout, StatePart
 from polhode.types import Array, ArrayLike, Float64, Real
 
 # what methods of attachments take
@@ -73,13 +73,13 @@ def checked_jumps(jumps: Real[ArrayLike, "jumps"]) -> Float64[Array, "jumps"]:
 
 
 def checked_attachments(
-    name: str, given: Any, kind: type[AbstractAttachment], trial: Callable[..., Any]
+    name: str, value: Any, kind: type[AbstractAttachment], trial: Callable[..., Any]
 ) -> tuple[Any, ...]:
     """Return a list of attachments.
 
     Args:
         name: of the argument.
-        given: what the user gave for it.
+        value: what the user gave for it.
         kind: the class that each is derived from.
         trial: evaluates all that an attachment offers at (attachment, t, attitude, angular_velocity, own), and returns
             the values by the name of the method, each with its shape behind the batch axes, (value, shape).
@@ -87,9 +87,9 @@ def checked_attachments(
     Raises:
         InvalidInput: for what is not a list of them, and for one whose methods fail or give wrong shapes.
     """
-    if not isinstance(given, Iterable):
-        raise InvalidInput(f"`{name}` must be a list; got {shown(given)}. Put it in brackets.")
-    attachments = tuple(given)
+    if not isinstance(value, Iterable):
+        raise InvalidInput(f"`{name}` must be a list; got {shown(value)}. Put it in brackets.")
+    attachments = tuple(value)
     for k, attachment in enumerate(attachments):
         if not isinstance(attachment, kind):
             raise InvalidInput(
@@ -106,9 +106,9 @@ def _check_shapes(name: str, attachment: AbstractAttachment, trial: Any, batch: 
     wanted: dict[str, tuple[int, ...]] = {}
 
     def values(*arguments: Array) -> dict[str, Array]:
-        found = trial(attachment, *arguments)
-        wanted.update({method: (*batch, *shape) for method, (_, shape) in found.items()})
-        return {method: jnp.asarray(value) for method, (value, _) in found.items()}
+        results = trial(attachment, *arguments)
+        wanted.update({method: (*batch, *shape) for method, (_, shape) in results.items()})
+        return {method: jnp.asarray(value) for method, (value, _) in results.items()}
 
     attitude = jnp.zeros((*batch, 4)) if attachment.needs_attitude else None
     arguments = jnp.zeros(batch), attitude, jnp.zeros((*batch, 3)), jnp.zeros((*batch, attachment.state_size))

@@ -12,11 +12,11 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode.algebra._functions import Function
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
-from polhode.algebra.functions import Function
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.motion.layout import (
+from polhode.motion._layout import (
     ATTITUDE,
     ENERGY,
     LINEAR,

@@ -8,8 +8,8 @@ from typing import ClassVar
 import jax
 import jax.numpy as jnp
 
+from polhode.algebra._functions import check_scalar
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.functions import check_scalar
 from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components

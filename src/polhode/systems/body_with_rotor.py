@@ -8,8 +8,8 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import known_numbers_only
+from polhode.bodies._inertia import principal_axes
 from polhode.bodies.body import Body
-from polhode.bodies.inertia import principal_axes
 from polhode.errors import InvalidInput, shown
 from polhode.systems.gyrostat import Gyrostat
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -86,8 +86,8 @@ def rotor_in_body(
         InvalidInput: for a rotor whose inertia, at least that of a thin disk, leaves none that a carrier could have.
 
     >>> import polhode as ph
-    >>> made = rotor_in_body(ph.Body.from_moments(2.0, 3.0, 4.0), (0, 0, 1), 0.5, 10.0, (0, 0, 1.0), free=True)
-    >>> made.moments.tolist(), made.momentum, made.total.tolist()
+    >>> assembly = rotor_in_body(ph.Body.from_moments(2.0, 3.0, 4.0), (0, 0, 1), 0.5, 10.0, (0, 0, 1.0), free=True)
+    >>> assembly.moments.tolist(), assembly.momentum, assembly.total.tolist()
     ([2.0, 3.0, 3.5], 5.5, [0.0, 0.0, 9.0])
 
     Source: Hughes, *Spacecraft Attitude Dynamics*, §3.4.

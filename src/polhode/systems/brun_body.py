@@ -11,9 +11,9 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.systems._top_integrals import Integral
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_rigid_body import axis_flows, checked_moments
-from polhode.systems.top_integrals import Integral
 from polhode.types import Array, ArrayLike, Float64, Real
 
 

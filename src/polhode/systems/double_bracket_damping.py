@@ -11,7 +11,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.motion.layout import Quantity
+from polhode.motion._layout import Quantity
 from polhode.systems.base import AbstractLiePoissonSystem, Balance
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 

@@ -13,13 +13,13 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.bodies.pivot import STANDARD_GRAVITY
+from polhode.bodies._pivot import STANDARD_GRAVITY
 from polhode.errors import InvalidInput, shown
-from polhode.motion.layout import StateLayout, StatePart
-from polhode.special.legendre import LegendreFunction, legendre_function
+from polhode.motion._layout import StateLayout, StatePart
+from polhode.special._legendre import LegendreFunction, legendre_function
+from polhode.systems._rolling_mechanics import RollingMechanics
 from polhode.systems.base import AbstractSystem, Balance, Event, Vectors, as_finite_state
 from polhode.systems.rolling_dissipation import RollingDissipation, couples
-from polhode.systems.rolling_mechanics import RollingMechanics
 from polhode.types import Array, ArrayLike, Float64, Real
 
 States = Float64[Array, "*batch 8"]
@@ -169,8 +169,8 @@ class EulerDisk(AbstractSystem):
         """
         tilt = LAYOUT.part(jnp.asarray(state), "tilt")
         tilt, rate = jnp.minimum(tilt, jnp.pi - tilt), jnp.abs(self.precession(state))
-        found = [jnp.broadcast_to(law.power(self.mechanics, tilt, rate), tilt.shape) for law in self.dissipation]
-        return jnp.stack(found, axis=-1) if found else jnp.zeros((*tilt.shape, 0))
+        powers = [jnp.broadcast_to(law.power(self.mechanics, tilt, rate), tilt.shape) for law in self.dissipation]
+        return jnp.stack(powers, axis=-1) if powers else jnp.zeros((*tilt.shape, 0))
 
     def normal_force(self, state: States) -> Float64[Array, "*batch"]:
         """Return the force [N] with which the plane pushes upwards."""

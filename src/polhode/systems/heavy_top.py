@@ -13,14 +13,14 @@ from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.arrays import is_traced, known_numbers_only, refuse_single_precision
+from polhode.bodies._pivot import STANDARD_GRAVITY, about_pivot
 from polhode.bodies.body import Body
-from polhode.bodies.pivot import STANDARD_GRAVITY, about_pivot
 from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top import LagrangeMotion
-from polhode.motion.layout import Quantity
+from polhode.motion._layout import Quantity
+from polhode.systems._top_integrals import INTEGRAL_UNITS, Integral, integrable_case, leaf_integral
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_rigid_body import axis_flows, checked_moments
-from polhode.systems.top_integrals import INTEGRAL_UNITS, Integral, integrable_case, leaf_integral
 from polhode.types import Array, ArrayLike, Float64, Real
 
 ALONG = 1e-9  # sine of the angle up to which the line to the centre of mass counts as a principal axis
@@ -160,8 +160,8 @@ class HeavyTop(AbstractLiePoissonSystem):
         # known numbers by NumPy, as JAX would compile every operation by itself
         xp: Any = jnp if is_traced(self.axes, self.moments, attitude, vector) else np
         axes = xp.asarray(self.axes)
-        given = rotation.normalize(xp.asarray(attitude, dtype=float))
-        turned = rotation.multiply(given, rotation.from_matrix(axes))
+        normalized = rotation.normalize(xp.asarray(attitude, dtype=float))
+        turned = rotation.multiply(normalized, rotation.from_matrix(axes))
         spin = xp.zeros(3) if vector is None else xp.asarray(vector, dtype=float) @ axes
         spin = spin if momentum is not None else spin * xp.asarray(self.moments)
         up = rotation.rotate(rotation.conjugate(turned), xp.asarray([0.0, 0.0, 1.0]))

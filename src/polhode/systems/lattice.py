@@ -113,19 +113,19 @@ def exchange_matrix(
     >>> exchange_matrix(1.0, (0.0, 0.0, 0.5)).tolist()
     [[1.0, 0.5, 0.0], [-0.5, 1.0, 0.0], [0.0, 0.0, 1.0]]
     """
-    given = np.asarray(exchange, float)
-    matrix = given * np.eye(3) if given.ndim < 2 else given
+    coupling = np.asarray(exchange, float)
+    matrix = coupling * np.eye(3) if coupling.ndim < 2 else coupling
     x, y, z = np.asarray(chirality, float)
     if matrix.shape != (3, 3) or not np.isfinite([*matrix.flat, x, y, z]).all():
         raise InvalidInput(f"`exchange` must be finite: a number, (3,) or (3, 3); got {shown(exchange)}.")
     return matrix + np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
 
 
-def _rows(name: str, given: ArrayLike) -> np.ndarray:
+def _rows(name: str, value: ArrayLike) -> np.ndarray:
     try:
-        rows = np.asarray(given, float)
+        rows = np.asarray(value, float)
     except (TypeError, ValueError):
-        raise InvalidInput(f"`{name}` must be rows of numbers; got {shown(given)}.") from None
+        raise InvalidInput(f"`{name}` must be rows of numbers; got {shown(value)}.") from None
     if rows.ndim != 2 or not 1 <= rows.shape[1] <= 3 or not np.isfinite(rows).all():
         raise InvalidInput(f"`{name}` must be finite rows of one to three numbers; got shape {rows.shape}.")
     return np.pad(rows, ((0, 0), (0, 3 - rows.shape[1])))

@@ -6,8 +6,8 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 
+from polhode.algebra._functions import Function, check_scalar
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.functions import Function, check_scalar
 from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem

@@ -6,8 +6,8 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra._functions import Function
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.functions import Function
 from polhode.algebra.matrix import SO
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput

@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.motion.layout import StatePart
+from polhode.motion._layout import StatePart
 from polhode.systems.attachments import (
     AbstractAttachment,
     Attitude,
@@ -134,8 +134,8 @@ class Wheel(AbstractMount):
     ) -> None:  # fmt: skip
         self.axis, self.moment = checked_direction("axis", axis), checked_number("moment", moment, 0.0, unit="kg m²")
         self.motor = motor if motor is None or callable(motor) else checked_number("motor", motor, unit="N m")
-        found = checked_number("friction", friction, least=0.0, unit="N m s")
-        self.friction = found if float(found) else None
+        number = checked_number("friction", friction, least=0.0, unit="N m s")
+        self.friction = number if float(number) else None
         self.jump_times = checked_jumps(jumps)
 
     @property

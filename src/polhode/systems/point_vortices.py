@@ -8,15 +8,15 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.functions import Function
+from polhode.algebra._functions import Function
 from polhode.algebra.heisenberg import Heisenberg
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.arrays import is_traced, known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.motion.layout import Quantity
+from polhode.motion._layout import Quantity
+from polhode.systems._lattice_bonds import dot, turn
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Round
-from polhode.systems.lattice_bonds import dot, turn
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
 LEVEL = 1e-9  # relative: how far a state may be from the orbit of its strengths
@@ -67,11 +67,11 @@ class SphereVortices(AbstractLiePoissonSystem):
         """
         refuse_single_precision(positions=positions)
         xp = jnp if is_traced(positions) else np
-        given = xp.asarray(positions, dtype=float)
-        size = xp.linalg.norm(given, axis=-1, keepdims=True)
+        places = xp.asarray(positions, dtype=float)
+        size = xp.linalg.norm(places, axis=-1, keepdims=True)
         if xp is np and not (np.isfinite(size).all() and (size > 0).all()):
             raise InvalidInput(f"`positions` must be finite directions other than zero; got {shown(positions)}.")
-        return self.strengths[:, None] * (given / size)
+        return self.strengths[:, None] * (places / size)
 
     def positions(self, point: Real[ArrayLike, "*batch n 3"]) -> Float64[Array, "*batch n 3"]:
         """Return the unit vectors x (…, n, 3) at which the vortices are."""

@@ -14,7 +14,7 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.motion.layout import (
+from polhode.motion._layout import (
     ATTITUDE,
     ENERGY,
     MOMENTUM,
@@ -256,19 +256,19 @@ class AbstractRigidBody(AbstractSystem):
         return jnp.concatenate([jnp.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
 
     def _checked_rates(self, rates: Sequence[Array | None] | None) -> list[Array]:
-        given = _one_each("rates", rates, "mounts", len(self.mounts))
-        for k, (mount, rate) in enumerate(zip(self.mounts, given, strict=True)):
+        per_mount = _one_each("rates", rates, "mounts", len(self.mounts))
+        for k, (mount, rate) in enumerate(zip(self.mounts, per_mount, strict=True)):
             if rate is not None and not mount.state_size:
                 raise InvalidInput(
                     f"`rates[{k}]` is for a {type(mount).__name__}, which has no rate of its own to start with; "
                     f"got {shown(rate)}. Give None for it."
                 )
-        return [jnp.zeros(()) if rate is None else jnp.asarray(rate, dtype=float) for rate in given]
+        return [jnp.zeros(()) if rate is None else jnp.asarray(rate, dtype=float) for rate in per_mount]
 
     def _checked_actuators(self, actuators: Sequence[Array | None] | None) -> list[Array]:
-        given = _one_each("actuators", actuators, "torques", len(self.torques))
+        per_torque = _one_each("actuators", actuators, "torques", len(self.torques))
         own = []
-        for k, (torque, part) in enumerate(zip(self.torques, given, strict=True)):
+        for k, (torque, part) in enumerate(zip(self.torques, per_torque, strict=True)):
             own.append(jnp.zeros(torque.state_size) if part is None else jnp.asarray(part, dtype=float))
             if own[-1].shape[-1:] != (torque.state_size,):
                 raise InvalidInput(
@@ -335,12 +335,12 @@ class AbstractRigidBody(AbstractSystem):
         for torque in self.torques:
             largest = jnp.maximum(largest, jnp.max(self.moments) * torque.rate)
         scale = jnp.where(largest > 0, largest, jnp.max(self.moments))
-        found = [jnp.ones(4)] if body.attitude is not None else []
-        found.append(jnp.full(3, scale))
+        scales = [jnp.ones(4)] if body.attitude is not None else []
+        scales.append(jnp.full(3, scale))
         for part in layout.parts:
             size = scale if part.name in momenta else jnp.where(sizes[part.name] > 0, sizes[part.name], 1.0)
-            found.append(jnp.full(part.size, size))
-        return jnp.concatenate(found)
+            scales.append(jnp.full(part.size, size))
+        return jnp.concatenate(scales)
 
     def vectors(self, state: Float64[Array, "*batch n"]) -> Vectors:
         body = self.parts(state)

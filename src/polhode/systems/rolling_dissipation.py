@@ -21,7 +21,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.rolling_mechanics import RollingMechanics
+from polhode.systems._rolling_mechanics import RollingMechanics
 from polhode.types import Array, ArrayOrFloat, Float64
 
 STOPPING = 30.0  # no couple brakes a rate faster than this many √(g/(a sin θ)), see ``couples``

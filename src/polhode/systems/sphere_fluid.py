@@ -9,20 +9,20 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.functions import Function
+from polhode.algebra._functions import Function
+from polhode.algebra._sphere_laplacian import inverse_laplacian
 from polhode.algebra.quantized_sphere import QuantizedSphere
-from polhode.algebra.sphere_laplacian import inverse_laplacian
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.motion.layout import Quantity
-from polhode.systems.base import AbstractLiePoissonSystem
-from polhode.systems.sphere_harmonics import (
+from polhode.motion._layout import Quantity
+from polhode.systems._sphere_harmonics import (
     checked_coefficients,
     checked_energies,
     inverse_squares,
     on_map,
     random_coefficients,
 )
+from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 Matrices = Complex128[Array, "*batch n n"]

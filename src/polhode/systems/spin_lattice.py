@@ -9,15 +9,15 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.functions import Function
+from polhode.algebra._functions import Function
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
 from polhode.arrays import is_traced, known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.systems._dipoles import dipole_field, dipole_kernel
+from polhode.systems._lattice_bonds import BondType, Matrix, bond_flows, checked_bonds, dot, find_cells, turn
 from polhode.systems.base import AbstractLiePoissonSystem, Balance, Components, Flow
-from polhode.systems.dipoles import dipole_field, dipole_kernel
 from polhode.systems.lattice import Bond, Lattice
-from polhode.systems.lattice_bonds import BondType, Matrix, bond_flows, checked_bonds, dot, find_cells, turn
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 KEPT = 1e-12  # relative: what the Hamiltonian breaks by less is rounding of its matrices
@@ -114,11 +114,11 @@ class SpinLattice(AbstractLiePoissonSystem):
             InvalidInput: for a direction that is zero or not finite.
         """
         xp = jnp if is_traced(direction) else np
-        given = xp.asarray(direction, dtype=float)
-        size = xp.linalg.norm(given, axis=-1, keepdims=True)
+        vectors = xp.asarray(direction, dtype=float)
+        size = xp.linalg.norm(vectors, axis=-1, keepdims=True)
         if xp is np and not (np.isfinite(size).all() and (size > 0).all()):
             raise InvalidInput(f"`direction` must be finite and not zero; got {shown(direction)}.")
-        spins = given / size * xp.asarray(self.spin)[:, None]
+        spins = vectors / size * xp.asarray(self.spin)[:, None]
         shape = np.broadcast_shapes(spins.shape, self.algebra.element_shape)
         return jnp.asarray(xp.broadcast_to(spins, shape))
 
@@ -171,16 +171,16 @@ class SpinLattice(AbstractLiePoissonSystem):
         """Turns of bonds in classes without common sites, of on-site terms and about the field: all exact."""
         if self.is_damped or self.kernel is not None:
             return {}
-        found: dict[str, Flow] = {}
+        flows: dict[str, Flow] = {}
         for k, bond in enumerate(self.bonds):
-            found |= {f"bond {k}, part {n}": flow for n, flow in enumerate(bond_flows(self.lattice, bond))}
+            flows |= {f"bond {k}, part {n}": flow for n, flow in enumerate(bond_flows(self.lattice, bond))}
         if self.onsite is not None:
             sizes, axes = np.linalg.eigh(np.array(self.onsite))
             own = [k for k in range(3) if sizes[:, k].any()]
-            found |= {f"on site, axis {k}": _onsite_flow(sizes[:, k], axes[:, :, k]) for k in own}
+            flows |= {f"on site, axis {k}": _onsite_flow(sizes[:, k], axes[:, :, k]) for k in own}
         if self.field is not None:
-            found["field"] = self._field_flow
-        return found
+            flows["field"] = self._field_flow
+        return flows
 
     def _field_flow(self, time: Array, state: Components) -> Components:
         assert self.field is not None
@@ -234,13 +234,13 @@ def _onsite_flow(sizes: np.ndarray, axes: np.ndarray) -> Flow:
 def _checked_onsite(onsite: ArrayLike | None, count: int) -> tuple[Matrix, ...] | None:
     if onsite is None:
         return None
-    given = np.asarray(onsite, float)
-    if given.shape not in ((3, 3), (count, 3, 3)) or not np.isfinite(given).all():
-        raise InvalidInput(f"`onsite` must be finite, (3, 3) or ({count}, 3, 3); got shape {given.shape}.")
-    if np.abs(given - np.swapaxes(given, -1, -2)).max() > KEPT * np.abs(given).max():
+    matrices = np.asarray(onsite, float)
+    if matrices.shape not in ((3, 3), (count, 3, 3)) or not np.isfinite(matrices).all():
+        raise InvalidInput(f"`onsite` must be finite, (3, 3) or ({count}, 3, 3); got shape {matrices.shape}.")
+    if np.abs(matrices - np.swapaxes(matrices, -1, -2)).max() > KEPT * np.abs(matrices).max():
         raise InvalidInput("`onsite` must be symmetric matrices, as Sᵀ A S sees no other part.")
-    given = np.broadcast_to(given, (count, 3, 3))
-    return tuple(tuple(map(tuple, one)) for one in given.tolist())
+    matrices = np.broadcast_to(matrices, (count, 3, 3))
+    return tuple(tuple(map(tuple, one)) for one in matrices.tolist())
 
 
 def _find_conserved(bonds: Sequence[BondType], onsite: Sequence[Matrix] | None, field: np.ndarray) -> tuple:

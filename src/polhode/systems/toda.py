@@ -11,8 +11,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra._functions import Function
 from polhode.algebra.bidiagonal import Bidiagonal
-from polhode.algebra.functions import Function
 from polhode.arrays import refuse_single_precision
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
 from polhode.types import Array, ArrayLike, Float64, Real

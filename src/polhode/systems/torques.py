@@ -13,7 +13,7 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.motion.layout import StatePart
+from polhode.motion._layout import StatePart
 from polhode.systems.attachments import (
     AbstractAttachment,
     Attitude,
@@ -243,14 +243,14 @@ def checked_torques(torques: Any, moments: Float64[Array, "3"]) -> tuple[Abstrac
             "state_rate": (torque.state_rate(t, attitude, velocity, own), (torque.state_size,)),
         }
 
-    found = checked_attachments("torques", torques, AbstractTorque, trial)
-    for torque in found:
+    checked = checked_attachments("torques", torques, AbstractTorque, trial)
+    for torque in checked:
         if isinstance(torque, GravityGradient) and not np.array_equal(torque.moments, moments):
             raise InvalidInput(
                 f"`torques` has the gravity gradient on the moments {np.asarray(torque.moments).tolist()}, "
                 f"but the body's are {np.asarray(moments).tolist()} kg m². Give both the same."
             )
-    return found
+    return checked
 
 
 def _in_body(attitude: Array, direction: Array) -> Array:

@@ -10,8 +10,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.motion.outcome import Ends, Outcome
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._outcome import Ends, Outcome
+from polhode.motion._trajectory import Trajectory
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64
 
@@ -102,13 +102,13 @@ def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
 
     def of_one(x: Array) -> dict[str, Array]:
         values, back = jax.vjp(lambda y: choose(y, False), x)
-        found = {}
+        terms = {}
         for name in values:
             picked = {other: jnp.asarray(other == name, values[other].dtype) for other in values}
-            found[name] = jnp.sum(jnp.abs(x * back(picked)[0]))
+            terms[name] = jnp.sum(jnp.abs(x * back(picked)[0]))
         for name, each in choose(x, True).items():
-            found[name] = _of_copies(lambda y, name=name: choose(y, True)[name], x, each.size)
-        return found
+            terms[name] = _of_copies(lambda y, name=name: choose(y, True)[name], x, each.size)
+        return terms
 
     for _ in range(jnp.ndim(state) - system.state_axes):
         of_one = jax.vmap(of_one)

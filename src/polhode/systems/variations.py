@@ -25,8 +25,8 @@ class Variations(AbstractSystem):
     >>> import polhode as ph
     >>> body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
     >>> varied = Variations(body, 1)  # of a turn about the middle axis, pushed off it
-    >>> found = ph.simulate(varied, [[0.0, 2.0, 0.0], [1.0, 0.0, 0.0]], [0.0, 1.0])
-    >>> bool(abs(found.states[-1, 1, 0] - jnp.cosh(3.0**-0.5)) < 1e-14)
+    >>> trajectory = ph.simulate(varied, [[0.0, 2.0, 0.0], [1.0, 0.0, 0.0]], [0.0, 1.0])
+    >>> bool(abs(trajectory.states[-1, 1, 0] - jnp.cosh(3.0**-0.5)) < 1e-14)
     True
     """
 

@@ -10,7 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.algebra.functions import Function
+from polhode.algebra._functions import Function
 from polhode.algebra.heisenberg import Heisenberg
 from polhode.algebra.power import Power
 from polhode.arrays import known_numbers_only, refuse_single_precision

@@ -90,16 +90,16 @@ class Unrolled:
             return self._add_constant(variable.val) if isinstance(variable, Literal) else at[variable]
 
         for equation in jaxpr.eqns:
-            given = [find_place(v) for v in equation.invars]
+            places = [find_place(v) for v in equation.invars]
             inner = next((equation.params[k] for k in INNER if k in equation.params), None)
             if inner is not None and equation.primitive.name not in ("scan", "while", "cond"):
                 plain, consts = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
-                at.update(zip(equation.outvars, self._inline(plain, consts, given), strict=True))
+                at.update(zip(equation.outvars, self._inline(plain, consts, places), strict=True))
                 continue
-            moving = tuple(k for k, place in enumerate(given) if self._moves[place])
+            moving = tuple(k for k, place in enumerate(places) if self._moves[place])
             results = tuple(self._place(bool(moving)) for _ in equation.outvars)
             rule = _find_rule(equation, moving) if moving else None
-            self.steps.append(Step(equation, tuple(given), results, rule, moving))
+            self.steps.append(Step(equation, tuple(places), results, rule, moving))
             at.update(zip(equation.outvars, results, strict=True))
         return [find_place(v) for v in jaxpr.outvars]
 
@@ -152,10 +152,10 @@ def _all_affine(jaxpr: Any, moving: set[int]) -> bool:
     return True
 
 
-def bind(equation: Any, given: list[Any]) -> list[Shaped[Array, "..."]]:
+def bind(equation: Any, arguments: list[Any]) -> list[Shaped[Array, "..."]]:
     """Return the result of an operation on values."""
-    found = equation.primitive.bind(*given, **equation.params)
-    return list(found) if equation.primitive.multiple_results else [found]
+    results = equation.primitive.bind(*arguments, **equation.params)
+    return list(results) if equation.primitive.multiple_results else [results]
 
 
 class _Affine:
@@ -164,24 +164,24 @@ class _Affine:
     def __init__(self, equation: Any, moving: tuple[int, ...]) -> None:
         self.equation, self.moving = equation, moving
 
-    def __call__(self, given: list[Any], own: list[Series], k: int) -> list[Array]:
+    def __call__(self, arguments: list[Any], own: list[Series], k: int) -> list[Array]:
         def of(*values: Array) -> list[Array]:
-            whole = [x[0] if j in self.moving else x for j, x in enumerate(given)]
+            whole = [x[0] if j in self.moving else x for j, x in enumerate(arguments)]
             for j, value in zip(self.moving, values, strict=True):
                 whole[j] = value
             return bind(self.equation, whole)
 
         if k == 0:
-            found, self.linear = jax.linearize(of, *(given[j][0] for j in self.moving))
-            return found
-        return self.linear(*(given[j][k] for j in self.moving))
+            results, self.linear = jax.linearize(of, *(arguments[j][0] for j in self.moving))
+            return results
+        return self.linear(*(arguments[j][k] for j in self.moving))
 
 
 def _product(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
     """Products: the sum over all pairs of orders that add up to k, for matrices as one product of stacked blocks."""
 
-    def rule(given: list[Series], own: list[Series], k: int) -> list[Array]:
-        left, right = jnp.stack(given[0][: k + 1]), jnp.stack(given[-1][k::-1])
+    def rule(arguments: list[Series], own: list[Series], k: int) -> list[Array]:
+        left, right = jnp.stack(arguments[0][: k + 1]), jnp.stack(arguments[-1][k::-1])
         if equation.primitive.name != "dot_general":
             return [jnp.sum(left * right, axis=0)]
         (of_left, of_right), (batch_left, batch_right) = equation.params["dimension_numbers"]
@@ -193,8 +193,8 @@ def _product(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array
 
 
 def _quotient(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-    def rule(given: list[Any], own: list[Series], k: int) -> list[Array]:
-        above, below = given
+    def rule(arguments: list[Any], own: list[Series], k: int) -> list[Array]:
+        above, below = arguments
         if 0 in moving:
             value = above[k]
         else:
@@ -210,12 +210,12 @@ def _power(exponent_of: Callable[[Any], float]) -> Callable[..., Any]:
     """Powers: u = xᵖ, k x₀ uₖ = Σ (p (k − j) − j) uⱼ x₍ₖ₋ⱼ₎; whole ones above zero by products, as x may be zero."""
 
     def make(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-        def rule(given: list[Any], own: list[Series], k: int) -> list[Array]:
-            p, x = exponent_of(given if equation.primitive.name == "pow" else equation), given[0]
+        def rule(arguments: list[Any], own: list[Series], k: int) -> list[Array]:
+            p, x = exponent_of(arguments if equation.primitive.name == "pow" else equation), arguments[0]
             if float(p).is_integer() and 0 < p <= MOST_FACTORS:
                 return [_whole_power(x, int(p), k)]
             if k == 0:
-                return bind(equation, [x[0], *given[1:]])
+                return bind(equation, [x[0], *arguments[1:]])
             value = sum((p * (k - j) - j) * own[0][j] * x[k - j] for j in range(k))
             return [value / (k * x[0])]
 
@@ -233,22 +233,22 @@ def _total(parts: Iterable[Any]) -> Any:
 
 
 def _whole_power(x: Series, p: int, k: int) -> Array:
-    found = x[: k + 1]
+    power = x[: k + 1]
     for _ in range(p - 1):
-        found = [_total(found[j] * x[i - j] for j in range(i + 1)) for i in range(k + 1)]
-    return found[k]
+        power = [_total(power[j] * x[i - j] for j in range(i + 1)) for i in range(k + 1)]
+    return power[k]
 
 
-def _read_exponent(given: list[Any]) -> float:
+def _read_exponent(arguments: list[Any]) -> float:
     try:
-        return float(given[1])
+        return float(arguments[1])
     except (TypeError, jax.errors.ConcretizationTypeError):
         raise Untraceable("a power whose exponent is not one known number") from None
 
 
 def _exponential(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-    def rule(given: list[Series], own: list[Series], k: int) -> list[Array]:
-        x = given[0]
+    def rule(arguments: list[Series], own: list[Series], k: int) -> list[Array]:
+        x = arguments[0]
         if k == 0:
             return [jnp.exp(x[0])]
         return [_total((k - j) * own[0][j] * x[k - j] for j in range(k)) / k]
@@ -257,8 +257,8 @@ def _exponential(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[A
 
 
 def _logarithm(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-    def rule(given: list[Series], own: list[Series], k: int) -> list[Array]:
-        x = given[0]
+    def rule(arguments: list[Series], own: list[Series], k: int) -> list[Array]:
+        x = arguments[0]
         if k == 0:
             return [jnp.log(x[0])]
         return [(x[k] - sum(j * own[0][j] * x[k - j] for j in range(1, k)) / k) / x[0]]
@@ -270,8 +270,8 @@ def _circular(which: int) -> Callable[..., Any]:
     def make(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
         pair: tuple[Series, Series] = ([], [])
 
-        def rule(given: list[Series], own: list[Series], k: int) -> list[Array]:
-            x, (sine, cosine) = given[0], pair
+        def rule(arguments: list[Series], own: list[Series], k: int) -> list[Array]:
+            x, (sine, cosine) = arguments[0], pair
             if k == 0:
                 sine[:], cosine[:] = [jnp.sin(x[0])], [jnp.cos(x[0])]
             else:

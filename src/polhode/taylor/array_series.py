@@ -15,9 +15,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.motion.outcome import Status
+from polhode.motion._outcome import Status
+from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
-from polhode.systems.forms import rates_of_change
 from polhode.taylor.array_rules import Unrolled, bind
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import Precision, Runs
@@ -74,18 +74,18 @@ def runs_of_arrays(
     more = [name for name, value in asked.items() if len(value)] + ["extended precision"] * precision.extended
     if more:
         raise Untraceable(f"so many operations that whole arrays are needed, which have no {more[0]}")
-    found = []
+    runs = []
     for k, state in enumerate(states):
         part = lambda share, k=k: check((k + share) / len(states))  # noqa: E731
         scale = np.abs(np.broadcast_to(np.asarray(system.scales(jnp.asarray(state))), np.shape(state)))
         run = run_arrays(system, state, times, precision.order, precision.reach, longest, scale, part, place)
-        found.append(run)
-    end, none = np.array([run.end for run in found]), np.full(len(found), -1)
+        runs.append(run)
+    end, none = np.array([run.end for run in runs]), np.full(len(runs), -1)
     status = np.where(np.isfinite(end), Status.COMPLETED, Status.NOT_CONVERGED)
-    whole, nothing = np.stack([run.states for run in found]), np.zeros((len(found), 0))
-    steps = np.array([run.steps for run in found])
+    whole, nothing = np.stack([run.states for run in runs]), np.zeros((len(runs), 0))
+    steps = np.array([run.steps for run in runs])
     received = np.zeros((*whole.shape[:2], 0))
-    return Runs(whole, received, status, none, end, whole[:, -1], nothing, steps, ()), found[-1].place
+    return Runs(whole, received, status, none, end, whole[:, -1], nothing, steps, ()), runs[-1].place
 
 
 def _balances(system: AbstractSystem, state: Array) -> Any:
@@ -113,14 +113,14 @@ def coefficients(
         if k > 1:
             z[clock].append(jnp.zeros_like(t))
         for step in unrolled.steps:
-            given = [z[place] for place in step.arguments]
+            arguments = [z[place] for place in step.arguments]
             if step.rule is None:
                 if k == 0:
-                    for place, value in zip(step.results, bind(step.equation, given), strict=True):
+                    for place, value in zip(step.results, bind(step.equation, arguments), strict=True):
                         z[place] = value
                 continue
             own = [[] if k == 0 else z[place] for place in step.results]
-            for place, value in zip(step.results, step.rule(given, own, k), strict=True):
+            for place, value in zip(step.results, step.rule(arguments, own, k), strict=True):
                 z[place] = [value] if k == 0 else [*z[place], value]
         if unrolled.is_moving(rates):
             rate = z[rates][k]

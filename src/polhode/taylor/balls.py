@@ -17,8 +17,8 @@ import jax
 import jax.flatten_util
 import numpy as np
 
+from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
-from polhode.systems.forms import rates_of_change
 from polhode.taylor.expressions import Expression, Operation, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import uses_first, write_jaxpr
 from polhode.taylor.machine import TRACING, Form, tape_value
@@ -56,11 +56,11 @@ class BallSystem:
         _, unravel = jax.flatten_util.ravel_pytree(arrays)
         self.exact = True
         try:
-            made = self._trace(lambda p: eqx.combine(unravel(p), rest), collect_numbers(system))
+            parts = self._trace(lambda p: eqx.combine(unravel(p), rest), collect_numbers(system))
         except (*TRACING, TypeError, Untraceable):
             self.exact = False  # some of them are looked at as numbers, or go into functions without a recurrence
-            made = self._trace(lambda p: system, np.zeros(0))
-        self._tape, self._rates, self.size, self.parameters, self.timed = made
+            parts = self._trace(lambda p: system, np.zeros(0))
+        self._tape, self._rates, self.size, self.parameters, self.timed = parts
         self.looked_at = sorted(place - self.size for place in self._tape.looked_at)
         slopes = [gradient(x) for x in self._rates]
         self._slopes = [x for row in slopes for x in row[: self.size]]
@@ -85,8 +85,8 @@ class BallSystem:
         known = np.empty(tape.size, object)
         known[:] = tape.state()
         t = np.asarray(known[form.size] if timed else 0.0, object if timed else float)
-        found = np.ravel(evaluate(closed, t, known[: form.size], known[size:])[0])
-        rates = [tape_value(tape, x) for x in found] + [tape.constant(1.0)] * timed
+        outputs = np.ravel(evaluate(closed, t, known[: form.size], known[size:])[0])
+        rates = [tape_value(tape, x) for x in outputs] + [tape.constant(1.0)] * timed
         return tape, rates, size, parameters, timed
 
     def _that_do_not_move(self) -> list[bool]:
@@ -109,11 +109,11 @@ class BallSystem:
     def changes(self, y: list[Ball], parameters: list[Ball], radii: list[Ball]) -> list[Ball]:
         """Return bounds on how much the rates change when each parameter moves away from its midpoint by its radius."""
         z = self._nodes(y, parameters, self._of_parameters)
-        found = []
+        bounds = []
         for row in self._by_parameters:
             parts = (abs(_value(x, z)) * r for x, r in zip(row, radii, strict=True) if x.terms or x.constant)
-            found.append(sum(parts, abs(z[0]) * 0))
-        return found
+            bounds.append(sum(parts, abs(z[0]) * 0))
+        return bounds
 
     def _nodes(self, y: list[Ball], parameters: list[Ball], places: list[int]) -> list[Ball]:
         z = [*y, *parameters, *[None] * len(self._tape.nodes)]
@@ -200,9 +200,9 @@ def eccentric_anomaly(mean_anomaly: Ball, eccentricity: float) -> Ball:
         if not radius.is_finite():
             break
         ball = _ball(middle, radius)
-        found = middle - missed / (1 - e * ball.cos())
-        if found.is_finite() and ball.contains_interior(found):
-            return found
+        enclosure = middle - missed / (1 - e * ball.cos())
+        if enclosure.is_finite() and ball.contains_interior(enclosure):
+            return enclosure
         radius = radius * 2
     return M * math.inf
 

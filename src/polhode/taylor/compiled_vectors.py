@@ -64,20 +64,20 @@ KIND = Vector()
 def of_one_copy() -> dict[str, Any]:
     """Return the functions that load, store and gather vectors from flat arrays, without checks."""
     _define_arithmetic()
-    made = {"load": _load, "store": _store, "gather": _gather, "borrow": _declare_borrow,
+    declarations = {"load": _load, "store": _store, "gather": _gather, "borrow": _declare_borrow,
             "run_code": _run_code, "vectors": _declare_view(types.float64)}  # fmt: skip
-    return {name: intrinsic(given) for name, given in made.items()}
+    return {name: intrinsic(declaration) for name, declaration in declarations.items()}
 
 
 @cache
 def of_lanes() -> dict[str, Any]:
     """Return the replacements of the functions in ``lanes``."""
     _define_arithmetic()
-    made = {"borrow": _declare_borrow, "run_code": _run_code, "vectors": _declare_view(KIND), "spread": _spread,
+    declarations = {"borrow": _declare_borrow, "run_code": _run_code, "vectors": _declare_view(KIND), "spread": _spread,
             "where_less": _where_less, "square_root": _square_root}  # fmt: skip
     each = {"raise_power": math.pow, "exponential": math.exp, "logarithm": math.log, "sine": math.sin,
             "cosine": math.cos}  # fmt: skip
-    return {name: intrinsic(given) for name, given in made.items()} | {
+    return {name: intrinsic(declaration) for name, declaration in declarations.items()} | {
         name: intrinsic(_of_each(of, 2 if name == "raise_power" else 1)) for name, of in each.items()
     }
 
@@ -109,20 +109,20 @@ def _gather(typing: Any, array: Any, places: Any, first: Any, base: Any) -> Any:
 
     def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         numbers, where = (_data(context, builder, sig.args[k], args[k]) for k in (0, 1))
-        found = []
+        values = []
         for lane in range(WIDTH):
             at = builder.add(args[2], ir.Constant(ir.IntType(64), lane))
-            found.append(builder.load(builder.gep(numbers, [
+            values.append(builder.load(builder.gep(numbers, [
                 builder.add(args[3], builder.load(builder.gep(where, [at])))])))  # fmt: skip
-        return _join(builder, found)
+        return _join(builder, values)
 
     return KIND(array, places, types.int64, types.int64), generate
 
 
-def _declare_borrow(typing: Any, given: Any) -> Any:
+def _declare_borrow(typing: Any, kind: Any) -> Any:
     """Declare the same without owners: flat arrays of numbers as their addresses, in tuples too."""
-    made = _bare(given)
-    return made(given), lambda context, builder, sig, args: _make_bare(context, builder, given, args[0])
+    bare = _bare(kind)
+    return bare(kind), lambda context, builder, sig, args: _make_bare(context, builder, kind, args[0])
 
 
 def _bare(kind: Any) -> Any:
@@ -138,8 +138,8 @@ def _make_bare(context: Any, builder: Any, kind: Any, value: Any) -> Any:
     if isinstance(kind, types.BaseTuple):
         members: Any = kind
         parts = [builder.extract_value(value, k) for k in range(len(members.types))]
-        made = [_make_bare(context, builder, of, part) for of, part in zip(members.types, parts, strict=True)]
-        return context.make_tuple(builder, _bare(kind), made)
+        bare = [_make_bare(context, builder, of, part) for of, part in zip(members.types, parts, strict=True)]
+        return context.make_tuple(builder, _bare(kind), bare)
     if isinstance(_bare(kind), Numbers):
         return _data(context, builder, kind, value)
     if isinstance(kind, types.Array):

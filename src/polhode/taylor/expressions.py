@@ -169,10 +169,10 @@ class Tape:
         place, factor = self.as_node(x)
         if factor != 1.0:  # these functions are not homogeneous
             place = self.node(Node(Operation.AFFINE, (place,), (factor,)))
-        found = self.node(Node(operation, (place,), (), number))
+        node = self.node(Node(operation, (place,), (), number))
         for companion in COMPANIONS.get(operation, ()):
-            self.node(Node(companion, (place, found)))
-        return Expression(self, {found: 1.0})
+            self.node(Node(companion, (place, node)))
+        return Expression(self, {node: 1.0})
 
 
 def gradient(x: Expression) -> list[Expression]:
@@ -364,8 +364,8 @@ def total(tape: Tape, summands: Iterable[Any]) -> Any:
             complex_part = Complex.of(x) if complex_part is None else complex_part + x
         else:
             constant += float(x)
-    found = Expression(tape, {k: c for k, c in terms.items() if c != 0.0}, constant)
-    return found if complex_part is None else complex_part + found
+    expression = Expression(tape, {k: c for k, c in terms.items() if c != 0.0}, constant)
+    return expression if complex_part is None else complex_part + expression
 
 
 def sine_and_cosine(x: Expression) -> tuple[Expression, Expression]:

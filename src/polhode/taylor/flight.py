@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from polhode.motion.outcome import Status
+from polhode.motion._outcome import Status
 from polhode.taylor import kernel
 from polhode.taylor.kernel_extended import PAIRS
 from polhode.taylor.kernel_space import EVENT, NEXT, STEPS, TIME, Copies, Course, exact_for, lanes_for, series_for
@@ -95,7 +95,7 @@ def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, runn
             use.advance(rates, integrals, Copies(*(x[part] for x in copies)), lanes, course, limit)
 
     if use.is_compiled:  # as Python's threads wait for each other
-        from polhode.exact.kernel_arithmetic import in_threads
+        from polhode.exact._kernel_arithmetic import in_threads
 
         in_threads(fill, running.size, WORTH)
     else:
@@ -107,19 +107,19 @@ def integrals_at(
 ) -> tuple[Float64[np.ndarray, "copies conserved"], Float64[np.ndarray, "copies conserved n"]]:
     """Return the conserved quantities at states, in the order of the machine's names, and their derivatives."""
     count, n = len(machine.names), machine.form.size
-    found, first = np.zeros((len(y), count * (1 + n))), 0
+    columns, first = np.zeros((len(y), count * (1 + n))), 0
     while count and first < len(y):
         use = choose_kernel(len(y) - first)
         part = slice(first, len(y) if use.is_compiled else first + TRIED)
-        states, given = np.zeros(n * use.lanes), np.ascontiguousarray(y[part])
+        states, points = np.zeros(n * use.lanes), np.ascontiguousarray(y[part])
         # the system is asked only where the answer counts, as asking takes longer than a compiled run
         before = 0.0 if use.is_compiled else time.process_time()
         with np.errstate(all="ignore"):
-            use.conserved_values(series_for(machine.integrals, 1, use.lanes), given, states, found[part])
+            use.conserved_values(series_for(machine.integrals, 1, use.lanes), points, states, columns[part])
         if not use.is_compiled:
-            note(use, len(given), machine.integrals, time.process_time() - before)
+            note(use, len(points), machine.integrals, time.process_time() - before)
         first = part.stop
-    return found[:, :count], found[:, count:].reshape(len(y), count, n)
+    return columns[:, :count], columns[:, count:].reshape(len(y), count, n)
 
 
 def _evaluate_conserved(machine: Machine, y: Array, scale: Array) -> tuple[Array, Array]:

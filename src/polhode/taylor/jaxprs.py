@@ -28,8 +28,8 @@ def operations_on(closed: Any, moving: tuple[int, ...]) -> int:
     return _operations(closed.jaxpr, [k in moving for k in range(len(closed.jaxpr.invars))])
 
 
-def _operations(jaxpr: Any, given: list[bool]) -> int:
-    moves, count = {v for v, does in zip(jaxpr.invars, given, strict=True) if does}, 0
+def _operations(jaxpr: Any, moving: list[bool]) -> int:
+    moves, count = {v for v, does in zip(jaxpr.invars, moving, strict=True) if does}, 0
     for equation in jaxpr.eqns:
         which = [not isinstance(v, Literal) and v in moves for v in equation.invars]
         if not any(which):
@@ -52,9 +52,9 @@ def _operations(jaxpr: Any, given: list[bool]) -> int:
 
 def select_needed(outputs: list[Any], equations: list[Any]) -> list[Any]:
     """Return those equations, in order, without which the outputs cannot be computed."""
-    needed, found = {v for v in outputs if not isinstance(v, Literal)}, []
+    needed, kept = {v for v in outputs if not isinstance(v, Literal)}, []
     for equation in reversed(equations):
         if needed.intersection(equation.outvars):
             needed.update(v for v in equation.invars if not isinstance(v, Literal))
-            found.append(equation)
-    return found[::-1]
+            kept.append(equation)
+    return kept[::-1]

@@ -107,14 +107,14 @@ def seat_copies(copies: Copies, lanes: Lanes, course: Course, following: Any) ->
 
 def expand_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> None:
     """Set the Taylor coefficients of watched functions, in units of time."""
-    whole, found = rates.whole, vectors(lanes.watched)
+    whole, watched = rates.whole, vectors(lanes.watched)
     n, width = whole[SIZE], whole[SLOTS]
     for w in range(lanes.p.shape[0]):
         row, start, to_t = whole[FIRST] + n + w, w * (order + 1), 1.0
         for k in range(order + 1):
-            found[start + k] = combination(rates, k * width, row) * to_t
+            watched[start + k] = combination(rates, k * width, row) * to_t
             to_t *= forth
-        found[start] = found[start] + rates.number[whole[CONSTANT] + n + w]
+        watched[start] = watched[start] + rates.number[whole[CONSTANT] + n + w]
 
 
 def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
@@ -170,11 +170,11 @@ def event_in(copies: Copies, lanes: Lanes, course: Course, lane: Any, h: Any) ->
         low = 0.0
         if copies.counts[k, EVENT] == w and abs(copies.now[k, LATEST] - t) <= CLOSE * length + SHORTEST * abs(t):
             low = min(CLOSE * length + 4.0 * SHORTEST * abs(t), length)
-        found = course.forth * unit * first_zero(
+        zero = course.forth * unit * first_zero(
             p[w], order, low / unit, length / unit, course.falling[w], lanes.work, lanes.waiting
         )  # fmt: skip
-        if abs(found) <= abs(first):
-            event, first = w, found
+        if abs(zero) <= abs(first):
+            event, first = w, zero
     return event, first
 
 
@@ -209,14 +209,14 @@ def finish_step(copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
 def conserved_values(integrals: Series, y: Array, states: Array, values: Array) -> None:
     """Set values (C, K) of what is conserved at states (C, n), with room for those of all lanes."""
     series = in_lanes(integrals)
-    n, given = series.whole[SIZE], vectors(states)
+    n, state = series.whole[SIZE], vectors(states)
     for first in range(0, y.shape[0], LANES):
         there = min(LANES, y.shape[0] - first)
         for lane in range(there):
             for i in range(n):
                 states[i * LANES + lane] = y[first + lane, i]
-        compute_outputs(series, given)
+        compute_outputs(series, state)
         for c in range(values.shape[1]):
-            given[0] = output(series, c)
+            state[0] = output(series, c)
             for lane in range(there):
                 values[first + lane, c] = states[lane]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.special.doubledouble import add, divide, fast_two_sum, multiply, multiply_float
+from polhode.special._doubledouble import add, divide, fast_two_sum, multiply, multiply_float
 from polhode.taylor.kernel_space import Course, Exact, Lanes, Series
 from polhode.taylor.program import (
     ARGUMENT,
@@ -78,20 +78,20 @@ def nodes_in_pairs(exact: Exact, k: Any) -> None:
     base = k * whole[SLOTS]
     for q in range(whole[OPERATIONS]):
         operation, out, argument = whole[whole[CODE] + q], whole[whole[OUT] + q], whole[whole[ARGUMENT] + q]
-        given = number[whole[NUMBER] + q]
+        scalar = number[whole[NUMBER] + q]
         if k > 0 and operation != 1 and exact.still[out] == 1:
             continue
         if operation == 0:
             value = combination_in_pairs(exact, k, argument)
             if k == 0:
-                value = add(value, (given, 0.0))
+                value = add(value, (scalar, 0.0))
             high[base + out], low[base + out] = value
         elif operation == 1:
-            for p in range(int(given)):
+            for p in range(int(scalar)):
                 left, right = whole[whole[LEFT] + argument + p], whole[whole[RIGHT] + argument + p]
                 high[base + out + p], low[base + out + p] = product_in_pairs(exact, k, left, right)
         else:
-            high[base + out], low[base + out] = power_in_pairs(exact, k, out, argument, given)
+            high[base + out], low[base + out] = power_in_pairs(exact, k, out, argument, scalar)
 
 
 def combination_in_pairs(exact: Exact, k: Any, row: Any) -> Pair:

@@ -133,14 +133,14 @@ def nodes(series: Series, k: Any) -> None:
     width = whole[SLOTS]
     base = k * width
     for q in range(whole[OPERATIONS]):
-        operation, out, argument, given = whole[codes + q], whole[outs + q], whole[arguments + q], number[numbers + q]
+        operation, out, argument, scalar = whole[codes + q], whole[outs + q], whole[arguments + q], number[numbers + q]
         if operation == 1:
-            block(series, k, argument, int(given), base + out)
+            block(series, k, argument, int(scalar), base + out)
         elif operation == 0:
             value = combination(series, base, argument)
-            z[base + out] = value + given if k == 0 else value
+            z[base + out] = value + scalar if k == 0 else value
         else:
-            function(operation, series.flat, z, base, width, k, out, argument, given)
+            function(operation, series.flat, z, base, width, k, out, argument, scalar)
 
 
 def coefficients(series: Series, order: Any, units: np.ndarray) -> None:
@@ -171,12 +171,12 @@ def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
     """
     order, reach = course.order, course.reach
     whole, flat, z, scales, lengths = series.whole, series.flat, series.z, lanes.scales, lanes.lengths
-    width, scale, found = whole[SLOTS], vectors(scales), vectors(lengths)
+    width, scale, sizes = whole[SLOTS], vectors(scales), vectors(lengths)
     size = spread(FLOOR)
     for i in range(whole[SIZE]):
         part = abs(z[i]) / scale[i]
         size = where_less(size, part, part, size)
-    found[1] = size
+    sizes[1] = size
     for e in range(3):
         base, largest = (order - 2 + e) * width, spread(0.0)
         for i in range(whole[SIZE]):
@@ -184,7 +184,7 @@ def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
             # comparisons with NaN are false, so that a NaN stays
             larger = where_less(largest, part, part, largest)
             largest = where_less(part, spread(TOO_LARGE), larger, spread(np.nan))
-        found[2 + e] = largest
+        sizes[2 + e] = largest
     of_followers(series, lanes, course)
     for lane in range(LANES):
         if lanes.which[lane] == NOBODY:
@@ -213,7 +213,7 @@ def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
 
 def of_followers(series: Series, lanes: Lanes, course: Course) -> None:
     """Set the size of what follows the motion, now or after a unit of time, and of its last three coefficients."""
-    z, width, found = series.z, series.whole[SLOTS], vectors(lanes.lengths)
+    z, width, sizes = series.z, series.whole[SLOTS], vectors(lanes.lengths)
     for e in range(-1, 3):
         largest = spread(0.0)
         for f in range(course.followers):
@@ -222,7 +222,7 @@ def of_followers(series: Series, lanes: Lanes, course: Course) -> None:
                 largest = where_less(largest, abs(z[i]), abs(z[i]), largest)
             part = abs(z[width + i]) if e < 0 else abs(z[(course.order - 2 + e) * width + i])
             largest = where_less(largest, part, part, largest)
-        found[6 + e] = largest
+        sizes[6 + e] = largest
 
 
 def power_of_two(x: Any) -> Any:

@@ -182,6 +182,6 @@ def lanes_for(program: Program, exact: Exact, order: int, width: int, watched: i
 
 def _zeros(count: int) -> Float64[np.ndarray, " many"]:
     """Return zeros that begin where a line of the cache does: vectors across two of them take twice as long to load."""
-    made = np.zeros(count + LINE // 8)
-    first = -made.ctypes.data % LINE // 8
-    return made[first : first + count]
+    padded = np.zeros(count + LINE // 8)
+    first = -padded.ctypes.data % LINE // 8
+    return padded[first : first + count]

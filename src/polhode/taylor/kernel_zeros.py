@@ -18,9 +18,9 @@ def find_reach(p: Array, order: Any, h: Any, reach: Any) -> Any:
 
     Its first terms tell its size, as the function itself may be at a zero: of a step that is found, not of h.
     """
-    found = h
+    length = h
     for _ in range(ROUNDS):
-        size, power, longest = abs(p[0]), 1.0, found
+        size, power, longest = abs(p[0]), 1.0, length
         for k in range(1, 4):
             power *= longest
             size = max(size, abs(p[k]) * power)
@@ -28,10 +28,10 @@ def find_reach(p: Array, order: Any, h: Any, reach: Any) -> Any:
             if not abs(p[k]) < np.inf:
                 return 0.0
             if abs(p[k]) > 0.0 and size > 0.0:
-                found = min(found, reach * (size / abs(p[k])) ** (1.0 / k))
-        if found == longest:
+                length = min(length, reach * (size / abs(p[k])) ** (1.0 / k))
+        if length == longest:
             break
-    return found
+    return length
 
 
 def polynomial(p: Array, order: Any, x: Any) -> Any:
@@ -75,9 +75,9 @@ def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Ar
             if abs(p[k]) > 0.0:
                 nearest = min(nearest, 0.5 * (abs(p[0]) / abs(p[k])) ** (1.0 / k))
         right = min(2.0 * max(left, nearest, NEAREST * high), high)
-        found = change_within(p, order, left, right, falling, work, waiting)
-        if found == found:
-            return found
+        zero = change_within(p, order, left, right, falling, work, waiting)
+        if zero == zero:
+            return zero
         left = right
     return np.nan
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any, ClassVar, NamedTuple
 
-from polhode.special import doubledouble
+from polhode.special import _doubledouble as doubledouble
 from polhode.taylor import (
     kernel,
     kernel_extended,
@@ -76,8 +76,8 @@ class _Spent:
 def choose_kernel(copies: int, extended: bool = False) -> Kernel:
     """Return the fastest kernel for so many copies that is compiled already or worth compiling."""
     if extended:
-        made = compile_kernel if _is_worth(EXTENDED, _Spent.by_python) else python_kernel
-        return made(EXTENDED)
+        build = compile_kernel if _is_worth(EXTENDED, _Spent.by_python) else python_kernel
+        return build(EXTENDED)
     if not _is_worth(1, _Spent.by_python):
         return python_kernel(1)
     if copies >= lanes.LANES and _is_worth(lanes.LANES, _Spent.one_by_one):
@@ -123,7 +123,7 @@ def python_kernel(width: int) -> Kernel:
 @cache
 def compile_kernel(width: int) -> Kernel:
     """Return the kernel as Numba compiles it when it is first called, or has it on the disk."""
-    from polhode.exact import compiling
+    from polhode.exact import _compiling as compiling
     from polhode.taylor import compiled_vectors
 
     files = [inspect.getfile(module) for module in (*MODULES[width], compiled_vectors, compiling)]
@@ -158,11 +158,11 @@ def use_compiled_kernel(*widths: int) -> None:
 def _is_on_disk(width: int) -> bool:
     """Whether Numba has compiled it before."""
     kept = [Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi") for entry in compile_kernel(width)[2:4]]
-    return all(any(found) for found in kept)
+    return all(any(files) for files in kept)
 
 
 def _join_modules(
-    width: int, made: Callable[[FunctionType, str], Any], operations: dict[str, Any]
+    width: int, convert: Callable[[FunctionType, str], Any], operations: dict[str, Any]
 ) -> dict[str, Any]:  # fmt: skip
     """Return the names of all modules, in which functions, made into what is wanted, call each other."""
     space: dict[str, Any] = {}
@@ -172,5 +172,5 @@ def _join_modules(
            if inspect.isfunction(value) and value.__module__ == module.__name__]  # fmt: skip
     for name, value in own:
         plain = inspect.unwrap(value)  # tests wrap functions to check annotations
-        space[name] = operations.get(name) or made(FunctionType(plain.__code__, space, name), name)
+        space[name] = operations.get(name) or convert(FunctionType(plain.__code__, space, name), name)
     return space

@@ -16,8 +16,8 @@ def borrow(x: Any) -> Any:
     return x
 
 
-def run_code(*given: Any) -> None:
-    one.run_code(*given)
+def run_code(*arguments: Any) -> None:
+    one.run_code(*arguments)
 
 
 def vectors(array: Float64[Array, " many"]) -> Float64[Array, "numbers 8"]:

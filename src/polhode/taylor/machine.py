@@ -14,8 +14,8 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.arrays import in_jax_numpy
+from polhode.systems._forms import distances, rates_of_change
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
-from polhode.systems.forms import distances, rates_of_change
 from polhode.taylor.expressions import Expression, Operation, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import operations_on, uses_first, write_jaxpr
 from polhode.taylor.program import Program, make_program
@@ -148,25 +148,25 @@ class _Written(NamedTuple):
 
 
 def _of_any_numbers(
-    written_of: Callable[..., Any], system: AbstractSystem, *given: Any
+    written_of: Callable[..., Any], system: AbstractSystem, *arguments: Any
 ) -> tuple[Any, Float64[Array, "numbers"]]:
     """Return the programs of a system's structure, and its numbers; of the system itself if it needs their values."""
     structure, numbers = take_structure(system)
-    found = _write_unless_traced(written_of, structure, *given)
-    if found is None:
+    programs = _write_unless_traced(written_of, structure, *arguments)
+    if programs is None:
         structure, numbers = itself(system)
-        found = _write_unless_traced(written_of, structure, *given)
-    return found, numbers
+        programs = _write_unless_traced(written_of, structure, *arguments)
+    return programs, numbers
 
 
 @lru_cache(maxsize=512)
-def _write_unless_traced(written_of: Callable[..., Any], structure: Structure, *given: Any) -> Any:
+def _write_unless_traced(written_of: Callable[..., Any], structure: Structure, *arguments: Any) -> Any:
     """Return the programs, or None where tracing needs the values of the numbers."""
     if not structure.size:
         with in_jax_numpy("systems"):
-            return written_of(structure, *given)
+            return written_of(structure, *arguments)
     try:
-        return written_of(structure, *given)
+        return written_of(structure, *arguments)
     except TRACING:
         return None
 
@@ -213,8 +213,8 @@ def _make_tape(
     known = np.empty(tape.size, object)
     known[:] = tape.state()
     t = np.asarray(known[size - 1] if written.timed else 0.0, object if written.timed else float)
-    found = evaluate(written.closed, t, known[: form.size], known[size:] if moving else numbers)
-    parts = [[tape_value(tape, x) for x in np.ravel(part)] for part in found]
+    outputs = evaluate(written.closed, t, known[: form.size], known[size:] if moving else numbers)
+    parts = [[tape_value(tape, x) for x in np.ravel(part)] for part in outputs]
     rates, watched = parts[: 1 + len(written.balances)], parts[1 + len(written.balances) :]
     return tape, [*chain(*rates), *([tape.constant(1.0)] if written.timed else [])], [*chain(*watched)]
 
@@ -256,8 +256,8 @@ def _integrals(system: AbstractSystem, form: Form) -> tuple[tuple[str, ...], Pro
     tape = Tape(form.size)
     state = np.empty(form.size, object)
     state[:] = tape.state()
-    for name, found in _evaluate_if_possible(closed, places, state, numbers).items():
-        values = [tape_value(tape, x) for x in np.ravel(found)]
+    for name, conserved in _evaluate_if_possible(closed, places, state, numbers).items():
+        values = [tape_value(tape, x) for x in np.ravel(conserved)]
         outputs.extend((value, gradient(value)) for value in values)
         names.extend([name] * len(values))
     rows = [value for value, _ in outputs] + [x for _, slopes in outputs for x in slopes]
@@ -271,7 +271,7 @@ def _evaluate_if_possible(closed: Any, places: dict[str, int], state: Array, num
     except Untraceable:
         each = places.items() if len(places) > 1 else ()
         alone = [_evaluate_if_possible(closed, {name: place}, state, numbers) for name, place in each]
-        return {name: value for found in alone for name, value in found.items()}
+        return {name: value for values in alone for name, value in values.items()}
 
 
 def _write_conserved(
@@ -285,8 +285,8 @@ def _write_conserved(
 
     def values(x: Any, numbers: Any) -> dict[str, Any]:
         invariants = structure.with_numbers(numbers).invariants(form.state(x))
-        found = {name: jnp.real(value) for name, value in invariants.items()}
-        return found | ({"|q|²": jnp.sum(x[:4] ** 2)} if carries_attitude else {})
+        conserved = {name: jnp.real(value) for name, value in invariants.items()}
+        return conserved | ({"|q|²": jnp.sum(x[:4] ** 2)} if carries_attitude else {})
 
     closed, shapes = jax.make_jaxpr(values, return_shape=True)(jnp.zeros(form.size), jnp.zeros(structure.size))
     places, count = {}, 0

@@ -59,19 +59,19 @@ class Program(NamedTuple):
 
         The program is of sums, products and powers.
         """
-        whole, found = self.whole, np.zeros(self.slots, np.int64)
-        found[self.size - numbers : self.size] = 1
+        whole, flags = self.whole, np.zeros(self.slots, np.int64)
+        flags[self.size - numbers : self.size] = 1
         for q, operation in enumerate(self.operations):
             out, first = whole[whole[OUT] + q], whole[whole[ARGUMENT] + q]
             if operation == Operation.AFFINE:
                 start, end = whole[whole[START] + first : whole[START] + first + 2]
-                found[out] = found[whole[whole[INDEX] + start : whole[INDEX] + end]].all()
+                flags[out] = flags[whole[whole[INDEX] + start : whole[INDEX] + end]].all()
             elif operation == Operation.PRODUCT:
                 left, right = (whole[whole[table] + first : whole[table] + first + BLOCK] for table in (LEFT, RIGHT))
-                found[out : out + BLOCK] = found[left] & found[right]
+                flags[out : out + BLOCK] = flags[left] & flags[right]
             else:
-                found[out] = found[first]
-        return found
+                flags[out] = flags[first]
+        return flags
 
     @property
     def form(self) -> int:
@@ -161,14 +161,14 @@ def make_program(tape: Tape, outputs: list[Expression]) -> Program:
 
 def find_needed(tape: Tape, outputs: list[Expression]) -> list[int]:
     """Return the nodes that outputs are made of, in order; a sine and its cosine together, and so on."""
-    found: set[int] = set()
+    needed: set[int] = set()
     left = [k for x in outputs for k in x.terms]
     while left:
         k = left.pop()
-        if k < tape.size or k in found:
+        if k < tape.size or k in needed:
             continue
-        found.add(k)
+        needed.add(k)
         node: Node = tape.nodes[k - tape.size]
         left.extend(node.arguments)
         left.extend(k + 1 + companion for companion in range(len(COMPANIONS.get(node.operation, ()))))
-    return sorted(found)
+    return sorted(needed)

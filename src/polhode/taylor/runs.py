@@ -244,8 +244,8 @@ def find_crossings(
     copies = _fly_through(plan, copies, check, Watch(falling, most))
     status, event, end = outcome(copies)
     hits = copies.hits[0, : copies.counts[0, HITS]]
-    found = hits[hits[:, 1] == len(system.events)][:most]
-    return Crossings(found[:, 0], form.back(found[:, 2:]), int(status[0]), int(event[0]), float(end[0]))
+    crossings = hits[hits[:, 1] == len(system.events)][:most]
+    return Crossings(crossings[:, 0], form.back(crossings[:, 2:]), int(status[0]), int(event[0]), float(end[0]))
 
 
 class Watch(NamedTuple):

@@ -163,9 +163,9 @@ class _Writer:
             phi.add_incoming(value, before)
         builder.cbranch(builder.icmp_signed("<", j, stop), inside, after)
         builder.position_at_end(inside)
-        found = body(j, *values)
+        results = body(j, *values)
         j.add_incoming(builder.add(j, INTEGER(step)), builder.block)
-        for phi, value in zip(values, found, strict=True):
+        for phi, value in zip(values, results, strict=True):
             phi.add_incoming(value, builder.block)
         builder.branch(head)
         builder.position_at_end(after)
@@ -240,9 +240,9 @@ class _Writer:
     def _needs(self, q: int, others: list[int]) -> bool:
         """Return whether a block has factors that other blocks make."""
         whole = self.whole
-        made = {whole[whole[OUT] + other] + lane for other in others for lane in range(WIDTH)}
+        outputs = {whole[whole[OUT] + other] + lane for other in others for lane in range(WIDTH)}
         factors = (whole[whole[table] + m] for m in self._members(q) for table in (LEFT, RIGHT))
-        return not made.isdisjoint(factors)
+        return not outputs.isdisjoint(factors)
 
     def _members(self, q: int) -> range:
         """Return which products a block has, without those that fill it."""
@@ -298,11 +298,11 @@ class _Writer:
         with_last: list[Any] = [builder.fadd(s, t) for s, t in zip(sums[:count], terms(before_last, one), strict=True)]
         builder.branch(after)
         builder.position_at_end(after)
-        found = [builder.phi(value.type) for value in with_last]
-        for phi, without, last in zip(found, sums, with_last, strict=False):
+        phis = [builder.phi(value.type) for value in with_last]
+        for phi, without, last in zip(phis, sums, with_last, strict=False):
             phi.add_incoming(without, before)
             phi.add_incoming(last, even)
-        for phi, other, place in zip(found, sums[count:], places, strict=True):
+        for phi, other, place in zip(phis, sums[count:], places, strict=True):
             self._store(builder.fadd(phi, other), now, place)
 
     # ------------------------------------------------------------------ functions
@@ -341,20 +341,20 @@ class _Writer:
         if operation is Operation.POWER:
             exponent = self._load_number(number)
             (total,) = self._loop(INTEGER(0), k, 1, [zero], of_power)
-            found = [builder.fdiv(total, builder.fmul(self._spread(whole_k), first))]
+            results = [builder.fdiv(total, builder.fmul(self._spread(whole_k), first))]
         elif operation is Operation.EXPONENTIAL:
             (total,) = self._loop(INTEGER(0), k, 1, [zero], of_exponential)
-            found = [builder.fdiv(total, self._spread(whole_k))]
+            results = [builder.fdiv(total, self._spread(whole_k))]
         elif operation is Operation.LOGARITHM:
             (total,) = self._loop(one, k, 1, [zero], of_logarithm)
             rest = builder.fdiv(total, self._spread(whole_k))
-            found = [builder.fdiv(builder.fsub(self._z(now, x), rest), first)]
+            results = [builder.fdiv(builder.fsub(self._z(now, x), rest), first)]
         elif operation is Operation.ECCENTRIC:
-            found = self._orbital(k, now, out, x, self._spread(self._load_number(number)))
+            results = self._orbital(k, now, out, x, self._spread(self._load_number(number)))
         else:
             totals = self._loop(INTEGER(0), k, 1, [zero, zero], of_sine)
-            found = [builder.fdiv(total, self._spread(whole_k)) for total in totals]
-        for place, value in enumerate(found):
+            results = [builder.fdiv(total, self._spread(whole_k)) for total in totals]
+        for place, value in enumerate(results):
             self._store(value, now, (out + place) * self.lanes)
 
     def _orbital(self, k: Any, now: Any, out: int, x: int, eccentricity: Any) -> list[Any]:

@@ -64,46 +64,46 @@ def _evaluate(jaxpr: Any, constants: Any, arguments: list[Array], outputs: list[
     known.update(zip(jaxpr.constvars, map(np.asarray, constants), strict=True))
     known.update(zip(jaxpr.invars, arguments, strict=True))
     for equation in select_needed(outputs, jaxpr.eqns):
-        given = [read(v) for v in equation.invars]
-        known.update(zip(equation.outvars, _apply(equation, given), strict=True))
+        operands = [read(v) for v in equation.invars]
+        known.update(zip(equation.outvars, _apply(equation, operands), strict=True))
     return [read(v) for v in outputs]
 
 
-def _apply(equation: Any, given: list[Array]) -> list[Array]:
+def _apply(equation: Any, arguments: list[Array]) -> list[Array]:
     name, parameters = equation.primitive.name, equation.params
     inner = next((parameters[k] for k in INNER if k in parameters), None)
-    if parameters.get("name") in NAMED and any(a.dtype == object for a in given):
-        return [NAMED[parameters["name"]](*given)]
+    if parameters.get("name") in NAMED and any(a.dtype == object for a in arguments):
+        return [NAMED[parameters["name"]](*arguments)]
     if name not in RULES and inner is not None and name not in ("scan", "while", "cond"):
         plain, constants = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
-        return _evaluate(plain, constants, given, plain.outvars)
-    if not any(a.dtype == object for a in given):
-        return _by_numbers(equation, given)
+        return _evaluate(plain, constants, arguments, plain.outvars)
+    if not any(a.dtype == object for a in arguments):
+        return _by_numbers(equation, arguments)
     if name not in RULES:
         raise Untraceable(f"`{name}` of something that moves")
-    return [a if isinstance(a, np.ndarray) else _array(a) for a in RULES[name](given, parameters, equation)]
+    return [a if isinstance(a, np.ndarray) else _array(a) for a in RULES[name](arguments, parameters, equation)]
 
 
-def _by_numbers(equation: Any, given: list[Array]) -> list[Array]:
+def _by_numbers(equation: Any, arguments: list[Array]) -> list[Array]:
     name = equation.primitive.name
     if name in BY_NUMPY:  # JAX would compile each operation by itself
-        found = BY_NUMPY[name](given, equation.params)
-        return [np.asarray(found, equation.outvars[0].aval.dtype)]
-    found = equation.primitive.bind(*[jnp.asarray(a) for a in given], **equation.params)
-    return [np.asarray(x) for x in (found if equation.primitive.multiple_results else [found])]
+        results = BY_NUMPY[name](arguments, equation.params)
+        return [np.asarray(results, equation.outvars[0].aval.dtype)]
+    results = equation.primitive.bind(*[jnp.asarray(a) for a in arguments], **equation.params)
+    return [np.asarray(x) for x in (results if equation.primitive.multiple_results else [results])]
 
 
 def _array(x: Any) -> Array:
-    found = np.empty((), object)
-    found[()] = x
-    return found
+    result = np.empty((), object)
+    result[()] = x
+    return result
 
 
 def _each(function: Callable[[Any], Any], x: Array) -> Array:
-    found = np.empty(x.shape, object)
+    result = np.empty(x.shape, object)
     for k in np.ndindex(x.shape):
-        found[k] = function(x[k])
-    return found
+        result[k] = function(x[k])
+    return result
 
 
 def _rule(*names: str) -> Callable[[Rule], Rule]:
@@ -142,10 +142,10 @@ def _power(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Ar
     if x[1].dtype == object:
         raise Untraceable("a power whose exponent moves")
     base, exponent = np.broadcast_arrays(*x)
-    found = np.empty(base.shape, object)
+    result = np.empty(base.shape, object)
     for k in np.ndindex(base.shape):
-        found[k] = base[k] ** float(exponent[k])
-    return [found]
+        result[k] = base[k] ** float(exponent[k])
+    return [result]
 
 
 def _elementary(function: Callable[[Expression], Expression]) -> Rule:
@@ -170,8 +170,8 @@ def _place_in_orbit(mean_anomaly: Array, eccentricity: Array) -> Array:
         if number is None:
             raise Untraceable("an eccentricity that moves")
         numbers.append(number)
-    found = [eccentric_anomaly(x, y) for x, y in zip(anomalies.flat, numbers, strict=True)]
-    return np.array([None, *found], object)[1:].reshape(anomalies.shape)
+    eccentric = [eccentric_anomaly(x, y) for x, y in zip(anomalies.flat, numbers, strict=True)]
+    return np.array([None, *eccentric], object)[1:].reshape(anomalies.shape)
 
 
 NAMED["solve_kepler"] = _place_in_orbit
@@ -221,10 +221,10 @@ def _comparison(compare: Callable[[Any, Any], Any]) -> Rule:
     def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
         tape = _find_tape(*x)
         one, other = np.broadcast_arrays(*x)
-        found = np.empty(one.shape, bool)
-        for k in np.ndindex(found.shape):
-            found[k] = tape.decide(compare(tape.at_instants(one[k]), tape.at_instants(other[k])))
-        return [found]
+        result = np.empty(one.shape, bool)
+        for k in np.ndindex(result.shape):
+            result[k] = tape.decide(compare(tape.at_instants(one[k]), tape.at_instants(other[k])))
+        return [result]
 
     return rule
 
@@ -256,10 +256,10 @@ def _sum(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Arra
     kept = [k for k in range(x[0].ndim) if k not in axes]
     moved = np.transpose(x[0], (*kept, *axes))
     shape = moved.shape[: len(kept)]
-    found = np.empty(shape, object)
+    result = np.empty(shape, object)
     for k in np.ndindex(shape):
-        found[k] = total(tape, np.ravel(moved[k]) if axes else [moved[k]])
-    return [found]
+        result[k] = total(tape, np.ravel(moved[k]) if axes else [moved[k]])
+    return [result]
 
 
 @_rule("reduce_prod")
@@ -277,12 +277,12 @@ def _dot(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Arra
     left = np.transpose(a, (*batch_a, *free_a, *summed_a)).reshape(*batch, *(a.shape[k] for k in free_a), -1)
     right = np.transpose(b, (*batch_b, *free_b, *summed_b)).reshape(*batch, *(b.shape[k] for k in free_b), -1)
     tape = _find_tape(a, b)
-    found = np.empty((*batch, *(a.shape[k] for k in free_a), *(b.shape[k] for k in free_b)), object)
-    for k in np.ndindex(found.shape):
+    result = np.empty((*batch, *(a.shape[k] for k in free_a), *(b.shape[k] for k in free_b)), object)
+    for k in np.ndindex(result.shape):
         place, rest = k[: len(batch)], k[len(batch) :]
         one, two = left[(*place, *rest[: len(free_a)])], right[(*place, *rest[len(free_a) :])]
-        found[k] = total(tape, (u * v for u, v in zip(one, two, strict=True) if not (_is_zero(u) or _is_zero(v))))
-    return [found]
+        result[k] = total(tape, (u * v for u, v in zip(one, two, strict=True) if not (_is_zero(u) or _is_zero(v))))
+    return [result]
 
 
 def _is_zero(x: Any) -> bool:
@@ -300,10 +300,10 @@ RULES["conj"] = lambda x, p, e: [_each(lambda a: Complex.of(a).conjugate(), x[0]
 
 
 def _pairs(make: Callable[[Any, Any], Any], a: Array, b: Array) -> Array:
-    found = np.empty(a.shape, object)
+    result = np.empty(a.shape, object)
     for k in np.ndindex(a.shape):
-        found[k] = make(a[k], b[k])
-    return found
+        result[k] = make(a[k], b[k])
+    return result
 
 
 # ---------------------------------------------------------------------- data that moves
@@ -351,10 +351,10 @@ def _select(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
     if x[0].dtype == object:
         raise Untraceable("a branch on something that moves (`select_n`)")
     which, *cases = np.broadcast_arrays(*x)
-    found = np.empty(which.shape, object)
+    result = np.empty(which.shape, object)
     for k in np.ndindex(which.shape):
-        found[k] = cases[int(which[k])][k]
-    return [found]
+        result[k] = cases[int(which[k])][k]
+    return [result]
 
 
 @_rule("gather", "dynamic_slice", "scatter", "pad", "dynamic_update_slice", "unstack", "stack")
@@ -387,15 +387,15 @@ def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
     is_complex = jnp.issubdtype(result.dtype, jnp.complexfloating)
 
     def of(flat: Any) -> Any:
-        given, start = [jnp.asarray(np.zeros(a.shape) if a.dtype == object else a, k)
+        arguments, start = [jnp.asarray(np.zeros(a.shape) if a.dtype == object else a, k)
                         for a, k in zip(x, kinds, strict=True)], 0  # fmt: skip
         for k in moving:
             numbers = flat[start : start + x[k].size * parts[k]].reshape(*x[k].shape, parts[k])
-            given[k] = numbers[..., 0] if parts[k] == 1 else jax.lax.complex(numbers[..., 0], numbers[..., 1])
+            arguments[k] = numbers[..., 0] if parts[k] == 1 else jax.lax.complex(numbers[..., 0], numbers[..., 1])
             start += x[k].size * parts[k]
-        found = equation.primitive.bind(*given, **parameters)
-        found = jnp.ravel(found[0] if equation.primitive.multiple_results else found)
-        return jnp.stack([jnp.real(found), jnp.imag(found)], -1).ravel() if is_complex else found
+        output = equation.primitive.bind(*arguments, **parameters)
+        output = jnp.ravel(output[0] if equation.primitive.multiple_results else output)
+        return jnp.stack([jnp.real(output), jnp.imag(output)], -1).ravel() if is_complex else output
 
     zero, matrix = np.asarray(of(jnp.zeros(size))), np.asarray(jax.jacfwd(of)(jnp.zeros(size)))
     elements: list[Any] = []
@@ -403,13 +403,13 @@ def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
         for a in np.asarray(x[k]).flat:
             elements.extend([Complex.of(a).real, Complex.of(a).imag] if parts[k] == 2 else [a])
     tape = _find_tape(*(x[k] for k in moving))
-    found = np.empty(len(matrix), object)
+    values = np.empty(len(matrix), object)
     for row, (start, coefficients) in enumerate(zip(zero, matrix, strict=True)):
         where = np.flatnonzero(coefficients)
-        found[row] = total(tape, [float(start), *(elements[k] * float(coefficients[k]) for k in where)])
+        values[row] = total(tape, [float(start), *(elements[k] * float(coefficients[k]) for k in where)])
     if is_complex:
-        found = _pairs(Complex, found[::2], found[1::2])
-    return [found.reshape(result.shape)]
+        values = _pairs(Complex, values[::2], values[1::2])
+    return [values.reshape(result.shape)]
 
 
 @_rule("scan")
@@ -422,8 +422,8 @@ def _scan(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Arr
     constants, now, streams = x[:known], x[known : known + carried], x[known + carried :]
     outputs: list[list[Array]] = []
     for k in reversed(range(rounds)) if parameters["reverse"] else range(rounds):
-        found = evaluate(closed, *constants, *now, *(s[k, ...] for s in streams))
-        now, rest = found[:carried], found[carried:]
+        values = evaluate(closed, *constants, *now, *(s[k, ...] for s in streams))
+        now, rest = values[:carried], values[carried:]
         outputs.append([np.asarray(a, object) for a in rest])
     if parameters["reverse"]:
         outputs.reverse()

@@ -84,9 +84,9 @@ class EngineComparison:
         head = f"{self.precision}, eps = {self.eps:.3g}; worst of each family, angles in rad, others relative"
         titles = ("attitude", "in eps", "at long times", "by rounding", "momentum", "energy", "length")
         lines = [head, f"{'family':20}{'motions':>8}" + "".join(f"{title:>15}" for title in titles)]
-        for name, found in {**self.families, "all": self.worst}.items():
-            sizes = (found.attitude, found.attitude / self.eps, *found[2:])
-            lines.append(f"{name:20}{found.motions:8}" + "".join(f"{_write_size(x):>15}" for x in sizes))
+        for name, errors in {**self.families, "all": self.worst}.items():
+            sizes = (errors.attitude, errors.attitude / self.eps, *errors[2:])
+            lines.append(f"{name:20}{errors.motions:8}" + "".join(f"{_write_size(x):>15}" for x in sizes))
         return "\n".join(lines)
 
 
@@ -104,8 +104,8 @@ def compare_engine(engine: Engine, motions: Sequence[ReferenceMotion] | None = N
     >>> import polhode as ph
     >>> def engine(motion):
     ...     return ph.FreeMotion(motion.moments, momentum=motion.momentum, attitude=motion.attitude).state(motion.times)
-    >>> found = compare_engine(engine, reference_motions(kind="free body"))
-    >>> found.worst.motions > 100, max(found.worst[1:]) < 1e-14
+    >>> comparison = compare_engine(engine, reference_motions(kind="free body"))
+    >>> comparison.worst.motions > 100, max(comparison.worst[1:]) < 1e-14
     (True, True)
     """
     motions = reference_motions(up_to=MODERATE) if motions is None else motions

@@ -122,12 +122,12 @@ def _check_json(kind: AbstractKind, report: SystemReport) -> None:
     _require(values.pop("units"), "some answers have units")
     for name in report.units():
         *levels, last = name.split(".")
-        found = values
+        branch = values
         for level in levels:
-            _require(isinstance(found, dict) and level in found, f"units are of answers; there is none called {name}")
-            found = found[level]
+            _require(isinstance(branch, dict) and level in branch, f"units are of answers; there is none called {name}")
+            branch = branch[level]
         # a unit of a table is that of each of its rows
-        rows = found if isinstance(found, list) else [found, *found.values()]
+        rows = branch if isinstance(branch, list) else [branch, *branch.values()]
         _require(any(isinstance(row, dict) and last in row for row in rows),
                  f"units are of answers; there is none called {name}")  # fmt: skip
 
@@ -176,21 +176,21 @@ def _check_motion(kind: AbstractKind, spec: Spec, report: MotionReport) -> None:
 
 
 def _check_dataset(report: MotionReport, folder: Path) -> None:
-    found, wanted = read_dataset(report.save(folder / report.data_file)), report.trajectory
-    _require(np.array_equal(found.times, wanted.times), "a dataset gives the times back, to the bit")
-    _require(found.outcome == wanted.outcome, "a dataset gives the outcome back")
-    for part in found.layout.parts:
-        _require(np.array_equal(found.part(part.name), wanted.part(part.name)), f"a dataset gives {part.name} back")
+    dataset, wanted = read_dataset(report.save(folder / report.data_file)), report.trajectory
+    _require(np.array_equal(dataset.times, wanted.times), "a dataset gives the times back, to the bit")
+    _require(dataset.outcome == wanted.outcome, "a dataset gives the outcome back")
+    for part in dataset.layout.parts:
+        _require(np.array_equal(dataset.part(part.name), wanted.part(part.name)), f"a dataset gives {part.name} back")
     for name in wanted.invariants | wanted.balances:
-        _require(found.quantity(name).unit == wanted.quantity(name).unit, f"a dataset gives the unit of {name} back")
+        _require(dataset.quantity(name).unit == wanted.quantity(name).unit, f"a dataset gives the unit of {name} back")
 
 
 def _check_page(spec: Spec, report: MotionReport, folder: Path) -> None:
     page = page_of_report(report, folder / "page.html", surface=spec.surface).read_text("utf-8")
-    found = re.search(r'id="motion">(.*?)</script>', page, re.DOTALL)
-    assert found is not None
-    data = json.loads(found[1])
+    match = re.search(r'id="motion">(.*?)</script>', page, re.DOTALL)
+    assert match is not None
+    data = json.loads(match[1])
     types = {panel["type"] for panel in data["panels"]}
-    made = ANY_BODY | set(re.findall(r"polhodePanels \?\?= \{\}\)\.(\w+) =", page))
-    _require(types and types <= made, f"panel.js makes each panel of the page; none makes {sorted(types - made)}")
+    panels = ANY_BODY | set(re.findall(r"polhodePanels \?\?= \{\}\)\.(\w+) =", page))
+    _require(types and types <= panels, f"panel.js makes each panel of the page; none makes {sorted(types - panels)}")
     _require(data["name"] == spec.name and data["summary"], "a page has the spec's name and the report's summary")

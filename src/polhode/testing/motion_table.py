@@ -91,9 +91,9 @@ def parse_motions(table: dict[str, Any]) -> Iterator[ReferenceMotion]:
     Raises:
         FormatError: for another format or version.
     """
-    found = table.get("format"), table.get("version")
-    if found != (FORMAT, VERSION):
-        raise FormatError(f"a table must be of format {FORMAT!s}, version {VERSION}; got {shown(found)}.")
+    header = table.get("format"), table.get("version")
+    if header != (FORMAT, VERSION):
+        raise FormatError(f"a table must be of format {FORMAT!s}, version {VERSION}; got {shown(header)}.")
     for entry in table["motions"]:
         arrays = {name: np.array(value) for name, value in entry.items() if isinstance(value, list)}
         for array in arrays.values():

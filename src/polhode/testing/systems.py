@@ -73,10 +73,10 @@ def _draw_states(system: AbstractSystem, seed: int, size: float) -> list[Array]:
 
 
 def _check_states(system: AbstractSystem, states: Any) -> Array:
-    given = system.check_state(states)
-    if given.ndim != system.state_axes + 1 or not len(given):
-        raise InvalidInput(f"`states` must be several states, (m, …); got shape {given.shape}. Put one in brackets.")
-    return given
+    checked = system.check_state(states)
+    if checked.ndim != system.state_axes + 1 or not len(checked):
+        raise InvalidInput(f"`states` must be several states, (m, …); got shape {checked.shape}. Put one in brackets.")
+    return checked
 
 
 def _check_laws(system: AbstractSystem, state: Array) -> None:

@@ -32,7 +32,7 @@ def with_powers(text: str) -> str:
     >>> with_powers("the first 2.62332e+07 s")
     'the first 2.62332·10⁷ s'
     """
-    return EXPONENT.sub(lambda found: f"{found[1]}·10{str(int(found[2])).translate(RAISED)}", text)
+    return EXPONENT.sub(lambda match: f"{match[1]}·10{str(int(match[2])).translate(RAISED)}", text)
 
 
 def as_script_json(values: dict[str, Any]) -> str:

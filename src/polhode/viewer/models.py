@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 
 
 def find_start(trajectory: Trajectory) -> dict[str, Any] | None:

@@ -14,7 +14,7 @@ import numpy as np
 
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.wording import unit_in_words
 from polhode.types import Array
 from polhode.viewer.encoding import as_script_json, pack, with_powers

@@ -61,16 +61,16 @@ def choose_content(source: Any, samples: Samples, surface: Surface | None) -> Co
     moments = find_moments(source)
     if is_mechanical(source) and source.has_vertical:
         return Content(top_panels(source, samples, moments, surface))
-    found = body_panels(samples, moments, surface)
+    panels = body_panels(samples, moments, surface)
     if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
-        return Content(found)
+        return Content(panels)
     if find_free_moments(source, samples) is None:
         levels = moments if _turns_as_one(samples, moments) else None
-        return Content([*found, sphere_of_levels(samples.momentum, levels)])
-    found.append(_sphere_of_polhodes())
+        return Content([*panels, sphere_of_levels(samples.momentum, levels)])
+    panels.append(_sphere_of_polhodes())
     if samples.attitude is not None:
-        found.append({"type": "poinsot"})
-    return Content(found)
+        panels.append({"type": "poinsot"})
+    return Content(panels)
 
 
 def is_mechanical(source: Any) -> bool:

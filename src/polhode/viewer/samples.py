@@ -7,9 +7,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from polhode.errors import InvalidInput
+from polhode.motion._layout import StateLayout
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
-from polhode.motion.layout import StateLayout
-from polhode.motion.trajectory import Trajectory
 from polhode.reports.wording import unit_in_words
 from polhode.types import Array, Double, Float64
 
@@ -94,19 +94,19 @@ def _evaluate(trajectory: Trajectory, motion: AbstractMotion) -> Samples:
 
 def _thin(trajectory: Trajectory) -> Samples:
     """Return every k-th sample."""
-    found = _plain(trajectory)
-    count = len(found.times)
+    samples = _plain(trajectory)
+    count = len(samples.times)
     notes = []
     if count > MOST:
         step = -(-count // MOST)
-        found = _take(found, slice(None, None, step))
+        samples = _take(samples, slice(None, None, step))
         notes.append(f"Thinned for display: every {_ordinal(step)} of {count} samples.")
-    joined = _largest_turn(trajectory.layout, found) <= JOINED
+    joined = _largest_turn(trajectory.layout, samples) <= JOINED
     if not joined:
-        points = "" if found.attitude is None and found.momentum is None else ", and samples are drawn as points"
+        points = "" if samples.attitude is None and samples.momentum is None else ", and samples are drawn as points"
         notes.append("From sample to sample the body turns too far for the motion between to be shown: "
                      f"it jumps{points}.")  # fmt: skip
-    return replace(found, joined=joined, notes=tuple(notes))
+    return replace(samples, joined=joined, notes=tuple(notes))
 
 
 def _plain(trajectory: Trajectory) -> Samples:
@@ -117,30 +117,30 @@ def _plain(trajectory: Trajectory) -> Samples:
     def array(values: Array | None) -> Array | None:
         return None if values is None else np.asarray(values, dtype=float)
 
-    found = Samples(
+    samples = Samples(
         np.asarray(trajectory.times, dtype=float), np.asarray(trajectory.states),
         array(trajectory.attitude), array(trajectory.momentum), array(trajectory.angular_velocity),
         None if name is None else array(values[name]), (name or "energy").replace("_", " "), unit,
     )  # fmt: skip
-    return _take(found, slice(None, None, -1)) if found.times[-1] < found.times[0] else found
+    return _take(samples, slice(None, None, -1)) if samples.times[-1] < samples.times[0] else samples
 
 
-def _take(found: Samples, rows: slice) -> Samples:
+def _take(samples: Samples, rows: slice) -> Samples:
     names = ("times", "states", "attitude", "momentum", "angular_velocity", "energy")
-    return replace(found, **{name: None if getattr(found, name) is None else getattr(found, name)[rows]
+    return replace(samples, **{name: None if getattr(samples, name) is None else getattr(samples, name)[rows]
                              for name in names})  # fmt: skip
 
 
-def _largest_turn(layout: StateLayout, found: Samples) -> float:
+def _largest_turn(layout: StateLayout, samples: Samples) -> float:
     """Return the largest change [rad] of an angle of the state, or else of the attitude, from sample to sample."""
-    steps = np.diff(found.times)
+    steps = np.diff(samples.times)
     if angles := [name for name, part in layout.scalars.items() if part.unit == "rad"]:
-        return max(float(np.abs(np.diff(layout.part(found.states, name))).max(initial=0.0)) for name in angles)
-    if found.angular_velocity is not None:
-        rate = np.linalg.norm(found.angular_velocity, axis=-1)
+        return max(float(np.abs(np.diff(layout.part(samples.states, name))).max(initial=0.0)) for name in angles)
+    if samples.angular_velocity is not None:
+        rate = np.linalg.norm(samples.angular_velocity, axis=-1)
         return float(np.max(np.maximum(rate[1:], rate[:-1]) * steps, initial=0.0))
-    if found.attitude is not None:
-        along = np.abs(np.sum(found.attitude[1:] * found.attitude[:-1], axis=-1))
+    if samples.attitude is not None:
+        along = np.abs(np.sum(samples.attitude[1:] * samples.attitude[:-1], axis=-1))
         return float(np.max(2.0 * np.arccos(np.clip(along, 0.0, 1.0)), initial=0.0))
     return 0.0
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from polhode.bodies._turned import tube
 from polhode.bodies.surface import Surface, box_of_same_inertia, join_surfaces, weld_corners
-from polhode.bodies.turned import tube
 from polhode.types import Array, ArrayLike, Float64, Real
 
 MOST_FACES = 8000  # about 0.15 MB
@@ -40,8 +40,8 @@ def is_celestial(moments: Real[ArrayLike, "3"]) -> bool:
 
 def semi_axes_squared(moments: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
     """Return the squared semi-axes (3,) of the homogeneous ellipsoid with these moments, times 2m/5."""
-    found = np.asarray(moments, dtype=float)
-    return 0.5 * found.sum() - found
+    values = np.asarray(moments, dtype=float)
+    return 0.5 * values.sum() - values
 
 
 def top_shape(
@@ -71,8 +71,8 @@ def top_shape(
     size = max(abs(h), a, b)
     disk, stem = tube(1.0, 0.06 * size, sections=RIM), tube(0.035 * size, abs(h), sections=RIM)
     middle = np.array([0.0, 0.0, h])
-    made = join_surfaces([Surface(disk.vertices * [a, b, 1.0] + middle, disk.faces),
+    solid = join_surfaces([Surface(disk.vertices * [a, b, 1.0] + middle, disk.faces),
                    Surface(stem.vertices + 0.5 * middle, stem.faces)])  # fmt: skip
     order = np.empty(3, dtype=int)
     order[[i, j, k]] = 0, 1, 2
-    return Surface(made.vertices[:, order] / size, made.faces), "disk on a stem, of the same inertia about the pivot"
+    return Surface(solid.vertices[:, order] / size, solid.faces), "disk on a stem, of the same inertia about the pivot"

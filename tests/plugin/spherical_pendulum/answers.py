@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.kinds import Answer, Group, MotionReport, Spec, Table, accuracy
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.simulation import simulate
 from spherical_pendulum.system import SphericalPendulum
 from spherical_pendulum.table import PendulumTable

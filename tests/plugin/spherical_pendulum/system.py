@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import jax.numpy as jnp
 
-from polhode.motion.layout import Quantity, StateLayout, StatePart
+from polhode.motion._layout import Quantity, StateLayout, StatePart
 from polhode.systems.base import AbstractSystem
 
 Array = Any

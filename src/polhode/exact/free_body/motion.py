@@ -11,11 +11,12 @@ import numpy as np
 from polhode import rotation
 from polhode.arrays import compiled, is_traced, namespace
 from polhode.bodies.body import Body, check_is_body
-from polhode.exact.free_body import evaluation, geometry
+from polhode.exact.free_body import _evaluation as evaluation
+from polhode.exact.free_body import _geometry as geometry
+from polhode.motion._inputs import cached_unless_traced, finite, known, named_code, one_of, plain_answer, spin_of
+from polhode.motion._invariants import drift, norm
+from polhode.motion._layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
 from polhode.motion.base import AbstractMotion
-from polhode.motion.inputs import cached_unless_traced, finite, known, named_code, one_of, plain_answer, spin_of
-from polhode.motion.invariants import drift, norm
-from polhode.motion.layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Spin = Real[ArrayLike, "*#batch 3"] | None

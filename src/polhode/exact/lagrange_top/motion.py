@@ -10,13 +10,13 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import known_false, namespace
+from polhode.bodies._pivot import EQUAL, STANDARD_GRAVITY, about_pivot
 from polhode.bodies.body import Body
-from polhode.bodies.pivot import EQUAL, STANDARD_GRAVITY, about_pivot
 from polhode.errors import InvalidInput
-from polhode.exact.lagrange_top import evaluation, geometry
-from polhode.exact.lagrange_top.symmetry import third_axis_to_centre
-from polhode.motion.base import AbstractMotion
-from polhode.motion.inputs import (
+from polhode.exact.lagrange_top import _evaluation as evaluation
+from polhode.exact.lagrange_top import _geometry as geometry
+from polhode.exact.lagrange_top._symmetry import third_axis_to_centre
+from polhode.motion._inputs import (
     cached_unless_traced,
     common_shape,
     finite,
@@ -27,8 +27,9 @@ from polhode.motion.inputs import (
     refuse_not_finite,
     spin_of,
 )
-from polhode.motion.invariants import drift, norm
-from polhode.motion.layout import ENERGY, Quantity
+from polhode.motion._invariants import drift, norm
+from polhode.motion._layout import ENERGY, Quantity
+from polhode.motion.base import AbstractMotion
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Spin = Real[ArrayLike, "*#batch 3"] | None

@@ -55,15 +55,15 @@ def steady_precession(
         raise InvalidInput("give either `spin`, the component along the axis, or `spin_rate`, that against the line of "
                            "nodes.")  # fmt: skip
     I1, I3 = _checked(moments, mgl)
-    given = spin if spin_rate is None else spin_rate
-    assert given is not None
-    if not (0.0 < tilt < math.pi and math.isfinite(given)):
+    rate = spin if spin_rate is None else spin_rate
+    assert rate is not None
+    if not (0.0 < tilt < math.pi and math.isfinite(rate)):
         raise InvalidInput(
             "`tilt` must lie between 0 and π, and `spin` be finite; "
-            f"got {shown(tilt)} rad, {shown(given)} rad/s."
+            f"got {shown(tilt)} rad, {shown(rate)} rad/s."
         )
     moment = I1 if spin_rate is None else I1 - I3
-    quadratic, momentum = moment * math.cos(tilt), I3 * given
+    quadratic, momentum = moment * math.cos(tilt), I3 * rate
     if moment == 0.0 or abs(math.cos(tilt)) <= LEVEL:
         return SteadyPrecession(mgl / momentum, None) if momentum else None
     square = momentum * momentum - 4.0 * quadratic * mgl

@@ -12,12 +12,12 @@ def write(content: Content, path: Path) -> Path:
     """Write a molecule's lines."""
     from polhode.formats.spcat import catalogue_of, write_cat
 
-    found = content.rotor()
-    lines = found.lines()
+    molecule = content.rotor()
+    lines = molecule.lines()
     if lines is None:
         raise InvalidInput("there is no dipole, and no lines without one. Give it, like "
                            'dipole = ["0 D", "1.857 D", "0 D"].')  # fmt: skip
-    write_cat(catalogue_of(lines, degrees=2 if found.rotor.is_linear else 3), path)
+    write_cat(catalogue_of(lines, degrees=2 if molecule.rotor.is_linear else 3), path)
     return path
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from polhode.formats.form import Content, Form, Kernels
 
 if TYPE_CHECKING:
-    from polhode.motion.trajectory import Trajectory
+    from polhode.motion._trajectory import Trajectory
 
 
 def write(content: Content, path: Path) -> Path:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from polhode.formats.form import Content, Form, Kernels
 
 if TYPE_CHECKING:
-    from polhode.motion.trajectory import Trajectory
+    from polhode.motion._trajectory import Trajectory
 
 
 def write(content: Content, path: Path) -> Path:
@@ -23,9 +23,9 @@ def write(content: Content, path: Path) -> Path:
 def _write_spectrum(content: Content, path: Path) -> Path:
     from polhode.formats.rotor_dataset import rotor_attributes, write_spectrum
 
-    found = content.rotor()
-    known = rotor_attributes(found.rotor, content.name, found.temperature)
-    return write_spectrum(path, levels=found.levels(), lines=found.lines(), attributes=known)
+    molecule = content.rotor()
+    known = rotor_attributes(molecule.rotor, content.name, molecule.temperature)
+    return write_spectrum(path, levels=molecule.levels(), lines=molecule.lines(), attributes=known)
 
 
 def read(path: Path, kernels: Kernels) -> Trajectory:

@@ -25,7 +25,7 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.damped_body.table import DampedBodyTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
@@ -118,8 +118,8 @@ class DampedStart:
     def verdicts(self) -> Table:
         """Return the verdicts on the axes."""
         rows = [
-            {"axis": k + 1, "moment": self.body.principal_moments[k], "time_constant": time_constant(found),
-             **stability_values(found)} for k, found in enumerate(self.axes)
+            {"axis": k + 1, "moment": self.body.principal_moments[k], "time_constant": time_constant(stability),
+             **stability_values(stability)} for k, stability in enumerate(self.axes)
         ]  # fmt: skip
         title = "L along each principal axis, with the losses, at the |L| of the start"
         units = {"moment": "kg m²", "time_constant": "s"}
@@ -225,15 +225,15 @@ class DampedBodyReport(MotionReport):
             then = "" if later is None else f" From 1° off it comes to a flat spin in {duration(later)}."
             why = f"it starts exactly on axis {at[0] + 1}, where nothing pushes it off. The least disturbance makes it "
             return [f"{why}leave, as Explorer 1 did in 1958.{then} Give spin.tilt to see it."]
-        found = []
+        notes = []
         if moments[0] < moments[1] and 2.0 * float(self.energy[0]) * moments[1] > norm**2:
-            found.append("it starts about the axis of least moment, which a body that loses energy inside leaves, as "
+            notes.append("it starts about the axis of least moment, which a body that loses energy inside leaves, as "
                          "Explorer 1 did in 1958, for a flat spin about the axis of largest moment.")  # fmt: skip
         if not settles:
             wanted = settling_time(self.axes, start, moments)
             wait = f' = "{1.1 * wanted:.3g} s"' if math.isfinite(wanted) else ""
-            found.append(f"it has not settled; give a later time.until{wait}.")
-        return found
+            notes.append(f"it has not settled; give a later time.until{wait}.")
+        return notes
 
     @property
     def answers(self) -> list[Group | Table]:

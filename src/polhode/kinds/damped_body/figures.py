@@ -36,13 +36,13 @@ def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
         x, y, depth = frame @ unit.T
         axes.plot(x[depth >= 0], y[depth >= 0], ".", ms=1.2, mew=0, color=style.BLUE, zorder=3)
     label_axes(axes, frame)
-    for k, found in enumerate(report.axes):
+    for k, stability in enumerate(report.axes):
         for side in (1.0, -1.0):
-            mark_verdict(axes, frame, side * np.eye(3)[k], found.verdict)
+            mark_verdict(axes, frame, side * np.eye(3)[k], stability.verdict)
     mark_point(axes, frame, unit[0])
     path = "direction of L" if joined else "L at the samples"
     lines = [(path, style.BLUE, 0.9), ("levels of energy", style.LIGHT, 0.5)]
-    draw_legend(axes, lines, [found.verdict for found in report.axes])
+    draw_legend(axes, lines, [stability.verdict for stability in report.axes])
     words = "Momentum sphere" if report.inside else "Direction of L"
     axes.set_title(f"{words}, body axes", fontsize=style.FONT, color=style.DARK)
     return figure

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.systems.double_bracket import DoubleBracket
 from polhode.viewer.models import find_start
 

@@ -21,8 +21,8 @@ from polhode.errors import InvalidInput, NotConverged
 from polhode.kinds.base import Spec
 from polhode.kinds.euler_disk.report import EulerDiskReport, LawShare, law_names
 from polhode.kinds.euler_disk.table import EulerDiskTable
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.trajectory import Trajectory
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import WITHOUT_MOTION, make_placeholder
 from polhode.reports.length import Watch
@@ -50,25 +50,25 @@ def make_report(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
     disk, ideal = _disks(table)
     start, steady = _start(table, disk), _steady(table, ideal)
     if table.dissipation and times is None:
-        found = _simulate_end(disk, start)
-        trajectory = found.trajectory
+        end = _simulate_end(disk, start)
+        trajectory = end.trajectory
         path = last_turns(trajectory, TURNS, spec.samples)
         turn = 2.0 * math.pi / abs(float(disk.precession(start)))
         opening = rolling_path(disk, start, turn, TURN_SAMPLES)
     else:
-        found, opening = None, None
+        end, opening = None, None
         if times is None:
             times = np.linspace(0.0, PERIODS * rolling_period(disk, start, steady), spec.samples)
         # losses bring it to an end, of which nothing is known yet
         watch = None if table.dissipation else Watch(spec.until, times)
         trajectory = filled_to_its_end(simulate(disk, start, times, progress=watch), spec.samples)
         path = first_turns(trajectory, TURNS, spec.samples)
-    by_energy = None if found is None or table.precession is not None else adiabatic_end(disk, table.tilt)
+    by_energy = None if end is None or table.precession is not None else adiabatic_end(disk, table.tilt)
     A, C = float(disk.mechanics.diametral_moment), float(disk.mechanics.axial_moment)
     trajectory = replace(trajectory, frame=BodyFrame(np.array([A, A, C]), np.eye(3), np.zeros(3), table.mass))
     return EulerDiskReport(
         table=table, disk=disk, trajectory=trajectory, begin=start, steady=steady,
-        laws=_shares(table, disk, trajectory, found), spin_down=found, end_by_energy=by_energy, path=path,
+        laws=_shares(table, disk, trajectory, end), spin_down=end, end_by_energy=by_energy, path=path,
         opening=opening, thresholds=_thresholds(table, ideal),
     )  # fmt: skip
 
@@ -132,11 +132,11 @@ def _simulate_end(disk: EulerDisk, start: Array) -> SpinDown:
         raise type(error)(f"{error} {hint}") from None
 
 
-def _shares(table: EulerDiskTable, disk: EulerDisk, trajectory: Trajectory, found: SpinDown | None) -> list[LawShare]:
+def _shares(table: EulerDiskTable, disk: EulerDisk, trajectory: Trajectory, end: SpinDown | None) -> list[LawShare]:
     """Return the power that each law dissipates."""
     powers = np.asarray(disk.powers(trajectory.states))
     shares = powers / powers.sum(axis=-1, keepdims=True)
-    late = [None if found is None else float(np.mean(share[found.late])) for share in shares.T]
+    late = [None if end is None else float(np.mean(share[end.late])) for share in shares.T]
     return [
         LawShare(name, law.exponent, float(powers[0, k]), float(shares[0, k]), late[k])
         for k, (name, law) in enumerate(zip(law_names(table), disk.dissipation, strict=True))

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
-from polhode.analysis.power_law import PowerLaw
+from polhode.analysis._power_law import PowerLaw
 from polhode.analysis.spin_down import SpinDown
 from polhode.figures import style
 from polhode.kinds.euler_disk.report import EulerDiskReport
@@ -20,16 +20,16 @@ BELOW = 3.0  # factor by which a panel reaches beyond what comes before the fall
 
 def draw_disk_end(report: EulerDiskReport) -> Figure:
     """Return tilt and rate of precession, with fits and events where the motion has a finite end."""
-    found, motion = report.spin_down, report.trajectory if report.laws else report.path
+    spin_down, motion = report.spin_down, report.trajectory if report.laws else report.path
     states = np.asarray(motion.states)
     tilt, precession = np.degrees(motion.part("tilt")), np.asarray(report.disk.precession(states))
     figure = style.new_figure(height=3.8)
     panels = figure.subplots(2, 1, sharex=True)
-    if found is None or found.remaining is None:
+    if spin_down is None or spin_down.remaining is None:
         words = "" if motion.times[-1] == report.trajectory.times[-1] else ", first turns"
         _against_time(panels, np.asarray(motion.times), (tilt, precession), words)
     else:
-        _towards_the_end(panels, found, (tilt, np.abs(precession)))
+        _towards_the_end(panels, spin_down, (tilt, np.abs(precession)))
         figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=2,
                       fontsize=style.FONT - 1, frameon=False, handlelength=2.2)  # fmt: skip
     for axes, words in zip(panels, ("tilt from the plane  [°]", "precession  [rad/s]"), strict=True):
@@ -50,12 +50,12 @@ def _against_time(panels: Any, times: Array, values: tuple[Array, Array], words:
     panels[1].set_xlabel(f"time{words}  [{style.factor(slow)}s]")
 
 
-def _towards_the_end(panels: Any, found: SpinDown, values: tuple[Array, Array]) -> None:
+def _towards_the_end(panels: Any, spin_down: SpinDown, values: tuple[Array, Array]) -> None:
     """Draw against t0 − t, which decreases to the right."""
-    left = np.asarray(found.remaining)
+    left = np.asarray(spin_down.remaining)
     ahead = left > 0.0
-    fitted = found.late
-    for axes, y, fit in zip(panels, values, (found.tilt, found.precession), strict=True):
+    fitted = spin_down.late
+    for axes, y, fit in zip(panels, values, (spin_down.tilt, spin_down.precession), strict=True):
         axes.loglog(left[ahead], y[ahead], color=style.BLUE, lw=1.2, label="motion")
         x, line = _fit(left[fitted], y[fitted], fit, left[ahead].min())
         axes.loglog(x, line, color=style.ORANGE, lw=1.1, ls="--", label="fitted power law", zorder=4)
@@ -65,9 +65,9 @@ def _towards_the_end(panels: Any, found: SpinDown, values: tuple[Array, Array]) 
                   color=style.DARK)  # fmt: skip
         axes.axvspan(left[fitted].max(), left[fitted].min(), color=style.LIGHT, alpha=0.35, lw=0,
                      label="samples fitted")  # fmt: skip
-        for name, time in found.events.items():
-            _mark(axes, name, time, found)
-        before = y[np.asarray(found.trajectory.times) <= min(found.events.values(), default=np.inf)]
+        for name, time in spin_down.events.items():
+            _mark(axes, name, time, spin_down)
+        before = y[np.asarray(spin_down.trajectory.times) <= min(spin_down.events.values(), default=np.inf)]
         axes.set_ylim(before.min() / BELOW, before.max() * BELOW)
         axes.yaxis.set_major_locator(LogLocator(10, subs=(1.0, 3.0)))
         axes.yaxis.set_major_formatter(FormatStrFormatter("%g"))
@@ -76,10 +76,10 @@ def _towards_the_end(panels: Any, found: SpinDown, values: tuple[Array, Array]) 
     panels[1].set_xlabel("t$_0$ − t  [s]")
 
 
-def _mark(axes: Any, name: str, time: float, found: SpinDown) -> None:
+def _mark(axes: Any, name: str, time: float, spin_down: SpinDown) -> None:
     """Mark an event; one after t0 is outside the axes, so only the legend names it."""
-    k = int(np.argmin(np.abs(np.asarray(found.trajectory.times) - time)))
-    left = float(np.asarray(found.remaining)[k])
+    k = int(np.argmin(np.abs(np.asarray(spin_down.trajectory.times) - time)))
+    left = float(np.asarray(spin_down.remaining)[k])
     colour = COLOURS.get(name, style.VERMILION)
     if left > 0.0:
         axes.axvline(left, color=colour, lw=1.0, ls=":" if name in COLOURS else "-.", label=name)

@@ -10,7 +10,7 @@ from polhode.bodies.surface import Surface
 from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.report import EulerDiskReport
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.systems import rolling_dissipation
 from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
@@ -34,29 +34,29 @@ class EulerDiskPanel(KindPanel):
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
         """Return the disk, its losses and its start; None with a law that specs do not know."""
-        disk, found = trajectory.source, trajectory.source.mechanics
+        disk, body = trajectory.source, trajectory.source.mechanics
         names = {getattr(rolling_dissipation, law.model): name for name, law in LAWS.items()}
         laws = [(names.get(type(law)), law) for law in disk.dissipation]
         if trajectory.batch_shape or not len(trajectory) or any(name is None for name, _ in laws):
             return None
-        moments = [float(found.diametral_moment), float(found.axial_moment)]
+        moments = [float(body.diametral_moment), float(body.axial_moment)]
         return {
-            "solver": "EulerDisk", "mass": float(found.mass), "radius": float(found.radius),
-            "half_thickness": float(found.half_thickness), "diametral_moment": moments[0], "axial_moment": moments[1],
-            "gravity": float(found.gravity),
+            "solver": "EulerDisk", "mass": float(body.mass), "radius": float(body.radius),
+            "half_thickness": float(body.half_thickness), "diametral_moment": moments[0], "axial_moment": moments[1],
+            "gravity": float(body.gravity),
             "dissipation": {name: float(getattr(law, LAWS[str(name)].key)) for name, law in laws},
             "start": np.asarray(trajectory.states, dtype=float)[0].tolist(), "epoch": float(trajectory.times[0]),
         }  # fmt: skip
 
     def scatters(self, report: EulerDiskReport) -> tuple[dict[str, Any], ...]:
         """Return tilt and precession against the time left, for a motion that ends."""
-        found = report.spin_down
-        if found is None or found.remaining is None:
+        spin_down = report.spin_down
+        if spin_down is None or spin_down.remaining is None:
             return ()
-        left = np.asarray(found.remaining)
+        left = np.asarray(spin_down.remaining)
         ahead = left > 0.0
-        states = np.asarray(found.trajectory.states)[ahead]
-        tilt = np.degrees(np.asarray(found.trajectory.part("tilt"))[ahead])
+        states = np.asarray(spin_down.trajectory.states)[ahead]
+        tilt = np.degrees(np.asarray(spin_down.trajectory.part("tilt"))[ahead])
         rate = np.abs(report.disk.precession(states))
         words = "the whole motion: log₁₀ {} against log₁₀ of the time left [s], which runs to the left"
         return tuple(

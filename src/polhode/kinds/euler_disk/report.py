@@ -8,13 +8,13 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
+from polhode.analysis._power_law import PowerLaw
 from polhode.analysis.disk_turns import DiskPath
-from polhode.analysis.power_law import PowerLaw
 from polhode.analysis.rolling import SteadyRolling
 from polhode.analysis.spin_down import ASYMPTOTIC_FIT, END_OF_REGIME, SpinDown, predicted_exponents
 from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.table import EulerDiskTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
@@ -78,10 +78,10 @@ class EulerDiskReport(MotionReport):
     @property
     def shown(self) -> Trajectory:
         states = np.asarray(self.path.states)
-        found, energy = self.disk.vectors(states), np.asarray(self.disk.energy(states))
+        vectors, energy = self.disk.vectors(states), np.asarray(self.disk.energy(states))
         return replace(
-            self.trajectory, times=np.asarray(self.path.times), states=states, attitude=np.asarray(found.attitude),
-            momentum=np.asarray(found.momentum), angular_velocity=np.asarray(found.angular_velocity), invariants={},
+            self.trajectory, times=np.asarray(self.path.times), states=states, attitude=np.asarray(vectors.attitude),
+            momentum=np.asarray(vectors.momentum), angular_velocity=np.asarray(vectors.angular_velocity), invariants={},
             balances={"energy": energy}, received={}, outcome=self.path.outcome,
         )  # fmt: skip
 
@@ -93,8 +93,8 @@ class EulerDiskReport(MotionReport):
     @property
     def dominant(self) -> LawShare | None:
         """The law that dissipates most of the power over the samples that exponents are fitted to."""
-        found = [law for law in self.laws if law.share_late is not None]
-        return max(found, key=lambda law: law.share_late or 0.0, default=None)
+        laws = [law for law in self.laws if law.share_late is not None]
+        return max(laws, key=lambda law: law.share_late or 0.0, default=None)
 
     @property
     def turns(self) -> float:
@@ -116,31 +116,31 @@ class EulerDiskReport(MotionReport):
 
     @property
     def summary(self) -> str:
-        found, end = self.spin_down, float(self.trajectory.times[-1])
-        if found is None:
+        spin_down, end = self.spin_down, float(self.trajectory.times[-1])
+        if spin_down is None:
             event = self.trajectory.outcome.event
             how = "rolls on" if event is None else f"ends: {event}"
             return f"The disk {how} after {end:.6g} s and {self.turns:.4g} turns of its contact."
-        if found.first_event is None:
+        if spin_down.first_event is None:
             return f"In {end:.6g} s the disk goes round {self.turns:.4g} times, and its end is not reached."
-        ends = [(name, time) for name, time in found.events.items() if name != END_OF_REGIME]
+        ends = [(name, time) for name, time in spin_down.events.items() if name != END_OF_REGIME]
         words = [f"{ENDS.get(name, name)} after {time:.8g} s" for name, time in ends]
         rounds = f"The disk goes round {self.turns:.4g} times" + (f" and {', then '.join(words)}." if words else ".")
-        regime, end_time = found.events.get(END_OF_REGIME), ""
-        if found.end is not None:
-            end_time = f"; by them the tilt would vanish at {uncertain(found.end, found.end_uncertainty, 's')}"
+        regime, end_time = spin_down.events.get(END_OF_REGIME), ""
+        if spin_down.end is not None:
+            end_time = f"; by them the tilt would vanish at {uncertain(spin_down.end, spin_down.end_uncertainty, 's')}"
         return rounds + ("" if regime is None else f" Its power laws hold up to {regime:.8g} s{end_time}.")
 
     @property
     def notes(self) -> list[str]:
-        found, dominant, notes = self.spin_down, self.dominant, []
-        if found is not None and dominant is not None and (dominant.share_late or 0.0) < PURE:
+        spin_down, dominant, notes = self.spin_down, self.dominant, []
+        if spin_down is not None and dominant is not None and (dominant.share_late or 0.0) < PURE:
             notes.append("no law takes nearly all of the power where exponents are fitted: they lie between the laws', "
                          "and their uncertainty is that of the fit alone.")  # fmt: skip
-        if found is not None and self.table.thickness:
+        if spin_down is not None and self.table.thickness:
             notes.append("laws are predicted for a thin disk. A thick one does not keep its centre at rest and bends "
                          "them: exponents then differ by more than their uncertainty.")  # fmt: skip
-        if found is not None and found.first_event is None:
+        if spin_down is not None and spin_down.first_event is None:
             notes.append("followed through four decades of tilt or a million steps without an event.")
         return notes
 
@@ -220,7 +220,7 @@ class EulerDiskReport(MotionReport):
         }  # fmt: skip
         return Table("laws", "Dissipation", columns, [law._asdict() for law in self.laws], units)
 
-    def _exponents(self, found: SpinDown) -> Table:
+    def _exponents(self, spin_down: SpinDown) -> Table:
         law = "None" if self.dominant is None else self.dominant.law
         said = {
             "tilt_exponent": ("tilt ∝ (t0 − t)^n", law),
@@ -228,7 +228,7 @@ class EulerDiskReport(MotionReport):
             "precession_by_tilt_exponent": ("Ω ∝ tilt^k", "any law; not −1"),
         }
         of_whom = ", of a thin disk" if self.table.thickness else ""
-        rows = [{"name": name, **values} for name, values in self._fits(found).items()]
+        rows = [{"name": name, **values} for name, values in self._fits(spin_down).items()]
         columns = {
             "law": lambda row: said[row["name"]][0],
             "fitted": lambda row: uncertain(row["fitted"], row["uncertainty"]) + (
@@ -240,36 +240,36 @@ class EulerDiskReport(MotionReport):
         title = f"Exponents, fitted where |tilt rate|/(tilt·Ω) < {ASYMPTOTIC_FIT:g}"
         return Table("", title, columns, rows)
 
-    def _fits(self, found: SpinDown) -> dict[str, dict[str, float | None]]:
+    def _fits(self, spin_down: SpinDown) -> dict[str, dict[str, float | None]]:
         """Return the exponents as fitted and as predicted by the dominant law."""
         law = None if self.dominant is None else self.disk.dissipation[self.laws.index(self.dominant)]
         wanted = (None, None, None) if law is None else predicted_exponents(law)
         tilt, precession, by_tilt = wanted
         return {
-            "tilt_exponent": _exponent(found.tilt, tilt),
-            "precession_exponent": _exponent(found.precession, precession),
-            "precession_by_tilt_exponent": _exponent(found.precession_by_tilt, by_tilt),
+            "tilt_exponent": _exponent(spin_down.tilt, tilt),
+            "precession_exponent": _exponent(spin_down.precession, precession),
+            "precession_by_tilt_exponent": _exponent(spin_down.precession_by_tilt, by_tilt),
         }
 
-    def _end(self, found: SpinDown) -> Group:
-        dominant, exact = self.dominant, found.end
-        t0 = None if exact is None else uncertain(exact, found.end_uncertainty, "s")
+    def _end(self, spin_down: SpinDown) -> Group:
+        dominant, exact = self.dominant, spin_down.end
+        t0 = None if exact is None else uncertain(exact, spin_down.end_uncertainty, "s")
         by_energy = None if self.end_by_energy is None else f"{self.end_by_energy:.6g} s"
         events = [
             Answer("", None, "", EVENTS.get(name, name), "",
-                   f"{time:.10g} s{_before(exact, time, found.end_uncertainty)}")
-            for name, time in found.events.items()
+                   f"{time:.10g} s{_before(exact, time, spin_down.end_uncertainty)}")
+            for name, time in spin_down.events.items()
         ]  # fmt: skip
         return Group("End", [
             Answer("spin_down.end", exact, "s", "t0, by the power laws", "from the start", t0),
-            Answer("spin_down.end_uncertainty", found.end_uncertainty, "s"),
+            Answer("spin_down.end_uncertainty", spin_down.end_uncertainty, "s"),
             Answer("spin_down.end_by_energy", self.end_by_energy, "s", "t0 by energy alone", "", by_energy),
-            Answer("spin_down.first_event", found.first_event),
-            Answer("spin_down.events", found.events, "s", "", "from the start"),
+            Answer("spin_down.first_event", spin_down.first_event),
+            Answer("spin_down.events", spin_down.events, "s", "", "from the start"),
             *events,
             Answer("spin_down.dominant_law", None if dominant is None else dominant.law),
-            *(Answer(f"spin_down.{name}", values) for name, values in self._fits(found).items()),
-            Answer("spin_down.energy_balance", found.energy_balance),
+            *(Answer(f"spin_down.{name}", values) for name, values in self._fits(spin_down).items()),
+            Answer("spin_down.energy_balance", spin_down.energy_balance),
         ])  # fmt: skip
 
     def _motion(self) -> Group:

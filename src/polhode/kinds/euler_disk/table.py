@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from pydantic import Field
 
-from polhode.bodies.pivot import STANDARD_GRAVITY
+from polhode.bodies._pivot import STANDARD_GRAVITY
 from polhode.kinds.euler_disk.laws import LawTable
 from polhode.spec.fields import Acceleration, Angle, Length, Mass, PositiveMoment, Rate, Thickness, Tilt, Velocity
 from polhode.spec.models import SystemTable

@@ -8,10 +8,10 @@ from typing import ClassVar
 
 import numpy as np
 
+from polhode.analysis._mechanics import Mechanics
 from polhode.analysis.cone import CONING, axis_angles, rotation_form, velocity_angles
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.free_axes import axis_stability
-from polhode.analysis.mechanics import Mechanics
 from polhode.analysis.poinsot import Herpolhode, herpolhode
 from polhode.analysis.precession import (
     Precession,
@@ -27,8 +27,8 @@ from polhode.exact.free_body import FreeMotion
 from polhode.kinds.base import Spec
 from polhode.kinds.free_body.headline import headline
 from polhode.kinds.free_body.table import FreeBodyTable
-from polhode.motion.inputs import finite
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._inputs import finite
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
@@ -72,8 +72,8 @@ class FreeBodyReport(MotionReport):
         leaning = axis_angles(self.motion)
         axes = [
             {"axis": k + 1, "moment": self.motion.moments[k],
-             "angle_to_momentum": None if leaning is None else leaning[k], **stability_values(found)}
-            for k, found in enumerate(self.stability)
+             "angle_to_momentum": None if leaning is None else leaning[k], **stability_values(stability)}
+            for k, stability in enumerate(self.stability)
         ]  # fmt: skip
         units = {"moment": "kg m²", "angle_to_momentum": "rad, smallest and largest over all time"}
         more = {} if leaning is None else {"from L": lambda row: angles(row["angle_to_momentum"])}
@@ -95,14 +95,14 @@ class FreeBodyReport(MotionReport):
         ])  # fmt: skip
 
     def _motion(self) -> Group:
-        motion, found = self.motion, self.herpolhode
+        motion, curve = self.motion, self.herpolhode
         tumbling, form = motion.tumbling_periods, rotation_form(motion)
         flips = motion.flip_interval if form == "flipping" else None
         encircled = None if motion.encircled_axis is None else motion.encircled_axis + 1
         periods = ", ".join(f"{x:.8g} s" for x in tumbling if finite(x) is not None)
         unit = "1/√(kg m²)"
-        radii = None if found is None else (
-            f"{found.inner_radius:.6g} and {found.outer_radius:.6g} {unit}, on a plane {found.plane_distance:.6g} "
+        radii = None if curve is None else (
+            f"{curve.inner_radius:.6g} and {curve.outer_radius:.6g} {unit}, on a plane {curve.plane_distance:.6g} "
             f"{unit} from the centre of the inertia ellipsoid"
         )  # fmt: skip
         return Group("Motion", [
@@ -125,22 +125,22 @@ class FreeBodyReport(MotionReport):
             Answer("tumbling_periods", {"P_phi": tumbling[0], "P_psi": tumbling[1]}, "s"),
             Answer("", None, "", "tumbling periods P_φ, P_ψ", "", periods or None),
             Answer("long_axis_period", motion.long_axis_period, "s", "long-axis period P₁"),
-            Answer("herpolhode", None if found is None else found._asdict(), unit, "herpolhode between radii", "",
+            Answer("herpolhode", None if curve is None else curve._asdict(), unit, "herpolhode between radii", "",
                    radii),
             *accuracy(self.trajectory),
         ])  # fmt: skip
 
     @property
     def notes(self) -> list[str]:
-        found = [*self.remarks]
+        notes = [*self.remarks]
         if self._spins_about_least():
-            found.append(
+            notes.append(
                 "this is spin about the axis of least moment: any internal loss of energy makes the body leave it, as "
                 "Explorer 1 did in 1958, and end in a flat spin about the axis of largest moment. A spec with losses "
                 "gives the time that takes."
             )
         if self._spins_about_middle():
-            found.append(
+            notes.append(
                 "this is spin exactly about the intermediate axis, which is unstable: the least disturbance makes the "
                 "body turn over, again and again. Give spin.tilt to see it."
             )
@@ -148,8 +148,8 @@ class FreeBodyReport(MotionReport):
         turns = farthest * fastest_rate(self.motion) / (2.0 * math.pi)
         if turns > EXACT_TURNS:
             note = f"the times reach {turns:.1e} turns; beyond 2⁵⁰ the error of the attitude grows with them, and the "
-            found.append(note + "spin itself, known to 16 digits, no longer says how the body lies.")
-        return found
+            notes.append(note + "spin itself, known to 16 digits, no longer says how the body lies.")
+        return notes
 
     def _spins_about_middle(self) -> bool:
         """Whether L lies exactly along the intermediate axis of three different moments."""
@@ -175,8 +175,8 @@ def make_report(spec: Spec[FreeBodyTable]) -> FreeBodyReport:
     """Return the report on the free motion of a spec's body."""
     assert spec.body is not None
     momentum, attitude = spec.start(spec.body.principal_moments, spec.body.principal_axes)
-    found = free_body_report(spec.body, momentum, attitude, spec.times, spec.samples)
-    return replace(found, remarks=spec.remarks)
+    report = free_body_report(spec.body, momentum, attitude, spec.times, spec.samples)
+    return replace(report, remarks=spec.remarks)
 
 
 def free_body_report(

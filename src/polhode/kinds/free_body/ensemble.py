@@ -11,10 +11,10 @@ import numpy as np
 
 from polhode.analysis.cone import rotation_forms
 from polhode.exact.free_body import FreeMotion
-from polhode.exact.free_body.geometry import REGIMES
+from polhode.exact.free_body._geometry import REGIMES
 from polhode.kinds.base import Ensemble, ManySpecs
 from polhode.kinds.free_body.answers import LARGEST
-from polhode.motion.invariants import norm
+from polhode.motion._invariants import norm
 from polhode.spec.building import build_spin
 from polhode.spec.models import SpinTable
 
@@ -77,54 +77,54 @@ class FreeBodies:
         return moments[:, k], moments[:, (k + 1) % 3], moments[:, (k + 2) % 3]
 
 
-def _find_encircled(found: FreeBodies) -> Any:
-    axis = np.asarray(found.motion.encircled_axis)
+def _find_encircled(bodies: FreeBodies) -> Any:
+    axis = np.asarray(bodies.motion.encircled_axis)
     return np.where(axis >= 0, axis + 1.0, math.nan)
 
 
-def _turn_per_flip(found: FreeBodies) -> Any:
-    turn = found.motion.precession_per_period
-    return np.where(np.isnan(found.flip_interval), math.nan, 0.5 * turn)
+def _turn_per_flip(bodies: FreeBodies) -> Any:
+    turn = bodies.motion.precession_per_period
+    return np.where(np.isnan(bodies.flip_interval), math.nan, 0.5 * turn)
 
 
-def _sense(found: FreeBodies) -> Any:
-    against = found.motion.encircled_axis == np.argmin(found.motion.moments, axis=-1)
+def _sense(bodies: FreeBodies) -> Any:
+    against = bodies.motion.encircled_axis == np.argmin(bodies.motion.moments, axis=-1)
     words = np.where(against, "against the spin", "with the spin")
-    return np.where(np.isfinite(found.motion.period), words, "")
+    return np.where(np.isfinite(bodies.motion.period), words, "")
 
 
-def _in_space(found: FreeBodies) -> Any:
-    return np.where(found.motion.encircled_axis >= 0, np.abs(found.motion.precession_rate), math.nan)
+def _in_space(bodies: FreeBodies) -> Any:
+    return np.where(bodies.motion.encircled_axis >= 0, np.abs(bodies.motion.precession_rate), math.nan)
 
 
 NUMBERS: dict[str, Callable[[FreeBodies], Any]] = {
-    "angular_velocity": lambda found: found.velocity,
-    "angular_speed": lambda found: found.speed,
-    "momentum": lambda found: found.momentum,
-    "principal_moments": lambda found: np.broadcast_to(found.motion.moments, found.momentum.shape),
-    "form": lambda found: found.form,
-    "regime": lambda found: found.regime,
+    "angular_velocity": lambda bodies: bodies.velocity,
+    "angular_speed": lambda bodies: bodies.speed,
+    "momentum": lambda bodies: bodies.momentum,
+    "principal_moments": lambda bodies: np.broadcast_to(bodies.motion.moments, bodies.momentum.shape),
+    "form": lambda bodies: bodies.form,
+    "regime": lambda bodies: bodies.regime,
     "encircled_axis": _find_encircled,
-    "modulus": lambda found: found.motion.modulus,
-    "energy": lambda found: found.motion.energy,
-    "momentum_norm": lambda found: found.motion.momentum_norm,
-    "polhode_period": lambda found: found.motion.period,
-    "rotation_period": lambda found: np.where(found.steady, 2.0 * math.pi / found.speed, math.nan),
-    "flip_interval": lambda found: found.flip_interval,
+    "modulus": lambda bodies: bodies.motion.modulus,
+    "energy": lambda bodies: bodies.motion.energy,
+    "momentum_norm": lambda bodies: bodies.motion.momentum_norm,
+    "polhode_period": lambda bodies: bodies.motion.period,
+    "rotation_period": lambda bodies: np.where(bodies.steady, 2.0 * math.pi / bodies.speed, math.nan),
+    "flip_interval": lambda bodies: bodies.flip_interval,
     "twist_per_flip": _turn_per_flip,
-    "precession.body.rate": lambda found: 2.0 * math.pi / found.motion.period,
+    "precession.body.rate": lambda bodies: 2.0 * math.pi / bodies.motion.period,
     "precession.body.sense": _sense,
     "precession.space.rate": _in_space,
-    "precession_rate": lambda found: found.motion.precession_rate,
-    "precession_per_period": lambda found: found.motion.precession_per_period,
-    "geometric_phase": lambda found: found.motion.geometric_phase,
-    "action": lambda found: found.motion.action,
-    "tumbling_periods.P_phi": lambda found: found.motion.tumbling_periods[0],
-    "tumbling_periods.P_psi": lambda found: found.motion.tumbling_periods[1],
-    "long_axis_period": lambda found: found.motion.long_axis_period,
-    **{f"axes.{k + 1}.moment": lambda found, k=k: found._about(k)[0] for k in range(3)},
-    **{f"axes.{k + 1}.verdict": lambda found, k=k: found.verdict(k) for k in range(3)},
-    **{f"axes.{k + 1}.rate": lambda found, k=k: found.growth(k) for k in range(3)},
+    "precession_rate": lambda bodies: bodies.motion.precession_rate,
+    "precession_per_period": lambda bodies: bodies.motion.precession_per_period,
+    "geometric_phase": lambda bodies: bodies.motion.geometric_phase,
+    "action": lambda bodies: bodies.motion.action,
+    "tumbling_periods.P_phi": lambda bodies: bodies.motion.tumbling_periods[0],
+    "tumbling_periods.P_psi": lambda bodies: bodies.motion.tumbling_periods[1],
+    "long_axis_period": lambda bodies: bodies.motion.long_axis_period,
+    **{f"axes.{k + 1}.moment": lambda bodies, k=k: bodies._about(k)[0] for k in range(3)},
+    **{f"axes.{k + 1}.verdict": lambda bodies, k=k: bodies.verdict(k) for k in range(3)},
+    **{f"axes.{k + 1}.rate": lambda bodies, k=k: bodies.growth(k) for k in range(3)},
 }
 PARTS = ("attitude", "momentum", "angular_velocity")
 
@@ -142,10 +142,10 @@ def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> E
     _refuse(moments, momentum, refused)
     wrong = list(refused)
     moments[wrong], momentum[wrong] = 1.0, 0.0
-    found = FreeBodies(bodies.moments if bodies.moments.ndim == 1 else moments, momentum, attitude)
+    free_bodies = FreeBodies(bodies.moments if bodies.moments.ndim == 1 else moments, momentum, attitude)
     with np.errstate(all="ignore"):
-        values = {name: NUMBERS[name](found) for name in names if name in NUMBERS}
-    return Ensemble(values | _states(found, names, times), refused)
+        values = {name: NUMBERS[name](free_bodies) for name in names if name in NUMBERS}
+    return Ensemble(values | _states(free_bodies, names, times), refused)
 
 
 def _of_body(varied: Mapping[str, Any]) -> int:
@@ -180,9 +180,9 @@ def _refuse(moments: Any, momentum: Any, refused: dict[int, str]) -> None:
         refused.setdefault(int(k), "the spin must give an energy and |L| within 1e±200, or none")
 
 
-def _states(found: FreeBodies, names: Sequence[str], times: Any) -> dict[str, Any]:
+def _states(bodies: FreeBodies, names: Sequence[str], times: Any) -> dict[str, Any]:
     wanted = [name for name in names if name.startswith(STATES)]
     if not wanted:
         return {}
-    sampled = found.motion.sample(np.asarray(times))
+    sampled = bodies.motion.sample(np.asarray(times))
     return {name: getattr(sampled, name.removeprefix(STATES)) for name in wanted}

@@ -66,9 +66,9 @@ def _describe_flipping(motion: FreeMotion) -> str:
 
 
 def _cone(motion: FreeMotion) -> str:
-    found = cone_angles(motion)
-    assert found is not None
-    return angles(found)
+    cone = cone_angles(motion)
+    assert cone is not None
+    return angles(cone)
 
 
 def _rank(motion: FreeMotion, axis: int) -> str:

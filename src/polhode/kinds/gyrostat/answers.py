@@ -21,8 +21,8 @@ from polhode.bodies.body import Body
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.gyrostat.build import build, simulate_samples
 from polhode.kinds.gyrostat.table import GyrostatTable
+from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.motion.trajectory import Trajectory
 from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport
@@ -218,8 +218,8 @@ def make_report(spec: Spec[GyrostatTable]) -> GyrostatReport:
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
     """
-    made = build(spec)
-    return _report_on(spec, made, _simulate(spec, made))
+    assembly = build(spec)
+    return _report_on(spec, assembly, _simulate(spec, assembly))
 
 
 def answers_without_motion(spec: Spec[GyrostatTable]) -> Iterator[Group | Table]:
@@ -232,14 +232,16 @@ def answers_without_motion(spec: Spec[GyrostatTable]) -> Iterator[Group | Table]
         yield from _report_on(spec, build(spec), WITHOUT_MOTION).without_motion()
 
 
-def _report_on(spec: Spec[GyrostatTable], made: RotorInBody, trajectory: Trajectory) -> GyrostatReport:
+def _report_on(spec: Spec[GyrostatTable], assembly: RotorInBody, trajectory: Trajectory) -> GyrostatReport:
     motor = spec.system.motor_torque is not None
-    last = float(trajectory.part("rotor_momentum")[-1]) if motor else made.momentum
-    found = steady_rotations(Gyrostat(made.moments, last * made.along), float(np.linalg.norm(made.total)))
-    rates = None if motor else symmetric_rates(made.gyrostat, made.velocity)
+    last = float(trajectory.part("rotor_momentum")[-1]) if motor else assembly.momentum
+    gyrostat = Gyrostat(assembly.moments, last * assembly.along)
+    rotations = steady_rotations(gyrostat, float(np.linalg.norm(assembly.total)))
+    rates = None if motor else symmetric_rates(assembly.gyrostat, assembly.velocity)
     return GyrostatReport(
-        spec, spec.system, made.moments, made.axes, made.along, made.momentum, trajectory, found, rates
-    )
+        spec, spec.system, assembly.moments, assembly.axes, assembly.along, assembly.momentum, trajectory, rotations,
+        rates,
+    )  # fmt: skip
 
 
 def simulate_motion(spec: Spec[GyrostatTable]) -> SpecMotion:
@@ -251,7 +253,7 @@ def simulate_motion(spec: Spec[GyrostatTable]) -> SpecMotion:
     return SpecMotion(_simulate(spec, build(spec)), None)
 
 
-def _simulate(spec: Spec[GyrostatTable], made: RotorInBody) -> Trajectory:
+def _simulate(spec: Spec[GyrostatTable], assembly: RotorInBody) -> Trajectory:
     assert spec.body is not None
-    frame = BodyFrame(made.moments, made.axes, spec.body.center_of_mass, spec.body.mass)
-    return replace(simulate_samples(spec, made), frame=frame)
+    frame = BodyFrame(assembly.moments, assembly.axes, spec.body.center_of_mass, spec.body.mass)
+    return replace(simulate_samples(spec, assembly), frame=frame)

@@ -10,7 +10,7 @@ from polhode import rotation
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.gyrostat.table import GyrostatTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.length import Watch
 from polhode.simulation import simulate
 from polhode.systems.body_with_rotor import RotorInBody, find_direction, rotor_in_body, rotor_misfit
@@ -38,7 +38,7 @@ def build(spec: Spec[GyrostatTable]) -> RotorInBody:
     )
 
 
-def simulate_samples(spec: Spec[GyrostatTable], made: RotorInBody) -> Trajectory:
+def simulate_samples(spec: Spec[GyrostatTable], assembly: RotorInBody) -> Trajectory:
     """Return the motion at the times of the spec, or for ten turns.
 
     Raises:
@@ -46,13 +46,13 @@ def simulate_samples(spec: Spec[GyrostatTable], made: RotorInBody) -> Trajectory
     """
     table, times = spec.system, spec.times
     if times is None:
-        times = np.linspace(0.0, _span(table, made), spec.samples)
-    state = np.concatenate([made.attitude, made.total])
+        times = np.linspace(0.0, _span(table, assembly), spec.samples)
+    state = np.concatenate([assembly.attitude, assembly.total])
     watch = Watch(spec.until, times, "" if table.step is None else "A longer `system.step` takes less.")
     if table.motor_torque is None:
-        return simulate(made.gyrostat, state, times, step=table.step, progress=watch)
-    system = TorquedGyrostat(made.moments, made.along, table.rotor_moment, table.motor_torque)
-    return simulate(system, np.append(state, made.momentum), times, step=table.step, progress=watch)
+        return simulate(assembly.gyrostat, state, times, step=table.step, progress=watch)
+    system = TorquedGyrostat(assembly.moments, assembly.along, table.rotor_moment, table.motor_torque)
+    return simulate(system, np.append(state, assembly.momentum), times, step=table.step, progress=watch)
 
 
 def _start(spec: Spec[GyrostatTable], rotor: Array) -> tuple[Array, Array]:
@@ -71,9 +71,9 @@ def _start(spec: Spec[GyrostatTable], rotor: Array) -> tuple[Array, Array]:
     return axes @ (momentum / moments), rotation.multiply(attitude, back)
 
 
-def _span(table: GyrostatTable, made: RotorInBody) -> float:
+def _span(table: GyrostatTable, assembly: RotorInBody) -> float:
     """Return ten turns [s], or of a body at rest the time in which its motor gives the rotor ten."""
-    if made.usual_rate:
-        return TURNS * 2.0 * math.pi / made.usual_rate
+    if assembly.usual_rate:
+        return TURNS * 2.0 * math.pi / assembly.usual_rate
     torque = abs(table.motor_torque or 0.0)
     return math.sqrt(4.0 * math.pi * TURNS * table.rotor_moment / torque) if torque else 1.0

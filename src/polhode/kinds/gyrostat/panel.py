@@ -8,7 +8,7 @@ import numpy as np
 
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.systems.gyrostat import Gyrostat
 from polhode.viewer.encoding import pack
 from polhode.viewer.models import find_start
@@ -48,14 +48,14 @@ class GyrostatPanel(KindPanel):
     def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
         """Return the body and the momentum sphere with levels of the carrier's energy."""
         system, moments = trajectory.source, find_moments(trajectory.source)
-        found = body_panels(samples, moments, surface)
-        for panel in found:
+        panels = body_panels(samples, moments, surface)
+        for panel in panels:
             panel["rotor"] = _find_rotor(trajectory, samples)
         if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
-            return found
+            return panels
         if isinstance(system, Gyrostat):
             rotor, words = np.asarray(system.rotor, dtype=float), ""
         else:
             last = float(trajectory.layout.part(samples.states, "rotor_momentum")[-1])
             rotor, words = last * np.asarray(system.axis, dtype=float), "; levels are those at the end"
-        return [*found, sphere_of_levels(samples.momentum, moments, rotor, words)]
+        return [*panels, sphere_of_levels(samples.momentum, moments, rotor, words)]

@@ -13,8 +13,8 @@ from polhode import rotation
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.heavy_top.table import HeavyTopTable
 from polhode.kinds.registry import other_kind
-from polhode.motion.layout import Quantity
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import Quantity
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table
 from polhode.reports.length import Watch
 from polhode.reports.top import (

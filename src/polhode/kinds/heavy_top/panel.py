@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.viewer.models import find_start
 
 

@@ -6,7 +6,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from polhode.bodies.pivot import STANDARD_GRAVITY
+from polhode.bodies._pivot import STANDARD_GRAVITY
 from polhode.spec.fields import Acceleration, Duration, Lean, Position, one_of
 from polhode.spec.models import SystemTable
 

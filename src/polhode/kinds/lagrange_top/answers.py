@@ -11,17 +11,17 @@ import numpy as np
 
 from polhode.analysis.top_motion import steady_precession_of
 from polhode.analysis.top_rates import TopRates
+from polhode.bodies._pivot import about_pivot
 from polhode.bodies.body import Body
-from polhode.bodies.pivot import about_pivot
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.exact.lagrange_top._symmetry import third_axis_to_centre
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, sleeping_threshold
-from polhode.exact.lagrange_top.symmetry import third_axis_to_centre
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.lagrange_top.table import LagrangeTopTable
 from polhode.kinds.registry import other_kind
-from polhode.motion.inputs import finite
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._inputs import finite
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group
 from polhode.reports.top import (
@@ -52,9 +52,9 @@ class LagrangeTopReport(TopReport):
 
     @property
     def exact(self) -> LagrangeMotion:
-        found = self.trajectory.motion
-        assert isinstance(found, LagrangeMotion)
-        return found
+        motion = self.trajectory.motion
+        assert isinstance(motion, LagrangeMotion)
+        return motion
 
     @property
     def summary(self) -> str:

@@ -14,7 +14,7 @@ from polhode.analysis.vortex_equilibria import VortexTurn, vortex_stability, vor
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.point_vortices.table import VorticesTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import about_stability, accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport
@@ -101,14 +101,14 @@ class VorticesReport(MotionReport):
 
     @property
     def notes(self) -> list[str]:
-        found = []
+        notes = []
         if self.sphere_radius is not None and abs(self.strengths.sum()) > 1e-12 * np.abs(self.strengths).sum():
-            found.append("a uniform vorticity over the sphere makes up for the sum of the strengths; it moves nothing.")
+            notes.append("a uniform vorticity over the sphere makes up for the sum of the strengths; it moves nothing.")
         if self.turn is None and len(self.strengths) > 3:
-            found.append("more than three vortices may move chaotically: small differences of the start then grow.")
+            notes.append("more than three vortices may move chaotically: small differences of the start then grow.")
         if self.no_verdict:
-            found.append(f"no verdict: {self.no_verdict}")
-        return found
+            notes.append(f"no verdict: {self.no_verdict}")
+        return notes
 
     @property
     def answers(self) -> list[Group | Table]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.systems.point_vortices import SphereVortices
 from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel

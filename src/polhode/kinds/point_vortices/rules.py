@@ -13,17 +13,17 @@ IN_PLANE, ON_SPHERE = ("positions", "ring_radius"), ("coordinates", "ring_latitu
 def vortex_rules(system: dict[str, Any]) -> Iterator[Mistake]:
     """Yield mistakes in the positions: exactly one of four keys may give them, one for each vortex."""
     ways = (*IN_PLANE, *ON_SPHERE)
-    given = [key for key in ways if key in system]
-    if len(given) != 1:
+    keys = [key for key in ways if key in system]
+    if len(keys) != 1:
         yield ("system",), (
             f"needs exactly one of {list_words(ways)}: the first two put the vortices into a plane, the others on a "
-            f"sphere; got {list_words(given)}"
+            f"sphere; got {list_words(keys)}"
         )
         return
-    if "sphere_radius" in system and given[0] in IN_PLANE:
-        yield ("system", "sphere_radius"), f"goes with {list_words(ON_SPHERE, 'or')}, not with {given[0]}; leave it out"
-    strengths, places = system.get("strengths"), system[given[0]]
+    if "sphere_radius" in system and keys[0] in IN_PLANE:
+        yield ("system", "sphere_radius"), f"goes with {list_words(ON_SPHERE, 'or')}, not with {keys[0]}; leave it out"
+    strengths, places = system.get("strengths"), system[keys[0]]
     if isinstance(strengths, list) and isinstance(places, list) and len(strengths) != len(places):
-        yield ("system", given[0]), (
+        yield ("system", keys[0]), (
             f"needs a place for each vortex; got {len(places)} for the {len(strengths)} strengths"
         )

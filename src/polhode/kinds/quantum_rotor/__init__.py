@@ -55,14 +55,14 @@ class QuantumRotorKind(AbstractKind[QuantumRotorTable]):
 
     def next_steps(self, spec: Spec) -> Sequence[NextStep]:
         rotor = self.rotor(spec).rotor
-        found = [NextStep("levels", "lists the levels")]
+        steps = [NextStep("levels", "lists the levels")]
         if not rotor.is_linear and rotor.equal != "ABC" and spec.system.j > 0:
-            found.insert(0, NextStep("view", "shows them as polhodes"))
-        return [*found, NextStep("lines", "the lines")] if any(spec.system.dipole) else found
+            steps.insert(0, NextStep("view", "shows them as polhodes"))
+        return [*steps, NextStep("lines", "the lines")] if any(spec.system.dipole) else steps
 
     def offers(self, spec: Spec) -> Sequence[NextStep]:
-        told = spec.source is not None and spec.source.is_molecule
-        return (NextStep("levels", "lists its quantum levels"),) if told else ()
+        is_molecule = spec.source is not None and spec.source.is_molecule
+        return (NextStep("levels", "lists its quantum levels"),) if is_molecule else ()
 
 
 KIND = QuantumRotorKind()

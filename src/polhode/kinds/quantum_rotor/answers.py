@@ -16,11 +16,11 @@ from polhode.kinds.quantum_rotor.build import build
 from polhode.kinds.quantum_rotor.flip import about_flip
 from polhode.kinds.quantum_rotor.table import QuantumRotorTable
 from polhode.motion.frame import BodyFrame
-from polhode.quantum.level_polhodes import LevelPolhodes, level_polhodes
-from polhode.quantum.partition import THERMAL
+from polhode.quantum._level_polhodes import LevelPolhodes, level_polhodes
+from polhode.quantum._partition import THERMAL
+from polhode.quantum._strengths import DEBYE, Lines
 from polhode.quantum.racket import Racket
 from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED, Levels, Rotor, find_fallen, warn_of_fallen
-from polhode.quantum.strengths import DEBYE, Lines
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import SystemReport
 from polhode.reports.spectra import WAVE_NUMBER, frequency, label, level_table, line_table, wave_number
@@ -87,26 +87,26 @@ class QuantumRotorReport(SystemReport):
 
     @property
     def notes(self) -> list[str]:
-        found = list(self.warned)
+        notes = list(self.warned)
         if self.rotor.distortion:
-            found.append(
+            notes.append(
                 f"distortion is a series in J: levels beyond the J of the lines that {len(self.rotor.distortion)} "
                 "constants were fitted to run away."
             )
         constants = "give the constants as rotational_constants under [body]"
         how = constants if self.frame is None else "leave [system] out"
-        found.append(
+        notes.append(
             f"for the classical motion of the same molecule {how} and add a spin, like "
             'temperature = "300 K" under [spin].'
         )
-        return found
+        return notes
 
     @property
     def answers(self) -> list[Group | Table]:
-        found: list[Group | Table] = [self._molecule(), self._distortion(), *self._levels()]
+        groups: list[Group | Table] = [self._molecule(), self._distortion(), *self._levels()]
         if self.lines is not None:
-            found.append(self._strongest(self.lines))
-        return [*found, *self._as_polhodes(), *([] if self.racket is None else [about_flip(self.racket)])]
+            groups.append(self._strongest(self.lines))
+        return [*groups, *self._as_polhodes(), *([] if self.racket is None else [about_flip(self.racket)])]
 
     def _molecule(self) -> Group:
         rotor = self.rotor
@@ -163,20 +163,20 @@ class QuantumRotorReport(SystemReport):
         return line_table(chosen, f"Strongest lines at {self.asked.temperature:g} K")
 
     def _as_polhodes(self) -> Iterator[Group | Table]:
-        found = self.polhodes
-        if found is None:
+        polhodes = self.polhodes
+        if polhodes is None:
             return
         yield Group(f"Levels of J = {self.J} as polhodes, |L| = J + ½, rigid rotor", [
             Answer("polhodes_J", self.J, "ħ"),
-            Answer("saddle", found.saddle, "Hz", "energy of the saddle", "E/h", wave_number(found.saddle)),
-            Answer("levels_below_saddle", int((~found.above).sum()), "", "levels below, round c"),
-            Answer("levels_above_saddle", int(found.above.sum()), "", "levels above, round a"),
-            Answer("semiclassical_error", float(np.abs(found.semiclassical - found.energy).max()), "Hz",
+            Answer("saddle", polhodes.saddle, "Hz", "energy of the saddle", "E/h", wave_number(polhodes.saddle)),
+            Answer("levels_below_saddle", int((~polhodes.above).sum()), "", "levels below, round c"),
+            Answer("levels_above_saddle", int(polhodes.above.sum()), "", "levels above, round a"),
+            Answer("semiclassical_error", float(np.abs(polhodes.semiclassical - polhodes.energy).max()), "Hz",
                    "quantised polhodes err by at most", "E/h",
-                   frequency(float(np.abs(found.semiclassical - found.energy).max()))),
+                   frequency(float(np.abs(polhodes.semiclassical - polhodes.energy).max()))),
         ])  # fmt: skip
         title = "Steps to the next level but one, and turns of L round the polhode between the two"
-        yield Table("polhodes", title, _COLUMNS, _rows(found), {
+        yield Table("polhodes", title, _COLUMNS, _rows(polhodes), {
             "energy": "Hz, E/h", "semiclassical": "Hz, E/h, by quantised polhodes",
             "step": "Hz, to the next level but one, of the same ladder",
             "classical_step": "Hz, turns of L a second round the polhode between the two",
@@ -196,9 +196,9 @@ _COLUMNS = {
 }
 
 
-def _rows(found: LevelPolhodes) -> list[dict[str, Any]]:
-    J = int(found.Kc[0])
-    columns = zip(*(column.tolist() for column in found[:-1]), strict=True)
+def _rows(polhodes: LevelPolhodes) -> list[dict[str, Any]]:
+    J = int(polhodes.Kc[0])
+    columns = zip(*(column.tolist() for column in polhodes[:-1]), strict=True)
     return [
         {"level": label(J, Ka, Kc), "energy": energy, "semiclassical": semiclassical, "round": "a" if above else "c",
          "step": step, "classical_step": classical, "splitting": splitting}
@@ -243,8 +243,8 @@ def make_report(spec: Spec[QuantumRotorTable]) -> QuantumRotorReport:
         polhodes = level_polhodes(rotor.constants, table.j)
         wanted = table.racket
         racket = None if wanted is None else Racket(rotor.constants, table.j, wanted.tilt, wanted.towards)
-    found = (*asked.notes, warn_of_fallen(levels.J, levels.energy), *(str(warning.message) for warning in caught))
-    said = tuple(dict.fromkeys(word for word in found if word))
+    remarks = (*asked.notes, warn_of_fallen(levels.J, levels.energy), *(str(warning.message) for warning in caught))
+    said = tuple(dict.fromkeys(word for word in remarks if word))
     return QuantumRotorReport(
         asked, levels, lines, partition, polhodes, table.j, racket,
         None if spec.body is None else spec.body.frame, said,

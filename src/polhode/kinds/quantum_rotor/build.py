@@ -21,10 +21,10 @@ def build(spec: Spec[QuantumRotorTable]) -> SpecRotor:
         "distortion": table.distortion, "reduction": table.reduction, "representation": table.representation,
         "dipole": table.dipole, "spin_weights": table.spin_weights, "spin_axis": table.spin_axis,
     }  # fmt: skip
-    given = table.constants
+    constants = table.constants
     atoms = None
-    if given is None:
+    if constants is None:
         rotor, atoms = rotor_of_body(spec.body, spec.source, spec.folder, **options)
     else:
-        rotor = Rotor((math.inf, given[0], given[0]) if len(given) == 1 else given, **options)
+        rotor = Rotor((math.inf, constants[0], constants[0]) if len(constants) == 1 else constants, **options)
     return complete_rotor(rotor, table.temperature, table.j_max, doubts_of_weights(rotor, atoms))

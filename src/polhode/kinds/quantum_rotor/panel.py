@@ -14,12 +14,12 @@ from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.kinds.panel import KindPanel
 from polhode.kinds.quantum_rotor.answers import QuantumRotorReport, is_split
-from polhode.motion.trajectory import Trajectory
-from polhode.quantum.level_polhodes import LevelPolhodes, level_directions
-from polhode.quantum.operators import Representation, rigid_terms
+from polhode.motion._trajectory import Trajectory
+from polhode.quantum._level_polhodes import LevelPolhodes, level_directions
+from polhode.quantum._operators import Representation, rigid_terms
+from polhode.quantum._strengths import States, compute_states
 from polhode.quantum.racket import Racket
 from polhode.quantum.rotor import PLANCK_OVER_8_PI_SQUARED
-from polhode.quantum.strengths import States, compute_states
 from polhode.quantum.symbols import pole_values
 from polhode.reports.spectra import WAVE_NUMBER, frequency, label, wave_number
 from polhode.reports.wording import in_its_unit
@@ -79,8 +79,8 @@ def _polhodes(report: QuantumRotorReport) -> tuple[Float64[Array, "n 3"], Array]
     prolate = report.rotor.equal == "BC" or B - C < A - B
     along = (levels.Ka if prolate else levels.Kc) / (report.J + 0.5)
     beside, rest = np.sqrt(1.0 - along**2), np.zeros(len(along))
-    found = (along, rest, beside) if prolate else (beside, rest, along)
-    return np.stack(found, axis=-1), np.full(len(along), prolate)
+    components = (along, rest, beside) if prolate else (beside, rest, along)
+    return np.stack(components, axis=-1), np.full(len(along), prolate)
 
 
 def _states(report: QuantumRotorReport) -> States:
@@ -131,24 +131,24 @@ def _model(report: QuantumRotorReport, directions: Float64[Array, "n 3"]) -> dic
 
 def _describe_levels(report: QuantumRotorReport, states: States) -> list[list[list[str]]]:
     """Return pairs of a name and a value for each level."""
-    found = report.polhodes
-    if found is None:
+    polhodes = report.polhodes
+    if polhodes is None:
         return [[["energy E/hc", wave_number(energy)]] for energy in states.energy.tolist()]
-    return [_of_level(found, k) for k in range(len(found.energy))]
+    return [_of_level(polhodes, k) for k in range(len(polhodes.energy))]
 
 
-def _of_level(found: LevelPolhodes, k: int) -> list[list[str]]:
-    above, step, classical = bool(found.above[k]), float(found.step[k]), float(found.classical_step[k])
+def _of_level(polhodes: LevelPolhodes, k: int) -> list[list[str]]:
+    above, step, classical = bool(polhodes.above[k]), float(polhodes.step[k]), float(polhodes.classical_step[k])
     said = [
-        ["energy E/hc, rigid rotor", wave_number(float(found.energy[k]))],
-        ["as a quantised polhode", wave_number(float(found.semiclassical[k]))],
+        ["energy E/hc, rigid rotor", wave_number(float(polhodes.energy[k]))],
+        ["as a quantised polhode", wave_number(float(polhodes.semiclassical[k]))],
         ["L goes round", f"the {'a' if above else 'c'} axis, {'above' if above else 'below'} the saddle"],
     ]
     if math.isfinite(step) and math.isfinite(classical):
         said.append(["step to the next of its ladder", frequency(step, 6)])
         said.append(["turns of L a second, half way there", frequency(classical, 6)])
-    if is_split(float(found.splitting[k]), classical):
-        said.append(["tunnelling splits the pair by", frequency(float(found.splitting[k]), 6)])
+    if is_split(float(polhodes.splitting[k]), classical):
+        said.append(["tunnelling splits the pair by", frequency(float(polhodes.splitting[k]), 6)])
     return said
 
 

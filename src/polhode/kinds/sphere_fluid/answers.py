@@ -15,7 +15,7 @@ from polhode.integrators import IsospectralMidpoint
 from polhode.kinds.base import Spec
 from polhode.kinds.sphere_fluid.start import build_start, load_earlier_run
 from polhode.kinds.sphere_fluid.table import FluidTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport
@@ -65,8 +65,8 @@ class FluidReport(MotionReport):
     @cached_property
     def spectrum_change(self) -> float:
         """By how much an eigenvalue of −iW changed at most, relative to the largest."""
-        found = np.asarray(self.system.algebra.spectrum(self._ends))
-        return float(np.abs(found[1] - found[0]).max() / np.abs(found[0]).max())
+        eigenvalues = np.asarray(self.system.algebra.spectrum(self._ends))
+        return float(np.abs(eigenvalues[1] - eigenvalues[0]).max() / np.abs(eigenvalues[0]).max())
 
     @cached_property
     def relative_vorticity(self) -> float:
@@ -97,13 +97,13 @@ class FluidReport(MotionReport):
 
     @property
     def notes(self) -> list[str]:
-        found = []
+        notes = []
         count = len(self.trajectory.times)
         if count < self.asked:
-            found.append(f"{count} of {self.asked} samples are kept: more would take over {MEMORY >> 20} MiB.")
+            notes.append(f"{count} of {self.asked} samples are kept: more would take over {MEMORY >> 20} MiB.")
         if self.energies[-1][-self.system.size // 8 :].sum() > 1e-3 * self.energies[-1].sum():
-            found.append("the finest degrees have taken up energy: more resolution would show more detail.")
-        return found
+            notes.append("the finest degrees have taken up energy: more resolution would show more detail.")
+        return notes
 
     @property
     def answers(self) -> list[Group | Table]:

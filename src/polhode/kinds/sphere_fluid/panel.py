@@ -8,7 +8,7 @@ import numpy as np
 
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
@@ -41,8 +41,8 @@ class SphereFluidPanel(KindPanel):
         """Return the share of the energy in the largest eddies against time."""
         energies = np.cumsum(np.asarray(trajectory.source.energy_spectrum(samples.states)), axis=1)
         shares = energies / energies[:, -1:]
-        found = [
+        series = [
             {"name": f"up to degree {k}", "values": pack(shares[:, k], "f4")}
             for k in CURVES if k < trajectory.source.size
         ]  # fmt: skip
-        return {"plots": [{"title": "energy in eddies", "unit": "of all", "series": found}]}
+        return {"plots": [{"title": "energy in eddies", "unit": "of all", "series": series}]}

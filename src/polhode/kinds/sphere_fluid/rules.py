@@ -13,10 +13,10 @@ STARTS = ("random", "vortices", "waves")
 
 def fluid_rules(system: dict[str, Any]) -> Iterator[Mistake]:
     """Yield missing or conflicting starts, and harmonics beyond the resolution."""
-    given = [key for key in STARTS if key in system]
-    if "start_from" in system and given:
-        yield ("system", "start_from"), f"goes without {list_words(given)}; leave out one or the other"
-    if not given and "start_from" not in system:
+    starts = [key for key in STARTS if key in system]
+    if "start_from" in system and starts:
+        yield ("system", "start_from"), f"goes without {list_words(starts)}; leave out one or the other"
+    if not starts and "start_from" not in system:
         yield ("system",), f"needs a start: {list_words(STARTS)}, which add up, or start_from, an earlier run's file"
     size = system.get("resolution")
     if type(size) is int:

@@ -10,7 +10,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.formats.dataset_reading import read_dataset
 from polhode.kinds.sphere_fluid.table import FluidTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.spec.sphere_start import RandomTable, coefficient
 from polhode.systems.sphere_fluid import SphereFluid
 from polhode.types import Array, Complex128
@@ -36,9 +36,9 @@ def build_start(fluid: SphereFluid, table: FluidTable) -> Complex128[Array, "n n
 def _random(fluid: SphereFluid, table: RandomTable) -> Array:
     first, last = table.degrees
     degree = np.arange(last + 1)
-    found = fluid.random((degree >= first).astype(float), seed=table.seed) - fluid.planetary
-    size = math.sqrt(float(fluid.algebra.pairing(found, found)) / (4.0 * math.pi))
-    return found * (table.vorticity / size)
+    vorticity = fluid.random((degree >= first).astype(float), seed=table.seed) - fluid.planetary
+    size = math.sqrt(float(fluid.algebra.pairing(vorticity, vorticity)) / (4.0 * math.pi))
+    return vorticity * (table.vorticity / size)
 
 
 def load_earlier_run(path: Path, fluid: SphereFluid) -> Trajectory:
@@ -48,11 +48,11 @@ def load_earlier_run(path: Path, fluid: SphereFluid) -> Trajectory:
         InvalidInput: for one of another resolution.
         FormatError: for a file that is no dataset of polhode's.
     """
-    found = read_dataset(path)
-    states, n = np.asarray(found.states), fluid.size
+    trajectory = read_dataset(path)
+    states, n = np.asarray(trajectory.states), fluid.size
     if states.ndim != 3 or states.shape[1:] != (n, n):
         raise InvalidInput(
             f"`start_from` must be the motion.nc of a fluid of resolution {n}; states in {path} have shape "
             f"{states.shape[1:]}. Give its resolution, or another file."
         )
-    return found
+    return trajectory

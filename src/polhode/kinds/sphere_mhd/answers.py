@@ -17,7 +17,7 @@ from polhode.integrators import IsospectralMidpoint
 from polhode.kinds.base import Spec
 from polhode.kinds.sphere_mhd.start import build_start, load_earlier_run, wave_speed
 from polhode.kinds.sphere_mhd.table import MagneticFluidTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport
@@ -75,14 +75,14 @@ class MagneticReport(MotionReport):
         f = np.abs(np.asarray(self.system.to_harmonics(self.trajectory.states))) ** 2
         degree = np.arange(1, self.system.size)
         weights = np.stack([degree * (degree + 1.0), 1.0 / (degree * (degree + 1.0))])
-        found = 0.5 * np.einsum("tplm,pl->tm", f[:, :, 1:], weights)
-        return found * np.where(np.arange(self.system.size) > 0, 2.0, 1.0)
+        energies = 0.5 * np.einsum("tplm,pl->tm", f[:, :, 1:], weights)
+        return energies * np.where(np.arange(self.system.size) > 0, 2.0, 1.0)
 
     @cached_property
     def spectrum_change(self) -> float:
         """By how much an eigenvalue of −iΘ changed at most, relative to the largest; 0 without a field."""
-        found = np.asarray(self.system.sphere.spectrum(self._ends[:, 0]))
-        return float(np.abs(found[1] - found[0]).max() / (np.abs(found[0]).max() or 1.0))
+        eigenvalues = np.asarray(self.system.sphere.spectrum(self._ends[:, 0]))
+        return float(np.abs(eigenvalues[1] - eigenvalues[0]).max() / (np.abs(eigenvalues[0]).max() or 1.0))
 
     @cached_property
     def mixed_change(self) -> float:
@@ -91,8 +91,8 @@ class MagneticReport(MotionReport):
         power, worst = theta, 0.0
         for _ in range(3):
             sizes = np.linalg.norm(w[0]) * np.linalg.norm(power[0])
-            found = np.einsum("tij,tji->t", w, power)
-            worst = max(worst, float(abs(found[1] - found[0]) / (sizes or 1.0)))
+            traces = np.einsum("tij,tji->t", w, power)
+            worst = max(worst, float(abs(traces[1] - traces[0]) / (sizes or 1.0)))
             power = power @ theta
         return worst
 
@@ -135,23 +135,23 @@ class MagneticReport(MotionReport):
 
     @property
     def notes(self) -> list[str]:
-        found = []
+        notes = []
         count = len(self.trajectory.times)
         if count < self.asked:
-            found.append(f"{count} of {self.asked} samples are kept: more would take over {MEMORY >> 20} MiB.")
+            notes.append(f"{count} of {self.asked} samples are kept: more would take over {MEMORY >> 20} MiB.")
         last = self.energies[-1]
         if last[:, -self.system.size // 8 :].sum() > 1e-3 * last.sum():
-            found.append("the finest degrees have taken up energy: sheets of current have met the resolution.")
-        return found
+            notes.append("the finest degrees have taken up energy: sheets of current have met the resolution.")
+        return notes
 
     @property
     def answers(self) -> list[Group | Table]:
-        found: list[Group | Table] = [self.about_start(), self._spectrum()]
+        groups: list[Group | Table] = [self.about_start(), self._spectrum()]
         if self.table.alfven_wave is not None:
-            found.append(self._wave())
+            groups.append(self._wave())
         if self.is_zonal:
-            found.append(self._growth())
-        return [*found, self._motion()]
+            groups.append(self._growth())
+        return [*groups, self._motion()]
 
     def about_start(self) -> Group:
         """Return the answers about fluid and field at the start."""
@@ -198,22 +198,22 @@ class MagneticReport(MotionReport):
     def _wave(self) -> Group:
         table: Any = self.table.alfven_wave
         speed, order = wave_speed(self.system, table), table.order
-        found = None
+        fitted = None
         if order:
             values = np.asarray(self.system.to_harmonics(self.trajectory.states))[:, 1, table.degree, order]
             turned = -(np.unwrap(np.angle(values)) - np.angle(values[0])) / order
-            found = float(np.polynomial.polynomial.polyfit(self.trajectory.times, turned, 1)[1])
+            fitted = float(np.polynomial.polynomial.polyfit(self.trajectory.times, turned, 1)[1])
         return Group("Wave", [
             Answer("wave_speed", speed, "rad/s", "speed", "eastward, exact", f"{speed:.10g} rad/s"),
-            Answer("wave_speed_in_run", found, "rad/s", "speed in the run", "", None if found is None else
-                   f"{found:.10g} rad/s"),
+            Answer("wave_speed_in_run", fitted, "rad/s", "speed in the run", "", None if fitted is None else
+                   f"{fitted:.10g} rad/s"),
         ])  # fmt: skip
 
     def _growth(self) -> Table:
         rows = []
         for order in range(1, min(ORDERS, self.system.size - 1) + 1):
-            found = zonal_growth(self.system, jnp.asarray(self._ends[0]), order)
-            rows.append({"order": order, "linear": found.rate, "frequency": found.frequency, "run": self.growth(order)})
+            mode = zonal_growth(self.system, jnp.asarray(self._ends[0]), order)
+            rows.append({"order": order, "linear": mode.rate, "frequency": mode.frequency, "run": self.growth(order)})
         columns = {
             "order": lambda row: str(row["order"]),
             "growth by linear theory": lambda row: f"{row['linear']:.6g} /s",

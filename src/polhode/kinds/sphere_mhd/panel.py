@@ -8,7 +8,7 @@ import numpy as np
 
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
@@ -50,5 +50,5 @@ class SphereMHDPanel(KindPanel):
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
         """Return kinetic and magnetic energy over time."""
         totals = np.asarray(trajectory.source.energy_spectrum(samples.states)).sum(axis=-1)
-        found = [{"name": name, "values": pack(totals[:, k], "f4")} for k, name in enumerate(("kinetic", "magnetic"))]
-        return {"plots": [{"title": "energy", "unit": "rad²/s²", "series": found}]}
+        series = [{"name": name, "values": pack(totals[:, k], "f4")} for k, name in enumerate(("kinetic", "magnetic"))]
+        return {"plots": [{"title": "energy", "unit": "rad²/s²", "series": series}]}

@@ -13,7 +13,7 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.formats.dataset_reading import read_dataset
 from polhode.kinds.sphere_mhd.table import AlfvenWaveTable, MagneticFluidTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.spec.sphere_start import Degrees, coefficient
 from polhode.systems.sphere_mhd import SphereMHD
 from polhode.types import Array, Complex128
@@ -62,29 +62,29 @@ def _exact_wave(system: SphereMHD, table: AlfvenWaveTable) -> Array:
 
 
 def _table(n: int, wave: AlfvenWaveTable) -> Array:
-    found = np.zeros((n, n), complex)
-    found[wave.degree, wave.order] = coefficient(wave, wave.vorticity)
-    return jnp.asarray(found)
+    coefficients = np.zeros((n, n), complex)
+    coefficients[wave.degree, wave.order] = coefficient(wave, wave.vorticity)
+    return jnp.asarray(coefficients)
 
 
 def _sum_waves(waves: Sequence[tuple[Any, float]]) -> Harmonics:
-    found: Harmonics = {}
+    harmonics: Harmonics = {}
     for wave, size in waves:
         place = wave.degree, wave.order
-        found[place] = found.get(place, 0.0) + coefficient(wave, size)
-    return found
+        harmonics[place] = harmonics.get(place, 0.0) + coefficient(wave, size)
+    return harmonics
 
 
 def _random(system: SphereMHD, table: Degrees, part: int, size: float) -> Array:
     """Return a random W or Θ whose vorticity or field has a given root mean square."""
     first, last = table.degrees
     energies, none = (np.arange(last + 1) >= first).astype(float), np.zeros(2)
-    given = (none, energies) if part == 0 else (energies, none)
-    found = system.random(*given, seed=table.seed)
+    spectra = (none, energies) if part == 0 else (energies, none)
+    fields = system.random(*spectra, seed=table.seed)
     if part == 0:
-        square = 2.0 * float(jnp.sum(system.energy_spectrum(found)[1]))
-        return found[0] * (size * math.sqrt(4.0 * math.pi / square))
-    relative = found[1] - system.fluid.planetary
+        square = 2.0 * float(jnp.sum(system.energy_spectrum(fields)[1]))
+        return fields[0] * (size * math.sqrt(4.0 * math.pi / square))
+    relative = fields[1] - system.fluid.planetary
     return relative * (size * math.sqrt(4.0 * math.pi / float(system.sphere.pairing(relative, relative))))
 
 
@@ -95,11 +95,11 @@ def load_earlier_run(path: Path, system: SphereMHD) -> Trajectory:
         InvalidInput: for one of another resolution.
         FormatError: for a file that is no dataset of polhode's.
     """
-    found = read_dataset(path)
-    states, n = np.asarray(found.states), system.size
+    trajectory = read_dataset(path)
+    states, n = np.asarray(trajectory.states), system.size
     if states.ndim != 4 or states.shape[1:] != (2, n, n):
         raise InvalidInput(
             f"`start_from` must be the motion.nc of a conducting fluid of resolution {n}; states in {path} have shape "
             f"{states.shape[1:]}. Give its resolution, or another file."
         )
-    return found
+    return trajectory

@@ -20,8 +20,8 @@ from polhode.integrators.base import AbstractOrbitSolver
 from polhode.kinds.base import Spec
 from polhode.kinds.spin_lattice.build import build_lattice, build_start, wave_path
 from polhode.kinds.spin_lattice.table import SpinLatticeTable
-from polhode.motion.layout import ENERGY
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._layout import ENERGY
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport
@@ -128,13 +128,13 @@ class SpinLatticeReport(MotionReport):
 
     @property
     def notes(self) -> list[str]:
-        found = []
+        notes = []
         if self.skyrmions is not None and self.table.periodic and abs(self.skyrmions[1]) > 0.5:
-            found.append(f"the spins cover the sphere {self.skyrmions[1]:.0f} times: skyrmions.")
+            notes.append(f"the spins cover the sphere {self.skyrmions[1]:.0f} times: skyrmions.")
         if len(self.trajectory.times) < self.asked:
-            found.append(f"{len(self.trajectory.times)} of {self.asked} samples are kept: more would take over "
+            notes.append(f"{len(self.trajectory.times)} of {self.asked} samples are kept: more would take over "
                          f"{MEMORY >> 20} MiB.")  # fmt: skip
-        return found
+        return notes
 
     def without_motion(self) -> list[Group | Table]:
         """Return the answers that need no trajectory."""

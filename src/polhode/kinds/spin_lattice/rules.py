@@ -40,8 +40,8 @@ def _bond_rules(bond: dict[str, Any], where: tuple[str | int, ...], count: int |
         yield (*where, "cell"), f"needs a whole number for each of the {count} vectors; got {len(cell)}"
     if isinstance(ends, list) and any(type(end) is int and end > sites for end in ends):
         yield (*where, "sites"), f"must be from 1 to {sites}, the sites of the basis; got {ends}"
-    told = [key for key in ("exchange", "chirality", "matrix") if key in bond]
-    if not told or ("matrix" in told and len(told) > 1):
+    keys = [key for key in ("exchange", "chirality", "matrix") if key in bond]
+    if not keys or ("matrix" in keys and len(keys) > 1):
         yield where, "needs exchange or chirality or both, or matrix alone"
     if isinstance(matrix := bond.get("matrix"), list) and len(matrix) != 3:
         yield (*where, "matrix"), f"needs three rows of three energies; got {len(matrix)}"

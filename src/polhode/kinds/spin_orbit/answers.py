@@ -16,7 +16,7 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.spin_orbit.table import SpinOrbitTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport, make_placeholder
@@ -122,7 +122,7 @@ class SpinOrbitReport(MotionReport):
         units = {"order": "turns per orbit", "rate": "rad/s", "half_width": "rad/s",
                  "stable_angle": "rad, at periapsis"}  # fmt: skip
         said = lambda row: row["stable_angle"] is not None and row["half_width"] > 0.0  # noqa: E731
-        rows = [vars(found) for found in self.resonances]
+        rows = [vars(resonance) for resonance in self.resonances]
         return Table("resonances", "Resonances of spin and orbit", columns, rows, units, shown=said)
 
     def _motion(self) -> Group:
@@ -162,16 +162,16 @@ class SpinOrbitReport(MotionReport):
 
     @property
     def notes(self) -> list[str]:
-        found = ["all this is planar: the axis of largest moment is taken to stay upright on the orbit."]
+        notes = ["all this is planar: the axis of largest moment is taken to stay upright on the orbit."]
         if self.motion.verdict == "chaotic":
-            found[0] += " In chaos it often does not."
+            notes[0] += " In chaos it often does not."
             if np.ptp(np.asarray(self.trajectory.times)) > (self.predictable_time or math.inf):
-                found.append("the samples outlast what can be predicted of this start; the last are of one like it.")
+                notes.append("the samples outlast what can be predicted of this start; the last are of one like it.")
         elif float(self.system.eccentricity) and float(self.system.asphericity):
-            found.append(
+            notes.append(
                 f"no more is known than {self.motion.orbits} orbits show; chaos may cling to an island for longer."
             )
-        return [*self.remarks, *found]
+        return [*self.remarks, *notes]
 
     @property
     def summary(self) -> str:
@@ -191,8 +191,8 @@ class SpinOrbitReport(MotionReport):
 
 def ratio(order: float) -> str:
     """Return turns to orbits of a resonance, like 3:2."""
-    found = Fraction(order)
-    return f"{found.numerator}:{found.denominator}"
+    fraction = Fraction(order)
+    return f"{fraction.numerator}:{fraction.denominator}"
 
 
 def make_report(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:

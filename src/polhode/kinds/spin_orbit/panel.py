@@ -10,7 +10,7 @@ from polhode.analysis.spin_motion import steps_for
 from polhode.analysis.spin_orbit import poincare_section
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.simulation import simulate
 from polhode.types import Array
 from polhode.viewer.encoding import pack
@@ -42,20 +42,20 @@ class SpinOrbitPanel(KindPanel):
         """Return angle and rate, the distance to a motion from a nearby start, and the section at periapsis."""
         system, n = trajectory.source, float(trajectory.source.mean_motion)
         angle, rate = (trajectory.layout.part(samples.states, name) for name in ("angle", "rate"))
-        found = [
+        plots = [
             {"title": "angle of the long axis, half turns taken off", "unit": "°",
              "series": [_series("angle", np.degrees(angle - np.pi * np.round(angle / np.pi)))]},
             {"title": "rate", "unit": "turns per orbit", "series": [_series("rate", rate / n)]},
         ]  # fmt: skip
         if samples.times[0] != 0.0 or len(samples.times) < 2:
-            return {"plots": found}
+            return {"plots": plots}
         start = np.array([angle[0], rate[0]])
         other = simulate(system, start + np.array([APART, 0.0]), samples.times, estimate_error=False)
         apart = np.log10(np.maximum(np.abs(np.asarray(other.part("angle")) - angle), LEAST))
-        found.insert(1, {"title": "distance to a twin that starts 10⁻⁶ rad apart", "unit": "log₁₀ rad",
+        plots.insert(1, {"title": "distance to a twin that starts 10⁻⁶ rad apart", "unit": "log₁₀ rad",
                          "series": [_series("distance", apart)]})  # fmt: skip
         points = poincare_section(system, start, ORBITS, steps_for(system, float(rate[0]) / n))
         turned = points[:, 0] - np.pi * np.round(points[:, 0] / np.pi)
         section = {"title": "Section at periapsis", "words": f"{ORBITS} orbits: θ̇/n against θ [°]",
                    "x": pack(np.degrees(turned), "f4"), "y": pack(points[:, 1] / n, "f4")}  # fmt: skip
-        return {"plots": found, "scatters": (section,)}
+        return {"plots": plots, "scatters": (section,)}

@@ -48,16 +48,16 @@ def _zones(report: SpinOrbitReport, side: Any, low: float, high: float) -> Any:
     """Draw a bar for each visible zone, neighbours side by side to show an overlap; None without any."""
     n = float(report.system.mean_motion)
     handle, named = None, -np.inf
-    for k, found in enumerate(report.resonances):
-        width = found.half_width / n
-        if not low < found.order < high or width == 0.0:
+    for k, zone in enumerate(report.resonances):
+        width = zone.half_width / n
+        if not low < zone.order < high or width == 0.0:
             continue
         x = k % 2
-        (handle,) = side.plot([x, x], [found.order - width, found.order + width], color=style.VERMILION, lw=1.4)
-        side.plot([x - 0.25, x + 0.25], [found.order] * 2, color=style.VERMILION, lw=1.4)
-        if found.order - named > CROWDED * (high - low):
-            side.text(1.8, found.order, ratio(found.order), fontsize=style.FONT - 1, va="center", color=style.DARK)
-            named = found.order
+        (handle,) = side.plot([x, x], [zone.order - width, zone.order + width], color=style.VERMILION, lw=1.4)
+        side.plot([x - 0.25, x + 0.25], [zone.order] * 2, color=style.VERMILION, lw=1.4)
+        if zone.order - named > CROWDED * (high - low):
+            side.text(1.8, zone.order, ratio(zone.order), fontsize=style.FONT - 1, va="center", color=style.DARK)
+            named = zone.order
     side.set(xlim=(-0.6, 3.4))
     side.axis("off")
     return handle
@@ -66,7 +66,7 @@ def _zones(report: SpinOrbitReport, side: Any, low: float, high: float) -> Any:
 def _window(report: SpinOrbitReport, rates: Array) -> tuple[float, float]:
     """Return the rates to show: this motion and the zone nearest to it, or all zones where they are wide."""
     n, mean = float(report.system.mean_motion), float(np.mean(rates))
-    widths = {found.order: found.half_width / n for found in report.resonances}
+    widths = {zone.order: zone.half_width / n for zone in report.resonances}
     widest = max(widths.values())
     near = [order for order, width in widths.items() if width > FEEBLE * widest]
     low, high = WHOLE

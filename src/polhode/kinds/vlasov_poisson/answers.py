@@ -16,7 +16,7 @@ from polhode.analysis.plasma_waves import Beam, PlasmaWave, fastest_growing_wave
 from polhode.integrators import Splitting
 from polhode.kinds.base import Spec
 from polhode.kinds.vlasov_poisson.table import PlasmaTable
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport
@@ -91,18 +91,18 @@ class PlasmaReport(MotionReport):
 
     @property
     def notes(self) -> list[str]:
-        found = ["times are in inverse plasma frequencies, as if that were 1 rad/s; lengths in Debye lengths."]
+        notes = ["times are in inverse plasma frequencies, as if that were 1 rad/s; lengths in Debye lengths."]
         times = np.asarray(self.trajectory.times)
         if times[-1] > self.recurrence_time and (self.wave is None or self.wave.growth < 0.0):
-            found.append(
+            notes.append(
                 f"from t = {self.recurrence_time:.4g} on the field of a damped wave comes back, as velocities are "
                 "equally spaced: more velocities put that off."
             )
         if self.wave is not None and self.wave.growth < 0.0 and self.bounce_rate > abs(self.wave.growth):
-            found.append("the field traps electrons before it is damped: linear theory holds at first only.")
+            notes.append("the field traps electrons before it is damped: linear theory holds at first only.")
         if len(times) < self.asked:
-            found.append(f"{len(times)} of {self.asked} samples are kept: more would take over {MEMORY >> 20} MiB.")
-        return found
+            notes.append(f"{len(times)} of {self.asked} samples are kept: more would take over {MEMORY >> 20} MiB.")
+        return notes
 
     def distribution(self, states: Float64[Array, "n 3"]) -> Float64[Array, "n"]:
         """Return f at the particles (n,), which each particle conserves."""

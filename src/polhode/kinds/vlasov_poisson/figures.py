@@ -50,8 +50,8 @@ def draw_phase_space(report: PlasmaReport) -> Figure:
     fastest = min(report.fastest, max(abs(beam.drift) + SHOWN * beam.spread for beam in report.beams))
     for axes, k in zip(panels, chosen, strict=True):
         try:
-            found = _grid_density(states[k], values, length, fastest)
-            axes.imshow(found, extent=(0.0, length, -fastest, fastest), origin="lower", aspect="auto", cmap="viridis",
+            density = _grid_density(states[k], values, length, fastest)
+            axes.imshow(density, extent=(0.0, length, -fastest, fastest), origin="lower", aspect="auto", cmap="viridis",
                         vmin=0.0, vmax=float(values.max()), interpolation="nearest")  # fmt: skip
         except QhullError:  # particles of one velocity span no area between them
             axes.plot(np.mod(states[k][:, 1], length), states[k][:, 0], ",", color=style.BLUE)

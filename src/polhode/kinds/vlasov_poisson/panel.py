@@ -9,7 +9,7 @@ from scipy.spatial import KDTree
 
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
-from polhode.motion.trajectory import Trajectory
+from polhode.motion._trajectory import Trajectory
 from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples

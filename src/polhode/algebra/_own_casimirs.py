@@ -1,0 +1,101 @@
+"""Casimirs of a user's own algebra: given ones, after a check, or polynomials that are found."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.algebra._functions import Function, check_functions
+from polhode.algebra._polynomial import Polynomial
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.algebra.casimirs import polynomial_casimirs
+from polhode.algebra.properties import index
+from polhode.errors import InvalidInput
+from polhode.types import Array, Float64
+
+HIGHEST_DEGREE = 4  # of polynomials looked for
+MOST_MONOMIALS = 1000  # of one degree: a fifth of a second of exact elimination
+LONGEST_NAME = 40  # characters of a polynomial that is its own name
+POINTS = 12
+COMMUTES = 1e-10  # of the terms of {C, x_i}, what rounding of values near a pole leaves
+RANK = 1e-9  # singular values of unit gradients below which Casimirs depend on each other
+
+
+@lru_cache(maxsize=64)
+def find_casimirs(algebra: AbstractLieAlgebra) -> tuple[Polynomial, ...]:
+    """Return polynomial Casimirs up to degree 4, lowest first, until there are as many as there can be.
+
+    They are looked for where that is quick, up to 1,000 monomials of a degree. None are found where constants are not
+    simple fractions or python-flint, the extra `symbolic`, is missing.
+    """
+    wanted = index(algebra)
+    casimirs: list[Polynomial] = []
+    for degree in range(1, HIGHEST_DEGREE + 1):
+        if len(casimirs) >= wanted or math.comb(algebra.dim + degree - 1, degree) > MOST_MONOMIALS:
+            break
+        try:
+            casimirs = polynomial_casimirs(algebra, degree)
+        except InvalidInput:
+            break
+    return tuple(casimirs)
+
+
+def check_casimirs(algebra: AbstractLieAlgebra, value: Any) -> tuple[Function, ...]:
+    """Return functions of one point (dim,), after checking that they are independent Casimirs.
+
+    Raises:
+        InvalidInput: for one that is not a real scalar of one point, that does not commute with every coordinate at
+            random points or is defined at few of them, and for functions that depend on each other.
+    """
+    functions = check_functions("casimirs", value, algebra.element_shape, algebra.dtype)
+    if not functions:
+        return ()
+    points = np.random.default_rng(0).normal(size=(POINTS, algebra.dim))
+    gradients = np.asarray(jax.vmap(jax.jacrev(lambda x: evaluate_functions(functions, x)))(jnp.asarray(points)))
+    tensors = np.einsum("ijk,mk->mij", algebra.structure_constants(), points)
+    for k in range(len(functions)):
+        _check_commutes(f"casimirs[{k}]", tensors, gradients[:, k])
+    fine = gradients[np.isfinite(gradients).all(axis=(1, 2))]
+    lengths = np.linalg.norm(fine, axis=2, keepdims=True)
+    sizes = np.linalg.svd(fine / np.where(lengths > 0, lengths, 1.0), compute_uv=False)
+    rank = int((sizes > RANK).sum(axis=1).max(initial=0))
+    if rank < len(functions):
+        raise InvalidInput(
+            f"`casimirs` must be independent; the gradients of these {len(functions)} span {rank} dimensions at random "
+            "points. Leave out constants and those that are functions of others."
+        )
+    return functions
+
+
+def _check_commutes(name: str, tensors: Array, gradients: Array) -> None:
+    good = np.isfinite(gradients).all(axis=1)
+    if good.sum() < 2:
+        raise InvalidInput(
+            f"`{name}` must be differentiable at most points; its gradient is finite at {good.sum()} of {POINTS} "
+            "random ones. Check its domain."
+        )
+    brackets = np.einsum("mij,mj->mi", tensors[good], gradients[good])
+    terms = np.einsum("mij,mj->mi", np.abs(tensors[good]), np.abs(gradients[good])).max(axis=1, keepdims=True)
+    off = np.abs(brackets) / np.where(terms > 0.0, terms, 1.0)
+    if off.max() > COMMUTES:
+        worst = int(np.argmax(off.max(axis=0)))
+        raise InvalidInput(
+            f"`{name}` must be a Casimir, which commutes with every coordinate; {{{name}, x{worst + 1}}} is "
+            f"{off.max():.3g} of its terms at a random point. Check the function and the order of its coordinates."
+        )
+
+
+def evaluate_functions(functions: tuple[Function, ...], point: Float64[Array, "dim"]) -> Float64[Array, "k"]:
+    """Return the values (k,) at one point."""
+    return jnp.stack([function(point) for function in functions]) if functions else jnp.zeros(0)
+
+
+def name_functions(functions: tuple[Function, ...]) -> tuple[str, ...]:
+    """Return a name for each function: a short polynomial itself, else its number, counted from 1."""
+    texts = [str(f) if isinstance(f, Polynomial) else "" for f in functions]
+    return tuple(text if 0 < len(text) <= LONGEST_NAME else f"C{k + 1}" for k, text in enumerate(texts))

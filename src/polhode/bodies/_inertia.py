@@ -1,0 +1,140 @@
+"""Inertia of points and matrices: their sums, principal moments and axes, and which moments a rigid body can have."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode.arrays import as_float64, is_traced
+from polhode.bodies._digits import judge_moments
+from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Float64, Real
+
+ROUNDING = 64 * np.finfo(float).eps  # what the sums behind an inertia matrix may leave, relative to its entries
+MOST_DEFECT = 1.0 / 3.0  # of I3: more than vibration does to any molecule that stays in one shape
+LARGEST = 1e150  # SI; beyond it products of two overflow, and no body is near
+TIE = 1e-9  # direction cosines closer than this are equal, so that rounding never decides between two axes
+
+
+class MassProperties(NamedTuple):
+    """Mass properties of a rigid body."""
+
+    mass: float  # [kg]
+    center_of_mass: Float64[Array, "3"]  # [m, given axes]
+    inertia: Float64[Array, "3 3"]  # about the centre of mass [kg m²]
+
+
+def point_inertia(offset: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch 3 3"]:
+    """Return |r|² 1 − r rᵀ (…, 3, 3), the inertia of a unit mass at r, its diagonal as sums of squares."""
+    x, y, z = np.moveaxis(np.asarray(offset, dtype=float), -1, 0)
+    rows = ((y * y + z * z, -x * y, -x * z), (-x * y, x * x + z * z, -y * z), (-x * z, -y * z, x * x + y * y))
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+def check_moments(moments: Float64[Array, "3"], effective: bool = False) -> None:
+    """Refuse moments (3,) ascending that no rigid body has, or effective ones that no molecule has.
+
+    Raises:
+        InvalidInput: if one is negative beyond rounding, all vanish, or I1 + I2 < I3 beyond rounding, of effective ones
+            by more than a third of I3.
+    """
+    I1, I2, I3 = moments
+    shown = ", ".join(f"{x:.6g}" for x in moments)
+    if not I3 > 0:
+        raise InvalidInput(f"the principal moments must not all vanish; got ({shown}) kg m². A point has no attitude.")
+    if I1 < -ROUNDING * I3:
+        raise InvalidInput(
+            f"the principal moments must not be negative; got ({shown}) kg m². "
+            "Check signs and sizes of the products of inertia."
+        )
+    if I1 + I2 < I3 * (1.0 - (MOST_DEFECT if effective else ROUNDING)):
+        rule, bodies = ("I1 + I2 ≥ 2/3 I3", "molecule") if effective else ("I1 + I2 ≥ I3", "rigid body")
+        raise InvalidInput(
+            f"the principal moments must satisfy {rule}; got ({shown}) kg m². No {bodies} has these; "
+            "check units and order."
+        )
+
+
+def principal_axes(inertia: Float64[Array, "3 3"]) -> tuple[Float64[np.ndarray, "3"], Float64[np.ndarray, "3 3"]]:
+    """Return ascending moments (3,) and right-handed axes (3, 3), by columns, of a symmetric matrix."""
+    diagonal = np.diag(inertia)
+    if np.array_equal(inertia, np.diag(diagonal)):
+        order = np.argsort(diagonal, kind="stable")
+        moments, axes = diagonal[order], np.eye(3)[:, order]
+        moments = np.where((moments < 0) & (moments > -ROUNDING * moments[2]), 0.0, moments)
+    else:
+        scale = 2.0 ** np.frexp(np.abs(inertia).max())[1]  # a power of two, so that scaling rounds nothing
+        moments, axes = _jacobi(inertia / scale)
+        # what relative rounding of the entries does to each moment: v · |J| v with |v|
+        unsure = ROUNDING * np.einsum("ik,ij,jk->k", np.abs(axes), np.abs(inertia / scale), np.abs(axes))
+        moments, groups = judge_moments(moments, unsure)
+        columns = [axis for group in groups for axis in _nearest_axes(axes[:, group])]
+        moments, axes = moments * scale, np.column_stack(columns)
+    leading = [_first_largest(np.abs(axes[:, k])) for k in range(3)]
+    axes = axes * np.where(axes[leading, range(3)] < 0, -1.0, 1.0)
+    if np.linalg.det(axes) < 0:
+        axes[:, 2] = -axes[:, 2]
+    return moments, axes + 0.0
+
+
+def _jacobi(matrix: Array) -> tuple[Array, Array]:
+    """Return ascending eigenvalues and eigenvectors of a symmetric (3, 3) matrix by Jacobi's rotations.
+
+    Unlike LAPACK's reduction to tridiagonal form it keeps the relative accuracy of small eigenvalues of a positive
+    matrix that is nearly diagonal after scaling.
+
+    Source: Rutishauser, Numer. Math. 9 (1966) 1; Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13 (1992) 1204.
+    """
+    a, v = np.array(matrix), np.eye(3)
+    for _ in range(40):  # converges quadratically, in 4 to 6 sweeps
+        if not a[[0, 0, 1], [1, 2, 2]].any():
+            break
+        for p, q in ((0, 1), (0, 2), (1, 2)):
+            small = np.finfo(float).eps / 4 * np.sqrt(abs(a[p, p])) * np.sqrt(abs(a[q, q]))
+            if abs(a[p, q]) <= max(small, np.finfo(float).tiny):
+                a[p, q] = a[q, p] = 0.0
+                continue
+            theta = 0.5 * (a[q, q] - a[p, p]) / a[p, q]
+            t = 1.0 / (theta + np.copysign(np.hypot(theta, 1.0), theta))
+            c = 1.0 / np.hypot(t, 1.0)
+            s, change, r = t * c, t * a[p, q], 3 - p - q
+            a[p, p], a[q, q], a[p, q], a[q, p] = a[p, p] - change, a[q, q] + change, 0.0, 0.0
+            a[p, r], a[q, r] = c * a[p, r] - s * a[q, r], s * a[p, r] + c * a[q, r]
+            a[r, p], a[r, q] = a[p, r], a[q, r]
+            v[:, p], v[:, q] = c * v[:, p] - s * v[:, q], s * v[:, p] + c * v[:, q]
+    order = np.argsort(np.diag(a), kind="stable")
+    return np.diag(a)[order], v[:, order]
+
+
+def _nearest_axes(space: Array) -> list[Array]:
+    """Return an orthonormal basis of the column space: the given axes nearest to it, projected in turn."""
+    if space.shape[1] == 1:
+        return [space[:, 0]]
+    projections = space @ space.T
+    nearness = np.diag(projections).copy()
+    chosen: list[int] = []
+    for _ in range(space.shape[1]):
+        chosen.append(_first_largest(nearness))
+        nearness[chosen[-1]] = -1.0
+    basis: list[Array] = []
+    for k in sorted(chosen):
+        vector = projections[:, k] - sum((b * (b @ projections[:, k]) for b in basis), np.zeros(3))
+        basis.append(vector / np.linalg.norm(vector))
+    return basis
+
+
+def _first_largest(values: Array) -> int:
+    return int(np.flatnonzero(values > values.max() - TIE)[0])
+
+
+def finite_array(name: str, value: Any, shape: tuple[int, ...]) -> Float64[np.ndarray, "..."]:
+    """Return a float64 copy of the wanted shape, finite."""
+    if is_traced(value):
+        raise InvalidInput(f"`{name}` must be known numbers, not traced by JAX; give moments to FreeMotion instead.")
+    array = np.array(as_float64(np, value, name))
+    if array.shape != shape:
+        raise InvalidInput(f"`{name}` must have shape {shape}; got {array.shape}.")
+    if not np.isfinite(array).all():
+        raise InvalidInput(f"`{name}` must be finite; got {shown(array.tolist())}. Check where the value comes from.")
+    return array

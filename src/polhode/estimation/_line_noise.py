@@ -1,0 +1,111 @@
+"""The noise around a line of a spectrum, from the residuals of a fit, and the errors that it causes.
+
+White noise of ordinary formulas is not what polar motion leaves: its residuals are red, and the excitation shakes
+the wobble itself, so that amplitude and phase walk. Close to a line such noise is a constant plus what falls off as
+the square of the distance, here in the time domain: white noise of variance ``white``, and a line whose complex
+amplitude takes random steps of variance ``walk``. The least squares themselves remove noise next to the line, the
+more the closer; that is accounted for by taking the expectation of what is *left* in each frequency.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import minimize
+
+from polhode.types import Array, Complex128, Float64
+
+REACH = 0.45 / (365.25 * 86_400.0)  # Hz; on either side of the line, noise is told by these frequencies
+NEXT = 4  # frequencies on either side of a seasonal line
+KEPT = 0.3  # of a frequency's power that the fit must leave, for it to count
+
+
+class LineNoise(NamedTuple):
+    """Noise about a line.
+
+    Attributes:
+        white: variance of a complex sample [rad²].
+        walk: variance of a complex step of the line's amplitude, from one sample to the next [rad²].
+        covariance: (2, 2) of both, by Fisher's information; zero for one that is found to be none.
+        frequencies: number of frequencies used.
+    """
+
+    white: float
+    walk: float
+    covariance: Float64[Array, "2 2"]
+    frequencies: int
+
+
+def accumulate_walk(influence: Complex128[Array, "n k"]) -> Complex128[Array, "n k"]:
+    """Return the influence of each step of a random walk, given that of the walk itself.
+
+    The walk counts from its own mean: the mean amplitude is what a fit of a constant line means to find.
+    """
+    centred = influence - influence.mean(axis=0)
+    return np.cumsum(centred[::-1], axis=0)[::-1]
+
+
+def noise_about(
+    times: Float64[Array, "n"], left: Complex128[Array, "n"], removed: Complex128[Array, "n r"], rate: float,
+) -> LineNoise:  # fmt: skip
+    """Return noise about the line of a wobble, by Whittle's likelihood of what is left around it.
+
+    Args:
+        times: [s].
+        left: residuals of the fit.
+        removed: orthonormal columns that the fit removes.
+        rate: of the line [rad/s].
+    """
+    span = times[-1] - times[0]
+    many = max(4, int(REACH * span))
+    k = np.concatenate([np.arange(-many, 0), np.arange(1, many + 1)])
+    power, white, walk = _expect_powers(times, left, removed, rate + 2.0 * np.pi * k / span, rate)
+    kept = white > KEPT
+    power, white, walk = power[kept], white[kept], walk[kept]
+    level = power.sum() / white.sum()
+    size = float(np.median(walk / white))
+
+    def cost(p: Float64[Array, "2"]) -> float:
+        model = np.exp(p[0]) * white + np.exp(p[1]) * walk
+        return float(np.sum(np.log(model) + power / model))
+
+    starts = [np.log([level * a, level * b / size]) for a, b in ((0.9, 1e-2), (0.3, 0.7))]
+    best = min((minimize(cost, start, method="Nelder-Mead", options={"xatol": 1e-3, "fatol": 1e-4})
+                for start in starts), key=lambda minimum: minimum.fun)  # fmt: skip
+    both = np.exp(best.x)
+    basis = np.stack([white, walk])
+    shares = (both[:, None] * basis).sum(axis=1) / (both @ basis).sum()
+    weight = np.max(both[:, None] * basis / (both @ basis), axis=1)
+    there = (shares > 1e-3) | (weight > 0.05)  # otherwise its likelihood is flat towards zero
+    if not there.all():
+        only = basis[np.argmax(there)]
+        both = np.where(there, np.mean(power / only), 0.0)
+    information = (basis / (both @ basis) ** 2) @ basis.T
+    covariance = np.zeros((2, 2))
+    covariance[np.ix_(there, there)] = np.linalg.inv(information[np.ix_(there, there)])
+    return LineNoise(float(both[0]), float(both[1]), covariance, len(power))
+
+
+def level_at(
+    times: Float64[Array, "n"], left: Complex128[Array, "n"], removed: Complex128[Array, "n r"], rate: float
+) -> float:
+    """Return the variance of a complex sample of white noise that is as strong as what is left next to a rate
+    [rad/s]."""
+    span = times[-1] - times[0]
+    k = np.concatenate([np.arange(-NEXT, 0), np.arange(1, NEXT + 1)])
+    power, white, _ = _expect_powers(times, left, removed, rate + 2.0 * np.pi * k / span, rate)
+    return float(power.sum() / white.sum())
+
+
+def _expect_powers(
+    times: Float64[Array, "n"], left: Complex128[Array, "n"], removed: Complex128[Array, "n r"],
+    rates: Float64[Array, "k"], line: float,
+) -> tuple[Float64[Array, "k"], Float64[Array, "k"], Float64[Array, "k"]]:  # fmt: skip
+    """Return powers at rates, and their expectations for white noise and for a walk of unit variance."""
+    waves = np.exp(1j * np.outer(times, rates)) / np.sqrt(len(times))
+    power = np.abs(waves.conj().T @ left) ** 2
+    waves -= removed @ (removed.conj().T @ waves)
+    white = np.sum(np.abs(waves) ** 2, axis=0)
+    walk = np.sum(np.abs(accumulate_walk(waves * np.exp(-1j * line * times)[:, None])) ** 2, axis=0)
+    return power, white, walk

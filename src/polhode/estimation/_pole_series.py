@@ -1,0 +1,99 @@
+"""Series of the pole as clean arrays: checked, complex, averaged over equal steps."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Complex128, Float64, Real
+
+DAY = 86_400.0
+YEAR = 365.2422 * DAY  # tropical: the seasons' year
+LARGEST = 0.01  # rad; farther from the origin is no pole, but arcseconds or milliarcseconds
+FEWEST = 50
+
+
+class Pole(NamedTuple):
+    """The pole m = x − i y, which turns with the Earth's spin where its phase grows.
+
+    Attributes:
+        times: (n,) [s], ascending.
+        m: (n,) [rad].
+        counts: (n,) how many samples each is the mean of.
+    """
+
+    times: Float64[Array, "n"]
+    m: Complex128[Array, "n"]
+    counts: Float64[Array, "n"]
+
+    @property
+    def span(self) -> float:
+        """From the first to the last time [s]."""
+        return float(self.times[-1] - self.times[0])
+
+
+def clean_pole(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"]) -> Pole:
+    """Return the pole as clean arrays.
+
+    Raises:
+        InvalidInput: for arrays that are not finite, of different lengths, too few, not ascending, or not in radians.
+    """
+    arrays = []
+    for name, column in (("times", times), ("x", x), ("y", y)):
+        try:
+            array = np.asarray(column, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise InvalidInput(f"`{name}` must be numbers, one for each sample; got {shown(column)}.") from None
+        if array.ndim != 1:
+            raise InvalidInput(f"`{name}` must be one-dimensional; got the shape {array.shape}. Give one series.")
+        if not np.isfinite(array).all():
+            bad = int(np.argmin(np.isfinite(array)))
+            raise InvalidInput(f"`{name}` must be finite; entry {bad} is {array[bad]}. Leave such samples out.")
+        arrays.append(array)
+    t, east, west = arrays
+    if not len(t) == len(east) == len(west):
+        raise InvalidInput(f"`times`, `x` and `y` must be equally long; got {len(t)}, {len(east)} and {len(west)}.")
+    if len(t) < FEWEST:
+        raise InvalidInput(f"the pole must be sampled at {FEWEST} times at least; got {len(t)}. Give a longer series.")
+    if (np.diff(t) <= 0.0).any():
+        bad = int(np.argmax(np.diff(t) <= 0.0)) + 1
+        raise InvalidInput(f"`times` must ascend; entry {bad} is {t[bad]:g} after {t[bad - 1]:g}. Sort the samples.")
+    if max(np.abs(east).max(), np.abs(west).max()) > LARGEST:
+        raise InvalidInput(f"`x` and `y` must be in radians, {LARGEST:g} at most; got "
+                           f"{max(np.abs(east).max(), np.abs(west).max()):g}. Divide arcseconds by 206264.8."
+                           )  # fmt: skip
+    return Pole(t, east - 1j * west, np.ones(len(t)))
+
+
+def average_steps(pole: Pole, step: float) -> Pole:
+    """Return means over steps [s] that follow each other from the first time; steps without samples are left out."""
+    place = np.floor((pole.times - pole.times[0]) / step + 1e-9).astype(int)
+    sizes = np.bincount(place)
+    full = sizes > 0
+    mean = lambda values: np.bincount(place, values)[full] / sizes[full]  # noqa: E731
+    return Pole(mean(pole.times), mean(pole.m.real) + 1j * mean(pole.m.imag), sizes[full].astype(float))
+
+
+def even(pole: Pole, step: float) -> Pole:
+    """Return means over steps without a gap, at the middles of the steps; the last step is left out unless full.
+
+    Raises:
+        InvalidInput: if a step has no sample.
+    """
+    usual = float(np.median(np.diff(pole.times)))
+    steps = int(np.floor((pole.span + usual) / step + 1e-9))
+    place = np.floor((pole.times - pole.times[0]) / step + 1e-9).astype(int)
+    inside = place < steps
+    place = place[inside]
+    sizes = np.bincount(place, minlength=steps)
+    if (sizes == 0).any():
+        bad = int(np.argmax(sizes == 0))
+        raise InvalidInput(f"the series must have no gap longer than the step of {step / DAY:g} d; nothing stands in "
+                           f"the {step / DAY:g} d from {(pole.times[0] + bad * step) / DAY:g} d on. Choose a span "
+                           "without the gap.")  # fmt: skip
+    mean = lambda values: np.bincount(place, values[inside], minlength=steps) / sizes  # noqa: E731
+    half = 0.5 * (step - usual)  # the mean of samples at the start of each interval stands here
+    times = pole.times[0] + half + step * np.arange(steps)
+    return Pole(times, mean(pole.m.real) + 1j * mean(pole.m.imag), sizes.astype(float))

@@ -1,0 +1,185 @@
+"""Runs a closed form's kernels, by Python for little work and by Numba for much, always to the same bits.
+
+Numba takes a third of a second to load, and some seconds to compile the kernels, once for an installation. Neither is
+worth it for one body at a few times.
+"""
+
+from __future__ import annotations
+
+import importlib
+import math
+import pkgutil
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode.exact import _kernel_loops as kernel_loops
+from polhode.exact._blocks import Columns, Vectors, columns_in_blocks
+from polhode.exact._copies import Space, for_python
+from polhode.exact._kernel_arithmetic import in_threads
+from polhode.types import Array, Float64
+
+COMMON = tuple(f"polhode.exact.{name}" for name in ("kernel_arithmetic", "kernel_agm", "formulas", "kernel_loops"))
+STATE, SET_UP = 7e-6, 1.5e-4  # s that Python takes for a state, and for a body, about
+LOADED = 0.3  # s of Python's time from which loading a kernel is worth it
+COMPILING = {"set_up": 6.0, "states_of_one": 1.5, "states_of_many": 2.5}  # or compiling one, which takes about so long
+State = tuple[float, float, float, float, float, float, float]
+
+
+class Kernels(NamedTuple):
+    """What Python runs, or Numba has compiled, or will when it is called; see the kernels for what each does."""
+
+    unflatten: Callable[..., Any]
+    state_at: Callable[..., State]
+    states_of_one: Callable[..., None]
+    states_of_many: Callable[..., None]
+    set_up: Callable[..., None]
+
+
+class ClosedForm:
+    """The kernels of a motion in closed form.
+
+    Args:
+        package: with ``formulas``, ``kernel_setup`` and what these need.
+        prepare: returns the columns of bodies that the kernels leave to NumPy.
+    """
+
+    def __init__(self, package: str, prepare: Callable[..., Columns]) -> None:
+        self._package, self._prepare = package, prepare
+        self._spent, self._ready = dict.fromkeys(COMPILING, 0.0), set[str]()
+        self._latest: tuple[Any, Any] = (), None  # numbers of a motion, and the motion
+
+    @cached_property
+    def _modules(self) -> list[ModuleType]:
+        path = importlib.import_module(self._package).__path__
+        own = sorted(name for _, name, _ in pkgutil.iter_modules(path) if name.startswith(("kernel", "formulas")))
+        return [importlib.import_module(name) for name in (*COMMON, *(f"{self._package}.{name}" for name in own))]
+
+    @cached_property
+    def _python(self) -> Kernels:
+        return self._kernels(for_python(self._modules))
+
+    @cached_property
+    def _compiled(self) -> Kernels:
+        from polhode.exact._compiling import compiled_modules  # which loads Numba
+
+        return self._kernels(compiled_modules(self._modules, self._package.rpartition(".")[2]))
+
+    def _kernels(self, spaces: dict[str, Space]) -> Kernels:
+        setup, loops = spaces[f"{self._package}.kernel_setup"], spaces[kernel_loops.__name__]
+        return Kernels(**{name: loops[name] for name in Kernels._fields[:4]}, set_up=setup["set_up"])
+
+    def _constant(self, module: str, name: str) -> int:
+        return getattr(importlib.import_module(f"{self._package}.{module}"), name)
+
+    def _is_worth(self, name: str, seconds: float) -> bool:
+        """Return whether a compiled kernel is there, or worth it for work that takes Python so long."""
+        if name not in self._ready:
+            self._spent[name] += seconds
+            spent = self._spent[name]
+            if spent >= COMPILING[name] or (spent >= LOADED and self._is_on_disk(name)):
+                self._ready.add(name)
+        return name in self._ready
+
+    def _is_on_disk(self, name: str) -> bool:
+        from polhode.exact._compiling import is_on_disk
+
+        return is_on_disk(getattr(self._compiled, name))
+
+    # ------------------------------------------------------------------ set-up
+
+    def columns(self, arguments: Vectors) -> Float64[np.ndarray, "columns *bodies"]:
+        """Return the constants of the motions of bodies, arrays (…, k) that broadcast against each other."""
+        shape = np.broadcast_shapes(*(np.shape(v)[:-1] for v in arguments))
+        flat = [np.broadcast_to(v, (*shape, np.shape(v)[-1])).reshape(-1, np.shape(v)[-1]) for v in arguments]
+        count = math.prod(shape)
+        columns, left = np.empty((self._constant("formulas", "COLUMNS"), count)), np.ones(count, bool)
+        if self._is_worth("set_up", SET_UP * count):
+            self._set_up_many(flat, columns, left)
+        else:
+            for k in range(count):
+                self._set_up_one([v[k] for v in flat], k, columns, left)
+        if left.any():
+            of_left = columns_in_blocks(self._prepare, tuple(v[left] for v in flat))
+            for column, values in zip(columns, of_left, strict=True):
+                column[left] = values
+        return columns.reshape(len(columns), *shape)
+
+    def _set_up_many(self, flat: Sequence[Array], columns: Array, left: Array) -> None:
+        inputs = [np.ascontiguousarray(v, float) for v in flat]
+        fill = lambda low, high: self._compiled.set_up(  # noqa: E731
+            *(v[low:high] for v in inputs), columns[:, low:high], left[low:high]
+        )
+        in_threads(fill, len(left), self._constant("kernel_setup", "WORTH"))
+
+    def _set_up_one(self, inputs: list[Array], k: int, columns: Array, left: Array) -> None:
+        outputs, is_left = [[0.0] for _ in range(len(columns))], [True]
+        try:
+            self._python.set_up(*([v.tolist()] for v in inputs), outputs, is_left)
+        except (ArithmeticError, ValueError):  # where Numba's numbers become infinite or none
+            self._set_up_many([v[None] for v in inputs], columns[:, k : k + 1], left[k : k + 1])
+            return
+        columns[:, k], left[k] = [x for (x,) in outputs], is_left[0]
+
+    # ------------------------------------------------------------------ states
+
+    def state(self, column: Sequence[float], time: float, rest: float) -> State:
+        """Return attitude and momentum of one body at a time since the epoch, given in two parts."""
+        kept, motion = self._latest
+        if kept is not column:  # one body is asked for its states again and again
+            motion = self._python.unflatten(column)
+            self._latest = column, motion
+        try:
+            return self._python.state_at(motion, time, rest)
+        except (ArithmeticError, ValueError):
+            attitude, momentum = np.empty((1, 4)), np.empty((1, 3))
+            self._of_one(column, np.array([time]), np.array([rest]), attitude, momentum)
+            return (*attitude[0].tolist(), *momentum[0].tolist())
+
+    def states(
+        self, columns: Float64[np.ndarray, "columns *bodies"], elapsed: Float64[Array, "..."],
+        rest: Float64[Array, "..."],
+    ) -> tuple[Float64[np.ndarray, "*shape 4"], Float64[np.ndarray, "*shape 3"]]:  # fmt: skip
+        """Return attitude (…, 4) and momentum (…, 3) at times since the epoch, which broadcast against the bodies."""
+        batch = np.shape(columns)[1:]
+        shape = np.broadcast_shapes(batch, np.shape(elapsed))
+        times, rests = (np.ascontiguousarray(np.broadcast_to(x, shape), float).reshape(-1) for x in (elapsed, rest))
+        count = math.prod(batch)
+        flat = columns.reshape(len(columns), count)
+        compiled = self._is_worth("states_of_one" if count == 1 else "states_of_many", STATE * len(times))
+        bodies = None if count == 1 else np.broadcast_to(np.arange(count).reshape(batch), shape).reshape(-1)
+        outputs = np.empty((len(times), 4)), np.empty((len(times), 3))  # apart, as strided ones would not do for others
+        if not compiled:
+            self._by_python(flat, bodies, times, rests, *outputs)
+        elif bodies is None:
+            self._of_one(flat[:, 0].tolist(), times, rests, *outputs)
+        else:
+            self._of_many(flat, bodies, times, rests, *outputs)
+        return outputs[0].reshape(*shape, 4), outputs[1].reshape(*shape, 3)
+
+    def _by_python(
+        self, flat: Array, bodies: Array | None, times: Array, rests: Array, attitude: Array, momentum: Array
+    ) -> None:
+        rows = flat.T.tolist()
+        for i, (time, rest) in enumerate(zip(times.tolist(), rests.tolist(), strict=True)):
+            components = self.state(rows[0 if bodies is None else bodies[i]], time, rest)
+            attitude[i], momentum[i] = components[:4], components[4:]
+
+    def _of_one(
+        self, column: Sequence[float], times: Array, rests: Array, attitude: Array, momentum: Array
+    ) -> None:
+        fill = lambda low, high: self._compiled.states_of_one(  # noqa: E731
+            tuple(column), times[low:high], rests[low:high], attitude[low:high], momentum[low:high]
+        )
+        in_threads(fill, len(times), kernel_loops.WORTH)
+
+    def _of_many(
+        self, flat: Array, bodies: Array, times: Array, rests: Array, attitude: Array, momentum: Array
+    ) -> None:
+        fill = lambda low, high: self._compiled.states_of_many(  # noqa: E731
+            flat, bodies[low:high], times[low:high], rests[low:high], attitude[low:high], momentum[low:high]
+        )
+        in_threads(fill, len(times), kernel_loops.WORTH)

@@ -1,0 +1,142 @@
+"""The kernels compiled by Numba, which keeps them beside their files, or in the user's cache.
+
+Copies of their modules are made whose functions are Numba's; the modules themselves stay as Python runs them.
+"""
+
+from __future__ import annotations
+
+import inspect
+import math
+import sys
+import zlib
+from collections.abc import Callable, Iterable
+from functools import partial
+from pathlib import Path
+from types import FunctionType, ModuleType
+from typing import Any
+
+import numpy as np
+from llvmlite.ir import Constant
+from numba import njit
+from numba.core import event
+from numba.core.cgutils import unpack_tuple
+from numba.core.types import UniTuple, float64, int64, none
+from numba.extending import intrinsic
+from numba.np.arrayobj import make_array
+
+from polhode.exact._copies import copy_modules
+from polhode.exact._kernel_arithmetic import BLOCK
+
+_TAKE: Any = njit  # whose types do not know all of its options
+_FILES = sorted(path for path in Path(__file__).parent.rglob("*.py") if path.name.startswith(("formulas", "kernel")))
+SOURCES = zlib.crc32(b"".join(path.read_bytes() for path in (Path(__file__), *_FILES)))
+
+
+def announce(what: str, dispatcher: Any) -> Any:
+    """Have a function of Numba's say on a terminal when it is being compiled, and return it."""
+
+    class Listener(event.Listener):
+        def on_start(self, event: Any) -> None:
+            if event.data["dispatcher"] is dispatcher and sys.stderr.isatty():
+                print(f"polhode: compiling its {what}, once for this installation …", file=sys.stderr, flush=True)
+
+        def on_end(self, event: Any) -> None:
+            pass
+
+    event.register("numba:compile", Listener())
+    return dispatcher
+
+
+def compiled_modules(modules: Iterable[ModuleType], motion: str) -> dict[str, dict[str, Any]]:
+    """Return the names of modules, by theirs, with functions that Numba compiles when they are first called.
+
+    Args:
+        modules: with functions that are marked as parts of a kernel, which call each other.
+        motion: word for the motion whose formulas they have.
+    """
+    return copy_modules(modules, OWN, partial(_compile, motion))
+
+
+def _compile(motion: str, function: FunctionType, mark: str) -> Any:
+    if mark != "entry":  # needs no way in from Python, which takes time to compile
+        return _TAKE(error_model="numpy", forceinline=mark == "inlined", no_cpython_wrapper=True,
+                     no_cfunc_wrapper=True)(function)  # fmt: skip
+    # Numba looks at one file alone for changes, and keeps what it compiles by this name
+    function.__qualname__ = f"{function.__name__}_{motion}_{SOURCES:08x}"
+    return announce("closed forms", _TAKE(error_model="numpy", nogil=True, cache=True)(function))
+
+
+def is_on_disk(entry: Any) -> bool:
+    """Return whether Numba has compiled a function before."""
+    return any(Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi"))
+
+
+# ---------------------------------------------------------------------- what takes the place of Python's words
+
+
+def _instruction(function: Callable[..., Any]) -> Any:
+    return intrinsic(inspect.unwrap(function))
+
+
+@_instruction
+def _fused(context: Any, a: Any, b: Any, c: Any) -> Any:
+    """Return a b + c, rounded once."""
+    return float64(float64, float64, float64), lambda _, builder, __, values: builder.fma(*values)
+
+
+@_instruction
+def _bits_of(context: Any, x: Any) -> Any:
+    cast = lambda target, builder, _, values: builder.bitcast(values[0], target.get_value_type(int64))  # noqa: E731
+    return int64(float64), cast
+
+
+@_instruction
+def _of_bits(context: Any, n: Any) -> Any:
+    cast = lambda target, builder, _, values: builder.bitcast(values[0], target.get_value_type(float64))  # noqa: E731
+    return float64(int64), cast
+
+
+def _two_product(a: Any, b: Any) -> Any:
+    p = a * b
+    return p, _fused(a, b, -p)
+
+
+@intrinsic(prefer_literal=True)
+def _record(context: Any, rows: Any, i: Any, count: Any) -> Any:
+    numbers = rows.dtype, count.literal_value
+
+    def read(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+        places = _places(context, builder, rows, values, count.literal_value)
+        return context.make_tuple(builder, signature.return_type, [builder.load(place) for place in places])
+
+    return UniTuple(*numbers)(rows, i, count), read
+
+
+@intrinsic
+def _put_record(context: Any, rows: Any, i: Any, values: Any) -> Any:
+    def write(context: Any, builder: Any, _: Any, operands: Any) -> Any:
+        places = _places(context, builder, rows, operands, len(values))
+        for place, value in zip(places, unpack_tuple(builder, operands[2]), strict=True):
+            builder.store(value, place)
+        return context.get_dummy_value()
+
+    return none(rows, i, values), write
+
+
+def _places(context: Any, builder: Any, rows: Any, values: Any, count: int) -> list[Any]:
+    """Return pointers to numbers of an array that stand BLOCK apart."""
+    data, first = make_array(rows)(context, builder, values[0]).data, values[1]
+    steps = [builder.add(first, Constant(first.type, k * BLOCK)) for k in range(count)]
+    return [builder.gep(data, [step], inbounds=True) for step in steps]
+
+
+_inlined = _TAKE(error_model="numpy", forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
+two_product = _inlined(inspect.unwrap(_two_product))
+OWN: dict[str, Any] = {
+    "two_product": two_product, "bits_of": _bits_of, "of_bits": _of_bits,
+    "record": _record, "put_record": _put_record,
+    "square_root": _inlined(lambda x: np.sqrt(x)), "exponential": _inlined(lambda x: math.exp(x)),
+    "floor": _inlined(lambda x: np.floor(x)), "nearest": _inlined(lambda x: np.rint(x)),
+    "room": _inlined(lambda count: np.zeros(count)), "places": _inlined(lambda count: np.empty(count, np.int64)),
+    "flags": _inlined(lambda count: np.empty(count, np.bool_)),
+}  # fmt: skip

@@ -1,0 +1,101 @@
+"""Formulas of both motions, each written once, over the words of ``kernel_arithmetic``.
+
+Python runs them with single numbers. ``copies`` makes copies of them for Numba, in which basic words are its own, and
+for arrays of NumPy or JAX. So they consist of arithmetic and words: what depends on a number is a ``where``.
+"""
+
+from __future__ import annotations
+
+from polhode.exact._kernel_arithmetic import (
+    Pair,
+    Rate,
+    add,
+    divide,
+    fast_two_sum,
+    halves,
+    inlined,
+    multiply,
+    nearest,
+    phase,
+    root,
+    scale,
+    square,
+    square_root,
+    subtract,
+    two_sum,
+)
+
+CONVERGED = 2e-8  # the closing formulas of the mean leave an error of the fourth power
+MOST_STEPS = 20
+
+
+@inlined
+def exponent(x: float, rest: float, upper: float, lower: float) -> Pair:
+    """Return the leading part of −(x + rest)(upper + lower), which is exact, and the factor for the rest."""
+    high, low = halves(x)
+    small = (high * lower + low * (upper + lower)) + rest * upper
+    return -(high * upper), 1.0 - small * (1.0 - 0.5 * small)
+
+
+@inlined
+def reduced_argument(rate: Rate, start: Pair, periodic: float, high: float, low: float) -> tuple[float, float, float]:
+    """Return an argument in half periods as a number within ±½ and its rest, and the half periods taken out.
+
+    On the separatrix, where ``periodic`` is zero, it runs to infinity and none is taken out.
+    """
+    fraction, rest, turned = phase(rate, high, low)
+    total, first_error = two_sum((1.0 - periodic) * turned, fraction)
+    u, second_error = two_sum(total, start[0])
+    u, u_rest = fast_two_sum(u, rest + (start[1] + (first_error + second_error)))
+    more = periodic * nearest(u)
+    return u - more, u_rest, periodic * turned + more
+
+
+@inlined
+def nome_per_parameter(parameter: float, k: float) -> float:
+    """Return ``elliptic.nome_per_parameter``."""
+    more = 1.0 + square_root(k)
+    ratio = 0.5 / ((1.0 + k) * more * more)
+    e = ratio * parameter
+    e4 = (e * e) * (e * e)
+    return ratio * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * (150.0 + e4 * 1707.0))))
+
+
+@inlined
+def by_theta(period: Pair, nome: float) -> Pair:
+    """Return a period over θ3², of which 1/θ3² is 1 less a small correction."""
+    q4 = (nome * nome) * (nome * nome)
+    e = 2.0 * (nome + q4 + q4 * q4 * nome)
+    return add(period, (-period[0] * (e * (2.0 + e) / ((1.0 + e) * (1.0 + e))), 0.0))
+
+
+@inlined
+def mean_step(a: Pair, g: Pair, pp: Pair, q: Pair, total: Pair) -> tuple[Pair, Pair, Pair, Pair, Pair]:
+    """Take a step of the arithmetic–geometric mean and its third-kind sum, in double-double.
+
+    With ε = (p²−ag)/(p²+ag), Q ← Qε/2 and p ← (p²+ag)/2p; the sum is of all Q, from Q = 1. Arithmetic and square roots
+    alone give complete elliptic integrals of the first and third kind, so that the rates of exact motion carry thirty
+    digits and their phases stay right for any time. Source: Carlson, SIAM J. Math. Anal. 8 (1977) 231.
+    """
+    ag = multiply(a, g)
+    both = add(pp, ag)
+    q = scale(multiply(q, divide(subtract(pp, ag), both)), 0.5)
+    return scale(add(a, g), 0.5), root(ag), scale(divide(square(both), pp), 0.25), q, add(total, q)
+
+
+@inlined
+def mean_distance(a: Pair, g: Pair, pp: Pair) -> tuple[float, float, Pair]:
+    """Return x = (a−g)/(a+g), ε and (a+g)/2; ag is taken as ((a+g)/2)² − ((a−g)/2)², which does not cancel in ε."""
+    middle = scale(add(a, g), 0.5)
+    half = 0.5 * ((a[0] - g[0]) + (a[1] - g[1]))
+    d = subtract(pp, square(middle))
+    e = d[0] + d[1] + half * half
+    return half / middle[0], e / (2.0 * middle[0] * middle[0] + e), middle
+
+
+@inlined
+def mean_closed(x: float, e: float, middle: Pair, q: float, total: Pair) -> tuple[Pair, Pair]:
+    """Return the mean and the sum of what ``mean_distance`` returns, exact where that is below ``CONVERGED``."""
+    last = 0.5 * q * e
+    rest = last + last * (0.25 * (e * e - 0.5 * x * x))
+    return add(middle, (-0.25 * middle[0] * x * x, 0.0)), add(total, (rest, 0.0))

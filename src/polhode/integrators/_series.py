@@ -1,0 +1,299 @@
+"""``Taylor``: systems whose rates are products, powers and elementary functions, by Taylor series of the motion."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.integrators._adaptive import AdaptiveMotion, check_events
+from polhode.integrators._difference import EPS, LARGE, difference, starts_a_rounding_away
+from polhode.integrators._interrupts import keep_interrupts
+from polhode.integrators.probing import jumps_between
+from polhode.motion._outcome import Ends, Status
+from polhode.systems.base import AbstractSystem
+from polhode.taylor.array_series import Place, runs_of_arrays
+from polhode.taylor.expressions import Untraceable
+from polhode.taylor.flight import MOST_STEPS
+from polhode.taylor.machine import build_machine, count_operations
+from polhode.taylor.runs import EXTENDED_LOCAL, LOCAL, Precision, Runs, choose_precision, run_copies
+from polhode.types import Array, Double, Float64
+
+LOWEST, HIGHEST = 4, 60  # orders
+PRECISIONS = "double", "extended"
+COMPARED = 64  # times at least, at which runs are compared, as they may meet by chance at a few samples
+ROUNDS = 6  # of shorter steps
+LARGEST = 20_000  # operations of the rates of change, beyond which tracing takes longer than what it may save
+SMALLEST = 1e-150  # state, and one over it the largest: beyond, products of its numbers vanish or overflow
+FINER, CLOSER = 4, 0.8  # orders more, and times the reach, of the run by which the error of the series is seen
+SAFETY = 4.0  # of the estimate, as a few other runs see most of what roundings grow to, not all
+LUCK = 10.0  # by which runs with other roundings may by chance be nearer to each other than to the true motion
+FEWEST = 4.0  # roundings of the last step and of the sample itself
+
+
+class NoSeries(InvalidInput):
+    """A motion that series cannot follow, whatever their order."""
+
+
+@dataclass(frozen=True)
+class Taylor:
+    """Taylor series of the motion, by steps that reach as far as the series converges fast.
+
+    Coefficients follow from recurrences in the operations that the rates of change are made of: sums, products, powers,
+    exponentials, logarithms, sines and cosines. Rates with a branch on the state, or with other functions, are refused.
+    Samples lie on the series, so that they cost and change no steps. After each step the state is put back onto
+    energy, Casimirs and what else the system says is conserved, where rounding has moved it away.
+
+    With extended precision a state has twice as many digits, and so have the first coefficients of its series, with all
+    numbers that are computed of the system's own, as one over a moment. Roundings do not add up then: a heavy top is
+    exact to 1e-15 after 1e5 seconds, where it is else off by 1e-11. A step takes some seven times as long, and rates
+    must be made of sums, products, and powers that are halves of whole numbers.
+
+    Args:
+        order: of the series; by default 24, 28 with extended precision, and lower where a tolerance is given.
+        precision: "double" or "extended".
+
+    Raises:
+        InvalidInput: for an order that is not between 4 and 60, or another precision.
+
+    Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
+    """
+
+    order: int | None = None
+    precision: str = "double"
+
+    def __post_init__(self) -> None:
+        if self.order is not None and not (isinstance(self.order, int) and LOWEST <= self.order <= HIGHEST):
+            raise InvalidInput(f"`order` of Taylor must be from {LOWEST} to {HIGHEST}; got {shown(self.order)}.")
+        if self.precision not in PRECISIONS:
+            raise InvalidInput(
+                f"`precision` of Taylor must be one of {', '.join(PRECISIONS)}; got {shown(self.precision)}."
+            )
+
+    @property
+    def is_extended(self) -> bool:
+        """Whether states have twice as many digits."""
+        return self.precision == "extended"
+
+
+def is_series(method: Any) -> bool:
+    """Return whether a method is that of this file, as a class or an object."""
+    return method is Taylor or isinstance(method, Taylor)
+
+
+def has_short_series(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
+    """Return whether the rates of change at states (batch…, …) are of so few operations that series pay."""
+    return system.series_of_arrays or count_operations(system, _one(system, state)) <= LARGEST
+
+
+def goes_by_arrays(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
+    """Return whether the system's series are of whole arrays; such a motion can be resumed to the same bits."""
+    return system.series_of_arrays or count_operations(system, _one(system, state)) > LARGEST
+
+
+def _one(system: AbstractSystem, state: Double[Array, "..."]) -> Array:
+    return np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))[0]
+
+
+def has_series(system: AbstractSystem, state: Double[Array, "*shape"], times: tuple[float, float]) -> bool:
+    """Return whether a motion of one state between two times has a series, and one that is short enough to pay."""
+    try:
+        check_sizes(np.asarray(state)[None])
+        if goes_by_arrays(system, state):
+            return False
+        build_machine(system, state, times)
+    except (NoSeries, Untraceable):
+        return False
+    return True
+
+
+def solve_by_series(
+    system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    meter: Any = None, step: float | None = None, tolerance: float | None = None, every: int = 1,
+    memory: Sequence[Array] | None = None,
+) -> AdaptiveMotion:  # fmt: skip
+    """Return the motion at times, or up to the first of the system's events; see ``solve_adaptively``.
+
+    Raises:
+        InvalidInput: if the system's rates are not made of operations that have a recurrence, or if an event has
+            already happened at the start.
+        NotConverged: if it takes too many steps.
+    """
+    kept, longest = times[::every], math.inf if step is None else float(step)
+    batch = np.shape(state)[: np.ndim(state) - system.state_axes]
+    states = np.reshape(np.asarray(state), (-1, *np.shape(state)[len(batch) :]))
+    check_events(system, times[0], state)
+    check_sizes(states)
+    jumps_between(times, system.jumps)  # refuses what is not a finite time
+    precision = choose_precision(tolerance, method.order, method.is_extended)
+    place = None if memory is None else _find_place(memory, states, times[0])
+    runs, place = _run_or_refuse(system, states, kept, times[-1], precision, longest, meter, place)
+    shaped = lambda x: x.reshape((*batch, *x.shape[1:]))  # noqa: E731
+    ends = Ends(shaped(runs.status), shaped(runs.event), shaped(runs.end), shaped(runs.end_state),
+                tuple(system.events))  # fmt: skip
+    fine = shaped(runs.status) != Status.NOT_CONVERGED
+    received = {name: shaped(runs.received[..., k]) for k, name in enumerate(runs.balances)}
+    steps = int(runs.steps.max())
+    if batch or runs.status[0] != Status.EVENT:
+        carried = None
+        if place is not None and not batch:
+            carried = tuple(map(np.asarray, (times[-1] - place.time, place.state, place.unit)))
+        return AdaptiveMotion(kept, shaped(runs.states), received, None, fine, steps, ends, carried)
+    before = np.abs(kept - times[0]) < abs(float(runs.end[0]) - times[0])
+    # one row more, for the event itself
+    received = {
+        name: np.append(value[before], runs.end_received[0, k]) for k, (name, value) in enumerate(received.items())
+    }
+    rows = np.concatenate([runs.states[0][before], runs.end_state])
+    event = tuple(system.events)[int(runs.event[0])]
+    return AdaptiveMotion(np.append(kept[before], runs.end[0]), rows, received, event, fine, steps, ends)
+
+
+def series_error(
+    system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    motion: AdaptiveMotion, step: float | None = None, tolerance: float | None = None,
+) -> Float64[Array, "*batch"]:  # fmt: skip
+    """Return the estimated error (batch…) of a motion, from further runs.
+
+    A run of higher order, with steps that are shorter, shows what series leave out. Two from starts a rounding away
+    show what roundings grow to. All are compared at many times, which cost next to nothing.
+    """
+    parts = max(1, math.ceil(COMPARED / (len(times) - 1)))
+    fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
+    precision = choose_precision(tolerance, method.order, method.is_extended)
+    better = precision._replace(order=precision.order + FINER, reach=CLOSER * precision.reach)
+    batch = np.shape(state)[: np.ndim(state) - system.state_axes]
+    longest = math.inf if step is None else float(step)
+
+    def again(start: Array, by: Precision) -> Runs:
+        states = np.reshape(np.asarray(start), (-1, *np.shape(start)[len(batch) :]))
+        return _run_or_refuse(system, states, fine, fine[-1], by, longest, None)[0]
+
+    first, second = again(state, precision), again(state, better)
+    off, failed = _apart(system, fine, first, second)
+    grown = np.zeros_like(off)
+    # roundings are not those of doubles with extended precision
+    for kicked in () if method.is_extended else starts_a_rounding_away(system, state):
+        gap, lost = _apart(system, fine, second, again(kicked, better))
+        grown, failed = np.maximum(grown, gap), failed | lost
+    # what a rounding could make of the motion, it has not made where runs by other steps are much nearer to each other;
+    # but they may be so by chance, and the mean of both is between the two cases
+    between = np.sqrt(np.minimum(off, 1.0) * np.minimum(grown, 1.0))
+    grown = np.minimum(SAFETY * grown, np.maximum(LUCK * off, SAFETY * between))
+    error = np.where(off > LARGE, off, np.max([SAFETY * off, grown, np.full(off.shape, FEWEST * EPS)], axis=0))
+    return np.where(failed, np.inf, error).reshape(batch)
+
+
+def series_to_tolerance(
+    system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    meter: Any, step: float | None, tolerance: float, every: int = 1,
+) -> tuple[AdaptiveMotion, Float64[Array, "*batch"]]:  # fmt: skip
+    """Return a motion whose estimated error is within a tolerance, and that error.
+
+    Raises:
+        NotConverged: if rounding alone makes more of it.
+    """
+    local, error, arguments = tolerance, np.inf, (system, method, state, times)
+    least = EXTENDED_LOCAL if method.is_extended else LOCAL
+    for k in range(ROUNDS):
+        motion = solve_by_series(*arguments, meter, step, local, every)
+        errors = series_error(*arguments, motion, step, local)
+        error = float(np.max(np.where(motion.successful, errors, 0.0), initial=0.0))
+        if error <= tolerance:
+            return motion, errors
+        if local == least or k == ROUNDS - 1:
+            break
+        local = max(local * min(0.1 * tolerance / error, 0.1), least)
+    raise NotConverged(
+        f"`tolerance` {tolerance:g} could not be met: the estimated error is {error:.2g}, and shorter steps do not "
+        "help, as it comes from rounding or chaos. Allow more, or shorten the time."
+    )
+
+
+def _apart(system: AbstractSystem, times: np.ndarray, one: Runs, other: Runs) -> tuple[Array, Array]:
+    """Return how far runs are apart (C,) until either ends, and which of them failed."""
+    distances, whole = np.zeros(len(one.states)), np.full(len(one.states), abs(times[-1] - times[0]))
+    last = np.nanmin([np.abs(one.end - times[0]), np.abs(other.end - times[0]), whole], axis=0)
+    counts = np.maximum(np.sum(np.abs(times - times[0]) <= last[:, None] * (1.0 - 1e-9), axis=1), 1)
+    counts[(one.event == -1) & (other.event == -1)] = len(times)
+    for count in np.unique(counts):
+        some = counts == count
+        with np.errstate(invalid="ignore"):
+            distances[some] = difference(system, one.states[some, :count], other.states[some, :count])
+    failed = (one.status == Status.NOT_CONVERGED) | (other.status == Status.NOT_CONVERGED)
+    return np.nan_to_num(distances, nan=np.inf), failed
+
+
+def _by_arrays_or_tape(
+    system: AbstractSystem, states: Array, times: np.ndarray, precision: Precision, longest: float,
+    check: Callable[[float], None], place: Place | None,
+) -> tuple[Runs, Place | None]:  # fmt: skip
+    """Return runs by series of whole arrays where these pay and exist, otherwise by series of single numbers."""
+    if goes_by_arrays(system, states):
+        try:
+            return runs_of_arrays(system, states, times, precision, longest, check, place)
+        except Untraceable:
+            if place is not None:
+                raise
+    return run_copies(system, states, times, precision, longest, check), None
+
+
+def _find_place(memory: Sequence[Array], states: Double[Array, "copies ..."], first: float) -> Place:
+    """Return where the last step of an earlier motion began; ``memory`` has the time from there to its end."""
+    shapes = [np.shape(x) for x in memory]
+    if shapes != [(), np.shape(states[0]), ()] or len(states) > 1:
+        raise InvalidInput(
+            f"`memory` must be that of an earlier run by Taylor from one state: a time, a state {np.shape(states[0])} "
+            f"and a unit of time; got shapes {shapes}. Leave it out to begin afresh."
+        )
+    return Place(first - float(memory[0]), np.asarray(memory[1], states.dtype), float(memory[2]))
+
+
+def _run_or_refuse(
+    system: AbstractSystem, states: Array, times: np.ndarray, last: float, precision: Precision, longest: float,
+    meter: Any, place: Place | None = None,
+) -> tuple[Runs, Place | None]:  # fmt: skip
+    """Return runs up to a last time, which need not be a sample, and where to resume; or say why there are none."""
+    with keep_interrupts() as check:
+        shown_state = [None if meter is None else meter.init()]
+
+        def report_progress(share: float) -> None:
+            check()
+            if meter is not None:
+                shown_state[0] = meter.step(shown_state[0], jnp.asarray(share))
+
+        whole = times if times[-1] == last else np.append(times, last)
+        try:
+            runs, place = _by_arrays_or_tape(system, states, whole, precision, longest, report_progress, place)
+        except Untraceable as error:
+            instead = ('Give `precision` "double".' if precision.extended
+                       else "Leave out `method`, or give a solver of diffrax.")  # fmt: skip
+            raise NoSeries(
+                f"{type(system).__name__} cannot be moved by Taylor series: its rates of change contain {error}. "
+                f"{instead}"
+            ) from None
+        if meter is not None:
+            meter.close(shown_state[0])
+    if (steps := int(runs.steps.max())) >= MOST_STEPS:
+        raise NotConverged(
+            f"{steps:.1e} steps did not reach the last time, {last:g} s, and at most so many are taken. Give an "
+            "earlier last time, which is `time.until` in a spec, or follow the motion in parts."
+        )
+    kept = runs._replace(states=runs.states[:, : len(times)], received=runs.received[:, : len(times)])
+    return kept, place
+
+
+def check_sizes(states: Double[Array, "copies ..."]) -> None:
+    """Refuse states (C, …) whose products vanish or overflow."""
+    sizes = np.abs(states).reshape(len(states), -1).max(axis=-1, initial=0.0)
+    wrong = (sizes > 0.0) & ((sizes < SMALLEST) | (sizes > 1.0 / SMALLEST))
+    if wrong.any():
+        raise NoSeries(
+            f"`state` must be of a size within {SMALLEST:g} to {1.0 / SMALLEST:g} for Taylor, which multiplies its "
+            f"numbers; got {sizes[np.argmax(wrong)]:.3g}. Choose units in which it is nearer to one."
+        )

@@ -1,0 +1,33 @@
+"""Carlson's R_F(x, y, 1) in double-double, for phases that must stay accurate."""
+
+from __future__ import annotations
+
+from polhode.arrays import iterate
+from polhode.special import _doubledouble as dd
+from polhode.special._doubledouble import DoubleDouble
+from polhode.types import Array
+
+STEPS = 20  # nine halve the exponent of the smallest ratio, the rest divide the spread by four
+
+
+def first_kind(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
+    """Return R_F(x, y, 1) = ½ ∫₀^∞ dt / √((t+x)(t+y)(t+1)) for x, y ≥ 0, not both zero.
+
+    Source: Carlson, Numer. Algorithms 10 (1995) 13, duplication.
+    """
+    one = dd.one_like(x[0])
+
+    def step(now: tuple[Array, ...]) -> tuple[Array, ...]:
+        a, b, c = now[0:2], now[2:4], now[4:6]
+        ra, rb, rc = dd.sqrt(a), dd.sqrt(b), dd.sqrt(c)
+        lam = dd.add(dd.add(dd.multiply(ra, rb), dd.multiply(rb, rc)), dd.multiply(rc, ra))
+        return tuple(part for v in (a, b, c) for part in dd.scale(dd.add(v, lam), 0.25))
+
+    now = iterate(STEPS, step, (*x, *y, *one), like=x[0])
+    a, b, c = now[0:2], now[2:4], now[4:6]
+    mean = dd.divide(dd.add(dd.add(a, b), c), dd.scale(one, 3.0))
+    X, Y = (dd.subtract(one, dd.divide(v, mean))[0] for v in (a, b))
+    Z = -X - Y
+    E2, E3 = X * Y - Z * Z, X * Y * Z
+    closing = -E2 / 10.0 + E3 / 14.0 + E2 * E2 / 24.0 - 3.0 * E2 * E3 / 44.0
+    return dd.divide(dd.add(one, dd.from_float(closing)), dd.sqrt(mean))
