@@ -95,6 +95,7 @@ def _generators(brackets: list[list[dict[int, Fraction]]]) -> list[int]:
         chosen.append(i)
         span = np.vstack([span, unit])
         while True:
+            # brackets of all pairs in the span
             products = np.tensordot(span, np.tensordot(span, dense, (1, 1)), (1, 1)).reshape(-1, dim)
             _, sizes, rows = np.linalg.svd(np.vstack([span, products]), full_matrices=False)
             rank = int((sizes > 1e-9 * sizes[0]).sum())
@@ -109,6 +110,7 @@ def _invariants(brackets: list[list[dict[int, Fraction]]], generators: list[int]
     dim = len(brackets)
     monomials = [_exponents(m, dim) for m in combinations_with_replacement(range(dim), degree)]
     place = {m: n for n, m in enumerate(monomials)}
+    # {x_g, Π x_i^{e_i}} = Σ_j e_j x^{e − 1_j} Σ_k c_gj^k x_k, by Leibniz
     rows: dict[tuple[int, int], dict[int, Fraction]] = defaultdict(lambda: defaultdict(Fraction))
     for column, monomial in enumerate(monomials):
         for g in generators:
@@ -130,6 +132,7 @@ def _null_space(rows: list[dict[int, Fraction]], columns: int) -> list[dict[int,
     free = [c for c in range(columns) if c not in set(pivots)]
     vectors = []
     for c in free:
+        # one free unknown is 1 and the others are 0; the reduced rows give the pivots
         vector = {c: Fraction(1)}
         for pivot, row in zip(pivots, reduced, strict=True):
             if c in row:

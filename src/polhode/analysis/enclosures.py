@@ -237,6 +237,7 @@ class _Proof:
         arb = self.flint.arb
         series = self.balls.coefficients(self.y, self.parameters, self.order)
         ratio = (abs(h) / arb(disc)).upper()
+        # Cauchy's estimate |c_k| ≤ size/disc^k: what is cut off is at most size · ratio^(p+1)/(1 − ratio)
         cut = (ratio ** (self.order + 1) / (1 - ratio)).upper()
         new, off = [], []
         for k, (row, size) in enumerate(zip(series, box, strict=True)):
@@ -255,6 +256,7 @@ class _Proof:
         faster = self._faster(tube, abs(h), pushed)
         grow = (faster * abs(h)).exp().upper()
         grown = grow.max(arb(1)) if bool(pushed > 0) else grow
+        # d|e|/dt ≤ m |e| + |push| with the logarithmic norm m (Dahlquist)
         self.error = (self.error * grow + pushed * grown + self._size(off[: self.moving])).upper()
         self.growth = (self.growth * grow).upper()
         self.y, self.steps = new, self.steps + 1
@@ -287,6 +289,7 @@ class _Proof:
                      for j in range(n)] for i in range(n)]  # fmt: skip
             if not all(x.is_finite() for row in half for x in row):
                 break
+            # the logarithmic norm for |W⁻¹e|: the largest eigenvalue of the symmetric part of W⁻¹ J W
             bound = _largest(self.flint, half)
             most = error * (bound * h).exp().max(arb(1))
             if bool(most <= aside):

@@ -243,11 +243,12 @@ def export(
         Path | None,
         typer.Option("--out", metavar="FILE", help="The file (default: named after the spec, in the present folder)."),
     ] = None,
+    json: AsJson = False,
 ) -> None:
     """Write the motion as files for other tools."""
     from polhode.cli.export import run_export
 
-    run_export(spec, to, out)
+    run_export(spec, to, out, json)
 
 
 @app.command("import", cls=StrictCommand)
