@@ -43,7 +43,7 @@ class ClosedForm:
     """The kernels of a motion in closed form.
 
     Args:
-        package: with ``formulas``, ``kernel_setup`` and what these need.
+        package: with ``_formulas``, ``_kernel_setup`` and what these need.
         prepare: returns the columns of bodies that the kernels leave to NumPy.
     """
 
