@@ -12,6 +12,7 @@ from . import quantum as quantum
 from . import reports as reports
 from . import rotation as rotation
 from . import special as special
+from . import symbolic as symbolic
 from . import systems as systems
 from . import testing as testing
 from .analysis.certification import certify as certify

@@ -47,6 +47,7 @@ GIVEN = {
     "compare": [["free.toml", "free.toml"]],
     "sweep": [["sweep.toml", "--dry-run"]],
     "tumble": [["apophis"], ["apophis", "--diameter", "340 m"]],
+    "derive": [["clebsch"]],
     "wobble": [["--from", "1995-01-01", "--to", "2012-01-01"]],
 }
 EXAMPLE = re.compile(r"(?:[Ll]ike|default:) \"?([^\";)]*?\d[^\";)]*)\"?")

@@ -20,7 +20,7 @@ from oracle.lagrange_families import draw_tops
 from oracle.measures import EPS
 from oracle.mpmath_motions import fraction, free_numbers, integrated_state, top_numbers
 from oracle.reference import reference_state
-from polhode.analysis import elliptic_balls
+from polhode.analysis import _elliptic_balls as elliptic_balls
 from starts import lagrange_motion
 
 WORST_ERROR = 16.0

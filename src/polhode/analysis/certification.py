@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, overload
 
-from polhode.analysis.exact_arithmetic import check_digits, import_flint
+from polhode.analysis._exact_arithmetic import check_digits, import_flint
+from polhode.analysis._motion_starts import MotionStart, exact_start
 from polhode.analysis.motion_enclosures import FreeEnclosure, MotionEnclosure, TopEnclosure
-from polhode.analysis.motion_starts import MotionStart, exact_start
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body import FreeMotion
@@ -23,13 +23,13 @@ DIGITS, RADIUS = 25, 1e-15  # what is asked for if nothing is said
 
 
 def _enclose_free(start: MotionStart, digits: int) -> MotionEnclosure:
-    from polhode.analysis.free_body_balls import enclose_free_motion
+    from polhode.analysis._free_body_balls import enclose_free_motion
 
     return enclose_free_motion(start, digits)
 
 
 def _enclose_top(start: MotionStart, digits: int) -> MotionEnclosure:
-    from polhode.analysis.lagrange_top_balls import enclose_top_motion
+    from polhode.analysis._lagrange_top_balls import enclose_top_motion
 
     return enclose_top_motion(start, digits)
 

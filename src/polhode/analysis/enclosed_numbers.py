@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.analysis.exact_arithmetic import Ball, ExactNumber, exact_rational
+from polhode.analysis._exact_arithmetic import Ball, ExactNumber, exact_rational
 from polhode.types import Float64
 
 _ARB = re.compile(r"\[?(?P<middle>[^\[\]+ ]*) ?\+/- (?P<radius>[^\]]*)\]")

@@ -9,8 +9,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.analysis._exact_arithmetic import import_flint
 from polhode.analysis._tangent_flow import one_state
-from polhode.analysis.exact_arithmetic import import_flint
 from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._interrupts import keep_interrupts
@@ -198,6 +198,7 @@ class _Proof:
         arb = self.flint.arb
         series = self.balls.coefficients(self.y, self.parameters, self.order)
         ratio = (abs(h) / arb(disc)).upper()
+        # Cauchy's estimate |c_k| ≤ size/disc^k: what is cut off is at most size · ratio^(p+1)/(1 − ratio)
         cut = (ratio ** (self.order + 1) / (1 - ratio)).upper()
         new, off = [], []
         for k, (row, size) in enumerate(zip(series, box, strict=True)):
@@ -216,6 +217,7 @@ class _Proof:
         faster = self._faster(tube, abs(h), pushed)
         grow = (faster * abs(h)).exp().upper()
         grown = grow.max(arb(1)) if bool(pushed > 0) else grow
+        # d|e|/dt ≤ m |e| + |push| with the logarithmic norm m (Dahlquist)
         self.error = (self.error * grow + pushed * grown + self._size(off[: self.moving])).upper()
         self.growth = (self.growth * grow).upper()
         self.y, self.steps = new, self.steps + 1
@@ -248,6 +250,7 @@ class _Proof:
                      for j in range(n)] for i in range(n)]  # fmt: skip
             if not all(x.is_finite() for row in half for x in row):
                 break
+            # the logarithmic norm for |W⁻¹e|: the largest eigenvalue of the symmetric part of W⁻¹ J W
             bound = _largest(self.flint, half)
             most = error * (bound * h).exp().max(arb(1))
             if bool(most <= aside):

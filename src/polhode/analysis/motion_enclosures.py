@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from polhode.analysis import ball_turns
+from polhode.analysis import _ball_turns as ball_turns
+from polhode.analysis._exact_arithmetic import Ball, ExactNumber, Rational, Wanted, exact_rational, refine, total
+from polhode.analysis._motion_starts import ExactBody
 from polhode.analysis.enclosed_numbers import EnclosedNumber, EnclosedState
-from polhode.analysis.exact_arithmetic import Ball, ExactNumber, Rational, Wanted, exact_rational, refine, total
-from polhode.analysis.motion_starts import ExactBody
 
 
 @dataclass(frozen=True, repr=False, eq=False, kw_only=True)

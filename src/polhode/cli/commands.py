@@ -264,11 +264,12 @@ def export(
         Path | None,
         typer.Option("--out", metavar="FILE", help="The file (default: named after the spec, in the present folder)."),
     ] = None,
+    json: AsJson = False,
 ) -> None:
     """Write the motion as files for other tools."""
     from polhode.cli.export import run_export
 
-    run_export(spec, to, out)
+    run_export(spec, to, out, json)
 
 
 @app.command("import", cls=StrictCommand)
@@ -443,3 +444,26 @@ def wobble(
     from polhode.cli.wobble import WobbleOptions, run_wobble
 
     run_wobble(file, WobbleOptions(start, end, window, figures, out), json)
+
+
+@app.command(cls=StrictCommand)
+def derive(
+    name: Annotated[
+        str | None, typer.Argument(metavar="[NAME]", help="Like free-body; without one, all are listed.")
+    ] = None,
+    to: Annotated[
+        str | None, typer.Option("--to", metavar="FORM", help="text, markdown, latex or html (default: text).")
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="File to write; .txt, .md, .tex or .html tells the form."),
+    ] = None,
+) -> None:
+    """Derive the equations of a system from its bracket, each step checked.
+
+    Brackets, equations of motion, Casimirs, integrals and conditions of stability are computed by symbols and compared
+    with the numerical system. Needs the extra symbolic.
+    """
+    from polhode.cli.derive import run_derive
+
+    run_derive(name, to, out)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from polhode import rotation
-from polhode.analysis.ball_turns import multiply
+from polhode.analysis._ball_turns import multiply
 from polhode.formats.opening import read_text
 from polhode.spec.parsing import LARGEST
 from polhode.spec.units import parse_exactly

@@ -8,10 +8,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, ClassVar
 
+from polhode.analysis._motion_starts import GIVEN
 from polhode.analysis.certification import certify
 from polhode.analysis.enclosed_numbers import EnclosedNumber, EnclosedState
 from polhode.analysis.motion_enclosures import FreeEnclosure, MotionEnclosure, TopEnclosure
-from polhode.analysis.motion_starts import GIVEN
 from polhode.errors import InvalidInput, shown
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import closed_form_kinds

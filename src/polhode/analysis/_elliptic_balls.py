@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from flint import acb, arb
 
-from polhode.analysis.exact_arithmetic import Ball
+from polhode.analysis._exact_arithmetic import Ball
 
 
 def quarter_period(parameter1: Ball) -> Ball:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from polhode.analysis.exact_arithmetic import Ball, Rational, total
+from polhode.analysis._exact_arithmetic import Ball, Rational, total
 
 
 def multiply(p: Sequence[Any], q: Sequence[Any]) -> list[Any]:

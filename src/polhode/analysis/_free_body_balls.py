@@ -7,11 +7,11 @@ from typing import Any, NamedTuple
 
 from flint import acb, arb, ctx, fmpq
 
-from polhode.analysis import ball_turns
-from polhode.analysis.elliptic_balls import Oscillation, Periodic, Place, Separatrix
-from polhode.analysis.exact_arithmetic import Ball, Rational, Wanted, total
+from polhode.analysis import _ball_turns as ball_turns
+from polhode.analysis._elliptic_balls import Oscillation, Periodic, Place, Separatrix
+from polhode.analysis._exact_arithmetic import Ball, Rational, Wanted, total
+from polhode.analysis._motion_starts import ExactBody, MotionStart, Values, refine_named
 from polhode.analysis.motion_enclosures import FreeEnclosure
-from polhode.analysis.motion_starts import ExactBody, MotionStart, Values, refine_named
 
 STABLE, UNSTABLE = "stable", "unstable"
 INFINITE = arb("inf")

@@ -15,12 +15,12 @@ from typing import Any, NamedTuple
 
 from flint import acb, arb, ctx, fmpq, fmpq_poly
 
-from polhode.analysis import ball_turns
-from polhode.analysis.elliptic_balls import Oscillation, Periodic, Place, Separatrix
-from polhode.analysis.exact_arithmetic import Ball, Rational, Wanted
-from polhode.analysis.free_body_balls import INFINITE, STABLE, UNSTABLE, whole_turns
+from polhode.analysis import _ball_turns as ball_turns
+from polhode.analysis._elliptic_balls import Oscillation, Periodic, Place, Separatrix
+from polhode.analysis._exact_arithmetic import Ball, Rational, Wanted
+from polhode.analysis._free_body_balls import INFINITE, STABLE, UNSTABLE, whole_turns
+from polhode.analysis._motion_starts import ExactBody, MotionStart, Values, refine_named
 from polhode.analysis.motion_enclosures import TopEnclosure
-from polhode.analysis.motion_starts import ExactBody, MotionStart, Values, refine_named
 
 
 def enclose_top_motion(start: MotionStart, digits: int) -> TopEnclosure:

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis._exact_arithmetic import Ball, Rational, Wanted, exact_rationals, refine
 from polhode.analysis.enclosed_numbers import EnclosedNumber
-from polhode.analysis.exact_arithmetic import Ball, Rational, Wanted, exact_rationals, refine
 from polhode.errors import InvalidInput, shown
 from polhode.motion.base import AbstractMotion
 
