@@ -137,8 +137,12 @@ function regimeOf({ moments, momentum }, body, rates) {
   return body.longAxis ? "long-axis" : "short-axis";
 }
 
-/** Return Ω = 2π − (ω_p − 2E/|L|) T, in double-double as small caps cancel. */
+/** Return Ω = 2π − (ω_p − 2E/|L|) T, in double-double as small caps cancel; of a symmetric body, that of the round cap. */
 function solidAngleOf(body, rates, perPeriod, scaledPeriod) {
+  if (body.A[0] === 0) {
+    const sphere = body.C[0] * body.G2[0];
+    return ((2 * Math.PI * body.P[0]) / sphere) / (1 + Math.sqrt(body.Q[0] / sphere));
+  }
   const [I1, I2, I3] = body.moments;
   const small = body.P[0] / (body.B[0] * body.G2[0]);
   if (small < SMALL_CAP) return (Math.PI * body.P[0]) / (Math.sqrt(body.B[0] * body.C[0]) * body.G2[0]);

@@ -1,5 +1,6 @@
 """A library that is missing is one message, whose command names the library, for polhode may come from a clone."""
 
+import importlib
 import re
 import shlex
 import sys
@@ -13,6 +14,7 @@ from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset import write_zarr
 from polhode.formats.dataset_reading import read_dataset
 from polhode.formats.spice_kernels import spiceypy
+from polhode.symbolic import _gate
 
 WAYS = {
     "zarr, written": ("zarr.storage", lambda path: write_zarr(motion(), path / "new.zarr")),
@@ -20,6 +22,9 @@ WAYS = {
     "spiceypy": ("spiceypy", lambda path: spiceypy()),
     "python-flint, for proofs": ("flint", lambda path: ph.certify(
         ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), (0.1, 1.0, 0.1), (0.0, 1.0))),
+    "python-flint, for proofs of motions": ("flint", lambda path: ph.certify(
+        ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.1, 1.0, 0.1)))),
+    "sympy": ("sympy", lambda path: importlib.reload(_gate)),
     "python-flint": ("flint", lambda path: ph.algebra.polynomial_casimirs(ph.algebra.SO3(), 2)),
 }
 

@@ -121,8 +121,8 @@ def test_a_broken_motion_is_caught(monkeypatch):
 @pytest.mark.parametrize(("module", "name", "wrong", "call"), [
     ("systems.kepler_orbit", "solve_kepler", lambda M, e: M[0],
      lambda: systems.KeplerOrbit(1.0, 0.1).distance_ratio(np.linspace(0.0, 1.0, 5))),
-    ("integrators.composition", "STAGES", {2: (1,)}, lambda: composition.stages(2)),
-    ("exact.free_body.evaluation", "FORM", SimpleNamespace(
+    ("integrators._composition", "STAGES", {2: (1,)}, lambda: composition.stages(2)),
+    ("exact.free_body._evaluation", "FORM", SimpleNamespace(
         columns=lambda given: np.zeros(50), states=lambda *given: (np.zeros((5, 3)), np.zeros((5, 4)))),
      lambda: polhode.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).momentum(np.arange(5.0))),
     ("analysis.poinsot", "as_float64", lambda xp, value, name: xp.asarray(value[:2]),

@@ -37,8 +37,13 @@ def checked(function=None, *, typechecker):
         return function
     if inspect.isgeneratorfunction(function):
         return whole(function, typechecker=typechecker)
+    return first_calls(function, typechecker)
+
+
+def make_checking(function, typechecker):
+    """Return a function that is checked whenever it is called."""
     if not reads_by_itself(function):
-        return first_calls(function, whole(function, typechecker=typechecker))
+        return whole(function, typechecker=typechecker)
     at_once = typechecker(function)
 
     def called(*args, **kwargs):
@@ -50,20 +55,26 @@ def checked(function=None, *, typechecker):
         except BeartypeCallHintViolation:
             return whole(function, typechecker=typechecker)(*args, **kwargs)
 
-    return first_calls(function, called)
+    return called
 
 
-def first_calls(function, checking):
-    """Return a function that is checked when it is first called in a test, and then runs as it is."""
-    test, calls = -1, 0
+def first_calls(function, typechecker):
+    """Return a function that is checked when it is first called in a test, and then runs as it is.
+
+    Its checker is made for the first call: a worker calls a part of all functions, and making all took 5 seconds.
+    """
+    test, calls, checking = -1, 0, None
 
     @functools.wraps(function)
     def called(*args, **kwargs):
-        nonlocal test, calls
+        nonlocal test, calls, checking
         if test != now[0]:
             test, calls = now[0], 0
         calls += 1
-        return (checking if calls <= MOST else function)(*args, **kwargs)
+        if calls > MOST:
+            return function(*args, **kwargs)
+        checking = checking or make_checking(function, typechecker)
+        return checking(*args, **kwargs)
 
     return called
 

@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 
 import polhode as ph
+from polhode.certificates._rocq import THEORY, proof_text, theory
 from polhode.certificates.rational import RationalCertificate
-from polhode.certificates.rocq import THEORY, proof_text, theory
 
 FOLDER = Path(__file__).parent
 BODY = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))

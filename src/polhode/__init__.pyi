@@ -12,9 +12,10 @@ from . import quantum as quantum
 from . import reports as reports
 from . import rotation as rotation
 from . import special as special
+from . import symbolic as symbolic
 from . import systems as systems
 from . import testing as testing
-from .analysis.enclosures import certify as certify
+from .analysis.certification import certify as certify
 from .analysis.equilibria import find_equilibria as find_equilibria
 from .analysis.sections import section as section
 from .analysis.stability import stability as stability

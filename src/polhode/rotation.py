@@ -168,6 +168,7 @@ def as_matrix(quaternion: Real[ArrayLike, "*batch 4"]) -> Float64[Array, "*batch
 def _matrix(q: Float64[Array, "*batch 4"]) -> Float64[Array, "*batch 3 3"]:
     xp = namespace(q)
     w, x, y, z = _parts(q)
+    # R = (w² − |u|²) 1 + 2 u uᵀ + 2w hat(u), with u = (x, y, z)
     rows = (
         ((w * w + x * x) - (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
         (2.0 * (x * y + w * z), (w * w + y * y) - (x * x + z * z), 2.0 * (y * z - w * x)),
@@ -190,6 +191,7 @@ def from_matrix(matrix: Real[ArrayLike, "*batch 3 3"]) -> Float64[Array, "*batch
     a, b, c = m[..., 0, 0], m[..., 1, 1], m[..., 2, 2]
     p, q, r = m[..., 2, 1], m[..., 0, 2], m[..., 1, 0]
     s, t, u = m[..., 1, 2], m[..., 2, 0], m[..., 0, 1]
+    # row k is 4 q_k (w, x, y, z), since 1 + tr R = 4w², R32 − R23 = 4wx, R21 + R12 = 4xy and so on
     candidates = (
         (1.0 + a + b + c, p - s, q - t, r - u),
         (p - s, 1.0 + a - b - c, r + u, q + t),
@@ -226,6 +228,7 @@ def from_rotation_vector(vector: Real[ArrayLike, "*batch 3"]) -> Float64[Array, 
     square = xp.sum(v * v, axis=-1, keepdims=True)
     small = square < 1e-6
     angle = xp.sqrt(xp.where(small, 1.0, square))
+    # sin(a/2)/a and cos(a/2) with a the angle; near zero their series in a²
     half_sinc = xp.where(
         small, 0.5 - square / 48.0 + square * square / 3840.0, xp.sin(0.5 * angle) / angle
     )

@@ -52,7 +52,7 @@ def judged(name):
     return found, function_of(system, found), jnp.asarray(point)
 
 
-@pytest.mark.parametrize("name", only(("sleeping top", "intermediate axis", "rotor"), CASES))
+@pytest.mark.parametrize("name", only(("sleeping top", "intermediate axis"), CASES))
 def test_it_is_critical_and_definite_where_it_says_so(name):
     found, function, point = judged(name)
     assert float(jnp.abs(jax.grad(function)(point)).max()) < CRITICAL * (1.0 + float(jnp.abs(point).max()))

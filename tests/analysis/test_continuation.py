@@ -32,6 +32,7 @@ def test_folds_lie_on_the_astroid(across):
         assert crossed == (4 if h < switching else 2)
 
 
+@pytest.mark.sweep
 def test_a_rotor_makes_the_middle_axis_stable_by_a_pitchfork():
     """A gyrostat's middle axis is stable once (L − h)/I2 < L/I3, here from h = ½ on; the arms are rotations aside."""
     make = lambda h: ph.systems.Gyrostat((1.0, 2.0, 4.0), (0.0, h, 0.0))  # noqa: E731

@@ -28,6 +28,7 @@ def test_the_state_has_the_rates_that_were_asked_for():
         DISK.state(0.0, 0.0, 1.0, 1.0)
 
 
+@pytest.mark.sweep
 def test_a_steady_motion_stays_and_nutates_as_it_says():
     """With the centre at rest φ̇² = mga/(A sin θ); beside it the tilt is back after the nutation's period."""
     tilt = 0.2

@@ -9,6 +9,7 @@ import polhode as ph
 from polhode import systems
 from polhode.analysis import continue_periodic, floquet, periodic_branches
 from polhode.errors import InvalidInput, NotConverged
+from sweeping import first
 
 EXACT = 1e-10
 TURN = 2  # rad/s of the cycles, so that their period is π
@@ -83,7 +84,7 @@ def test_a_branch_goes_round_its_fold():
     assert abs(np.sum(found.motions[-1].state ** 2) - (0.5 - 0.5 * np.sqrt(0.6))) < EXACT and found.values[-1] == -0.1
 
 
-@pytest.mark.parametrize("kind", BESIDE)
+@pytest.mark.parametrize("kind", first(1, BESIDE))
 def test_bifurcations_are_found_where_they_are(kind):
     beside, count, near = BESIDE[kind]
     found = continue_periodic(lambda mu: Cycle(mu, circle, beside), (0.1, 0.6), [1.0, *[0.0] * (count + 1)], 3.1)
@@ -110,6 +111,7 @@ def test_the_free_body_at_held_energy_and_momentum():
     assert np.abs(np.array(levels) / wanted - 1.0).max() < EXACT and found.values[-1] == 3.4
 
 
+@pytest.mark.sweep
 def test_a_driven_oscillator_answers():
     """x'' + δ x' + k x = cos t, with a period that is known; states and multipliers in closed form."""
     delta = 0.2

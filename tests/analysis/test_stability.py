@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 
 from polhode.analysis.energy_casimir import energy_casimir
 from polhode.analysis.free_axes import axis_stability
-from polhode.certificates.definite import definite_combination
+from polhode.certificates._definite import definite_combination
 from polhode.errors import InvalidInput
 
 EXACT = 1e-13

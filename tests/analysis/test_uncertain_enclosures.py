@@ -74,7 +74,7 @@ def test_no_ball_is_found_where_there_are_several_solutions():
 def test_a_moon_in_an_eccentric_orbit_is_where_mpmath_says():
     moon = ph.systems.SpinOrbit(0.26, 0.1, 1.0)
     start = np.array([0.2, 1.1])
-    found = ph.certify(moon, start, [0.0, 2.0])
+    found = ph.certify(moon, start, [0.0, 0.5])
     with mpmath.workdps(30):
         e, strength = mpmath.mpf(0.1), mpmath.mpf(0.26) ** 2
 
@@ -84,7 +84,7 @@ def test_a_moon_in_an_eccentric_orbit_is_where_mpmath_says():
             r = 1 - e * mpmath.cos(E)
             return [y[1], -strength / 2 * mpmath.sin(2 * (y[0] - true)) / r**3]
 
-        exact = mpmath.odefun(field, 0, [mpmath.mpf(x) for x in start], tol=mpmath.mpf(10) ** -22)(2)
+        exact = mpmath.odefun(field, 0, [mpmath.mpf(x) for x in start], tol=mpmath.mpf(10) ** -22)(mpmath.mpf(0.5))
         assert all(abs(mpmath.mpf(float(x)) - y) <= mpmath.mpf(float(r)) + mpmath.mpf(10) ** -19
                    for x, y, r in zip(found.states[-1], exact, found.radii[-1], strict=True))  # fmt: skip
 

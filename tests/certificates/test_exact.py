@@ -12,11 +12,11 @@ import pytest
 import polhode as ph
 from polhode.analysis._conserved import Energy
 from polhode.analysis.energy_casimir import energy_casimir
-from polhode.certificates.confinement import Confinement
-from polhode.certificates.exact_tracing import read_double, read_short, trace_polynomials
-from polhode.certificates.growth import Drift, Growth
-from polhode.certificates.polynomials import RationalPolynomial, linear_form, total
-from polhode.certificates.rational_matrices import (
+from polhode.certificates._confinement import Confinement
+from polhode.certificates._exact_tracing import read_double, read_short, trace_polynomials
+from polhode.certificates._growth import Drift, Growth
+from polhode.certificates._polynomials import RationalPolynomial, linear_form, total
+from polhode.certificates._rational_matrices import (
     characteristic_polynomial,
     combine,
     count_roots_beyond,

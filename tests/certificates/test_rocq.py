@@ -10,7 +10,7 @@ import pytest
 
 import polhode as ph
 from certificates.test_exact import ALTERED, BODY, TOP, UPRIGHT, judge
-from polhode.certificates.rocq import THEORY, proof_text, theory
+from polhode.certificates._rocq import THEORY, proof_text, theory
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 

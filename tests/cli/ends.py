@@ -38,6 +38,7 @@ GIVEN = {
     "new": [["top"]],
     "view": [["free.toml", "--no-open"]],
     "body": [["free.toml"]],
+    "certify": [["free.toml", "--at", "2 s"]],
     "levels": [["water.xyz", "--j-max", "2"]],
     "lines": [["water.xyz", "--j-max", "2", "--dipole", "0,1.8,0"]],
     "fit": [["log.csv", *COLUMNS, "--window", "0,0.89", "--no-drag", "--no-gain"]],
@@ -46,6 +47,7 @@ GIVEN = {
     "compare": [["free.toml", "free.toml"]],
     "sweep": [["sweep.toml", "--dry-run"]],
     "tumble": [["apophis"], ["apophis", "--diameter", "340 m"]],
+    "derive": [["clebsch"]],
     "wobble": [["--from", "1995-01-01", "--to", "2012-01-01"]],
 }
 EXAMPLE = re.compile(r"(?:[Ll]ike|default:) \"?([^\";)]*?\d[^\";)]*)\"?")

@@ -130,7 +130,7 @@ def test_meshes_that_are_no_bodies(spec, capsys, tmp_path):
     assert code == 2 and "mesh files carry no units" in err
 
 
-HEAVY = ("jax", "matplotlib", "xarray", "trimesh", "scipy", "pint")
+HEAVY = ("jax", "matplotlib", "xarray", "trimesh", "scipy", "pint", "sympy")
 
 
 @pytest.mark.parametrize("arguments", [["--help"], ["report", "--help"], ["--version"]])

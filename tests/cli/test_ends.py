@@ -9,7 +9,7 @@ import pytest
 from cli.ends import COMMANDS, EXAMPLES, GIVEN, all_arguments, log_of, with_option, write_given
 from judged import faults_of, run
 
-FEW, MANY = 2, 25  # cases of a command
+FEW, MANY = 1, 25  # cases of a command
 
 
 def tried(folder, arguments):
@@ -45,9 +45,8 @@ def test_options_are_taken_or_refused(tmp_path, any_type):
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("start", range(2, 4))
-def test_many_options_are_taken_or_refused(tmp_path, any_type, start):
-    assert not faults_at_ends(tmp_path, random.Random(start), MANY)
+def test_many_options_are_taken_or_refused(tmp_path, any_type):
+    assert not faults_at_ends(tmp_path, random.Random(2), MANY)
 
 
 @pytest.mark.parametrize("arguments", [

@@ -1,5 +1,6 @@
 """``polhode export``: what it writes is the report's motion, and how it refuses."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -90,6 +91,28 @@ def test_every_form_holds_the_motion(run, tmp_path):
         assert rotation.angle_between(one.attitude[0], np.array([0.5, -0.5, 0.1, 0.7])) <= 1e-14
     assert message.source.labels.object_name == "</SCRIPT> A = B GRO_E NEXT"
     assert message.source.labels.epoch == "2026-03-01T12:00:00.25" and message.source.labels.object_id == "2026-001A"
+
+
+def test_all_files_are_written_or_none(run, tmp_path):
+    """The spec gives no mass for a robot's link. A store that is there is replaced, another folder is not."""
+    code, out, err = run("--to", "csv", "--to", "urdf")
+    assert code == 2 and "mass" in err and out == "" and written(tmp_path) == []
+    assert run("--to", "zarr", "--to", "csv")[0] == 0
+    before = (tmp_path / "case.csv").stat().st_ino
+    assert run("--to", "zarr", "--to", "csv")[0] == 0
+    assert (tmp_path / "case.csv").stat().st_ino != before and written(tmp_path) == ["case.csv", "case.zarr"]
+    (tmp_path / "case.zarr" / ".zattrs").unlink()
+    before = (tmp_path / "case.csv").stat().st_ino
+    code, _, err = run("--to", "csv", "--to", "zarr")
+    assert code == 2 and "case.zarr: is a folder, but not the store of a motion" in err
+    assert (tmp_path / "case.csv").stat().st_ino == before
+
+
+def test_json_names_the_files(run, tmp_path):
+    code, out, _ = run("--to", "csv", "--to", "aem", "--json")
+    found = json.loads(out)
+    assert code == 0 and found["files"] == ["case.csv", "case.aem"] and found["kind"] == "free-body"
+    assert {"name", "summary", "units", "notes"} <= set(found) and written(tmp_path) == ["case.aem", "case.csv"]
 
 
 def test_one_file_may_be_named(run, tmp_path):

@@ -260,7 +260,7 @@ def test_coverage_of_the_process(quality):
         return [within(found.period_intervals[level], PERIOD) for level in (0.6827, 0.95)] + [
             within(found.quality_intervals[level], quality) for level in (0.6827, 0.95)]  # fmt: skip
 
-    got = covered(300, lambda r: kicked(r, 64, quality), look)
+    got = covered(90, lambda r: kicked(r, 64, quality), look)
     assert (np.abs(got[[0, 2]] - 0.6827) < 0.12).all() and (np.abs(got[[1, 3]] - 0.95) < 0.06).all()
 
 

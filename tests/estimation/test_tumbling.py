@@ -135,7 +135,7 @@ def test_bad_input_is_refused(change, words):
 def test_intervals_cover_the_truth(mode, monkeypatch):
     monkeypatch.setattr(tumbling, "DRAWS", 512)  # enough for ends of 95 %, and four times as quick
     rng = np.random.default_rng(7)
-    inside, runs = np.zeros(3), 500
+    inside, runs = np.zeros(3), 120
     for run in range(runs):
         i1, i2 = rng.uniform(0.55, 0.7), rng.uniform(0.76, 0.9)
         moments = np.array([i1, i2, 1.0])
@@ -148,5 +148,5 @@ def test_intervals_cover_the_truth(mode, monkeypatch):
         interval = of_mode(found, mode).interval
         numbers = np.array([true.energy_ratio, true.cone_angle, true.momentum_rate])
         inside += (interval.low <= numbers) & (numbers <= interval.high)
-    assert (inside / runs > 0.93).all()
-    assert (inside / runs < 0.97).all()
+    assert (inside / runs > 0.91).all()
+    assert (inside / runs < 0.99).all()

@@ -13,6 +13,7 @@ from oracle.lagrange_families import TopCase, draw_tops
 from oracle.standing_top import standing_jacobian
 from polhode.errors import InvalidInput
 from starts import lagrange_motion
+from sweeping import first
 
 WORST = 1e-12
 """Of the Jacobian's largest entry in natural units, where the motion does not magnify errors."""
@@ -121,7 +122,7 @@ def test_derivatives_agree_with_the_oracle(drawn, announce):
     check(drawn[0], drawn[1][0][: len(drawn[0])], announce)
 
 
-@pytest.mark.parametrize("displacement", [1e-100, 1e-290])
+@pytest.mark.parametrize("displacement", first(1, [1e-290, 1e-100]))
 def test_derivatives_of_tops_that_leave_from_next_to_nothing(displacement):
     """On the first way down and, after two ways, on the way up again, where changes shrink by half their growth."""
     I1, I3, mgl, spin = 0.8, 0.5, 1.3, 1.1
@@ -151,6 +152,7 @@ def test_a_wrong_derivative_is_caught(drawn):
     assert worst_by_family(cases, [j * (1 + 1e-11) for j in found])["generic"] > WORST
 
 
+@pytest.mark.sweep
 def test_standing_tops_at_any_time_follow_their_linear_equations(drawn):
     cases = standing_tops()
     for case, jacobian in zip(cases, drawn[1][0][-len(cases) :], strict=True):

@@ -13,6 +13,7 @@ from limited import run_limited
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.lagrange_top import LagrangeMotion
 from starts import free_motion, lagrange_motion
+from sweeping import first
 
 LONG_ENOUGH = 1500.0
 """Seconds for a group; compiling takes half a minute to two."""
@@ -121,9 +122,9 @@ def test_no_method_is_forgotten(kind):
     assert public(KINDS[kind])[0] == EVALUATIONS
 
 
-@pytest.mark.parametrize("where", ["host", pytest.param("compiled", marks=pytest.mark.sweep)])
+@pytest.mark.parametrize("where", first(1, ["host", "compiled"]))
 @pytest.mark.parametrize("code", [VALUES, pytest.param(SLOPES, marks=pytest.mark.sweep)], ids=["values", "slopes"])
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", first(1, KINDS))
 def test_alone_in_a_compiled_batch(kind, code, where):
     names, numbers = (sorted(found) for found in public(KINDS[kind]))
     run_limited(HEAD.format(kind=kind, names=names, numbers=numbers, where=where) + code, LONG_ENOUGH)

@@ -61,6 +61,7 @@ def test_a_motion_is_that_of_diffrax_and_takes_no_more_steps(method):
     assert 0.8 * theirs.steps < ours.steps < 1.1 * theirs.steps + 5
 
 
+@pytest.mark.sweep
 def test_events_of_both_loops_agree():
     ours, theirs = (run(start=[1.0, 2.0], reverse=reverse) for reverse in (False, True))
     assert ours.status == theirs.status == Status.EVENT and ours.event == theirs.event == 0
@@ -198,6 +199,7 @@ def test_rates_and_events_of_a_wrong_form_are_refused(rates, event, words, stepp
         ph.simulate(Decaying(rates, event), [1.0, 2.0], [0.0, 1.0], stepper)
 
 
+@pytest.mark.sweep
 def test_an_interrupt_ends_a_long_adaptive_run_soon():
     code = (
         "import os, signal, threading, numpy as np, polhode as ph\n"

@@ -97,12 +97,18 @@ def test_what_shows_only_along_the_motion_is_found_there():
     assert got == pytest.approx(np.exp(-0.3 * 20.0 / 3.0), rel=1e-9)
 
 
-def test_a_motor_and_an_actuator_name_their_jumps(stepper):
-    on = lambda t: jnp.where((t >= 400.0) & (t < 400.001), 2.0, 0.0)  # noqa: E731
+def on(t):
+    return jnp.where((t >= 400.0) & (t < 400.001), 2.0, 0.0)
+
+
+def test_a_motor_names_its_jumps(stepper):
     wheel = Wheel((0.0, 0.0, 1.0), 0.1, motor=lambda t, *more: on(t), jumps=[400.0, 400.001])
     system = RigidBody(MOMENTS, mounts=[wheel])
     found = ph.simulate(system, system.pack(angular_velocity=(0.0, 0.0, 0.0)), SPAN, stepper)
     assert found.angular_velocity[-1, 2] == pytest.approx(-0.002 / 2.9, rel=1e-6)
+
+
+def test_an_actuator_names_its_jumps():
     command = lambda t, attitude, velocity: on(t)[..., None] * jnp.array([0.0, 0.0, 1.0]) + 0.0 * velocity  # noqa: E731
     system = RigidBody(MOMENTS, torques=[LaggedTorque(command, 0.5, jumps=[400.0, 400.001])])
     got, _ = gained(system, 0.0, SPAN)
@@ -123,12 +129,15 @@ def test_derivatives_of_reverse_mode_by_the_width():
     assert float(jax.grad(last)(1.0, 1e-3)) == pytest.approx(0.5, rel=1e-6)
 
 
-def test_a_batch_and_transformations(stepper):
+def test_transformations():
     """ΔL = τ × width by ``solve`` under jit and vmap, with the derivative by the width."""
     widths, rates = jnp.array([0.02, 1.0, 1e-4]), jnp.array([0.0, 1e-3, 0.1])
     got = jax.jit(jax.vmap(last))(widths, rates)
     np.testing.assert_allclose(got, 0.5 * widths, rtol=1e-7)
     assert float(jax.jacfwd(last)(1.0, 1e-3)) == pytest.approx(0.5, rel=1e-6)
+
+
+def test_a_batch(stepper):
     system = RigidBody(MOMENTS, torques=[Pulse(500.3, 0.02, 0.5)])
     many = system.pack(angular_velocity=jnp.array([[0.0, 0.0, 0.0], [0.0, 0.0, 0.1]]))
     found = ph.simulate(system, many, SPAN, stepper)

@@ -58,6 +58,7 @@ def test_derivatives_where_nothing_moves(momentum):
     assert np.abs(found - wanted).max() < 1e-14 * np.abs(wanted).max()
 
 
+@pytest.mark.sweep
 def test_second_derivatives():
     weigh = lambda solve: lambda x: jnp.sum(solve(MOMENTS, x)[-1] * jnp.array([1.0, -0.5, 0.3]))  # noqa: E731
     found, wanted = jax.hessian(weigh(moved))(START), jax.hessian(weigh(exact))(START)
@@ -104,6 +105,15 @@ def test_complex_states():
     steps = lambda x: ph.solve(system, of(x), TIMES, LieMidpoint).end_state  # noqa: E731
     x = jnp.array([0.3, 0.4, 0.5])
     assert np.abs(end(x) - steps(x)).max() < 1e-13
+
+
+@pytest.mark.sweep
+def test_derivatives_of_complex_states():
+    system = systems.LiePoisson(ph.algebra.SU(2), lambda m: jnp.real(1j * (m[..., 0, 0] - m[..., 1, 1])))
+    of = ph.algebra.SU(2).from_dual_vector
+    end = lambda x: ph.solve(system, of(x), TIMES, Taylor).end_state  # noqa: E731
+    steps = lambda x: ph.solve(system, of(x), TIMES, LieMidpoint).end_state  # noqa: E731
+    x = jnp.array([0.3, 0.4, 0.5])
     parts = lambda f: lambda x: jnp.stack([jnp.real(f(x)), jnp.imag(f(x))])  # noqa: E731
     assert np.abs(jax.jacfwd(parts(end))(x) - jax.jacfwd(parts(steps))(x)).max() < 1e-12
 
@@ -247,6 +257,7 @@ def test_changes_in_few_directions_go_along_one_by_one(many, monkeypatch):
     assert np.abs(found - wanted).max() < 1e-13 * np.abs(wanted).max() and bool(taken) == (many > 4)
 
 
+@pytest.mark.sweep
 def test_a_change_that_comes_from_nothing():
     """An upright top does not feel its weight at first, only once it has turned away."""
     top = systems.HeavyTop((1.0, 2.0, 3.5), 1.3, (0.0, 0.0, 1.0))

@@ -17,13 +17,16 @@ from polhode.kinds.page import write_page
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind
 from polhode.testing import LawBroken, check_kind
+from sweeping import only
 
 OWN = tuple(registry._folders())
 OTHERS = ("spherical-pendulum",)
+AT_ONCE = ("free-body", "heavy-top", "quantum-rotor", *OTHERS)
+"""In closed form, integrated, without a motion, and of another package; the others in the sweep."""
 pytestmark = pytest.mark.usefixtures("plugin")
 
 
-@pytest.fixture(scope="module", params=[*OWN, *OTHERS])
+@pytest.fixture(scope="module", params=only(AT_ONCE, [*OWN, *OTHERS]))
 def kind(request, plugin):
     return find_kind(request.param)
 

@@ -27,6 +27,7 @@ def strengths(*values):
     return "strengths = " + json.dumps([f"{x} m^2/s" for x in values])
 
 
+@pytest.mark.sweep
 def test_a_ring_on_a_sphere_of_any_size(spec):
     """Γ(n − 1) cos θ/(4π R² sin² θ), and its growth from the closed form of Boatto and Cabral."""
     found = spec(strengths(8, 8, 8, 8, 8) + '\nring_latitude = "32.7042204869 deg"\nsphere_radius = "2 m"').report()
@@ -88,6 +89,7 @@ def test_what_is_refused(spec, system, words):
         spec(system)
 
 
+@pytest.mark.sweep
 def test_poles_and_the_equator_rest(spec):
     """What rounding leaves of their turn is none, and both are proved stable."""
     for places in ('ring_latitude = "0 deg"', 'coordinates = [["90 deg", "0 deg"], ["-90 deg", "0 deg"]]'):

@@ -25,6 +25,7 @@ def spec(tmp_path):
     return make
 
 
+@pytest.mark.sweep
 def test_a_planetary_wave_turns_as_rossby_and_haurwitz_say(spec):
     """Y of degree l at rest against a sphere with Ω: c = −2Ω/(l(l + 1)), whatever its amplitude."""
     text = 'resolution = 8\nrotation = "1.3 rad/s"\nwaves = [{degree = 5, order = 3, vorticity = "0.7 rad/s"}]'
@@ -40,13 +41,13 @@ def test_a_planetary_wave_turns_as_rossby_and_haurwitz_say(spec):
 
 
 def test_random_starts_have_their_vorticity_and_vortices_their_circulation(spec):
-    report = spec('resolution = 9\nradius = "2 m"\nrandom = {degrees = [2, 4], vorticity = "3 rad/s"}', "1 ms").report()
+    report = spec('resolution = 6\nradius = "2 m"\nrandom = {degrees = [2, 4], vorticity = "3 rad/s"}', "1 ms").report()
     assert report.as_json_dict()["vorticity"] == pytest.approx(3.0, rel=1e-12)
     assert np.ptp(report.energies[0, 2:5]) < 1e-12 * report.energies[0, 2]
-    report = spec('resolution = 9\nradius = "2 m"\nvortices = [{strength = "6 m^2/s", latitude = "90 deg"}]',
+    report = spec('resolution = 6\nradius = "2 m"\nvortices = [{strength = "6 m^2/s", latitude = "90 deg"}]',
                   "1 ms").report()  # fmt: skip
     momentum = report.as_json_dict()["angular_momentum"]  # Γ/R² times ⟨x₃⟩ of the smallest blob, 1 − 1/N nearly
-    assert momentum[2] == pytest.approx(1.5 * np.sqrt((9 - 1) / (9 + 1)), rel=1e-12) and abs(momentum[0]) < 1e-14
+    assert momentum[2] == pytest.approx(1.5 * np.sqrt((6 - 1) / (6 + 1)), rel=1e-12) and abs(momentum[0]) < 1e-14
 
 
 SPAN = "0.5 s"  # its quarters are exact numbers, so that all steps are of one size
@@ -73,7 +74,7 @@ def test_large_matrices_keep_fewer_samples(spec, monkeypatch):
 
 
 def test_maps_of_the_page_are_those_of_the_fluid(spec):
-    report = spec('resolution = 8\nwaves = [{degree = 3, order = 0, vorticity = "1 rad/s"}]', "10 ms").report()
+    report = spec('resolution = 6\nwaves = [{degree = 3, order = 0, vorticity = "1 rad/s"}]', "10 ms").report()
     (panel,) = SphereFluidPanel().panels(report.trajectory, take_samples(report.trajectory), None)
     assert panel["levels"]["kind"] == "u1" and panel["levels"]["shape"][1:] == [panel["rows"], panel["columns"]]
     assert panel["largest"] == pytest.approx(np.sqrt(7.0), rel=0.05)  # √7 P₃ is largest at the pole

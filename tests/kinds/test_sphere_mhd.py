@@ -11,6 +11,7 @@ from polhode.formats.dataset import write_dataset
 from polhode.kinds.reading import read_spec
 from polhode.kinds.sphere_mhd.panel import SphereMHDPanel
 from polhode.viewer.samples import take_samples
+from sweeping import first
 
 RANDOM = 'random = {degrees = [2, 3], vorticity = "2 rad/s"}\nrandom_field = {degrees = [1, 2], field = "0.3 rad/s"}'
 WAVE = 'alfven_wave = {degree = 3, order = 2, vorticity = "1 rad/s", turning = "0.5 rad/s", field = "0.6 rad/s"'
@@ -33,7 +34,7 @@ def spec(tmp_path):
     return make
 
 
-@pytest.mark.parametrize(("branch", "speed"), [("eastward", 0.6835801927), ("westward", -0.4419135261)])
+@pytest.mark.parametrize(("branch", "speed"), first(1, [("eastward", 0.6835801927), ("westward", -0.4419135261)]))
 def test_an_exact_wave_goes_round_as_it_should(spec, branch, speed):
     report = spec(f'resolution = 6\nrotation = "1.3 rad/s"\n{WAVE}, branch = "{branch}"}}').report()
     found = report.as_json_dict()
@@ -44,7 +45,7 @@ def test_an_exact_wave_goes_round_as_it_should(spec, branch, speed):
 
 
 def test_random_starts_have_their_sizes_and_orders_have_the_energy(spec):
-    report = spec(f"resolution = 7\n{RANDOM}").report()
+    report = spec(f"resolution = 6\n{RANDOM}").report()
     found = report.as_json_dict()
     assert found["vorticity"] == pytest.approx(2.0, rel=1e-12) and found["field"] == pytest.approx(0.3, rel=1e-12)
     assert found["magnetic_energy"] == pytest.approx(0.5 * 4.0 * np.pi * 0.09, rel=1e-12)
@@ -52,6 +53,7 @@ def test_random_starts_have_their_sizes_and_orders_have_the_energy(spec):
     assert found["spectrum_change"] < 5e-15 and found["mixed_change"] < 3e-15
 
 
+@pytest.mark.sweep
 def test_a_wave_grows_as_linear_theory_says(spec):
     (row, *others) = spec(f"resolution = 8\n{JOINT}", "30 s", 31).report().as_json_dict()["zonal_growth"]
     assert row["linear"] == pytest.approx(0.1218741338, rel=0.05)
@@ -60,17 +62,17 @@ def test_a_wave_grows_as_linear_theory_says(spec):
 
 
 def test_a_run_goes_on_from_its_file(spec, tmp_path):
-    span, text = "0.5 s", f"resolution = 5\n{RANDOM}"
+    span, text = "0.5 s", f"resolution = 6\n{RANDOM}"
     whole, half = spec(text, "1 s", 5).report(), spec(text, span, 3).report()
     write_dataset(half.trajectory, tmp_path / "motion.nc")
-    again = spec('resolution = 5\nstart_from = "motion.nc"', span, 3).report()
+    again = spec('resolution = 6\nstart_from = "motion.nc"', span, 3).report()
     assert np.array_equal(again.trajectory.states[-1], whole.trajectory.states[-1])
-    with pytest.raises(InvalidInput, match="conducting fluid of resolution 6"):
-        spec('resolution = 6\nstart_from = "motion.nc"').report()
+    with pytest.raises(InvalidInput, match="conducting fluid of resolution 7"):
+        spec('resolution = 7\nstart_from = "motion.nc"').report()
 
 
 def test_maps_of_the_page_are_those_of_the_fluid(spec):
-    report = spec('resolution = 8\nfield_waves = [{degree = 2, order = 0, field = "1 rad/s"}]').report()
+    report = spec('resolution = 6\nfield_waves = [{degree = 2, order = 0, field = "1 rad/s"}]').report()
     vorticity, current = SphereMHDPanel().panels(report.trajectory, take_samples(report.trajectory), None)
     assert current["largest"] == pytest.approx(np.sqrt(6.0 * 5.0), rel=0.05)  # √5 √6 P₂ is largest at the pole
     assert vorticity["largest"] == 1.0 and json.dumps([vorticity, current])

@@ -25,6 +25,7 @@ def spec(tmp_path):
     return make
 
 
+@pytest.mark.sweep
 def test_waves_of_a_ferromagnetic_chain(spec):
     """gμB B + 2KS + 2JS(1 − cos k), in the field's and the axis's own energies; one wave turns at that rate."""
     text = CHAIN + '\nspin = 1.5\nfield = ["0 T", "0 T", "4 T"]\nanisotropy = { axis = [0, 0, 2], energy = "0.1 meV" }'

@@ -9,7 +9,8 @@ from polhode.testing import LawBroken, check_algebra
 from specimens import ALGEBRAS
 from sweeping import first
 
-SLOW = (lie.Product, lie.Semidirect, lie.SO, lie.SL, lie.Sp, lie.AffineLine, lie.DualNumbers, lie.SOpq)
+SLOW = (lie.Product, lie.Semidirect, lie.SO, lie.SL, lie.Sp, lie.AffineLine, lie.DualNumbers, lie.SOpq,
+        lie.QuantizedSphere, lie.ConstantsAlgebra, lie.U)  # fmt: skip
 
 
 def one_of_each_class_at_once():

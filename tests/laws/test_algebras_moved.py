@@ -75,7 +75,7 @@ MADE = {
     **{type(algebra).__name__: algebra for algebra in sorted(ALGEBRAS, key=lambda a: -a.dim)
        if 1 < algebra.dim <= 16 and not isinstance(algebra, lie.ConstantsAlgebra)},
 }  # fmt: skip
-AT_ONCE = ("Engel", "my own, of NumPy")
+AT_ONCE = ("my own, of NumPy",)
 WATCHED = {
     "Engel": {"x4", "2 x2 x4 − x3²"}, "Engel with Casimirs": {"C1", "C2"},
     "Cartan": {"x4", "x5", "2 x1 x5 − 2 x2 x4 + x3²"}, "so(3) from constants": {"x1² + x2² + x3²"},

@@ -194,7 +194,7 @@ REFUSED = {
     "simulate": (THREE, lambda x: ph.simulate(BODY, x, (0.0, 1.0))),
     "sections.section": (THREE, lambda x: ph.section(BODY, x, lambda t, point: point[1], (0.0, 1.0))),
     "continue_equilibria": (AXIS, lambda x: ph.analysis.continue_equilibria(lambda a: BODY, (0.0, 1.0), x)),
-    "enclosures.certify": (THREE, lambda x: ph.certify(BODY, x, (0.0, 0.1))),
+    "certification.certify": (THREE, lambda x: ph.certify(BODY, x, (0.0, 0.1))),
     "lyapunov_exponents.lyapunov": (THREE, lambda x: ph.analysis.lyapunov(BODY, x, (0.0, 1.0))),
     "monodromy": (THREE, lambda x: ph.analysis.monodromy(BODY, x, (0.0, 1.0))),
     "periodic_motion": (THREE, lambda x: ph.analysis.periodic_motion(BODY, x, 9.0)),

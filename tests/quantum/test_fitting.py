@@ -82,9 +82,9 @@ def test_errors_cover_the_truth():
 
 @pytest.mark.sweep
 @pytest.mark.parametrize(("truth", "names"), [(BENT, S_NAMES), (WATER, A_NAMES)], ids=["S", "A"])
-def test_coverage_in_five_hundred_runs(truth, names):
-    covered = check_coverage(truth, names, measured(truth, 8, 1e5, 150, 5e12), 500, 0.93, 0.97)
-    assert (covered > 0.92).all() and (covered < 0.98).all()
+def test_coverage_in_two_hundred_runs(truth, names):
+    covered = check_coverage(truth, names, measured(truth, 8, 1e5, 150, 5e12), 200, 0.92, 0.98)
+    assert (covered > 0.9).all() and (covered < 0.995).all()
 
 
 def operators(J, x, y, z, reduction):

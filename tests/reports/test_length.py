@@ -11,6 +11,7 @@ from polhode.integrators import _adaptive as adaptive
 from polhode.kinds.reading import read_spec
 from polhode.reports import length
 from polhode.systems.spin_orbit import SpinOrbit
+from sweeping import first
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 EACH = 2e-5  # s a step
@@ -57,7 +58,7 @@ ENDLESS = {
 }
 
 
-@pytest.mark.parametrize("name", ENDLESS)
+@pytest.mark.parametrize("name", first(4, ENDLESS))
 def test_runs_without_end_are_ended_soon(tmp_path, monkeypatch, name):
     monkeypatch.setattr(length, "WATCHED", 0.1)
     text, until = ENDLESS[name]

@@ -14,7 +14,7 @@ from polhode.reports.wording import duration, number
 from spec.ends import at_end, host_of, hosts_of, keys_of
 from spec.mutations import EXAMPLES, FILES, KINDS
 
-READ, REPORTED, SWEPT = 300, 2, 25  # cases: specs that are read, of all kinds; reports of each kind, in a sweep more
+READ, REPORTED, SWEPT = 300, 1, 12  # cases: specs that are read, of all kinds; reports of each kind, in a sweep more
 SHARED = ("body", "spin", "time", "export")
 
 

@@ -21,7 +21,7 @@ from spec.mutations import CHANGE, EXAMPLES, FILES, KEYS, KINDS, bases, mutated
 
 LONGEST_MESSAGE = 2000  # characters
 LONGEST_WAIT = 10  # s of the processor, so that a busy machine changes nothing
-CASES, MANY_CASES = 500, 12_500
+CASES, MANY_CASES = 500, 4_500
 FEW_SAMPLES = 1000
 BASES = bases()
 CHANGES = st.tuples(st.sampled_from(sorted(BASES)), st.lists(CHANGE, min_size=1, max_size=3))

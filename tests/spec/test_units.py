@@ -1,10 +1,11 @@
 """Quantities as people write them, in SI; and what is refused."""
 
 import math
+from fractions import Fraction
 
 import pytest
 
-from polhode.spec.units import parse_quantity
+from polhode.spec.units import parse_exactly, parse_quantity
 
 TURN = 2.0 * math.pi
 LONGEST = 300  # characters of a message, whatever came
@@ -115,3 +116,18 @@ def test_what_is_refused(value, unit, words):
     with pytest.raises(ValueError, match=words) as caught:
         parse_quantity(value, unit)
     assert len(str(caught.value)) < LONGEST and str(caught.value).isprintable()
+
+
+@pytest.mark.parametrize(("text", "unit", "exact"), [
+    ("0.3 kg*m^2/s", "kg*m^2/s", "3/10"), ("1.2 g*cm^2", "kg*m^2", "12e-8"), ("7 inch", "m", "0.1778"),
+    ("-.5e3 rad/s", "rad/s", "-500"),
+    ("0.1 h", "s", "360"), ("1 deg", "rad", None), ("60 rpm", "rad/s", None), ("1 deg", "deg", "1"),
+])  # fmt: skip
+def test_decimals_are_exact_in_units_that_are_decimals(text, unit, exact):
+    """The nearest double of 12e-8 is not 12e-8; that of a degree is no degree."""
+    assert parse_exactly(text, unit) == (None if exact is None else Fraction(exact))
+
+
+def test_what_is_no_quantity_has_no_exact_number():
+    with pytest.raises(ValueError, match="has the wrong unit"):
+        parse_exactly("3 kg", "s")

@@ -29,6 +29,7 @@ def test_momentum_and_energy_are_those_of_the_parts(free):
     assert made.usual_rate >= np.linalg.norm(VELOCITY) - 1e-15
 
 
+@pytest.mark.sweep
 def test_it_moves_like_a_body_put_together_of_mounts():
     """A free rotor by ``RigidBody`` and its ``Wheel``, whose moments are those of the whole."""
     made = systems.rotor_in_body(BODY, AXIS, MOMENT, RATE, VELOCITY, TURNED, free=True)

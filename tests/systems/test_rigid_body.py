@@ -83,6 +83,7 @@ def momentum_of_all(whole, trajectory, rotors):
     ])  # fmt: skip
 
 
+@pytest.mark.sweep
 def test_two_skew_rotors_with_motors_move_as_bodies_of_their_own():
     found = ph.simulate(BODY, START, TIMES)
     exact = hub().motion(TIMES, rotation.as_matrix(ATTITUDE), VELOCITY, RATES)
@@ -143,6 +144,7 @@ def test_with_nothing_it_is_the_free_body():
     assert (np.asarray(body.free_moments) == MOMENTS).all() and BODY.free_moments is None
 
 
+@pytest.mark.sweep
 def test_with_held_rotors_it_is_the_gyrostat():
     mounts = [HeldWheel(FIRST, 0.2, 4.0), HeldWheel((0.0, -2.0, 0.0), 0.1, 3.0)]
     body, rotor = RigidBody(MOMENTS, mounts), 0.8 * FIRST + np.array([0.0, -0.3, 0.0])
@@ -248,6 +250,7 @@ def test_a_wrong_power_is_found_out():
     assert worst_balance(body, 0.8, start_of_everything())["kinetic_energy"] > 1e-7
 
 
+@pytest.mark.sweep
 def test_the_jacobi_integral_of_a_satellite_with_a_free_rotor_is_kept():
     satellite = RigidBody(MOMENTS, [Wheel(FIRST, 0.2), HeldWheel(SECOND, 0.1, 5.0)], [GravityGradient(CIRCLE, MOMENTS)])
     found = ph.simulate(satellite, satellite.pack(ATTITUDE, VELOCITY, rates=[3.0, None]), TIMES)

@@ -80,6 +80,7 @@ class WrongForce(SphereMHD):
         return super().velocity(point) * jnp.array([1.0, -1.0])[:, None, None]
 
 
+@pytest.mark.sweep
 def test_a_wrong_force_is_caught():
     with pytest.raises(LawBroken, match="velocity"):
         check_system(WrongForce(3))

@@ -46,6 +46,7 @@ def test_a_ball_stops_across_the_field_as_computed_by_hand(coils, tmp_path):
     assert found.plot().axes
 
 
+@pytest.mark.sweep
 def test_derivatives_go_through_it(coils):
     seconds, known = 50.0, ball(coils)
 

@@ -10,6 +10,7 @@ import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.integrators import Taylor
 from polhode.systems import Variations
+from sweeping import first
 
 TOP = ph.systems.HeavyTop((1.0, 2.0, 3.0), 1.0, (0.0, 0.6, 0.8))
 START = np.array([0.5, 1.0, 2.0, 0.0, 0.6, 0.8])
@@ -35,7 +36,7 @@ def test_the_motion_itself_keeps_what_it_conserves_and_nearly_its_steps():
 
 
 @pytest.mark.parametrize("method", [Taylor, diffrax.Dopri8()], ids=["series", "Dopri8"])
-@pytest.mark.parametrize("momentum", [[0.0, 0.0, 3.0], [0.0, 2.0, 0.0]], ids=["stable", "unstable"])
+@pytest.mark.parametrize("momentum", first(1, [[0.0, 2.0, 0.0], [0.0, 0.0, 3.0]]), ids=["unstable", "stable"])
 def test_changes_move_where_the_motion_stands_still(method, momentum):
     """The motion alone chose the steps: one over all of the time, and changes were off by 27 million, of any size."""
     body, start = ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array(momentum)

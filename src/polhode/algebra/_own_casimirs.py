@@ -79,6 +79,7 @@ def _check_commutes(name: str, tensors: Array, gradients: Array) -> None:
             f"`{name}` must be differentiable at most points; its gradient is finite at {good.sum()} of {POINTS} "
             "random ones. Check its domain."
         )
+    # {C, x_i} up to sign: π_ij ∂C/∂x_j, next to the sizes of its terms
     brackets = np.einsum("mij,mj->mi", tensors[good], gradients[good])
     terms = np.einsum("mij,mj->mi", np.abs(tensors[good]), np.abs(gradients[good])).max(axis=1, keepdims=True)
     off = np.abs(brackets) / np.where(terms > 0.0, terms, 1.0)

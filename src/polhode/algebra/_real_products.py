@@ -18,6 +18,7 @@ def product(a: Double[Array, "*#batch n n"], b: Double[Array, "*#batch n n"]) ->
     """
     if not (jnp.iscomplexobj(a) and jnp.iscomplexobj(b)) or a.shape[-1] < SMALL_PRODUCTS:
         return a @ b
+    # with k₁ = (a + a′)b, k₂ = a(b′ − b), k₃ = a′(b + b′): ab − a′b′ = k₁ − k₃ and ab′ + a′b = k₁ + k₂
     first = (a.real + a.imag) @ b.real
     second, third = a.real @ (b.imag - b.real), a.imag @ (b.real + b.imag)
     return jax.lax.complex(first - third, first + second)

@@ -30,6 +30,7 @@ def diagonals(n: int) -> tuple[Float64[np.ndarray, "n n"], Float64[np.ndarray, "
     s = 0.5 * (n - 1)
     m = np.arange(n) - s
     c = np.sqrt(np.maximum((s - m) * (s + m + 1.0), 0.0))
+    # the row m′ = m + k of place i on diagonal k, wrapped
     rows = (np.arange(n)[:, None] + np.arange(n)) % n
     return -2.0 * (s * (s + 1.0) - m[rows] * m[:, None]), c[rows] * c[:, None]
 
@@ -40,6 +41,7 @@ def factors(n: int) -> Factors:
     entries, beside = diagonals(n)
     entries[0, 0] -= 1.0
     inverse, below = np.empty((n, n)), np.zeros((n, n))
+    # a diagonal is LDLᵀ with l_i = b_{i−1}/d_{i−1} and d_i = a_i − l_i b_{i−1}; −Δ is positive, which needs no pivots
     inverse[0] = 1.0 / entries[0]
     for i in range(1, n):
         below[i] = beside[i - 1] * inverse[i - 1]
@@ -66,6 +68,7 @@ def laplacian(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Array, "*ba
     entries, beside = (jnp.asarray(x) for x in diagonals(matrix.shape[-1]))
     places = wrap_diagonals(matrix)
     wide = (..., *[None] * (places.ndim - 2))
+    # c(m)c(m′) couples place i to i + 1, and as much i + 1 to i
     ahead = beside[wide] * jnp.roll(places, -1, axis=0)
     behind = jnp.roll(beside[wide] * places, 1, axis=0)
     return unwrap_diagonals(entries[wide] * places + ahead + behind)

@@ -154,6 +154,7 @@ class AbstractLieAlgebra(HashableModule):
 
     def rate(self, x: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return how fast exp(tx) turns (…) [rad per unit of t]: the spectral radius of ad_x, or a bound of it."""
+        # no eigenvalue of ad_x exceeds the largest row sum of absolute values
         constants = jnp.abs(self.structure_constants())
         return jnp.max(jnp.einsum("...i,ijk->...jk", jnp.abs(self.to_vector(x)), constants).sum(axis=-1), axis=-1)
 
@@ -161,6 +162,7 @@ class AbstractLieAlgebra(HashableModule):
 
     def exp(self, x: Double[Array, "..."]) -> Any:
         """Return the group element exp x; here as the matrix of Ad (…, dim, dim) in the stated basis."""
+        # column j of ad_x is [x, e_j], and Ad_{exp x} = exp(ad_x)
         ad = jnp.einsum("...i,ijk->...kj", self.to_vector(x), self.structure_constants())
         return jax.scipy.linalg.expm(ad)
 
@@ -170,6 +172,7 @@ class AbstractLieAlgebra(HashableModule):
 
     def coadjoint_action(self, g: Any, mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return Ad*_g μ for g as ``exp`` gives it."""
+        # ⟨Ad*_g μ, e_i⟩ = ⟨μ, Ad_g e_i⟩: the transposed matrix
         return self.from_dual_vector(jnp.einsum("...ji,...j->...i", g, self.to_dual_vector(mu)))
 
     def cayley(self, x: Double[Array, "..."]) -> Any:

@@ -46,6 +46,7 @@ class Bidiagonal(AbstractLieAlgebra):
 
     def bracket(self, x: Operand, y: Operand) -> Vector:
         n = self.n
+        # of matrices, the entry below the diagonal of xy − yx
         value = jnp.diff(x[..., :n]) * y[..., n:] - jnp.diff(y[..., :n]) * x[..., n:]
         return jnp.concatenate([jnp.zeros((*value.shape[:-1], n)), value], axis=-1)
 
@@ -76,4 +77,5 @@ def _mean_growth(growth: Array) -> Array:
     """Return (e^g − 1)/g, regular at zero."""
     small = jnp.abs(growth) < 1e-5
     safe = jnp.where(small, 1.0, growth)
+    # ∫₀¹ e^{gs} ds; the next term of the series is g³/24
     return jnp.where(small, 1.0 + 0.5 * growth * (1.0 + growth / 3.0), jnp.expm1(safe) / safe)

@@ -43,24 +43,45 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polyno
 
     Source: Abellanas & Martínez Alonso, J. Math. Phys. 16 (1975) 1580.
     """
+    check_degree(degree, math.comb(algebra.dim + degree - 1, degree) if isinstance(degree, int) else 0, algebra.dim)
+    independent = invariant_terms(rational_brackets(algebra), degree)
+    return [Polynomial(np.array(list(terms)).reshape(-1, algebra.dim), list(terms.values())) for terms in independent]
+
+
+def check_degree(degree: int, count: int, dim: int) -> None:
+    """Refuse a degree that is none, or has too many monomials for exact linear algebra.
+
+    Raises:
+        InvalidInput: naming it.
+    """
     if not isinstance(degree, int) or degree < 1:
         raise InvalidInput(f"`degree` must be a whole number, at least 1; got {shown(degree)}.")
-    count = math.comb(algebra.dim + degree - 1, degree)
     if count > MOST_MONOMIALS:
-        raise InvalidInput(f"`degree` {degree} in {algebra.dim} variables has {count} monomials, more than "
+        raise InvalidInput(f"`degree` {degree} in {dim} variables has {count} monomials, more than "
                            f"{MOST_MONOMIALS}. {REMEDY}")  # fmt: skip
-    brackets = rational_brackets(algebra)
+
+
+def invariant_terms(brackets: list[list[dict[int, Fraction]]], degree: int) -> list[Terms]:
+    """Return what ``polynomial_casimirs`` finds as {exponents: coefficient}, of what ``rational_brackets`` gives.
+
+    Raises:
+        InvalidInput: for a problem too large, or a missing python-flint.
+    """
     generators = _generators(brackets)
     independent: list[Terms] = []
     for d in range(1, degree + 1):
         invariants = _invariants(brackets, generators, d)
         if invariants:
-            independent += _new_ones(invariants, _products(independent, d))
-    return [_polynomial(terms, algebra.dim) for terms in independent]
+            independent += new_terms(invariants, _products(independent, d))
+    return [whole_terms(terms) for terms in independent]
 
 
 def rational_brackets(algebra: AbstractLieAlgebra) -> list[list[dict[int, Fraction]]]:
-    """Return [e_i, e_j] as {k: c_ijk} with exact fractions."""
+    """Return [e_i, e_j] as {k: c_ijk} with exact fractions.
+
+    Raises:
+        InvalidInput: for constants that are not simple fractions.
+    """
     c = algebra.structure_constants()
     table = []
     for row in c:
@@ -95,6 +116,7 @@ def _generators(brackets: list[list[dict[int, Fraction]]]) -> list[int]:
         chosen.append(i)
         span = np.vstack([span, unit])
         while True:
+            # brackets of all pairs in the span
             products = np.tensordot(span, np.tensordot(span, dense, (1, 1)), (1, 1)).reshape(-1, dim)
             _, sizes, rows = np.linalg.svd(np.vstack([span, products]), full_matrices=False)
             rank = int((sizes > 1e-9 * sizes[0]).sum())
@@ -109,6 +131,7 @@ def _invariants(brackets: list[list[dict[int, Fraction]]], generators: list[int]
     dim = len(brackets)
     monomials = [_exponents(m, dim) for m in combinations_with_replacement(range(dim), degree)]
     place = {m: n for n, m in enumerate(monomials)}
+    # {x_g, Π x_i^{e_i}} = Σ_j e_j x^{e − 1_j} Σ_k c_gj^k x_k, by Leibniz
     rows: dict[tuple[int, int], dict[int, Fraction]] = defaultdict(lambda: defaultdict(Fraction))
     for column, monomial in enumerate(monomials):
         for g in generators:
@@ -121,15 +144,16 @@ def _invariants(brackets: list[list[dict[int, Fraction]]], generators: list[int]
                     rows[g, place[tuple(raised)]][column] += monomial[int(j)] * value
     distinct = {tuple(sorted((c, v) for c, v in row.items() if v)) for row in rows.values()} - {()}
     matrix = [dict(row) for row in sorted(distinct, key=len)]
-    return [{monomials[c]: v for c, v in vector.items()} for vector in _null_space(matrix, len(monomials))]
+    return [{monomials[c]: v for c, v in vector.items()} for vector in null_space(matrix, len(monomials))]
 
 
-def _null_space(rows: list[dict[int, Fraction]], columns: int) -> list[dict[int, Fraction]]:
+def null_space(rows: list[dict[int, Fraction]], columns: int) -> list[dict[int, Fraction]]:
     """Return the null space of a sparse rational matrix, reduced: each vector has a column of its own."""
     pivots, reduced = _reduce_rows(rows, columns)
     free = [c for c in range(columns) if c not in set(pivots)]
     vectors = []
     for c in free:
+        # one free unknown is 1 and the others are 0; the reduced rows give the pivots
         vector = {c: Fraction(1)}
         for pivot, row in zip(pivots, reduced, strict=True):
             if c in row:
@@ -210,7 +234,7 @@ def _products(polynomials: list[Terms], degree: int) -> list[Terms]:
     return extend(0, degree)
 
 
-def _new_ones(invariants: list[Terms], products: list[Terms]) -> list[Terms]:
+def new_terms(invariants: list[Terms], products: list[Terms]) -> list[Terms]:
     """Return those invariants that are needed in addition to the products to span all."""
     monomials = sorted({m for terms in (*invariants, *products) for m in terms}, reverse=True)
     place = {m: n for n, m in enumerate(monomials)}
@@ -231,13 +255,13 @@ def _multiply(a: Terms, b: Terms) -> Terms:
     return {m: v for m, v in product.items() if v}
 
 
-def _polynomial(terms: Terms, dim: int) -> Polynomial:
-    """Return the polynomial with coprime whole coefficients, the first one positive."""
+def whole_terms(terms: Terms) -> Terms:
+    """Return a polynomial's multiple with coprime whole coefficients, sorted, the first one positive."""
     order = sorted(terms, reverse=True)
     denominator = math.lcm(*(v.denominator for v in terms.values()))
     divisor = math.gcd(*(int(v * denominator) for v in terms.values()))
     factor = Fraction(denominator, divisor) * (1 if terms[order[0]] > 0 else -1)
-    return Polynomial(np.array(order).reshape(-1, dim), [terms[m] * factor for m in order])
+    return {m: terms[m] * factor for m in order}
 
 
 def _exponents(indices: tuple[int, ...], dim: int) -> tuple[int, ...]:

@@ -66,6 +66,7 @@ class ConstantsAlgebra(AbstractLieAlgebra):
         return jnp.einsum("...i,...j,ijk->...k", x, y, self.constants)
 
     def coadjoint(self, x: Operand, mu: Operand) -> Vector:
+        # ⟨ad*_x μ, e_j⟩ = ⟨μ, [x, e_j]⟩ = x_i c_ijk μ_k
         return jnp.einsum("...i,...k,ijk->...j", x, mu, self.constants)
 
     def structure_constants(self) -> np.ndarray:
@@ -99,6 +100,7 @@ class MatrixBasisAlgebra(ConstantsAlgebra):
         return jax.scipy.linalg.expm(jnp.einsum("...i,iab->...ab", x, self.matrices))
 
     def coadjoint_action(self, g: Double[Array, "*#batch n n"], mu: Operand) -> Vector:
+        # Ad_g B_j = g B_j g⁻¹, in coordinates by least squares: Σ_k Ad_kj B_k
         turned = g[..., None, :, :] @ self.matrices @ jnp.linalg.inv(g)[..., None, :, :]
         flat = turned.reshape(*turned.shape[:-2], -1)
         if np.iscomplexobj(self.matrices):
@@ -163,6 +165,7 @@ def _check_jacobi(c: np.ndarray, scale: float) -> None:
     worst, where, largest = 0.0, (0, 0, 0, 0), scale**2
     for i in range(len(c)):
         nested = c @ c[i]  # [e_i, [e_j, e_k]] at (j, k)
+        # [e_i, [e_j, e_k]] + [e_j, [e_k, e_i]] + [e_k, [e_i, e_j]]
         total = nested + c[:, i] @ c + (c[i] @ c).transpose(1, 0, 2)
         largest = max(largest, float(np.abs(nested).max()))
         j, k, m = _worst(total)

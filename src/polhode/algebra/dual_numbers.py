@@ -78,6 +78,7 @@ class DualNumbers(AbstractLieAlgebra):
         return self._join(*(self.algebra.from_vector(half) for half in jnp.split(jnp.asarray(vector), 2, axis=-1)))
 
     def to_dual_vector(self, mu: Double[Array, "..."]) -> Float64[Array, "... {self.dim}"]:
+        # ⟨Z, x⟩ = ⟨W, x₀⟩ + ⟨Θ, x₁⟩: coordinates along x₀ are those of W
         return jnp.concatenate([self.algebra.to_dual_vector(part) for part in self._split(mu)[::-1]], axis=-1)
 
     def from_dual_vector(self, vector: Float64[Array, "... {self.dim}"]) -> Double[Array, "..."]:
@@ -85,6 +86,7 @@ class DualNumbers(AbstractLieAlgebra):
         return self._join(theta, w)
 
     def from_gradient(self, gradient: Double[Array, "..."]) -> Double[Array, "..."]:
+        # dF/dΘ pairs with x₁, dF/dW with x₀
         by_theta, by_w = self._split(gradient)
         return self._join(self.algebra.from_gradient(by_w), self.algebra.from_gradient(by_theta))
 

@@ -87,15 +87,18 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
         return self.from_vector(vector / self._lengths)
 
     def from_gradient(self, gradient: Element) -> Element:
+        # JAX gives g with δF = Re Σ g δμ, and ⟨δμ, x⟩ = c Re Σ δμ̄ x: x is ḡ/c, its part in the algebra
         return self.project(jnp.conj(gradient)) / self.scale
 
     def rate(self, x: Element) -> Float64[Array, "*batch"]:
+        # eigenvalues of ad_x are differences of those of x, and |λ − λ′|² ≤ 2(|λ|² + |λ′|²) ≤ 2 |x|² for normal x
         return jnp.sqrt(2.0) * jnp.linalg.norm(x, axis=(-2, -1))
 
     def exp(self, x: Element) -> Element:
         return jax.scipy.linalg.expm(jnp.asarray(x))
 
     def coadjoint_action(self, g: Operand, mu: Operand) -> Element:
+        # g† μ g^(−†) = (g⁻¹ (g† μ)†)†
         turned = adjoint(g)
         return adjoint(jnp.linalg.solve(g, adjoint(turned @ mu)))
 
@@ -107,6 +110,7 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
         return self.project(AbstractLieAlgebra.exp_change(self, x, mu))
 
     def cayley_change(self, x: Operand, mu: Operand) -> Element:
+        # (1 + y) W̃ (1 − y) − (1 − y) W̃ (1 + y) = 2[y, W̃] with y = x†/2
         return self.coadjoint(x, self.cayley_middle(x, mu))
 
     def cayley_middle(self, x: Operand, mu: Operand) -> Element:
@@ -169,6 +173,7 @@ class AbstractOrthogonalAlgebra(AbstractMatrixAlgebra):
         rows, columns = np.triu_indices(self.n, 1)
         basis = np.zeros((self.dim, self.n, self.n))
         own = np.arange(self.dim)
+        # E_ji − η_i η_j E_ij solves xᵀη + ηx = 0
         basis[own, columns, rows] = 1.0
         basis[own, rows, columns] = -self.form[rows] * self.form[columns]
         return basis
@@ -252,6 +257,7 @@ class SU(AbstractMatrixAlgebra):
                 turned = np.zeros((self.n, self.n), complex)
                 turned[j, k], turned[k, j] = -0.5, 0.5
                 matrices += [symmetric, turned]
+            # diag(1, …, 1, −k) has no trace, and is orthogonal to those before it
             matrices.append(np.diag([-0.5j] * k + [0.5j * k] + [0.0] * (self.n - k - 1)))
         return np.array(matrices)
 
@@ -354,6 +360,7 @@ class Sp(AbstractMatrixAlgebra):
 
     def reversal(self, matrix: Element) -> Element:
         n = self.n
+        # J M + Mᵀ J = 0 with J = [[0, 1], [−1, 0]] is σ(M) = −M for σ(M) = −J Mᵀ J, as J⁻¹ = −J
         form = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
         return -form @ adjoint(matrix) @ form
 
@@ -384,6 +391,7 @@ def pfaffian(matrix: Float64[Array, "*batch n n"]) -> Float64[Array, "*batch"]:
     total = jnp.zeros(matrix.shape[:-2])
     for j in range(1, n):
         rest = np.array([k for k in range(1, n) if k != j])
+        # Pf A = Σ_j (−1)^(j−1) a_0j Pf(A without rows and columns 0 and j), counted from 0
         minor = matrix[..., rest[:, None], rest[None, :]]
         total = total + (-1) ** (j - 1) * matrix[..., 0, j] * pfaffian(minor)
     return total

@@ -121,6 +121,7 @@ class Power(AbstractLieAlgebra):
 
     def to_dual_vector(self, mu: Double[Array, "..."]) -> Float64[Array, "... {self.dim}"]:
         values = self.algebra.to_dual_vector(mu)
+        # ⟨μ, e_i⟩ with the weights of the pairing
         return self._flat(values if self.weights is None else values * self.weights[..., None])
 
     def from_dual_vector(self, vector: Float64[Array, "... {self.dim}"]) -> Double[Array, "..."]:
@@ -131,6 +132,7 @@ class Power(AbstractLieAlgebra):
         element = self.algebra.from_gradient(gradient)
         if self.weights is None:
             return element
+        # δF = Σ ∂F/∂μ_k · δμ_k = Σ w_k ⟨δμ_k, x_k⟩
         return element / self.weights.reshape(*self.shape, *(1,) * len(self.algebra.element_shape))
 
     def rate(self, x: Double[Array, "..."]) -> Float64[Array, "..."]:

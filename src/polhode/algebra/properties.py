@@ -13,12 +13,14 @@ DRAWS = 3
 def killing_form(algebra: AbstractLieAlgebra) -> np.ndarray:
     """Return K_ij = tr(ad_i ad_j) (dim, dim); not degenerate exactly for semisimple algebras [Cartan]."""
     c = algebra.structure_constants()
+    # (ad_i)_lk = c_ikl
     return np.einsum("ikl,jlk->ij", c, c)
 
 
 def centre(algebra: AbstractLieAlgebra) -> np.ndarray:
     """Return an orthonormal basis (m, dim) of the coordinates of elements that commute with all."""
     c = algebra.structure_constants()
+    # x with Σ_i x_i c_ijk = 0 for all j, k
     _, sizes, rows = np.linalg.svd(c.reshape(len(c), -1).T)
     return rows[int((sizes > RANK_TOLERANCE * max(sizes.max(initial=0.0), 1e-300)).sum()) :]
 

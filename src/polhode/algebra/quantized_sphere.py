@@ -95,6 +95,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         return self.project(AbstractLieAlgebra.exp_change(self, x, mu))
 
     def rate(self, x: Element) -> Float64[Array, "*batch"]:
+        # eigenvalues of ad_x are differences of those of x over ħ, the largest that of the extreme ones
         values = self.spectrum(x)
         return (values[..., -1] - values[..., 0]) / self.hbar
 
@@ -110,6 +111,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
     def tensors(self) -> list[np.ndarray]:
         """T_lm on its diagonal for m = 0, …, N−1: rows l = m, …, N−1, columns i = 0, …, N−1−m; tr T†T = N."""
         s = 0.5 * (self.n - 1)
+        # rows of ``spherical_tensor`` run from m = s down, those here from m = −s up
         return [math.sqrt(self.n) * spherical_tensor(s, m)[:, ::-1] for m in range(self.n)]
 
     def from_harmonics(self, coefficients: Real[ArrayLike, "*batch n n"]) -> Complex128[jax.Array, "*batch n n"]:
@@ -125,6 +127,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
             values = f[..., m:, m]
             if m == 0:
                 values = values.real.at[..., 0].set(0.0)
+            # F = i Σ f_lm T_lm/√(4π): with tr T†T = N, (4π/N) tr F†F is Σ |f_lm|² = ∫ f²
             entries = (values @ rows) * (1j / math.sqrt(4.0 * math.pi))
             i = np.arange(self.n - m)
             matrix = matrix.at[..., i + m, i].set(entries)
@@ -172,6 +175,8 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         parts = []
         for degree in range(1, self.n):
             row = f[..., degree, 1 : degree + 1]
+            # f_lm Y_lm and its conjugate at −m together: a pair of orthonormal real harmonics, with √2 Re f_lm and √2
+            # Im f_lm
             pairs = math.sqrt(2.0) * jnp.stack([row.real, row.imag], axis=-1)
             parts += [f[..., degree, :1].real, pairs.reshape(*pairs.shape[:-2], -1)]
         return jnp.concatenate(parts, axis=-1)

@@ -46,11 +46,13 @@ class SE2(AbstractLieAlgebra):
         near = jnp.abs(half) < 1e-4
         share = jnp.where(near, 1.0 - half * half / 6.0, jnp.sin(half) / jnp.where(near, 1.0, half))
         s, c = share * jnp.cos(half), share * jnp.sin(half)
+        # d = ∫₀¹ R(sa) b ds = (sin a/a) b + ((1 − cos a)/a) J b
         return _stack(jnp.cos(a), jnp.sin(a), s * b1 - c * b2, c * b1 + s * b2)
 
     def cayley(self, x: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 4"]:
         a, b1, b2 = _parts(x)
         half = 0.5 * a
+        # (1 − aJ/2)⁻¹ = (1 + aJ/2)/(1 + a²/4), as J² = −1: cos and sin are (1 − h²)/(1 + h²) and 2h/(1 + h²), h = a/2
         scale = 1.0 / (1.0 + half * half)
         return _stack((1.0 - half * half) * scale, a * scale, (b1 - half * b2) * scale, (b2 + half * b1) * scale)
 
@@ -62,11 +64,13 @@ class SE2(AbstractLieAlgebra):
         self, g: Float64[Array, "*#batch 4"], mu: Float64[Array, "*#batch 3"]
     ) -> Float64[Array, "*batch 3"]:
         (c, s, d1, d2), (angular, p1, p2) = _parts(g), _parts(mu)
+        # ⟨Ad*_g (Π, P), (a, b)⟩ = Πa + P·(Rb − a J d): Π becomes Π − P·Jd, P becomes RᵀP
         return _stack(angular + p1 * d2 - p2 * d1, c * p1 + s * p2, c * p2 - s * p1)
 
     def exp_change(self, x: Float64[Array, "*#batch 3"], mu: Float64[Array, "*#batch 3"]) -> Float64[Array, "*batch 3"]:
         half = 0.5 * jnp.asarray(x)[..., 0]
         s, c = jnp.sin(half), jnp.cos(half)
+        # cos a − 1 = −2 sin² ½a
         return _coadjoint_change(-2.0 * s * s, 2.0 * s * c, self.exp(x), mu)
 
     def cayley_change(
@@ -74,6 +78,7 @@ class SE2(AbstractLieAlgebra):
     ) -> Float64[Array, "*batch 3"]:
         half = 0.5 * jnp.asarray(x)[..., 0]
         scale = 2.0 * half / (1.0 + half * half)
+        # cos − 1 = −2h²/(1 + h²) and sin = 2h/(1 + h²), h = a/2
         return _coadjoint_change(-half * scale, scale, self.cayley(x), mu)
 
 

@@ -57,6 +57,7 @@ class SE3(AbstractLieAlgebra):
         second = 1 / 6 - square / 120 * (1 - square / 42 * (1 - square / 72 * (1 - square / 110)))
         first = jnp.where(small, first, 2.0 * (jnp.sin(0.5 * angle) / angle) ** 2)
         second = jnp.where(small, second, (angle - jnp.sin(angle)) / angle**3)
+        # ∫₀¹ exp(s â) b ds
         once = jnp.cross(a, b)
         return jnp.concatenate([SO3().exp(a), b + first * once + second * jnp.cross(a, once)], axis=-1)
 
@@ -67,6 +68,7 @@ class SE3(AbstractLieAlgebra):
     def coadjoint_action(
         self, g: Float64[Array, "*#batch 7"], mu: Float64[Array, "*#batch 6"]
     ) -> Float64[Array, "*batch 6"]:
+        # ⟨Ad*_g (Π, P), (a, b)⟩ = Π·Ra + P·(Rb + d × Ra): Π becomes Rᵀ(Π + P × d), P becomes RᵀP
         back = rotation.conjugate(g[..., :4])
         angular, linear = _parts(mu)
         angular = angular + jnp.cross(linear, g[..., 4:])
@@ -90,6 +92,7 @@ class SE3(AbstractLieAlgebra):
 
     def _change(self, turned: Callable[[Array, Array], Array], shift: Array, x: Array, mu: Array) -> Array:
         turn, (angular, linear) = x[..., :3], _parts(mu)
+        # Rᵀ(Π + P × d) − Π = (Rᵀ − 1)(Π + P × d) + P × d: no large terms cancel
         arm = jnp.cross(linear, shift)
         return jnp.concatenate([turned(turn, angular + arm) + arm, turned(turn, linear)], axis=-1)
 

@@ -80,6 +80,7 @@ class Semidirect(ConstantsAlgebra):
         (a, v), (m, p) = self._parts(x), self._parts(mu)
         f = self.algebra
         first = f.to_dual_vector(f.coadjoint(f.from_vector(a), f.from_dual_vector(m)))
+        # ⟨ad*_(x,v) (μ, a), (y, w)⟩ = ⟨μ, [x, y]⟩ + a·ρ(x)w − a·ρ(y)v
         diamond = jnp.einsum("...p,ipq,...q->...i", p, self.generators, v)
         second = jnp.einsum("...i,ipq,...p->...q", a, self.generators, p)
         return jnp.concatenate([first - diamond, second], axis=-1)

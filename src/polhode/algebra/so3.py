@@ -13,6 +13,7 @@ from polhode.types import Array, Float64
 def half_angle_factors(x: Float64[Array, "*batch 3"]) -> tuple[Float64[Array, "*batch 1"], Float64[Array, "*batch 1"]]:
     """Return 2 sin(θ/2)/θ and cos(θ/2), (…, 1), θ = |x|, regular at zero."""
     square = jnp.sum(x * x, axis=-1, keepdims=True)
+    # the next terms are θ⁴/1920 and θ⁴/384, below 1e-18
     small = square < 1e-8
     angle = jnp.sqrt(jnp.where(small, 1.0, square))
     sine = jnp.where(small, 1.0 - square / 24.0, 2.0 * jnp.sin(0.5 * angle) / angle)
@@ -70,17 +71,21 @@ class SO3(AbstractLieAlgebra):
 
     def cayley(self, x: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 4"]:
         x = jnp.asarray(x)
+        # the quaternion (1, x/2) at unit length: a turn with tan(θ/2) = |x|/2
         w = 1.0 / jnp.sqrt(1.0 + 0.25 * jnp.sum(x * x, axis=-1, keepdims=True))
         return jnp.concatenate([w, 0.5 * w * x], axis=-1)
 
     def exp_change(self, x: Float64[Array, "*#batch 3"], mu: Float64[Array, "*#batch 3"]) -> Float64[Array, "*batch 3"]:
         s, c = half_angle_factors(x)
+        # (sin θ/θ) μ × x + ((1 − cos θ)/θ²)(μ × x) × x, by half angles: sin θ = 2 sin(θ/2) cos(θ/2), 1 − cos θ = 2
+        # sin²(θ/2)
         once = jnp.cross(mu, x)
         return s * (c * once + 0.5 * s * jnp.cross(once, x))
 
     def cayley_change(
         self, x: Float64[Array, "*#batch 3"], mu: Float64[Array, "*#batch 3"]
     ) -> Float64[Array, "*batch 3"]:
+        # tan(θ/2) = |x|/2: sin θ/|x| and (1 − cos θ)/|x|² are 1 and ½ over 1 + |x|²/4
         once = jnp.cross(mu, x)
         return (once + 0.5 * jnp.cross(once, x)) / (1.0 + 0.25 * jnp.sum(x * x, axis=-1, keepdims=True))
 

@@ -3,6 +3,7 @@ from ._mechanics import Mechanics as Mechanics
 from ._mechanics import invariants_along as invariants_along
 from .alignment import Alignment as Alignment
 from .alignment import fit_alignment as fit_alignment
+from .certification import certify as certify
 from .comparison import AttitudeHistory as AttitudeHistory
 from .comparison import Comparison as Comparison
 from .comparison import compare as compare
@@ -35,8 +36,9 @@ from .disk_turns import (
 from .disk_turns import (
     rolling_path as rolling_path,
 )
+from .enclosed_numbers import EnclosedNumber as EnclosedNumber
+from .enclosed_numbers import EnclosedState as EnclosedState
 from .enclosures import Enclosure as Enclosure
-from .enclosures import certify as certify
 from .energy_casimir import Stability as Stability
 from .energy_sink import flat_spin_time as flat_spin_time
 from .energy_sink import sink_rate_by_loss as sink_rate_by_loss
@@ -61,6 +63,9 @@ from .light_curves import light_curve_lines as light_curve_lines
 from .lyapunov_exponents import LyapunovExponents as LyapunovExponents
 from .lyapunov_exponents import lyapunov as lyapunov
 from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
+from .motion_enclosures import FreeEnclosure as FreeEnclosure
+from .motion_enclosures import MotionEnclosure as MotionEnclosure
+from .motion_enclosures import TopEnclosure as TopEnclosure
 from .periodic_branches import continue_periodic as continue_periodic
 from .plasma_growth import GrowthFit as GrowthFit
 from .plasma_growth import fitted_growth as fitted_growth

@@ -154,9 +154,11 @@ class Family:
         derivatives = self._at(z, value)
         left, sizes, _ = np.linalg.svd(self._constants @ z)
         leaf = left[:, sizes > RANK * max(sizes[0], 1e-300)]
+        # on the leaf dH = Σ w dC, and its curvature is D²H − Σ w D²C
         weights = np.linalg.lstsq(derivatives.slopes.T, derivatives.slope, rcond=None)[0]
         curvature = derivatives.curvature - np.tensordot(weights, derivatives.curvatures, 1)
         step = DIFFERENCE * self.range
+        # dH as a function of the parameter, by a central difference
         by_value = (self._at(z, value + step).slope - self._at(z, value - step).slope) / (2.0 * step)
         steepness = max(float(np.abs(derivatives.slope).max()), float(np.abs(curvature).max()) * self.size, 1e-300)
         levels = np.maximum(np.linalg.norm(derivatives.slopes, axis=1) * self.size, 1e-300)
@@ -183,6 +185,7 @@ class Family:
         values, vectors = np.linalg.eigh(curvature)
         still = np.abs(values) <= NULL * np.abs(values).max(initial=0.0)
         tensor, vectors, least = self._constants @ z, equations.leaf @ vectors, int(np.argmin(np.abs(values)))
+        # the linearised flow on the leaf is π times the curvature there
         exponents = np.linalg.eigvals(equations.leaf.T @ tensor @ equations.leaf @ curvature).astype(complex)
         # two that meet are off by the root of a rounding
         noise = NULL * float(np.linalg.norm(tensor, 2) * np.linalg.norm(curvature, 2))

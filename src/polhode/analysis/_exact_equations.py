@@ -15,7 +15,7 @@ import jax.numpy as jnp
 from polhode.algebra._functions import Function
 from polhode.algebra.casimirs import polynomial_casimirs, rational_brackets
 from polhode.analysis._conserved import HIGHEST_DEGREE, Energy, Source, choose_casimirs
-from polhode.certificates.equations import (
+from polhode.certificates._equations import (
     ENERGY,
     Equations,
     poisson_field,
@@ -24,8 +24,8 @@ from polhode.certificates.equations import (
     restrict_to_zeros,
     turns,
 )
-from polhode.certificates.exact_tracing import read_double, read_short, trace_polynomials
-from polhode.certificates.polynomials import RationalPolynomial
+from polhode.certificates._exact_tracing import read_double, read_short, trace_polynomials
+from polhode.certificates._polynomials import RationalPolynomial
 from polhode.certificates.rational import RationalCertificate, find_certificate
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem

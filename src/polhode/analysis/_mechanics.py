@@ -47,6 +47,7 @@ def invariants_along(
     if mechanics.weight is None:
         values = {"energy": kinetic, "momentum_norm": np.linalg.norm(momentum, axis=-1), "momentum_space": in_space}
     else:
+        # mgl times the height of the centre of mass, the z of R (mgl χ)
         height = rotation.rotate(attitude, np.asarray(mechanics.weight))[..., 2]
         values = {"energy": kinetic + height, "vertical_momentum": in_space[..., 2]}
         # a top's energy and vertical momentum may be zero; what they are sums of is not

@@ -44,7 +44,9 @@ def tabulate(system: SpinOrbit, steps: int) -> Table:
     """Return the orbit in a number of steps, each of nine kicks."""
     e = system.eccentricity
     edges = TURN * np.arange(steps + 1) / steps
+    # M = E − e sin E at equal steps of E
     edges -= float(e) * np.sin(edges)
+    # stages of a symmetric composition of leapfrog steps; a stage kicks in its middle, and drifts of neighbours join
     sizes = np.diff(edges)[:, None] * stages(ORDER)
     middles = edges[:-1, None] + np.cumsum(sizes, axis=1) - 0.5 * sizes
     sizes, middles = sizes.ravel(), middles.ravel()
@@ -57,6 +59,7 @@ def tabulate(system: SpinOrbit, steps: int) -> Table:
 def _kicks(anomalies: Array, sizes: Array, e: Array, asphericity: Array) -> tuple[Array, Array]:
     """Return strengths and phases of kicks at mean anomalies."""
     eccentric = solve_kepler(anomalies, e)
+    # dp/dM = −½ ω0² (a/r)³ sin(2θ − 2f), at fixed θ during a kick
     strength = 0.5 * asphericity**2 / ratio_from_eccentric(eccentric, e) ** 3
     return strength * sizes, 2.0 * true_from_eccentric(eccentric, e)
 
@@ -100,6 +103,7 @@ def carry_neighbours(
     def kick(state: tuple[Array, ...], row: tuple[Array, ...]) -> tuple[tuple[Array, ...], None]:
         (q, p, dq, dp), (drift, strength, phase) = state, row
         q, dq = q + drift * p, dq + drift * dp
+        # the derivative of p ↦ p − strength sin(2q − phase)
         angle = 2.0 * q - phase
         dp = dp - (2.0 * strength * jnp.cos(angle))[..., None] * dq
         return (q, p - strength * jnp.sin(angle), dq, dp), None

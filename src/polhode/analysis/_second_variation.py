@@ -206,6 +206,7 @@ def _equilibrate(terms: Array) -> Array:
     for _ in range(SWEEPS):
         # two roots, for a product of scales may overflow where the scaled entry does not
         rows = np.where(used, ((terms * scale) * scale[:, None]).max(axis=0, initial=0.0), 1.0)
+        # Ruiz's iteration: the root of the largest entry of each row is divided out
         scale = scale / np.sqrt(rows)
     exponents = np.rint(np.log2(scale))
     # a component the second variation does not know has no scale of its own

@@ -114,6 +114,7 @@ def compute_multipliers(
     # a group of m eigenvalues that fall together is off by the m-th root of what rounding makes of the matrix
     errors = np.empty(len(values))
     with np.errstate(all="ignore"):
+        # a simple eigenvalue moves by the noise over |y·x|, of unit left and right eigenvectors (Wilkinson)
         alignment = 1.0 / (np.linalg.norm(np.linalg.pinv(vectors), axis=1) * np.linalg.norm(vectors, axis=0))
         simple = noise / np.maximum(alignment, EPS)
     for k, value in enumerate(values):

@@ -117,6 +117,7 @@ def _cones(
     """Return the half-angles (…) between which cones open and close."""
     body = canonical_reduction(moments, momentum)
     with np.errstate(invalid="ignore", divide="ignore"):  # at rest there is no cone
+        # tan of the half-angles √(P/Q) and √(P/|S|), in any unit
         P, Q, S = (np.sqrt(np.abs(x[0] / body.V[0])) for x in (body.P, body.Q, body.S))
         one, other = np.arctan2(P, Q), np.arctan2(P, S)
         return np.minimum(one, other), np.maximum(one, other)
@@ -134,6 +135,7 @@ def _angles_without_period(
         low, middle, high = np.argsort(moments, kind="stable")
         a, b, c = (1.0 / moments[k] for k in (low, middle, high))
         # half-way the great circle of the separatrix stands at this angle from the axis of largest moment
+        # 2E = |L|²/I₂ makes (1/I₁ − 1/I₂) L₁² = (1/I₂ − 1/I₃) L₃²
         tilt = math.atan2(math.sqrt(b - c), math.sqrt(a - b))
         for k, least in ((low, RIGHT - tilt), (high, tilt)):
             angles[k] = (least, RIGHT) if momentum[k] > 0.0 else (RIGHT, math.pi - least)

@@ -9,9 +9,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.analysis._exact_arithmetic import import_flint
 from polhode.analysis._tangent_flow import one_state
-from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput, NotConverged, not_installed, shown
+from polhode.arrays import refuse_single_precision
+from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.simulation import simulate
 from polhode.systems.base import AbstractSystem
@@ -58,53 +59,13 @@ class Enclosure(NamedTuple):
     bits: int
 
 
-@known_numbers_only
-def certify(
-    system: AbstractSystem, state: Real[ArrayLike, "..."], times: Real[ArrayLike, "time"], radius: float = 1e-15,
-    other: AbstractSystem | None = None, state_radii: Real[ArrayLike, "..."] | None = None,
+def enclose_by_series(
+    system: AbstractSystem, state: Real[ArrayLike, "..."], times: Real[ArrayLike, "time"], radius: float,
+    other: AbstractSystem | None, state_radii: Real[ArrayLike, "..."] | None,
 ) -> Enclosure:  # fmt: skip
-    """Return proved enclosures of a motion from an exact start: no rounding, truncation or growth is left out.
-
-    Each step is a Taylor series in ball arithmetic. What is cut off is bounded by Cauchy's estimate, from a disc of
-    complex times over which the motion is proved to stay in a box. What roundings become is bounded by a logarithmic
-    norm of the rates' derivative over the box. As that bound grows exponentially, for chaotic motions and for others,
-    the arithmetic has so many more digits: the time grows with its square and more.
-
-    Numbers that are only known within limits are enclosed too: with a second system all those systems whose numbers lie
-    between both, each number by itself, and with radii all starts that far from the state. What they change is bounded
-    by the same norm, so that the enclosure is some times wider than what they do, and more so over long times.
-
-    Args:
-        system: what moves; its rates must be made of products, powers and elementary functions.
-        state: one, packed as ``simulate`` takes it: the doubles are taken as exact numbers.
-        times: (T,) [s], in one direction; the first is the start's.
-        radius: that is wanted, relative to the largest number of the start; that of the doubles given is added, and so
-            is what numbers within limits change.
-        other: of the same form as the system, with other numbers.
-        state_radii: of the state's shape or one number: by how much the start may be off; of complex states, each of
-            real and imaginary part.
-
-    Raises:
-        InvalidInput: for a batch of states, times out of order, a system with jumps or events between the times, rates
-            that have no Taylor series, or another system of which more than numbers differs, or numbers that the rates
-            look at, as the eccentricity of an orbit.
-        NotConverged: if the motion runs into a singularity, or needs more digits than are reasonable.
-
-    >>> import polhode as ph
-    >>> enclosure = ph.certify(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), [0.3, 1.8, 1.5], [0.0, 5.0])
-    >>> exact = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).momentum(5.0)
-    >>> bool((abs(enclosure.states[-1] - exact) < 3e-15).all() and (enclosure.radii < 1e-15).all() and enclosure.exact)
-    True
-
-    Source: Moore, *Methods and Applications of Interval Analysis*, ch. 8; Dahlquist's logarithmic norm, Hairer, Nørsett
-    & Wanner, *Solving Ordinary Differential Equations I*, §I.10; Cauchy's estimate in a disc, as in the majorants of
-    Warne et al., Math. Comput. 75 (2006) 1249.
-    """
+    """Return enclosures of a system's motion; ``certify`` says what the arguments are."""
     start, times = _check_arguments(system, state, times, radius)
-    try:
-        import flint
-    except ImportError:
-        raise not_installed("Proofs", "python-flint", "symbolic") from None
+    flint = import_flint()
     try:
         balls = BallSystem(system, start)
     except Untraceable as error:
@@ -237,6 +198,7 @@ class _Proof:
         arb = self.flint.arb
         series = self.balls.coefficients(self.y, self.parameters, self.order)
         ratio = (abs(h) / arb(disc)).upper()
+        # Cauchy's estimate |c_k| ≤ size/disc^k: what is cut off is at most size · ratio^(p+1)/(1 − ratio)
         cut = (ratio ** (self.order + 1) / (1 - ratio)).upper()
         new, off = [], []
         for k, (row, size) in enumerate(zip(series, box, strict=True)):
@@ -255,6 +217,7 @@ class _Proof:
         faster = self._faster(tube, abs(h), pushed)
         grow = (faster * abs(h)).exp().upper()
         grown = grow.max(arb(1)) if bool(pushed > 0) else grow
+        # d|e|/dt ≤ m |e| + |push| with the logarithmic norm m (Dahlquist)
         self.error = (self.error * grow + pushed * grown + self._size(off[: self.moving])).upper()
         self.growth = (self.growth * grow).upper()
         self.y, self.steps = new, self.steps + 1
@@ -287,6 +250,7 @@ class _Proof:
                      for j in range(n)] for i in range(n)]  # fmt: skip
             if not all(x.is_finite() for row in half for x in row):
                 break
+            # the logarithmic norm for |W⁻¹e|: the largest eigenvalue of the symmetric part of W⁻¹ J W
             bound = _largest(self.flint, half)
             most = error * (bound * h).exp().max(arb(1))
             if bool(most <= aside):

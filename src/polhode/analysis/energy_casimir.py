@@ -35,7 +35,7 @@ from polhode.analysis._reasons import (
 from polhode.analysis._second_variation import Leaf, null_space, scale_leaf
 from polhode.analysis.certificate import Certificate, Subject
 from polhode.arrays import known_numbers_only
-from polhode.certificates.definite import definite_combination
+from polhode.certificates._definite import definite_combination
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 

@@ -52,12 +52,14 @@ def flat_spin_time(
     norm2 = float(L @ L)
     if not norm2 or I[0] == I[2]:
         return None
+    # 2E = Σ L_i²/I_i less |L|²/I₃, |L|²/I₁ and |L|²/I₂: differences of energies as sums of terms that do not cancel
     least, across = 1.0 / I[0] - 1.0 / I[2], (I[1] - I[0]) / (I[0] * I[1])  # 1/I1 − 1/I3, 1/I1 − 1/I2
     rest = (I[2] - I[1]) / (I[1] * I[2])  # 1/I2 − 1/I3
     above = 0.5 * (least * L[0] ** 2 + rest * L[1] ** 2)  # E − E_min
     below = 0.5 * (across * L[1] ** 2 + least * L[2] ** 2)  # E_max − E
     beyond = 0.5 * (across * L[0] ** 2 - rest * L[2] ** 2)  # E − E_separatrix
     top, middle = 0.5 * least * norm2, 0.5 * rest * norm2  # E_max − E_min, E_separatrix − E_min
+    # a polhode about the major axis is farthest from it where L₁ = 0: 2(E − E_min) = (1/I₂ − 1/I₃) |L|² sin²
     end = 0.5 * math.sin(angle) ** 2 * (rest if rest else least) * norm2
     if above <= end:
         return 0.0
@@ -141,6 +143,8 @@ def _integral(I: Array, norm2: float, first: float, last: float, long: bool) -> 
     E_max for long-axis modes, from E_min for short-axis modes.
     """
     least, across, rest = 1.0 / I[0] - 1.0 / I[2], (I[1] - I[0]) / (I[0] * I[1]), (I[2] - I[1]) / (I[1] * I[2])
+    # the distance from the extremum is ½ own |L|² e^(−w), so that |dE| = ½ own |L|² e^(−w) dw; the polhode is taken
+    # where L₂ = 0
     w, weights = _panels(first, last)
     own, other = (across, rest) if long else (rest, across)
     small = norm2 * own / least * np.exp(-w)  # squares of the components of L along the axes of extreme moments

@@ -102,11 +102,13 @@ def _solve(
 
     @jax.jit  # so that it is traced once, however often the solver asks for it
     def residual(x: Array, args: Any = None) -> Array:
+        # at rest, and on the levels of the start: both relative to their own sizes
         return jnp.concatenate([field(size * x) / (rate * size), (casimirs(size * x) - wanted) / slopes])
 
     solver = optimistix.LevenbergMarquardt(rtol=1e-10, atol=1e-12)
 
     def work(y: Array) -> Array:
+        # H(y) − H(0) = ∫₀¹ dH(ty)·y dt
         slopes = jax.vmap(lambda t: differential(unit * t * y) / unit)(0.5 + 0.5 * nodes)
         return 0.5 * shares @ (slopes @ y)
 

@@ -123,6 +123,7 @@ def periodic_motion(
         best = min(best, off)
         slopes = M - np.eye(flow.size)
         if not fixed:
+            # x(T) − x(0) = 0: (M − 1) δx + f(x(T)) δT = −gap, δT in units of T, nearest to no change
             slopes = np.column_stack([slopes, T * flow.rates(first + T, after)])
         move = -np.linalg.lstsq(slopes, gap, rcond=FLAT)[0]
         far = max(np.linalg.norm(move[: flow.size]) / size, *np.abs(move[flow.size :]), FURTHEST)

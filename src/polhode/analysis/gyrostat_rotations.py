@@ -77,6 +77,7 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
     rotations = []
     for point, circle in _points(gyrostat, moments, rotor, norm):
         velocity = (point - rotor) / moments
+        # Ω = λ Π at a critical point of the energy on the sphere
         multiplier = float(velocity @ point) / norm**2
         along = clean_direction(point / norm)
         energy, bends = float(gyrostat.energy(point)), _curvatures(moments, along, multiplier)
@@ -103,6 +104,7 @@ def _points(gyrostat: Gyrostat, moments: Array, rotor: Array, norm: float) -> li
     points = [(norm * pole, False), (-norm * pole, False)]
     gap = moments[k - 1] - moments[k]
     if abs(rotor[k]) * moments[k - 1] < norm * abs(gap):
+        # λ = 1/I1 across, and (Π3 − h)/I3 = Π3/I1 along the axis
         height = rotor[k] * moments[k - 1] / gap
         points.append((height * pole + math.sqrt(norm**2 - height**2) * side, True))
     return points

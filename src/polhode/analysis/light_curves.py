@@ -66,6 +66,8 @@ def ellipsoid_brightness(
     cross = np.linalg.norm(np.cross(sun, observer), axis=-1)
     phase = np.arctan2(cross, (sun * observer).sum(axis=-1))
     both = np.linalg.norm(sun + observer, axis=-1)
+    # angles of light and observer from their sum in these coordinates; they add up to the phase angle (Muinonen & Lumme
+    # 2015)
     toward = np.arctan2(seen * np.sin(phase), lit + seen * np.cos(phase))
     rest = phase - toward
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -149,8 +151,10 @@ def light_curve_lines(
             break
         turns, samples = 2 * turns, 2 * samples
     m, n = np.meshgrid(np.fft.fftfreq(turns, 1 / turns), np.fft.fftfreq(samples, 1 / samples), indexing="ij")
+    # the magnitude is periodic in both angles, which grow at turn/P and 2π/P
     frequency = m * (float(turn) / (2 * np.pi * float(period))) + n / float(period)
     up = frequency > 0
+    # c e^{iωt} and its conjugate together swing by 2|c|
     amplitude = 2.0 * np.abs(series[up])
     best = np.argsort(-amplitude, kind="stable")[:count]
     return LightCurveLines(m[up][best].astype(np.int64), n[up][best].astype(np.int64), frequency[up][best],
@@ -165,6 +169,8 @@ def _series(motion: FreeMotion, semi_axes: ArrayLike, sun: Array, observer: Arra
     R = np.asarray(motion.rotation_matrix(times))
     axis = R[0] @ np.asarray(motion.momentum(begin))
     axis = axis / np.linalg.norm(axis)
+    # R(t) = (turn · t/P about L) R₀(t), R₀ of period P: the steady part is taken out of the samples, and its angle put
+    # in
     angles = 2 * np.pi * np.arange(turns)[:, None] / turns - turn * np.arange(samples) / samples
     # the body turned about L by an angle sees directions turned back by it
     back = -angles

@@ -86,6 +86,8 @@ def lyapunov(
     while abs(now - first) < abs(span):
         end = last if abs(last - now) <= 1.5 * abs(step) else now + step
         base_after, changes_after = flow(now, end, base, changes)
+        # changes = Q R: the diagonal of R is by what volumes grew, one direction more at a time, and Q spans the same
+        # (Benettin et al. 1980)
         directions, triangle = np.linalg.qr(changes_after)
         with np.errstate(divide="ignore"):
             grown = np.log(np.abs(np.diag(triangle)))

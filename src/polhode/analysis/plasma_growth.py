@@ -93,6 +93,7 @@ def _peaks(t: np.ndarray, amplitude: np.ndarray, places: np.ndarray) -> tuple[np
     """Return times and logarithms of maxima, by parabolas through three squares each."""
     left, middle, right = (amplitude[places + k] ** 2 for k in (-1, 0, 1))
     curvature = left - 2.0 * middle + right
+    # vertex of the parabola through three equidistant samples, ½(l − r)/(l − 2m + r) steps from the middle
     shift = 0.5 * (left - right) / np.where(curvature < 0.0, curvature, -1.0)
     shift = np.where(curvature < 0.0, shift, 0.0)
     top = middle - 0.25 * (left - right) * shift

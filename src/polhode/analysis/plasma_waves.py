@@ -123,6 +123,7 @@ def plasma_wave(beams: Sequence[Beam], wavenumber: float, guess: complex | None 
     if guess is None:
         mean = sum(b.share * b.drift for b in beams)
         square = sum(b.share * (b.spread**2 + (b.drift - mean) ** 2) for b in beams)
+        # Bohm and Gross: ω² = 1 + 3k²⟨v²⟩, from moving with the mean
         guess = complex(k * mean + math.sqrt(1.0 + 3.0 * k * k * square), -0.05)
     omega = complex(guess)
     for _ in range(MOST_STEPS):
@@ -191,6 +192,7 @@ def _dispersion(beams: Sequence[Beam], k: float, omega: complex) -> tuple[comple
         z = _z(zeta)
         whole = 1.0 + zeta * z
         value += b.share * whole / (k * b.spread) ** 2
+        # d/dζ (1 + ζZ) = Z + ζZ′ = Z − 2ζ (1 + ζZ), and dζ/dω = 1/(k s √2)
         slope += b.share * (z - 2.0 * zeta * whole) / (k * b.spread) ** 2 / (k * unit)
     return value, slope
 

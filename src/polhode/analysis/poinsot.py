@@ -47,6 +47,7 @@ def herpolhode(motion: FreeMotion) -> Herpolhode | None:
     unit = float(body.momentum_scale * body.rate_scale)
     P, Q, S = P * unit, Q * unit, S * unit
     size = norm * np.sqrt(2.0 * energy)
+    # |L × Ω|² = PQ or P|S| at the extremes; each root by itself, which cannot underflow
     outer, inner = float(np.sqrt(P) * np.sqrt(Q) / size), float(np.sqrt(P) * np.sqrt(abs(S)) / size)
     return Herpolhode(inner, outer, distance)
 

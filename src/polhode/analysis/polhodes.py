@@ -39,6 +39,7 @@ def polhode_family(moments: Real[ArrayLike, "3"]) -> list[Float64[Array, "points
         return curves
     for axis in (0, 2):
         # on the great circle through axes 1 and 3 the separatrix stands at this angle from axis 3
+        # A L1² = B L3²
         saddle = np.arctan2(np.sqrt((I3 - I2) * I1), np.sqrt((I2 - I1) * I3))
         reach = saddle if axis == 2 else 0.5 * np.pi - saddle
         for part in PARTS if reach > 1e-9 else ():
@@ -121,6 +122,7 @@ def saddle_energies(moments: Real[ArrayLike, "3"], rotor: Real[ArrayLike, "3"], 
     rate = np.sum(u * (u - h) / I, axis=-1)
     for _ in range(NEWTON_STEPS):
         # u (1 − λ I) = h and u·u = 1, in the unknowns u and λ
+        # the derivative of (u (1 − λI) − h, u·u − 1) by (u, λ)
         slope = np.zeros((STARTS, 4, 4))
         slope[:, [0, 1, 2], [0, 1, 2]] = 1.0 - rate[:, None] * I
         slope[:, :3, 3], slope[:, 3, :3] = -I * u, 2.0 * u
@@ -170,6 +172,7 @@ def _cut_triangles(energy: Energy, corners: Array, heights: Array, value: float)
 
 def _root(energy: Energy, start: Array, end: Array, above: Array, value: float) -> Array:
     for _ in range(BISECTIONS):
+        # the middle of an arc of a great circle
         middle = start + end
         middle = middle / np.linalg.norm(middle, axis=-1, keepdims=True)
         same = ((energy(middle) >= value) == above)[:, None]

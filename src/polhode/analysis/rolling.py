@@ -149,6 +149,7 @@ def critical_rolling_speed(disk: EulerDisk) -> float:
     Raises:
         InvalidInput: for a thick disk, which stands on a line.
     """
+    # upright with ω2 = 0: δω2 = Cω3 δθ/A, so that (A + ma²) θ̈ = (mga − C (C + ma²) ω3²/A) δθ; v = aω3
     m, a, A, C, g = _thin_constants(disk)
     return math.sqrt(m * g * a**3 * A / (C * (C + m * a * a)))
 
@@ -160,6 +161,7 @@ def critical_spin_rate(disk: EulerDisk) -> float:
     Raises:
         InvalidInput: for a thick disk, which stands on a line.
     """
+    # upright with ω3 = 0: δω3 = ma² ω2 δθ/(C + ma²), so that (A + ma²) θ̈ = (mga − (A + ma²) ω2²) δθ
     m, a, A, _, g = _thin_constants(disk)
     return math.sqrt(m * g * a / (A + m * a * a))
 

@@ -48,6 +48,7 @@ def structure_factor(
     phases = np.exp(-1j * places @ q.T)
     modes = np.einsum("tni,nq->tqi", states.reshape(len(times), -1, 3), phases, optimize=True)
     step = (times[-1] - times[0]) / (len(times) - 1)
+    # Hann's window at the middles of the steps
     window = np.sin(np.pi * (np.arange(len(times)) + 0.5) / len(times)) ** 2
     # NumPy's inverse transform has e^{+iωt}
     lines = np.fft.ifft(modes * window[:, None, None], axis=0) * len(times) * step

@@ -290,6 +290,7 @@ def _turn(disk: EulerDisk, state: Array, length: Array) -> Array:
 
 def _tick(disk: EulerDisk, state: Array) -> Array:
     """Return the time [s] in which dissipation takes as much energy as goes with the tilt."""
+    # on the slow manifold E = (3/2) V, so that dV/dλ = −(2P/3)(3V/2P) = −V
     return 1.5 * disk.mechanics.potential_energy(LAYOUT.part(state, "tilt")) / disk.power(state)
 
 

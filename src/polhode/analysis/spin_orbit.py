@@ -128,6 +128,8 @@ def resonances(system: SpinOrbit, largest: float = 3.0) -> list[Resonance]:
     zones = []
     for order in np.arange(0.5, largest + 0.25, 0.5):
         strength = resonance_strength(float(order), e)
+        # γ̇² = n² ω0² |H| cos² γ on the separatrix of the pendulum, about γ = 0 for H > 0; its small librations have
+        # the frequency n ω0 √|H|
         width = n * float(system.asphericity) * math.sqrt(abs(strength))
         angle = None if strength == 0.0 else 0.0 if strength > 0.0 else 0.5 * math.pi
         zones.append(Resonance(float(order), float(order) * n, strength, width, angle))
@@ -160,6 +162,7 @@ def resonance_strength(order: float, eccentricity: float) -> float:
     sine = np.sin(0.5 * E)
     ratio = (1.0 - e) + 2.0 * e * sine**2
     direction = ((1.0 - e) - 2.0 * sine**2 + 1j * math.sqrt((1.0 - e) * (1.0 + e)) * np.sin(E)) / ratio  # exp(i f)
+    # (a/r)³ dM = (a/r)² dE, and e^{2if} from the direction
     values = (direction**2 * np.exp(-2j * p * (E - e * np.sin(E)))).real / ratio**2
     strength = math.fsum(values) / count
     # what is left of a sum that vanishes, as those of a circular orbit do, is rounding
@@ -187,6 +190,7 @@ def overlap_threshold(eccentricity: Real[ArrayLike, "*shape"]) -> Float64[Array,
 
     Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137; Chirikov, Phys. Rep. 52 (1979) 263.
     """
+    # ω0 (1 + √(7e/2)) = ½
     return 1.0 / (2.0 + np.sqrt(14.0 * np.asarray(eccentricity, dtype=float)))
 
 

@@ -101,6 +101,7 @@ def _frequencies(
 ) -> np.ndarray:
     count = len(spins)
     hessian = np.zeros((count, 2, count, 2), complex)
+    # on the sphere S = S₀ √(1 − |x|²/|S|²) + x: −B·S has the second derivative B·S₀/|S|² in each direction across
     pull = np.sum(field * spins, axis=1) / lengths**2
     for a in range(count):
         hessian[a, :, a, :] += pull[a] * np.eye(2)  # of the sphere's curvature
@@ -113,6 +114,7 @@ def _frequencies(
             "`ground_state` must be a minimum of the energy; "
             f"at q = {q.round(6).tolist()} its curvature is {sizes[0]:.3g}."
         )
+    # ΩK = R⁻¹ (RΩR) R has the eigenvalues of RΩR, which is antihermitian
     root = axes * np.sqrt(np.maximum(sizes, 0.0)) @ axes.conj().T
     # δṠ = S × δB: x and y of the tangent plane with {x, y} = |S|
     poisson = np.kron(np.diag(lengths), np.array([[0.0, 1.0], [-1.0, 0.0]]))

@@ -157,6 +157,7 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
     if p.still and not len(divided):
         return Stability("stable", 0.0, None, None, FieldVanishes(), np.zeros(0, complex))
     slope, curvature = weights @ p.g, np.tensordot(weights, p.H, 1)
+    # ẏ_j = π_jk(y) ∂_k F, linearised: π D²F, and the derivative of π, which is linear, times dF
     flow = p.tensor @ curvature + np.einsum("jik,i->jk", p.constants, slope)
     sizes = p.sizes(weights)
     rows = [n for n in range(1, len(p.g)) if n not in p.free and n not in p.turned]
@@ -199,6 +200,7 @@ def _of_isotropy(p: Problem, weights: Array) -> tuple[Problem, Array]:
     size = float(np.abs(of_momenta).max(initial=0.0)) ** 2 * float(np.abs(p.tensor).max(initial=0.0))
     if not np.abs(brackets).max(initial=0.0) > NULL * size:
         return p, weights
+    # {J_a, J_b} c_b = 0 for all a: the flow of Σ c_b J_b leaves the values of all J
     _, sizes, rows = np.linalg.svd(brackets)
     rank = int((sizes > NULL * sizes[0]).sum())
     mixing = np.vstack([_plain(rows[rank:]), rows[:rank]])

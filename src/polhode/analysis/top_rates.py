@@ -82,6 +82,7 @@ def steady_top_rates(top: HeavyTop, axial_momentum: float, tilt: float) -> TopRa
     precession = steady_precession((across, across, along), float(top.mgl), tilt, axial_momentum / along)
     if precession is None:
         return None
+    # V″ at the steady tilt over I1: (p/I1 − 2φ̇ cos θ)² + φ̇² sin² θ
     rest = axial_momentum / across - 2.0 * precession.slow * math.cos(tilt)
     return TopRates(precession.slow, math.hypot(rest, precession.slow * math.sin(tilt)))
 
@@ -119,4 +120,6 @@ def _highest(t: np.ndarray, height: np.ndarray) -> Float64[np.ndarray, "tops"] |
     before, here, after = height[inner - 1], height[inner], height[inner + 1]
     left, right = t[inner] - t[inner - 1], t[inner + 1] - t[inner]
     rise, fall = (here - before) / left, (after - here) / right
+    # the parabola has the slope (rise · right + fall · left)/(left + right) at the middle sample and the second
+    # derivative 2(fall − rise)/(left + right)
     return t[inner] + 0.5 * (rise * right + fall * left) / (rise - fall)

@@ -88,6 +88,8 @@ def _rates(L: Array, moments: Array, h: int) -> np.ndarray:
     j, k = (h + 1) % 3, (h + 2) % 3
     largest = np.maximum(np.abs(L[..., j]), np.abs(L[..., k]))
     a, b = (L[..., j] / largest) ** 2, (L[..., k] / largest) ** 2
+    # the azimuth by the module's formula; atan2(L_k, L_j) by Euler's equations L̇_j = L_k L_h (1/I_h − 1/I_k),
+    # L̇_k = L_h L_j (1/I_j − 1/I_h); squares over the larger, which cannot underflow
     across = (a / moments[j] + b / moments[k]) / (a + b)
     return np.stack([np.linalg.norm(L, axis=-1) * across, L[..., h] * (across - 1.0 / moments[h])])
 
@@ -100,6 +102,7 @@ def _first_edges(motion: FreeMotion, longest: float, count: int) -> np.ndarray:
     if motion.regime != "separatrix":
         return np.array([0.0, longest])
     low, middle, high = np.sort(np.asarray(motion.moments))
+    # the time constant at the saddle, I₂/(|L| √((I₂ − I₁)(I₃ − I₂)/(I₁ I₃)))
     fold = float(middle / (motion.momentum_norm * np.sqrt((middle - low) / low * ((high - middle) / high))))
     return np.append(np.linspace(0.0, min(longest, SETTLED * fold), count + 1), longest * (1.0 + 1e-12))
 

@@ -170,6 +170,7 @@ def _terms(system: SphereVortices | PlaneVortices, point: Array) -> Array:
 def _turn_on_sphere(system: SphereVortices, point: Array) -> tuple[VortexTurn, float]:
     """Return the rigid motion nearest to the motion, and the residual."""
     state, field = np.asarray(point), np.asarray(system.vector_field(0.0, point))
+    # μ̇_i = ω × μ_i for all i, by least squares
     turns = np.cross(np.eye(3)[:, None], state).reshape(3, -1).T  # (3n, 3), of unit rate about each axis
     omega = np.linalg.lstsq(turns, field.ravel(), rcond=ALONG)[0]
     rate = float(np.linalg.norm(omega))

@@ -71,6 +71,7 @@ def _matrix(system: SphereFluid | SphereMHD, state: Complex128[Array, "..."], or
     shape = (parts, n, n)
 
     def column(part: Array, k: Array) -> Array:
+        # a disturbance of one diagonal, with what makes it antihermitian
         entry = jnp.zeros(shape, complex).at[part, k + order, k].set(1.0)
         entry = (entry - jnp.conj(jnp.swapaxes(entry, -1, -2))).reshape(state.shape)
         moved = jax.jvp(lambda z: system.vector_field(0.0, z), (state,), (entry,))[1]

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from polhode.arrays.elementwise import Elementwise
 
 STEP = 0.003  # of the distance over which the values change by their own size
+# Σ w_k f(x + kh) = h f′(x) exactly for polynomials up to degree eight; the error is h⁸ f⁽⁹⁾/630, for a step of 0.003 of
+# the scale 1e-23 of f′. What remains is rounding of f over the step, some 1e-13.
 PLACES = np.asarray([-4.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0])
 WEIGHTS = np.asarray([1 / 280, -4 / 105, 1 / 5, -4 / 5, 4 / 5, -1 / 5, 4 / 105, -1 / 280])  # of order eight
 
@@ -48,6 +50,7 @@ def differences(function: Elementwise, *arguments: Any) -> tuple[tuple[Any, ...]
     weights = xp.asarray(WEIGHTS).reshape(1, -1, *(1,) * (len(batch) + 2))
     change = xp.sum(weights * jacobian(*parts)[1], axis=1)
     steps = xp.moveaxis(steps, -1, 0)[..., None, None]
+    # Σ_j w_j J(x + j h e_k)/h = ∂J/∂x_k
     second = xp.moveaxis(change / steps, 0, -1).reshape(*batch, -1, sum(sizes))
     return (*values, columns), xp.concat([columns, second], axis=-2)
 
@@ -65,6 +68,7 @@ def _steps(xp: Any, function: Elementwise, spread: list[Any], values: tuple[Any,
         value = xp.abs(values[k])[..., None] if not shape else xp.abs(values[k])
         largest = xp.max(value, axis=-1, keepdims=True)
         sizes.append(xp.broadcast_to(xp.where(largest > 0, largest, 1.0), value.shape))
+    # a value of size S and slope s changes by its own size over the length S/s
     sensitivity = xp.max(xp.abs(columns) / xp.concat(sizes, axis=-1)[..., None], axis=-2)
     own = 1.0 / xp.where(sensitivity > 0, sensitivity, 1e-300)
     return STEP * xp.minimum(xp.concat(scales, axis=-1), own)

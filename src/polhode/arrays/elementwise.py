@@ -61,9 +61,9 @@ class Ways(NamedTuple):
     """Derivatives of a function without its Jacobian.
 
     Attributes:
-        ahead: arguments, and a change of each → the change (batch…, M) of all float values, one after the other.
-        back: arguments, and weights (batch…, M) of these values → the weights of each argument, which are sums of
-            derivatives with these weights.
+        ahead: forward, J dx: arguments, and a change of each → the change (batch…, M) of all float values, one after
+            the other.
+        back: reverse, Jᵀw: arguments, and weights w (batch…, M) of these values → the weights of each argument.
     """
 
     ahead: Callable[..., tuple[Any, ...]]
@@ -83,7 +83,7 @@ class Elementwise:
             values, one after the other, by all arguments, one after the other; None where there is none.
         positive: how many of the first arguments consist of positive numbers, each with a scale of its own.
         order: of the derivatives that the Jacobian gives.
-        ways: where a few derivatives take less than the Jacobian, how to come by them; None where they do not.
+        ways: forward and reverse derivatives that take less time than the Jacobian; None where none do.
     """
 
     name: str
@@ -120,7 +120,7 @@ class Elementwise:
 
     @property
     def width(self) -> int:
-        """How many numbers the arguments are for one element of the batch."""
+        """The number of scalars in the arguments of one element of the batch."""
         return sum(math.prod(shape) for shape in self.inputs)
 
     def shapes(self, arguments: tuple[Any, ...]) -> list[tuple[tuple[int, ...], Any]]:
@@ -271,6 +271,7 @@ def _changes(function: Elementwise, which: tuple[int, ...]) -> Any:
     def apply(columns: Any, *ways: Any) -> list[Any]:
         change: Any = 0.0
         for k, dx in zip(which, ways, strict=True):
+            # dv = Σ_k J_k dx_k, J_k the columns of the k-th argument
             start, core = sum(math.prod(shape) for shape in function.inputs[:k]), function.inputs[k]
             dx = dx if core else dx[..., None]
             change = change + jnp.sum(columns[..., start : start + math.prod(core)] * dx[..., None, :], axis=-1)

@@ -41,6 +41,7 @@ def _loop_once(values: Any) -> Any:
     import jax
     import jax.numpy as jnp
 
+    # a comparison that is false for all numbers, but that XLA cannot know to be
     number = next(x for x in _leaves(values) if jnp.issubdtype(jnp.result_type(x), jnp.floating))
     never = jnp.any(jnp.ravel(number)[:1] > jnp.inf)
     empty = jax.tree.map(jnp.zeros_like, values)
@@ -54,11 +55,14 @@ def split_halves(a: Any) -> tuple[Any, Any]:
     their mantissa, as an integer, to its upper 26 bits.
     """
     if not is_jax(a):
+        # c = (2²⁷ + 1) a, high = c − (c − a): Dekker, Numer. Math. 18 (1971) 224
         high = 134217729.0 * a
         high -= high - a
         return high, a - high
     import jax
 
+    # float64 has 52 bits of mantissa: 2²⁶, half a unit of what is kept, is added and the lower 27 bits are cut off:
+    # 25 and the implicit one stay
     bits = jax.lax.bitcast_convert_type(a, np.int64)
     high = jax.lax.bitcast_convert_type((bits + np.int64(1 << 26)) & np.int64(-(1 << 27)), np.float64)
     return high, a - high
@@ -139,6 +143,8 @@ def choose(
 
         if jnp.ndim(condition) == 0:
             return jax.lax.cond(condition, when_true, when_false, *columns)
+        # both sides are evaluated on all elements, so that each must be finite where it is not chosen: a NaN times a
+        # derivative of zero is NaN
         pairs = zip(when_true(*columns), when_false(*columns), strict=True)
         return tuple(jnp.where(condition, yes, no) for yes, no in pairs)
     condition = np.asarray(condition)

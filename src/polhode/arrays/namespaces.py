@@ -54,7 +54,7 @@ def is_traced(*values: Any) -> bool:
 
 
 def known_false(condition: Any) -> bool:
-    """Whether a condition is known not to hold; what a traced function computes, of known arrays too, is not known."""
+    """Whether a condition is known not to hold; results in a traced function, even of known arrays, are not known."""
     return not is_traced(condition) and not bool(condition)
 
 
@@ -77,7 +77,7 @@ def namespace(*values: Any) -> Any:
 
 
 def always(x: Any, value: float) -> bool:
-    """Return whether NumPy's x is a single number, and this one: what it does to arrays may then be left out."""
+    """Return whether x is a single NumPy number equal to ``value``, so that an operation with it may be left out."""
     return isinstance(x, np.ndarray) and x.ndim == 0 and bool(x == value)
 
 
@@ -147,9 +147,10 @@ def _refuse_disabled_double_precision(name: str) -> None:
 
 
 def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
-    """Have a function that decides on numbers refuse traced ones; known ones are good within a traced function too.
+    """Make a function that branches on its numbers refuse traced ones.
 
-    There JAX would trace whatever is computed from them, so they are computed with at once.
+    Known numbers are accepted inside a traced function too. There JAX would trace whatever is computed from them, so
+    the function is evaluated at once.
     """
     name = function.__qualname__.removesuffix(".__init__")
 
@@ -182,10 +183,10 @@ def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Param
 
 @contextlib.contextmanager
 def in_jax_numpy(what: str) -> Iterator[None]:
-    """Word JAX's errors about what cannot be traced, such as a user's function that calls NumPy.
+    """Reword JAX's errors about what cannot be traced, such as a user's function that calls NumPy.
 
-    The message blames what it is about only where the error comes from there; of an error in polhode's own code it says
-    where it is.
+    The message blames the user's function only where the error comes from there; for an error in polhode's own code it
+    gives file and line.
 
     Args:
         what: subject of the message, in the plural.

@@ -24,8 +24,8 @@ def push(
         function: with ``ways``.
         compiled: how closed forms are evaluated.
         primals: all arguments.
-        which: of them change.
-        ways: how each of these changes.
+        which: indices of the arguments that change.
+        ways: their changes, in the same order.
     """
     return _primitive().bind(*primals, *ways, function=function, compiled=compiled, which=which)
 
@@ -80,6 +80,7 @@ def _transpose(weights: Any, *args: Any, function: Elementwise, compiled: bool, 
     from jax.interpreters import ad
 
     primals, ways = args[: len(function.inputs)], args[len(function.inputs) :]
+    # w·(J dx) = (Jᵀw)·dx: the transpose of the forward derivative is the reverse one
     batch = function.batch(primals)
     flat = [jnp.reshape(ad.instantiate_zeros(x), (*batch, -1)) for x in weights]
     cotangents = _make_back(function, compiled)(*primals, jnp.concatenate(flat, axis=-1))
@@ -123,6 +124,7 @@ def _make_ahead(function: Elementwise, compiled: bool) -> Any:
 
     def by_columns(*arguments: Any) -> Any:
         primals, changes = arguments[: len(function.inputs)], arguments[len(function.inputs) :]
+        # the change J dx, by rows of J
         columns = function.differential.bind(compiled, primals)[-1]
         flat = [x if core else x[..., None] for x, core in zip(changes, function.inputs, strict=True)]
         batch = jnp.broadcast_shapes(*(x.shape[:-1] for x in flat))
@@ -143,6 +145,7 @@ def _make_back(function: Elementwise, compiled: bool) -> Any:
 
     def by_columns(*arguments: Any) -> tuple[Any, ...]:
         *primals, weights = arguments
+        # the weights Jᵀw, by columns of J
         columns = function.differential.bind(compiled, primals)[-1]
         rows, parts, start = jnp.sum(columns * weights[..., None], axis=-2), [], 0
         for shape in function.inputs:

@@ -1,7 +1,7 @@
 """Restores gradual underflow in threads where it is switched off.
 
-XLA's threads take numbers below 2.2e-308 for zero, and NumPy called back from them does so too: then the same closed
-form would give other answers in a compiled function than outside of it.
+XLA's threads treat numbers below 2.2e-308 as zero, and so does NumPy when it is called back from them: the same closed
+form would then give different answers inside and outside of a compiled function.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ ENVIRONMENT = 512  # bytes, more than any system's fenv_t
 @contextlib.contextmanager
 def gradual_underflow() -> Iterator[None]:
     """Compute with subnormal numbers within this context, as the thread does that called ``remember_environment``."""
+    # flush-to-zero and denormals-are-zero are bits of the floating-point environment, which belongs to a thread
     usual = remember_environment()
     if usual is None:
         yield

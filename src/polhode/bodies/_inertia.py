@@ -95,10 +95,13 @@ def _jacobi(matrix: Array) -> tuple[Array, Array]:
             if abs(a[p, q]) <= max(small, np.finfo(float).tiny):
                 a[p, q] = a[q, p] = 0.0
                 continue
+            # tan of the angle: the smaller root of t² + 2ϑt − 1 = 0, ϑ = cot 2φ = (a_qq − a_pp)/2a_pq, by its stable
+            # form
             theta = 0.5 * (a[q, q] - a[p, p]) / a[p, q]
             t = 1.0 / (theta + np.copysign(np.hypot(theta, 1.0), theta))
             c = 1.0 / np.hypot(t, 1.0)
             s, change, r = t * c, t * a[p, q], 3 - p - q
+            # JᵀAJ: a_pp − t a_pq and a_qq + t a_pq, whose sum stays
             a[p, p], a[q, q], a[p, q], a[q, p] = a[p, p] - change, a[q, q] + change, 0.0, 0.0
             a[p, r], a[q, r] = c * a[p, r] - s * a[q, r], s * a[p, r] + c * a[q, r]
             a[r, p], a[r, q] = a[p, r], a[q, r]

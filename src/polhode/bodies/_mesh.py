@@ -43,10 +43,12 @@ def volume_moments(corners: Float64[np.ndarray, "m 3 3"]) -> tuple[float, Float6
     origin = 0.5 * (corners.min(axis=(0, 1)) + corners.max(axis=(0, 1)))
     corners = corners - origin
     products = triple_products(corners)
+    # a tetrahedron from the origin has volume det/6 and its centroid at (a + b + c)/4
     center = (products[:, None] * corners.sum(axis=1)).sum(axis=0) / (4.0 * products.sum())
     corners = corners - center
     products = triple_products(corners)
     sums = corners.sum(axis=1)
+    # ∫ r rᵀ dV of a tetrahedron from the origin = det/120 (a aᵀ + b bᵀ + c cᵀ + s sᵀ), s = a + b + c
     squares = np.einsum("nki,nkj->nij", corners, corners) + np.einsum("ni,nj->nij", sums, sums)
     second = (products[:, None, None] * squares).sum(axis=0) / 120.0
     return float(products.sum() / 6.0), center + origin, second

@@ -75,6 +75,7 @@ def _pierces(segments: np.ndarray, triangles: np.ndarray, clear: float) -> np.nd
     normal = normal / np.where(ok, area, 1.0)[:, None]
     before, after = np.einsum("ki,ki->k", normal, p - a), np.einsum("ki,ki->k", normal, q - a)
     ok &= (before * after < 0) & (np.minimum(np.abs(before), np.abs(after)) > clear)
+    # the place on the edge where the distance from the plane is zero, inside if it is left of all three sides
     t = before / np.where(ok, before - after, 1.0)
     x = p + t[:, None] * (q - p)
     for start, end in ((a, b), (b, c), (c, a)):

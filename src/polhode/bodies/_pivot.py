@@ -54,6 +54,7 @@ def about_pivot(body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDA
     refuse_single_precision(gravity=gravity)
     if not (np.ndim(gravity) == 0 and np.isfinite(gravity) and gravity > 0):
         raise InvalidInput(f"`gravity` must be positive and finite [m/s²]; got {shown(gravity)}.")
+    # J_pivot = J + m (|d|² 1 − d dᵀ)
     moments, axes = principal_axes(body.about(pivot))
     arm = (body.center_of_mass - np.asarray(pivot, dtype=float)) @ axes
     length, mass = float(np.linalg.norm(arm)), float(body.mass or 0.0)

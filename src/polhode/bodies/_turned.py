@@ -33,6 +33,7 @@ def revolve(profile: Real[ArrayLike, "k 2"], sections: int = SECTIONS, closed: b
     index = np.arange(len(radii) * sections).reshape(-1, sections)
     index[radii == 0.0] = index[radii == 0.0, :1]  # on the axis the ring is one point
     index = np.vstack([index, index[:1]]) if closed else index
+    # each cell of the grid is two triangles
     a, d = index[:-1].ravel(), index[1:].ravel()
     b, c = np.roll(index[:-1], -1, axis=1).ravel(), np.roll(index[1:], -1, axis=1).ravel()
     faces = np.vstack([np.column_stack([a, b, c]), np.column_stack([a, c, d])])

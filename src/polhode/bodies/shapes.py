@@ -93,6 +93,7 @@ def torus(mass: float, major_radius: float, minor_radius: float) -> Body:
     mass, major, minor = _positive(mass=mass, major_radius=major_radius, minor_radius=minor_radius)
     if minor > major:
         raise InvalidInput(f"`minor_radius` must not exceed `major_radius`; got {minor:g} m and {major:g} m.")
+    # ⟨ρ²⟩ = a² + 3b²/4 about the axis, over a tube whose volume element grows as ρ; half of it across
     across = major**2 / 2.0 + 3.0 * minor**2 / 8.0
     return _shape(mass, (across, across, minor**2 / 4.0))
 

@@ -144,6 +144,7 @@ def box_of_same_inertia(moments: Real[ArrayLike, "3"], mass: float | None = None
         has.
     """
     I = np.asarray(moments, dtype=float)  # noqa: E741
+    # I_j + I_k − I_i = 2m ⟨x_i²⟩ = m e_i²/6
     squares = I.sum() - 2.0 * I
     if not (squares >= -4.0 * np.finfo(float).eps * I.sum()).all() or not squares.max() > 0:
         return None

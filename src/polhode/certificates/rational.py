@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from polhode.certificates.confinement import Confinement, find_confinement
-from polhode.certificates.equations import Equations
-from polhode.certificates.growth import Drift, Growth, find_drift, find_growth
-from polhode.certificates.rocq import write_rocq
-from polhode.certificates.smt import check_by_z3
+from polhode.certificates._confinement import Confinement, find_confinement
+from polhode.certificates._equations import Equations
+from polhode.certificates._growth import Drift, Growth, find_drift, find_growth
+from polhode.certificates._rocq import write_rocq
+from polhode.certificates._smt import check_by_z3
 from polhode.errors import InvalidInput
 
 Proof = Confinement | Growth | Drift

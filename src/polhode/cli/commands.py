@@ -138,6 +138,27 @@ def body(spec: SpecPath, json: AsJson = False) -> None:
     run_body(spec, json)
 
 
+@app.command(cls=StrictCommand)
+def certify(
+    spec: SpecPath,
+    json: AsJson = False,
+    digits: Annotated[
+        int, typer.Option("--digits", metavar="N", parser=whole_number(1, 1000), help="Decimals (default: 25).")
+    ] = 25,
+    at: Annotated[
+        list[str] | None, typer.Option("--at", metavar="T", help='Time of a state, like "1e9 s"; may be repeated.')
+    ] = None,
+) -> None:
+    """Prove bounds of a free body's or a Lagrange top's motion, to any number of digits.
+
+    Printed are the regime and verdicts, decided in exact arithmetic, and periods, precession, geometric phase, action
+    and states, each with a radius within which the truth lies. Needs the extra symbolic.
+    """
+    from polhode.cli.certify import run_certify
+
+    run_certify(spec, digits, at or [], json)
+
+
 MoleculeFile = Annotated[
     Path, typer.Argument(metavar="FILE", help="Spec in TOML, of any kind with a molecule, or atoms, such as an .xyz.")
 ]
@@ -247,11 +268,12 @@ def export(
         Path | None,
         typer.Option("--out", metavar="FILE", help="The file (default: named after the spec, in the present folder)."),
     ] = None,
+    json: AsJson = False,
 ) -> None:
     """Write the motion as files for other tools."""
     from polhode.cli.export import run_export
 
-    run_export(spec, to, out)
+    run_export(spec, to, out, json)
 
 
 @app.command("import", cls=StrictCommand)
@@ -426,3 +448,26 @@ def wobble(
     from polhode.cli.wobble import WobbleOptions, run_wobble
 
     run_wobble(file, WobbleOptions(start, end, window, figures, out), json)
+
+
+@app.command(cls=StrictCommand)
+def derive(
+    name: Annotated[
+        str | None, typer.Argument(metavar="[NAME]", help="Like free-body; without one, all are listed.")
+    ] = None,
+    to: Annotated[
+        str | None, typer.Option("--to", metavar="FORM", help="text, markdown, latex or html (default: text).")
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="File to write; .txt, .md, .tex or .html tells the form."),
+    ] = None,
+) -> None:
+    """Derive the equations of a system from its bracket, each step checked.
+
+    Brackets, equations of motion, Casimirs, integrals and conditions of stability are computed by symbols and compared
+    with the numerical system. Needs the extra symbolic.
+    """
+    from polhode.cli.derive import run_derive
+
+    run_derive(name, to, out)

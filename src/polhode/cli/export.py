@@ -11,10 +11,12 @@ from functools import partial
 from pathlib import Path
 
 from polhode.cli.destinations import check_spares
+from polhode.cli.render import as_json
 from polhode.cli.spec_reports import make_motion_report, make_report
 from polhode.errors import FormatError, InvalidInput, one_line, shown
 from polhode.formats.form import Content, Form, Molecule
 from polhode.formats.form_registry import check_importable, writable_forms
+from polhode.formats.paths import write_all_or_none
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
 from polhode.motion._trajectory import Trajectory
@@ -23,8 +25,8 @@ from polhode.reports.base import MotionReport, SystemReport
 from polhode.spec.rotors import SpecRotor, check_summable
 
 
-def run_export(path: Path, names: Sequence[str], out: Path | None) -> None:
-    """Compute the motion of a spec once and write it in every form asked for."""
+def run_export(path: Path, names: Sequence[str], out: Path | None, json: bool = False) -> None:
+    """Compute the motion of a spec once and write it in every form asked for, in all of them or in none."""
     wanted = [_form(name) for name in dict.fromkeys(names)]
     if out is not None and len(wanted) > 1:
         raise InvalidInput(f"--out names one file, and {len(wanted)} forms are asked for. Leave it out, or write one.")
@@ -32,13 +34,21 @@ def run_export(path: Path, names: Sequence[str], out: Path | None) -> None:
         check_spares(out, path)
     spec = read_spec(path)
     moving = any(form.of_motion or (form.sampled and spec.kind.has_motion) for form in wanted)
-    content = gather_content(spec, make_motion_report(path, spec) if moving else make_report(path, spec))
+    report = make_motion_report(path, spec) if moving else make_report(path, spec)
+    content = gather_content(spec, report)
+    if out is not None:
+        written = [_write(wanted[0], content, out)]
+    else:
+        with write_all_or_none(Path()):
+            written = [_write(form, content, Path(f"{path.stem}{form.ending}")) for form in wanted]
     for form in wanted:
-        place = out or Path(f"{path.stem}{form.ending}")
-        written = _write(form, content, place)
-        print(one_line(f"{written}: {_describe_file(form, content)}"))
         if form.of_attitudes and content.samples is not None:
             _warn_of_long_turns(content.samples, form.name)
+    if json:
+        print(as_json({**report.as_json_dict(), "files": [str(place) for place in written]}))
+        return
+    for form, place in zip(wanted, written, strict=True):
+        print(one_line(f"{place}: {_describe_file(form, content)}"))
 
 
 def _form(name: str) -> Form:

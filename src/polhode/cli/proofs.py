@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from polhode.analysis.certificate import Certificate
-from polhode.certificates.rocq import THEORY
+from polhode.certificates._rocq import THEORY
 from polhode.errors import InvalidInput
 from polhode.formats.paths import write_together
 from polhode.reports.answer import Table

@@ -67,6 +67,7 @@ def noise_about(
     size = float(np.median(walk / white))
 
     def cost(p: Float64[Array, "2"]) -> float:
+        # Whittle: powers P are exponential about their mean S, −ln likelihood Σ (ln S + P/S)
         model = np.exp(p[0]) * white + np.exp(p[1]) * walk
         return float(np.sum(np.log(model) + power / model))
 
@@ -81,6 +82,7 @@ def noise_about(
     if not there.all():
         only = basis[np.argmax(there)]
         both = np.where(there, np.mean(power / only), 0.0)
+    # Fisher's information of exponential variables: Σ ∂S ∂S/S²
     information = (basis / (both @ basis) ** 2) @ basis.T
     covariance = np.zeros((2, 2))
     covariance[np.ix_(there, there)] = np.linalg.inv(information[np.ix_(there, there)])

@@ -38,6 +38,7 @@ def integrate_rates(times: Float64[Array, "n"], rates: Float64[Array, "n 3"]) ->
     Each step is the Magnus expansion of rates that are linear in time between samples.
     """
     h = np.diff(times)[:, None]
+    # ½h(ω0 + ω1) + h²/12 ω0 × ω1, the sign for rates in body axes, dR/dt = R hat(ω)
     step = 0.5 * h * (rates[:-1] + rates[1:]) + h * h / 12.0 * np.cross(rates[:-1], rates[1:])
     parts = np.concatenate([[[0.0, 0.0, 0.0, 1.0]], Rotation.from_rotvec(step).as_quat()])
     reach = 1
@@ -86,6 +87,8 @@ def linear_inertia(
             maps = np.concatenate([maps, Rotation.from_quat(attitude).as_matrix()], axis=2)
         for part in [slice(None)] if parts is None else parts[k]:
             rows.append((maps[part] - maps[part].mean(axis=0)).reshape(-1, maps.shape[2]))
+    # Σ |R J ω − its mean|² is least, at |J| = 1, along the last right singular vector; the root of two makes the six
+    # entries' length that of the matrix
     _, values, right = np.linalg.svd(np.concatenate(rows), full_matrices=False)  # at least 24 rows
     J = inertia_matrix(right[-1, :6])
     sign = np.sign(np.trace(J) or 1.0)

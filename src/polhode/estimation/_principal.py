@@ -64,6 +64,7 @@ def principal(
     order[:, 2] *= np.linalg.det(order)
     largest = unsorted[which[2]]
     moments = unsorted[which] / largest
+    # d(m_i/m_3) = (dm_i − (m_i/m_3) dm_3)/m_3
     slopes = (D_MOMENTS[:, which].T - np.outer(moments, D_MOMENTS[:, which[2]])) / largest
     by = np.zeros((5, 5))
     by[:2, :2], by[2:, 2:] = slopes[:2], order.T

@@ -60,6 +60,7 @@ class _Field:
         i1, i2, i3 = moments
         d = D_MOMENTS
         self.k = np.array([i2 - i3, i3 - i1, i1 - i2]) * over
+        # ω̇1 = k1 ω2 ω3 + N1/I1 with k1 = (I2 − I3)/I1, so that δk1 = (δI2 − δI3 − k1 δI1)/I1
         spread = np.stack([d[:, 1] - d[:, 2], d[:, 2] - d[:, 0], d[:, 0] - d[:, 1]], axis=-1)
         self.dk = (spread - self.k * d) * over
         self.push, self.over = torque * over, np.diag(over)

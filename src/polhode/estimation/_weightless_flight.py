@@ -79,9 +79,11 @@ def _place(log: GyroLog, t: Array, felt: Array, size: int) -> Float64[Array, "3"
         begins = np.arange(0, n - size + 1, stride)
         inside = (t[part][begins] >= log.times[0]) & (t[part][begins + size - 1] <= log.times[-1])
         mean = lambda x, begins=begins: _means(x, begins, size)  # noqa: E731
+        # least squares of f = L r; a small penalty on r holds it where the turning does not tell it
         normal = mean(np.matmul(np.swapaxes(lever, 1, 2), lever)) + 1e-3 / LEVER_ARM**2 * np.eye(3)
         right = mean(np.einsum("nij,ni->nj", lever, felt[part]))
         place = np.linalg.solve(normal, right[..., None])[..., 0]
+        # at the minimum, where N r = b, the mean of |f − L r|² and the penalty together are ⟨f²⟩ − r·b
         left = mean((felt[part] ** 2).sum(axis=1)) - (place * right).sum(axis=1)
         calm = inside & (left < FELT**2) & (np.linalg.norm(place, axis=1) < LONGEST_ARM)
         candidates.append(np.column_stack([np.linalg.det(normal), left, place])[calm])

@@ -59,6 +59,7 @@ def euler_chain(
         >>> [round(stage.period / 86400.0, 1) for stage in euler_chain()]
         [303.6, 444.9, 394.5, 425.7, 430.6]
     """
+    # k_s = 3G (C − A)/(Ω² R⁵) with C − A = J2 M R²
     secular = 3.0 * GRAVITY * J2 / (ROTATION**2 * RADIUS**3)
     if not 0.0 < ellipticity < 0.5:
         raise InvalidInput(f"`ellipticity` must be between 0 and 0.5; got {shown(ellipticity)}. Earth: 0.00327.")

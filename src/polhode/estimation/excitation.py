@@ -84,6 +84,8 @@ def polar_excitation(
     pole = even(raw, step)
     turn = np.exp(1j * 2.0 * np.pi / period * (1.0 + 0.5j / quality_factor) * step)
     psi = (pole.m[1:] - turn * pole.m[:-1]) / (1.0 - turn)
+    # of independent means of variance σ²: ⟨|ψ_n|²⟩ = σ² (1 + |e|²)/|1 − e|², ⟨ψ_{n+1} ψ̄_n⟩ = −e σ²/|1 − e|², as
+    # neighbours share one mean
     gain = (1.0 + abs(turn) ** 2) / abs(1.0 - turn) ** 2
     return PolarExcitation(0.5 * (pole.times[1:] + pole.times[:-1]), psi, float(noise * np.sqrt(gain)),
                            complex(-turn / (1.0 + abs(turn) ** 2)), step)  # fmt: skip

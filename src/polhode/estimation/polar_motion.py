@@ -166,6 +166,7 @@ def _best_rate(clock: Float64[Array, "n"], pole: Pole) -> float:
 
 def _columns(clock: Float64[Array, "n"], rates: list[float], span: float) -> Complex128[Array, "n c"]:
     """Return a column for each rate, of means over the step, then those of position and drift over the span."""
+    # the mean of e^{iσt} over a step is e^{iσt} sin(σ step/2)/(σ step/2), and NumPy's sinc(x) is sin πx/πx
     waves = np.exp(1j * np.outer(clock, rates)) * np.sinc(np.array(rates) * _mean_over(clock) / (2.0 * np.pi))
     return np.concatenate([waves, np.ones((len(clock), 1)), clock[:, None] / span], axis=1)
 
@@ -209,12 +210,16 @@ def _errors(
     levels = [noise.white if rate == line else level_at(clock, left, removed, rate) for rate in rates]
     still = level_at(clock, left, removed, 0.0)
     each = np.sqrt(np.array([*np.repeat(levels, 2), *[still] * 4, noise.white]))
+    # N⁻¹ (Re Aᴴ V A) N⁻¹/2 with N = Re Aᴴ A: half of a complex residual's variance is in each real part. V is taken as
+    # the level of noise near each line, √(s_i s_j) N_ij
     steady = inverse @ (np.outer(each, each) * normal) @ inverse * 0.5
+    # a step of the walk changes all later samples by e^{iσt}: its influence is a sum from the end
     influence = accumulate_walk((basis @ inverse) * np.exp(-1j * line * clock)[:, None])
     walking = 0.5 * np.real(influence.conj().T @ influence)
     covariance = steady + noise.walk * walking
     share = np.array([steady[-1, -1] / noise.white if noise.white > 0.0 else 0.0, walking[-1, -1]])
     spread = share @ noise.covariance @ share
+    # degrees of freedom as Satterthwaite has them, 2 V²/var V for an estimated variance V
     degrees = float(np.clip(2.0 * covariance[-1, -1] ** 2 / spread, 2.0, 1e6))
     alone = basis[:, [8, 9, -1]]
     inflation = inverse[-1, -1] / np.linalg.inv((alone.conj().T @ alone).real)[-1, -1]
@@ -224,6 +229,7 @@ def _errors(
 def _headline(rate: float, value: complex, covariance: Float64[Array, "3 3"], degrees: float) -> Estimate:
     """Return period, amplitude and phase, from rate, real and imaginary part."""
     size = abs(value)
+    # T = 2π/σ, A = √(x² + y²) and φ = arg(x + iy) by σ, x and y
     slopes = np.array([
         [-2.0 * np.pi / rate**2, 0.0, 0.0],
         [0.0, value.real / size, value.imag / size],

@@ -13,6 +13,7 @@ from polhode.estimation.throw import ThrowFit
 from polhode.types import Array, ArrayLike, Real
 
 NAMES = ("I1", "I2", "I3")
+# entries across the diagonal count twice, so that the norm of six numbers is that of the matrix
 ROOT = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0]) ** 0.5
 ENTRIES = (0, 1, 2, 0, 0, 1), (0, 1, 2, 1, 2, 2)
 
@@ -48,6 +49,7 @@ def moments_from_one(
         raise InvalidInput(f"moment must be a positive number of kg m²; got {shown(moment)}.")
     ratios = np.r_[joint.value[:2], 1.0]
     value = moment * ratios / ratios[axis - 1]
+    # derivatives of moment · ratio_i/ratio_axis by the ratios and the moment
     by = np.zeros((3, 3))  # of the two ratios and the moment
     by[:2, :2] = np.eye(2) * moment / ratios[axis - 1]
     if axis < 3:
@@ -90,6 +92,7 @@ def moments_from_weight(
     axes = _axes(fit), _axes(with_weight)
 
     def scales(x: Array, weights: Array) -> Array:
+        # I3′ j′ − I3 j = what the weight adds, with j and j′ the inertia over I3: linear in the scales I3, I3′
         columns = np.stack([-_entries(x[:5], axes[0]), _entries(x[5:], axes[1])], axis=1)
         return np.linalg.lstsq(weights @ columns, weights @ (_six(added)), rcond=None)[0]
 

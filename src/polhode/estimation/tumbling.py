@@ -147,6 +147,8 @@ def least_period_ratios(moments: Real[ArrayLike, "3"]) -> tuple[float, float]:
     """
     i1, i2, i3 = _check_moments(moments).tolist()
     with np.errstate(divide="ignore"):
+        # small wobbles about axis 3 with L in the body at λ = ω √((I3−I1)(I3−I2)/(I1 I2)); the axis goes round L at
+        # ω + λ, so that P_ψ/P_φ = 1 + ω/λ, and about axis 1 at ω − λ
         short = 1.0 + np.sqrt(np.divide(i1 * i2, (i3 - i1) * (i3 - i2)))
         long = np.sqrt(np.divide(i2 * i3, (i2 - i1) * (i3 - i1))) - 1.0
     return float(short), float(long)
@@ -270,6 +272,7 @@ def _make_motion(mode: Mode, solved: _Solved, rotation: float, interval: Tumblin
     upright = Rotation.align_vectors([0.0, 0.0, 1.0], start)[0].as_quat(scalar_first=True)
     motion = FreeMotion(moments, momentum=rate * start, attitude=upright)
     precession = float(2 * np.pi / (motion.precession_per_period / motion.period))
+    # an axis that L does not circle turns by the precession less or plus one turn in a period
     turn, roll = 1.0 / precession, 1.0 / rotation
     long = 1.0 / (turn - roll) if mode == "short-axis" else precession
     short = precession if mode == "short-axis" else 1.0 / (turn + roll)

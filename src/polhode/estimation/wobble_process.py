@@ -129,6 +129,7 @@ def fit_chandler_process(
     return ChandlerProcess(
         estimate, {level: (a * UNIT, b * UNIT) for level, (a, b) in intervals[0].items()},
         {level: (float(np.exp(a)), float(np.exp(b))) for level, (a, b) in intervals[1].items()},
+        # dm/dt = iσ (m − χ): the walk's variance in a step is σ²Δ S, with Δ the step and S the density of χ
         float(filtered.scale * band.step / (rate * band.step) ** 2),
         float(np.sqrt(filtered.scale * np.exp(best.x[2]))), band.step, middles,
         wobble * np.exp(1j * band.rate * (middles - line.epoch)), error, _whiteness(filtered.innovations),
@@ -149,10 +150,14 @@ def _take_band(line: ChandlerFit) -> tuple[_Band, Float64[Array, "n"]]:
 def _covariance(p: Float64[Array, "3"], band: _Band) -> Complex128[Array, "n n"]:
     """Return the covariance of the wobble's means, where a walk's variance grows by 1 in a step."""
     rate = 2.0 * np.pi / (p[0] * UNIT)
+    # dm/dt = (iσ − σ/2Q) m + white noise: times j steps apart have the covariance e^{−aj}/(2 Re a), where
+    # a = (σ/2Q − i(σ − fitted rate)) × step, as the data are turned back at the fitted rate
     decay = 0.5 * rate * np.exp(-p[1]) * band.step
     a = decay - 1j * (rate - band.rate) * band.step
     count = len(band.data)
     still = 0.5 / decay  # variance of the process itself
+    # ∫∫ e^{−a(k + u − v)} du dv over 0 ≤ u, v ≤ 1 is e^{−a(k − 1)} ((1 − e^{−a})/a)²; for k = 0 it is
+    # 2 Re ∫ (1 − x) e^{−ax} dx = 2 Re (a − 1 + e^{−a})/a²
     column = still * (-np.expm1(-a) / a) ** 2 * np.exp(-a * (np.arange(count) - 1.0))
     column[0] = still * 2.0 * ((a + np.expm1(-a)) / a**2).real
     return toeplitz(column)
@@ -164,6 +169,9 @@ def _filter(p: Float64[Array, "3"], band: _Band) -> _Filtered:
     factor = cholesky(covariance, lower=True, check_finite=False)
     white = solve_triangular(factor, band.data, lower=True, check_finite=False)
     basis, target = white[:, 1:], white[:, 0]
+    # with V = L Lᴴ and columns X, of p columns: least squares of L⁻¹y on L⁻¹X = QR; minus the restricted
+    # log-likelihood, at its best scale, is (n − p) ln scale + ln|V| + ln|Xᴴ V⁻¹ X|, the last ln|Rᴴ R|. Complex data
+    # count twice, so that no halves are left
     q, r = np.linalg.qr(basis)
     inside = q.conj().T @ target
     left = target - q @ inside
@@ -232,6 +240,8 @@ def _smooth(
     """Return the wobble's means given all data, turned back, and the standard deviation of each component."""
     wobble = _covariance(p, band)
     factor = cholesky(wobble + np.exp(p[2]) * np.eye(len(wobble)), lower=True)
+    # with the covariance C of the wobble and V = C + noise of the data, E[m | y] = C V⁻¹ (y − Xβ); what is left open
+    # has the covariance C − C V⁻¹ C
     mean = wobble @ cho_solve((factor, True), band.data[:, 0] - band.data[:, 1:] @ filtered.values)
     whitened = solve_triangular(factor, wobble, lower=True)
     variance = np.real(np.diagonal(wobble)) - np.sum(np.abs(whitened) ** 2, axis=0)
@@ -239,6 +249,7 @@ def _smooth(
 
 
 def _whiteness(innovations: Complex128[Array, "n"]) -> float:
+    # 2n |r_k|² of white complex noise is χ² with two degrees; Ljung and Box weigh its sum by (n + 2)/(n − k)
     count = len(innovations)
     power = float(np.vdot(innovations, innovations).real)
     lags = [abs(np.vdot(innovations[:-k], innovations[k:])) ** 2 / power**2 / (count - k) for k in range(1, LAGS + 1)]

@@ -143,6 +143,7 @@ def _in_window(clock: Float64[Array, "n"], m: Complex128[Array, "n"], rate: floa
     inside = q.conj().T @ m
     left = m - q @ inside
     inverse = np.linalg.inv(r)
+    # c = R⁻¹ Qᴴ m: the first has the variance of the noise times |row 1 of R⁻¹|²
     return complex(inverse[0] @ inside), level_at(clock, left, q, rate) * float(np.sum(np.abs(inverse[0]) ** 2))
 
 
@@ -173,5 +174,6 @@ def pole_spectrum(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[
     columns = np.stack([np.ones(len(pole.m)), (pole.times - pole.times.mean()) / pole.span], axis=1)
     left = pole.m - columns @ np.linalg.lstsq(columns, pole.m, rcond=None)[0]
     taper = np.hanning(len(left) + 2)[1:-1]
+    # a periodogram of tapered data, |Σ w_k m_k e^{−2πifkΔ}|² Δ/Σ w_k²
     density = np.abs(np.fft.fft(left * taper)) ** 2 * step / np.sum(taper**2)
     return PoleSpectrum(np.fft.fftshift(np.fft.fftfreq(len(left), step)), np.fft.fftshift(density))

@@ -22,7 +22,7 @@ from polhode.exact._copies import Space, for_python
 from polhode.exact._kernel_arithmetic import in_threads
 from polhode.types import Array, Float64
 
-COMMON = tuple(f"polhode.exact.{name}" for name in ("kernel_arithmetic", "kernel_agm", "formulas", "kernel_loops"))
+COMMON = tuple(f"polhode.exact.{name}" for name in ("_kernel_arithmetic", "_kernel_agm", "_formulas", "_kernel_loops"))
 STATE, SET_UP = 7e-6, 1.5e-4  # s that Python takes for a state, and for a body, about
 LOADED = 0.3  # s of Python's time from which loading a kernel is worth it
 COMPILING = {"set_up": 6.0, "states_of_one": 1.5, "states_of_many": 2.5}  # or compiling one, which takes about so long
@@ -43,7 +43,7 @@ class ClosedForm:
     """The kernels of a motion in closed form.
 
     Args:
-        package: with ``formulas``, ``kernel_setup`` and what these need.
+        package: with ``_formulas``, ``_kernel_setup`` and what these need.
         prepare: returns the columns of bodies that the kernels leave to NumPy.
     """
 
@@ -55,7 +55,7 @@ class ClosedForm:
     @cached_property
     def _modules(self) -> list[ModuleType]:
         path = importlib.import_module(self._package).__path__
-        own = sorted(name for _, name, _ in pkgutil.iter_modules(path) if name.startswith(("kernel", "formulas")))
+        own = sorted(name for _, name, _ in pkgutil.iter_modules(path) if name.startswith(("_kernel", "_formulas")))
         return [importlib.import_module(name) for name in (*COMMON, *(f"{self._package}.{name}" for name in own))]
 
     @cached_property
@@ -69,7 +69,7 @@ class ClosedForm:
         return self._kernels(compiled_modules(self._modules, self._package.rpartition(".")[2]))
 
     def _kernels(self, spaces: dict[str, Space]) -> Kernels:
-        setup, loops = spaces[f"{self._package}.kernel_setup"], spaces[kernel_loops.__name__]
+        setup, loops = spaces[f"{self._package}._kernel_setup"], spaces[kernel_loops.__name__]
         return Kernels(**{name: loops[name] for name in Kernels._fields[:4]}, set_up=setup["set_up"])
 
     def _constant(self, module: str, name: str) -> int:
@@ -96,7 +96,7 @@ class ClosedForm:
         shape = np.broadcast_shapes(*(np.shape(v)[:-1] for v in arguments))
         flat = [np.broadcast_to(v, (*shape, np.shape(v)[-1])).reshape(-1, np.shape(v)[-1]) for v in arguments]
         count = math.prod(shape)
-        columns, left = np.empty((self._constant("formulas", "COLUMNS"), count)), np.ones(count, bool)
+        columns, left = np.empty((self._constant("_formulas", "COLUMNS"), count)), np.ones(count, bool)
         if self._is_worth("set_up", SET_UP * count):
             self._set_up_many(flat, columns, left)
         else:
@@ -113,7 +113,7 @@ class ClosedForm:
         fill = lambda low, high: self._compiled.set_up(  # noqa: E731
             *(v[low:high] for v in inputs), columns[:, low:high], left[low:high]
         )
-        in_threads(fill, len(left), self._constant("kernel_setup", "WORTH"))
+        in_threads(fill, len(left), self._constant("_kernel_setup", "WORTH"))
 
     def _set_up_one(self, inputs: list[Array], k: int, columns: Array, left: Array) -> None:
         outputs, is_left = [[0.0] for _ in range(len(columns))], [True]

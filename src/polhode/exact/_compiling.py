@@ -28,7 +28,7 @@ from polhode.exact._copies import copy_modules
 from polhode.exact._kernel_arithmetic import BLOCK
 
 _TAKE: Any = njit  # whose types do not know all of its options
-_FILES = sorted(path for path in Path(__file__).parent.rglob("*.py") if path.name.startswith(("formulas", "kernel")))
+_FILES = sorted(path for path in Path(__file__).parent.rglob("*.py") if path.name.startswith(("_formulas", "_kernel")))
 SOURCES = zlib.crc32(b"".join(path.read_bytes() for path in (Path(__file__), *_FILES)))
 
 

@@ -32,6 +32,7 @@ MOST_STEPS = 20
 @inlined
 def exponent(x: float, rest: float, upper: float, lower: float) -> Pair:
     """Return the leading part of −(x + rest)(upper + lower), which is exact, and the factor for the rest."""
+    # −(x + rest)(upper + lower) = −high · upper − small, and e^(−small) to second order
     high, low = halves(x)
     small = (high * lower + low * (upper + lower)) + rest * upper
     return -(high * upper), 1.0 - small * (1.0 - 0.5 * small)
@@ -98,4 +99,5 @@ def mean_closed(x: float, e: float, middle: Pair, q: float, total: Pair) -> tupl
     """Return the mean and the sum of what ``mean_distance`` returns, exact where that is below ``CONVERGED``."""
     last = 0.5 * q * e
     rest = last + last * (0.25 * (e * e - 0.5 * x * x))
+    # agm(1 + x, 1 − x) = 1 − x²/4 + O(x⁴)
     return add(middle, (-0.25 * middle[0] * x * x, 0.0)), add(total, (rest, 0.0))

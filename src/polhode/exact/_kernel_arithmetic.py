@@ -2,7 +2,7 @@
 
 Kernels are functions of single numbers, written once. Python runs them as they are, for one body at few times, without
 anything that has to be loaded; ``compiling`` has them compiled by Numba, for many. Both give the same bits: the
-arithmetic is that of ``special.doubledouble`` and ``special.circular``, exact where these are; nothing is contracted.
+arithmetic is that of ``special._doubledouble`` and ``special._circular``, exact where these are; nothing is contracted.
 """
 
 from __future__ import annotations

@@ -6,13 +6,15 @@ import contextlib
 import errno
 import os
 from collections.abc import Callable, Iterator
+from contextvars import ContextVar
 from pathlib import Path
 
 from polhode.errors import InvalidInput, PolhodeError, one_line, shown
-from polhode.formats.drafts import draft_in, make_folder
+from polhode.formats.drafts import Draft, draft_in, make_folder
 
 # what a disk without room says, and a limit of a user's
 FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
+_common_draft: ContextVar[Draft | None] = ContextVar("common_draft", default=None)
 
 
 def as_path(name: str, value: str | os.PathLike[str]) -> Path:
@@ -52,10 +54,35 @@ def write_whole(path: str | Path, replaces: Callable[[Path], bool] | None = None
     path = Path(path)
     with _reword_errors(path):
         _check_can_go(path, replaces)
+        common = _common_draft.get()
+        if common is not None and common.folder.resolve() == path.parent.resolve():
+            with _correct_paths_in_errors(common.new, path.parent):
+                yield common.new / path.name
+            return
         with draft_in(path.parent) as draft:
             with _correct_paths_in_errors(draft.new, path.parent):
                 yield draft.new / path.name
             draft.take_place()
+
+
+@contextlib.contextmanager
+def write_all_or_none(folder: str | Path) -> Iterator[None]:
+    """Let all files that ``write_whole`` writes into a folder take their names when the block ends well, else none.
+
+    Args:
+        folder: that is there.
+
+    Raises:
+        InvalidInput: as ``write_whole`` does.
+    """
+    folder = Path(folder)
+    with _reword_errors(folder), draft_in(folder) as draft:
+        before = _common_draft.set(draft)
+        try:
+            yield
+        finally:
+            _common_draft.reset(before)
+        draft.take_place()
 
 
 @contextlib.contextmanager

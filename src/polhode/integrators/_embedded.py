@@ -157,6 +157,7 @@ def advance(
         place = jnp.minimum(run.place, kept.shape[0] - 1)
         saves = reached & (time == kept[place])
         # what follows the step
+        # the error goes with h^order: Hairer, Nørsett & Wanner, §II.4
         factor = jnp.clip(SAFETY * size ** (-1.0 / order), jnp.where(fine, 1.0, MOST_SHRINKING),
                           jnp.where(fine, MOST_GROWTH, SAFETY))  # fmt: skip
         step = h * jnp.where(jnp.isnan(factor), MOST_SHRINKING, factor)

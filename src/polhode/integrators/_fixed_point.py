@@ -91,6 +91,7 @@ def _iterate(
     def has_settled(change: Array, last: Array) -> Array:
         small = change <= ROUNDING * scale
         if ahead:
+            # changes that shrink in proportion: the next one is change²/last
             next_one = change * jnp.maximum(change / jnp.where(last > 0.0, last, 1.0), LUCKY)
             small |= (change < 0.5 * last) & (next_one <= ROUNDING * scale)
         return small | ((change <= NEAR * scale + NOTHING) & (change >= last))

@@ -34,6 +34,7 @@ from polhode.types import Array, Float64
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from polhode.motion.base import AbstractMotion
     from polhode.spec.rotors import SpecRotor
     from polhode.viewer.panels import Content
     from polhode.viewer.samples import Samples
@@ -184,6 +185,16 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         self.check_motion()
         report = require_motion_report(self.report(spec))
         return SpecMotion(report.trajectory, report.mechanics)
+
+    def closed_form(self, spec: Spec[TableT]) -> AbstractMotion | None:
+        """Return the motion in closed form along the principal axes, from which its states follow at any time.
+
+        None for kinds whose motion is computed by steps.
+
+        Raises:
+            InvalidInput: as ``report`` does.
+        """
+        return None
 
     def answers_without_motion(self, spec: Spec[TableT]) -> Iterable[Group | Table]:
         """Return the answers that need no trajectory, the quickest first; none unless overridden.

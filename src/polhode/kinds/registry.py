@@ -70,6 +70,11 @@ def other_kind(subject: str, in_closed_form: bool) -> AbstractKind | None:
     return next((kind for kind in alike if kind.in_closed_form == in_closed_form), None)
 
 
+def closed_form_kinds() -> list[str]:
+    """Return the names of the kinds whose motion is known in closed form."""
+    return sorted(kind.name for kind in _importable() if kind.in_closed_form)
+
+
 def known_figures() -> set[str]:
     """Return the names of the figures of all kinds that can be imported."""
     return {name for kind in _importable() for name in kind.figure_names}

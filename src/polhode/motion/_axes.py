@@ -48,6 +48,7 @@ class Turn(NamedTuple):
 
     def attitude(self, attitude: Float64[Array, "*batch 4"]) -> Float64[Array, "*batch 4"]:
         """Return attitudes (…, 4), body → space, of the other axes."""
+        # other axes → body → space
         return rotation.multiply(attitude, self.quaternion)
 
     def vector(self, vector: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 3"]:
@@ -97,6 +98,7 @@ def chosen_axes(
     proper = matrix.shape == (3, 3) and (is_traced(matrix) or _is_rotation(np.asarray(matrix)))
     if not proper:
         raise InvalidInput(f"`axes` must have three orthonormal columns (3, 3), right-handed; got {shown(axes)}.")
+    # columns of the principal axes: in the given ones G, in the chosen ones, which are the columns of M, Mᵀ G
     return matrix.T if given_axes is None else matrix.T @ xp.asarray(given_axes)
 
 

@@ -125,6 +125,7 @@ def _nan_where_bad(moments: Array, momentum: Array, attitude: Array) -> tuple[Ar
     xp = namespace(moments, momentum, attitude)
     good_moments, good_length = _good(xp, moments, attitude)
     where = lambda good, value: xp.where(good, value, math.nan)  # noqa: E731
+    # traced numbers cannot be refused: NaN says that they were bad
     return where(good_moments, moments), where(good_moments, momentum), where(good_length, attitude)
 
 
@@ -194,6 +195,7 @@ def refuse_overflow(
         return
     xp = namespace(t, fastest)
     with np.errstate(over="ignore", invalid="ignore"):
+        # a phase in double-double, of 104 bits or 31 digits, has few of them left at 1e27 rad
         lost = bool(xp.any(xp.abs(t) * fastest > MOST_RADIANS))
     if lost or not all_finite(attitude[..., 0]):
         raise InvalidInput(

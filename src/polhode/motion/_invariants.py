@@ -9,6 +9,7 @@ from polhode.types import Array, Float64
 
 def norm(xp: Any, vector: Float64[Array, "*batch n"]) -> Float64[Array, "*batch"]:
     """Return |v| without overflow or underflow."""
+    # |v| = m |v/m| with m the largest component: squares of large components overflow, and those of small ones vanish
     largest = xp.max(xp.abs(vector), axis=-1, keepdims=True)
     unit = vector / xp.where(largest > 0, largest, 1.0)
     return largest[..., 0] * xp.sqrt(xp.sum(unit * unit, axis=-1))

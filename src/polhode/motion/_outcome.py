@@ -74,6 +74,7 @@ class Ends(NamedTuple):
 
     def beyond(self, times: Array) -> np.ndarray:
         """Return (batch…, T) which of the times [s] come with or after a copy's own event."""
+        # by the time since the first sample, as runs may go backwards
         since = np.abs(np.asarray(times) - times[0])
         last = np.where(np.asarray(self.status) == Status.EVENT, np.abs(np.asarray(self.time) - times[0]), np.inf)
         return since >= last[..., None]

@@ -153,6 +153,7 @@ class Trajectory(Plotted):
         if own is None:
             if axes is None:
                 return self
+            # samples stand along the principal axes, whose columns in the new ones are ``axes``
             turn = Turn.to(axes).back
         else:  # by the principal axes, as quaternions that went another way may have the other sign
             turn = Turn.to(own) if axes is None else Turn.to(own).then(Turn.to(axes).back)

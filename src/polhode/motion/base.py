@@ -55,6 +55,7 @@ Motion = TypeVar("Motion", bound="AbstractMotion")
 
 def _elapsed(t: Array, epoch: Array) -> tuple[Array, Array]:
     """Return the time since the epoch, in two parts."""
+    # t − epoch exactly, as a sum of two doubles: its rounding, 1e-16 of the times, would become one of the phase
     return (t, np.zeros(())) if always(epoch, 0.0) and isinstance(t, np.ndarray) else two_sum(t, -epoch)
 
 
@@ -158,6 +159,7 @@ class AbstractMotion(ExactMotion):
         """Constants from which states of one body are computed with plain numbers; None for other motions."""
         if self.batch_shape or not isinstance(self.moments, np.ndarray):
             return None
+        # the same turn as of arrays, in plain numbers
         turn = None if self.axes is None else self._from_principal.plain()
         return _Alone(tuple(self._columns.tolist()), float(self.epoch), float(self._fastest()), turn)
 

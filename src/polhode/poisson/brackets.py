@@ -1,7 +1,8 @@
 """The Lie–Poisson bracket of functions on the dual, by automatic differentiation.
 
 {F, G}(μ) = sign · ⟨μ, [dF, dG]⟩; minus (left-invariant) is the default, for which Ḟ = {F, H} and μ̇ = ad*_{dH} μ.
-Functions take one point and give a real scalar; results take points (…, *element_shape).
+The differential dF is the element of the algebra with δF = ⟨δμ, dF⟩, and ⟨ad*_x μ, y⟩ = ⟨μ, [x, y]⟩. Functions take one
+point and give a real scalar; results take points (…, *element_shape).
 Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §13.1.
 """
 
@@ -47,6 +48,7 @@ def hamiltonian_field(algebra: AbstractLieAlgebra, H: Function, sign: int = -1) 
 
     def field(mu: ArrayLike) -> Double[Array, "..."]:
         mu = as_points(algebra, mu)
+        # Ḟ = sign ⟨μ, [dF, dH]⟩ = −sign ⟨μ, [dH, dF]⟩ = −sign ⟨ad*_{dH} μ, dF⟩ for every F
         return -sign * algebra.coadjoint(dH(mu), mu)
 
     return field
@@ -89,6 +91,7 @@ def poisson_tensor(
     """Return π_ij = {x_i, x_j} = sign · ⟨ad*_{e_i} μ, e_j⟩ (…, dim, dim) in the coordinates ⟨μ, e_i⟩."""
     mu, depth = as_points(algebra, mu), len(algebra.element_shape)
     basis = algebra.from_vector(jnp.eye(algebra.dim))
+    # dx_i = e_i, so that {x_i, x_j} = sign ⟨μ, [e_i, e_j]⟩; Ḟ = (∂F)ᵀ π ∂H
     rows = algebra.coadjoint(basis, jnp.expand_dims(mu, mu.ndim - depth))
     return _check_sign(sign) * algebra.to_dual_vector(rows)
 

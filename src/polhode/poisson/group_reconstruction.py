@@ -25,8 +25,8 @@ class GroupPath(NamedTuple):
 
     Attributes:
         elements: group elements as the algebra's ``exp`` gives them, with an axis of time in front: (T, …).
-        misfit: (T,) by how much the momentum that stays fixed in space misses the first one, relative to its size:
-            the error of what lies between the samples, as far as it can be seen.
+        misfit: (T,) difference between the momentum in space, which the exact motion keeps, and its first value,
+            relative to its size: a measure of the error of interpolation between the samples.
     """
 
     elements: Any
@@ -42,9 +42,9 @@ def reconstruct_group(
 ) -> GroupPath:
     """Return g(t) with g = e at the first time of a motion on the dual, from samples of the point μ.
 
-    For left-invariant systems (sign −1) ġ = g dH and Ad*_{g⁻¹} μ stays, as the momentum of a body does in space; for
-    right-invariant ones (sign +1) ġ = dH g and Ad*_g μ stays. Between samples μ is a cubic through values and slopes:
-    of fourth order in the distance of the samples. ``reconstruct`` does so for bodies, and tells their phases.
+    For left-invariant systems (sign −1) ġ = g dH, and Ad*_{g⁻¹} μ is constant, as a body's momentum is in space; for
+    right-invariant ones (sign +1) ġ = dH g, and Ad*_g μ is constant. Between samples μ is a cubic through values and
+    slopes; errors are of fourth order in the spacing. ``reconstruct`` does this for rigid bodies, with their phases.
 
     Args:
         algebra: of the system.
@@ -75,6 +75,9 @@ def reconstruct_group(
     gaps = jnp.diff(t)
     if known_false(jnp.all(gaps * gaps[0] > 0)):
         raise InvalidInput("`times` must advance in one direction, without repetitions.")
+    # Magnus' expansion of order 4 with ξ = dH at Gauss's two points: g moves by the exponential of
+    # ½h(ξ₁ + ξ₂) ± (√3/12)h² [ξ₁, ξ₂], plus for ġ = gξ, minus for ġ = ξg. Between samples μ is Hermite's cubic with
+    # slopes μ̇ = −sign ad*_ξ μ.
     h = gaps.reshape(-1, *(1,) * len(algebra.element_shape))
     slopes = -sign * algebra.coadjoint(velocity(mu), mu)
     first, second = (velocity(hermite(c, h, mu[:-1], mu[1:], slopes[:-1], slopes[1:])) for c in NODES)

@@ -1,5 +1,7 @@
 """Coadjoint orbits: dimension, tangent space, and the Kirillov–Kostant–Souriau form.
 
+The orbit through μ is the set of all Ad*_g μ, on which every Casimir is constant: on so(3)* the sphere of one |L|. Its
+tangent vectors at μ are ad*_x μ, and its symplectic form is
 ω(ad*_x μ, ad*_y μ) = sign · ⟨μ, [x, y]⟩, so that ω(X_F, X_G) = {F, G} for either sign. Source: Marsden & Ratiu,
 *Introduction to Mechanics and Symmetry*, §14.2–14.4.
 """
@@ -54,6 +56,7 @@ def kks_matrix(algebra: AbstractLieAlgebra, mu: ArrayLike, sign: int = -1) -> Fl
     tangent = orbit_tangent(algebra, mu)
     # ad*_x μ = Σ_i x_i c_ijk μ_k: the coordinates of the tangent vector that x moves μ by
     flow = np.asarray(poisson_tensor(algebra, _one_point(algebra, mu), sign=1))
+    # x_a with ad*_{x_a} μ = t_a; what lstsq leaves open lies in the stabiliser of μ, on which ω does not depend
     elements = np.linalg.lstsq(flow.T, tangent.T, rcond=None)[0]
     return sign * elements.T @ flow @ elements
 
@@ -83,6 +86,8 @@ def symplectic_area(momenta: Real[ArrayLike, "n 3"], sign: int = -1) -> float:
     if not norms.min() > 0 or np.ptp(norms) > 1e-6 * norms.max():
         raise InvalidInput("`momenta` must lie on one sphere about the origin, not at it. Check |L| along the curve.")
     unit = points / norms[:, None]
+    # tan(Ω/2) = a·(b × c)/(1 + a·b + b·c + c·a) for the solid angle Ω of a spherical triangle: van Oosterom & Strackee,
+    # IEEE Trans. Biomed. Eng. 30 (1983) 125
     a, b, c = unit[0], unit, np.roll(unit, -1, axis=0)
     volume = np.einsum("i,ni->n", a, np.cross(b, c))
     angle = 2.0 * np.arctan2(volume, 1.0 + b @ a + c @ a + np.einsum("ni,ni->n", b, c))

@@ -46,7 +46,7 @@ def reconstruct(
 ) -> Reconstruction:
     """Return the attitude of a motion L̇ = L × Ω(L) from samples of L; the space momentum R L is kept to rounding.
 
-    Between samples L is a cubic through values and slopes: of fourth order in the distance of the samples.
+    Between samples L is a cubic through values and slopes; errors are of fourth order in the spacing of the samples.
 
     Args:
         times: (T,) [s], monotonic.
@@ -69,6 +69,8 @@ def reconstruct(
         raise InvalidInput("`momentum` must be finite and not zero: at rest it does not determine the attitude.")
     h = steps[:, None]
     slopes = jnp.cross(L, velocity(L))
+    # Magnus' expansion of order 4 for Ṙ = R hat(Ω): a turn by ½h(Ω₁ + Ω₂) + (√3/12)h² Ω₁ × Ω₂, with Ω at Gauss's points
+    # of Hermite's cubic through L and its slopes L̇ = L × Ω
     middle = [hermite(c, h, L[:-1], L[1:], slopes[:-1], slopes[1:]) for c in NODES]
     spin = [velocity(m) for m in middle]
     turn = 0.5 * h * (spin[0] + spin[1]) + math.sqrt(3.0) / 12.0 * h * h * jnp.cross(spin[0], spin[1])
@@ -81,8 +83,11 @@ def reconstruct(
 
     _, path = jax.lax.scan(advance, start, moves)
     path = jnp.concatenate([start[None], path])
+    # the exact motion keeps R L: the shortest turn that takes R(t) L(t) back to it removes the error across that
+    # direction and leaves the one along it, the phase, as it is
     wanted = rotation.rotate(start, L[0])
     path = rotation.multiply(rotation.shortest_between(rotation.rotate(path, L), wanted), path)
+    # ∫ L·Ω/|L| dt and the solid angle by Gauss's two points, as accurate as the cubic
     dynamic = sum(0.5 * h[:, 0] * jnp.sum(m * w, axis=-1) / norm for m, w in zip(middle, spin, strict=True))
     swept = sum(0.5 * h[:, 0] * _sweep(L[0], m, jnp.cross(m, w)) for m, w in zip(middle, spin, strict=True))
     total = lambda rates: jnp.concatenate([jnp.zeros(1), jnp.cumsum(rates)])  # noqa: E731
@@ -100,6 +105,7 @@ def hermite(
 
 def _sweep(first: Array, now: Array, slope: Array) -> Array:
     """Return the rate of the solid angle swept by the great circle from the first direction to the present one."""
+    # about n₀, with colatitude θ and azimuth φ of n: (1 − cos θ) φ̇ = sin²θ φ̇/(1 + cos θ), and n₀·(n × ṅ) = sin²θ φ̇
     n0, n = first / jnp.linalg.norm(first), now / jnp.linalg.norm(now, axis=-1, keepdims=True)
     rate = slope / jnp.linalg.norm(now, axis=-1, keepdims=True)
     return jnp.sum(n0 * jnp.cross(n, rate), axis=-1) / (1.0 + jnp.sum(n0 * n, axis=-1))

@@ -1,7 +1,8 @@
 """Rotations and their momenta: T*SO(3), its two trivialisations, momentum maps, and reduction to so(3)*.
 
-A covector at R is a matrix P (…, 3, 3), paired with velocities by ½ tr(PᵀṘ). Left-trivialised it is the body momentum
-L, ⟨P, R hat(ξ)⟩ = L · ξ; right-trivialised the space momentum π, ⟨P, hat(η) R⟩ = π · η; π = R L.
+A covector at R is a matrix P (…, 3, 3), paired with velocities by ½ tr(PᵀṘ). A trivialisation carries it to the
+identity: from the left it is the body momentum L, ⟨P, R hat(ξ)⟩ = L · ξ; from the right the space momentum π,
+⟨P, hat(η) R⟩ = π · η; π = R L.
 Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §13.2–13.4, 15.
 """
 
@@ -36,7 +37,7 @@ def lifted_action(
 ) -> tuple[Float64[Array, "... 4"], Float64[Array, "... 3 3"]]:
     """Return the cotangent lift of R → G R: attitude (…, 4) and covector (…, 3, 3) after a turn (…, 4) in space.
 
-    It leaves the body momentum as it is and turns the space momentum by G.
+    It does not change the body momentum, and turns the space momentum by G.
     """
     refuse_single_precision(covector=covector)
     return rotation.multiply(turn, attitude), rotation.as_matrix(turn) @ covector
@@ -59,13 +60,13 @@ def body_momentum(
 def reduce(
     attitude: Real[ArrayLike, "*#batch 4"], momentum: Real[ArrayLike, "*#batch 3"], side: str = "left"
 ) -> Float64[Array, "... 3"]:
-    """Return the point of so(3)* that is left when turns are divided out of T*SO(3).
+    """Return the point of so(3)* to which a state in T*SO(3) reduces by symmetry under rotations.
 
     Args:
         attitude: (…, 4) unit quaternions wxyz, body → space.
         momentum: (…, 3) in space.
-        side: "left" for Hamiltonians that do not see turns in space (the rigid body; minus bracket, gives the body
-            momentum), "right" for those that do not see turns in the body (plus bracket, gives the space momentum).
+        side: "left" for Hamiltonians invariant under rotations in space (the rigid body; minus bracket, gives the
+            body momentum), "right" for those invariant under rotations of the body (plus bracket, space momentum).
 
     Raises:
         InvalidInput: for another side.
@@ -82,4 +83,5 @@ def _transpose(matrix: Array) -> Array:
 
 
 def _antisymmetric_part(matrix: Array) -> Array:
+    # ½ tr((RᵀP)ᵀ hat(ξ)) sees the antisymmetric part of RᵀP alone, hat(L), and ½ tr(hat(L)ᵀ hat(ξ)) = L·ξ
     return rotation.vee(0.5 * (matrix - _transpose(matrix)))

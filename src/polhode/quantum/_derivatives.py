@@ -107,6 +107,7 @@ class LevelModel:
             levels, vectors = wang.eigenvectors(block.rest + np.tensordot(values, block.of_constants, 1))
             states = vectors[:, block.places]
             energy[block.rows] = levels[block.places]
+            # ψᵀ B ψ of a symmetric band: the diagonal once, each band below it twice
             total = block.of_constants[:, 0] @ states**2
             for n in range(1, min(block.of_constants.shape[1], len(states))):
                 total += 2.0 * block.of_constants[:, n, :-n] @ (states[:-n] * states[n:])

@@ -54,6 +54,7 @@ def level_directions(
         energy: (n,) E/h of quantised polhodes, as exact ones of nearly symmetric molecules may lie below C |L|².
     """
     (A, _, C), d = without_casimir(constants)
+    # u = E/G² = A sin²χ + C cos²χ in the plane of a and c
     square = np.clip((A - (energy - d * J * (J + 1.0)) / (J + 0.5) ** 2) / (A - C), 0.0, 1.0)  # cos² of the angle to c
     return np.stack([np.sqrt(1.0 - square), np.zeros(len(square)), np.sqrt(square)], axis=-1)
 

@@ -93,6 +93,7 @@ def observations(lines: MeasuredLines) -> Observations:
         raise InvalidInput(f"a line must be between two levels; line {int(np.flatnonzero(same)[0]) + 1} has the same "
                            "upper and lower one. Check the assignment.")  # fmt: skip
     frequency, error, weight = columns["frequency"], columns["error"], columns["weight"]
+    # lines next to each other with one frequency and error are one observation
     begins = np.concatenate([[True], (np.diff(frequency) != 0.0) | (np.diff(error) != 0.0)])
     member = np.cumsum(begins) - 1
     share = weight / np.bincount(member, weight)[member]

@@ -73,6 +73,7 @@ def rigid_terms(constants: tuple[float, float, float], representation: Represent
     """Return H = ½(X+Y) J² + (Z − ½(X+Y)) J_z² + ¼(X−Y) (J₊² + J₋²) from A, B, C."""
     by_axis = dict(zip("abc", constants, strict=True))
     X, Y, Z = (by_axis[axis] for axis in representation.value)
+    # X J_x² + Y J_y² = ½(X+Y)(J² − J_z²) + ½(X−Y)(J_x² − J_y²), and J_x² − J_y² = ½(J₊² + J₋²)
     half = 0.5 * (X + Y)
     return [(half, Term(1.0, 1, 0)), (Z - half, Term(1.0, 0, 1)), (0.25 * (X - Y), Term(1.0, 0, 0, 1))]
 
@@ -121,6 +122,7 @@ def matrix_elements(
     for value, term in terms:
         if term.of_ladder != step:
             continue
+        # the anticommutator: J_z acts before J₊^2q, on K, and after it, on K + 2q
         power = K ** (2 * term.of_Jz) if step == 0 else 0.5 * (K ** (2 * term.of_Jz) + above ** (2 * term.of_Jz))
         total = total + (term.sign * value * j**term.of_J) * power
     return total * ladder(J, K, step)
@@ -128,6 +130,7 @@ def matrix_elements(
 
 def ladder(J: float, K: Float64[Array, "k"], step: int) -> Float64[Array, "k"]:
     """Return ⟨K + 2 step| J₊^{2 step} |K⟩ (k,), zero where K leaves −J to J."""
+    # ⟨K+1|J₊|K⟩² = (J − K)(J + K + 1), multiplied step by step
     product = np.ones_like(K)
     for n in range(2 * step):
         # each factor as a product, which is exactly zero at the end

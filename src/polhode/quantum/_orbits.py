@@ -54,6 +54,7 @@ def orbit(constants: Three, G: float, energy: Number) -> Orbit:
     A, B, C = constants
     below = energy < B * G * G
     first, second, whole = 2.0 * (A - B), 2.0 * (B - C), 2.0 * (A - C)
+    # P + Q = 2(A − C) G², so that sine² + cosine² = 1 below
     P, Q, S = 2.0 * (energy - C * G * G), 2.0 * (A * G * G - energy), 2.0 * np.abs(energy - B * G * G)
     S = np.maximum(S, np.finfo(float).eps * whole * G * G)
     # above the saddle the axes a and c change places
@@ -64,17 +65,22 @@ def orbit(constants: Three, G: float, energy: Number) -> Orbit:
     sine, cosine, delta = np.sqrt(q / whole) / G, np.sqrt(p / whole) / G, np.sqrt(p / b) / G
     # K, K' and D = (K − E)/m of both moduli: sums of positive terms
     K, D, other_K, other_D = *_complete(m1), *_complete(m)
+    # F and (F − E)/m1 of the angle φ with these sin φ, cos φ and Δ, of parameter m1; Jacobi's Z = E − F E′/K′
     F = sine * carlson_rf(cosine * cosine, delta * delta, 1.0)
     own = sine**3 * carlson_rd(cosine * cosine, delta * delta, 1.0) / 3.0
     zeta = m1 * (F * other_D / other_K - own)
+    # the cap's solid angle is 2π(1 − Λ₀), with Heuman's Λ₀ = F/K′ + (2/π) K Z, a complete integral of the third kind
     cap = 2.0 * math.pi * (other_K - F) / other_K - 4.0 * K * zeta
     sign = np.where(below, 1.0, -1.0)
+    # m = ap/(bq) with dp/dE = −dq/dE = ±2
     change = sign * 2.0 * whole * G * G * a / (b * q * q)  # of m by E
     slope = -sign * b / rate
     period, other = 4.0 * K / rate, 4.0 * other_K / rate
+    # dK/dm = (K − D)/(2m1) and dK′/dm = −(K′ − D′)/(2m), with D = (K − E)/m (DLMF 19.4.1)
     by_energy = 2.0 * (K - D) / m1 * change / rate - period * slope / rate
     other_by_energy = -2.0 * (other_K - other_D) / m * change / rate - other * slope / rate
     u = energy / (G * G)
+    # next order: S2 = [(2(A+B+C) − 3u) T − 2G² f′(u) dT/dE]/24 with f = (u−A)(u−B)(u−C), u = E/G²; θ2 likewise from −T′
     of_value = 2.0 * (A + B + C) - 3.0 * u
     of_slope = -2.0 * G * G * ((u - B) * (u - C) + (u - A) * (u - C) + (u - A) * (u - B))
     return Orbit(

@@ -53,6 +53,7 @@ def partition_sum(
                 stacklevel=4,
             )
             break
+        # 2J + 1 directions in space of each level
         total = total + np.sum((2 * J + 1) * weight * np.exp(-energy / (THERMAL * temperature[..., None])), axis=-1)
         last = lowest
         if lowest > NEGLIGIBLE * hottest:

@@ -19,6 +19,8 @@ from polhode.types import Array, Float64, Integer
 
 DEBYE = 1e-21 / constants.c  # C m
 # of an integrated cross section [m² Hz] and of an Einstein coefficient [1/s], with S μ² in (C m)²
+# ∫σ dν = 8π³/(3hc) · 1/(4πε₀) · ν S μ² w e^{−E″/kT} (1 − e^{−hν/kT})/Q, and A = 64π⁴ν³/(3hc³) · 1/(4πε₀) · S
+# μ²/(2J′ + 1)
 INTENSITY = 2.0 * math.pi**2 / (3.0 * constants.epsilon_0 * constants.h * constants.c)
 EINSTEIN = 16.0 * math.pi**3 / (3.0 * constants.epsilon_0 * constants.h * constants.c**3)
 RULES = {"a": (0, 1), "b": (1, 1), "c": (1, 0)}
@@ -89,6 +91,7 @@ def strengths(
         moment = np.zeros_like(total)
         for q, weight in _components("xyz"[representation.value.index(axis)]):
             inside = np.abs(K + q) <= above
+            # ⟨upper|Φ_q|lower⟩ = Σ_K a_K a′_{K+q} ⟨J K 1 q|J′ K+q⟩, but for factors of J that the strength takes in
             raised = high.vectors[(K + q)[inside] + above]
             moment += weight * (low.vectors[inside] * clebsch_gordan(J, K[inside], q, above)[:, None]).T @ raised
         odd_a, odd_c = RULES[axis]
@@ -99,6 +102,7 @@ def strengths(
 
 def _components(axis: str) -> list[tuple[int, float]]:
     """Return the spherical components q of a direction cosine, and their weights, without a common phase."""
+    # direction cosines as spherical components: x = (Φ₋₁ − Φ₊₁)/√2, y = i(Φ₋₁ + Φ₊₁)/√2, z = Φ₀
     half = math.sqrt(0.5)
     return {"z": [(0, 1.0)], "x": [(-1, half), (1, -half)], "y": [(-1, half), (1, half)]}[axis]
 

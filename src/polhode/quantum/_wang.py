@@ -43,12 +43,14 @@ def band(terms: list[tuple[float, Term]], J: int, block: Block) -> Float64[Array
         rows[n, : count - n] = matrix_elements(terms, J, K[: count - n], n)
     # ⟨K'|H|−K⟩ with K + K' = 2n joins the two signs near K = 0; |0⟩ is one state, not two
     for n in range(1, width + 1):
+        # ⟨K′±|H|K±⟩ = ⟨K′|H|K⟩ ± ⟨K′|H|−K⟩ for K, K′ > 0
         crossing = matrix_elements(terms, J, -K, n)
         for column, k in enumerate(K):
             row = round((2 * n - k - K[0]) / 2)
             if k > 0 and column <= row < count and K[row] > 0:
                 rows[row - column, column] += block.sign * crossing[column]
     if K[0] == 0.0:
+        # ⟨K′+|H|0⟩ = √2 ⟨K′|H|0⟩
         rows[1:, 0] *= np.sqrt(2.0)
     return rows
 

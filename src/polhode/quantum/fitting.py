@@ -195,9 +195,12 @@ def _decompose(slope: Array, size: Array, names: list[str]) -> tuple[Array, Arra
 def _fit_at(rotor: Rotor, names: list[str], values: Array, model: _LineModel, seen: Observations) -> RotorFit:
     weighted, slope, size = _at(model, seen, values)
     U, scale, S, V = _decompose(slope, size, names)
+    # the covariance (XᵀX)⁻¹ of slope X = U S Vᵀ/scale is the square of this; its rows at unit length give the
+    # correlation without forming a matrix whose entries differ by thirty powers of ten
     spread = (V.T / S) * scale[:, None]
     sigma = np.linalg.norm(spread, axis=1)
     unit = spread / sigma[:, None]
+    # the diagonal of the hat matrix X (XᵀX)⁻¹ Xᵀ = U Uᵀ (Belsley, Kuh & Welsch, ch. 2)
     leverage = np.sum(U**2, axis=1)
     left = 1.0 - leverage
     standardized = np.where(left > 1e-9, weighted / np.sqrt(np.maximum(left, 1e-9)), np.nan)

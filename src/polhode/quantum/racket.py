@@ -102,6 +102,8 @@ class Racket:
             raise InvalidInput(f"`towards` must be a or c; got {shown(towards)}.")
         self.tilt, self.towards = float(tilt), towards
         self._G = self.J + 0.5
+        # L̇ = L × Ω about the middle axis: growth at |L| √((1/I_a − 1/I_b)(1/I_b − 1/I_c)), with 1/I = 4πA, … and
+        # |L| = G
         self.rate = 4.0 * math.pi * self._G * math.sqrt((A - B) * (B - C))
 
     @property
@@ -248,6 +250,8 @@ class Racket:
             raise InvalidInput(f"`members` must be a whole number of at least 10; got {shown(members)}.")
         t = _check_times(times)
         index = np.arange(members)
+        # x = (1 + cos θ)/2 has density ∝ x^4J on the sphere, so that x^(4J+1) is uniform, and ⟨cos θ⟩ = J/(J + ½): the
+        # mean of L is J
         share = ((index + 0.5) / members) ** (1.0 / (4.0 * self.J + 1.0))
         around, polar = 2.0 * math.pi * np.remainder(index * GOLDEN, 1.0), 2.0 * np.arcsin(np.sqrt(1.0 - share))
         middle = self.direction

@@ -164,6 +164,7 @@ class Rotor:
         J = check_j("J", J)
         if self.is_linear:
             j = J * (J + 1.0)
+            # E = B J(J+1) − D [J(J+1)]² + …, as K = 0
             energy = sum(value * term.sign * j**term.of_J for value, term in self._terms)
             return self._weigh_levels(np.array([J]), np.array([0]), np.array([J]), np.array([energy]))
         representation = self.representation or RIGID
@@ -235,6 +236,7 @@ class Rotor:
         order = np.argsort(columns[2], kind="stable")
         upper, lower, frequency, strength, energy = (x[order] for x in columns)
         weight = self._spin_weight(lower[:, 1], lower[:, 2])
+        # A = 64π⁴ν³ Sμ²/(3hc³ (2J′+1)) · 1/(4πε₀)
         einstein = EINSTEIN * frequency**3 * strength / (2 * upper[:, 0] + 1)
         intensity = np.full(len(order), np.nan)
         if temperature is not None:

@@ -180,6 +180,7 @@ def doublet_splitting(
         low, high = (x * G * G + d * J * (J + 1.0) for x in (rest[2], rest[0]))
         raise InvalidInput(f"`energy` must be one that J has, from {low:.9g} to {high:.9g}; got {shown(energy)}.")
     at = orbit(rest, G, values)
+    # the phases of the pair differ by 2δ above the saddle and by π − 2δ below, 2 e^{−|θ|}, over dS/dE = T/2
     return 4.0 / at.period * np.exp(-np.abs(at.barrier + at.barrier_correction))
 
 
@@ -205,6 +206,7 @@ def _second(constants: Three, G: float, energy: Array) -> tuple[Array, Array]:
     first, second = -at.barrier / math.pi, -at.barrier_correction / math.pi
     epsilon = first + second
     # c − Im ln Γ of the sum of both orders, whose logarithm is expanded where the first is small
+    # Im ln Γ(½ + iε) = ε ln|ε| − ε + 1/(24ε) + …: what the first order leaves out of Stirling
     logarithm = np.log(np.abs(first))
     small = first * logarithm - first + second * logarithm + 1.0 / (24.0 * first)
     large = epsilon * np.log(np.abs(epsilon)) - epsilon + 1.0 / (24.0 * epsilon)
@@ -243,6 +245,7 @@ def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -
     first = elementwise.find_root(lambda e, n, s: phase_defect(e, n, s, 1), ends, args=(quanta, sign)).x
     if order == 1:
         return first, 0
+    # order 2 lies below order 1, by an eighth of the sum of two constants: that is where it is looked for
     spacing = 2.0 * math.pi / orbit(constants, G, first).period
     ends = np.maximum(first - 0.45 * spacing, ends[0]), np.minimum(first + 0.05 * spacing, ends[1])
     second = elementwise.find_root(lambda e, n, s: phase_defect(e, n, s, 2), ends, args=(quanta, sign))

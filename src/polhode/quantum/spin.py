@@ -38,6 +38,7 @@ def spin_matrices(s: float) -> Complex128[Array, "3 n n"]:
     m = magnetic_numbers(s)
     if s > LARGEST_SPIN:
         raise InvalidInput(f"`s` must be at most {LARGEST_SPIN:g} for dense matrices; got {shown(s)}.")
+    # S_x = ½(S₊ + S₋), S_y = −½i(S₊ − S₋)
     up = np.diag(raising_elements(s, m[1:]), 1)
     return np.array([0.5 * (up + up.T), -0.5j * (up - up.T), np.diag(m)])
 
@@ -69,7 +70,9 @@ def coherent_state(s: float, direction: Real[ArrayLike, "*batch 3"]) -> Complex1
     n = unit_vectors("direction", direction)
     share = 0.5 * (1.0 + n[..., 2])  # cos²(θ/2), from sin θ where it is small
     flat = np.hypot(n[..., 0], n[..., 1])
+    # (1 + n_z)/2 = sin²θ/(2(1 − n_z))
     share = np.where(n[..., 2] < 0.0, 0.5 * flat * flat / (1.0 - np.minimum(n[..., 2], 0.0)), share)
+    # |⟨m|n⟩|² = C(2s, s+m) cos^(2(s+m))(θ/2) sin^(2(s−m))(θ/2): the binomial distribution of s + m
     size = np.sqrt(binom.pmf(np.round(s + m), round(2.0 * s), share[..., None]))
     return size * np.exp(-1j * m * np.arctan2(n[..., 1], n[..., 0])[..., None])
 

@@ -63,6 +63,8 @@ def pole_values(s: float) -> Float64[Array, "n"]:
 
 def _log_weights(n: int, k: Array) -> Array:
     """Return ln C_k, C_k = (2s)! √((2s+1)/((2s−k)! (2s+k+1)!))."""
+    # C_k = √((2s+1)/(2k+1)) ⟨s|T_k0|s⟩, by which the expectation of T_kq in coherent states falls short of its Weyl
+    # symbol (Várilly & Gracia-Bondía 1989)
     return gammaln(n) + 0.5 * (math.log(n) - gammaln(n - k) - gammaln(n + k + 1.0))
 
 

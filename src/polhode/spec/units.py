@@ -6,6 +6,7 @@ import math
 import os
 import re
 import sys
+from fractions import Fraction
 from functools import cache, lru_cache
 from typing import Any
 
@@ -85,6 +86,24 @@ def parse_quantity(value: Any, unit: str) -> float:
     if isinstance(value, bool) or not isinstance(value, str):
         raise ValueError(f'needs a number with its unit in quotes, like "{find_example(unit)}"; got {shown(value)}')
     return _parse(value, unit)
+
+
+def parse_exactly(value: Any, unit: str) -> Fraction | None:
+    """Return a quantity as the exact number of the SI unit that its decimals are; None for units such as degrees.
+
+    A unit's factor is taken as exact if it has at most twelve digits, as that of "g*cm^2" or of "inch" has.
+
+    Raises:
+        ValueError: as ``parse_quantity`` does.
+    """
+    parse_quantity(value, unit)
+    parts = QUANTITY.fullmatch(value)
+    assert parts is not None
+    one = parse_quantity(f"1 {parts['unit']}", unit)
+    factor = Fraction(f"{one:.12g}")
+    if abs(factor - Fraction(one)) > Fraction(one) * Fraction(4 * sys.float_info.epsilon):
+        return None
+    return Fraction(parts["number"]) * factor
 
 
 def find_example(unit: str) -> str:

@@ -12,6 +12,8 @@ Operand = Float64[ArrayOrFloat, "*#shape"]
 Result = Float64[ArrayOrFloat, "*shape"]
 SplitRate = tuple[Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."]]
 
+# Taylor coefficients of sin 2πx and cos 2πx in powers of x². At the end of an eighth of a turn, 2πx = π/4, the first
+# terms left out are (π/4)^19/19! = 8e-20 and (π/4)^20/20! = 3e-21.
 _SINE = [(-1) ** n * math.tau ** (2 * n + 1) / math.factorial(2 * n + 1) for n in range(9)]
 _COSINE = [(-1) ** n * math.tau ** (2 * n) / math.factorial(2 * n) for n in range(10)]
 
@@ -24,6 +26,7 @@ def sine_cosine_turns(x: Operand) -> tuple[Result, Result]:
     """
     xp = namespace(x)
     if not is_jax(x):
+        # with t = tan πx: sin 2πx = 2t/(1 + t²), cos 2πx = 2/(1 + t²) − 1
         t = xp.tan(x * math.pi)
         d = t * t
         d += 1.0
@@ -35,6 +38,7 @@ def sine_cosine_turns(x: Operand) -> tuple[Result, Result]:
     r = x - 0.25 * quarter
     rr = r * r
     s, c = r * _horner(_SINE, rr), _horner(_COSINE, rr)
+    # x = r + n/4: each quarter of a turn takes (sin, cos) to (cos, −sin)
     n = quarter - 4.0 * xp.floor(0.25 * quarter)
     odd = (n == 1.0) | (n == 3.0)
     s, c = xp.where(odd, c, s), xp.where(odd, s, c)
@@ -74,6 +78,8 @@ def phase_fraction(rate: tuple[Operand, ...], time_halves: tuple[Operand, ...]) 
 def _reduced(rate: tuple[Array, ...], time_halves: tuple[Array, ...]) -> tuple[Array, Array, tuple[Array, ...]]:
     upper, lower, low = rate
     high, rest = time_halves
+    # (u + l + low)(h + r): three exact products of halves; the rest, l·r and low·(h + r), stays below half a turn and
+    # needs no reduction
     a, b, c = upper * high, upper * rest, lower * high
     na, nb, nc = nearest(a), nearest(b), nearest(c)
     d = high + rest

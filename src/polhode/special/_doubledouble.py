@@ -31,6 +31,8 @@ LN2: DoubleDouble = (0.6931471805599453, 2.3190468138462996e-17)
 
 def two_sum(a: Operand, b: Operand) -> Pairs:
     """Return fl(a + b) and its exact error [Knuth]."""
+    # e = (a − (s − t)) + (b − t) with t = s − a, which holds for either order of |a| and |b|: Knuth, *Seminumerical
+    # Algorithms*, §4.2.2
     s = a + b
     t = s - a
     e = b - t
@@ -57,6 +59,7 @@ def two_product(a: Operand, b: Operand) -> Pairs:
     bh, bl = split_halves(b)
     if is_jax(a, b):
         return _sum_of_partial_products(ah * bh, ah * bl, al * bh, al * bl)
+    # e = ((ah bh − p) + ah bl + al bh) + al bl: every partial sum is exact in this order (Dekker 1971)
     p, e = a * b, ah * bh
     e -= p
     e += ah * bl
@@ -67,6 +70,7 @@ def two_product(a: Operand, b: Operand) -> Pairs:
 
 def two_square(a: Operand) -> Pairs:
     """Return fl(a²) and its exact error."""
+    # (h + l)² = h² + 2hl + l²
     h, l = split_halves(a)  # noqa: E741
     hl = h * l
     if is_jax(a):
@@ -118,6 +122,7 @@ def negate(x: Pair) -> Pairs:
 
 def multiply(x: Pair, y: Pair) -> Pairs:
     """Return x y."""
+    # (x + x′)(y + y′) = xy + (xy′ + x′y); x′y′ is below 2^−106 of the product
     p, e = two_product(x[0], y[0])
     cross = x[0] * y[1]
     cross += x[1] * y[0]
@@ -146,6 +151,7 @@ def scale(x: Pair, power_of_two: Operand) -> Pairs:
 
 def divide(x: Pair, y: Pair) -> Pairs:
     """Return x / y."""
+    # one step of long division: x/y = q + (x − qy)/y with the remainder x − qy formed exactly
     q = x[0] / y[0]
     p, e = two_product(q, y[0])
     r = x[0] - p
@@ -158,6 +164,7 @@ def divide(x: Pair, y: Pair) -> Pairs:
 def sqrt(x: Pair) -> Pairs:
     """Return √x; zero for x = 0."""
     xp = namespace(*x)
+    # one Newton step from the rounded root: √x = s + (x − s²)/2s, less (x − s²)²/8s³, which is about 2^−107 of s
     s = xp.sqrt(x[0])
     p, e = two_square(s)
     r = ((x[0] - p) - e) + x[1]
@@ -176,11 +183,12 @@ def expansion_product(terms: Iterable[Operand], factor: Operand) -> list[Result]
 
 
 def distil(terms: list[Operand], passes: int = 5) -> Pairs:
-    """Return the sum of the terms to double-double accuracy whatever cancels, up to 2^(-53 passes).
+    """Return the sum of the terms to double-double accuracy, even if they cancel to 2^(−53 passes) of their size.
 
     Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK).
     """
     x = iterate(passes, _sweep, tuple(terms), like=next((t for t in terms if is_jax(t)), terms[0]))
+    # after the sweeps the last term holds the sum to double precision, and the others what it lacks
     rest = x[0]
     for term in x[1:-1]:
         rest = rest + term
@@ -205,6 +213,7 @@ def expansion_times_expansion(x: Iterable[Operand], y: Iterable[Operand]) -> lis
 
 
 def _sweep(x: tuple[Array, ...]) -> tuple[Array, ...]:
+    # VecSum of Ogita, Rump & Oishi, Algorithm 4.3: the sum stays, and all but its rounded value moves to the errors
     out, running = [], x[0]
     for term in x[1:]:
         running, error = two_sum(running, term)

@@ -17,6 +17,7 @@ def first_kind(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
     """
     one = dd.one_like(x[0])
 
+    # R_F(a, b, c) = R_F((a+λ)/4, (b+λ)/4, (c+λ)/4), λ = √a√b + √b√c + √c√a (DLMF §19.26(iii))
     def step(now: tuple[Array, ...]) -> tuple[Array, ...]:
         a, b, c = now[0:2], now[2:4], now[4:6]
         ra, rb, rc = dd.sqrt(a), dd.sqrt(b), dd.sqrt(c)
@@ -25,6 +26,8 @@ def first_kind(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
 
     now = iterate(STEPS, step, (*x, *y, *one), like=x[0])
     a, b, c = now[0:2], now[2:4], now[4:6]
+    # DLMF 19.36.1 in X = 1 − a/mean, …, with X + Y + Z = 0. After the steps |X| < 1e-7 even where x = 0 and y = 1e-300,
+    # so that order 5 is enough, and the correction, below 1e-15, needs no second float.
     mean = dd.divide(dd.add(dd.add(a, b), c), dd.scale(one, 3.0))
     X, Y = (dd.subtract(one, dd.divide(v, mean))[0] for v in (a, b))
     Z = -X - Y

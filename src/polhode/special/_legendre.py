@@ -35,6 +35,9 @@ class LegendreFunction(NamedTuple):
     def values(self, tilt: Float64[Array, "*shape"]) -> tuple[Float64[Array, "*shape"], Float64[Array, "*shape"]]:
         """Return P_ν(cos θ) and its derivative by θ, at angles 0 ≤ θ < π, any shape."""
         xp = namespace(tilt)
+        # P_ν = Σ (−ν)_n (ν+1)_n/(n!)² xⁿ (DLMF 14.3.1, 15.2.1); beyond x = ½ DLMF 15.8.10 with a = −ν, b = ν + 1:
+        # P_ν = sin π(ν+1)/π · Σ (−ν)_n (ν+1)_n/(n!)² [2ψ(n+1) − ψ(n−ν) − ψ(n+ν+1) − ln y] yⁿ, where
+        # 1/(Γ(−ν)Γ(ν+1)) = sin π(ν+1)/π by reflection
         x, y = xp.sin(0.5 * tilt) ** 2, xp.cos(0.5 * tilt) ** 2
         slope = 0.5 * xp.sin(tilt)  # dx/dθ = −dy/dθ
         below = x <= 0.5
@@ -57,6 +60,8 @@ def legendre_function(kappa: float) -> LegendreFunction:
     """
     from scipy.special import digamma
 
+    # −ν and ν + 1 are the roots of z(1 − z) = κ: both real or conjugates of each other, so that ψ(n−ν) + ψ(n+ν+1) is
+    # real, and (n − ν)(n + ν + 1) = n(n+1) + κ
     nu = -0.5 + np.sqrt(complex(0.25 - kappa))
     near, far = [1.0], []
     for n in range(TERMS):
@@ -68,6 +73,7 @@ def legendre_function(kappa: float) -> LegendreFunction:
 
 
 def _digamma(n: int) -> float:
+    # ψ(n) = −γ + Σ_{k<n} 1/k (DLMF 5.4.14)
     return math.fsum([-EULER, *(1.0 / k for k in range(1, n))])
 
 

@@ -33,19 +33,22 @@ def magnetic_numbers(s: float) -> Float64[Array, "n"]:
 def spherical_tensor(s: float, q: int) -> Float64[np.ndarray, "n diagonal"]:
     """Return the entries ⟨m+q|T_kq|m⟩ of all k = |q|, …, 2s as rows (2s+1−|q|, 2s+1−|q|), m falling along a row.
 
-    tr T†T = 1, T_kq transforms like Y_kq. One column of a symmetric tridiagonal matrix each, so that large k neither
-    cancel nor overflow.
+    tr T†T = 1, and T_kq transforms like Y_kq. Each row is an eigenvector of a symmetric tridiagonal matrix, so that
+    nothing cancels or overflows at large k.
 
     Args:
         s: 0, 1/2, 1, …
         q: from 0 to 2s; T_{k,−q} = (−1)^q T_kq†.
 
     Raises:
-        InvalidInput: for a spin that is none, or a q beyond its range.
+        InvalidInput: for an s that is no spin, or a q out of range.
     """
     m = magnetic_numbers(s)
     if not (isinstance(q, int | np.integer) and 0 <= q <= len(m) - 1):
         raise InvalidInput(f"`q` must be a whole number from 0 to 2s = {len(m) - 1}; got {shown(q)}.")
+    # T_kq are the eigenvectors of Σ_a [S_a, [S_a, T]] = k(k+1) T. On entries t_m = ⟨m+q|T|m⟩ the left side is 2s(s+1)
+    # t_m − 2 ⟨m+q|S·T S|m⟩, of which S_z T S_z gives m(m+q) t_m, and S_± T S_∓ couple t_m to t_{m∓1}:
+    # cut(m) = ⟨m+1|S_+|m⟩².
     m = m[q:]  # T raises m by q
     cut = lambda m: (s - m) * (s + m + 1.0)  # noqa: E731
     diagonal = 2.0 * s * (s + 1.0) - 2.0 * m * (m + q)
@@ -67,6 +70,7 @@ def _signs(rows: Array, values: Array, diagonal: Array, beside: Array) -> Array:
     before, now = np.zeros(len(rows)), np.ones(len(rows))
     signs = np.sign(rows[:, 0])
     for i in range(int(place.max(initial=0))):
+        # row i of (M − k(k+1)) t = 0, solved for its last entry
         after = ((values - diagonal[i]) * now - (beside[i - 1] * before if i else 0.0)) / beside[i]
         size = np.maximum(np.abs(after), np.abs(now))
         before, now = now / size, after / size

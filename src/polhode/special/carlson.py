@@ -32,6 +32,7 @@ def carlson_rf(
     _check(xp, {"x": x, "y": y, "z": z}, (x + y > 0) & (y + z > 0) & (z + x > 0))
     root, (x, y, z) = _scale(xp, x, y, z)
 
+    # duplication, which leaves the integral and divides the spread of its arguments by four (DLMF §19.26(iii))
     def step(now: tuple[Array, ...]) -> tuple[Array, ...]:
         a, b, c = now
         lam = _lambda(xp, a, b, c)
@@ -39,6 +40,7 @@ def carlson_rf(
 
     x, y, z = iterate(STEPS, step, (x, y, z), like=x)
     mean = (x + y + z) / 3.0
+    # the elementary symmetric functions of X, Y, Z, of which the first, X + Y + Z, is zero
     X, Y = 1.0 - x / mean, 1.0 - y / mean
     Z = -(X + Y)
     E2, E3 = X * Y - Z * Z, X * Y * Z
@@ -54,6 +56,7 @@ def carlson_rc(x: Real[ArrayLike, "*#shape"], y: Real[ArrayLike, "*#shape"]) -> 
     """
     xp, (x, y) = _arguments(x=x, y=y)
     _check(xp, {"x": x}, y != 0)
+    # DLMF 19.2.20: R_C(x, y) = √(x/(x−y)) R_C(x−y, −y) is Cauchy's principal value for y < 0
     below = y < 0
     factor = xp.where(below, xp.sqrt(x / xp.where(below, x - y, 1.0)), 1.0)
     first, second = xp.where(below, x - y, x), xp.abs(y)
@@ -75,11 +78,13 @@ def carlson_rd(
     def step(now: tuple[Array, ...]) -> tuple[Array, ...]:
         a, b, c, total, power = now
         lam = _lambda(xp, a, b, c)
+        # R_D(a, b, c) = ¼ R_D((a+λ)/4, …) + 3/(√c (c+λ)): the sum Σ 4⁻ⁿ/(√c_n (c_n+λ_n)) is tripled at the end
         total = total + power / (xp.sqrt(c) * (c + lam))
         return 0.25 * (a + lam), 0.25 * (b + lam), 0.25 * (c + lam), total, 0.25 * power
 
     zero = 0.0 * (x + y + z)
     x, y, z, total, power = iterate(STEPS, step, (x + zero, y + zero, z + zero, zero, 1.0 + zero), like=x)
+    # c counts three times: E_k are the symmetric functions of (X, Y, Z, Z, Z), where X + Y + 3Z = 0
     mean = (x + y + 3.0 * z) / 5.0
     X, Y = 1.0 - x / mean, 1.0 - y / mean
     Z = -(X + Y) / 3.0
@@ -117,6 +122,8 @@ def _third_kind(x: Array, y: Array, z: Array, p: Array) -> Array:
     def step(*now: Array) -> tuple[Array, ...]:
         a, b, c, r, total, power = now
         lam = _lambda(xp, a, b, c)
+        # Carlson 1995: R_J = 4⁻ⁿ R_J(a_n, …) + 6 Σ 4⁻ⁿ R_C(1, 1+e_n)/d_n, d = (√r+√a)(√r+√b)(√r+√c) and
+        # e = (r−a)(r−b)(r−c)/d²
         sa, sb, sc, sr = xp.sqrt(a), xp.sqrt(b), xp.sqrt(c), xp.sqrt(r)
         total = total + power * _rc_beside_one(xp, sa, sb, sc, sr) / ((sr + sa) * (sr + sb) * (sr + sc))
         quarter = (0.25 * (v + lam) for v in (a, b, c, r))
@@ -130,6 +137,7 @@ def _third_kind(x: Array, y: Array, z: Array, p: Array) -> Array:
     zero = 0.0 * (x + y + z + p)
     start = (x + zero, y + zero, z + zero, p + zero, zero, 1.0 + zero)
     x, y, z, p, total, power = iterate_until(step, finished, start, at_once=6, most=MOST_STEPS)
+    # p counts twice: E_k are the symmetric functions of (X, Y, Z, P, P), where X + Y + Z + 2P = 0
     mean = (x + y + z + 2.0 * p) / 5.0
     X, Y, Z = 1.0 - x / mean, 1.0 - y / mean, 1.0 - z / mean
     P = -(X + Y + Z) / 2.0
@@ -146,15 +154,19 @@ def _rc_beside_one(xp: Any, sa: Array, sb: Array, sc: Array, sr: Array) -> Array
     """
     e = ((sr - sa) / (sr + sa)) * ((sr - sb) / (sr + sb)) * ((sr - sc) / (sr + sc))
     t, u, v = (2.0 * xp.minimum(sr, x) / (sr + x) for x in (sa, sb, sc))
+    # 1 − |e| = 1 − (1−t)(1−u)(1−v), without the difference
     above = t + (1.0 - t) * (u + (1.0 - u) * v)
     small = xp.abs(e) < 1e-3
     size = xp.sqrt(xp.where(small, 0.25, xp.abs(e)))
+    # Σ (−e)ⁿ/(2n+1); the next term is below e⁶/13 = 1e-19
     series = 1.0 - e * (1.0 / 3.0 - e * (1.0 / 5.0 - e * (1.0 / 7.0 - e * (1.0 / 9.0 - e / 11.0))))
+    # artanh s = ½ ln((1+s)/(1−s)) = ln((1+s)/√(1−s²)), with 1 − s² = 1 + e
     artanh = xp.log((1.0 + size) / xp.sqrt(above))
     return xp.where(small, series, xp.where(e < 0, artanh, xp.atan(size)) / size)
 
 
 def _closing_series(E2: Array, E3: Array, E4: Array, E5: Array) -> Array:
+    # DLMF 19.36.2, for R_D and R_J alike
     value = 1.0 - 3.0 * E2 / 14.0 + E3 / 6.0 + 9.0 * E2 * E2 / 88.0 - 3.0 * E4 / 22.0 - 9.0 * E2 * E3 / 52.0
     value = value + 3.0 * E5 / 26.0 - E2**3 / 16.0 + 3.0 * E3 * E3 / 40.0 + 3.0 * E2 * E4 / 20.0
     return value + 45.0 * E2 * E2 * E3 / 272.0 - 9.0 * (E3 * E4 + E2 * E5) / 68.0
@@ -170,6 +182,7 @@ def _scale(xp: Any, *values: Array) -> tuple[Array, tuple[Array, ...]]:
     largest = values[0]
     for value in values[1:]:
         largest = xp.maximum(largest, value)
+    # R_F(sx, sy, sz) = R_F/√s, R_D and R_J by s^(−3/2): with s = 4ⁿ the root and the quotients are exact
     half = xp.round(0.5 * xp.log2(xp.where(largest > 0, largest, 1.0)))
     root = 2.0**half
     return root, tuple(value / root / root for value in values)

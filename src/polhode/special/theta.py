@@ -48,6 +48,7 @@ def theta(
     z, y, q = (as_float64(xp, v, name) for v, name in ((z, "z"), (y, "y"), (q, "q")))
     if known_false(xp.all((q >= 0) & (q <= LARGEST_NOME))):
         raise InvalidInput("`q` must lie in [0, 0.2]; take the complementary nome for larger ones.")
+    # sin ω(z+iy) = sin ωz cosh ωy + i cos ωz sinh ωy, cos ω(z+iy) = cos ωz cosh ωy − i sin ωz sinh ωy
     zero = 0.0 * (z + y + q)
     real, imaginary = zero + (1.0 if kind > 2 else 0.0), zero
     for n in range(TERMS):

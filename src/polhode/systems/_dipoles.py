@@ -19,6 +19,7 @@ def dipole_kernel(lattice: Lattice) -> Complex128[np.ndarray, "..."]:
     counts = [np.fft.fftfreq(2 * n, 1.0 / (2 * n)) for n in lattice.shape]
     cells = np.stack(np.meshgrid(*counts, indexing="ij"), axis=-1)
     sites = np.array(lattice.basis)
+    # shifts n = −L, …, L − 1 of cells along each axis, in the order of the transform; d = R(n) + r_a − r_b
     gaps = (cells @ vectors)[..., None, None, :] + (sites[:, None] - sites[None])
     distance = np.linalg.norm(gaps, axis=-1)[..., None, None]
     # where all shifts are ±L no two sites are that far apart; any value serves there
@@ -33,6 +34,8 @@ def dipole_field(kernel: Complex128[Array, "..."], spins: Float64[Array, "*shape
     """Return Σ_b (3 d̂ d̂ᵀ − 1) S_b/|d|³ at every site, (…, L1, L2, L3, b, 3)."""
     shape = spins.shape[-5:-2]
     box = tuple(2 * n for n in shape)
+    # a sum over shifts of cells is a convolution; padded with zeros to twice the size, the cyclic one of the transforms
+    # is the open one
     transform = jnp.fft.rfftn(spins, s=box, axes=(-5, -4, -3))
     field = jnp.fft.irfftn(jnp.einsum("xyzabij,...xyzbj->...xyzai", kernel, transform), s=box, axes=(-5, -4, -3))
     return field[..., : shape[0], : shape[1], : shape[2], :, :]

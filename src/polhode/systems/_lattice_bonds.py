@@ -119,6 +119,8 @@ def shift_cells(values: Shaped[Array, "..."], cell: Sequence[int], back: bool = 
 
 def turn(spin: Vector3, axis: Vector3) -> Components:
     """Return the change of spins by a turn about ``axis`` by its length [rad], in components."""
+    # Rodrigues' formula: S′ − S = (sin θ/θ) a × S + ((1 − cos θ)/θ²) a × (a × S), θ = |a|; series to θ⁴, whose next
+    # terms are below 1e-20 for θ² < 1e-6
     square = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]
     small = square < 1e-6
     safe = jnp.where(small, 1.0, square)
@@ -191,6 +193,8 @@ def _halve_flow(
     def flow(time: Array, state: Components) -> Components:
         ones = [first_ends(x[..., 0]) for x in state]
         others = [second_ends(x[..., 0]) for x in state]
+        # H = −J S_i·S_j gives Ṡ_i = S_i × J S_j = −J (S_i + S_j) × S_i, and likewise for j: both turn about their sum,
+        # which stays, at the rate −J |S_i + S_j|
         share = -exchange * time
         if whole is not None:
             share = jnp.where(first_ends(jnp.asarray(whole)), share, 0.0)

@@ -57,6 +57,7 @@ class RollingMechanics(eqx.Module):
         """Return d(ω2, ω3)/dθ without couples: linear in both, so that there are two linear integrals."""
         m, a, b, A, C = self._constants
         cot = jnp.cos(theta) / jnp.sin(theta)
+        # the second and third equations divided by θ̇, a factor of their right-hand sides
         tau2 = C * w3 - (A + m * b * b) * w2 * cot - m * a * b * w2
         return self.accelerations(tau2, m * a * (a + b * cot) * w2)
 
@@ -70,6 +71,7 @@ class RollingMechanics(eqx.Module):
     @jax.jit
     def nutation_squared(self, theta: Operand, w2: Operand, w3: Operand) -> Result:
         """Return the square of the nutation's frequency [rad²/s²] about a steady motion; negative where unstable."""
+        # ω2 and ω3 follow θ by ``transport``: δθ̈ = (∂f/∂θ + ∂f/∂ω2 dω2/dθ + ∂f/∂ω3 dω3/dθ) δθ for θ̈ = f(θ, ω2, ω3)
         by_theta, by_w2, by_w3 = jax.grad(self.tilt_acceleration, argnums=(0, 1, 2))(theta, w2, w3)
         d2, d3 = self.transport(theta, w2, w3)
         return -(by_theta + by_w2 * d2 + by_w3 * d3)
@@ -77,11 +79,13 @@ class RollingMechanics(eqx.Module):
     def energy(self, theta: Operand, w1: Operand, w2: Operand, w3: Operand) -> Result:
         """Return kinetic and potential energy [J], above that of the disk lying flat."""
         m, a, b, A, C = self._constants
+        # rolling: v = ω × (a e2 + b e3) = (bω2 − aω3, −bω1, aω1)
         speed = (b * w2 - a * w3) ** 2 + (a * a + b * b) * w1 * w1
         return 0.5 * (A * (w1 * w1 + w2 * w2) + C * w3 * w3 + m * speed) + self.potential_energy(theta)
 
     def potential_energy(self, theta: Operand) -> Result:
         """Return V [J], zero for the disk lying flat."""
+        # a sin θ + b cos θ − b, the cosine as 1 − 2 sin²(θ/2), which does not cancel for a disk nearly flat
         height = self.radius * jnp.sin(theta) - 2.0 * self.half_thickness * jnp.sin(0.5 * theta) ** 2
         return self.mass * self.gravity * height
 
@@ -90,6 +94,7 @@ class RollingMechanics(eqx.Module):
         """Return N = m [g + (ac − bs) θ̈ − (as + bc) θ̇²] [N], with which the plane pushes."""
         a, b = self.radius, self.half_thickness
         s, c = jnp.sin(theta), jnp.cos(theta)
+        # the second derivative of the height a sin θ + b cos θ of the centre
         lift = (a * c - b * s) * self.tilt_acceleration(theta, w2, w3) - (a * s + b * c) * w1 * w1
         return self.mass * (self.gravity + lift)
 
@@ -98,6 +103,7 @@ class RollingMechanics(eqx.Module):
         """Return φ̇² [rad²/s²] of the steady motion whose centre is at rest: mga/(A sin θ) of a thin disk."""
         m, a, b, A, C = self._constants
         s, c = jnp.sin(theta), jnp.cos(theta)
+        # v = 0 asks for ω1 = 0 and aω3 = bω2; θ̈ = 0 then leaves ω2² (A c/s − C b/a) = mg (ac − bs), with ω2 = φ̇ s
         return m * self.gravity * (a * c - b * s) / (A * s * c - C * s * s * b / a)
 
     @jax.jit
@@ -105,5 +111,6 @@ class RollingMechanics(eqx.Module):
         """Return ω3 [rad/s] of steady motion at φ̇; not finite where nothing precesses."""
         m, a, b, A, C = self._constants
         s, c = jnp.sin(theta), jnp.cos(theta)
+        # θ̈ = 0 with ω2 = φ̇ s is linear in ω3
         forced = ((A + m * b * b) * c + m * a * b * s) * s * precession**2 - m * self.gravity * (a * c - b * s)
         return forced / (((C + m * a * a) * s + m * a * b * c) * precession)

@@ -53,6 +53,7 @@ def random_coefficients(
     table = np.zeros((n, n), complex)
     for degree in range(1, len(energies)):
         row = rng.normal(size=degree + 1) + 1j * rng.normal(size=degree + 1) * (np.arange(degree + 1) > 0)
+        # f_{l,−m} = (−1)^m f̄_lm doubles every order m > 0 in Σ_m |f_lm|²
         energy = 0.5 * weights[degree] * (row[0].real ** 2 + 2.0 * np.sum(np.abs(row[1:]) ** 2))
         table[degree, : degree + 1] = row * math.sqrt(energies[degree] / energy)
     return table
@@ -75,6 +76,7 @@ def on_map(
     degree = np.arange(n)
     total = np.zeros((*f.shape[:-2], len(theta), len(phi)))
     for m in range(n):
+        # Σ_m f_lm Y_lm = f_l0 Y_l0 + 2 Re Σ_{m>0} f_lm Y_lm, the sum over l first
         along = f[..., m:, m] @ sph_harm_y(degree[m:, None], m, theta[None, :], 0.0)
         waves = along[..., None] * np.exp(1j * m * phi)
         total += (1.0 if m == 0 else 2.0) * waves.real

@@ -56,6 +56,7 @@ def leaf_integral(
     strength = mgl / moments[k]
 
     def kovalevskaya(point: Array) -> Array:
+        # z = (Ω1 + iΩ2)² − μ (γ1 + iγ2)(χ1 + iχ2) moves by ż = −iΩ3 z, so that |z| stays (Audin, ch. VI)
         velocity, up = point[..., :3] / moments, point[..., 3:]
         real = velocity[..., i] ** 2 - velocity[..., j] ** 2 - strength * (up[..., i] * axis[i] - up[..., j] * axis[j])
         imaginary = 2.0 * velocity[..., i] * velocity[..., j] - strength * (up[..., i] * axis[j] + up[..., j] * axis[i])
@@ -63,6 +64,7 @@ def leaf_integral(
 
     def goryachev_chaplygin(point: Array) -> Array:
         velocity, up = point[..., :3] / moments, point[..., 3:]
+        # its derivative is μ (χ2 Ω1 − χ1 Ω2) Π·Γ/I1
         across = velocity[..., i] ** 2 + velocity[..., j] ** 2
         value = velocity[..., k] * across - strength * jnp.sum(velocity * axis, axis=-1) * up[..., k]
         sizes = jnp.sum(point[..., :3] ** 2, axis=-1) * jnp.sum(up**2, axis=-1)

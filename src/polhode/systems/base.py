@@ -247,6 +247,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         """Return the state's rate of change as ``generator`` gives it; orbit methods refuse an override of it."""
         attitude, point = self.parts(state)
         generator = self.generator(t, point)
+        # μ̇ = ad*_ξ μ, and Ṙ = R hat(ξ) by the same generator, so that R L stays in space
         flow = self.algebra.coadjoint(generator, point)
         if attitude is None:
             return flow

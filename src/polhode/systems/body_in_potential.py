@@ -60,6 +60,7 @@ class BodyInPotential(AbstractLiePoissonSystem):
         return {"potential": self._kick} | axis_flows(self.moments, vectors=2)
 
     def _kick(self, time: Array, state: Components) -> Components:
+        # under V(Γ) alone Γ̇ = Γ × 0 = 0, so that Π̇ = Γ × ∇V(Γ) is constant: the kick is exact
         direction = jnp.stack(state[-3:], axis=-1)
         kick = time * jnp.cross(direction, self._over_batch(jax.grad(self.potential))(direction))
         still = jnp.zeros_like(state[0])

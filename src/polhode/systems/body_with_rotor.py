@@ -97,6 +97,7 @@ def rotor_in_body(
         raise InvalidInput(f"`rotor_moment` {why}")
     moments, axes = body.principal_moments, body.principal_axes
     if free:
+        # L = (I − J aaᵀ) Ω + h a with h = J (σ + a·Ω): what the axial moment carries is in h (Hughes §3.4)
         moments, axes = principal_axes(body.inertia - rotor_moment * np.outer(axis, axis))
     along, velocity = clean_direction(axes.T @ axis), axes.T @ np.asarray(angular_velocity, dtype=float)
     turned = rotation.multiply(np.asarray(attitude, dtype=float), rotation.from_matrix(axes))
@@ -131,6 +132,8 @@ def rotor_misfit(body: Body, rotor_axis: Real[ArrayLike, "3"], rotor_moment: flo
         rotor_moment: about that axis [kg m²].
     """
     axis = find_direction(rotor_axis)
+    # a disk has J about its axis and J/2 across it, ½J (1 + aaᵀ); a body of axial moment J with less across would have
+    # I1 + I2 < I3
     inertia = body.inertia - 0.5 * rotor_moment * (np.eye(3) + np.outer(axis, axis))
     try:
         fits = bool(Body(None, (0.0, 0.0, 0.0), inertia, body.effective).principal_moments[0] > 0)

@@ -59,6 +59,8 @@ class BrunBody(AbstractLiePoissonSystem):
     def extra_invariants(self) -> dict[str, Integral]:
         moments = self.moments
         # det I / I_k without the quotient
+        # d/dt ½|Π|² = ε Π·(Γ × IΓ), and d/dt of the other term is ε det I (I⁻¹Γ)·(Γ × Ω): equal, by det I
+        # (I⁻¹a × I⁻¹b) = I (a × b) with a = Γ, b = IΓ
         cofactors = jnp.stack([moments[1] * moments[2], moments[2] * moments[0], moments[0] * moments[1]])
 
         def clebsch(point: Array) -> Array:
@@ -71,6 +73,7 @@ class BrunBody(AbstractLiePoissonSystem):
         return {"field": self._kick} | axis_flows(self.moments, vectors=2)
 
     def _kick(self, time: Array, state: Components) -> Components:
+        # Γ stays in the field alone: Π grows by t ε Γ × IΓ
         x, y, z = state[-3:]
         a, b, c = (time * self.strength * self.moments[k] for k in range(3))
         still = jnp.zeros_like(x)

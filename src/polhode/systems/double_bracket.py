@@ -63,5 +63,6 @@ class DoubleBracket(AbstractLiePoissonSystem):
 
     def balances(self, t: Real[ArrayLike, "..."], state: Float64[Array, "..."]) -> dict[str, Balance]:
         point = self.parts(state).point
+        # Ė = Ω·Π̇ = α Ω·(Π × (Π × Ω)) = −α |Π × Ω|²
         lost = self.rate * jnp.sum(jnp.cross(point, self.velocity(point)) ** 2, axis=-1)
         return {"energy": Balance(self.energy(point), -lost)}

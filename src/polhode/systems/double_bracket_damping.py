@@ -87,6 +87,7 @@ class DoubleBracketDamping(AbstractLiePoissonSystem):
 
     def balances(self, t: Real[ArrayLike, "..."], state: Double[Array, "..."]) -> dict[str, Balance]:
         point = self.parts(state).point
+        # with ν = ad*_dH μ: Ḣ = ⟨ad*_{αν♯} μ, dH⟩ = α ⟨μ, [ν♯, dH]⟩ = −α ⟨ν, ν♯⟩
         along = self.algebra.coadjoint(self.velocity(point), point)
         lost = self.rate * self.algebra.pairing(along, self._raise_index(along))
         return {"energy": Balance(self.energy(point), -lost)}

@@ -131,6 +131,7 @@ class EulerDisk(AbstractSystem):
         a, phi = disk.radius, LAYOUT.part(state, "heading")
         theta, w1, w2, w3 = rolling_parts(state)
         s, c = jnp.sin(theta), jnp.cos(theta)
+        # Ẋ = −aψ̇ e1: the contact point goes round the rim at ψ̇ = ω3 − φ̇ cos θ, and along the plane by as much
         precession = w2 / s
         along_rim = w3 - precession * c
         push2, push3 = disk.accelerations(*couples(disk, self.dissipation, theta, w2, w3))
@@ -196,6 +197,7 @@ class EulerDisk(AbstractSystem):
         phi, face = LAYOUT.part(state, "heading"), LAYOUT.part(state, "face")
         s, c = jnp.sin(0.5 * theta), jnp.cos(0.5 * theta)
         half, other = 0.5 * face, phi - 0.5 * face
+        # Rz(φ) Rx(θ) Rz(ψ) = (c cos ½(φ+ψ), s cos ½(φ−ψ), s sin ½(φ−ψ), c sin ½(φ+ψ)), with ½(φ+ψ) = χ/2
         parts = (c * jnp.cos(half), s * jnp.cos(other), s * jnp.sin(other), c * jnp.sin(half))
         psi = face - phi
         x, y = jnp.cos(psi) * w1 + jnp.sin(psi) * w2, jnp.cos(psi) * w2 - jnp.sin(psi) * w1
@@ -223,6 +225,8 @@ class EulerDisk(AbstractSystem):
         theta, _, w2, w3 = rolling_parts(state)
         (p, dp), (q, dq) = self.legendre.values(theta), self.legendre.values(jnp.pi - theta)
         mr = self.mechanics.mass * self.mechanics.radius**2
+        # thin disk: dω3/dθ = ma² ω2/(C + ma²) and A (dω2/dθ + ω2 cot θ) = C ω3 make ω3″ + cot θ ω3′ = κ ω3, Legendre
+        # with ν(ν+1) = −κ; c1, c2 follow from ω3 and this slope
         slope = mr * w2 / (self.mechanics.axial_moment + mr)
         # p·(dq/dθ) − q·(dp/dθ) with dq/dθ = −q′(π − θ) is the Wronskian, known in closed form
         wronskian = -2.0 * self.legendre.sine / jnp.sin(theta)
@@ -372,6 +376,7 @@ class EulerDisk(AbstractSystem):
             raise InvalidInput(
                 f"the steady motion at tilt {shown(tilt)} rad is unstable: no slow manifold to start on."
             )
+        # 0 = d(θ̈)/dt = ∂f/∂ω·push − (nutation)² θ̇
         return push / square
 
     def _check_tilt(self, theta: np.ndarray) -> None:

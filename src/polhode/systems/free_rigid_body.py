@@ -69,15 +69,18 @@ def axis_flow(
         start = len(state) - 3 * vectors
         # from a quarter of the angle, so that neither cosine less one cancels, without a branch
         quarter = (0.25 * time / moments[i]) * (state[start + i] - offset)
+        # sin(α/2) = 2 s c and cos(α/2) − 1 = −2s² from the quarter, sin α and cos α − 1 from the half
         s, c = jnp.sin(quarter), jnp.cos(quarter)
         sine, less_half = 2.0 * s * c, -2.0 * s * s
         s, less = 2.0 * sine * (1.0 + less_half), -2.0 * sine * sine
         changes = [jnp.zeros_like(x) for x in state]
         for n in range(start, len(state), 3):
             x, y = state[n + j], state[n + k]
+            # v̇ = v × e_i (L_i − h)/I_i: a turn about e_i by −α
             changes[n + j], changes[n + k] = less * x + s * y, less * y - s * x
         if start:
             w, a, b, c = state[0], state[1 + i], state[1 + j], state[1 + k]
+            # q (cos α/2, e_i sin α/2) − q
             changes[0], changes[1 + i] = less_half * w - sine * a, less_half * a + sine * w
             changes[1 + j], changes[1 + k] = less_half * b + sine * c, less_half * c - sine * b
         return tuple(changes)

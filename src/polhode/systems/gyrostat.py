@@ -63,6 +63,7 @@ class Gyrostat(AbstractLiePoissonSystem):
         return 0.5 * jnp.sum((point - self.rotor) ** 2 / self.moments, axis=-1)
 
     def velocity(self, point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 3"]:
+        # dH = I⁻¹(Π − h), which is Ω: the momentum h is not carried by the body
         return (point - self.rotor) / self.moments
 
     def rotor_rate(self, velocity: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch"]:
@@ -76,6 +77,7 @@ class Gyrostat(AbstractLiePoissonSystem):
         """
         if self.rotor_moment is None:
             raise InvalidInput("`rotor_moment` of the gyrostat must be given to find how fast its rotor turns.")
+        # h = Jσ of a driven rotor, h = J (σ + Ω·a) of a free one, solved for σ
         size = jnp.sqrt(jnp.sum(self.rotor**2))
         along = velocity @ (self.rotor / jnp.where(size > 0.0, size, 1.0))
         return size / self.rotor_moment - (along if self.free else 0.0 * along)

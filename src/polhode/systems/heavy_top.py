@@ -164,6 +164,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         turned = rotation.multiply(normalized, rotation.from_matrix(axes))
         spin = xp.zeros(3) if vector is None else xp.asarray(vector, dtype=float) @ axes
         spin = spin if momentum is not None else spin * xp.asarray(self.moments)
+        # Γ = Rᵀ e_z
         up = rotation.rotate(rotation.conjugate(turned), xp.asarray([0.0, 0.0, 1.0]))
         shape = np.broadcast_shapes(turned.shape[:-1], spin.shape[:-1])
         parts = (xp.broadcast_to(x, (*shape, x.shape[-1])) for x in (turned, spin, up))
@@ -203,6 +204,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         return state
 
     def energy(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch"]:
+        # the height of the centre of mass is l Γ·χ
         angular, up = point[..., :3], point[..., 3:]
         return 0.5 * jnp.sum(angular * angular / self.moments, axis=-1) + self.mgl * jnp.sum(up * self.axis, axis=-1)
 
@@ -238,6 +240,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         return {"weight": self._kick} | axis_flows(self.moments, vectors=2)
 
     def _kick(self, time: Array, state: Components) -> Components:
+        # under mgl Γ·χ alone Γ stays, and Π̇ = Γ × mgl χ is constant
         turn = rotation.cross_of_parts(state[-3:], [time * self.mgl * self.axis[k] for k in range(3)])
         still = jnp.zeros_like(state[-1])
         return (*[still] * (len(state) - 6), *turn, still, still, still)

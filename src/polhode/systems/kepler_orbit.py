@@ -105,6 +105,8 @@ class KeplerOrbit(eqx.Module):
         """Return the unit vector (…, 3) from the attracting centre to the body, in space."""
         within, _ = _reduce_anomaly(self.mean_anomaly(t))
         e, half = self.eccentricity, 0.5 * solve_kepler(within, self.eccentricity)
+        # (cos E − e)/(1 − e cos E) and √(1−e²) sin E/(1 − e cos E), with cos E = 1 − 2 sin²(E/2) put in so that nothing
+        # cancels at the periapsis (Murray & Dermott, §2.4)
         sine, cosine = jnp.sin(half), jnp.cos(half)
         ratio = (1.0 - e) + 2.0 * e * sine * sine
         x = ((1.0 - e) - 2.0 * sine * sine) / ratio
@@ -147,6 +149,7 @@ def solve_kepler(
 
     def improve(k: Array, E: Array) -> Array:
         sine = jnp.sin(0.5 * E)
+        # 1 − e cos E, the derivative of the equation by E
         slope = (1.0 - e) + 2.0 * e * sine * sine
         return E - (((1.0 - e) * E - M) + e * _less_sine(E)) / slope
 

@@ -56,6 +56,7 @@ class Kirchhoff(AbstractLiePoissonSystem):
         return 0.5 * jnp.sum(point * self.velocity(point), axis=-1)
 
     def velocity(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch 6"]:
+        # (Ω, U) = M⁻¹ (Π, P), M symmetric
         return point @ self.inverse
 
     @property
@@ -66,6 +67,7 @@ class Kirchhoff(AbstractLiePoissonSystem):
 
     def _drift(self, time: Array, state: Components) -> Components:
         linear = jnp.stack(state[-3:], axis=-1)
+        # under ½ P·M⁻¹P alone P stays, and Π̇ = P × U is constant
         kick = time * jnp.cross(linear, linear * jnp.diag(self.inverse)[3:])
         still = jnp.zeros_like(state[0])
         return (*[still] * (len(state) - 6), *components(kick), still, still, still)

@@ -118,6 +118,7 @@ def exchange_matrix(
     x, y, z = np.asarray(chirality, float)
     if matrix.shape != (3, 3) or not np.isfinite([*matrix.flat, x, y, z]).all():
         raise InvalidInput(f"`exchange` must be finite: a number, (3,) or (3, 3); got {shown(exchange)}.")
+    # D·(a × b) = −aᵀ D̂ b with D̂ v = D × v, so that −D̂ joins J in −aᵀ J b
     return matrix + np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
 
 

@@ -52,9 +52,11 @@ class Manakov(AbstractLiePoissonSystem):
         return self.masses[:, None] + self.masses[None, :]
 
     def energy(self, point: Matrices) -> Float64[Array, "*batch"]:
+        # ½ ⟨M, Ω⟩ = ¼ Σ_ij M_ij Ω_ij, as ⟨M, Ω⟩ = ½ tr(MᵀΩ)
         return 0.25 * jnp.sum(point * point / self._sums, axis=(-2, -1))
 
     def velocity(self, point: Matrices) -> Matrices:
+        # M_ij = Λ_i Ω_ij + Ω_ij Λ_j
         return point / self._sums
 
     @property
@@ -65,6 +67,7 @@ class Manakov(AbstractLiePoissonSystem):
 
     def _coefficient(self, k: int, j: int) -> Function:
         def value(point: Array) -> Array:
+            # (M + sΛ²)˙ = [M + sΛ², Ω + sΛ]: the terms of order s cancel, [M, Λ] + [Λ², Ω] = 0 by M = ΛΩ + ΩΛ
             square = jnp.diag(self.masses**2)
             powers = [jnp.eye(self.size)]  # coefficients of 1, s, … of (M + sΛ²)^m
             for _ in range(k):

@@ -194,6 +194,7 @@ class Wheel(AbstractMount):
         return self.axial_torque(t, attitude, angular_velocity, own)[..., None]
 
     def power(self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own) -> Float64[Array, "*batch"]:
+        # the torque works by ḣ ω on the rotor, at ω = σ + a·Ω in space, and by −ḣ a·Ω on the carrier
         return self.axial_torque(t, attitude, angular_velocity, own) * self.rate(angular_velocity, own)
 
     def start(
@@ -274,10 +275,12 @@ class SphericalSlug(AbstractMount):
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
     ) -> Float64[Array, "*batch {self.state_size}"]:
+        # ds/dt = c (Ω − ω) in space, seen from axes that turn with Ω: s × Ω more
         dragged = self.damping * (angular_velocity - own / self.moment)
         return jnp.cross(own, angular_velocity) + dragged
 
     def power(self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own) -> Float64[Array, "*batch"]:
+        # the couple c (Ω − ω) works on the ball by ·ω, on the body by −·Ω
         return -self.damping * jnp.sum((angular_velocity - own / self.moment) ** 2, axis=-1)
 
     def start(

@@ -86,6 +86,7 @@ class SphereVortices(AbstractLiePoissonSystem):
             point: (n, 3) a state.
             places: (…, 3) unit vectors x; at a vortex ψ is infinite.
         """
+        # |x − x_j|² = 2(1 − x·x_j); the factor 2 is a constant of ψ
         cosines = jnp.asarray(places) @ self.positions(point).T
         return 0.5 * HALF_TURN * jnp.sum(self.strengths * jnp.log(1.0 - cosines), axis=-1)
 
@@ -122,6 +123,7 @@ class SphereVortices(AbstractLiePoissonSystem):
         return _pair_energy(self.strengths, self.positions(point))
 
     def velocity(self, point: Float64[Array, "*batch n 3"]) -> Float64[Array, "*batch n 3"]:
+        # dH = ∂H/∂μ_i = (1/Γ_i) ∂H/∂x_i
         return -HALF_TURN * _pulls(self.strengths, self.positions(point))
 
     @property
@@ -138,6 +140,7 @@ class SphereVortices(AbstractLiePoissonSystem):
         mates = jnp.asarray(np.stack(rounds_of_pairs(len(self.strengths))))[number]
         other = tuple(x[..., mates] for x in state)
         ratios = 1.0 / self.strengths
+        # ẋ_i = Γ_j x_j × x_i/(2πd²) = (μ_i + μ_j) × x_i/(2πd²): both turn about μ_i + μ_j, which stays, as d does
         apart = [x * ratios - y * ratios[mates] for x, y in zip(state, other, strict=True)]
         angle = HALF_TURN * time * _active(mates) / _square_apart(mates, dot(apart, apart))
         return turn(state, [angle * (x + y) for x, y in zip(state, other, strict=True)])
@@ -260,6 +263,7 @@ class PlaneVortices(AbstractLiePoissonSystem):
     def _turn_pairs(self, number: Integer[Array, ""], time: Array, state: Components) -> Components:
         mates = jnp.asarray(np.stack(rounds_of_pairs(len(self.strengths))))[number]
         y, x, level = state
+        # ż_i = (iΓ_j/2πd²)(z_i − z_j), so that z_i − z_j turns at (Γ_i + Γ_j)/(2πd²)
         dy, dx = y - y[..., mates], x - x[..., mates]
         product = self.strengths * self.strengths[mates]
         own, other = level * product, level[..., mates] * product  # Γ_j and Γ_i where the levels are 1/Γ
@@ -291,6 +295,7 @@ def rounds_of_pairs(count: int) -> list[np.ndarray]:
             if one >= 0 and other >= 0:
                 mates[one], mates[other] = other, one
         rounds.append(mates)
+        # the circle method of tournaments: all but the first seat move on by one
         seats = [seats[0], seats[-1], *seats[1:-1]]
     return rounds
 
@@ -308,6 +313,7 @@ def _square_apart(mates: Integer[Array, "n"], square: Float64[Array, "*batch n"]
 def _pair_energy(strengths: Float64[Array, "n"], places: Float64[Array, "*batch n k"]) -> Float64[Array, "*batch"]:
     """Return −(1/4π) Σ_{i<j} Γ_i Γ_j ln|x_i − x_j|² (…)."""
     _, square = _differences(places)
+    # the sum over all i, j counts every pair twice
     products = strengths[:, None] * strengths[None, :]
     return -0.25 * HALF_TURN * jnp.sum(products * jnp.log(square), axis=(-2, -1))
 

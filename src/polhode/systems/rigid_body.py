@@ -156,6 +156,7 @@ class AbstractRigidBody(AbstractSystem):
     def _inner_power(self, t: Array, body: BodyState, velocity: Array) -> Array:
         pairs = zip(self.mounts, body.mounts, strict=True)
         power = sum((mount.power(t, body.attitude, velocity, own) for mount, own in pairs), 0.0)
+        # the drift adds L × d to L̇, and Ω·(L × d) = −d·(L × Ω) to the power
         return power - jnp.sum(self._drift(body, velocity) * jnp.cross(body.momentum, velocity), axis=-1)
 
     def invariants(self, state: Float64[Array, "*batch n"]) -> dict[str, Float64[Array, "..."]]:
@@ -164,6 +165,7 @@ class AbstractRigidBody(AbstractSystem):
             return {}
         body = self.parts(state)
         values = {"energy": self.energy(state)} if self.conserves_energy else {}
+        # L̇ = L × (…) keeps |L|, and R L whatever the body does inside
         values |= {"|L|²": jnp.sum(body.momentum**2, axis=-1)}
         if body.attitude is not None:
             values["momentum_space"] = rotation.rotate(body.attitude, body.momentum)
@@ -434,5 +436,6 @@ def _solve(inertia: Array, vector: Array) -> Array:
         return vector / inertia
     size = jnp.max(jnp.abs(inertia))  # so that products of three neither overflow nor vanish
     a, b, c = inertia / size
+    # I⁻¹ = adj I/det I: its columns are cross products of the rows, and det I = a·(b × c)
     adjugate = jnp.stack([jnp.cross(b, c), jnp.cross(c, a), jnp.cross(a, b)])
     return (vector @ adjugate) / jnp.dot(a, adjugate[0]) / size

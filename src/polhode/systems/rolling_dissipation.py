@@ -65,6 +65,7 @@ class AirLayer(RollingDissipation):
         self.viscosity = _positive("viscosity", viscosity, "Pa s")
 
     def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
+        # P ∝ α^−2, q = 2: n = 1/3
         return math.pi * self.viscosity * disk.gravity * disk.radius**2 / tilt**2
 
 
@@ -86,6 +87,7 @@ class BoundaryLayer(RollingDissipation):
         self.coefficient = _positive("coefficient", coefficient, "W s^(5/2)")
 
     def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
+        # Ω^(5/2) ∝ α^(−5/4), q = 5/4: n = 4/9
         return self.coefficient * precession**2 * jnp.sqrt(precession)
 
 
@@ -107,6 +109,7 @@ class ViscousContourFriction(RollingDissipation):
         self.coefficient = _positive("coefficient", coefficient, "W s²")
 
     def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
+        # Ω² ∝ 1/α, q = 1: n = 1/2
         return self.coefficient * precession**2
 
 
@@ -128,6 +131,7 @@ class DryContourFriction(RollingDissipation):
         self.coefficient = _positive("coefficient", coefficient, "1")
 
     def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
+        # Ω ∝ α^(−1/2), q = 1/2: n = 2/3
         return self.coefficient * disk.mass * disk.gravity * disk.radius * precession
 
 
@@ -147,6 +151,7 @@ class RollingCouple(RollingDissipation):
         self.arm = _positive("arm", arm, "m")
 
     def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
+        # Ω sin α ∝ α^(1/2), q = −1/2: n = 2
         return self.arm * disk.mass * disk.gravity * precession * jnp.sin(tilt)
 
 
@@ -171,6 +176,7 @@ class DrillingFriction(RollingDissipation):
         self.arm = _positive("arm", arm, "m")
 
     def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
+        # Ωα² ∝ α^(3/2), q = −3/2: n = −2
         return self.arm * disk.mass * disk.gravity * precession * tilt**2
 
 
@@ -196,9 +202,12 @@ def couples(
     size = jnp.abs(s)
     tilt, precession = jnp.minimum(theta, jnp.pi - theta), jnp.abs(w2) / size
     for law in laws:
+        # the directions in the plane of e2 and e3: z = s e2 + c e3, and e3 − (c/s) e2 = (s e3 − c e2)/s, which is
+        # horizontal; a couple Q n has power Q n·ω
         n2, n3 = (s, c) if law.vertical else (-c / s, jnp.ones_like(s))
         rate = n2 * w2 + n3 * w3
         response = disk.accelerations(n2, n3)
+        # Q n alone changes the rate by Q n·M⁻¹n: with Q = −cap · rate it falls by e in 1/30 of √(a sin θ/g)
         cap = STOPPING * jnp.sqrt(disk.gravity / (disk.radius * size)) / (n2 * response[0] + n3 * response[1])
         power, square = law.power(disk, tilt, precession), rate * rate
         capped = power >= cap * square

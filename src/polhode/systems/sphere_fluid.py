@@ -135,6 +135,7 @@ class SphereFluid(AbstractLiePoissonSystem):
 
     def energy(self, point: Matrices) -> Float64[Array, "*batch"]:
         relative = jnp.asarray(point) - self.planetary
+        # ½ ∫|∇ψ|² = −½ ∫ψ Δψ
         return -0.5 * self.algebra.pairing(relative, inverse_laplacian(relative))
 
     def velocity(self, point: Matrices) -> Matrices:
@@ -208,12 +209,14 @@ class SphereFluid(AbstractLiePoissonSystem):
         # the coherent state is the top eigenvector of the spin along the direction
         spin = np.einsum("k,kij->ij", axis / np.linalg.norm(axis), self.algebra.coordinates) / (1j * self.algebra.hbar)
         state = np.linalg.eigh(spin)[1][:, -1]
+        # ∫ω = (4π/N) tr(−iW), which is Γ of the projector and −Γ of the rest
         n = self.size
         return jnp.asarray(1j * strength * n / (4.0 * math.pi) * (np.outer(state, state.conj()) - np.eye(n) / n))
 
     def energy_spectrum(self, state: Matrices) -> Float64[Array, "*batch n"]:
         """Return the energies E_l (…, N) by degree; they add up to ``energy``."""
         f = self.to_harmonics(state)
+        # ½ Σ_m |f_lm|²/(l(l+1)), orders −m as m
         squares = jnp.abs(f[..., 0]) ** 2 + 2.0 * jnp.sum(jnp.abs(f[..., 1:]) ** 2, axis=-1)
         return 0.5 * squares * inverse_squares(self.size)
 
@@ -222,6 +225,7 @@ class SphereFluid(AbstractLiePoissonSystem):
 
         Minus the sum over l ≤ k is the flux from degrees up to k to those beyond.
         """
+        # dE/dt = −∫ψ ω̇, as Δ⁻¹ is symmetric, by degree: −Re Σ_m ψ̄_lm ω̇_lm
         stream = self.algebra.to_harmonics(self.stream_function(state))
         changes = self.algebra.to_harmonics(self.vector_field(0.0, jnp.asarray(state)))
         products = (jnp.conj(stream) * changes).real
@@ -232,6 +236,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         self, state: Matrices, colatitude: Real[ArrayLike, "rows"]
     ) -> Float64[Array, "*batch rows"]:
         """Return the eastward velocity ∂ψ/∂θ (…, rows), averaged over longitude, at colatitudes θ [rad]."""
+        # Y_l0 = √((2l+1)/4π) P_l(cos θ), and ∂/∂θ = −sin θ d/d cos θ
         stream = self.algebra.to_harmonics(self.stream_function(state))[..., 0].real
         theta, degree = np.asarray(colatitude, float), np.arange(self.size)
         series = np.asarray(stream) * np.sqrt((2.0 * degree + 1.0) / (4.0 * math.pi))

@@ -95,6 +95,7 @@ class SphereMHD(AbstractLiePoissonSystem):
     def energy(self, point: Pairs) -> Float64[Array, "*batch"]:
         theta = jnp.asarray(point)[..., 0, :, :]
         relative = jnp.asarray(point)[..., 1, :, :] - self.fluid.planetary
+        # ½ ∫|∇ψ|² + ½ ∫|∇A|² by parts
         both = self.sphere.pairing(relative, inverse_laplacian(relative)) + self.sphere.pairing(theta, laplacian(theta))
         return -0.5 * both
 

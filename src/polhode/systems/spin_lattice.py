@@ -129,6 +129,7 @@ class SpinLattice(AbstractLiePoissonSystem):
         if self.field is not None:
             total = total + self.field
         if self.onsite is not None:
+            # ∂/∂S of Sᵀ A S is 2 A S, A symmetric
             total = total + 2.0 * jnp.einsum("aij,...aj->...ai", jnp.asarray(self.onsite), point)
         if self.kernel is not None:
             total = total + self.dipolar * dipole_field(self.kernel, point)
@@ -201,6 +202,7 @@ class SpinLattice(AbstractLiePoissonSystem):
         if not self.is_damped:
             return {}
         field = self.effective_field(state)
+        # Ḣ = −B·Ṡ = −(λ/|S|) |S × B|² at each spin
         square = jnp.sum(jnp.cross(state, field) ** 2, axis=-1)
         length = jnp.linalg.norm(state, axis=-1)
         power = -self.damping * jnp.sum(square / jnp.where(length > 0, length, 1.0), axis=(-4, -3, -2, -1))
@@ -211,6 +213,7 @@ def add_damping(
     field: Float64[Array, "*shape"], spins: Float64[Array, "*shape"], damping: Real[ArrayLike, ""]
 ) -> Float64[Array, "*shape"]:
     """Return B − (λ/|S|) S × B, about which spins turn with damping λ."""
+    # S × (B − (λ/|S|) S × B) = S × B − (λ/|S|) S × (S × B)
     length = jnp.linalg.norm(spins, axis=-1, keepdims=True)
     return field - damping / jnp.where(length > 0, length, 1.0) * jnp.cross(spins, field)
 
@@ -247,6 +250,8 @@ def _find_conserved(bonds: Sequence[BondType], onsite: Sequence[Matrix] | None, 
     """Return rows c with c·ΣS constant: those about which turns of all spins change no term of H."""
     hats = np.stack([np.cross(np.eye(3)[k], np.eye(3)).T for k in range(3)])
     matrices = [np.array(bond.matrix) for bond in bonds] + [np.array(one) for one in onsite or ()]
+    # turning all spins about c changes S_iᵀ J S_j by S_iᵀ (J ĉ − ĉ J) S_j, and B·S by −(c × B)·S: both linear in c, so
+    # that a null space tells
     lines = [np.stack([(m @ hat - hat @ m).ravel() for hat in hats], axis=1) for m in matrices]
     fields = field.reshape(-1, 3)
     fields = np.unique(fields, axis=0)

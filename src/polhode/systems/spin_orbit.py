@@ -65,6 +65,7 @@ class SpinOrbit(AbstractSystem):
     def from_body(cls, body: Body, orbit: KeplerOrbit) -> SpinOrbit:
         """Return the system of a body on an orbit, its axis of largest moment along the orbit's normal."""
         least, middle, largest = (float(moment) for moment in body.principal_moments)
+        # ω0² = 3(B − A)/C, the frequency of librations on a circular orbit over n
         asphericity = math.sqrt(3.0 * (middle - least) / largest)
         return cls(asphericity, float(orbit.eccentricity), float(orbit.mean_motion), float(orbit.mean_anomaly_at_start))
 
@@ -88,6 +89,7 @@ class SpinOrbit(AbstractSystem):
         """Return sine and cosine of 2(θ − f)."""
         centre = self.orbit.direction(t)
         x, y = centre[..., 0], centre[..., 1]
+        # sin and cos of 2θ − 2f with sin 2f = 2xy, cos 2f = x² − y²: no angle f is formed
         sine, cosine, twice_sine, twice_cosine = jnp.sin(2.0 * angle), jnp.cos(2.0 * angle), 2.0 * x * y, x * x - y * y
         return sine * twice_cosine - cosine * twice_sine, cosine * twice_cosine + sine * twice_sine
 
@@ -107,6 +109,7 @@ class SpinOrbit(AbstractSystem):
         n, e, ratio = self.mean_motion, self.eccentricity, self.orbit.distance_ratio(t)
         sine, cosine = self._phase(t, angle)
         root, depth = jnp.sqrt((1.0 - e) * (1.0 + e)), 0.25 * self._strength(t)
+        # ∂H/∂t of −depth cos 2(θ − f) with depth ∝ r⁻³: depth (3ṙ/r cos 2(θ−f) − 2ḟ sin 2(θ−f))
         outward, around = n * e * self.orbit.direction(t)[..., 1] / root, n * root / ratio**2
         energy = 0.5 * rate**2 - depth * cosine
         growth = depth * (3.0 * outward / ratio * cosine - 2.0 * around * sine)

@@ -73,11 +73,13 @@ class Toda(AbstractLiePoissonSystem):
 
     def _kick(self, time: Array, state: Components) -> Components:
         none, still = [jnp.zeros_like(state[0])], [jnp.zeros_like(a) for a in state[self.n :]]
+        # under Σa² alone a stays, and ḃ_i = 2(a_i² − a_{i−1}²) is constant
         squares = [*none, *(2.0 * time * a * a for a in state[self.n :]), *none]
         return (*(right - left for left, right in pairwise(squares)), *still)
 
     def _drift(self, time: Array, state: Components) -> Components:
         b, a = state[: self.n], state[self.n :]
+        # under ½Σb² alone b stays, and a_i grows as e^{t(b_{i+1} − b_i)}
         grown = (x * jnp.expm1(time * (right - left)) for x, left, right in zip(a, b[:-1], b[1:], strict=True))
         return (*(jnp.zeros_like(x) for x in b), *grown)
 
@@ -106,6 +108,8 @@ class Toda(AbstractLiePoissonSystem):
 def _at(system: Toda, state: Array, t: Array) -> Array:
     n = system.n
     values, vectors = jnp.linalg.eigh(system.matrix(state))
+    # e^{tL} = QR and L(t) = Qᵀ L Q (Symes 1982): its eigenvectors are QᵀV, and the first row of Qᵀ is e₁ᵀ e^{tL} over
+    # R₁₁, so that their first components are V_1i e^{tλ_i}, normalised
     exponents = jnp.log(jnp.abs(vectors[0])) + t * values
     weights = jnp.exp(exponents - jnp.max(exponents))
     b, a = _tridiagonal(values, weights / jnp.linalg.norm(weights))
@@ -122,6 +126,7 @@ def _tridiagonal(values: Array, start: Array) -> tuple[Array, Array]:
         b.append(jnp.sum(values * basis[k] ** 2))
         if k == len(values) - 1:
             break
+        # L u_k = a_{k−1} u_{k−1} + b_k u_k + a_k u_{k+1}
         left = (values - b[k]) * basis[k]
         for _ in range(2):  # twice is enough
             for known in basis:

@@ -202,6 +202,8 @@ class GravityGradient(AbstractTorque):
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
     ) -> Float64[Array, "*batch 3"]:  # fmt: skip
         assert attitude is not None, NEEDED
+        # GM/R³ = n² (a/r)³ with n² a³ = GM; the force on dm at r is expanded to first order in r/R, dF = GM/R³ (3
+        # (r·R̂) R̂ − r) dm, and ∫ r × dF = 3 GM/R³ R̂ × I R̂
         strength = (self.orbit.mean_motion**2 / self.orbit.distance_ratio(t) ** 3)[..., None]
         centre = _in_body(attitude, self.orbit.direction(t))  # its sign cancels
         return 3.0 * strength * jnp.cross(centre, self.moments * centre)
@@ -226,6 +228,7 @@ class GravityGradient(AbstractTorque):
         relative = self.relative_velocity(attitude, angular_velocity)
         centre = _in_body(attitude, self.orbit.direction(t))
         normal = _in_body(attitude, jnp.array([0.0, 0.0, 1.0]))
+        # H = ½ Ω·IΩ + V with V = (3/2) n² R̂·IR̂ but for a constant; less n ẑ·IΩ, with Ω = w + nẑ
         squares = relative**2 + n**2 * (3.0 * centre**2 - normal**2)
         return 0.5 * jnp.sum(self.moments * squares, axis=-1)
 

@@ -121,6 +121,7 @@ def _of_copies(function: Callable[[Array], Array], x: Array, copies: int) -> Arr
     places = jnp.arange(x.size).reshape(x.shape) % width
     sums = jnp.zeros(copies)
     for k in range(width):
+        # x_k ∂C/∂x_k of every copy at once: a derivative along the vector that has the k-th component of each
         sums = sums + jnp.abs(jax.jvp(function, (x,), (jnp.where(places == k, x, 0.0),))[1])
     return sums
 

@@ -57,6 +57,7 @@ class Variations(AbstractSystem):
     def vector_field(self, t: Real[ArrayLike, "..."], state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
         axis = jnp.ndim(state) - self.state_axes
         own, *changes = jnp.moveaxis(state, axis, 0)
+        # δ̇ = Df(x) δ: f is linearised once for all changes
         rates, pushed = jax.linearize(lambda x: self.system.vector_field(t, x), own)
         return jnp.moveaxis(jnp.concatenate([rates[None], jax.vmap(pushed)(jnp.stack(changes))]), 0, axis)
 

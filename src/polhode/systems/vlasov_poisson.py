@@ -106,6 +106,7 @@ class VlasovPoisson(AbstractLiePoissonSystem):
     def velocity(self, point: Float64[Array, "*batch n 3"]) -> Float64[Array, "*batch n 3"]:
         v, weight = point[..., 0], 1.0 / point[..., 2]
         _, force, potential = self._waves(point[..., 1], weight)
+        # w = 1/level: ∂H/∂level = −w² ∂H/∂w, ∂H/∂w = ½v² + potential
         by_level = -(weight**2) * (0.5 * v * v + potential)
         return jnp.stack([weight * v, -weight * force, by_level], axis=-1)
 
@@ -137,6 +138,8 @@ class VlasovPoisson(AbstractLiePoissonSystem):
 
         def add(j: Array, carried: tuple[Array, ...]) -> tuple[Array, ...]:
             real, imaginary, energy, force, potential = carried
+            # ρ_j = Σ w e^{−ijkx} as its real and imaginary part; −φ″ = ρ gives φ_j = ρ_j/(jk)², the energy |ρ_j|²/(jk)²
+            # and the force −φ′, whose wave is Im(ρ_j e^{ijkx})/(jk)
             across, along = jnp.sum(weight * real, axis=-1), -jnp.sum(weight * imaginary, axis=-1)
             inverse = 1.0 / ((j + 1.0) * self.wavenumber)
             one, other = across[..., None], along[..., None]
@@ -214,6 +217,7 @@ def quiet_start(
 
 def _by_mass(masses: Array, amplitude: float) -> Array:
     """Return angles θ with θ + A sin θ = mass, by Newton's method between bounds."""
+    # |θ − mass| ≤ |A|; the left side grows with θ, as |A| < 1
     low, high, angles = masses - abs(amplitude), masses + abs(amplitude), masses.copy()
     for _ in range(NEWTON_STEPS):
         off = angles + amplitude * np.sin(angles) - masses

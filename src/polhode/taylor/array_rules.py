@@ -181,6 +181,7 @@ def _product(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array
     """Products: the sum over all pairs of orders that add up to k, for matrices as one product of stacked blocks."""
 
     def rule(arguments: list[Series], own: list[Series], k: int) -> list[Array]:
+        # Cauchy's product Σ_{j≤k} a_j b_{k−j}
         left, right = jnp.stack(arguments[0][: k + 1]), jnp.stack(arguments[-1][k::-1])
         if equation.primitive.name != "dot_general":
             return [jnp.sum(left * right, axis=0)]
@@ -200,6 +201,7 @@ def _quotient(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Arra
         else:
             value = above if k == 0 else jnp.zeros_like(below[0])
         for j in range(k):
+            # q b = a: b₀ q_k = a_k − Σ_{j<k} q_j b_{k−j}
             value = value - own[0][j] * below[k - j]
         return [value / below[0]]
 
@@ -251,6 +253,7 @@ def _exponential(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[A
         x = arguments[0]
         if k == 0:
             return [jnp.exp(x[0])]
+        # u̇ = u ẋ: k u_k = Σ_{j<k} (k−j) u_j x_{k−j}
         return [_total((k - j) * own[0][j] * x[k - j] for j in range(k)) / k]
 
     return rule
@@ -261,6 +264,7 @@ def _logarithm(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Arr
         x = arguments[0]
         if k == 0:
             return [jnp.log(x[0])]
+        # x u̇ = ẋ: x₀ u_k = x_k − Σ_{0<j<k} j u_j x_{k−j}/k
         return [(x[k] - sum(j * own[0][j] * x[k - j] for j in range(1, k)) / k) / x[0]]
 
     return rule
@@ -275,6 +279,7 @@ def _circular(which: int) -> Callable[..., Any]:
             if k == 0:
                 sine[:], cosine[:] = [jnp.sin(x[0])], [jnp.cos(x[0])]
             else:
+                # ṡ = c ẋ, ċ = −s ẋ
                 more = [(k - j) * x[k - j] for j in range(k)]
                 sine.append(_total(w * c for w, c in zip(more, cosine, strict=True)) / k)
                 cosine.append(-_total(w * s for w, s in zip(more, sine[:k], strict=True)) / k)

@@ -126,6 +126,7 @@ def coefficients(
             rate = z[rates][k]
         else:
             rate = z[rates] if k == 0 else jnp.zeros_like(state)
+        # ẏ = f: y_{k+1} = unit f_k/(k + 1)
         z[moving].append(jnp.asarray(rate * unit / (k + 1), state.dtype))
     return jnp.stack(z[moving])
 

@@ -129,6 +129,7 @@ class BallSystem:
         for k in range(order):
             for i in range(self.size):
                 x = self._rates[i]
+                # y_{k+1} = f_k/(k + 1)
                 total = x.constant if k == 0 else 0
                 for place, factor in x.terms.items():
                     if k == 0 or not self._still[place]:
@@ -199,6 +200,7 @@ def eccentric_anomaly(mean_anomaly: Ball, eccentricity: float) -> Ball:
     for _ in range(WIDER):
         if not radius.is_finite():
             break
+        # the interval Newton step N(B) = m − f(m)/f′(B): N(B) within B proves one zero in B, which is in N(B)
         ball = _ball(middle, radius)
         enclosure = middle - missed / (1 - e * ball.cos())
         if enclosure.is_finite() and ball.contains_interior(enclosure):
@@ -248,6 +250,8 @@ def _next(node: Any, z: list[list[Ball]], place: int, k: int, still: list[bool])
         case Operation.POWER:
             total = x[0] * 0
             for j in range(k):
+                # k x₀ u_k = Σ_{j<k} (p(k−j) − j) u_j x_{k−j}; the two whole numbers apart, as p(k−j) − j of doubles is
+                # rounded
                 term = own[j] * x[k - j]
                 total += term * (k - j) * node.number - term * j
             return total / (k * x[0])
@@ -259,6 +263,7 @@ def _next(node: Any, z: list[list[Ball]], place: int, k: int, still: list[bool])
         case Operation.SINE:
             return sum(((k - j) * (x[k - j] * z[place + 1][j]) for j in range(k)), x[0] * 0) / k
         case Operation.ECCENTRIC:
+            # k (1 − e c₀) E_k = k M_k + e Σ_{0<j<k} j E_j c_{k−j}
             e, cosine = node.number, z[place + 2]
             total = sum((j * (own[j] * cosine[k - j]) for j in range(1, k)), x[0] * 0) * e + k * x[k]
             return total / (k * (1 - e * cosine[0]))

@@ -192,6 +192,7 @@ def gradient(x: Expression) -> list[Expression]:
     """Return the derivatives of an expression by the components of the state, as expressions of the same tape."""
     tape = x.tape
     slopes: dict[int, Expression] = {k: tape.constant(c) for k, c in x.terms.items()}
+    # backwards from the last node: by the time a node is taken, all that depend on it have been
     waiting = sorted((k for k in slopes if k >= tape.size), reverse=True)
     while waiting:
         place = waiting.pop(0)
@@ -226,6 +227,7 @@ def _slopes(tape: Tape, place: int, node: Node) -> list[tuple[int, Any]]:
             return [(node.arguments[0], -z[1])]
         case Operation.ECCENTRIC:
             cosine = Expression(tape, {place + 2: 1.0})
+            # dE/dM = 1/(1 − e cos E)
             return [(node.arguments[0], (1.0 - node.number * cosine) ** -1.0)]
         case Operation.ECCENTRIC_SINE:
             return [(node.arguments[1], Expression(tape, {place + 1: 1.0}))]
@@ -348,6 +350,7 @@ class Complex:
 
     def __truediv__(self, other: Any) -> Complex:
         other = Complex.of(other)
+        # w/z = w z̄/|z|²
         square = other.real * other.real + other.imag * other.imag
         product = self * other.conjugate()
         return Complex(product.real / square, product.imag / square)

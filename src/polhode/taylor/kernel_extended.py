@@ -51,6 +51,7 @@ def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
     first_coefficients(exact, size, lanes.units[0])
     for i in range(size):
         rest = 0.0
+        # Horner's rule: the terms of high order in doubles, the first of them in two parts
         for k in range(course.order, PAIRS - 1, -1):
             rest = rest * h + series.flat[k * width + i]
         value = rest, 0.0
@@ -68,6 +69,7 @@ def first_coefficients(exact: Exact, size: Any, unit: Any) -> None:
             value = combination_in_pairs(exact, k, whole[FIRST] + i)
             if k == 0:
                 value = add(value, (number[whole[CONSTANT] + i], 0.0))
+            # y_{k+1} = unit ẏ_k/(k + 1)
             value = divide((value[0] * unit, value[1] * unit), (k + 1.0, 0.0))
             exact.high[(k + 1) * whole[SLOTS] + i], exact.low[(k + 1) * whole[SLOTS] + i] = value
 
@@ -122,6 +124,7 @@ def power_in_pairs(exact: Exact, k: Any, out: Any, x: Any, exponent: Any) -> Pai
     base = high[x], low[x]
     if k == 0:
         return power_of_pair(base, exponent)
+    # k x₀ u_k = Σ_{j<k} (p(k−j) − j) u_j x_{k−j}, as in ``kernel_series``
     value = 0.0, 0.0
     for j in range(k):
         u, y = j * width + out, (k - j) * width + x
@@ -133,6 +136,7 @@ def power_in_pairs(exact: Exact, k: Any, out: Any, x: Any, exponent: Any) -> Pai
 def power_of_pair(x: Pair, exponent: Any) -> Pair:
     """Return x to half a whole number: u of which the square is x to the whole one, by one step of Newton's."""
     first = raise_power(x[0], exponent)
+    # u² = x^m, m = 2p: Newton from u takes u to u (1 + ½(1 − u² x^−m)), which squares the error
     square = multiply((first, 0.0), (first, 0.0))
     whole = 1.0, 0.0
     for _ in range(int(abs(2.0 * exponent))):

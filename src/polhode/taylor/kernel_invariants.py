@@ -40,6 +40,8 @@ def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
         row = c * (n + 1)
         off, square = rows[row + n], spread(0.0)
         for i in range(n):
+            # rows of the Jacobian in units of the scale; the shortest move δ with J δ = off is along orthonormal rows,
+            # by Gram and Schmidt
             scaled = where_less(scale[i], infinite, output(integrals, count + c * n + i) * scale[i], none)
             rows[row + i] = scaled
             square = square + scaled * scaled

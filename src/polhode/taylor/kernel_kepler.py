@@ -22,6 +22,7 @@ def eccentric_anomaly_at(mean_anomaly: Any, eccentricity: Any) -> Any:
     x = min(min(m + e, m / (1.0 - e)), min((math.pi * math.pi * m / e) ** (1.0 / 3.0), math.pi))
     for _ in range(ROUNDS):
         sine = math.sin(0.5 * x)
+        # Newton for (1−e) x + e (x − sin x) = m, with the slope 1 − e cos x
         x -= (((1.0 - e) * x - m) + e * less_sine(x)) / ((1.0 - e) + 2.0 * e * sine * sine)
     x = max(x, 0.0)
     return turns + (x if mean_anomaly >= turns else -x)
@@ -33,6 +34,7 @@ def less_sine(x: Any) -> Any:
         return x - math.sin(x)
     term, total = x, 0.0
     for k in range(1, TERMS + 1):
+        # x − sin x = Σ_{k≥1} −(−1)^k x^(2k+1)/(2k+1)!
         term *= -x * x / ((2 * k) * (2 * k + 1))
         total -= term
     return total

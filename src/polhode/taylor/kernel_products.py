@@ -21,6 +21,7 @@ def block(series: Series, k: Any, first: Any, count: Any, out: Any) -> None:
         store(flat, out, left * right)
         return
     # the newest from registers, the older from memory; two sums
+    # Cauchy's product Σ_{j≤k} a_j b_{k−j}
     one, two = left * load(b, first), load(a, first) * right
     x, y = first + products, row - products
     for _ in range(1, k - 1, 2):

@@ -65,6 +65,7 @@ def function(
         if k == 0:
             z[base + out] = raise_power(z[x], exponent)
             return
+        # u = x^p: x u̇ = p u ẋ, so that k x₀ u_k = Σ_{j<k} (p(k−j) − j) u_j x_{k−j} (Jorba & Zou 2005, §2.1)
         for j in range(k):
             total = total + (exponent * (k - j) - j) * (z[u] * z[y])
             u, y = u + width, y - width
@@ -73,6 +74,7 @@ def function(
         if k == 0:
             z[base + out] = exponential(z[x])
             return
+        # u = e^x: u̇ = u ẋ, k u_k = Σ_{j<k} (k−j) u_j x_{k−j}
         for j in range(k):
             total = total + (k - j) * (z[u] * z[y])
             u, y = u + width, y - width
@@ -81,6 +83,7 @@ def function(
         if k == 0:
             z[base + out] = logarithm(z[x])
             return
+        # u = ln x: x u̇ = ẋ, k x₀ u_k = k x_k − Σ_{0<j<k} j u_j x_{k−j}
         for j in range(1, k):
             u, y = u + width, y - width
             total = total + j * (z[u] * z[y])
@@ -92,6 +95,7 @@ def function(
             z[base + out] = sine(z[x])
             z[base + out + 1] = cosine(z[x])
             return
+        # ṡ = c ẋ, ċ = −s ẋ, both from their lower orders
         of_sine, of_cosine = spread(0.0), spread(0.0)
         for j in range(k):
             weight = (k - j) * z[y]
@@ -113,12 +117,14 @@ def orbital(
         z[out + 1], z[out + 2] = sine(z[out]), cosine(z[out])
         z[out + 3] = (1.0 - eccentricity) + (2.0 * eccentricity) * half * half
         return
+    # k (1 − e c₀) E_k = k M_k + e Σ_{0<j<k} j E_j c_{k−j}
     total = k * z[base + x]
     for j in range(1, k):
         total = total + eccentricity * (j * (z[j * width + out] * z[(k - j) * width + out + 2]))
     z[base + out] = total / (k * z[out + 3])
     of_sine, of_cosine = spread(0.0), spread(0.0)
     for j in range(1, k + 1):
+        # ṡ = c Ė, ċ = −s Ė, where E_k is known by now
         weight, past = j * z[j * width + out], (k - j) * width + out
         of_sine = of_sine + weight * z[past + 2]
         of_cosine = of_cosine - weight * z[past + 1]
@@ -193,6 +199,7 @@ def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
         for e in range(3):
             last = lengths[(2 + e) * LANES + lane]
             if last > 0.0:
+                # radius of convergence by the root test, (|x|/|x_k|)^(1/k) of the last orders: Jorba & Zou 2005, §3.2
                 best = min(best, (lengths[LANES + lane] / last) ** (1.0 / (order - 2 + e)))
             elif last != last:
                 best = np.nan
@@ -260,6 +267,7 @@ def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
     width, z, y, steps = series.whole[SLOTS], series.z, vectors(lanes.states), vectors(lanes.steps)[0]
     for i in range(series.whole[SIZE]):
         value = z[course.order * width + i]
+        # Horner's rule, from the smallest terms up
         for k in range(course.order - 1, -1, -1):
             value = value * steps + z[k * width + i]
         y[i] = value

@@ -23,6 +23,7 @@ def find_reach(p: Array, order: Any, h: Any, reach: Any) -> Any:
         size, power, longest = abs(p[0]), 1.0, length
         for k in range(1, 4):
             power *= longest
+            # Jorba & Zou, §3.2, with the largest of the first four terms for the size
             size = max(size, abs(p[k]) * power)
         for k in range(order - 2, order + 1):
             if not abs(p[k]) < np.inf:
@@ -54,6 +55,7 @@ def zero_between(p: Array, order: Any, low: Any, high: Any) -> Any:
             a = x
         else:
             b = x
+        # Newton's step, and half of the bracket where that leaves it
         later = x - value / slope if slope != 0.0 else np.inf
         later = later if a <= later <= b else 0.5 * (a + b)
         if abs(later - x) <= 1e-16 * high or later == x:
@@ -73,6 +75,7 @@ def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Ar
         nearest = high
         for k in range(1, order + 1):
             if abs(p[k]) > 0.0:
+                # for x ≤ ½ (|p₀|/|p_k|)^(1/k) each |p_k| x^k ≤ 2^−k |p₀|, and their sum is less than |p₀|
                 nearest = min(nearest, 0.5 * (abs(p[0]) / abs(p[k])) ** (1.0 / k))
         right = min(2.0 * max(left, nearest, NEAREST * high), high)
         zero = change_within(p, order, left, right, falling, work, waiting)
@@ -96,11 +99,13 @@ def change_within(p: Array, order: Any, low: Any, high: Any, falling: Any, work:
         centre, radius = 0.5 * (left + right), 0.5 * (right - left)
         for k in range(order + 1):  # Numba takes seconds to compile assignments of slices
             work[k] = p[k]
+        # Taylor's shift to the centre by repeated synthetic division
         for i in range(order):
             for k in range(order - 1, i - 1, -1):
                 work[k] += centre * work[k + 1]
         others, slopes = 0.0, 0.0
         for k in range(order, 0, -1):
+            # |q(x) − q₀| ≤ Σ |q_k| r^k, and |q′(x) − q₁| ≤ Σ k |q_k| r^(k−1) over k > 1, within r of the centre
             others = others * radius + abs(work[k])
             if k > 1:
                 slopes = slopes * radius + k * abs(work[k])

@@ -50,6 +50,8 @@ def choose_precision(tolerance: float | None, order: int | None = None, extended
     local = to_rounding[1] if tolerance is None else tolerance
     if order is None:
         order = to_rounding[0] if tolerance is None else max(LOOSEST_ORDER, math.ceil(1.0 - 0.5 * math.log(local)))
+    # Jorba & Zou 2005: the order 1 − ½ ln ε costs least, and a step of e⁻² radii makes its last term ε; the factor
+    # e^(−0.7/(p−1)) is for safety (§3.2)
     return Precision(order, local ** (1.0 / order) * math.exp(-0.7 / (order - 1)), extended)
 
 

@@ -76,6 +76,7 @@ def full_sums(m: Motion, high: float, low: float) -> Spinor:
     sa, ca = sine_cosine(ta - whole(ta))
     sb, cb = sine_cosine(tb - whole(tb))
     cz, sz = ca * cb + sa * sb, sb * ca - cb * sa
+    # cos 2z = 1 − 2 sin² z, sin 2z = 2 sin z cos z
     s2 = sz + sz
     X, Y = 1.0 - s2 * sz, s2 * cz
     pa, qa = a0 + X * (a1 + X * a2), Y * (a3 + X * a4)
@@ -140,6 +141,7 @@ def state_of(m: Motion, spinor: Spinor) -> State:
     x = 1.0 / (aa + bb)
     root = square_root(x)
     x2 = x + x
+    # the direction of L of a spinor (A, B): 2 Re ĀB, 2 Im ĀB and |A|² − |B|², over |A|² + |B|²
     n0, n1, n2 = (a0 * b0 + a1 * b1) * x2, (a0 * b1 - a1 * b0) * x2, (aa - bb) * x
     a, b, c, d = a0 * root, a1 * root, b0 * root, b1 * root
     q = m.to_attitude

@@ -84,6 +84,7 @@ def precession_rate(
 @inlined
 def phase_rates(full: bool, precession: Pair, mean: Pair, v: Pair, rate_scale: float) -> tuple[Pair, Pair]:
     """Return the rates of ``Motion.first`` and ``Motion.second`` [turns per time]."""
+    # rates times V become turns: over 2πV
     inverse = scale(divide(constant(INVERSE_TWO_PI, rate_scale), v), rate_scale)
     half = scale(multiply(precession, inverse), 0.5)
     turn = scale(multiply(mean, inverse), 2.0)
@@ -99,6 +100,8 @@ def _landen_step(
     x: float, y: float, dn: float, factor: float, sinh: float, cosine: float, dc: float
 ) -> tuple[float, float, float, float, float, float]:
     """Return x, y, dn, factor, sinh and dc after a step."""
+    # descending Landen (DLMF §22.7(i)), κ = (1 − k′)/(1 + k′): (1 − dn)/(1 + dn) = κ sn² of the next step, whose
+    # dn² = 1 − κ² sn², and tan am = (1 + κ) tan am/dn of the next step
     kappa = (x - y) / (x + y)
     grown = 1.0 + kappa
     next_dn = square_root(1.0 - kappa * (1.0 - dn) / (1.0 + dn))

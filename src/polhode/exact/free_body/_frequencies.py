@@ -45,5 +45,6 @@ def canonical_frequencies(body: Reduction) -> Frequencies:
     lead = dd.where(third, A, P)
     precession = FORMULAS.precession_rate(body.long_axis, third, body.moments, lead, total, G2, G, mean)
     I1, _, I3 = body.moments
+    # on the separatrix the frame ends up turning at |L|/I2, here times V = I1 I2 I3
     saddle = dd.multiply(G, dd.two_product(xp.where(body.long_axis, -1.0, 1.0) * I1, I3))
     return Frequencies(modulus_rate, mean, dd.where(separatrix, saddle, precession), G, constant, separatrix)

@@ -54,6 +54,7 @@ def characteristics(moments: Float64[Array, "*batch 3"], momentum: Float64[Array
     sense = xp.where(body.long_axis, -1.0, 1.0)
     has_rate = ~rates.constant
     period = dd.divide(dd.multiply(scaled_period, body.V), (body.rate_scale, 0.0 * body.rate_scale))
+    # k² = AP/(BQ)
     modulus = xp.sqrt(body.A[0] / body.B[0]) * (body.root_P / xp.sqrt(body.Q[0]))
     axis = _third_axis(xp, body)
     return Characteristics(
@@ -83,8 +84,12 @@ def _solid_angle(
     dynamic = dd.multiply(dd.divide(twice_energy, rates.G), scaled_period)
     angle = dd.subtract(two_pi, dd.subtract(per_period, dynamic))
     small = body.P[0] / (body.B[0] * body.G2[0])
+    # a small cap is the ellipse C L1² + B L2² = P, of area πP/√(BC), over |L|²
     cap = math.pi * body.P[0] / (xp.sqrt(body.B[0] * body.C[0]) * body.G2[0])
-    return xp.where(small < SMALL_CAP, cap, angle[0])
+    # a symmetric body's period has no bound near its equator, and the difference no digit left
+    sine2, cosine2 = body.P[0] / (body.C[0] * body.G2[0]), body.Q[0] / (body.C[0] * body.G2[0])
+    round_cap = 2.0 * math.pi * sine2 / (1.0 + xp.sqrt(cosine2))
+    return xp.where(body.A[0] == 0, round_cap, xp.where(small < SMALL_CAP, cap, angle[0]))
 
 
 def _regime(moments: Array, momentum: Array, body: Reduction, rates: Frequencies) -> Array:

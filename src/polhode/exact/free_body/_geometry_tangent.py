@@ -56,6 +56,7 @@ def changed_numbers(
     _, _, _, dP, _, db, dkappa = changed[:7]
 
     period, kernel = _whole_period(prepared, form)
+    # a zero of s moves in time by −Y, Y = ½(ρ δb + σ δκ), as δs = c d Y there
     d_period = -0.5 * (kernel.rho * db + kernel.sigma * dkappa)
     G2 = body.G2[0]
     G = xp.sqrt(G2)
@@ -66,6 +67,7 @@ def changed_numbers(
     energy = 0.5 * sum(x * y * y for x, y in zip(a, body.momentum, strict=True))
     d_energy = work + 0.5 * sum(x * y * y for x, y in zip(da, body.momentum, strict=True))
     d_size = sum(x * y for x, y in zip(body.momentum, change, strict=True)) / G
+    # the turn about L in a period is 2ET/G − Ω, or + Ω round the long axis (Montgomery, Am. J. Phys. 59 (1991) 394)
     d_turn = 2.0 / G * (period * d_energy + energy * d_period - energy * period / G * d_size) - sense * d_angle
 
     # k² = g/b, or by κ near one
@@ -100,6 +102,7 @@ def _energy_change(
 ) -> tuple[Change, Change]:
     """Return Ω · δL and Ω⊥ · δL, with Ω⊥ = (L̇ × L)/|L|²."""
     rate = mirror(form.mirrored, rate_of_momentum(form, mirror(form.mirrored, L)))
+    # (L × Ω) × L = |L|² Ω − (L·Ω) L
     across = cross_of_parts(rate, L)
     work = sum(x * y * z for x, y, z in zip(a, L, change, strict=True))
     return work, sum(x * y for x, y in zip(across, change, strict=True)) / G2  # type: ignore[return-value]

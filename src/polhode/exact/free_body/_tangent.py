@@ -90,6 +90,8 @@ def momentum_tangent(prepared: Prepared, time: Number, d_moments: Moved, d_momen
     xp = namespace(form.A)
     moved = tuple(s * x for s, x in zip(passage.signs, mirror(mirrored, d_momentum), strict=True))
     changes = changed_form(form, passage.start, da, moved)
+    # from t = ∫ ds/√((1 − bs²)(1 − gs²)) with g = b − κ: at fixed t, δs = c d Y − ½ s³ δb with Y = ½(ρ δb + σ δκ), as
+    # (s³/cd)˙ = s² + s²/c² + s²/d² takes the singular integrals away. What goes with Y is a shift of time, by L̇
     Y = 0.5 * (passage.rho * changes[5] + passage.sigma * changes[6])
     rate = rate_of_momentum(form, passage.end)
     fixed = _from_start(form, passage, changes)
@@ -122,6 +124,7 @@ def changed_form(form: Canonical, start: Vector, da: Moved, moved: Moved) -> Cha
     m = namespace(A).where(form.mirrored, -1.0, 1.0)
     dac = tuple(m * x for x in mirror(form.mirrored, da))
     dA, dB, dC = dac[0] - dac[1], dac[1] - dac[2], dac[0] - dac[2]
+    # P = C L1² + B L2², Q = A L2² + C L3², S = A L1² − B L3², b = BQ, κ = −CS
     dP = dC * (l1 * l1) + dB * (l2 * l2) + (2.0 * C * l1) * e1 + (2.0 * B * l2) * e2
     dQ = dA * (l2 * l2) + dC * (l3 * l3) + (2.0 * A * l2) * e2 + (2.0 * C * l3) * e3
     dS = dA * (l1 * l1) - dB * (l3 * l3) + (2.0 * A * l1) * e1 - (2.0 * B * l3) * e3
@@ -209,6 +212,8 @@ def _addition_theorem(form: Canonical, kernel: Kernel, start: Vector) -> Vector:
     A, B, C = form[:3]
     s, c, d = kernel[:3]
     l1, l2, l3 = start
+    # cn, sn and dn of a sum (DLMF 22.8.1–3), with L at the epoch for the functions of its phase; their divisor
+    # 1 − m sn² sn0² as a sum of squares
     divisor = c * c + B * C * l3 * l3 * s * s
     divisor = xp.where(divisor > 0, divisor, 1.0)
     return (
@@ -242,6 +247,7 @@ def _from_start(form: Canonical, passage: Passage, changes: Changes) -> Moved:
     w = inner * dW
     h = half * db
     own = dy - (y * ss) * db
+    # apart from Y, δs/s = δc/c = −½ s² δb = −h and δd/d = −h + ½ (s/d)² δκ; of the divisor, δD/D = w − 2h
     # by rows, what goes with L1 and L2 L3 s, with L2 and L3 L1 s, and with L3 alone
     first = xp.where(form.full, (0.5 * inner) * (own - dW), h - w)
     second = xp.where(form.full, ((ss * U) * w - half * (dU + dW)) / safe, (half / safe) * dkappa - w * d)
@@ -267,6 +273,7 @@ def _from_middle(form: Canonical, passage: Passage, changes: Changes) -> Middle:
     A, B = form.A, xp.where(use, form.B, 1.0)
     l1, l2, _ = passage.start
     dA, dB, dC, dP, dQ, db, dkappa, e1, e2, e3 = changes
+    # L = (√(P/C) c, √(PQ) s, √(Q/C) d): ½ δ ln of P, Q and C make up the changes of the amplitudes
     p, q, gamma = (0.5 / P) * dP, (0.5 / Q) * dQ, (0.5 / C) * dC
     # ½ δ ln(P/B), which vanishes at the saddle with L1 and δL2 though neither of its parts does
     level = ((0.5 * l1 / B) * (l1 * (B * dA - A * dB) + (2.0 * B * C) * e1) + (B * l2) * e2) / P
@@ -280,6 +287,7 @@ def _from_middle(form: Canonical, passage: Passage, changes: Changes) -> Middle:
     size = xp.where(size > 0, size, 1.0)
     ss = l2 * l2 / P / Q
     before = static(l1, l2, l3, ss, l2 * l2 / P / C / l3 / l3, C * l1 * l1 / P)
+    # what the static terms leave of the epoch's change is a shift of time, along L̇
     shift = _dot(tuple(r / size for r in rate), (e1 - before[0], e2 - before[1], e3 - before[2]))
     s, c, d = passage.kernel[:3]
     x, y, z = xp.sqrt(P / C) * c, xp.sqrt(P) * xp.sqrt(Q) * s, xp.sqrt(Q / C) * d
@@ -298,6 +306,8 @@ def _squares(form: Canonical, passage: Passage, time: Array) -> Vector:
     use = passage.middle
     J2 = xp.where(use, 0.0, l2 * n2 * s) + P * Q * passage.rho
     safe_C, safe_B = xp.where(C > 0, C, 1.0), xp.where(B > 0, B, 1.0)
+    # in the full form ∫L2² gives the others, by C L1² = P − B L2² and C L3² = Q − A L2²; in the complementary form ∫L1²
+    # comes from σ, and B L3² = A L1² − S
     share = xp.where(C > 0, (l2 * l2 * time - J2) / safe_C, 0.0)
     divisor = c * c + B * C * l3 * l3 * s * s
     divisor = xp.where(divisor > 0, divisor, 1.0)

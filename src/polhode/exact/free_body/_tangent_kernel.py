@@ -54,9 +54,11 @@ def elliptic_kernel(
     sine, cosine, delta, F = jacobi_at_reduced_phase(q, full, rest, to_quarter)
     turning = (turns != 0) & (full | (q > 0))
     F = F + xp.where(turning, turns * sd_squared_over_half_period(xp.where(turning, q, 0.04), full), 0.0)
+    # sn and cn change sign with each 2K, dn does not
     odd = 1.0 - 2.0 * (turns - 2.0 * xp.floor(0.5 * turns))
     sine, cosine = odd * sine, odd * cosine
     u = xp.where(positive, rate * time, 0.0)
+    # ∫sn² du, by t = s c/d + bρ + κσ
     G = u - sine * cosine / delta - m1 * F
     small = xp.abs(u) < SMALL
     X = xp.where(small, b * time * time, 0.0)
@@ -92,6 +94,7 @@ def _series(X: Array, m: Array, m1: Array) -> tuple[Array, Array, Array]:
             value = term + X * value
         return value
 
+    # (sd²)″ = 2 + 4(m − m1) sd² − 6 m m1 sd⁴, so that both start as u²; ∫ of u²·u^2k is u^(2k+3)/(2k + 3)
     e, f = coefficients(-4.0 * (1.0 + m), 6.0 * m), coefficients(4.0 * (m - m1), -6.0 * m * m1)
     integrated = lambda c: [x / (2 * k + 3) for k, x in enumerate(c)]  # noqa: E731
     return polynomial(e), polynomial(integrated(e)), polynomial(integrated(f))

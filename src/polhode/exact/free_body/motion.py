@@ -37,7 +37,7 @@ class FreeMotion(AbstractMotion):
     that the error is a few units in the last place at any time and for any positive moments: no step, no drift. All
     components are along the principal axes, in the order of ``moments``; they may come in any order. Those of a motion
     made by ``from_body`` are along the body's given axes, in every attribute; ``axes`` then has the principal axes by
-    columns, and ``moments`` and ``encircled_axis`` are of these. ``along("principal")`` gives the other view.
+    columns, and ``moments`` and ``encircled_axis`` refer to these. ``along("principal")`` gives the other view.
 
     Args:
         moments: (…, 3) principal moments [kg m²], positive.
@@ -55,14 +55,14 @@ class FreeMotion(AbstractMotion):
     Batch axes of all four are broadcast against each other, and times against them: one body at many times t (T,);
     many bodies each at its time t (N,); all with all: momentum (N, 1, 3), t (T,). JAX arrays in, JAX arrays out, with
     ``jit``, ``vmap`` and derivatives through moments, momentum, attitude, epoch and time. Derivatives are NaN of
-    motions that start closer than 1e-153 |L| to the unstable axis. JAX on the CPU takes numbers below 2e-308 for zero.
+    motions that start closer than 1e-153 |L| to the unstable axis. JAX on the CPU treats numbers below 2e-308 as zero.
 
     Scalar answers such as ``period`` are floats for one body, inf where infinite and None where undefined; in batches
     they are arrays, with NaN where undefined.
 
     Raises:
         InvalidInput: for moments that are not positive and finite, values that are not finite, or a quaternion that is
-            not of unit length. Traced JAX values cannot be looked at; bad ones give NaN.
+            not of unit length. Values that JAX traces are not checked: invalid ones give NaN.
 
     Source: Jacobi 1849; Klein & Sommerfeld, *Theorie des Kreisels*; van Zon & Schofield, J. Comput. Phys. 225 (2007)
     145.
@@ -179,7 +179,10 @@ class FreeMotion(AbstractMotion):
     def regime(self) -> Any:
         """One of "rest", "spherical", "permanent", "symmetric", "short-axis", "long-axis", "separatrix".
 
-        Exact comparisons on the given floats decide. In batches, integer codes in that order from 0.
+        "spherical": all moments are equal; "permanent": the body turns steadily about a principal axis; "symmetric":
+        two moments are equal; "short-axis" and "long-axis": L circles the axis of largest and of least moment;
+        "separatrix": between both, where L tends to the middle axis. Exact comparisons on the given floats decide. In
+        batches, integer codes in that order from 0.
         """
         return named_code(self._numbers.regime, geometry.REGIMES)
 
@@ -244,7 +247,7 @@ class FreeMotion(AbstractMotion):
 
     @property
     def long_axis_period(self) -> Any:
-        """P1 [s]: mean period of the axis of least inertia about L; 1/P1 = 1/P_φ − 1/P_ψ if it is not encircled."""
+        """P1 [s]: mean period of the axis of least inertia about L; 1/P1 = 1/P_φ − 1/P_ψ where L does not circle it."""
         xp = namespace(self._numbers.period)
         with np.errstate(over="ignore", divide="ignore"):  # slower than numbers go: infinite
             own = xp.where(self._encircles_smallest(), 0.0, 2.0 * math.pi / self._numbers.period)

@@ -67,6 +67,7 @@ def _steps(xp: Any, rate: Array, tau: Array) -> Array:
 def _everywhere(start: Start, tau: Array, D: Array) -> tuple[Array, ...]:
     xp = namespace(*start)
     G, a = start[6:]
+    # β'' = (D/4 − G|β|²) β by the definition of D
     h = 0.5 * G - 0.25 * D
     rate = xp.sqrt(start[4] ** 2 + start[5] ** 2 + a * a + 2.0 * G)
     count = _steps(xp, rate, tau)
@@ -126,9 +127,11 @@ def _near_upright(start: Start, tau: Array, D: Array, tilt: Array) -> tuple[Arra
 
     br_t, bi_t, dbr_t, dbi_t, swept = iterate(count, step, now, like=now)
     size0, size = (xp.sqrt(1.0 - (x * x + y * y)) for x, y in ((br, bi), (br_t, bi_t)))
+    # ¼c' ∫ dτ/|α|² = ¼c' (τ + ∫ |β|²/|α|² dτ)
     angle = 0.25 * c * (tau + swept)
     cosine, sine = xp.cos(angle) * size / size0, xp.sin(angle) * size / size0
     ar_t, ai_t = ar * cosine - ai * sine, ar * sine + ai * cosine
+    # α'/α = −Re β̄β'/|α|² + i c'/4|α|²
     grow, turn = -(br_t * dbr_t + bi_t * dbi_t) / (size * size), 0.25 * c / (size * size)
     slope = grow * ar_t - turn * ai_t, grow * ai_t + turn * ar_t
     return ar_t, ai_t, br_t, bi_t, *_momentum((ar_t, ai_t), (br_t, bi_t), slope, (dbr_t, dbi_t))

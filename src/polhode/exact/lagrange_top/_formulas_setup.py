@@ -66,6 +66,8 @@ def cubics(
     d: Pair, f: Pair,
 ) -> tuple[Pair, Cubic, Cubic]:  # fmt: skip
     """Return f1, and the cubics x³ + bx² + cx + d of Y = G (u3 − u0) and of s = 1 − u1; ``inverse`` is 1/G."""
+    # with v = u − u0 and the |w|² of the start, u̇² = (1 − u²)(|w|² − G v) − (b − a u)² = p² + f1 v + f2 v² + G v³,
+    # and with s = 1 − u it is −(G s³ − D s² − 2F s + c²)
     f1 = subtract(scale(multiply_float(twist, axial), 2.0), multiply(g, multiply(s0, t0)))
     f1 = subtract(f1, scale(multiply(u0, w2), 2.0))
     f2 = subtract(subtract(scale(multiply(g, u0), 2.0), w2), two_square(axial))

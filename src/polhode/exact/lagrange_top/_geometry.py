@@ -61,6 +61,8 @@ def _characteristics(top: Reduction, points: TurningPoints, rates: Frequencies) 
     lower, upper = (xp.where(permanent, top.u0[0], v) for v in (lower, upper))
     pi = tuple(c + zero for c in dd.PI)
     half_turn = dd.from_float(rates.sign_alpha)
+    # α = cos(θ/2) e^{i(φ + ψ)/2}, β = sin(θ/2) e^{i(φ − ψ)/2} up to a constant phase: φ = arg α + arg β,
+    # ψ = arg α − arg β. In a period, π/ϖ by τ, each argument gains its linear part, and half a turn by its thetas
     turn_alpha = dd.add(dd.divide(rates.alpha, rates.nutation), half_turn)
     turn_beta = dd.add(dd.divide(rates.beta, rates.nutation), dd.from_float(rates.sign_beta))
     spin = dd.divide(rates.spin, rates.nutation)

@@ -36,6 +36,7 @@ from polhode.exact.lagrange_top._formulas_setup import (
 def _poles(w: Any, count: int) -> None:
     """Put the nome of the smaller parameter, and the places of the poles in units of its half period."""
     for i in range(count):
+        # m = (A − B)/A = G (u2 − u1)/A and 1 − m = B/A; θ3 = 1 + 2(q + q⁴ + q⁹ + …), whose square is 2K/π (DLMF 22.2.2)
         small = min(w[at.G + i] * w[at.GAP + i], w[at.B + i]) / w[at.A + i]
         q = small * nome_per_parameter(small, square_root(1.0 - small))
         q4 = (q * q) * (q * q)

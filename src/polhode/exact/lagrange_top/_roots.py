@@ -42,6 +42,7 @@ def turning_points(top: Reduction) -> TurningPoints:
 
 def _largest_root(xp: Any, b: Array, c: Array, d: Array) -> tuple[Array, Array]:
     """Return the largest root of x³ + bx² + cx + d, whose roots are real, and cos 3φ of Viète's formula."""
+    # Viète: x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³
     P, Q = c - b * b / 3.0, 2.0 * b**3 / 27.0 - b * c / 3.0 + d
     r = xp.sqrt(xp.maximum(-P / 3.0, 0.0 * P))
     positive = r > 0

@@ -82,18 +82,22 @@ def upright_change(a: Number, now: Vector, change: Moved, of: tuple[Change, Chan
     # the part of β that falls, which is all of it but for errors that grew on the way up
     beta = xp.where(by.decay != 0, 0.5 * (beta - 0.5 * (w * alpha - 1j * a * beta) / own), 0.0)
     slope = 0.5 * (w * change[0] + alpha * change[2] - 1j * (a * change[1] + beta * da))
+    # δβ'' = κ δβ from δβ and δβ' = ½ δ(wα − iaβ)
     changed = by.C * change[1] + by.S * slope
     changed_slope = by.kappa * by.S * change[1] + by.C * slope
     sigma = by.elapsed
     fall = xp.exp(-by.decay * sigma)
     spent = 0.5 * (1.0 - fall * fall) / own
+    # ∫ e^{−λσ} δβ dσ and e^{−λσ} δβ, with cosh and sinh multiplied out so that nothing overflows
     met = 0.5 * (sigma + spent) * change[1] + 0.5 * (sigma - spent) / own * slope
     end = 0.5 * (1.0 + fall * fall) * change[1] + spent * slope
     conj = xp.conj
+    # |α|² = 1 − |β|² gives the change of |α|; χ' = c'/4|α|² with c' near 2a that of the phase
     shrink = xp.real(conj(beta) * (change[1] - end))
     angle = 0.25 * dc_plus * sigma + 0.5 * a * 2.0 * xp.real(conj(beta) * met)
     d_alpha = change[0] + alpha * (shrink + 1j * angle)
     now_beta, now_w = fall * beta, fall * (1j * a - 2.0 * by.decay) * beta * conj(alpha)
+    # w = (2β' + iaβ)/α, |α| = 1
     d_w = (2.0 * changed_slope + 1j * (a * changed + da * now_beta) - now_w * d_alpha) * conj(alpha)
     return d_alpha, changed, d_w
 
@@ -104,6 +108,7 @@ def resting_change(start: Vector, change: Moved, of: tuple[Change, Change], tau:
     alpha, beta, _ = start
     d_alpha, d_beta, d_w = change
     dG, da = of
+    # w changes by δw + δG ᾱβ τ, and 2α' = i a α − w̄ β, 2β' = w α − i a β are integrated about a = w = 0
     pull = 0.5 * tau * tau * dG
     return (
         d_alpha + 0.5 * (1j * da * alpha * tau - conj(d_w) * beta * tau - pull * alpha * beta * conj(beta)),

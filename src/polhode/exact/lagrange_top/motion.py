@@ -46,7 +46,7 @@ class LagrangeMotion(AbstractMotion):
     drift, the same error at any time, from the sleeping top to the spherical pendulum (moments I1, I1, any I3; L3 = 0).
     All components are along the principal axes. Those of a motion made by ``from_body`` are along the body's given
     axes, in every attribute; ``axes`` then has the principal axes by columns, the third from the pivot to the centre of
-    mass, and ``moments`` are of these. ``along("principal")`` gives the other view.
+    mass, and ``moments`` refer to these. ``along("principal")`` gives the other view.
 
     Args:
         moments: (…, 3) principal moments about the pivot [kg m²], positive, the first two equal.
@@ -55,7 +55,7 @@ class LagrangeMotion(AbstractMotion):
             the free symmetric body.
         momentum: (…, 3) angular momentum at the epoch [kg m²/s, body axes]; this or ``angular_velocity``.
         angular_velocity: (…, 3) at the epoch [rad/s, body axes].
-        attitude: (…, 4) unit quaternion wxyz at the epoch, body → space; q/|q| is meant, exactly. The
+        attitude: (…, 4) unit quaternion wxyz at the epoch, body → space; it is normalised exactly. The
             identity if not given.
         epoch: (…) time at which these hold [s].
         momentum_at_epoch, attitude_at_epoch: as ``momentum`` and ``attitude``, by the names of the attributes that keep
@@ -73,7 +73,7 @@ class LagrangeMotion(AbstractMotion):
 
     Raises:
         InvalidInput: for moments that are not positive, finite and equal in the first two, values that are not finite,
-            or a quaternion that is not of unit length. Traced JAX values cannot be looked at; bad ones give NaN.
+            or a quaternion that is not of unit length. Values that JAX traces are not checked: invalid ones give NaN.
 
     Source: Klein & Sommerfeld, *Theorie des Kreisels*, ch. IV and VI; Whittaker, *Analytical Dynamics*, §71–75.
 

@@ -69,6 +69,7 @@ def steady_precession(
     square = momentum * momentum - 4.0 * quadratic * mgl
     if square < 0.0:
         return None
+    # the root without cancellation; the other is mgl over it, as their product is mgl/quadratic
     larger = 0.5 * (momentum + math.copysign(math.sqrt(square), momentum))
     if larger == 0.0:
         return SteadyPrecession(0.0, 0.0)
@@ -79,7 +80,7 @@ def steady_precession(
 def least_spin_rate(moments: tuple[float, float, float], mgl: float, tilt: float) -> float:
     """Return the |ψ̇| [rad/s] from which a top can precess steadily at a tilt, 2 √((I1 − I3) cos θ mgl)/I3, or zero.
 
-    Zero is where any spin will do; of a level axis any but none.
+    It is zero where the top precesses steadily at any spin; a level axis needs a spin other than zero.
 
     Args:
         moments: (I1, I1, I3) about the pivot [kg m²].
@@ -103,7 +104,7 @@ def least_spin_rate(moments: tuple[float, float, float], mgl: float, tilt: float
 def sleeping_threshold(moments: tuple[float, float, float], mgl: float) -> float:
     """Return the spin |ω3| [rad/s] from which the upright top is stable, 2 √(I1 mgl)/I3; zero for a hanging one.
 
-    At the threshold itself the quadratic terms are silent and the quartic ones keep the top upright.
+    At the threshold itself the quadratic terms of the potential vanish, and the quartic ones keep the top stable.
 
     >>> round(sleeping_threshold((1.0, 1.0, 0.5), 1.0), 12)
     4.0

@@ -13,6 +13,7 @@ from polhode.types import Array, Float64
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from polhode.exact.free_body import FreeMotion
     from polhode.kinds.base import Ensemble, Figures, ManySpecs, Overview, Spec
     from polhode.kinds.free_body.answers import FreeBodyReport
 
@@ -31,6 +32,11 @@ class FreeBody(AbstractKind[FreeBodyTable]):
         from polhode.kinds.free_body.answers import make_report
 
         return make_report(spec)
+
+    def closed_form(self, spec: Spec[FreeBodyTable]) -> FreeMotion:
+        from polhode.kinds.free_body.answers import make_motion
+
+        return make_motion(spec)
 
     def figures(self) -> Figures:
         from polhode.kinds.free_body.figures import FIGURES

@@ -179,6 +179,26 @@ def make_report(spec: Spec[FreeBodyTable]) -> FreeBodyReport:
     return replace(report, remarks=spec.remarks)
 
 
+def make_motion(spec: Spec[FreeBodyTable]) -> FreeMotion:
+    """Return the free motion of a spec's body, along its principal axes.
+
+    Raises:
+        InvalidInput: for a body with a vanishing moment.
+    """
+    assert spec.body is not None
+    momentum, attitude = spec.start(spec.body.principal_moments, spec.body.principal_axes)
+    return _motion_of(spec.body, momentum, attitude)
+
+
+def _motion_of(body: Body, momentum: Real[ArrayLike, "3"], attitude: Real[ArrayLike, "4"]) -> FreeMotion:
+    if not body.principal_moments[0] > 0:
+        raise InvalidInput(
+            "the body is a thin rod: its moment about its own axis is zero, and its spin about it is undefined. "
+            "Give it a radius, as a cylinder; of a linear molecule, `polhode body` gives the moments."
+        )
+    return FreeMotion(body.principal_moments, momentum=momentum, attitude=attitude)
+
+
 def free_body_report(
     body: Body,
     momentum: Real[ArrayLike, "3"],
@@ -198,12 +218,7 @@ def free_body_report(
     Raises:
         InvalidInput: for a body with a vanishing moment, or values that are not finite.
     """
-    if not body.principal_moments[0] > 0:
-        raise InvalidInput(
-            "the body is a thin rod: its moment about its own axis is zero, and its spin about it is undefined. "
-            "Give it a radius, as a cylinder; of a linear molecule, `polhode body` gives the moments."
-        )
-    motion = FreeMotion(body.principal_moments, momentum=momentum, attitude=attitude)
+    motion = _motion_of(body, momentum, attitude)
     sizes = (motion.energy, motion.momentum_norm)
     if any(x is None or (x and not 1.0 / LARGEST < x < LARGEST) for x in sizes) or (sizes[1] and not sizes[0]):
         raise InvalidInput(

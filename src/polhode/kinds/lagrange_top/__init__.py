@@ -15,6 +15,7 @@ from polhode.types import Array, Float64
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from polhode.exact.lagrange_top import LagrangeMotion
     from polhode.kinds.base import Ensemble, Figures, ManySpecs, Overview, Spec, SpecMotion
     from polhode.kinds.lagrange_top.answers import LagrangeTopReport
 
@@ -33,6 +34,11 @@ class LagrangeTopKind(AbstractKind[LagrangeTopTable]):
         from polhode.kinds.lagrange_top.answers import make_report
 
         return make_report(spec)
+
+    def closed_form(self, spec: Spec[LagrangeTopTable]) -> LagrangeMotion:
+        from polhode.kinds.lagrange_top.answers import make_motion
+
+        return make_motion(spec)
 
     def motion(self, spec: Spec[LagrangeTopTable]) -> SpecMotion:
         from polhode.kinds.lagrange_top.answers import simulate_motion

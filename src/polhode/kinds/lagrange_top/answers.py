@@ -155,11 +155,24 @@ def simulate_motion(spec: Spec[LagrangeTopTable]) -> SpecMotion:
 def _simulate(spec: Spec[LagrangeTopTable]) -> tuple[HeavyTop, LagrangeMotion, Trajectory]:
     body, times = spec.body, spec.times
     assert body is not None
-    top, momentum, attitude = make_start(spec)
-    exact = LagrangeMotion(np.asarray(top.moments), mgl=float(top.mgl), momentum=momentum, attitude=attitude)
+    top, exact = _make_both(spec)
     if times is None:
-        times = usual_times(finite(exact.nutation_period), top, momentum, spec.samples)
+        times = usual_times(finite(exact.nutation_period), top, exact.momentum_at_epoch, spec.samples)
     return top, exact, replace(exact.sample(times), frame=build_frame(top, body, spec.system.pivot))
+
+
+def make_motion(spec: Spec[LagrangeTopTable]) -> LagrangeMotion:
+    """Return the motion in closed form.
+
+    Raises:
+        InvalidInput: as ``make_report`` does.
+    """
+    return _make_both(spec)[1]
+
+
+def _make_both(spec: Spec[LagrangeTopTable]) -> tuple[HeavyTop, LagrangeMotion]:
+    top, momentum, attitude = make_start(spec)
+    return top, LagrangeMotion(np.asarray(top.moments), mgl=float(top.mgl), momentum=momentum, attitude=attitude)
 
 
 def make_start(spec: Spec[LagrangeTopTable]) -> tuple[HeavyTop, Float64[Array, "3"], Float64[Array, "4"]]:

@@ -1,0 +1,163 @@
+"""Exact numbers that come in, and balls of python-flint that are refined until they are small enough."""
+
+from __future__ import annotations
+
+import math
+import numbers
+import re
+from collections.abc import Callable, Iterable, Sequence
+from decimal import Decimal
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from polhode.errors import InvalidInput, NotConverged, not_installed, shown
+
+Ball = Any
+"""A real or complex ball of python-flint."""
+Rational = Any
+"""A rational of python-flint."""
+if TYPE_CHECKING:
+    ExactNumber = int | float | str | Fraction | Decimal
+    """A number without error: a double is the rational that it is, a text its decimals or its quotient, like "1/3"."""
+else:
+    ExactNumber = Any  # as functions check a user's numbers themselves
+
+MOST_DIGITS = 10_000
+SPARE_BITS = 64
+MOST_BITS = 1 << 16
+LONGEST, LARGEST_EXPONENT = 10_000, 5_000  # of a number in a text
+_EXPONENT = re.compile(r"[eE]([+-]?[0-9]{1,9})$")
+
+
+def import_flint() -> Any:
+    """Return the module of python-flint.
+
+    Raises:
+        InvalidInput: if it is not installed.
+    """
+    try:
+        import flint
+    except ImportError:
+        raise not_installed("Proofs", "python-flint", "symbolic") from None
+    return flint
+
+
+def exact_rational(name: str, number: ExactNumber) -> Rational:
+    """Return a number as the rational that it is exactly.
+
+    Raises:
+        InvalidInput: for what is no number, not finite, or beyond 1e±5000.
+    """
+    from flint import fmpq
+
+    if isinstance(number, str):
+        return _rational_of_text(name, number)
+    if isinstance(number, bool | np.bool_) or not isinstance(number, numbers.Real | Decimal):
+        raise InvalidInput(f"`{name}` must be of doubles, whole numbers, Fractions or decimals in quotes; "
+                           f"got {shown(number)}.")  # fmt: skip
+    if isinstance(number, numbers.Rational):
+        return fmpq(int(number.numerator), int(number.denominator))
+    if isinstance(number, Decimal):
+        return _rational_of_text(name, str(number))
+    if not math.isfinite(number):
+        raise InvalidInput(f"`{name}` must be finite; got {shown(number)}.")
+    if isinstance(number, np.floating) and number.dtype.itemsize < 8:
+        raise InvalidInput(f"`{name}` must be in double precision; got {shown(number)} of {number.dtype}. Convert it.")
+    return fmpq(*float(number).as_integer_ratio())
+
+
+def _rational_of_text(name: str, text: str) -> Rational:
+    from flint import fmpq
+
+    exponent = _EXPONENT.search(text.strip())
+    wrong = InvalidInput(f'`{name}` must be decimals like "0.3" or a quotient like "1/3", finite and within '
+                         f"1e±{LARGEST_EXPONENT}; got {shown(text)}.")  # fmt: skip
+    if len(text) > LONGEST or (exponent is not None and abs(int(exponent[1])) > LARGEST_EXPONENT):
+        raise wrong
+    try:
+        value = Fraction(text)
+    except (ValueError, ZeroDivisionError):
+        raise wrong from None
+    return fmpq(value.numerator, value.denominator)
+
+
+def exact_rationals(name: str, values: Any, count: int) -> list[Rational]:
+    """Return some numbers as rationals; of one number, the list has one entry.
+
+    Raises:
+        InvalidInput: for another count, or as ``exact_rational`` does.
+    """
+    given = [values] if np.ndim(np.asarray(values, dtype=object)) == 0 else list(values)
+    if len(given) != count:
+        raise InvalidInput(f"`{name}` must be {count} numbers; got {shown(values)}.")
+    return [exact_rational(name, value) for value in given]
+
+
+def check_digits(digits: int) -> int:
+    """Return how many digits are asked for.
+
+    Raises:
+        InvalidInput: unless it is a whole number from 1 to 10000.
+    """
+    if isinstance(digits, bool) or not isinstance(digits, numbers.Integral) or not 1 <= digits <= MOST_DIGITS:
+        raise InvalidInput(f"`digits` must be a whole number from 1 to {MOST_DIGITS}; got {shown(digits)}.")
+    return int(digits)
+
+
+class Wanted(NamedTuple):
+    """A ball that is asked for.
+
+    Attributes:
+        ball: as it was found with some precision.
+        size: relative to which its radius counts, a ball; None for its own size.
+    """
+
+    ball: Ball
+    size: Ball | None = None
+
+
+def refine(compute: Callable[[], Sequence[Wanted]], digits: int, extra_bits: float = 0.0) -> list[Ball]:
+    """Return balls computed with so many bits that each has the digits asked for.
+
+    Args:
+        compute: gives the balls with the precision that python-flint has at the time.
+        digits: decimals.
+        extra_bits: that are known to be lost on the way, as to whole turns at late times.
+
+    Raises:
+        NotConverged: if 65536 bits do not suffice.
+    """
+    from flint import arb, ctx
+
+    bits = math.ceil(digits * math.log2(10.0) + max(extra_bits, 0.0)) + SPARE_BITS
+    while bits <= MOST_BITS:
+        with ctx.workprec(bits):
+            found = compute()
+            share = arb(10) ** -digits
+            if all(_is_sharp(one, share) for one in found):
+                return [one.ball for one in found]
+        bits *= 2
+    raise NotConverged(
+        f"{MOST_BITS} bits do not give {digits} digits: the numbers are too close to a case of their own. Give numbers "
+        "that are exact, as decimals in `exact`, or fewer digits."
+    )
+
+
+def _is_sharp(one: Wanted, share: Ball) -> bool:
+    radius = one.ball.rad()
+    if radius == 0:
+        return not one.ball.is_nan()
+    if not one.ball.is_finite():
+        return False
+    size = abs(one.ball).lower() if one.size is None else one.size.upper()
+    return bool(radius <= share * size)
+
+
+def total(values: Iterable[Any]) -> Any:
+    """Return the sum of rationals or balls."""
+    first, *others = values
+    for value in others:
+        first = first + value
+    return first

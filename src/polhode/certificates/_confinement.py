@@ -1,0 +1,252 @@
+"""Proofs of stability: a conserved function with a strict minimum, its second variation as a sum of squares."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from polhode.certificates._definite import definite_combination
+from polhode.certificates._equations import DENOMINATORS, ENERGY, Equations
+from polhode.certificates._polynomials import RationalPolynomial, linear_form, total
+from polhode.certificates._rational_matrices import Rows, combine, identity, null_space, split_into_squares, transpose
+from polhode.types import Array, Float64
+
+Squares = tuple[tuple[Fraction, tuple[Fraction, ...]], ...]
+GROWTHS = range(-2, 24)  # powers of two by which squares of conserved quantities are tried
+
+
+@dataclass(frozen=True)
+class Confinement:
+    """G = Σ w C + Σ s (C − C⁰)² with G(z + v) − G(z) ≥ margin |v|² − … near z: solutions near z stay near it.
+
+    Attributes:
+        weights: w by the names of what is conserved.
+        squares: s ≥ 0 by the same names.
+        margin: m of ½ D²G = m + Σ d ℓℓᵀ.
+        forms: pairs of d ≥ 0 and ℓ (n,).
+        radius: up to which |v| terms of higher degree are smaller than the margin, at most 1.
+        slice: s ≥ 0 of the square of the direction in which a symmetry moves the point; zero without one.
+    """
+
+    weights: Mapping[str, Fraction]
+    squares: Mapping[str, Fraction]
+    margin: Fraction
+    forms: Squares
+    radius: Fraction
+    slice: Fraction = Fraction(0)
+
+    verdict = "stable"
+
+    def function(self, equations: Equations) -> RationalPolynomial:
+        """Return G."""
+        c, levels = equations.conserved, equations.levels
+        parts = [w * c[name] for name, w in self.weights.items()]
+        parts += [s * (c[name] - levels[name]) ** 2 for name, s in self.squares.items()]
+        return total(equations.size, parts)
+
+    def raised(self, equations: Equations) -> RationalPolynomial:
+        """Return G(z + v) − G(z), with the square across a symmetry's orbit."""
+        g = self.function(equations)
+        moved = g.shift(equations.point) - g.at(equations.point)
+        if equations.flow:
+            moved = moved + self.slice * linear_form(equations.along) ** 2
+        return moved
+
+    def rest(self, equations: Equations) -> RationalPolynomial:
+        """Return what is left of G(z + v) − G(z) without the margin and the squares; of third degree where it holds."""
+        return self.raised(equations) - self.margin * norm(equations.size) - sum_of_squares(equations.size, self.forms)
+
+    def find_faults(self, equations: Equations) -> list[str]:
+        """Return what is wrong with the proof of these equations."""
+        faults, raised, rest = [], self.raised(equations), self.rest(equations)
+        if self.function(equations).rate(equations.field):
+            faults.append("G is not conserved")
+        if equations.flow and self.function(equations).rate(equations.flow):
+            faults.append(f"the flow of {equations.flow_name} does not keep G")
+        if raised.part(0, 1):
+            faults.append("G is not stationary at the point")
+        if rest.part(0, 2):
+            faults.append("the second variation is not the sum of squares")
+        if any(d < 0 for d, _ in self.forms):
+            faults.append("a square has a negative factor")
+        if not 0 < self.radius <= 1 or self.margin - rest.magnitude * self.radius <= 0:
+            faults.append("the margin does not cover the terms of higher degree")
+        return faults
+
+    def as_json(self) -> dict[str, Any]:
+        """Return plain data, numbers as text."""
+        return {
+            "weights": {k: str(w) for k, w in self.weights.items()},
+            "squares": {k: str(w) for k, w in self.squares.items()},
+            "margin": str(self.margin), "forms": show_squares(self.forms), "radius": str(self.radius),
+            **({"slice": str(self.slice)} if self.slice else {}),
+        }  # fmt: skip
+
+
+def norm(size: int) -> RationalPolynomial:
+    """Return |v|²."""
+    return total(size, (x * x for x in RationalPolynomial.variables(size)))
+
+
+def sum_of_squares(size: int, forms: Squares) -> RationalPolynomial:
+    """Return Σ d (ℓ·v)²."""
+    return total(size, (d * linear_form(row) ** 2 for d, row in forms))
+
+
+def show_squares(forms: Squares) -> list[list[Any]]:
+    """Return squares as plain data."""
+    return [[str(d), [str(x) for x in row]] for d, row in forms]
+
+
+def find_confinement(equations: Equations, hint: Mapping[str, float]) -> Confinement | None:
+    """Return a proof that motions near the point stay near it, up to the flow if there is one; None if none is found.
+
+    Args:
+        equations: exact.
+        hint: weights of what is conserved that a numerical method found, by name.
+    """
+    names = [*(k for k in equations.conserved if k != ENERGY), *(k for k in equations.conserved if k == ENERGY)]
+    slopes = [equations.slopes[k] for k in names]
+    basis = null_space(transpose(slopes), len(names)) if names else []
+    halves = [equations.conserved[k].shift(equations.point).quadratic() for k in names]
+    across = _null(slopes + ([equations.along] if equations.flow else []), equations.size)
+    tried = set()
+    for weights in _candidates(basis, names, hint, halves, across, bool(equations.flow)):
+        if (key := tuple(weights)) not in tried:
+            tried.add(key)
+            if found := _try_weights(equations, dict(zip(names, weights, strict=True)), halves, across):
+                return found
+    return None
+
+
+def _null(rows: Sequence[Sequence[Fraction]], size: int) -> Array:
+    numbers = as_floats(rows).reshape(-1, size)
+    lengths = np.linalg.norm(numbers, axis=1, keepdims=True)
+    _, sizes, found = np.linalg.svd(numbers / np.where(lengths > 0, lengths, 1.0))
+    return found[int((sizes > 1e-12).sum()) :].T
+
+
+def as_floats(rows: Sequence[Sequence[Fraction]]) -> Float64[np.ndarray, "rows columns"]:
+    """Return a matrix in doubles."""
+    return np.array([[float(x) for x in row] for row in rows])
+
+
+def _candidates(
+    basis: Rows, names: list[str], hint: Mapping[str, float], halves: list[Rows], across: Array, relative: bool
+) -> Iterator[list[Fraction]]:
+    """Yield rational weights with a stationary sum: the hinted ones, rounded to ever more digits, then others."""
+    if not basis:
+        return
+    free = [max(k for k, x in enumerate(vector) if x) for vector in basis]
+    wanted = [np.array([hint.get(name, 0.0) for name in names])] if hint else []
+    if across.shape[1]:
+        matrices = [across.T @ np.tensordot(as_floats([v])[0], np.array([as_floats(h) for h in halves]), 1) @ across
+                    for v in basis]  # fmt: skip
+        sizes = [np.abs(m).max() or 1.0 for m in matrices]
+        combination = definite_combination(np.array([m / s for m, s in zip(matrices, sizes, strict=True)]), 1e-12)
+        if combination is not None:
+            other = np.array(combination) / sizes @ as_floats(basis)
+            largest = abs(other[-1]) if names[-1] == ENERGY and abs(other[-1]) > 1e-9 else np.abs(other).max()
+            wanted.append(other / largest)
+    else:
+        wanted.append(np.zeros(len(names)))
+    for target in wanted:
+        for d in DENOMINATORS:
+            parts = [Fraction(float(target[k])).limit_denominator(d) for k in free]
+            yield [sum((a * v[k] for a, v in zip(parts, basis, strict=True)), Fraction(0)) for k in range(len(names))]
+
+
+def _try_weights(
+    equations: Equations, weights: dict[str, Fraction], halves: list[Rows], across: Array
+) -> Confinement | None:
+    n = equations.size
+    half = combine(*((w, h) for w, h in zip(weights.values(), halves, strict=True)))
+    inner = across.T @ as_floats(half) @ across
+    ends = np.linalg.eigvalsh(inner) if across.shape[1] else np.ones(1)
+    if ends[0] <= 0 <= ends[-1]:
+        return None
+    sign = 1 if ends[0] > 0 else -1
+    weights = {name: sign * w for name, w in weights.items() if w}
+    half = combine((sign, half))
+    rows = {name: g for name, g in equations.slopes.items() if any(g) and name != ENERGY}
+    degrees = {name: equations.conserved[name].degree for name in rows}
+    squares, low = _grow_squares(as_floats(half), rows, equations.along)
+    if low <= 0:
+        return None
+    squares, low = _drop_squares(as_floats(half), {**rows, "": equations.along}, squares, degrees)
+    whole = combine((1, half), *((s, _outer(rows[name])) for name, s in squares.items() if name in rows),
+                    *((s, _outer(equations.along)) for name, s in squares.items() if name not in rows))  # fmt: skip
+    margin = power_of_two(low / 2)
+    for _ in range(6):
+        if (forms := split_into_squares(combine((1, whole), (-margin, identity(n))))) is not None:
+            break
+        margin /= 4
+    else:
+        return None
+    kept = tuple((d, tuple(row)) for d, row in forms)
+    slice_ = squares.pop("", Fraction(0))
+    found = Confinement(weights, squares, margin, kept, Fraction(1), slice_)
+    return Confinement(weights, squares, margin, kept, radius_for(margin, found.rest(equations)), slice_)
+
+
+def _outer(row: Sequence[Fraction]) -> Rows:
+    return [[x * y for y in row] for x in row]
+
+
+def _grow_squares(
+    half: Array, rows: Mapping[str, Sequence[Fraction]], along: Sequence[Fraction]
+) -> tuple[dict[str, Fraction], float]:
+    """Return multiples of the squares of gradients that make a matrix definite, and its least eigenvalue then.
+
+    The square of the direction of a symmetry has no name.
+    """
+    low = _least(half, rows, {})
+    if low > 0:
+        return {}, low
+    size = float(np.abs(half).max()) or 1.0
+    named = {**rows, **({"": along} if any(along) else {})}
+    best: tuple[dict[str, Fraction], float] = ({}, low)
+    for k in GROWTHS:
+        squares = {name: power_of_two(size * 2.0**k / float(sum(x * x for x in g))) for name, g in named.items()}
+        low = _least(half, named, squares)
+        if best[1] > 0 and low < 1.5 * best[1]:
+            break
+        if low > best[1]:
+            best = squares, low
+        if low > size / 4:
+            break
+    return best
+
+
+def _drop_squares(
+    half: Array, rows: Mapping[str, Sequence[Fraction]], squares: dict[str, Fraction], degrees: Mapping[str, int]
+) -> tuple[dict[str, Fraction], float]:
+    """Return squares without those that are hardly needed, functions of high degree first."""
+    low = _least(half, rows, squares)
+    enough = low / 4
+    for name in sorted((k for k in reversed(squares) if k), key=lambda k: -degrees[k]):
+        fewer = {k: s for k, s in squares.items() if k != name}
+        if (left := _least(half, rows, fewer)) > enough:
+            squares, low = fewer, left
+    return squares, low
+
+
+def _least(half: Array, rows: Mapping[str, Sequence[Fraction]], squares: Mapping[str, Fraction]) -> float:
+    """Return the least eigenvalue of a matrix with squares of gradients added."""
+    vectors = ((float(s), as_floats([rows[name]])[0]) for name, s in squares.items())
+    return float(np.linalg.eigvalsh(half + sum((s * np.outer(v, v) for s, v in vectors), np.zeros_like(half)))[0])
+
+
+def power_of_two(value: float) -> Fraction:
+    """Return the largest power of two that is not above a positive number."""
+    return Fraction(2) ** math.floor(math.log2(value))
+
+
+def radius_for(margin: Fraction, rest: RationalPolynomial) -> Fraction:
+    """Return a radius, at most one, within which half of the margin covers terms of third degree and more."""
+    return min(Fraction(1), power_of_two(float(margin / (2 * rest.magnitude)))) if rest else Fraction(1)

@@ -1,0 +1,222 @@
+"""An equilibrium of polynomial equations, exact: field, conserved quantities, point."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import combinations_with_replacement
+from typing import Any
+
+from polhode.certificates._polynomials import RationalPolynomial, total
+from polhode.certificates._rational_matrices import Rows, combine, null_space, solve_near
+from polhode.errors import InvalidInput
+
+FARTHEST = Fraction(1, 10**9)  # of the largest component of a point, how far it may be moved to an exact equilibrium
+DENOMINATORS = (1, 2, 4, 8, 10, 16, 32, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15)
+ENERGY = "H"
+
+
+@dataclass(frozen=True)
+class Equations:
+    """ẋ = f(x) with rational coefficients, what it conserves, and a point where f vanishes.
+
+    Attributes:
+        system: what the equations are of, in words.
+        field: (n,) f.
+        conserved: functions by name, the energy "H" among them where it is conserved.
+        point: (n,) the equilibrium, or the point whose motion is that of a symmetry.
+        moved: the largest change of a component from the point that was asked about.
+        flow: field X of the symmetry along which neighbours may move away, linear, with X³ = −X and |x| kept, so that
+            it turns points, at one radian in a unit of time; empty for none.
+        flow_name: what generates it.
+        within: what solutions the equations are restricted to, in words; empty for all.
+    """
+
+    system: str
+    field: tuple[RationalPolynomial, ...]
+    conserved: Mapping[str, RationalPolynomial]
+    point: tuple[Fraction, ...]
+    moved: Fraction = Fraction(0)
+    flow: tuple[RationalPolynomial, ...] = ()
+    flow_name: str = ""
+    within: str = ""
+
+    @property
+    def size(self) -> int:
+        """How many variables there are."""
+        return len(self.point)
+
+    @cached_property
+    def around(self) -> tuple[RationalPolynomial, ...]:
+        """The field in v = x − point, (n,)."""
+        return tuple(f.shift(self.point) for f in self.field)
+
+    @cached_property
+    def levels(self) -> dict[str, Fraction]:
+        """The values of what is conserved at the point."""
+        return {name: c.at(self.point) for name, c in self.conserved.items()}
+
+    @cached_property
+    def slopes(self) -> dict[str, list[Fraction]]:
+        """The gradients (n,) of what is conserved at the point."""
+        return {name: c.shift(self.point).slope() for name, c in self.conserved.items()}
+
+    @cached_property
+    def linearization(self) -> Rows:
+        """The derivative of the field at the point, (n, n)."""
+        return [f.slope() for f in self.around]
+
+    @property
+    def along(self) -> list[Fraction]:
+        """Where the symmetry moves the point, (n,); empty without one."""
+        return [f.at(self.point) for f in self.flow]
+
+    def find_faults(self) -> list[str]:
+        """Return what is wrong: functions that are not conserved, and whether the point is no equilibrium."""
+        faults = [f"{name} is not conserved" for name, c in self.conserved.items() if c.rate(self.field)]
+        if not self.flow and any(f.at(self.point) for f in self.field):
+            faults.append("the point is no equilibrium")
+        if self.flow and not turns(self.flow):
+            faults.append(f"the flow of {self.flow_name} does not turn points")
+        return faults
+
+    def as_json(self) -> dict[str, Any]:
+        """Return plain data; polynomials as lists of coefficient and exponents, numbers as text."""
+        return {
+            "system": self.system, "field": [as_terms(f) for f in self.field],
+            "conserved": {name: as_terms(c) for name, c in self.conserved.items()},
+            "point": [str(x) for x in self.point], "moved": str(self.moved),
+            **({"within": self.within} if self.within else {}),
+            **({"flow": [as_terms(f) for f in self.flow], "flow_of": self.flow_name} if self.flow else {}),
+        }  # fmt: skip
+
+
+def restrict_to_zeros(equations: Equations, zeros: Sequence[int]) -> Equations:
+    """Return the equations for solutions on which those of some coordinates that stay zero are zero.
+
+    Args:
+        equations: in all coordinates.
+        zeros: coordinates, counted from 0, that are zero at the point; those that others drive are left in.
+
+    Raises:
+        InvalidInput: if no coordinate is left out, or none is left.
+    """
+    kept = set(range(equations.size)) - set(zeros)
+    left_out = set(zeros)
+    while driven := {k for k in left_out if _without(equations.field[k], left_out)}:
+        left_out -= driven
+        kept |= driven
+    if not left_out or not kept:
+        raise InvalidInput(
+            "an exact proof on a leaf needs coordinates that are zero on it and stay so, and others that move; "
+            f"{len(left_out)} of {equations.size} are. The numerical verdict stands without one."
+        )
+    places = sorted(kept)
+
+    def restrict(p: RationalPolynomial) -> RationalPolynomial:
+        terms = {tuple(m[k] for k in places): c for m, c in _without(p, left_out).terms.items()}
+        return RationalPolynomial(len(places), terms)
+
+    names = " = ".join(f"x{k + 1}" for k in sorted(left_out))
+    renamed = ", ".join(f"x{k + 1}" for k in places)
+    field = tuple(restrict(equations.field[k]) for k in places)
+    known = {name: r for name, c in equations.conserved.items() if (r := restrict(c)).degree}
+    return Equations(
+        equations.system, field, {**quadratic_integrals(field), **known},
+        tuple(equations.point[k] for k in places), equations.moved,
+        within=f"{names} = 0, where {renamed} are numbered anew",
+    )  # fmt: skip
+
+
+def quadratic_integrals(field: Sequence[RationalPolynomial]) -> dict[str, RationalPolynomial]:
+    """Return a basis of the polynomials of at most second degree that a field keeps, without constants, by name."""
+    n = len(field)
+    x = RationalPolynomial.variables(n)
+    monomials = [*x, *(x[i] * x[j] for i, j in combinations_with_replacement(range(n), 2))]
+    rates = [m.rate(field) for m in monomials]
+    rows = [[r.terms.get(m, Fraction(0)) for r in rates] for m in sorted({m for r in rates for m in r.terms})]
+    basis = null_space(rows, len(monomials))
+    found = (total(n, (c * m for c, m in zip(vector, monomials, strict=True) if c)) for vector in basis)
+    return {str(p): p for p in found}
+
+
+def _without(p: RationalPolynomial, zeros: set[int]) -> RationalPolynomial:
+    """Return the terms that are left where some coordinates are zero."""
+    return RationalPolynomial(p.size, {m: c for m, c in p.terms.items() if not any(m[k] for k in zeros)})
+
+
+def turns(flow: Sequence[RationalPolynomial]) -> bool:
+    """Whether a field X is linear, keeps |x|, and X³ = −X, so that its flow is x + sin a Xx + (1 − cos a) XXx."""
+    twice = [x.rate(flow) for x in flow]
+    norm = total(len(flow), (x * x for x in RationalPolynomial.variables(len(flow))))
+    return (all(x == x.part(1, 1) for x in flow) and not norm.rate(flow)
+            and all(x.rate(flow) == -y for x, y in zip(twice, flow, strict=True)))  # fmt: skip
+
+
+def as_terms(p: RationalPolynomial) -> list[list[Any]]:
+    """Return a polynomial as plain data."""
+    return [[str(c), list(m)] for m, c in p.sorted_terms()]
+
+
+def poisson_field(
+    brackets: Sequence[Sequence[Mapping[int, Fraction]]], sign: int, function: RationalPolynomial
+) -> tuple[RationalPolynomial, ...]:
+    """Return sign · {x_i, F} (n,) of structure constants [e_i, e_j] as {k: c}."""
+    n = function.size
+    x, slopes = RationalPolynomial.variables(n), [function.derivative(j) for j in range(n)]
+    rows = []
+    for row in brackets:
+        parts = [slopes[j] * x[k] * (sign * c) for j, vector in enumerate(row) for k, c in vector.items()]
+        rows.append(total(n, parts))
+    return tuple(rows)
+
+
+def rational_equilibrium(
+    vanishing: Sequence[RationalPolynomial],
+    conserved: Mapping[str, RationalPolynomial],
+    weights: Mapping[str, float],
+    point: Sequence[float],
+    read: Callable[[float], Fraction],
+) -> tuple[tuple[Fraction, ...], Fraction]:
+    """Return a rational point at which all of ``vanishing`` are exactly zero, and its largest distance in a component.
+
+    The point itself where it is one; else one with rounding errors of zero left out; else, as the energy and the rest
+    are of second degree, the solution of dH + Σ w dC = 0 for weights w rounded to rational numbers.
+
+    Raises:
+        InvalidInput: if none is found within a billionth of the point's size.
+    """
+    given = [read(x) for x in point]
+    size = max(map(abs, given), default=Fraction(0))
+    trials = [given, [x if abs(x) > size / 10**12 else Fraction(0) for x in given]]
+    trials += [[x.limit_denominator(d) for x in given] for d in DENOMINATORS[7:10]]
+    for trial in trials:
+        if found := _accept(trial, given, size, vanishing):
+            return found
+    if all(c.degree <= 2 for name, c in conserved.items() if weights.get(name)):
+        for d in DENOMINATORS:
+            w = {name: Fraction(x).limit_denominator(d) for name, x in weights.items() if name in conserved}
+            names = [name for name, x in w.items() if x]
+            if not names:
+                continue
+            matrix = combine(*((2 * w[name], conserved[name].quadratic()) for name in names))
+            right = [-sum(w[name] * conserved[name].slope()[k] for name in names) for k in range(len(given))]
+            solution = solve_near(matrix, [Fraction(x) for x in right], given)
+            if solution and (found := _accept(solution, given, size, vanishing)):
+                return found
+    residual = max((abs(float(f.at(given))) for f in vanishing), default=0.0)
+    raise InvalidInput(
+        f"the point must be an equilibrium in rational numbers for a proof; there the field is {residual:.3g}, and "
+        "none was found within a billionth of its size. Give a point, or parameters, that solve the equations exactly."
+    )
+
+
+def _accept(
+    trial: Sequence[Fraction], given: Sequence[Fraction], size: Fraction, vanishing: Sequence[RationalPolynomial]
+) -> tuple[tuple[Fraction, ...], Fraction] | None:
+    moved = max((abs(x - y) for x, y in zip(trial, given, strict=True)), default=Fraction(0))
+    if moved > FARTHEST * size or any(f.at(trial) for f in vanishing):
+        return None
+    return tuple(trial), moved

@@ -1,0 +1,215 @@
+"""From a function written with JAX to its polynomials: its jaxpr evaluated in rational arithmetic.
+
+Numbers in arrays are taken as they were meant, short decimals and simple fractions, or as the doubles that they are;
+from there on nothing is rounded. What is no polynomial in the point raises ``Untraceable``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from decimal import Decimal
+from fractions import Fraction
+from types import SimpleNamespace
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.certificates._polynomials import RationalPolynomial
+from polhode.certificates._polynomials import total as sum_polynomials
+from polhode.taylor.expressions import Complex, Expression, Operation, Tape, Untraceable
+from polhode.taylor.structure import split_numbers
+from polhode.taylor.tracing import evaluate
+from polhode.types import Array
+
+Reader = Callable[[float], Fraction]
+MOST_DIGITS = 12  # of a decimal that somebody typed
+
+
+def read_short(value: float) -> Fraction:
+    """Return a double as the number that was meant: a decimal of up to twelve digits, else the simplest fraction.
+
+    Of all fractions that are rounded to this double the simplest has the least denominator.
+
+    >>> read_short(0.1), read_short(1 / 3), read_short(2 / 7)
+    (Fraction(1, 10), Fraction(1, 3), Fraction(2, 7))
+    """
+    value = float(value)
+    decimal = Fraction(repr(value))
+    if len(Decimal(repr(value)).normalize().as_tuple().digits) <= MOST_DIGITS:
+        return decimal
+    exact, above = Fraction(value), Fraction(math.nextafter(value, math.inf))
+    below = Fraction(math.nextafter(value, -math.inf))
+    return _simplest_between((exact + below) / 2, (exact + above) / 2)
+
+
+def _simplest_between(low: Fraction, high: Fraction) -> Fraction:
+    """Return the fraction of least denominator in an open interval, by continued fractions."""
+    if low < 0:
+        return -_simplest_between(-high, -low) if high <= 0 else Fraction(0)
+    whole = math.floor(low)
+    if whole + 1 < high:
+        return Fraction(whole + 1)
+    rest = low - whole
+    if not rest:  # the next best lies just above a whole number
+        return whole + Fraction(1, math.floor(1 / (high - whole)) + 1)
+    return whole + 1 / _simplest_between(1 / (high - whole), 1 / rest)
+
+
+def read_double(value: float) -> Fraction:
+    """Return a double as the binary fraction that it is."""
+    return Fraction(float(value))
+
+
+def trace_polynomials(
+    function: Callable[[Array], Array], size: int, read: Reader = read_short
+) -> list[RationalPolynomial]:
+    """Return the components of a function of points (size,), real, as polynomials.
+
+    Args:
+        function: a pytree with ``__call__``, whose real arrays are read as numbers, or any function.
+        size: of the point.
+        read: how a double becomes a rational number.
+
+    Raises:
+        Untraceable: naming the operation that makes no polynomial.
+    """
+    tape = ExactTape(size, read)
+    point = np.array(tape.state(), object)
+    try:
+        structure, leaves = split_numbers(function)  # type: ignore[arg-type]
+        numbers = np.concatenate([np.zeros(0), *(np.ravel(np.asarray(x, float)) for x in leaves)])
+        closed = jax.make_jaxpr(lambda c, x: structure.with_numbers(c)(x))(jnp.asarray(numbers), jnp.zeros(size))  # type: ignore[operator]
+        given = [_exact(tape, numbers), point]
+    except (TypeError, jax.errors.JAXTypeError):  # it cannot be taken apart, or branches on its own numbers
+        closed = jax.make_jaxpr(function)(jnp.zeros(size))
+        given = [point]
+    known = SimpleNamespace(jaxpr=closed.jaxpr, consts=[_exact(tape, np.asarray(x)) for x in closed.consts])
+    (found,) = evaluate(known, *given)
+    return [tape.as_polynomial(x) for x in np.ravel(found)]
+
+
+def _exact(tape: ExactTape, x: Array) -> Array:
+    """Return an array of floating-point numbers as expressions, any other as it is."""
+    if not np.issubdtype(x.dtype, np.inexact):
+        return x
+    found = np.empty(x.shape, object)
+    for k in np.ndindex(x.shape):
+        value = x[k]
+        found[k] = (Complex(tape.constant(value.real), tape.constant(value.imag)) if np.iscomplexobj(value)
+                    else tape.constant(value))  # fmt: skip
+    return found
+
+
+class ExactTape(Tape):
+    """A tape without nodes: expressions are polynomials in the state themselves."""
+
+    def __init__(self, size: int, read: Reader) -> None:
+        super().__init__(size)
+        self.read = read
+
+    def state(self) -> list[Expression]:
+        return [ExactExpression(self, p) for p in RationalPolynomial.variables(self.size)]
+
+    def constant(self, value: Any) -> ExactExpression:
+        number = value if isinstance(value, Fraction) else self._read(value)
+        return ExactExpression(self, RationalPolynomial(self.size, {(0,) * self.size: number}))
+
+    def _read(self, value: Any) -> Fraction:
+        if not math.isfinite(float(value)):
+            raise Untraceable(f"the number {float(value)}")
+        return self.read(float(value))
+
+    def as_polynomial(self, x: Any) -> RationalPolynomial:
+        """Return a value as a polynomial."""
+        if isinstance(x, Complex):
+            if self.as_polynomial(x.imag):
+                raise Untraceable("a complex value")
+            x = x.real
+        return x.polynomial if isinstance(x, ExactExpression) else self.constant(x).polynomial
+
+    def find_number(self, x: Any) -> float | None:
+        return None if isinstance(x, Expression) and x.terms else float(self._number(x))
+
+    def _number(self, x: Any) -> Fraction:
+        if isinstance(x, Expression):
+            if x.terms:
+                raise Untraceable("a branch on something that moves")
+            return Fraction(x.constant)
+        return self._read(x)
+
+    def at_instants(self, x: Any) -> np.ndarray:
+        return np.array([self._number(x)], object)
+
+    def decide(self, answers: np.ndarray) -> bool:
+        return bool(np.all(answers))
+
+    def total(self, summands: Iterable[Any]) -> Expression:
+        return ExactExpression(self, sum_polynomials(self.size, map(self.as_polynomial, summands)))
+
+    def unary(self, operation: Operation, x: Expression, number: float = 0.0) -> Expression:
+        raise Untraceable(f"{operation.name.lower().replace('_', ' ')} of something that moves")
+
+
+class ExactExpression(Expression):
+    """A polynomial where tracing expects an expression."""
+
+    __slots__ = ("polynomial",)
+
+    def __init__(self, tape: ExactTape, polynomial: RationalPolynomial) -> None:
+        # terms are by monomials here, where others have nodes, and exact
+        self.tape, self.polynomial = tape, polynomial
+        self.terms: Any = polynomial.part(1).terms
+        self.constant: Any = polynomial.terms.get((0,) * polynomial.size, Fraction(0))
+
+    def _of(self, polynomial: RationalPolynomial) -> ExactExpression:
+        return ExactExpression(self.tape, polynomial)  # type: ignore[arg-type]
+
+    def _polynomial(self, other: Any) -> RationalPolynomial:
+        return self.tape.as_polynomial(other)  # type: ignore[attr-defined]
+
+    def scale(self, factor: Any) -> ExactExpression:
+        return self._of(self.polynomial * self._polynomial(factor))
+
+    def __add__(self, other: Any) -> Any:
+        if isinstance(other, Complex | complex):
+            return Complex.of(other) + self
+        return self._of(self.polynomial + self._polynomial(other))
+
+    __radd__ = __add__
+
+    def __neg__(self) -> ExactExpression:
+        return self._of(-self.polynomial)
+
+    def __mul__(self, other: Any) -> Any:
+        if isinstance(other, Complex | complex):
+            return Complex.of(other) * self
+        return self._of(self.polynomial * self._polynomial(other))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Any:
+        if isinstance(other, Complex | complex):
+            return Complex.of(self) / other
+        divisor = self._polynomial(other)
+        if divisor.part(1) or not divisor:
+            raise Untraceable("division by something that moves")
+        return self._of(self.polynomial * (1 / next(iter(divisor.terms.values()))))
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return self._of(self._polynomial(other)) / self
+
+    def __pow__(self, exponent: float) -> ExactExpression:
+        whole = int(exponent) if float(exponent).is_integer() else None
+        if whole is not None and whole >= 0:
+            return self._of(self.polynomial**whole)
+        if self.terms:
+            raise Untraceable(f"the power {float(exponent):g} of something that moves")
+        if not self.constant:
+            raise Untraceable("a power of zero that is not finite")
+        if whole is not None:
+            return self.tape.constant(Fraction(self.constant) ** whole)  # type: ignore[return-value]
+        # a root of parameters is a number that the code rounds, and is taken as it is rounded there
+        return self.tape.constant(float(self.constant) ** float(exponent))  # type: ignore[return-value]

@@ -1,0 +1,246 @@
+"""Proofs of instability: a quadratic function that grows where it is positive, by the linear part or by a drift."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations_with_replacement
+from typing import Any
+
+import numpy as np
+
+from polhode.certificates._confinement import (
+    Squares,
+    as_floats,
+    norm,
+    power_of_two,
+    radius_for,
+    show_squares,
+    sum_of_squares,
+)
+from polhode.certificates._equations import Equations, as_terms
+from polhode.certificates._polynomials import RationalPolynomial, linear_form, quadratic_form, total
+from polhode.certificates._rational_matrices import (
+    Rows,
+    characteristic_polynomial,
+    combine,
+    count_roots_beyond,
+    identity,
+    multiply,
+    null_space,
+    solve_near,
+    split_into_squares,
+    transpose,
+)
+
+SHARES = (0.5, 0.375, 0.625, 0.25, 0.75, 0.4375, 0.125, 0.875)  # of the fastest growth, tried one after the other
+PLACES = (4, 8, 12, 16, 24, 32, 40)  # binary digits to which the function is rounded, relative to its largest entry
+
+
+@dataclass(frozen=True)
+class Growth:
+    """V(v) = vᵀPv with V̇ ≥ 2γV near the point, and V > 0 on a ray: solutions that start on the ray leave.
+
+    Attributes:
+        rate: γ > 0 [1/s].
+        form: P (n, n), symmetric.
+        margin, forms: of AᵀP + PA − 2γP = margin + Σ d ℓℓᵀ, A the linear part.
+        direction: (n,) of the ray.
+        radius: as for a confinement.
+        polynomial: coefficients of the characteristic polynomial of A, highest power first.
+        beyond: how many of its roots have a real part greater than the rate, by Routh's theorem.
+    """
+
+    rate: Fraction
+    form: tuple[tuple[Fraction, ...], ...]
+    margin: Fraction
+    forms: Squares
+    direction: tuple[Fraction, ...]
+    radius: Fraction
+    polynomial: tuple[Fraction, ...]
+    beyond: int
+
+    verdict = "unstable"
+
+    def excess(self, equations: Equations) -> RationalPolynomial:
+        """Return what is left of V̇ − 2γV without the margin and the squares; of third degree where it holds."""
+        V, n = quadratic_form(self.form), equations.size
+        return (V.rate(equations.around) - 2 * self.rate * V - self.margin * norm(n)
+                - sum_of_squares(n, self.forms))  # fmt: skip
+
+    def find_faults(self, equations: Equations) -> list[str]:
+        """Return what is wrong with the proof of these equations."""
+        faults, excess = [], self.excess(equations)
+        if self.rate <= 0:
+            faults.append("the rate is not positive")
+        if excess.part(0, 2):
+            faults.append("V̇ − 2γV is not the sum of squares")
+        if any(d < 0 for d, _ in self.forms):
+            faults.append("a square has a negative factor")
+        if not 0 < self.radius <= 1 or self.margin < excess.magnitude * self.radius:
+            faults.append("the margin does not cover the terms of higher degree")
+        if quadratic_form(self.form).at(self.direction) <= 0:
+            faults.append("V is not positive along the direction")
+        if tuple(characteristic_polynomial(equations.linearization)) != self.polynomial:
+            faults.append("the characteristic polynomial is another")
+        elif count_roots_beyond(self.polynomial, self.rate) != self.beyond or self.beyond < 1:
+            faults.append("no eigenvalue has a real part beyond the rate")
+        return faults
+
+    def as_json(self) -> dict[str, Any]:
+        """Return plain data, numbers as text."""
+        return {
+            "rate": str(self.rate), "form": [[str(x) for x in row] for row in self.form], "margin": str(self.margin),
+            "forms": show_squares(self.forms), "direction": [str(x) for x in self.direction],
+            "radius": str(self.radius), "characteristic_polynomial": [str(x) for x in self.polynomial],
+            "eigenvalues_beyond_the_rate": self.beyond,
+        }  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Drift:
+    """V(v) = vᵀPv with V̇ = K q, K(v) conserved and positive on a ray, q positive near the point [Chetaev].
+
+    Attributes:
+        form: P (n, n), symmetric.
+        conserved: K, homogeneous of second degree in v.
+        factor: q, positive at v = 0.
+        direction: (n,) of the ray.
+        radius: up to which |v| q is positive, at most 1.
+    """
+
+    form: tuple[tuple[Fraction, ...], ...]
+    conserved: RationalPolynomial
+    factor: RationalPolynomial
+    direction: tuple[Fraction, ...]
+    radius: Fraction
+
+    verdict = "unstable"
+
+    def find_faults(self, equations: Equations) -> list[str]:
+        """Return what is wrong with the proof of these equations."""
+        V, K, q, faults = quadratic_form(self.form), self.conserved, self.factor, []
+        if K.rate(equations.around) or K != K.part(2, 2):
+            faults.append("K is not conserved, or not quadratic")
+        if V.rate(equations.around) != K * q:
+            faults.append("V̇ is not K q")
+        start, rest = q.part(0, 0), q.part(1)
+        if not 0 < self.radius <= 1 or start.at(self.direction) <= rest.magnitude * self.radius:
+            faults.append("q is not positive near the point")
+        if K.at(self.direction) <= 0:
+            faults.append("K is not positive along the direction")
+        return faults
+
+    def as_json(self) -> dict[str, Any]:
+        """Return plain data, numbers as text."""
+        return {
+            "form": [[str(x) for x in row] for row in self.form], "conserved": as_terms(self.conserved),
+            "factor": as_terms(self.factor), "direction": [str(x) for x in self.direction], "radius": str(self.radius),
+        }  # fmt: skip
+
+
+def find_growth(equations: Equations) -> Growth | None:
+    """Return a proof by the linear part; None if it has no sure growth.
+
+    For a γ below the largest real part the equation AᵀP + PA − 2γP = 1 has a P that is not negative semidefinite
+    [Lyapunov]; rounded, it still makes the left side definite.
+    """
+    from scipy.linalg import solve_continuous_lyapunov
+
+    A = equations.linearization
+    numbers, n = as_floats(A), equations.size
+    fastest = float(np.linalg.eigvals(numbers).real.max())
+    if fastest <= 1e-9 * float(np.abs(numbers).max(initial=0.0)):
+        return None
+    polynomial = tuple(characteristic_polynomial(A))
+    for share in SHARES:
+        rate = Fraction(share * fastest).limit_denominator(max(8, int(64 / fastest)))
+        beyond = count_roots_beyond(polynomial, rate) if rate > 0 else None
+        if not beyond:
+            continue
+        shifted = numbers - float(rate) * np.eye(n)
+        P = solve_continuous_lyapunov(shifted.T, np.eye(n))
+        if not np.isfinite(P).all():
+            continue
+        _, vectors = np.linalg.eigh(0.5 * (P + P.T))
+        for form, low in _rounded(P, A, rate):
+            margin = power_of_two(low / 2)
+            left = combine((1, _rate_matrix(A, form, rate)), (-margin, identity(n)))
+            squares = split_into_squares(left)
+            direction = _short_direction(vectors[:, -1])
+            if squares is None or quadratic_form(form).at(direction) <= 0:
+                continue
+            kept = tuple((d, tuple(row)) for d, row in squares)
+            trial = Growth(rate, tuple(map(tuple, form)), margin, kept, direction, Fraction(1), polynomial, beyond)
+            rest = trial.excess(equations)
+            return Growth(rate, trial.form, margin, kept, direction, radius_for(margin, rest), polynomial, beyond)
+    return None
+
+
+def _rate_matrix(A: Rows, P: Rows, rate: Fraction) -> Rows:
+    product = multiply(P, A)
+    return combine((1, product), (1, transpose(product)), (-2 * rate, P))
+
+
+def _rounded(P: Any, A: Rows, rate: Fraction) -> Iterator[tuple[Rows, float]]:
+    """Yield P rounded to ever more digits where AᵀP + PA − 2γP is still definite, with its least eigenvalue."""
+    unit = power_of_two(float(np.abs(P).max()))
+    for places in PLACES:
+        step = unit / 2**places
+        form = [[step * round((P[min(i, j), max(i, j)]) / float(step)) for j in range(len(P))] for i in range(len(P))]
+        low = float(np.linalg.eigvalsh(as_floats(_rate_matrix(A, form, rate)))[0])
+        if low > 0.25:
+            yield form, low
+
+
+def _short_direction(vector: Any) -> tuple[Fraction, ...]:
+    scaled = vector / np.abs(vector).max()
+    return tuple(Fraction(round(float(x) * 64), 64) for x in scaled)
+
+
+def find_drift(equations: Equations) -> Drift | None:
+    """Return a proof by a steady drift; None if there is none of this form.
+
+    K is a sum of conserved functions that is stationary at the point and of second degree; V and the linear part of
+    q = ±1 + … solve V̇ = K q, which is linear in both.
+    """
+    n = equations.size
+    names = list(equations.conserved)
+    basis = null_space(transpose([equations.slopes[k] for k in names]), len(names)) if names else []
+    for vector in basis:
+        K = total(n, (w * equations.conserved[k] for w, k in zip(vector, names, strict=True)))
+        K = K.shift(equations.point).part(1)
+        if not K or K != K.part(2, 2):
+            continue
+        for sign in (1, -1):
+            if found := _drift_along(equations, sign * K):
+                return found
+    return None
+
+
+def _drift_along(equations: Equations, K: RationalPolynomial) -> Drift | None:
+    n = equations.size
+    direction = _positive_direction(K.quadratic())
+    if direction is None:
+        return None
+    x = RationalPolynomial.variables(n)
+    pairs = list(combinations_with_replacement(range(n), 2))
+    columns = [(x[i] * x[j]).rate(equations.around) for i, j in pairs] + [-1 * K * y for y in x]
+    monomials = sorted({m for p in (*columns, K) for m in p.terms})
+    rows = [[p.terms.get(m, Fraction(0)) for p in columns] for m in monomials]
+    solution = solve_near(rows, [K.terms.get(m, Fraction(0)) for m in monomials], [Fraction(0)] * len(columns))
+    if solution is None:
+        return None
+    V = total(n, (c * x[i] * x[j] for c, (i, j) in zip(solution, pairs, strict=False)))
+    q = linear_form(solution[len(pairs) :]) + 1
+    radius = min(Fraction(1), power_of_two(float(1 / (2 * q.part(1).magnitude)))) if q.part(1) else Fraction(1)
+    return Drift(tuple(map(tuple, V.quadratic())), K, q, direction, radius)
+
+
+def _positive_direction(matrix: Sequence[Sequence[Fraction]]) -> tuple[Fraction, ...] | None:
+    sizes, vectors = np.linalg.eigh(as_floats(matrix))
+    direction = _short_direction(vectors[:, -1])
+    return direction if sizes[-1] > 0 and quadratic_form(matrix).at(direction) > 0 else None
+
+

@@ -1,0 +1,103 @@
+"""The claims of a certificate for the solver z3, which finds its own proof of each or a counterexample."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
+
+from polhode.certificates._confinement import Confinement
+from polhode.certificates._equations import Equations
+from polhode.certificates._growth import Drift, Growth
+from polhode.certificates._polynomials import RationalPolynomial, quadratic_form
+from polhode.errors import InvalidInput, not_installed
+
+PATIENCE = 20_000  # milliseconds for one claim
+
+
+def check_by_z3(equations: Equations, proof: Confinement | Growth | Drift) -> None:
+    """Check each claim; see ``RationalCertificate.check_by_z3``.
+
+    Raises:
+        InvalidInput: as there.
+    """
+    try:
+        import z3
+    except ImportError:
+        raise not_installed("checks by z3", "z3-solver", "prove", "`as_rational().check()` needs no solver.") from None
+    v: list[Any] = [z3.Real(f"v{k + 1}") for k in range(equations.size)]
+    for claim, counterexample in _claims(equations, proof, v):
+        solver = z3.Solver()
+        solver.set("timeout", PATIENCE)
+        solver.add(*counterexample)
+        answer = solver.check()
+        if answer == z3.sat:
+            found = ", ".join(f"{d.name()} = {solver.model()[d]}" for d in solver.model().decls())
+            raise InvalidInput(f"the claim must hold that {claim}; z3 found it wrong at {found or 'every point'}. "
+                               "Take the certificate from `stability`.")  # fmt: skip
+        if answer != z3.unsat:
+            seconds = PATIENCE // 1000
+            raise InvalidInput(f"z3 must decide that {claim}; it gave up after at most {seconds} s. "
+                               "Check the certificate by `as_rational().check()` or by Rocq.")  # fmt: skip
+
+
+def _claims(
+    equations: Equations, proof: Confinement | Growth | Drift, v: list[Any]
+) -> Iterator[tuple[str, list[Any]]]:
+    """Yield each claim in words, with conditions on v that hold together only where it is wrong."""
+    if not equations.flow:
+        still = [_term(f.part(0, 0), v) for f in equations.around]
+        yield "the point is an equilibrium", [_any(x != 0 for x in still)]
+    if isinstance(proof, Confinement):
+        g, raised = proof.function(equations), proof.raised(equations)
+        x = [y + _number(z) for y, z in zip(v, equations.point, strict=True)]
+        parts = [_term(g.derivative(k), x) * _term(f, x) for k, f in enumerate(equations.field)]
+        yield "G is conserved", [_sum(parts) != 0]
+        yield "G is stationary at the point", [_term(raised.part(1, 1), v) != 0]
+        yield "the second variation of G is positive definite", _not_positive(raised.part(2, 2), v)
+    elif isinstance(proof, Growth):
+        V = quadratic_form(proof.form)
+        excess = (V.rate(equations.around) - 2 * proof.rate * V).part(2, 2)
+        yield "the rate is positive", [_term(V.constant(proof.rate), v) <= 0]
+        yield "V grows at twice the rate", _not_positive(excess, v)
+        yield "V is positive along the direction", [_term(V.constant(V.at(proof.direction)), v) <= 0]
+    else:
+        V, K, q = quadratic_form(proof.form), proof.conserved, proof.factor
+        yield "K is conserved", [_rate(K, equations, v) != 0]
+        yield "V has the rate K q", [_rate(V, equations, v) != _term(K, v) * _term(q, v)]
+        yield "q is positive at the point", [_term(q.part(0, 0), v) <= 0]
+        yield "K is positive along the direction", [_term(K.constant(K.at(proof.direction)), v) <= 0]
+
+
+def _rate(p: RationalPolynomial, equations: Equations, v: list[Any]) -> Any:
+    """Return the rate of change along the equations around the point, unexpanded."""
+    return _sum([_term(p.derivative(k), v) * _term(f, v) for k, f in enumerate(equations.around)])
+
+
+def _not_positive(form: RationalPolynomial, v: list[Any]) -> list[Any]:
+    return [_term(form, v) <= 0, _any(x != 0 for x in v)]
+
+
+def _any(conditions: Iterator[Any]) -> Any:
+    import z3
+
+    return z3.Or(list(conditions))
+
+
+def _term(p: RationalPolynomial, v: list[Any]) -> Any:
+    """Return a polynomial as z3 has it."""
+    factors = ([x for x, e in zip(v, m, strict=True) for _ in range(e)] for m in p.terms)
+    return _sum([math.prod(xs, start=_number(c)) for xs, c in zip(factors, p.terms.values(), strict=True)])
+
+
+def _sum(terms: list[Any]) -> Any:
+    import z3
+
+    return z3.Sum(terms) if terms else z3.RealVal(0)
+
+
+def _number(x: Fraction) -> Any:
+    import z3
+
+    return z3.Q(x.numerator, x.denominator)
