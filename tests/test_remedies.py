@@ -51,7 +51,8 @@ FROM = {
     "sweeps/evaluation.py": "sweep", "estimation/_throw_fit.py": "fit", "estimation/flight.py": "fit",
     "studies/left_out.py": "fit", "cli/proofs.py": "report",
 }  # fmt: skip
-DECLARED = ("cli/commands.py", "cli/source_options.py", "cli/fit_options.py", "cli/tumble_options.py")
+DECLARED = ("cli/commands.py", "cli/spectrum_options.py", "cli/source_options.py", "cli/fit_options.py",
+            "cli/tumble_options.py")
 """Where options are declared, with help that speaks of several commands."""
 # words in backticks that are of other packages
 FOREIGN = {"np.polyfit", "float", "dask scheduler", "JAX_ENABLE_X64"}

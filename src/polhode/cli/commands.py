@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from polhode.cli import fit_options as options
+from polhode.cli import spectrum_options as spectrum
 from polhode.cli import tumble_options as tumbling
 from polhode.cli.arguments import StrictCommand, whole_number
 from polhode.cli.foreign import Commands
@@ -159,22 +160,11 @@ def certify(
     run_certify(spec, digits, at or [], json)
 
 
-MoleculeFile = Annotated[
-    Path, typer.Argument(metavar="FILE", help="Spec in TOML, of any kind with a molecule, or atoms, such as an .xyz.")
-]
-LargestJ = Annotated[
-    int | None,
-    typer.Option("--j-max", metavar="J", parser=whole_number(0, 1000), help="The largest J (default: the spec's own)."),
-]
-
-
-SpectrumFile = Annotated[
-    Path | None, typer.Option("--out", metavar="FILE.nc", help="Also write them as NetCDF, with units.")
-]
-
-
 @app.command(cls=StrictCommand)
-def levels(file: MoleculeFile, json: AsJson = False, j_max: LargestJ = None, out: SpectrumFile = None) -> None:
+def levels(
+    file: spectrum.MoleculeFile, json: AsJson = False, j_max: spectrum.LargestJ = None,
+    out: spectrum.SpectrumFile = None,
+) -> None:  # fmt: skip
     """Print a molecule's rotational levels."""
     from polhode.cli.spectra import run_levels
 
@@ -183,30 +173,11 @@ def levels(file: MoleculeFile, json: AsJson = False, j_max: LargestJ = None, out
 
 @app.command(cls=StrictCommand)
 def lines(
-    file: MoleculeFile,
-    json: AsJson = False,
-    j_max: LargestJ = None,
-    temperature: Annotated[
-        str | None, typer.Option("--temperature", metavar="T", help='Like "50 K" (default: the spec\'s own, or 300 K).')
-    ] = None,
-    lowest: Annotated[
-        str | None, typer.Option("--from", metavar="FREQUENCY", help='Like "80 GHz" or "10 cm^-1".')
-    ] = None,
-    highest: Annotated[str | None, typer.Option("--to", metavar="FREQUENCY", help="The same.")] = None,
-    min_intensity: Annotated[
-        float | None, typer.Option("--min-intensity", metavar="I", help="Of the lines, in nm² MHz, like 1e-5.")
-    ] = None,
-    most: Annotated[
-        int,
-        typer.Option("--most", metavar="N", parser=whole_number(1, 10**7),
-                     help="How many, the strongest of them (default: 50)."),
-    ] = 50,
-    dipole: Annotated[
-        str | None,
-        typer.Option("--dipole", metavar="D,D,D", help="Along a, b, c in debye, in place of the spec's."),
-    ] = None,
-    out: SpectrumFile = None,
-) -> None:
+    file: spectrum.MoleculeFile, json: AsJson = False, j_max: spectrum.LargestJ = None,
+    temperature: spectrum.Temperature = None, lowest: spectrum.Lowest = None, highest: spectrum.Highest = None,
+    min_intensity: spectrum.SmallestIntensity = None, most: spectrum.Strongest = 50, dipole: spectrum.Dipole = None,
+    out: spectrum.SpectrumFile = None,
+) -> None:  # fmt: skip
     """Print a molecule's rotational lines by frequency, with intensities."""
     from polhode.cli.spectra import LineOptions, run_lines
 
