@@ -24,11 +24,13 @@ from polhode.cli.commands import app
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.kinds.base import AbstractKind
+from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind, kind_names
 from polhode.spec.models import SpecFile
 from polhode.sweeps.plan import SweepTable
 
 ROOT = Path(polhode.__file__).parent
+EXAMPLE = Path(__file__).parents[1] / "examples" / "t_handle.toml"
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
 TICKED = re.compile(r"`([^`\n]+)`")
 TABLES = ("body", "spin", "time", "system", "export", "sweep")
@@ -247,4 +249,4 @@ def test_a_page_is_offered_only_where_one_can_be_made():
         def report(self, spec):
             raise NotImplementedError("this test asks for next steps only")
 
-    assert not Counted().next_steps(None)  # type: ignore[arg-type]
+    assert not Counted().next_steps(read_spec(EXAMPLE))
