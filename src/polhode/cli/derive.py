@@ -18,7 +18,7 @@ def run_derive(name: str | None, form: str | None, out: Path | None) -> None:
         width = max(map(len, derivation_names()))
         for known in derivation_names():
             print(f"{known:<{width}}  {describe_derivation(known)}")
-        print(f"\nNext: {spell_command('derive', 'free-body')} prints one of them.")
+        print(f"\nNext: {spell_command('derive', derivation_names()[0])} prints one of them.")
         return
     from polhode.symbolic.rendering import ENDINGS, FORMS
 

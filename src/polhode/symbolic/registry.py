@@ -22,7 +22,7 @@ def derive(name: str) -> Page:
     """Return a derivation as a page, after checking each of its steps.
 
     Args:
-        name: such as "free-body"; ``derivation_names`` lists them.
+        name: such as "clebsch"; ``derivation_names`` lists them.
 
     Raises:
         InvalidInput: for a name that is none.
