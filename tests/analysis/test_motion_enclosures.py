@@ -150,6 +150,7 @@ def test_words_bound_what_they_say():
     (lambda: ph.certify(MOTION, radius=1e-12), "`radius` is a system's"),
     (lambda: ph.certify(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), digits=30), "`digits` is a motion's"),
     (lambda: ph.certify(ph.systems.FreeRigidBody((1.0, 2.0, 3.0))), "`state` and `times` must be given"),
+    (lambda: ph.certify(3), "must be a system, or a motion in closed form; got 3"),
     (lambda: ph.certify(MOTION, digits=0), "whole number from 1 to 10000; got 0"),
     (lambda: ph.certify(MOTION, digits=10**5), "whole number from 1 to 10000; got 100000"),
     (lambda: ph.certify(ph.FreeMotion([[1.0, 2.0, 3.0]] * 2, momentum=(1.0, 2.0, 3.0))), r"no batch; got \(2,\)"),

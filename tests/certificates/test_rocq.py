@@ -3,6 +3,8 @@
 import importlib.util
 import shutil
 import subprocess
+from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -101,6 +103,22 @@ def test_a_report_writes_its_proofs(tmp_path, capsys):
     names = {path.name for path in (tmp_path / "proof").iterdir()}
     assert names == {THEORY, "axes_1.v", "axes_2.v", "axes_3.v"}
     assert "checks a proof by" in capsys.readouterr().out.replace("\n", " ")
+
+
+def test_a_report_is_written_with_its_proofs_or_not_at_all(tmp_path):
+    spec = tmp_path / "case.toml"
+    moments = '["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]'
+    spec.write_text(f'[body]\nmoments = {moments}\n[spin]\nrate = "1 rpm"\nabout = 1\n', "utf-8")
+    with pytest.raises(SystemExit) as ended:
+        main(["report", str(spec), "--out", str(tmp_path / "out"), "--proof", str(spec)])
+    assert ended.value.code == 2 and not (tmp_path / "out").exists()
+
+
+def test_a_proof_says_how_far_its_point_is():
+    certificate = judge(BODY, [0, 0, 1]).certificate.as_rational()
+    assert "This exact equilibrium" not in proof_text(certificate, "exact")
+    moved = replace(certificate, equations=replace(certificate.equations, moved=Fraction(1, 10**12)))
+    assert "This exact equilibrium is 1.0e-12 from the point that was asked about." in proof_text(moved, "moved")
 
 
 def test_instability_is_that_of_the_sampled_motion():

@@ -129,6 +129,7 @@ def test_manakov_in_four_dimensions():
 
 @pytest.mark.parametrize(("make", "degree", "message"), [
     (lambda: FreeRigidBody((1.0, 2.0, 3.0)), 0, "at least 1"),
+    (lambda: FreeRigidBody((1.0, 2.0, 3.0)), -1, "at least 1; got -1"),
     (lambda: FreeRigidBody((1.0, 2.0, 3.0)), 1.5, "whole number"),
     (lambda: Manakov((1.0, 2.0, 3.0, 4.5)), 20, "monomials"),
     (lambda: SymbolicSystem(BRACKET, sympy.sqrt(X[0])), 2, "polynomial"),

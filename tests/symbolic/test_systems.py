@@ -172,6 +172,8 @@ def test_kks_form_is_the_numerical_one():
     (lambda: BODY.to_system({"I1": 1}), "I2, I3 missing"),
     (lambda: BODY.to_system({"I1": 1, "I2": 1, "I3": 1, "J": 2}), "no parameter"),
     (lambda: BODY.subs({"I1": float("nan")}), "finite"),
+    (lambda: BODY.to_system({"I1": 1, "I2": 2, "I3": 3}, {"first": SO3_.coordinates[0]}),
+     "must commute with the Hamiltonian; first = 'L1' changes at the rate"),
     (lambda: SymbolicSystem(SO3(), 0), "LiePoissonBracket"),
     (lambda: compile_expression(I1, SO3_.coordinates, SO3()), "without values, I1"),
     (lambda: SymbolicSystem.from_system(DoubleBracket((1.0, 2.0, 3.0), 0.3)), "loses energy"),

@@ -43,7 +43,8 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polyno
 
     Source: Abellanas & Martínez Alonso, J. Math. Phys. 16 (1975) 1580.
     """
-    check_degree(degree, math.comb(algebra.dim + degree - 1, degree) if isinstance(degree, int) else 0, algebra.dim)
+    is_degree = isinstance(degree, int) and degree > 0
+    check_degree(degree, math.comb(algebra.dim + degree - 1, degree) if is_degree else 0, algebra.dim)
     independent = invariant_terms(rational_brackets(algebra), degree)
     return [Polynomial(np.array(list(terms)).reshape(-1, algebra.dim), list(terms.values())) for terms in independent]
 

@@ -132,6 +132,10 @@ def certify(
         raise InvalidInput(f"`system` must be a system, or a motion in closed form of a class that has enclosures, "
                            f"{known}; got {shown(system)}.")  # fmt: skip
     _refuse(of_motions, "a motion's in closed form; of a system give `radius`")
+    from polhode.systems.base import AbstractSystem
+
+    if not isinstance(system, AbstractSystem):
+        raise InvalidInput(f"`system` must be a system, or a motion in closed form; got {shown(system)}.")
     if state is None or times is None:
         raise InvalidInput(f"`state` and `times` must be given for a system, here {shown(type(system).__name__)}: "
                            "only a motion in closed form has its own start.")  # fmt: skip

@@ -66,8 +66,10 @@ def proof_text(certificate: RationalCertificate, name: str) -> str:
 
 def _header(certificate: RationalCertificate, name: str) -> str:
     point = ", ".join(map(str, certificate.equations.point))
+    moved = certificate.equations.moved
+    near = f"\nThis exact equilibrium is {float(moved):.1e} from the point that was asked about.\n" if moved else ""
     return f"""(* {certificate.equations.system}: ({point}) is {certificate.verdict}.
-
+{near}
 {certificate.statement[0].upper()}{certificate.statement[1:]}:
 the theorem at the end, about the equations f1, f2, ...
 Written by polhode; checked by `coqc -Q . Polhode {THEORY}` and `coqc -Q . Polhode {name}.v` in this folder. *)

@@ -30,7 +30,10 @@ def write_proofs(report: Report, folder: Path) -> tuple[list[str], list[str]]:
     with write_together(folder) as draft:
         for name, certificate in found:
             try:
-                certificate.write_proof(draft / f"{name}.v")
+                rational = certificate.as_rational()
+                rational.write_proof(draft / f"{name}.v")
+                if moved := rational.equations.moved:
+                    notes.append(f"{name}: proved of an exact equilibrium, {float(moved):.1e} from the report's point.")
             except InvalidInput as error:
                 notes.append(f"{name}: no proof is written; {error}")
         files = sorted(path.name for path in draft.iterdir())

@@ -12,6 +12,7 @@ from polhode.formats.figure_file import is_ours
 from polhode.formats.paths import write_together
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import known_figures, next_steps
+from polhode.reports.base import SystemReport
 
 FORMS = ("png", "svg", "pdf")
 
@@ -47,17 +48,18 @@ def run_report(
             from polhode.kinds.page import page_of_report
 
             files.append(page_of_report(report, draft / "page.html", surface=spec.surface))
-    names = [str(folder / file.name) for file in files]
+        proofs, remarks = ([], []) if proof is None else _write_proofs(report, proof)
+    names = [*(str(folder / file.name) for file in files), *proofs]
     removed = _remove_outdated(folder, [file.name for file in files])
-    remarks: list[str] = []
-    if proof is not None:
-        from polhode.cli.proofs import write_proofs
-
-        proofs, remarks = write_proofs(report, proof)
-        names += proofs
     following = "; ".join(f"{spell_command(step.command, str(path))} {step.gives}" for step in next_steps(spec))
     publish(report, json, written=names, removed=removed, certificates=certificates, following=following,
             remarks=remarks)  # fmt: skip
+
+
+def _write_proofs(report: SystemReport, folder: Path) -> tuple[list[str], list[str]]:
+    from polhode.cli.proofs import write_proofs
+
+    return write_proofs(report, folder)
 
 
 def _remove_outdated(folder: Path, written: list[str]) -> list[str]:

@@ -57,7 +57,7 @@ def polynomial_integrals(system: SymbolicSystem | AbstractLiePoissonSystem, degr
     system = as_symbolic(system)
     bracket, x = system.bracket, system.bracket.coordinates
     dim = bracket.dim
-    check_degree(degree, math.comb(dim + degree, degree) - 1 if isinstance(degree, int) else 0, dim)
+    check_degree(degree, math.comb(dim + degree, degree) - 1 if isinstance(degree, int) and degree > 0 else 0, dim)
     parameters = sorted(system.hamiltonian.free_symbols - set(x), key=str)
     constants = bracket.rational_brackets()
     if not parameters:

@@ -133,10 +133,11 @@ class SymbolicSystem:
 
         Args:
             values: numbers of all parameters, by symbol or name.
-            conserved: further integrals to watch, SymPy expressions by name.
+            conserved: further integrals, SymPy expressions by name; each must commute with H.
 
         Raises:
-            InvalidInput: for a parameter without a number, a table that is no Lie algebra, or H without real values.
+            InvalidInput: for a parameter without a number, a table that is no Lie algebra, H without real values, or a
+                function that is not conserved.
         """
         values = {str(key): value for key, value in (values or {}).items()}
         self._exact_values(values)
@@ -144,9 +145,15 @@ class SymbolicSystem:
         if missing:
             raise InvalidInput(f"`values` must have a number for each parameter; {', '.join(missing)} missing.")
         numbers = [float(values[str(s)]) for s in self.parameters]
+        fixed, exact_values = self.subs(values), self._exact_values(values)
+        for name, F in (conserved or {}).items():
+            rate = sympy.simplify(fixed.bracket(exact_expression(F).subs(exact_values), fixed.hamiltonian))
+            if rate != 0:
+                raise InvalidInput(f"`conserved` must commute with the Hamiltonian; {name} = {shown(str(F))} changes "
+                                   f"at the rate {shown(str(rate))}. Leave it out.")  # fmt: skip
         algebra = self.bracket.algebra
         if algebra is None:
-            exact = self.subs(values).bracket.constants
+            exact = fixed.bracket.constants
             algebra = from_structure_constants(np.array([[[float(c) for c in v] for v in row] for row in exact]))
         functions = {name: compile_expression(F, self.bracket.coordinates, algebra, self.parameters, numbers)
                      for name, F in {"": self.hamiltonian, **(conserved or {})}.items()}  # fmt: skip
