@@ -159,10 +159,10 @@ def test_words_bound_what_they_say():
     (lambda: ph.certify(MOTION, exact={"momentum": ("0.3", "0.2")}), r"`exact\[momentum\]` must be 3 numbers"),
     (lambda: ph.certify(MOTION, exact={"moments": ("1", "2", "x")}), "decimals like"),
     (lambda: ph.certify(MOTION).state("1e9999999"), "within 1e±5000"),
-    (lambda: ph.certify(MOTION).state([1.0, 2.0]), "`t` must be of doubles"),
+    (lambda: ph.certify(MOTION).state([1.0, 2.0]), "`t` must be given as doubles"),
     (lambda: ph.certify(MOTION).state(float("inf")), "`t` must be finite"),
     (lambda: ph.certify(MOTION).state(np.float32(0.1)), "double precision"),
-    (lambda: ph.certify(MOTION).state(True), "`t` must be of doubles"),
+    (lambda: ph.certify(MOTION).state(True), "`t` must be given as doubles"),
 ])  # fmt: skip
 def test_bad_input_is_one_clear_error(call, message):
     with pytest.raises(InvalidInput, match=message):

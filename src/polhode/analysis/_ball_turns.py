@@ -37,7 +37,7 @@ def as_matrix(q: Sequence[Any]) -> list[list[Any]]:
     ]
 
 
-def turned(q: Sequence[Rational], vector: Sequence[Ball]) -> list[Ball]:
+def turn_vector(q: Sequence[Rational], vector: Sequence[Ball]) -> list[Ball]:
     """Return a vector of balls turned by q/|q|, whose matrix is rational."""
     from flint import arb
 

@@ -48,14 +48,14 @@ def exact_rational(name: str, number: ExactNumber) -> Rational:
     """Return a number as the rational that it is exactly.
 
     Raises:
-        InvalidInput: for what is no number, not finite, or beyond 1e±5000.
+        InvalidInput: for anything that is not a finite number within 1e±5000.
     """
     from flint import fmpq
 
     if isinstance(number, str):
         return _rational_of_text(name, number)
     if isinstance(number, bool | np.bool_) or not isinstance(number, numbers.Real | Decimal):
-        raise InvalidInput(f"`{name}` must be of doubles, whole numbers, Fractions or decimals in quotes; "
+        raise InvalidInput(f"`{name}` must be given as doubles, whole numbers, Fractions or decimals in quotes; "
                            f"got {shown(number)}.")  # fmt: skip
     if isinstance(number, numbers.Rational):
         return fmpq(int(number.numerator), int(number.denominator))

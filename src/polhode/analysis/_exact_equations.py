@@ -129,7 +129,7 @@ def make_equations(found: Stability, subject: Subject, read: Reader) -> tuple[Eq
                     f"an exact proof up to flows is for one polynomial integral; got {flow_name}. "
                     "Give one whose flow alone is divided out."
                 )
-            flow = _turning(poisson_field(brackets, system.sign, conserved[flow_name]), flow_name)
+            flow = _scale_to_turns(poisson_field(brackets, system.sign, conserved[flow_name]), flow_name)
         conserved[ENERGY] = energy
     conserved = {k: c for k, c in conserved.items() if not c.rate(vector_field)}
     vanishing = _parallel(vector_field, flow) if flow else vector_field
@@ -148,7 +148,7 @@ def _trace(what: str, function: Source, n: int, read: Reader) -> list[RationalPo
 
 
 def _trace_casimirs(subject: Subject, read: Reader) -> Named:
-    """Return the Casimirs by their names in the verdict; where these are no polynomials, those that are found."""
+    """Return the Casimirs by their names in the verdict; where these are not polynomials, those that are found."""
     algebra = subject.system.algebra
     known = choose_casimirs(algebra, subject.casimirs)
     try:
@@ -225,7 +225,7 @@ def _zeros_of_leaf(equations: Equations, subject: Subject) -> list[int]:
     return [k for k in range(n) if not equations.point[k] and not any(f[k].at(equations.point) for f in moves)]
 
 
-def _turning(flow: tuple[RationalPolynomial, ...], name: str) -> tuple[RationalPolynomial, ...]:
+def _scale_to_turns(flow: tuple[RationalPolynomial, ...], name: str) -> tuple[RationalPolynomial, ...]:
     """Return a symmetry's field at one radian in a unit of time.
 
     Raises:

@@ -303,7 +303,7 @@ class Nutation:
         later = 2 * arb(top.I1) * (later_alpha.conjugate() * beta_rate - later_beta * alpha_rate.conjugate())
         return later_alpha, later_beta, later
 
-    def _speed(self, place: Place) -> Ball:
+    def _find_speed(self, place: Place) -> Ball:
         """Return half of u'."""
         return self.width * self.rate * place.sn * place.cn * place.dn
 
@@ -323,7 +323,7 @@ class Nutation:
             n, n1 = -self.width / self.up, (1 + self.u2) / self.up
             found = found * _turn(self._share_alpha() * self.oscillation.swept(place, n, n1))
             turning = arb((top.p + top.a) / (2 * top.I1)) / above
-        return found, found * acb(self._speed(place) / above, turning)
+        return found, found * acb(self._find_speed(place) / above, turning)
 
     def _beta(self, place: Place, alpha: Ball, beta: Ball, across: Ball) -> tuple[Ball, Ball]:
         """Return β and its rate without the spin that I3 ≠ I1 adds."""
@@ -342,7 +342,7 @@ class Nutation:
             n, n1 = self.width / self.down, (1 - self.u2) / self.down
             found = found * _turn(self._share_beta() * self.oscillation.swept(place, n, n1))
             turning = arb((top.p - top.a) / (2 * top.I1)) / below
-        return found, found * acb(-self._speed(place) / below, turning)
+        return found, found * acb(-self._find_speed(place) / below, turning)
 
 
 def _find_roots(top: LagrangeTop) -> _Roots:

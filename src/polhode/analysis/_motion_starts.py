@@ -77,7 +77,7 @@ def exact_start(motion: AbstractMotion, exact: Mapping[str, Any] | None) -> Moti
     doubles = {name: np.asarray(value, dtype=float).ravel() for name, value in doubles.items()}
     numbers = {name: exact_rationals(name, value.tolist(), len(value)) for name, value in doubles.items()}
     taken = dict.fromkeys(numbers, DOUBLES)
-    for name, given in _given(exact, numbers).items():
+    for name, given in _check_exact(exact, numbers).items():
         _check_near(name, given, doubles[name])
         numbers[name], taken[name] = given, GIVEN
     axes = None
@@ -88,7 +88,7 @@ def exact_start(motion: AbstractMotion, exact: Mapping[str, Any] | None) -> Moti
                        {name: numbers[name][0] for name in plain.body_numbers}, axes, taken)  # fmt: skip
 
 
-def _given(exact: Mapping[str, Any] | None, doubles: dict[str, list[Rational]]) -> dict[str, list[Rational]]:
+def _check_exact(exact: Mapping[str, Any] | None, doubles: dict[str, list[Rational]]) -> dict[str, list[Rational]]:
     """Return exact numbers by the names of the motion's own; an angular velocity becomes a momentum."""
     exact = {} if exact is None else exact
     known = [*doubles, "angular_velocity"]
@@ -119,10 +119,10 @@ def refine_named(compute: Callable[[], dict[str, Wanted]], digits: int) -> dict[
     """Return enclosed numbers by name, as ``refine`` computes them."""
     names: list[str] = []
 
-    def wanted() -> list[Wanted]:
+    def compute_balls() -> list[Wanted]:
         found = compute()
         names[:] = found
         return list(found.values())
 
-    balls = refine(wanted, digits)
+    balls = refine(compute_balls, digits)
     return {name: EnclosedNumber(ball, digits) for name, ball in zip(names, balls, strict=True)}

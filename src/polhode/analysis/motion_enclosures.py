@@ -43,7 +43,7 @@ class MotionEnclosure:
             t: [s] a double, or exact decimals in quotes: "0.1" is a tenth, which no double is.
 
         Raises:
-            InvalidInput: for what is no finite number.
+            InvalidInput: for what is not a finite number.
         """
         body, start = self._body, self._body.start
         elapsed = exact_rational("t", t) - start.epoch
@@ -55,7 +55,7 @@ class MotionEnclosure:
             attitude, vectors = found.attitude, [found.momentum, velocity]
             if start.axes is not None:
                 attitude = _turned_back(attitude, start.axes)
-                vectors = [ball_turns.turned(start.axes, vector) for vector in vectors]
+                vectors = [ball_turns.turn_vector(start.axes, vector) for vector in vectors]
             entries = [x for row in ball_turns.as_matrix(attitude) for x in row]
             unit = 1 + 0 * found.size
             return [Wanted(ball, size) for balls, size in ((attitude, unit), (vectors[0], found.size),

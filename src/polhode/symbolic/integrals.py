@@ -1,7 +1,7 @@
 """Polynomial integrals of a system's flow, found by exact linear algebra.
 
 The polynomials F of degree d or less with {F, H} = 0 are the null space of a matrix of rationals, as for the Casimirs.
-What counts is what is new: what is no polynomial in H, the Casimirs and the integrals that were found before.
+Only new ones count: those that are not polynomials in H, the Casimirs and the integrals found before.
 """
 
 from __future__ import annotations
