@@ -6,7 +6,6 @@ from pathlib import Path
 
 from docutils import nodes
 from docutils.statemachine import StringList
-from latex2mathml.converter import convert
 from sphinx.util.docutils import SphinxDirective
 
 import polhode
@@ -22,7 +21,7 @@ compile_quickly()  # here and in the kernels that run the cells
 project = "polhode"
 author = "The polhode developers"
 release = version = polhode.__version__
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "mathml"]
 html_theme = "furo"
 html_static_path = ["_static"]
 html_css_files = ["pages.css"]
@@ -85,25 +84,8 @@ class FilesOfRooms(SphinxDirective):
         return [nodes.raw("", opened, format="html"), listed, nodes.raw("", "</details>", format="html")]
 
 
-def as_mathml(node, display):
-    """Browsers know bold letters by their style alone."""
-    found = convert(node.astext(), display=display)
-    return re.sub(r'mathvariant="bold(-italic)?"', 'style="font-weight: bold"', found)
-
-
-def inline_math(writer, node):
-    writer.body.append(as_mathml(node, "inline"))
-    raise nodes.SkipNode
-
-
-def displayed_math(writer, node):
-    writer.body.append(f'<div class="math">{as_mathml(node, "block")}</div>\n')
-    raise nodes.SkipNode
-
-
 def setup(app):
     app.add_directive("files", FilesOfRooms)
-    app.add_html_math_renderer("mathml", (inline_math, None), (displayed_math, None))
     app.connect("autodoc-process-docstring", escape_marks)
     app.connect("builder-inited", draw_figures)
     app.connect("build-finished", write_live_pages)
