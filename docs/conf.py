@@ -1,6 +1,7 @@
 """Sphinx: pages in Markdown, those with code cells run at every build, and the reference from docstrings."""
 
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -66,6 +67,14 @@ def write_live_pages(app, exception):
         write_playground(Path(app.outdir) / "playground-page.html", examples)
 
 
+def build_course(app, exception):
+    """The course is a book of its own, in the folder `learn` beside these pages."""
+    if exception is None and app.builder.format == "html":
+        course = Path(__file__).parents[1] / "learn"
+        command = [sys.executable, "-m", "sphinx", "-W", "-q", str(course), str(Path(app.outdir) / "learn")]
+        subprocess.run(command, check=True)
+
+
 class FilesOfRooms(SphinxDirective):
     """The files of one or more rooms of the package, by their docstrings, to be opened by a click."""
 
@@ -89,3 +98,4 @@ def setup(app):
     app.connect("autodoc-process-docstring", escape_marks)
     app.connect("builder-inited", draw_figures)
     app.connect("build-finished", write_live_pages)
+    app.connect("build-finished", build_course)

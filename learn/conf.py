@@ -7,7 +7,7 @@ HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "_ext"))
 sys.path.insert(0, str(HERE.parent / "docs"))
 
-import polhode
+import polhode  # noqa: E402  after the paths, as extensions
 
 project = "polhode: a course"
 author = "The polhode developers"

@@ -51,13 +51,14 @@ FROM = {
     "formats/plain_table.py": "import compare fit", "formats/spice_reading.py": "import compare fit",
     "studies/comparison_report.py": "compare", "studies/throw_report.py": "fit", "sweeps/running.py": "sweep",
     "sweeps/evaluation.py": "sweep", "estimation/_throw_fit.py": "fit", "estimation/flight.py": "fit",
-    "studies/left_out.py": "fit", "cli/proofs.py": "report",
+    "studies/left_out.py": "fit", "cli/proofs.py": "report", "course/site.py": "learn",
 }  # fmt: skip
-DECLARED = ("cli/commands.py", "cli/spectrum_options.py", "cli/source_options.py", "cli/fit_options.py",
+DECLARED = ("cli/commands/application.py", "cli/commands/specs.py", "cli/commands/records.py",
+            "cli/commands/learning.py", "cli/spectrum_options.py", "cli/source_options.py", "cli/fit_options.py",
             "cli/tumble_options.py")
 """Where options are declared, with help that speaks of several commands."""
 # words in backticks that are of other packages
-FOREIGN = {"np.polyfit", "float", "dask scheduler", "JAX_ENABLE_X64"}
+FOREIGN = {"python -m sphinx learn out/learn", "np.polyfit", "float", "dask scheduler", "JAX_ENABLE_X64"}
 
 
 class Text(NamedTuple):

@@ -182,7 +182,8 @@ class Syllabus(SphinxDirective):
 
     def run(self):
         rows = tomllib.loads((HERE / "syllabus.toml").read_text("utf-8"))["row"]
-        text = ["| # | topic | tier | where | panel | derivation or proof | exercises |", "|---|---|---|---|---|---|---|"]
+        head = ("#", "topic", "tier", "where", "panel", "derivation or proof", "exercises")
+        text = [f"| {' | '.join(head)} |", f"|{'---|' * len(head)}"]
         for row in rows:
             text.append("| " + " | ".join([
                 str(row["number"]), row["topic"], row["tier"],

@@ -12,7 +12,10 @@ def derive(lines):
     lines.define("Euler's equations give the rate of each component of L along the body's axes.",
                  *zip(names, rates, strict=True))
     energy = sum(l**2 / (2 * i) for l, i in zip(L, I, strict=True))
-    rate = lambda f: sum(sympy.diff(f, x) * v for x, v in zip(L, rates, strict=True))
+
+    def rate(f):
+        return sum(sympy.diff(f, x) * v for x, v in zip(L, rates, strict=True))
+
     lines.equal("Multiply each by its component and add: all three terms cancel. |L|² stays.",
                 rate(L1**2 + L2**2 + L3**2), 0, shown=r"\frac{d}{dt}\left(L_1^2 + L_2^2 + L_3^2\right)")
     lines.equal("Multiply each by its component over its moment and add: they cancel again. The energy stays.",

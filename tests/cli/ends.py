@@ -48,6 +48,7 @@ GIVEN = {
     "sweep": [["sweep.toml", "--dry-run"]],
     "tumble": [["apophis"], ["apophis", "--diameter", "340 m"]],
     "derive": [["clebsch"]],
+    "learn": [["two-surfaces", "--key", "--out", "sheet.html"]],
     "wobble": [["--from", "1995-01-01", "--to", "2012-01-01"]],
 }
 EXAMPLE = re.compile(r"(?:[Ll]ike|default:) \"?([^\";)]*?\d[^\";)]*)\"?")

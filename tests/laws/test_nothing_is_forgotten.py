@@ -14,8 +14,8 @@ import pytest
 import polhode
 
 REFERENCE = Path(__file__).parents[2] / "docs" / "reference.md"
-TAKE_FILES_AND_WORDS = {"cli", "figures", "formats", "kinds", "reports", "spec", "studies", "sweeps", "symbolic",
-                        "viewer", "errors"}
+TAKE_FILES_AND_WORDS = {"cli", "course", "figures", "formats", "kinds", "reports", "spec", "studies", "sweeps",
+                        "symbolic", "viewer", "errors"}
 INNER_ROOMS = {"arrays", "taylor"}
 
 

@@ -70,3 +70,11 @@ def readable_output() -> Iterator[None]:
         for stream, errors in before:
             with contextlib.suppress(OSError, ValueError):  # closed, or nobody listens
                 stream.reconfigure(errors=errors)
+
+
+def open_in_browser(page: Path) -> None:
+    """Open a page in the user's browser, and say so where there is none."""
+    import webbrowser
+
+    if not webbrowser.open(page.resolve().as_uri()):
+        print("polhode: no browser was found to open it. Open the file yourself.", file=sys.stderr)

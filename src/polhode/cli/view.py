@@ -8,6 +8,7 @@ import typer
 
 from polhode.cli.destinations import check_spares
 from polhode.cli.spec_reports import make_page_report
+from polhode.cli.terminal import open_in_browser
 from polhode.errors import one_line
 from polhode.kinds.reading import read_spec
 
@@ -17,10 +18,7 @@ def run_view(path: Path | None, out: Path | None, open_it: bool) -> None:
     written = _playground(out) if path is None else _page(path, out)
     typer.echo(one_line(str(written)))
     if open_it:
-        import webbrowser
-
-        if not webbrowser.open(written.resolve().as_uri()):
-            typer.echo("polhode: no browser was found to open it. Open the file yourself.", err=True)
+        open_in_browser(written)
 
 
 def _page(path: Path, out: Path | None) -> Path:

@@ -1,7 +1,7 @@
 """Exercises as data: texts, numbers drawn from a seed, answers as expressions over polhode, hints for mistakes.
 
-One file of TOML for each chapter, in the folder ``exercises``. Everything that shows an exercise reads it here: the page
-that checks answers, the worksheet, the teacher's key, and the test that computes every answer by a second way.
+One file of TOML for each chapter, in the folder ``exercises``. Everything that shows an exercise reads it here: the
+page that checks answers, the worksheet, the teacher's key, and the test that computes every answer by a second way.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import math
 import re
 import tomllib
 import zlib
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
@@ -268,7 +268,7 @@ class Chapter(_Data):
                 return one
         names = [one.name for one in (*self.exercises, *self.choices)]
         raise InvalidInput(f"an exercise of “{self.title}” must be one of {', '.join(names)}; got {shown(name)}."
-                           f"{_suggest(name, names)}")  # fmt: skip
+                           f"{suggest_name(name, names)}")  # fmt: skip
 
 
 def chapter_names() -> list[str]:
@@ -276,7 +276,7 @@ def chapter_names() -> list[str]:
     return [path.stem.partition("_")[2].replace("_", "-") for path in sorted(FOLDER.glob("*.toml"))]
 
 
-@lru_cache(maxsize=None)
+@cache
 def read_chapter(name: str) -> Chapter:
     """Return the exercises of a chapter.
 
@@ -289,7 +289,7 @@ def read_chapter(name: str) -> Chapter:
     paths = {path.stem.partition("_")[2].replace("_", "-"): path for path in sorted(FOLDER.glob("*.toml"))}
     if name not in paths:
         raise InvalidInput(f"a chapter must be one of {', '.join(paths)}; got {shown(name)}."
-                           f"{_suggest(name, list(paths))}")  # fmt: skip
+                           f"{suggest_name(name, list(paths))}")  # fmt: skip
     try:
         return Chapter.model_validate(tomllib.loads(paths[name].read_text("utf-8")))
     except (tomllib.TOMLDecodeError, ValidationError) as error:
@@ -304,7 +304,7 @@ def evaluate(expression: str, values: dict[str, Any]) -> Any:
     return eval(expression, {**_namespace(), **values})
 
 
-@lru_cache(maxsize=None)
+@cache
 def _namespace() -> dict[str, Any]:
     from scipy import integrate
 
@@ -330,6 +330,7 @@ def _in_digits(value: float, *, exact: bool) -> str:
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def _suggest(name: str, names: list[str]) -> str:
+def suggest_name(name: str, names: list[str]) -> str:
+    """Return " Did you mean …?" for a name that is close to one of several, else nothing."""
     near = difflib.get_close_matches(str(name), names, 1)
     return f" Did you mean {near[0]}?" if near else ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from polhode.course.exercises import suggest_name
 from polhode.errors import InvalidInput, shown
 
 SITE = Path(__file__).parent / "site"
@@ -22,11 +23,29 @@ def built_course(folder: str | Path | None = None) -> Path:
         if (SITE / "index.html").is_file():
             return SITE / "index.html"
         raise InvalidInput(
-            "this installation of polhode has no built course. In a checkout, `python -m sphinx learn out/learn` builds "
-            "it, and `polhode learn --from out/learn` opens it."
+            "this installation of polhode has no built course. In a checkout, `python -m sphinx learn out/learn` "
+            "builds it, and `polhode learn --from out/learn` opens it."
         )
     for page in (Path(folder) / "learn" / "index.html", Path(folder) / "index.html"):
         if page.is_file() and (page.parent / "panels").is_dir():
             return page
     raise InvalidInput(f"--from must be the folder of a built course or of the built documentation; got "
                        f"{shown(str(folder))}, which holds no course.")  # fmt: skip
+
+
+def page_of_chapter(front: Path, chapter: str) -> Path:
+    """Return the page of a chapter.
+
+    Args:
+        front: the first page of the course.
+        chapter: its name, such as "two-surfaces".
+
+    Raises:
+        InvalidInput: for a chapter that the course does not hold.
+    """
+    paths = sorted((front.parent / "chapters").glob("*.html"))
+    pages = {page.stem.partition("_")[2].replace("_", "-"): page for page in paths}
+    if chapter not in pages:
+        raise InvalidInput(f"a chapter must be one of {', '.join(pages)}; got {shown(chapter)}."
+                           f"{suggest_name(chapter, list(pages))}")  # fmt: skip
+    return pages[chapter]

@@ -1,4 +1,4 @@
-"""The commands and their options; each imports what it needs only when it runs."""
+"""Commands that read or write measurements and motions in files; each imports what it needs only when it runs."""
 
 from __future__ import annotations
 
@@ -8,10 +8,9 @@ from typing import Annotated
 import typer
 
 from polhode.cli import fit_options as options
-from polhode.cli import spectrum_options as spectrum
 from polhode.cli import tumble_options as tumbling
-from polhode.cli.arguments import StrictCommand, whole_number
-from polhode.cli.foreign import Commands
+from polhode.cli.arguments import StrictCommand
+from polhode.cli.commands.application import AsJson, BodySpec, SpecPath, app
 from polhode.cli.source_options import (
     ClockKernel,
     ClockOffset,
@@ -32,156 +31,11 @@ from polhode.cli.source_options import (
 )
 from polhode.formats.form_registry import writable_forms
 
-app = typer.Typer(
-    name="polhode",
-    cls=Commands,
-    help="How does this thing rotate? Exact motion of rigid bodies, and what it means.",
-    no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    rich_markup_mode=None,  # half of the time that `--help` would take
-)
-
 
 def _list_forms() -> str:
     """Return the names of the forms of files, for the help."""
     *names, last = writable_forms()
     return f"{', '.join(names)} or {last}"
-
-
-SpecPath = Annotated[Path, typer.Argument(metavar="SPEC", help="TOML file: what body, how it spins, when.")]
-AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object (SI values) on standard output.")]
-BodySpec = Annotated[Path | None, typer.Option("--spec", metavar="SPEC", help="Whose body it is, for its moments.")]
-
-
-@app.callback(invoke_without_command=True)
-def about(
-    version: Annotated[bool, typer.Option("--version", help="Print the version and stop.", is_eager=True)] = False,
-) -> None:
-    """How does this thing rotate? Exact motion of rigid bodies, and what it means."""
-    if version:
-        from polhode import __version__
-
-        typer.echo(f"polhode {__version__}")
-        raise typer.Exit
-
-
-@app.command(cls=StrictCommand)
-def report(
-    spec: SpecPath,
-    json: AsJson = False,
-    out: Annotated[
-        Path | None,
-        typer.Option("--out", metavar="DIR", help="Folder for figures and dataset (default: named after the spec)."),
-    ] = None,
-    figures: Annotated[
-        list[str] | None,
-        typer.Option("--figures", metavar="FORM", help="png, svg, pdf, or several with commas (default: png)."),
-    ] = None,
-    html: Annotated[bool, typer.Option("--html", help="Also write the page of the motion, page.html.")] = False,
-    certificates: Annotated[
-        bool, typer.Option("--certificates", help="Also print the formula that each verdict rests on.")
-    ] = False,
-    proof: Annotated[
-        Path | None,
-        typer.Option("--proof", metavar="DIR", help="Also write each verdict as a proof that Rocq checks, into DIR."),
-    ] = None,
-) -> None:
-    """Say how the body rotates; write figures and a NetCDF dataset.
-
-    Motion, stability and periods are printed.
-    """
-    from polhode.cli.report import run_report
-
-    run_report(spec, json, out, figures or [], html, certificates, proof)
-
-
-@app.command(cls=StrictCommand)
-def new(
-    example: Annotated[
-        str | None, typer.Argument(metavar="[EXAMPLE]", help="Which one to copy; without one, all are listed.")
-    ] = None,
-    out: Annotated[
-        Path | None, typer.Option("--out", metavar="DIR", help="Folder to copy it to (default: the present one).")
-    ] = None,
-) -> None:
-    """Copy a commented spec to begin with, or list those that there are."""
-    from polhode.cli.new import run_new
-
-    run_new(example, out)
-
-
-@app.command(cls=StrictCommand)
-def view(
-    spec: Annotated[
-        Path | None, typer.Argument(metavar="[SPEC]", help="TOML file; without one, a playground of many motions.")
-    ] = None,
-    out: Annotated[
-        Path | None,
-        typer.Option("--out", metavar="FILE", help="The page (default: named after the spec, in this folder)."),
-    ] = None,
-    no_open: Annotated[bool, typer.Option("--no-open", help="Write the page without opening it.")] = False,
-) -> None:
-    """Write the motion as one HTML page, and open it.
-
-    The page needs nothing else. Free bodies and Lagrange tops can be set there, and go on for ever.
-    """
-    from polhode.cli.view import run_view
-
-    run_view(spec, out, not no_open)
-
-
-@app.command(cls=StrictCommand)
-def body(spec: SpecPath, json: AsJson = False) -> None:
-    """Print the body's mass properties alone."""
-    from polhode.cli.body import run_body
-
-    run_body(spec, json)
-
-
-@app.command(cls=StrictCommand)
-def certify(
-    spec: SpecPath,
-    json: AsJson = False,
-    digits: Annotated[
-        int, typer.Option("--digits", metavar="N", parser=whole_number(1, 1000), help="Decimals (default: 25).")
-    ] = 25,
-    at: Annotated[
-        list[str] | None, typer.Option("--at", metavar="T", help='Time of a state, like "1e9 s"; may be repeated.')
-    ] = None,
-) -> None:
-    """Prove bounds of a free body's or a Lagrange top's motion, to any number of digits.
-
-    Printed are the regime and verdicts, decided in exact arithmetic, and periods, precession, geometric phase, action
-    and states, each with a radius within which the truth lies. Needs the extra symbolic.
-    """
-    from polhode.cli.certify import run_certify
-
-    run_certify(spec, digits, at or [], json)
-
-
-@app.command(cls=StrictCommand)
-def levels(
-    file: spectrum.MoleculeFile, json: AsJson = False, j_max: spectrum.LargestJ = None,
-    out: spectrum.SpectrumFile = None,
-) -> None:  # fmt: skip
-    """Print a molecule's rotational levels."""
-    from polhode.cli.spectra import run_levels
-
-    run_levels(file, j_max, json, out)
-
-
-@app.command(cls=StrictCommand)
-def lines(
-    file: spectrum.MoleculeFile, json: AsJson = False, j_max: spectrum.LargestJ = None,
-    temperature: spectrum.Temperature = None, lowest: spectrum.Lowest = None, highest: spectrum.Highest = None,
-    min_intensity: spectrum.SmallestIntensity = None, most: spectrum.Strongest = 50, dipole: spectrum.Dipole = None,
-    out: spectrum.SpectrumFile = None,
-) -> None:  # fmt: skip
-    """Print a molecule's rotational lines by frequency, with intensities."""
-    from polhode.cli.spectra import LineOptions, run_lines
-
-    run_lines(file, LineOptions(j_max, temperature, lowest, highest, min_intensity, most, dipole), json, out)
 
 
 @app.command(cls=StrictCommand)
@@ -327,36 +181,6 @@ def compare(
 
 
 @app.command(cls=StrictCommand)
-def sweep(
-    spec: SpecPath,
-    out: Annotated[
-        Path | None,
-        typer.Option("--out", metavar="STORE.zarr", help="Zarr store to make or go on with (default: after the spec)."),
-    ] = None,
-    workers: Annotated[
-        int | None,
-        typer.Option("--workers", metavar="N", parser=whole_number(1, 1024),
-                     help="Worker processes here (default: one for each core; short sweeps need none)."),
-    ] = None,
-    scheduler: Annotated[
-        str | None,
-        typer.Option("--scheduler", metavar="ADDRESS", help="Dask scheduler whose workers to use, like tcp://host:8786."),
-    ] = None,
-    dry_run: Annotated[bool, typer.Option("--dry-run", help="Say what time, memory and room it will take.")] = False,
-    json: AsJson = False,
-    no_figures: Annotated[bool, typer.Option("--no-figures", help="Draw no figures.")] = False,
-) -> None:
-    """Compute many motions, with numbers of the spec spread.
-
-    The table [sweep] says which, and what to keep. Samples go into a Zarr store; statistics are printed and drawn. The
-    same command again goes on with a sweep that was stopped.
-    """
-    from polhode.cli.sweep import SweepOptions, run_sweep
-
-    run_sweep(spec, SweepOptions(out, workers, scheduler, dry_run, json, no_figures))
-
-
-@app.command(cls=StrictCommand)
 def tumble(
     body: tumbling.Body = None,
     precession: tumbling.Precession = None,
@@ -419,26 +243,3 @@ def wobble(
     from polhode.cli.wobble import WobbleOptions, run_wobble
 
     run_wobble(file, WobbleOptions(start, end, window, figures, out), json)
-
-
-@app.command(cls=StrictCommand)
-def derive(
-    name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="Like free-body; without one, all are listed.")
-    ] = None,
-    to: Annotated[
-        str | None, typer.Option("--to", metavar="FORM", help="text, markdown, latex or html (default: text).")
-    ] = None,
-    out: Annotated[
-        Path | None,
-        typer.Option("--out", metavar="FILE", help="File to write; .txt, .md, .tex or .html tells the form."),
-    ] = None,
-) -> None:
-    """Derive the equations of a system from its bracket, each step checked.
-
-    Brackets, equations of motion, Casimirs, integrals and conditions of stability are computed by symbols and compared
-    with the numerical system. Needs the extra symbolic.
-    """
-    from polhode.cli.derive import run_derive
-
-    run_derive(name, to, out)

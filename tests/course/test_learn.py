@@ -1,0 +1,58 @@
+"""`polhode learn`: opens what was built, writes worksheets and keys, refuses with a remedy."""
+
+import pytest
+
+from polhode.cli.main import main
+from polhode.course.exercises import read_chapter
+
+
+def run(*arguments):
+    with pytest.raises(SystemExit) as ended:
+        main(["learn", *map(str, arguments)])
+    return ended.value.code or 0
+
+
+@pytest.fixture
+def built(tmp_path):
+    """A course of one chapter, inside built documentation."""
+    (tmp_path / "docs" / "learn" / "panels").mkdir(parents=True)
+    (tmp_path / "docs" / "learn" / "chapters").mkdir()
+    for page in ("index", "chapters/05_two_surfaces"):
+        (tmp_path / "docs" / "learn" / f"{page}.html").write_text("<p>")
+    return tmp_path / "docs"
+
+
+def test_opens_front_and_chapter(built, capsys):
+    assert run("--from", built, "--no-open") == 0
+    assert capsys.readouterr().out.strip().endswith("learn/index.html")
+    assert run("two-surfaces", "--from", built / "learn", "--no-open") == 0
+    assert capsys.readouterr().out.strip().endswith("05_two_surfaces.html")
+
+
+def test_worksheet_has_the_numbers_of_its_seed(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert run("two-surfaces", "--worksheet", "--seed", 4) == 0
+    assert run("two-surfaces", "--key", "--seed", 4, "--out", "k.html") == 0
+    sheet, key = (tmp_path / "two-surfaces.html").read_text("utf-8"), (tmp_path / "k.html").read_text("utf-8")
+    for exercise in read_chapter("two-surfaces").exercises:
+        question = exercise.draw(4)
+        assert question.text[:60] in sheet
+        assert f"{question.answer:.5g}" in key
+        assert question.solution[:40] not in sheet
+
+
+@pytest.mark.parametrize(("arguments", "said"), [
+    (["nosuch", "--worksheet"], "must be one of"),
+    (["two-surface", "--worksheet"], "Did you mean two-surfaces"),
+    (["--worksheet"], "name one of"),
+    (["two-surfaces", "--seed", "3"], "Add --worksheet"),
+    (["two-surfaces", "--worksheet", "--seed", "-3"], "from 0"),
+    (["two-surfaces", "--worksheet", "--out", "a.pdf"], "must end with .html"),
+    (["two-surfaces", "--worksheet", "--from", "x"], "Leave it out"),
+    (["--from", "nowhere", "--no-open"], "holds no course"),
+])  # fmt: skip
+def test_mistakes_are_told_with_a_remedy(arguments, said, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert run(*arguments) == 2
+    assert said in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
