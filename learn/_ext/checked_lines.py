@@ -37,11 +37,11 @@ class Lines:
 
     def define(self, text: str, *formulas: Any) -> None:
         """Add a definition or an assumption: nothing to check. A pair stands for "left = right"."""
-        shown = (f"{self.latex(f[0])} = {self.latex(f[1])}" if isinstance(f, tuple) else self.latex(f) for f in formulas)
+        shown = (" = ".join(map(self.latex, f)) if isinstance(f, tuple) else self.latex(f) for f in formulas)
         self._add(text, shown, checked=False)
 
     def equal(self, text: str, left: Any, right: Any, *further: Any, shown: str | None = None) -> None:
-        """Add "left = right = …" and check each sign of equality; `shown` replaces the left side where it prints badly."""
+        """Add "left = right = …" and check each equality; `shown` replaces the left side where it prints badly."""
         for value in (right, *further):
             self._vanishes(text, _difference(left, value))
         chain = [shown or self.latex(left), *(self.latex(value) for value in (right, *further))]

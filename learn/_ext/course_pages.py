@@ -10,7 +10,7 @@ import shutil
 import tomllib
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from checked_lines import Lines
@@ -40,7 +40,7 @@ class Panel(SphinxDirective):
 
     required_arguments = 1
     has_content = True
-    option_spec = {"height": directives.positive_int, "state": directives.unchanged}
+    option_spec: ClassVar = {"height": directives.positive_int, "state": directives.unchanged}
 
     def run(self):
         name = self.arguments[0]
