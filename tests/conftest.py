@@ -1,4 +1,7 @@
-"""Every call in the tests has its annotations checked, except where a test gives a wrong type on purpose.
+"""What all tests share.
+
+Where annotations are checked, every call in the tests is, except where a test gives a wrong type on purpose: in the
+sweeps, and where POLHODE_ANNOTATIONS=checked, as CI sets it. It takes a sixth of the time of the default tests.
 
 Compiled functions are kept on disk for the length of a run, so that workers and subprocesses compile each once, and
 are dropped from memory once a worker has grown large. Most time goes into compiling, so the default tests compile
@@ -28,14 +31,12 @@ collect_ignore = NOT_THERE
 UNCHECKED = "doubledouble"  # called tens of thousands of times for one motion; its checks took half of its tests' time
 SOURCES = Path(polhode.__file__).parent
 FILES = [path.relative_to(SOURCES.parent).with_suffix("") for path in SOURCES.rglob("*.py")]
-jaxtyping.jaxtyped = typed.checked
-install_import_hook([".".join(file.parts) for file in FILES if file.name not in ("__init__", UNCHECKED)], "typed.check")
 
 COMPILED = "JAX_COMPILATION_CACHE_DIR"
 QUICKLY = (  # a fifth of the time
     "--xla_cpu_use_fusion_emitters=false --xla_backend_optimization_level=0 --xla_cpu_parallel_codegen_split_count=1"
 )
-MAX_RESIDENT = 1.4e9  # bytes of a worker from which it gives memory back, and compiles again what it needs
+LEAST_RESIDENT, SHARE = 1.4e9, 0.4  # bytes, and of the memory that a worker has: then it gives back, and compiles anew
 SELDOM = 20_000, 20, 50  # allocations, and collections of the younger generations, after which Python collects garbage
 gc.disable()  # while modules are imported, of which nothing is garbage: a fifth of that time
 MAX_SECONDS = 900  # of one test, on a machine that does other things too
@@ -46,12 +47,21 @@ MAX_SECONDS_OF_A_SWEEP = 3000
 def pytest_configure(config):
     """Name a new folder for compiled functions before workers start, so that every run starts cold; keep no reports."""
     os.environ["POLHODE_REPORTS_CACHE"] = ""
+    if "not sweep" not in config.option.markexpr or os.environ.get("POLHODE_ANNOTATIONS") == "checked":
+        check_annotations()
     if not hasattr(config, "workerinput") and COMPILED not in os.environ:
         os.environ[COMPILED] = config.compiled_here = tempfile.mkdtemp(prefix="polhode-tests-")
         os.environ["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0.2"
         os.environ["JAX_PERSISTENT_CACHE_MIN_ENTRY_SIZE_BYTES"] = "-1"
         if "not sweep" in config.option.markexpr or config.option.markexpr == "browser":
             compile_quickly(QUICKLY)
+
+
+def check_annotations():
+    """Have every function that is imported from now on check what it is given and returns."""
+    jaxtyping.jaxtyped = typed.checked
+    files = (".".join(file.parts) for file in FILES if file.name not in ("__init__", UNCHECKED))
+    install_import_hook(list(files), "typed.check")
 
 
 def pytest_unconfigure(config):
@@ -94,9 +104,9 @@ def small_memory():
     from disk.
     """
     yield
-    if _resident() > MAX_RESIDENT:
+    if _resident() > MOST_RESIDENT:
         _give_back()
-        if _resident() > MAX_RESIDENT and "jax" in sys.modules:
+        if _resident() > MOST_RESIDENT and "jax" in sys.modules:
             sys.modules["jax"].clear_caches()
             gc.collect()
             _give_back()
@@ -110,6 +120,17 @@ def _give_back():
 def _resident():
     pages = Path("/proc/self/statm")
     return int(pages.read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") if pages.exists() else 0
+
+
+def _most_resident():
+    """Return the bytes from which a worker gives memory back."""
+    if not hasattr(os, "sysconf") or "SC_PHYS_PAGES" not in os.sysconf_names:
+        return LEAST_RESIDENT
+    workers = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+    return max(LEAST_RESIDENT, SHARE * os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / workers)
+
+
+MOST_RESIDENT = _most_resident()
 
 
 @pytest.fixture

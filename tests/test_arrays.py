@@ -1,5 +1,7 @@
 """The seam to JAX: what a compiler may do with the closed forms."""
 
+import pytest
+
 from limited import run_limited
 
 FAR_MORE_THAN_IT_TAKES = 120.0
@@ -11,6 +13,7 @@ import jax
 jax.config.update("jax_enable_x64", True)
 import jax.numpy as jnp
 import numpy as np
+import pytest
 from polhode.arrays import stack_last
 from polhode.special import _doubledouble as dd
 
@@ -28,6 +31,7 @@ for way in (chain, jax.vmap(chain)):
 """
 
 
+@pytest.mark.sweep
 def test_a_stack_is_not_fused_with_a_long_computation_that_its_parts_share():
     run_limited(STACKED_CHAIN, FAR_MORE_THAN_IT_TAKES)
 
@@ -54,5 +58,6 @@ assert "while" in jax.jit(held).lower(x).as_text()
 """
 
 
+@pytest.mark.sweep
 def test_a_barrier_changes_nothing_and_lets_derivatives_through():
     run_limited(BARRIER, FAR_MORE_THAN_IT_TAKES)

@@ -93,6 +93,7 @@ def test_orbits_are_counted():
         spin_motion(SpinOrbit(0.1, 0.1), [0.0, 1.0], 0)
 
 
+@pytest.mark.sweep
 def test_times_of_chaos_are_those_of_its_exponent():
     """Neighbours that part as exp(λt) are e times as far after 1/λ, and a radian from 1e-12 after 12 ln 10/λ."""
     found = spin_motion(SpinOrbit(0.89, 0.1), [np.pi / 2, 1.0], 2000)

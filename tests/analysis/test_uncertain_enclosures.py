@@ -71,6 +71,7 @@ def test_no_ball_is_found_where_there_are_several_solutions():
     assert not eccentric_anomaly(acb(arb(0.0, 0.5), arb(0.0, 0.5)), 0.99).is_finite()
 
 
+@pytest.mark.sweep
 def test_a_moon_in_an_eccentric_orbit_is_where_mpmath_says():
     moon = ph.systems.SpinOrbit(0.26, 0.1, 1.0)
     start = np.array([0.2, 1.1])

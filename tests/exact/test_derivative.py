@@ -85,6 +85,7 @@ def check(count, seed, announce):
     assert not {family: error for family, error in worst.items() if not error <= WORST}
 
 
+@pytest.mark.sweep
 def test_derivatives_in_every_family(announce):
     check(PER_FAMILY, 5, announce)
 

@@ -122,6 +122,7 @@ def test_derivatives_agree_with_the_oracle(drawn, announce):
     check(drawn[0], drawn[1][0][: len(drawn[0])], announce)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("displacement", first(1, [1e-290, 1e-100]))
 def test_derivatives_of_tops_that_leave_from_next_to_nothing(displacement):
     """On the first way down and, after two ways, on the way up again, where changes shrink by half their growth."""

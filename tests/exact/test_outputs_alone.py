@@ -122,6 +122,7 @@ def test_no_method_is_forgotten(kind):
     assert public(KINDS[kind])[0] == EVALUATIONS
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("where", first(1, ["host", "compiled"]))
 @pytest.mark.parametrize("code", [VALUES, pytest.param(SLOPES, marks=pytest.mark.sweep)], ids=["values", "slopes"])
 @pytest.mark.parametrize("kind", first(1, KINDS))

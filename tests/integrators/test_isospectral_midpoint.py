@@ -62,6 +62,7 @@ def test_a_step_solves_its_equation(algebra):
     assert np.abs(wanted - np.asarray(state)).max() > 1e-3
 
 
+@pytest.mark.sweep
 def test_long_steps_go_by_linear_systems():
     """A generator that does not depend on the state turns by Cayley's map, however far: there products diverge."""
     algebra = lie.SO(4)

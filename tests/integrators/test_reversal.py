@@ -92,6 +92,7 @@ def weighed(case):
     return function, numbers
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("case", first(1, CASES), ids=lambda case: case.name.replace(" ", "-"))
 def test_gradients_are_those_of_forward_mode(case):
     """By the state, by the times and by the arrays in the system."""
@@ -165,6 +166,7 @@ def last_by(method, step, order):
     return lambda s: ph.solve(BODY, s, [0.0, 40 * step], method, step=step, order=order).end_state[0]
 
 
+@pytest.mark.sweep
 def test_what_is_not_regained_is_computed_anew(monkeypatch):
     """Without the check the gradient is wrong by far more than the tests above allow, so that they would say so."""
     start = jnp.asarray(L)
@@ -182,6 +184,7 @@ def test_copies_go_back_by_their_own_steps():
     assert np.abs(jax.grad(total)(states) - alone).max() < EQUAL * np.abs(alone).max()
 
 
+@pytest.mark.sweep
 def test_a_copy_that_fails_spoils_no_other():
     def sound(s):
         found = ph.solve(BODY, s, [0.0, 1.0], MuntheKaas, step=0.1, order=2)

@@ -58,6 +58,7 @@ def test_an_interrupt_ends_a_long_run_soon():
     assert found.stdout == "interrupted\n", found.stderr[-2000:]
 
 
+@pytest.mark.sweep
 def test_an_interrupt_that_is_lost_in_a_callback_ends_the_run_as_well():
     """The garbage collector forgets what its callbacks raise, and JAX has one."""
     code = (

@@ -30,6 +30,7 @@ def mean_along_field(count, step, span, seed):
     return float(np.mean(np.asarray(found.saved)[10:]))
 
 
+@pytest.mark.sweep
 def test_paramagnet_follows_langevin():
     assert abs(mean_along_field(2048, 0.2, 60.0, 1) - (langevin(1.5 / 0.7) - 0.0014)) < 0.005
 

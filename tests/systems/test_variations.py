@@ -16,6 +16,7 @@ TOP = ph.systems.HeavyTop((1.0, 2.0, 3.0), 1.0, (0.0, 0.6, 0.8))
 START = np.array([0.5, 1.0, 2.0, 0.0, 0.6, 0.8])
 
 
+@pytest.mark.sweep
 def test_changes_are_the_derivative_of_the_motion():
     """Against derivatives of another method, which JAX takes through its steps."""
     varied = np.concatenate([START[None], np.eye(6)])

@@ -114,6 +114,7 @@ def test_functions_of_what_they_are_not_for_end_no_run_in_an_error_of_pythons(by
     assert found.status[0] == Status.NOT_CONVERGED and np.isnan(found.end[0])
 
 
+@pytest.mark.sweep
 def test_lanes_change_no_bit(by):
     """Eleven copies, of which three wait for a lane, and some end early, against each alone."""
     by(kernels.compile_kernel(1))

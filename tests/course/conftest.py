@@ -1,0 +1,20 @@
+"""The course, built once; and the browser of the page's tests."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from viewer.conftest import browser as browser  # the same Chromium
+
+COURSE = Path(__file__).parents[2] / "learn"
+
+
+@pytest.fixture(scope="session")
+def course(tmp_path_factory):
+    """The folder of the built course; Sphinx's warnings are errors."""
+    pytest.importorskip("sphinx_proof", reason="needs the extra docs")
+    out = tmp_path_factory.mktemp("course")
+    subprocess.run([sys.executable, "-m", "sphinx", "-W", "-q", str(COURSE), str(out)], check=True)
+    return out
