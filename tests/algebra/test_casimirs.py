@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from polhode import algebra as lie
-from polhode.algebra import casimirs
 from polhode.errors import InvalidInput
+from polhode.rational import _sparse as sparse
 from specimens import ALGEBRAS
 from sweeping import first
 
@@ -110,14 +110,14 @@ def test_blocks_give_what_the_whole_gives(monkeypatch):
     rng = np.random.default_rng(1)
     rows = [{3 * int(k) + n % 3: Fraction(int(rng.integers(1, 9))) for k in rng.choice(6, 3, replace=False)}
             for n in range(14)]  # fmt: skip
-    assert len(list(casimirs._blocks(rows, 18))) >= 3
-    apart = casimirs._reduce_rows(rows, 18)
-    monkeypatch.setattr(casimirs, "_blocks", lambda rows, columns: [(rows, list(range(columns)))])
-    assert casimirs._reduce_rows(rows, 18) == apart
+    assert len(list(sparse._blocks(rows, 18))) >= 3
+    apart = sparse._reduce_rows(rows, 18)
+    monkeypatch.setattr(sparse, "_blocks", lambda rows, columns: [(rows, list(range(columns)))])
+    assert sparse._reduce_rows(rows, 18) == apart
 
 
 def test_a_system_too_large_is_refused_before_it_is_solved(monkeypatch):
-    monkeypatch.setattr(casimirs, "MOST_WORK", 1e4)
+    monkeypatch.setattr(sparse, "MOST_WORK", 1e4)
     with pytest.raises(InvalidInput, match=r"equations for \d+ unknowns at once.*Lower the degree.*`casimirs=`"):
         lie.polynomial_casimirs(lie.SO(4), 4)
     assert len(lie.polynomial_casimirs(lie.SO(4), 2)) == 2

@@ -13,10 +13,10 @@ import polhode as ph
 from polhode.analysis._conserved import Energy
 from polhode.analysis.energy_casimir import energy_casimir
 from polhode.certificates._confinement import Confinement
-from polhode.certificates._exact_tracing import read_double, read_short, trace_polynomials
+from polhode.certificates._exact_tracing import trace_polynomials
 from polhode.certificates._growth import Drift, Growth
-from polhode.certificates._polynomials import RationalPolynomial, linear_form, total
-from polhode.certificates._rational_matrices import (
+from polhode.errors import InvalidInput
+from polhode.rational._matrices import (
     characteristic_polynomial,
     combine,
     count_roots_beyond,
@@ -26,7 +26,8 @@ from polhode.certificates._rational_matrices import (
     split_into_squares,
     transpose,
 )
-from polhode.errors import InvalidInput
+from polhode.rational._polynomials import RationalPolynomial, linear_form, total
+from polhode.rational.numbers import read_double, read_short
 
 pytest.importorskip("flint")
 BODY = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))

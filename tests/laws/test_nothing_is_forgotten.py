@@ -103,15 +103,15 @@ NO_ARRAYS = {
     "rational_brackets",
     "RationalCertificate", "RationalCertificate.find_faults", "RationalCertificate.check",
     "RationalCertificate.check_by_z3", "RationalCertificate.as_json", "RationalCertificate.json",
-    "RationalCertificate.write_proof", "find_certificate",
+    "RationalCertificate.write_proof", "find_certificate", "rational.numbers.exact_number",
+    "rational.numbers.exact_numbers", "rational.numbers.read_short", "rational.numbers.read_double",
     "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""
 CALLED_BY_OTHERS = {
     "estimation.gyro_log.check_sizes",
     "algebra.base.HashableModule", "algebra.casimirs.check_degree", "algebra.casimirs.rational_brackets",
-    "algebra.casimirs.invariant_terms", "algebra.casimirs.new_terms", "algebra.casimirs.null_space",
-    "algebra.casimirs.whole_terms", "algebra.constants.check_constants", "algebra.matrix.adjoint",
+    "algebra.casimirs.invariant_terms", "algebra.constants.check_constants", "algebra.matrix.adjoint",
     "algebra.matrix.traceless", "algebra.matrix.check_size",
     "algebra.matrix.pfaffian", "algebra.so3.half_angle_factors", "algebra.so3.scaled_norm",
     "analysis.gyrostat_rotations.symmetry_axis", "systems.body_with_rotor.clean_direction",

@@ -8,7 +8,7 @@ import pytest
 import sympy
 
 from polhode.errors import InvalidInput
-from polhode.symbolic import exact_number, exact_numbers
+from polhode.rational import exact_number, exact_numbers
 
 
 @pytest.mark.parametrize(("value", "wanted"), [

@@ -9,9 +9,8 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.arrays import is_jax
+from polhode.rational._polynomials import SUPERSCRIPTS
 from polhode.types import Array, ArrayLike, Float64, Real
-
-SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 class Polynomial:

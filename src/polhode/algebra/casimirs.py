@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterator
 from fractions import Fraction
 from itertools import combinations_with_replacement
 
@@ -17,13 +16,12 @@ import numpy as np
 
 from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.errors import InvalidInput, not_installed, shown
+from polhode.errors import InvalidInput, shown
+from polhode.rational._sparse import REMEDY, new_terms, null_space
+from polhode.rational._terms import Terms, multiply_together, whole_terms
 
-Terms = dict[tuple[int, ...], Fraction]
 LARGEST_DENOMINATOR = 10_000
 MOST_MONOMIALS = 20_000  # writing down the equations takes a minute then
-MOST_WORK = 5e9  # rows × columns² of one block of equations: some six seconds of exact elimination, without a break
-REMEDY = "Lower the degree; `stability` takes Casimirs that are known otherwise by `casimirs=`."
 
 
 def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polynomial]:
@@ -73,7 +71,8 @@ def invariant_terms(brackets: list[list[dict[int, Fraction]]], degree: int) -> l
     for d in range(1, degree + 1):
         invariants = _invariants(brackets, generators, d)
         if invariants:
-            independent += new_terms(invariants, _products(independent, d))
+            products = [terms for terms in multiply_together(independent, d) if sum(next(iter(terms))) == d]
+            independent += new_terms(invariants, products)
     return [whole_terms(terms) for terms in independent]
 
 
@@ -146,123 +145,6 @@ def _invariants(brackets: list[list[dict[int, Fraction]]], generators: list[int]
     distinct = {tuple(sorted((c, v) for c, v in row.items() if v)) for row in rows.values()} - {()}
     matrix = [dict(row) for row in sorted(distinct, key=len)]
     return [{monomials[c]: v for c, v in vector.items()} for vector in null_space(matrix, len(monomials))]
-
-
-def null_space(rows: list[dict[int, Fraction]], columns: int) -> list[dict[int, Fraction]]:
-    """Return the null space of a sparse rational matrix, reduced: each vector has a column of its own."""
-    pivots, reduced = _reduce_rows(rows, columns)
-    free = [c for c in range(columns) if c not in set(pivots)]
-    vectors = []
-    for c in free:
-        # one free unknown is 1 and the others are 0; the reduced rows give the pivots
-        vector = {c: Fraction(1)}
-        for pivot, row in zip(pivots, reduced, strict=True):
-            if c in row:
-                vector[pivot] = -row[c]
-        vectors.append(vector)
-    return vectors
-
-
-def _reduce_rows(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[int], list[dict[int, Fraction]]]:
-    """Return pivots and rows of the reduced echelon form, block by block.
-
-    Raises:
-        InvalidInput: for a block too large, before any is reduced, or without python-flint.
-    """
-    if not rows:
-        return [], []
-    try:
-        from flint import fmpq, fmpq_mat
-    except ImportError:
-        raise not_installed("exact Casimirs", "python-flint", "symbolic") from None
-    pairs: list[tuple[int, dict[int, Fraction]]] = []
-    for block, unknowns in _blocks(rows, columns):
-        matrix = fmpq_mat(len(block), len(unknowns))
-        place = {c: n for n, c in enumerate(unknowns)}
-        for i, row in enumerate(block):
-            for c, value in row.items():
-                matrix[i, place[c]] = fmpq(value.numerator, value.denominator)
-        echelon, rank = matrix.rref()
-        for i in range(rank):
-            row = {c: Fraction(int(v.p), int(v.q)) for n, c in enumerate(unknowns) if (v := echelon[i, n]) != 0}
-            pairs.append((min(row), row))
-    pairs.sort(key=lambda pair: pair[0])
-    return [pivot for pivot, _ in pairs], [row for _, row in pairs]
-
-
-def _blocks(rows: list[dict[int, Fraction]], columns: int) -> Iterator[tuple[list[dict[int, Fraction]], list[int]]]:
-    """Return the rows that share unknowns with each other, and these unknowns in order.
-
-    Exact elimination goes with the cube of its size, so that blocks take a hundredth of the whole; and between two of
-    them a signal gets through.
-    """
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
-    pairs = np.array([(n, c) for n, row in enumerate(rows) for c in row])
-    size = len(rows) + columns
-    links = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1] + len(rows))), shape=(size, size))
-    _, labels = connected_components(links, directed=False)
-    together: dict[int, tuple[list[dict[int, Fraction]], list[int]]] = defaultdict(lambda: ([], []))
-    for row, label in zip(rows, labels, strict=False):
-        together[label][0].append(row)
-    for column, label in enumerate(labels[len(rows) :]):
-        together[label][1].append(column)
-    blocks = [(block, unknowns) for block, unknowns in together.values() if block]
-    largest = max(blocks, key=lambda pair: len(pair[0]) * len(pair[1]) ** 2)
-    equations, unknown = len(largest[0]), len(largest[1])
-    if equations * unknown**2 > MOST_WORK:
-        raise InvalidInput(
-            f"exact Casimirs would take {equations} equations for {unknown} unknowns at once, and at most "
-            f"{MOST_WORK:.0e} rows × columns² are solved here, which is some seconds. {REMEDY}"
-        )
-    yield from blocks
-
-
-def _products(polynomials: list[Terms], degree: int) -> list[Terms]:
-    """Return all products of given polynomials that have the degree."""
-    degrees = [sum(next(iter(terms))) for terms in polynomials]
-
-    def extend(start: int, left: int) -> list[Terms]:
-        results: list[Terms] = []
-        for n in range(start, len(polynomials)):
-            if degrees[n] == left:
-                results.append(polynomials[n])
-            elif degrees[n] < left:
-                results += [_multiply(polynomials[n], rest) for rest in extend(n, left - degrees[n])]
-        return results
-
-    return extend(0, degree)
-
-
-def new_terms(invariants: list[Terms], products: list[Terms]) -> list[Terms]:
-    """Return those invariants that are needed in addition to the products to span all."""
-    monomials = sorted({m for terms in (*invariants, *products) for m in terms}, reverse=True)
-    place = {m: n for n, m in enumerate(monomials)}
-    columns = [{place[m]: v for m, v in terms.items()} for terms in (*products, *sorted(invariants, key=len))]
-    transposed: dict[int, dict[int, Fraction]] = defaultdict(dict)
-    for c, column in enumerate(columns):
-        for row, value in column.items():
-            transposed[row][c] = value
-    pivots, _ = _reduce_rows(list(transposed.values()), len(columns))
-    return [{monomials[r]: v for r, v in columns[c].items()} for c in pivots if c >= len(products)]
-
-
-def _multiply(a: Terms, b: Terms) -> Terms:
-    product: Terms = defaultdict(Fraction)
-    for m, x in a.items():
-        for n, y in b.items():
-            product[tuple(i + j for i, j in zip(m, n, strict=True))] += x * y
-    return {m: v for m, v in product.items() if v}
-
-
-def whole_terms(terms: Terms) -> Terms:
-    """Return a polynomial's multiple with coprime whole coefficients, sorted, the first one positive."""
-    order = sorted(terms, reverse=True)
-    denominator = math.lcm(*(v.denominator for v in terms.values()))
-    divisor = math.gcd(*(int(v * denominator) for v in terms.values()))
-    factor = Fraction(denominator, divisor) * (1 if terms[order[0]] > 0 else -1)
-    return {m: terms[m] * factor for m in order}
 
 
 def _exponents(indices: tuple[int, ...], dim: int) -> tuple[int, ...]:

@@ -24,10 +24,11 @@ from polhode.certificates._equations import (
     restrict_to_zeros,
     turns,
 )
-from polhode.certificates._exact_tracing import read_double, read_short, trace_polynomials
-from polhode.certificates._polynomials import RationalPolynomial
+from polhode.certificates._exact_tracing import trace_polynomials
 from polhode.certificates.rational import RationalCertificate, find_certificate
 from polhode.errors import InvalidInput, shown
+from polhode.rational._polynomials import RationalPolynomial
+from polhode.rational.numbers import read_double, read_short
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, Float64

@@ -12,8 +12,8 @@ import numpy as np
 
 from polhode.certificates._definite import definite_combination
 from polhode.certificates._equations import DENOMINATORS, ENERGY, Equations
-from polhode.certificates._polynomials import RationalPolynomial, linear_form, total
-from polhode.certificates._rational_matrices import Rows, combine, identity, null_space, split_into_squares, transpose
+from polhode.rational._matrices import Rows, combine, identity, null_space, split_into_squares, transpose
+from polhode.rational._polynomials import RationalPolynomial, linear_form, total
 from polhode.types import Array, Float64
 
 Squares = tuple[tuple[Fraction, tuple[Fraction, ...]], ...]

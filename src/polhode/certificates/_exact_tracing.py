@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from decimal import Decimal
 from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
@@ -17,50 +16,15 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.certificates._polynomials import RationalPolynomial
-from polhode.certificates._polynomials import total as sum_polynomials
+from polhode.rational._polynomials import RationalPolynomial
+from polhode.rational._polynomials import total as sum_polynomials
+from polhode.rational.numbers import read_short
 from polhode.taylor.expressions import Complex, Expression, Operation, Tape, Untraceable
 from polhode.taylor.structure import split_numbers
 from polhode.taylor.tracing import evaluate
 from polhode.types import Array
 
 Reader = Callable[[float], Fraction]
-MOST_DIGITS = 12  # of a decimal that somebody typed
-
-
-def read_short(value: float) -> Fraction:
-    """Return a double as the number that was meant: a decimal of up to twelve digits, else the simplest fraction.
-
-    Of all fractions that are rounded to this double the simplest has the least denominator.
-
-    >>> read_short(0.1), read_short(1 / 3), read_short(2 / 7)
-    (Fraction(1, 10), Fraction(1, 3), Fraction(2, 7))
-    """
-    value = float(value)
-    decimal = Fraction(repr(value))
-    if len(Decimal(repr(value)).normalize().as_tuple().digits) <= MOST_DIGITS:
-        return decimal
-    exact, above = Fraction(value), Fraction(math.nextafter(value, math.inf))
-    below = Fraction(math.nextafter(value, -math.inf))
-    return _simplest_between((exact + below) / 2, (exact + above) / 2)
-
-
-def _simplest_between(low: Fraction, high: Fraction) -> Fraction:
-    """Return the fraction of least denominator in an open interval, by continued fractions."""
-    if low < 0:
-        return -_simplest_between(-high, -low) if high <= 0 else Fraction(0)
-    whole = math.floor(low)
-    if whole + 1 < high:
-        return Fraction(whole + 1)
-    rest = low - whole
-    if not rest:  # the next best lies just above a whole number
-        return whole + Fraction(1, math.floor(1 / (high - whole)) + 1)
-    return whole + 1 / _simplest_between(1 / (high - whole), 1 / rest)
-
-
-def read_double(value: float) -> Fraction:
-    """Return a double as the binary fraction that it is."""
-    return Fraction(float(value))
 
 
 def trace_polynomials(

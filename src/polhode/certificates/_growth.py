@@ -20,8 +20,7 @@ from polhode.certificates._confinement import (
     sum_of_squares,
 )
 from polhode.certificates._equations import Equations, as_terms
-from polhode.certificates._polynomials import RationalPolynomial, linear_form, quadratic_form, total
-from polhode.certificates._rational_matrices import (
+from polhode.rational._matrices import (
     Rows,
     characteristic_polynomial,
     combine,
@@ -33,6 +32,7 @@ from polhode.certificates._rational_matrices import (
     split_into_squares,
     transpose,
 )
+from polhode.rational._polynomials import RationalPolynomial, linear_form, quadratic_form, total
 
 SHARES = (0.5, 0.375, 0.625, 0.25, 0.75, 0.4375, 0.125, 0.875)  # of the fastest growth, tried one after the other
 PLACES = (4, 8, 12, 16, 24, 32, 40)  # binary digits to which the function is rounded, relative to its largest entry

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 from polhode.certificates._confinement import Confinement, Squares
 from polhode.certificates._equations import Equations
 from polhode.certificates._growth import Drift, Growth
-from polhode.certificates._polynomials import RationalPolynomial, quadratic_form
 from polhode.errors import InvalidInput, shown
+from polhode.rational._polynomials import RationalPolynomial, quadratic_form
 
 if TYPE_CHECKING:
     from polhode.certificates.rational import RationalCertificate

@@ -10,8 +10,8 @@ from typing import Any
 from polhode.certificates._confinement import Confinement
 from polhode.certificates._equations import Equations
 from polhode.certificates._growth import Drift, Growth
-from polhode.certificates._polynomials import RationalPolynomial, quadratic_form
 from polhode.errors import InvalidInput, not_installed
+from polhode.rational._polynomials import RationalPolynomial, quadratic_form
 
 PATIENCE = 20_000  # milliseconds for one claim
 

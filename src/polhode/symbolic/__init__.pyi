@@ -2,8 +2,6 @@ from .brackets import LiePoissonBracket as LiePoissonBracket
 from .derivation import Derivation as Derivation
 from .derivation import DerivationBroken as DerivationBroken
 from .integrals import polynomial_integrals as polynomial_integrals
-from .rationals import exact_number as exact_number
-from .rationals import exact_numbers as exact_numbers
 from .registry import derivation_names as derivation_names
 from .registry import derive as derive
 from .rendering import Page as Page

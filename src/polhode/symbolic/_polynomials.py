@@ -8,9 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 from polhode.errors import InvalidInput, shown
+from polhode.rational._terms import Terms
 from polhode.symbolic._gate import sympy
-
-Terms = dict[tuple[int, ...], Fraction]
 
 
 def to_terms(expression: Any, coordinates: Sequence[Any]) -> Terms:
@@ -82,12 +81,3 @@ def bracket_terms(
                         raised[k] += 1
                         total[tuple(raised)] += sign * m * n * value * factor * c
     return {powers: value for powers, value in total.items() if value != 0}
-
-
-def multiply_terms(a: dict[tuple[int, ...], Any], b: dict[tuple[int, ...], Any]) -> dict[tuple[int, ...], Any]:
-    """Return the product of polynomials as tables of terms."""
-    product: dict[tuple[int, ...], Any] = defaultdict(int)
-    for m, x in a.items():
-        for n, y in b.items():
-            product[tuple(i + j for i, j in zip(m, n, strict=True))] += x * y
-    return {powers: value for powers, value in product.items() if value != 0}

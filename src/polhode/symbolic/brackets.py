@@ -15,9 +15,9 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.casimirs import invariant_terms, rational_brackets
 from polhode.errors import InvalidInput, shown
+from polhode.rational.numbers import exact_number
 from polhode.symbolic._gate import sympy
 from polhode.symbolic._polynomials import from_terms
-from polhode.symbolic.rationals import exact_number
 
 Expression = Any  # of SymPy, which has no types of its own for checkers
 

@@ -14,10 +14,12 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from polhode.algebra.casimirs import check_degree, new_terms, null_space, whole_terms
+from polhode.algebra.casimirs import check_degree
 from polhode.errors import InvalidInput
+from polhode.rational._sparse import new_terms, null_space
+from polhode.rational._terms import multiply_together, whole_terms
 from polhode.symbolic._gate import sympy
-from polhode.symbolic._polynomials import bracket_terms, from_terms, multiply_terms, symbolic_terms, to_terms
+from polhode.symbolic._polynomials import bracket_terms, from_terms, symbolic_terms, to_terms
 from polhode.symbolic.systems import SymbolicSystem, as_symbolic
 from polhode.systems.base import AbstractLiePoissonSystem
 
@@ -80,7 +82,7 @@ def polynomial_integrals(system: SymbolicSystem | AbstractLiePoissonSystem, degr
     found: list[Polynomial] = []
     for d in range(1, degree + 1):
         invariants = _commuting(constants, bracket.sign, H, dim, d, one, field)
-        found += _new(invariants, _products([*known, *found], highest), field)
+        found += _new(invariants, multiply_together([*known, *found], highest), field)
     return [_as_expression(terms, x, field) for terms in found]
 
 
@@ -107,21 +109,6 @@ def _null_space(rows: list[dict[int, Any]], columns: int, field: Any) -> list[di
     matrix = sympy.polys.matrices.DomainMatrix(dict(enumerate(rows)), (len(rows), columns), field)
     kernel = matrix.nullspace(divide_last=True)
     return [dict(row) for row in kernel.rep.to_sdm().values()]
-
-
-def _products(known: list[Polynomial], degree: int) -> list[Polynomial]:
-    """Return all products of given polynomials up to a degree."""
-    degrees = [max(map(sum, terms)) for terms in known]
-
-    def extend(start: int, left: int) -> list[Polynomial]:
-        results: list[Polynomial] = []
-        for n in range(start, len(known)):
-            if degrees[n] <= left:
-                results.append(known[n])
-                results += [multiply_terms(known[n], rest) for rest in extend(n, left - degrees[n])]
-        return results
-
-    return extend(0, degree)
 
 
 def _new(invariants: list[Polynomial], products: list[Polynomial], field: Any) -> list[Polynomial]:

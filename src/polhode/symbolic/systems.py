@@ -17,10 +17,10 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.constants import from_structure_constants
 from polhode.errors import InvalidInput, shown
+from polhode.rational.numbers import exact_number, exact_numbers
 from polhode.symbolic._gate import sympy
 from polhode.symbolic._polynomials import from_terms
 from polhode.symbolic.brackets import LiePoissonBracket
-from polhode.symbolic.rationals import exact_number, exact_numbers
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.systems.lie_poisson import LiePoisson
 from polhode.types import Array, Float64

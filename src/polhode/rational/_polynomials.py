@@ -6,9 +6,9 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 
-from polhode.algebra._polynomial import SUPERSCRIPTS
+from polhode.rational._terms import Exponents, multiply_terms
 
-Exponents = tuple[int, ...]
+SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 class RationalPolynomial:
@@ -55,11 +55,7 @@ class RationalPolynomial:
     def __mul__(self, other: RationalPolynomial | Fraction | int) -> RationalPolynomial:
         if not isinstance(other, RationalPolynomial):
             return RationalPolynomial(self.size, {m: c * other for m, c in self.terms.items()})
-        found: dict[Exponents, Fraction] = defaultdict(Fraction)
-        for m, a in self.terms.items():
-            for n, b in other.terms.items():
-                found[tuple(map(sum, zip(m, n, strict=True)))] += a * b
-        return RationalPolynomial(self.size, found)
+        return RationalPolynomial(self.size, multiply_terms(self.terms, other.terms))
 
     __rmul__ = __mul__
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from decimal import Decimal
 from fractions import Fraction
 from numbers import Rational
 from typing import Any
@@ -19,6 +20,7 @@ from polhode.errors import InvalidInput, shown
 LAST_PLACES = 4.0 * 2.0**-52  # relative: what a few operations in doubles leave
 LARGEST_DENOMINATOR = 1_000_000
 LARGEST_WHOLE = 2**53  # of doubles that hold every whole number below it
+TYPED_DIGITS = 12  # of a decimal that somebody typed
 MOST_DIGITS = 15  # of a decimal: every one of so many comes back from its double
 
 
@@ -119,3 +121,38 @@ def _simplest(number: float) -> Fraction:
     while not low <= (near := exact.limit_denominator(limit)) <= high:
         limit *= 2
     return near
+
+
+def read_short(value: float) -> Fraction:
+    """Return a double as the number that was meant: a decimal of up to twelve digits, else the simplest fraction.
+
+    Of all fractions that are rounded to this double the simplest has the least denominator.
+
+    >>> read_short(0.1), read_short(1 / 3), read_short(2 / 7)
+    (Fraction(1, 10), Fraction(1, 3), Fraction(2, 7))
+    """
+    value = float(value)
+    decimal = Fraction(repr(value))
+    if len(Decimal(repr(value)).normalize().as_tuple().digits) <= TYPED_DIGITS:
+        return decimal
+    exact, above = Fraction(value), Fraction(math.nextafter(value, math.inf))
+    below = Fraction(math.nextafter(value, -math.inf))
+    return _simplest_between((exact + below) / 2, (exact + above) / 2)
+
+
+def _simplest_between(low: Fraction, high: Fraction) -> Fraction:
+    """Return the fraction of least denominator in an open interval, by continued fractions."""
+    if low < 0:
+        return -_simplest_between(-high, -low) if high <= 0 else Fraction(0)
+    whole = math.floor(low)
+    if whole + 1 < high:
+        return Fraction(whole + 1)
+    rest = low - whole
+    if not rest:  # the next best lies just above a whole number
+        return whole + Fraction(1, math.floor(1 / (high - whole)) + 1)
+    return whole + 1 / _simplest_between(1 / (high - whole), 1 / rest)
+
+
+def read_double(value: float) -> Fraction:
+    """Return a double as the binary fraction that it is."""
+    return Fraction(float(value))

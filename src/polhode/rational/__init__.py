@@ -1,0 +1,5 @@
+"""Exact arithmetic with fractions: the numbers that doubles stand for, polynomials, linear algebra."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
