@@ -1,5 +1,6 @@
 // Each axis from close by: the exact polhode and the linear motion, and both tilts against time.
-import { write, drawBall } from "./lib/ink.js";
+import { mixed } from "./lib/colours.js";
+import { drawBall, write } from "./lib/ink.js";
 import { inset, split } from "./lib/layout.js";
 import { Panel } from "./lib/panel.js";
 import { Plot } from "./lib/plot.js";
@@ -24,8 +25,9 @@ function drawMap(paper, box, { model, settings, theme, time }) {
   const [x, y] = [box.left + box.width / 2, box.top + 20 + (box.height - 20) / 2];
   const at = ([a, b]) => [x + (radius * a) / zoom, y - (radius * b) / zoom];
   const glow = paper.createRadialGradient(x - 0.3 * radius, y - 0.4 * radius, 0, x, y, radius);
-  glow.addColorStop(0, theme.ground);
-  glow.addColorStop(1, theme.sphere);
+  const dark = theme.name === "dark";
+  glow.addColorStop(0, dark ? mixed(theme.sphere, theme.ground, 0.25) : theme.ground);
+  glow.addColorStop(1, dark ? mixed(theme.sphere, theme.ground, 0.7) : theme.sphere);
   paper.save();
   paper.beginPath();
   paper.arc(x, y, radius, 0, 2 * Math.PI);

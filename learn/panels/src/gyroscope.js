@@ -13,7 +13,7 @@ const RIM = Array.from({ length: 11 }, (_, k) => {
   const angle = (2 * Math.PI * k) / 10;
   return [radius * (0.93 + 0.1 * Math.cos(angle)), arm + 0.0042 * Math.sin(angle)];
 });
-const AXLE = [[0.0011, 0.001], [0.0011, LENGTH], [0, LENGTH]]; // prettier-ignore
+const AXLE = [[0, LENGTH], [0.0011, LENGTH], [0.0011, 0.001]]; // prettier-ignore
 const POINT = [[0.0011, 0.0035], [0, 0]]; // prettier-ignore
 const HUB = [[0, arm + 0.006], [0.005, arm + 0.006], [0.005, arm - 0.006], [0, arm - 0.006]]; // prettier-ignore
 const FOOT = [[0.0016, -0.002], [0.0024, -STAND + 0.006], [0.017, -STAND + 0.003], [0.018, -STAND], [0, -STAND]]; // prettier-ignore

@@ -9,7 +9,7 @@ import { LEAST, MOST } from "./physics/surfaces.js";
 import { HALF_AXES, contactAt, herpolhodeRadii, motionOf, planeDistance } from "./physics/poinsot.js";
 
 const PLANE = 1.02; // radius of the piece of the plane that is drawn
-const SAMPLES = 900;
+const SAMPLES = 500;
 
 /** Where the planes of two axes cut the ellipsoid. */
 const MERIDIANS = [0, 1, 2].map((k) => Array.from({ length: 73 }, (_, n) => {
@@ -26,15 +26,18 @@ function eighths(view, turn, colours) {
   return (x, y, z) => colours[(a * x + b * y + c * z > 0) !== (d * x + e * y + f * z > 0) !== (g * x + h * y + i * z > 0) ? 1 : 0];
 }
 
-function drawPlane(paper, view, theme, depth) {
+function drawPlane(paper, view, theme, depth, above) {
   const rim = circle([0, 0, -depth], [0, 0, 1], PLANE, 96).map((p) => view.pixel(p));
   paper.beginPath();
   rim.forEach(([x, y]) => paper.lineTo(x, y));
+  paper.globalAlpha = above ? 1 : 0.55; // from below the plane is of glass
   paper.fillStyle = theme.plane;
   paper.fill();
+  paper.globalAlpha = 1;
   paper.strokeStyle = theme.ring;
   paper.lineWidth = 1.2;
   paper.stroke();
+  if (!above) return;
   const [x, y] = view.pixel([0, 0, -depth]);
   const flat = Math.abs(Math.sin(Math.asin(view.rows[2][2])));
   paper.save();
@@ -59,7 +62,7 @@ function draw(paper, { model, settings, theme, view, time }) {
   const colours = [theme.body, mixed(theme.body, theme.ground, 0.42)].map(channels);
   const solid = new Solid({ view, form: ellipsoidForm(HALF_AXES, axes), colour: theme.body, opacity: 0.86, pattern: eighths(view, turn, colours) });
   const drawBelow = () => {
-    drawPlane(paper, view, theme, depth);
+    drawPlane(paper, view, theme, depth, above);
     const solids = above ? [solid] : [];
     const past = [];
     const from = Math.max(0, time - model.span);
@@ -86,13 +89,14 @@ function draw(paper, { model, settings, theme, view, time }) {
   drawArrow(paper, view, [0, 0, 0], velocity, { colour: theme.velocity, width: 4.5, solids });
   drawCurve(paper, view, [[0, 0, 0], now.inSpace], { colour: theme.velocity, width: 2.4, solids, dash: [4, 4], faint: 0.35 });
   drawBall(paper, view.pixel(now.inSpace), 5.5, theme.velocity, theme.ground);
-  writeAtTip(paper, view, [0, 0, 0], [0, 0, 1.25], "L", { colour: theme.momentum, ground: theme.ground });
+  const [x, y] = view.pixel([0, 0, 1.25]);
+  write(paper, "L", [x + (view.pixel(velocity)[0] < x ? 15 : -15), y + 4], { colour: theme.momentum, ground: theme.ground, symbol: true });
   writeAtTip(paper, view, [0, 0, 0], velocity, "Ω", { colour: theme.velocity, ground: theme.ground });
 }
 
 new Panel({
   name: "poinsot",
-  initial: { energy: 1.7, whole: 1, turn: 0.4, lift: 0.2 },
+  initial: { energy: 1.86, whole: 1, turn: 0.4, lift: -0.3 },
   plays: true,
   controls: [
     { kind: "slider", key: "energy", label: "energy 2E", least: LEAST + 0.004, most: MOST - 0.02, step: 0.001, say: (value) => `${value.toFixed(3)} J` },
@@ -103,7 +107,7 @@ new Panel({
     const motion = motionOf(energy);
     const span = 12 * Math.min(motion.period, 30);
     const polhode = motion.along(241).map((L) => times(L.map((x, k) => x / motion.moments[k]), -1 / Math.sqrt(2 * motion.energy)));
-    const curve = Array.from({ length: 1801 }, (_, k) => contactAt(motion, (0.5 * span * k) / 1800).inSpace);
+    const curve = Array.from({ length: 1001 }, (_, k) => contactAt(motion, (0.5 * span * k) / 1000).inSpace);
     return { motion, span, polhode: [...polhode, polhode[0]], curve, depth: planeDistance(motion), radii: herpolhodeRadii(motion) };
   },
   readings: ({ motion, depth, radii }) => [

@@ -209,7 +209,7 @@ function normalOf(points) {
   return length ? times(n, 1 / length) : [0, 0, 1];
 }
 
-/** Return rings of points for a tube round an axis: profile [[radius, height], …], as quadrilaterals with their normals. */
+/** Return quadrilaterals of a body of revolution with their normals, from a profile [[radius, height], …] that goes from top to bottom. */
 export function turnedFacets(centre, axis, profile, count, phase = 0, frame = null) {
   const [u, v] = frame ?? across(axis);
   const at = (radius, height, k) => {
@@ -223,7 +223,7 @@ export function turnedFacets(centre, axis, profile, count, phase = 0, frame = nu
     const out = sum(times(u, Math.cos(angle)), times(v, Math.sin(angle)));
     for (let j = 1; j < profile.length; j++) {
       const [[r, h], [s, g]] = [profile[j - 1], profile[j]];
-      const normal = unit(sum(times(out, g - h), times(axis, r - s)));
+      const normal = unit(sum(times(out, h - g), times(axis, s - r)));
       facets.push({ points: [at(r, h, k), at(r, h, k + 1), at(s, g, k + 1), at(s, g, k)], normal, k, j });
     }
   }
