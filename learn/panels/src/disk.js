@@ -7,7 +7,7 @@ import { Panel } from "./lib/panel.js";
 import { Plot, decades, ticks } from "./lib/plot.js";
 import { Clicks } from "./lib/sound.js";
 import { circle, degrees, radians, sum, times } from "./lib/vectors.js";
-import { HALF_THICKNESS, LOSSES, RADIUS, exponentAt, historyOf, stateAt } from "./physics/disk.js";
+import { HALF_THICKNESS, LOSSES, RADIUS, exponentAt, historyOf, lateRow, powerOfRate, stateAt } from "./physics/disk.js";
 
 const a = RADIUS;
 const THINNEST = 0.0009; // m: half of what is drawn of a thin disk
@@ -143,13 +143,13 @@ new Panel({
   },
   prepare({ losses, tilt, thick }) {
     const history = historyOf(LOSSES[losses], radians(tilt), thick ? HALF_THICKNESS : 0);
-    return { history, exponent: exponentAt(history, history.tilt.length - 20), at: (t) => stateAt(history, t) };
+    return { history, exponent: exponentAt(history, lateRow(history)), at: (t) => stateAt(history, t) };
   },
   readings: ({ history, exponent, at }) => [
     ["end", "lies flat after", history.end, "s"],
     ["last", "contact 1 s before", turnsOf(at(history.end - 1).rate), "Hz", 4],
     ["exponent", "late tilt ∝ leftⁿ, n", exponent, "", 4],
-    ["power", "contact ∝ tiltᵖ, p", Math.log(history.rate[400] / history.rate[300]) / Math.log(history.tilt[400] / history.tilt[300]), "", 4],
+    ["power", "contact ∝ tiltᵖ, p", powerOfRate(history), "", 4],
   ],
   describe: ({ history }, { tilt }) => `A disk rolls from a tilt of ${tilt} degrees until it lies flat after ${history.end.toFixed(1)} s; a graph shows its tilt falling and the rate of its contact rising.`,
   frame({ width, height }) {

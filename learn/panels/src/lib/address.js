@@ -1,5 +1,5 @@
 // The state in the address, so that a link shows what was seen: #energy=1.9&turn=0.6
-import { asFragment, fromFragment } from "../../../../viewer/src/address.js";
+import { fromFragment } from "../../../../viewer/src/address.js";
 
 /** Return the values of a fragment that a panel has a use for; what it cannot read is left out. */
 export function readAddress(hash, allowed) {
@@ -12,5 +12,6 @@ export function readAddress(hash, allowed) {
 
 /** Return the fragment of values; those that are as at the start are left out, so that a link stays short. */
 export function writeAddress(values, initial) {
-  return asFragment(Object.fromEntries(Object.entries(values).filter(([key, value]) => value !== initial[key])));
+  const changed = Object.entries(values).filter(([key, value]) => String(value) !== String(initial[key]));
+  return changed.map(([key, value]) => `${key}=${[value].flat().map(encodeURIComponent).join(",")}`).join("&");
 }

@@ -55,3 +55,6 @@ export function tiltAt(motion, axis, t) {
   const [a, b, along] = exactAt(motion, axis, t);
   return Math.atan2(Math.hypot(a, b), along);
 }
+
+/** Return the exact tilt [rad] at a time [s] after a start with a tilt [rad]. */
+export const tiltOf = (axis, tilt, t) => tiltAt(motionOf(axis, tilt), axis, t);

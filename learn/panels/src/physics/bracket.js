@@ -1,6 +1,6 @@
 // The Lie–Poisson bracket on so(3)*: {F, G} = ± L · (∇F × ∇G), with the minus sign for bodies and the plus sign for spins.
 import { Stepped } from "../../../../reference/stepped/index.js";
-import { collected, derivative, product, scaled, valueOf } from "./polynomials.js";
+import { collected, derivative, product, scaled, valueOf, worded } from "./polynomials.js";
 
 const TOLERANCE = 1e-14;
 
@@ -54,4 +54,13 @@ export function rateAlong(F, flow, t, step = 0.02) {
 export function startAt(radius, height, longitude) {
   const level = radius * Math.sqrt(1 - height * height);
   return [level * Math.cos(longitude), level * Math.sin(longitude), radius * height];
+}
+
+/** Return {F, G} of two functions by their names, in words. */
+export const bracketInWords = (F, G, sign) => worded(bracketOf(FUNCTIONS[F], FUNCTIONS[G], sign));
+
+/** Return what `rateAlong` gives at times along the flow of H, the functions by their names. */
+export function rateOf(F, H, L, sign, times) {
+  const flow = flowFrom(FUNCTIONS[H], L, sign);
+  return times.map((t) => rateAlong(FUNCTIONS[F], flow, t));
 }

@@ -154,3 +154,18 @@ export function exponentAt(history, row) {
   const { left } = history;
   return Math.log(history.tilt[row + 1] / history.tilt[row - 1]) / Math.log(left[row + 1] / left[row - 1]);
 }
+
+/** Return late exponents of a thin disk: of the tilt by the time left, and of the contact's rate by the tilt. */
+export function exponentsOf(losses, first) {
+  const history = historyOf(LOSSES[losses], first);
+  return [exponentAt(history, lateRow(history)), powerOfRate(history)];
+}
+
+/** Return a row near the end whose neighbours are still on the slow manifold. */
+export const lateRow = ({ tilt }) => tilt.length - 20;
+
+/** Return d ln(rate)/d ln(tilt) between late rows. */
+export function powerOfRate({ tilt, rate }) {
+  const [i, j] = [300, 400];
+  return Math.log(rate[j] / rate[i]) / Math.log(tilt[j] / tilt[i]);
+}

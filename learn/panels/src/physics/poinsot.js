@@ -28,3 +28,9 @@ export function herpolhodeRadii(motion) {
   const ends = [place(0), place(motion.period / 4)]; // the motion starts where the contact turns back
   return [Math.min(...ends), Math.max(...ends)];
 }
+
+/** Return the herpolhode's radii and the plane's distance at a 2E [J]. */
+export function numbersAt(twiceEnergy) {
+  const motion = motionOf(twiceEnergy);
+  return { radii: herpolhodeRadii(motion), distance: planeDistance(motion) };
+}
