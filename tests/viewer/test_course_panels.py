@@ -183,27 +183,51 @@ SHOWN = {f.__name__: f for f in (surfaces, book, cones, gyroscope, inertia, poin
 LOOSE = {"disk": 0.006}  # exponents of a disk that is not yet at its end
 
 
+def numbers_that_differ(page, name):
+    differing = []
+    for key, wanted in SHOWN[name]().items():
+        found, half = page.number(key)
+        if not abs(found - wanted) <= max(half, LOOSE.get(name, 0.0)):
+            differing.append(f"{key}: {page.words(key)}, not {wanted}")
+    return differing
+
+
 @pytest.mark.parametrize("name", PANELS)
 def test_numbers_in_the_page_are_pythons(shown, name):
     page = shown(name)
-    for key, wanted in SHOWN[name]().items():
-        found, half = page.number(key)
-        assert abs(found - wanted) <= max(half, LOOSE.get(name, 0.0)), f"{key}: {page.words(key)}, not {wanted}"
+    assert numbers_that_differ(page, name) == []
     assert page.tab.get_attribute("#readings", "aria-live") == "polite"
+
+
+def test_a_wrong_number_is_seen(shown):
+    page = shown("surfaces")
+    page.tab.evaluate("""() => {
+      const right = panel.readings;
+      panel.readings = (model, settings) => right({ ...model, period: 1.0001 * model.period }, settings);
+      panel.set('energy', 1.9);
+    }""")
+    page.settle()
+    assert len(numbers_that_differ(page, "surfaces")) == 1
+
+
+def parts_out_of_reach(page):
+    """Return what the tabulator does not come to, and what has no label."""
+    parts = "canvas, #side input, #side select, #side button"
+    wanted = page.tab.evaluate("""parts => [...document.querySelectorAll(parts)]
+      .filter((part) => part.type !== 'radio' || part.checked).map((part) => part.id)""", parts)
+    reached = []
+    for _ in range(len(wanted) + 2):
+        page.tab.keyboard.press("Tab")
+        reached.append(page.tab.evaluate("document.activeElement.id"))
+    names = [part.get_attribute("id") for part in page.tab.locator("#side input, #side select").all()]
+    unlabelled = [name for name in names if not page.tab.locator(f"label[for='{name}']").count()]
+    return sorted({*wanted} - {*reached}) + unlabelled
 
 
 @pytest.mark.parametrize("name", PANELS)
 def test_everything_is_reached_and_moved_by_keyboard(shown, name):
     page = shown(name)
-    wanted = page.tab.evaluate("""() => [...document.querySelectorAll('canvas, #side input, #side select, #side button')]
-      .filter((part) => part.type !== 'radio' || part.checked).map((part) => part.id)""")
-    reached = []
-    for _ in range(len(wanted) + 2):
-        page.tab.keyboard.press("Tab")
-        reached.append(page.tab.evaluate("document.activeElement.id"))
-    assert set(wanted) <= set(reached)
-    for part in page.tab.locator("#side input, #side select").all():
-        assert page.tab.locator(f"label[for='{part.get_attribute('id')}']").count() >= 1
+    assert parts_out_of_reach(page) == []
     for slider in page.tab.locator("#side input[type=range]").all():
         before = page.picture(), slider.input_value(), slider.get_attribute("aria-valuetext")
         slider.focus()
@@ -242,27 +266,66 @@ def test_the_address_is_the_state(shown, name):
     assert shown(name, "#energy=NaN&tilt=%zz&J=many&H=nothing&a=1,2&turn=x").complaints == []
 
 
+def frame_time(page):
+    """Return the median [ms] of forty frames, while time passes and the picture is turned."""
+    return page.tab.evaluate("""async () => {
+      for (let k = 0; k < 50; k++) {
+        if (k === 10) panel.times.length = 0;
+        if (panel.settings.turn !== undefined) panel.set('turn', panel.settings.turn + 0.01);
+        panel.seek(panel.time + 0.017);
+        await new Promise((done) => requestAnimationFrame(() => done()));
+      }
+      return [...panel.times].sort((a, b) => a - b)[panel.times.length >> 1];
+    }""")
+
+
+def frames_at_rest(page):
+    """Return how many frames are drawn in half a second in which nothing changes."""
+    page.tab.wait_for_timeout(600)  # it draws once more, finer
+    page.tab.evaluate("panel.times.length = 0")
+    page.tab.wait_for_timeout(500)
+    return page.tab.evaluate("panel.times.length")
+
+
 @pytest.mark.parametrize("name", PANELS)
 def test_frames_are_short_and_none_is_drawn_in_vain(shown, name):
     medians = []
     for _ in range(MOST_TRIES):
         page = shown(name, size=(1280, 800))
-        medians.append(page.tab.evaluate("""async () => {
-          for (let k = 0; k < 50; k++) {
-            if (k === 10) panel.times.length = 0;
-            if (panel.settings.turn !== undefined) panel.set('turn', panel.settings.turn + 0.01);
-            panel.seek(panel.time + 0.017);
-            await new Promise((done) => requestAnimationFrame(() => done()));
-          }
-          return [...panel.times].sort((a, b) => a - b)[panel.times.length >> 1];
-        }"""))
+        medians.append(frame_time(page))
         if medians[-1] <= LONGEST_FRAME:
             break
     assert min(medians) <= LONGEST_FRAME, medians
-    page.tab.wait_for_timeout(600)  # it draws once more, finer
-    page.tab.evaluate("panel.times.length = 0")
-    page.tab.wait_for_timeout(500)
-    assert page.tab.evaluate("panel.times.length") == 0
+    assert frames_at_rest(page) == 0
+
+
+def test_a_slow_or_restless_panel_is_seen(shown):
+    page = shown("axes")
+    page.tab.evaluate("""() => {
+      const draw = panel.draw;
+      panel.draw = (...given) => {
+        for (const begun = performance.now(); performance.now() - begun < 20; );
+        draw(...given);
+      };
+    }""")
+    assert frame_time(page) > LONGEST_FRAME
+    page = shown("axes")
+    page.tab.evaluate("void setInterval(() => panel.redraw(), 50)")
+    assert frames_at_rest(page) > 0
+
+
+def test_what_the_keyboard_does_not_reach_or_the_address_forgets_is_seen(shown):
+    page = shown("book")
+    page.tab.evaluate("document.getElementById('rate').tabIndex = -1")
+    page.tab.evaluate("document.querySelector('label[for=tilt]').removeAttribute('for')")
+    assert parts_out_of_reach(page) == ["rate", "tilt"]
+    page = shown("book")
+    page.tab.evaluate("panel.remember = () => {}")
+    page.tab.locator("#rate").focus()
+    page.tab.keyboard.press("ArrowRight")
+    page.settle()
+    fragment = page.tab.evaluate("location.hash")
+    assert shown("book", fragment).settings() != page.settings()
 
 
 @pytest.mark.parametrize("name", PANELS)

@@ -57,14 +57,14 @@ function drawMap(paper, box, { model, settings, theme, time }) {
 }
 
 function drawTilt(paper, box, { model, theme, time }) {
-  const top = model.stable ? 2.2 * degrees(model.tilt) : 180;
+  const [low, high] = model.stable ? model.bounds : [0, 180];
   const begun = Math.max(0, Math.floor(time / SPAN) * SPAN);
-  const plot = new Plot(paper, { ...inset(box, 38, 40), x: [begun, begun + SPAN], y: [0, top], theme });
+  const plot = new Plot(paper, { ...inset(box, 38, 40), x: [begun, begun + SPAN], y: [low, high], theme });
   plot.axes({ x: "time, s", y: "tilt of L from the axis, degrees", yTicks: model.stable ? null : [0, 45, 90, 135, 180] });
   const times = Array.from({ length: COUNT + 1 }, (_, k) => begun + (SPAN * k) / COUNT);
   const straight = (t) => degrees(Math.atan(Math.hypot(...linearAt(model.axis, model.tilt, t))));
   const shown = model.stable ? straight : (t) => degrees(Math.hypot(...linearAt(model.axis, model.tilt, t)));
-  plot.curve(times.map((t) => [t, Math.min(shown(t), 4 * top)]), { colour: theme.border, width: 2, dash: [6, 5] });
+  plot.curve(times.map((t) => [t, Math.min(shown(t), 4 * high)]), { colour: theme.border, width: 2, dash: [6, 5] });
   plot.curve(times.map((t) => [t, degrees(tiltAt(model.motion, model.axis, t))]), { colour: theme.motion, width: 3 });
   const tilt = degrees(tiltAt(model.motion, model.axis, time));
   drawBall(paper, [plot.atX(time), plot.atY(tilt)], 6, theme.motion, theme.ground);
@@ -98,8 +98,11 @@ new Panel({
     const span = stable ? (2 * Math.PI) / rate : Math.log((4 * zoom) / Math.sin(tilt) + 2) / rate;
     const linear = Array.from({ length: 241 }, (_, k) => linearAt(axis, tilt, (span * k) / 240));
     const family = [0.35, 0.65, 1.6, 2.4, 3.6].filter((share) => share * angle < 80).flatMap((share) => curve(motionOf(axis, share * tilt)).flat());
+    const tilts = Array.from({ length: 60 }, (_, k) => degrees(tiltAt(motion, axis, (k * motion.period) / 60)));
+    const bounds = [Math.min(...tilts), Math.max(...tilts)];
+    const margin = 0.4 * (bounds[1] - bounds[0]);
     const period = stable ? (2 * Math.PI) / rate : null;
-    return { axis, tilt, motion, stable, rate, zoom, seen, family: [...family, ...opposite], linear, period };
+    return { axis, tilt, motion, stable, rate, zoom, seen, family: [...family, ...opposite], linear, period, bounds: [bounds[0] - margin, bounds[1] + margin] };
   },
   readings: ({ motion, stable, rate, period, tilt }) => [
     ["verdict", "this axis is", stable ? "stable" : "unstable"],

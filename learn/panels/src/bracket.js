@@ -13,6 +13,7 @@ const NAMES = { L1: "L₁", L2: "L₂", L3: "L₃", body: "½L₁² + ¼L₂² +
 const options = Object.entries(NAMES);
 const SPHERES = [0.5, 1, 1.5, 2];
 const [BANDS, PAST, WINDOW, LONGITUDE] = [11, 5, 12, 0.9]; // colours; s of trail; s of graph; rad
+const LEVEL = 1e-9; // of its size, by which H must vary to have bands
 const GOLDEN = Math.PI * (3 - Math.sqrt(5));
 const scattered = Array.from({ length: 170 }, (_, k) => {
   const height = 1 - (2 * (k + 0.5)) / 170;
@@ -33,7 +34,8 @@ function palette(theme) {
 function bandsOf(view, H, [least, most], theme) {
   const colours = palette(theme);
   const [[a, b, c], [d, e, f], [g, h, i]] = view.rows;
-  const span = most - least || 1;
+  const span = most - least;
+  if (!(span > LEVEL * (Math.abs(most) + Math.abs(least)))) return () => colours[BANDS >> 1]; // H is a Casimir, but for rounding
   const L = [0, 0, 0];
   return (x, y, z) => {
     L[0] = a * x + d * y + g * z;
@@ -139,8 +141,8 @@ new Panel({
   initial: { H: "body", F: "L3", sign: -1, radius: 1.5, height: 0.35, turn: 0.75, lift: 0.4 },
   plays: true,
   controls: [
-    { kind: "choice", key: "H", label: "H (moves)", list: true, options },
-    { kind: "choice", key: "F", label: "F (watched)", list: true, options },
+    { kind: "choice", key: "H", label: "H moves", list: true, options },
+    { kind: "choice", key: "F", label: "F watched", list: true, options },
     { kind: "choice", key: "sign", label: "bracket", options: [[-1, "− (bodies)"], [1, "+ (spins)"]] },
     { kind: "slider", key: "radius", label: "sphere |L|", least: 0.5, most: 2, step: 0.01, say: (value) => value.toFixed(2) },
     { kind: "slider", key: "height", label: "L₃/|L| at the start", least: -0.95, most: 0.95, step: 0.01, say: (value) => value.toFixed(2).replace("-", "−") },
@@ -167,7 +169,7 @@ new Panel({
   describe: (model, { H, F, sign, radius }) => `The sphere |L| = ${radius} coloured by H = ${NAMES[H]}; L runs along a level curve under the ${sign < 0 ? "minus" : "plus"} bracket, and a graph shows F = ${NAMES[F]} with the slope {F, H}.`,
   frame({ width, height }) {
     const [box] = split(width, height, 0.64);
-    return { scale: Math.min(box.width, box.height) / 4.3, x: box.left + box.width / 2, y: box.top + box.height / 2 };
+    return { scale: Math.min(box.width, box.height) / 4.8, x: box.left + box.width / 2, y: box.top + box.height / 2 };
   },
   draw(paper, scene) {
     const [, box] = split(scene.width, scene.height, 0.64);

@@ -30,7 +30,7 @@ function addCone(scene, axis, angle, frame, colour, marks) {
   scene.line(circle(times(axis, LENGTH * Math.cos(angle)), axis, LENGTH * Math.sin(angle), 64), { colour, width: 2 });
 }
 
-function draw(paper, { model, settings, theme, view, time }) {
+function draw(paper, { model, settings, theme, view, time, height }) {
   const { motion, cones, facets } = model;
   const { attitude } = motion.state(time);
   const turn = turnedBy(attitude);
@@ -38,7 +38,7 @@ function draw(paper, { model, settings, theme, view, time }) {
   const velocity = unit(turn(motion.angularVelocity(time)));
   const scene = new Scene(paper, view);
   const [one, two] = [theme.body, mixed(theme.body, theme.ground, 0.35)];
-  if (settings.body) addFacets(scene, facets, turn, ({ octant }) => (octant ? one : two), { shine: 0.35 });
+  if (settings.body) addFacets(scene, facets, turn, ({ octant }) => (octant ? one : two));
   addCone(scene, UP, cones.spaceCone, across(UP), theme.family, false);
   addCone(scene, axis, cones.bodyCone, [turn([1, 0, 0]), turn([0, 1, 0])], theme.axes[2], true);
   const tips = { L: [UP, 1.5, theme.momentum], Ω: [velocity, 1.42, theme.velocity], 3: [axis, 1.36, theme.axes[2]] };
@@ -54,7 +54,7 @@ function draw(paper, { model, settings, theme, view, time }) {
     writeAtTip(paper, view, [0, 0, 0], times(direction, length), name, options, 15);
   }
   const shown = [["cone fixed in space", theme.family], ["cone fixed in the body", theme.axes[2]]];
-  shown.forEach(([words, colour], k) => write(paper, words, [10, 14 + 19 * k], { colour: mixed(colour, theme.text, 0.25), size: 13, align: "left", weight: "600", ground: theme.ground }));
+  shown.forEach(([words, colour], k) => write(paper, words, [10, height - 30 + 19 * k], { colour: mixed(colour, theme.text, 0.25), size: 13, align: "left", weight: "600", ground: theme.ground }));
 }
 
 const shapeOf = (ratio) => {
@@ -75,7 +75,7 @@ new Panel({
   ],
   prepare({ ratio, tilt }) {
     const motion = motionOf(ratio, radians(tilt));
-    return { motion, cones: conesOf(ratio, radians(tilt)), tilt: radians(tilt), facets: ellipsoidFacets(shapeOf(ratio), 22, 44) };
+    return { motion, cones: conesOf(ratio, radians(tilt)), tilt: radians(tilt), facets: ellipsoidFacets(shapeOf(ratio), 26, 52) };
   },
   readings: ({ cones, motion }, { ratio }) => [
     ["shape", "body", kindOf(ratio)],
@@ -86,6 +86,6 @@ new Panel({
     ["spaceCone", "half-angle in space", degrees(cones.spaceCone), "°"],
   ],
   describe: (model, { ratio, tilt }) => `A body with I3/I1 = ${ratio} whose axis leans ${tilt} degrees from L: a cone round the axis rolls on a cone round L and touches it along Ω.`,
-  frame: ({ width, height }) => ({ scale: Math.min(width / 2.7, height / 2.5), x: width / 2, y: height * 0.64 }),
+  frame: ({ width, height }) => ({ scale: Math.min(width / 2.7, height / 2.6), x: width / 2, y: height * 0.68 }),
   draw,
 });

@@ -9,8 +9,8 @@ import { MGL, AXIAL, WHEEL, motionOf, steadyRate, vectorsAt } from "./physics/gy
 const { radius, arm } = WHEEL;
 const LENGTH = 2 * arm; // of the axle
 const STAND = 0.052;
-const RIM = Array.from({ length: 11 }, (_, k) => {
-  const angle = (2 * Math.PI * k) / 10;
+const RIM = Array.from({ length: 9 }, (_, k) => {
+  const angle = (-2 * Math.PI * k) / 8;
   return [radius * (0.93 + 0.1 * Math.cos(angle)), arm + 0.0042 * Math.sin(angle)];
 });
 const AXLE = [[0, LENGTH], [0.0011, LENGTH], [0.0011, 0.001]]; // prettier-ignore
@@ -28,10 +28,10 @@ function addGyroscope(scene, attitude, theme) {
   const place = { frame, origin: [0, 0, 0] };
   const add = (profile, count, colourOf, shine = 0.3) => {
     for (const { points, normal, k } of turnedFacets(place.origin, axis, profile, count, 0, frame)) {
-      scene.facet(points, colourOf(k), { normal, shine });
+      scene.facet(points, colourOf(k), { normal, shine, oneSided: true });
     }
   };
-  add(RIM, 48, (k) => (k % 16 < 2 ? mixed(brass, "#000000", 0.35) : brass), 0.5);
+  add(RIM, 42, (k) => (k % 14 < 2 ? mixed(brass, "#000000", 0.35) : brass), 0.5);
   add(AXLE, 8, () => steel);
   add(POINT, 8, () => steel);
   add(HUB, 14, () => mixed(brass, "#000000", 0.12));

@@ -10,7 +10,7 @@ import { A, C, motionAt, pairedLevels, radiusOf } from "./physics/quanta.js";
 
 const AXES = { a: 0, b: 1, c: 2 };
 const closed = (motion, G) => {
-  const points = motion.along(200).map((L) => times(L, 1 / G));
+  const points = motion.along(140).map((L) => times(L, 1 / G));
   return [...points, points[0]];
 };
 
@@ -43,7 +43,7 @@ function drawSphere(paper, { model, settings, theme, view }) {
     const bold = key === `${chosen.axis}${chosen.quanta}`;
     for (const points of [curve, curve.map((p) => times(p, -1))]) {
       if (bold) fillCap(paper, view, points, axis, theme);
-      drawCurve(paper, view, points, { colour: colourOf(theme, axis), width: bold ? 4 : 1.7, solids, faint: bold ? 0.3 : 0.1, margin: 0.01 });
+      drawCurve(paper, view, points, { colour: colourOf(theme, axis), width: bold ? 4 : 1.7, solids, faint: bold ? 0.3 : 0, margin: 0.01 });
     }
   }
   ["a", "b", "c"].forEach((name, k) => {

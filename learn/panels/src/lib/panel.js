@@ -54,7 +54,7 @@ export class Panel {
   /** Change a setting. */
   set(key, value, byHand = false) {
     this.settings[key] = value;
-    this.prepared = false;
+    if (key !== "turn" && key !== "lift") this.prepared = false; // the camera changes nothing but the picture
     this.shown[key]?.show(value);
     if (byHand) this.changed?.(key, this);
     this.redraw();
@@ -234,7 +234,7 @@ export class Panel {
     clearTimeout(this.settling);
     this.settling = setTimeout(() => {
       this.remembered = writeAddress(this.settings, this.initial);
-      history.replaceState(null, "", `#${this.remembered}`);
+      history.replaceState(null, "", location.pathname + location.search + (this.remembered && `#${this.remembered}`));
     }, SETTLING);
   }
 }

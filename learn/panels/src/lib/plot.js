@@ -1,6 +1,8 @@
 // A graph with axes: ticks at round numbers, curves, and a place that follows the hand.
 import { write } from "./ink.js";
 
+const SHORT = 60; // times the least value that the greatest of a short range is
+
 /** Return about `count` round numbers between two. */
 export function ticks(low, high, count = 5) {
   const rough = (high - low) / count;
@@ -80,9 +82,17 @@ function line(paper, pixels) {
   paper.stroke();
 }
 
-/** Return powers of ten in a range with their words. */
+/** Return powers of ten in a range with their words; in a short one also twice and five times those. */
 export function decades([low, high]) {
   const found = [];
+  if (high / low < SHORT) {
+    for (let k = Math.floor(Math.log10(low)); k <= Math.log10(high); k++) {
+      for (const value of [1, 2, 5].map((factor) => Number((factor * 10 ** k).toPrecision(3)))) {
+        if (value >= low && value <= high) found.push([value, String(value)]);
+      }
+    }
+    return found;
+  }
   for (let k = Math.ceil(Math.log10(low) - 1e-9); k <= Math.log10(high) + 1e-9; k++) {
     found.push([10 ** k, k >= -3 && k <= 4 ? String(Number((10 ** k).toPrecision(3))) : `10${superscript(k)}`]);
   }

@@ -29,7 +29,7 @@ export function steadyAt(disk, tilt) {
 // Gauss and Legendre's nodes and weights of order 10 on (0, 1)
 const NODES = [0.04691007703066802, 0.23076534494715845, 0.5, 0.7692346550528415, 0.953089922969332];
 const WEIGHTS = [0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324, 0.11846344252809454];
-const [PIECES, DEEPEST] = [480, 16]; // down to e⁻¹⁶ of the first tilt, where all that follows is a power of the tilt
+const [PIECES, DEEPEST] = [240, 16]; // down to e⁻¹⁶ of the first tilt, where all that follows is a power of the tilt
 const FAST = 0.05; // of the tilt, lost in a radian of precession: a disk that sinks faster is no longer on the slow manifold
 
 /**
@@ -162,10 +162,10 @@ export function exponentsOf(losses, first) {
 }
 
 /** Return a row near the end whose neighbours are still on the slow manifold. */
-export const lateRow = ({ tilt }) => tilt.length - 20;
+export const lateRow = ({ tilt }) => tilt.length - 10;
 
 /** Return d ln(rate)/d ln(tilt) between late rows. */
 export function powerOfRate({ tilt, rate }) {
-  const [i, j] = [300, 400];
+  const [i, j] = [0.62, 0.83].map((share) => Math.round(share * PIECES));
   return Math.log(rate[j] / rate[i]) / Math.log(tilt[j] / tilt[i]);
 }
