@@ -14,7 +14,7 @@ from polhode.quantum import Rotor
 pytestmark = pytest.mark.browser
 FOLDER = Path(__file__).parents[2] / "learn" / "panels"
 PANELS = sorted(path.stem for path in FOLDER.glob("*.html"))
-SIZES = {"frame": (700, 420), "phone": (390, 844), "laptop": (1366, 768), "frame on a phone": (358, 630)}
+SIZES = {"frame": (700, 420), "phone": (390, 844), "laptop": (1366, 768), "frame on a phone": (358, 630), "low frame": (358, 440)}
 LONGEST_FRAME = 16.0  # ms, of half of the frames: the machine may have other work
 MOST_TRIES = 3
 SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")

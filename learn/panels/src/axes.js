@@ -26,8 +26,8 @@ function drawMap(paper, box, { model, settings, theme, time }) {
   const at = ([a, b]) => [x + (radius * a) / zoom, y - (radius * b) / zoom];
   const glow = paper.createRadialGradient(x - 0.3 * radius, y - 0.4 * radius, 0, x, y, radius);
   const dark = theme.name === "dark";
-  glow.addColorStop(0, dark ? mixed(theme.sphere, theme.ground, 0.25) : theme.ground);
-  glow.addColorStop(1, dark ? mixed(theme.sphere, theme.ground, 0.7) : theme.sphere);
+  glow.addColorStop(0, dark ? mixed(theme.momentumSphere, theme.ground, 0.25) : theme.ground);
+  glow.addColorStop(1, dark ? mixed(theme.momentumSphere, theme.ground, 0.7) : theme.momentumSphere);
   paper.save();
   paper.beginPath();
   paper.arc(x, y, radius, 0, 2 * Math.PI);
@@ -40,10 +40,10 @@ function drawMap(paper, box, { model, settings, theme, time }) {
   stroke(paper, [[x - radius, y], [x + radius, y]], theme.axes[i], 1);
   stroke(paper, [[x, y - radius], [x, y + radius]], theme.axes[j], 1);
   for (const other of model.family) stroke(paper, other.map(at), theme.family, 1);
-  stroke(paper, model.linear.map(at), theme.border, 2.2, [6, 5]);
+  stroke(paper, model.linear.map(at), theme.approximation, 2.2, [6, 5]);
   for (const points of model.seen) stroke(paper, points.map(at), theme.motion, 3.2);
   const straight = linearAt(axis, tilt, time);
-  drawBall(paper, at(straight), 6, theme.border, theme.ground);
+  drawBall(paper, at(straight), 6, theme.approximation, theme.ground);
   const exact = exactAt(motion, axis, time);
   paper.globalAlpha = exact[2] >= 0 ? 1 : 0.35;
   drawBall(paper, at(exact), 7, theme.motion, theme.ground);
@@ -64,13 +64,13 @@ function drawTilt(paper, box, { model, theme, time }) {
   const times = Array.from({ length: COUNT + 1 }, (_, k) => begun + (SPAN * k) / COUNT);
   const straight = (t) => degrees(Math.atan(Math.hypot(...linearAt(model.axis, model.tilt, t))));
   const shown = model.stable ? straight : (t) => degrees(Math.hypot(...linearAt(model.axis, model.tilt, t)));
-  plot.curve(times.map((t) => [t, Math.min(shown(t), 4 * high)]), { colour: theme.border, width: 2, dash: [6, 5] });
+  plot.curve(times.map((t) => [t, Math.min(shown(t), 4 * high)]), { colour: theme.approximation, width: 2, dash: [6, 5] });
   plot.curve(times.map((t) => [t, degrees(tiltAt(model.motion, model.axis, t))]), { colour: theme.motion, width: 3 });
   const tilt = degrees(tiltAt(model.motion, model.axis, time));
   drawBall(paper, [plot.atX(time), plot.atY(tilt)], 6, theme.motion, theme.ground);
   const [right, line] = [box.left + box.width - 12, box.top + 10];
   write(paper, "exact", [right - 62, line], { colour: theme.motion, weight: "600", align: "right", ground: theme.ground });
-  write(paper, "linear", [right, line], { colour: theme.border, weight: "600", align: "right", ground: theme.ground });
+  write(paper, "linear", [right, line], { colour: theme.approximation, weight: "600", align: "right", ground: theme.ground });
 }
 
 new Panel({

@@ -57,7 +57,7 @@ const plotOf = (paper, box, theme, settings) => new Plot(paper, { ...inset(box, 
 function drawPlot(paper, box, { model, settings, theme, time }) {
   const plot = plotOf(paper, box, theme, settings);
   plot.axes({ x: "tilt at the throw, degrees", y: "time until it has turned over, s" });
-  plot.curve(model.straight, { colour: theme.border, width: 1.6, dash: [5, 4] });
+  plot.curve(model.straight, { colour: theme.approximation, width: 1.6, dash: [5, 4] });
   plot.curve(model.curve, { colour: theme.motion, width: 3 });
   const x = plot.atX(settings.tilt);
   const [bottom, top] = [plot.top + plot.height, plot.atY(model.flip)];
@@ -70,7 +70,7 @@ function drawPlot(paper, box, { model, settings, theme, time }) {
   drawBall(paper, [x, top], 8, theme.motion, theme.ground);
   if (plot.width > 150) {
     write(paper, `10 times closer: +${model.decade.toFixed(2)} s`, [plot.left + plot.width, plot.top + 8],
-      { colour: theme.border, ground: theme.ground, size: 12.5, align: "right" }); // prettier-ignore
+      { colour: theme.approximation, ground: theme.ground, size: 12.5, align: "right" }); // prettier-ignore
   }
 }
 
@@ -106,7 +106,7 @@ new Panel({
   describe: ({ flip }, { tilt }) => `A book spinning with its middle axis ${tilt} degrees from L turns over every ${flip.toFixed(2)} s; below, that time against the tilt.`,
   frame({ width, height }) {
     const [box] = split(width, height);
-    return { scale: Math.min(box.width, box.height) / 0.42, x: box.left + box.width / 2, y: box.top + box.height * 0.58 };
+    return { scale: Math.min(box.width, box.height) / 0.42, x: box.left + box.width / 2, y: box.top + box.height * 0.6 };
   },
   grab([x, y], panel) {
     const [, box] = split(panel.canvas.clientWidth, panel.canvas.clientHeight);

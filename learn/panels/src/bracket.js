@@ -73,14 +73,19 @@ function drawSphere(paper, { model, settings, theme, view, time }) {
   const { H, flow, range } = model;
   const pattern = bandsOf(view, H, range, theme);
   const sphere = new Solid({ view, form: ellipsoidForm([radius, radius, radius]), opacity: 0.97, pattern });
-  SPHERES.filter((r) => r > radius + 0.02).forEach((r) => {
-    new Solid({ view, form: ellipsoidForm([r, r, r]) }).drawEdge(paper, theme.line, 1.2);
+  // the leaves: other spheres, from the innermost to the outermost
+  const leaf = (r) => mixed(theme.motion, theme.border, (r - SPHERES[0]) / (SPHERES.at(-1) - SPHERES[0]));
+  const outer = SPHERES.filter((r) => r > radius + 0.02);
+  outer.forEach((r) => {
+    new Solid({ view, form: ellipsoidForm([r, r, r]) }).drawEdge(paper, leaf(r), 1.3);
+    const place = 0.707 * r * view.scale + 3;
+    write(paper, `|L| = ${r}`, [view.x + place, view.y + place], { colour: leaf(r), size: 11, align: "left" });
   });
   drawSolids(paper, view, [sphere], { key: [radius, name, turn, lift, theme.name].join() });
-  sphere.drawEdge(paper, mixed(theme.sphere, theme.text, 0.35), 1.3);
+  sphere.drawEdge(paper, mixed(theme.momentumSphere, theme.text, 0.35), 1.3);
   const solids = [sphere];
   SPHERES.filter((r) => r < radius - 0.02).forEach((r) => {
-    drawCurve(paper, view, circle([0, 0, 0], view.rows[2], r), { colour: theme.quiet, width: 1, solids, faint: 0.25, dash: [3, 4] });
+    drawCurve(paper, view, circle([0, 0, 0], view.rows[2], r), { colour: leaf(r), width: 1.2, solids, faint: 0.5, dash: [3, 4] });
   });
   drawFlow(paper, view, radius, model.field, theme);
   [0, 1, 2].forEach((k) => {
@@ -98,6 +103,7 @@ function drawSphere(paper, { model, settings, theme, view, time }) {
   writeAtTip(paper, view, [0, 0, 0], L, "L", { colour: theme.momentum, ground: theme.ground }, 15);
 }
 
+const boxesOf = (width, height) => split(width, height, height < 300 ? 0.52 : 0.64);
 const say = (value) => value.toFixed(6).replace("-", "−");
 
 function drawRate(paper, box, { model, theme, time }) {
@@ -168,11 +174,11 @@ new Panel({
   ],
   describe: (model, { H, F, sign, radius }) => `The sphere |L| = ${radius} coloured by H = ${NAMES[H]}; L runs along a level curve under the ${sign < 0 ? "minus" : "plus"} bracket, and a graph shows F = ${NAMES[F]} with the slope {F, H}.`,
   frame({ width, height }) {
-    const [box] = split(width, height, 0.64);
+    const [box] = boxesOf(width, height);
     return { scale: Math.min(box.width, box.height) / 4.8, x: box.left + box.width / 2, y: box.top + box.height / 2 };
   },
   draw(paper, scene) {
-    const [, box] = split(scene.width, scene.height, 0.64);
+    const [, box] = boxesOf(scene.width, scene.height);
     drawSphere(paper, scene);
     drawRate(paper, box, scene);
   },

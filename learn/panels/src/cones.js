@@ -40,7 +40,7 @@ function draw(paper, { model, settings, theme, view, time, height }) {
   const [one, two] = [theme.body, mixed(theme.body, theme.ground, 0.35)];
   if (settings.body) addFacets(scene, facets, turn, ({ octant }) => (octant ? one : two));
   addCone(scene, UP, cones.spaceCone, across(UP), theme.family, false);
-  addCone(scene, axis, cones.bodyCone, [turn([1, 0, 0]), turn([0, 1, 0])], theme.axes[2], true);
+  addCone(scene, axis, cones.bodyCone, [turn([1, 0, 0]), turn([0, 1, 0])], theme.bodyCone, true);
   const tips = { L: [UP, 1.5, theme.momentum], Ω: [velocity, 1.42, theme.velocity], 3: [axis, 1.36, theme.axes[2]] };
   for (const [name, [direction, length, colour]] of Object.entries(tips)) {
     const tip = times(direction, length);
@@ -53,7 +53,7 @@ function draw(paper, { model, settings, theme, view, time, height }) {
     const options = { colour, ground: theme.ground, ...(name === "3" && { symbol: false, weight: "700", size: 15 }) };
     writeAtTip(paper, view, [0, 0, 0], times(direction, length), name, options, 15);
   }
-  const shown = [["cone fixed in space", theme.family], ["cone fixed in the body", theme.axes[2]]];
+  const shown = [["cone fixed in space", theme.family], ["cone fixed in the body", theme.bodyCone]];
   shown.forEach(([words, colour], k) => write(paper, words, [10, height - 30 + 19 * k], { colour: mixed(colour, theme.text, 0.25), size: 13, align: "left", weight: "600", ground: theme.ground }));
 }
 

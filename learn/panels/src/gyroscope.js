@@ -23,8 +23,7 @@ const TRAIL = 260;
 function addGyroscope(scene, attitude, theme) {
   const turn = turnedBy(attitude);
   const [axis, frame] = [turn([0, 0, 1]), [turn([1, 0, 0]), turn([0, 1, 0])]];
-  const brass = theme.name === "dark" ? "#b98d3c" : "#d3a64f";
-  const steel = theme.metal;
+  const { brass, metal: steel } = theme;
   const place = { frame, origin: [0, 0, 0] };
   const add = (profile, count, colourOf, shine = 0.3) => {
     for (const { points, normal, k } of turnedFacets(place.origin, axis, profile, count, 0, frame)) {

@@ -39,7 +39,7 @@ function draw(paper, { model, settings, theme, view, width }) {
   const { centre, axes, half } = model;
   drawFrame(paper, view, theme);
   const shown = half.map((x) => Math.max(x, 0.015));
-  const solid = new Solid({ view, form: ellipsoidForm(shown, axes), centre, colour: theme.sphere, opacity: 0.5 });
+  const solid = new Solid({ view, form: ellipsoidForm(shown, axes), centre, colour: theme.momentumSphere, opacity: 0.5 });
   const points = pointsOf(settings);
   const order = points.map((p, k) => [view.depth(p), k]).sort((a, b) => a[0] - b[0]);
   const middle = view.depth(centre);
@@ -52,7 +52,7 @@ function draw(paper, { model, settings, theme, view, width }) {
   };
   order.filter(([depth]) => depth < middle).forEach(drawMass);
   drawSolids(paper, view, [solid]);
-  solid.drawEdge(paper, mixed(theme.sphere, theme.text, 0.35), 1);
+  solid.drawEdge(paper, mixed(theme.momentumSphere, theme.text, 0.35), 1);
   axes.forEach((axis, k) => {
     const out = times(axis, Math.max(0.9, half[k] + 0.25));
     const line = Array.from({ length: 25 }, (_, n) => sum(centre, times(out, n / 12 - 1)));
@@ -127,6 +127,7 @@ new Panel({
     const start = settings[name];
     return { move: ([u, v]) => panel.set(name, sum(start, view.unproject(u - place[0], v - place[1])).map(round)) };
   },
+  freely: true,
   keys(key, panel) {
     if (!NAMES.includes(key)) return false;
     panel.set("mass", key);

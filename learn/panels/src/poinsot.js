@@ -68,7 +68,7 @@ function draw(paper, { model, settings, theme, view, time }) {
     const from = Math.max(0, time - model.span);
     for (let k = 0; k <= SAMPLES; k++) past.push(contactAt(motion, from + ((time - from) * k) / SAMPLES).inSpace);
     if (settings.whole) drawCurve(paper, view, model.curve, { colour: theme.family, width: 1.3, solids, faint: 0.16 });
-    if (time > 0) drawCurve(paper, view, past, { colour: theme.border, width: 2.6, solids, faint: 0.3 });
+    if (time > 0) drawCurve(paper, view, past, { colour: theme.herpolhode, width: 2.6, solids, faint: 0.3 });
   };
   const drawBody = () => {
     drawSolids(paper, view, [solid]);

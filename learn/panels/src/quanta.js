@@ -33,9 +33,9 @@ function boxesOf(width, height) {
 }
 
 function drawSphere(paper, { model, settings, theme, view }) {
-  const sphere = new Solid({ view, form: ellipsoidForm([1, 1, 1]), colour: theme.sphere, opacity: 0.9 });
+  const sphere = new Solid({ view, form: ellipsoidForm([1, 1, 1]), colour: theme.momentumSphere, opacity: 0.9 });
   drawSolids(paper, view, [sphere], { key: [settings.turn, settings.lift, theme.name].join() });
-  sphere.drawEdge(paper, mixed(theme.sphere, theme.text, 0.35), 1.2);
+  sphere.drawEdge(paper, mixed(theme.momentumSphere, theme.text, 0.35), 1.2);
   const solids = [sphere];
   for (const arc of model.crossing) drawCurve(paper, view, arc, { colour: theme.border, width: 1.3, solids, faint: 0.12, dash: [5, 4] });
   const chosen = model.levels[model.chosen];

@@ -42,14 +42,14 @@ function drawAxes(paper, view, solids, theme, energy) {
 
 function draw(paper, { model, settings, theme, view, time }) {
   const { energy, show, family, turn, lift } = settings;
-  const sphere = new Solid({ view, form: ellipsoidForm([NORM, NORM, NORM]), colour: theme.sphere, opacity: 0.93 });
+  const sphere = new Solid({ view, form: ellipsoidForm([NORM, NORM, NORM]), colour: theme.momentumSphere, opacity: 0.93 });
   const ellipsoid = new Solid({
-    view, form: ellipsoidForm(MOMENTS.map((moment) => Math.sqrt(energy * moment))), colour: theme.ellipsoid, opacity: 0.93,
+    view, form: ellipsoidForm(MOMENTS.map((moment) => Math.sqrt(energy * moment))), colour: theme.energyEllipsoid, opacity: 0.93,
   }); // prettier-ignore
   const solids = { both: [sphere, ellipsoid], sphere: [sphere], ellipsoid: [ellipsoid] }[show];
   drawSolids(paper, view, solids, { key: [energy, show, turn, lift, theme.name].join() });
   for (const solid of solids) {
-    solid.drawEdge(paper, mixed(solid === sphere ? theme.sphere : theme.ellipsoid, theme.text, 0.3), 1.2);
+    solid.drawEdge(paper, mixed(solid === sphere ? theme.momentumSphere : theme.energyEllipsoid, theme.text, 0.3), 1.2);
   }
   drawAxes(paper, view, solids, theme, energy);
   if (family) {

@@ -1,18 +1,20 @@
 // The page's colours, so that a vector has the same colour in a panel, on the page and in a figure.
 import { THEMES } from "../../../../viewer/src/theme.js";
 
-/** What the page has no colour for: the surfaces of a panel, and what a weight does. */
+/** What only panels draw, and what the page's table may not name yet. */
 const OWN = {
-  light: { quiet: "#5a6068", line: "#d5dae0", sphere: "#c3dcf0", ellipsoid: "#f7cf92", weight: "#8a5a00", torque: "#D55E00",
-    change: "#00795a", wood: "#c9a071", metal: "#b9c3cd", cover: "#2f5d8a", paper: "#f6f1e4" },
-  dark: { quiet: "#a2abb5", line: "#343b44", sphere: "#3d6a90", ellipsoid: "#a87a30", weight: "#e8b84a", torque: "#f0803c",
-    change: "#1fbf92", wood: "#7a5c3c", metal: "#78838f", cover: "#3f7ab5", paper: "#d9d3c3" },
+  light: { quiet: "#5a6068", line: "#d5dae0", momentumSphere: "#c3dcf0", energyEllipsoid: "#f5d58a", approximation: "#a4521c",
+    change: "#00795a", wood: "#c9a071", metal: "#b9c3cd", brass: "#d3a64f", cover: "#2f5d8a", paper: "#f6f1e4",
+    weight: "#6f6f6f", torque: "#6b4fc8", bodyCone: "#56B4E9", herpolhode: "#a8477c" },
+  dark: { quiet: "#a2abb5", line: "#343b44", momentumSphere: "#3d6a90", energyEllipsoid: "#a08a38", approximation: "#e39a5f",
+    change: "#1fbf92", wood: "#7a5c3c", metal: "#78838f", brass: "#b98d3c", cover: "#3f7ab5", paper: "#d9d3c3",
+    weight: "#a0a7ae", torque: "#a692f0", bodyCone: "#9ad4f5", herpolhode: "#CC79A7" },
 }; // prettier-ignore
 
-/** Return the colours that the reader's system asks for. */
+/** Return the colours that the reader's system asks for; where the page has a colour, it is that. */
 export function currentTheme() {
   const name = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-  return { ...THEMES[name], ...OWN[name] };
+  return { ...OWN[name], ...THEMES[name] };
 }
 
 /** Return [r, g, b] of "#rrggbb". */

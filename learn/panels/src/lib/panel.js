@@ -27,6 +27,7 @@ const limited = (value, least, most) => Math.min(most, Math.max(least, value));
  * @param draw function (paper, {model, settings, theme, view, width, height, time, panel})
  * @param frame function ({width, height, settings}) → {scale, x, y} of the view; none for a flat picture
  * @param grab function ([x, y], panel) → {move([x, y]), end()} or null where nothing can be taken hold of
+ * @param freely whether what is taken hold of moves up and down too
  * @param keys function (key, panel) → whether the key was for it
  * @param plays whether time runs
  * @param describe function (model, settings) → what the picture shows, for those who cannot see it
@@ -169,10 +170,10 @@ export class Panel {
         canvas.classList.remove("held");
       });
     }
-    // a finger on something that can be dragged must not scroll the page; elsewhere it may
+    // a finger on a point that can be dragged anywhere must not scroll the page; elsewhere it may
     canvas.addEventListener("touchstart", (event) => {
       const [box, touch] = [canvas.getBoundingClientRect(), event.touches[0]];
-      if (this.grab([touch.clientX - box.left, touch.clientY - box.top], this, true)) event.preventDefault();
+      if (this.freely && this.grab([touch.clientX - box.left, touch.clientY - box.top], this, true)) event.preventDefault();
     }, { passive: false }); // prettier-ignore
     canvas.addEventListener("keydown", (event) => {
       if (event.ctrlKey || event.metaKey || event.altKey) return;
