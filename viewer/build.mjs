@@ -1,7 +1,9 @@
-// Builds what src/polhode/viewer/assets holds. `--check` builds again and compares, so that it cannot go stale.
+// Builds what src/polhode/viewer/assets holds, and the course's panels. `--check` builds again and compares, so that neither can
+// go stale.
 import { readFile, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
+import { PANELS, coursePanels } from "./course_panels.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const ASSETS = here("../src/polhode/viewer/assets/");
@@ -24,21 +26,22 @@ async function bundle() {
   return found.outputFiles[0].text;
 }
 
-const wanted = {
-  "page.js": await bundle(),
-  "LICENSE.three.txt": licence,
-};
+const wanted = [
+  [ASSETS, "page.js", await bundle()],
+  [ASSETS, "LICENSE.three.txt", licence],
+  ...Object.entries(await coursePanels()).map(([name, text]) => [PANELS, name, text]),
+];
 
 let stale = 0;
-for (const [name, text] of Object.entries(wanted)) {
+for (const [folder, name, text] of wanted) {
   if (process.argv.includes("--check")) {
-    const found = await readFile(ASSETS + name, "utf8").catch(() => "");
+    const found = await readFile(folder + name, "utf8").catch(() => "");
     if (found !== text) {
       console.error(`${name} is not what its sources give: run \`npm run build\` in viewer/ and commit it`);
       stale = 1;
     }
   } else {
-    await writeFile(ASSETS + name, text);
+    await writeFile(folder + name, text);
     console.log(`${name}: ${Buffer.byteLength(text)} bytes`);
   }
 }
