@@ -32,7 +32,7 @@ def derive(lines):
     R = about_z(phi) * about_x(theta) * about_z(psi)
     lines.define("Write the attitude by three turns; its columns are the body’s axes, seen from space.",
                  r"R = R_z(\varphi)\, R_x(\theta)\, R_z(\psi), \quad "
-                 r"\mathbf v_{space} = R\, \mathbf v_{body}")  # fmt: skip
+                 r"\mathbf v_{\text{space}} = R\, \mathbf v_{\text{body}}")  # fmt: skip
     speed = sum((sympy.diff(R, a) * rate for a, rate in zip(angles, rates, strict=True)), sympy.zeros(3, 3))
     lines.equal("R keeps lengths.", R.T * R, sympy.eye(3), shown=r"R^T R")
     body = Matrix([
