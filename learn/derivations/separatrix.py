@@ -8,7 +8,10 @@ def derive(lines):
     I1, I2, I3, c, u, v = sympy.symbols("I_1 I_2 I_3 c u v", positive=True)
     t = sympy.symbols("t", real=True)
     order = {I2: I1 + u**2, I3: I1 + u**2 + v**2}  # roots of differences are then u and v
-    ordered = lambda expression: expression.subs(order)
+
+    def ordered(expression):
+        return expression.subs(order)
+
     A = c * sympy.sqrt(ordered(I1 / (I2 * (I3 - I1)))) * v
     B = c * sympy.sqrt(ordered(I3 / (I2 * (I3 - I1)))) * u
     rate = c * u * v / ordered(I2 * sympy.sqrt(I1 * I3))
