@@ -31,7 +31,8 @@ def derive(lines):
     wobble = rate * (1 - kappa) * (C - A) / inert
     turning = {x: sympy.cos(wobble * t), y: sympy.sin(wobble * t)}
     solved = [sympy.simplify(entry.subs(turning).doit()) for entry in first[:2]]
-    lines.define("Try a pole that goes round with the spin, prograde.", r"m_1 = \cos \sigma t, \quad m_2 = \sin \sigma t",
+    lines.define("Try a pole that goes round with the spin, prograde.",
+                 r"m_1 = \cos \sigma t, \quad m_2 = \sin \sigma t",
                  (r"\sigma", wobble))
     lines.equal("Both right sides vanish.", sympy.Matrix(solved), sympy.zeros(2, 1), shown=r"\text{right sides}")
     lines.equal("A rigid body has κ = 0: Euler's period.", (2 * sympy.pi / wobble).subs(kappa, 0),
