@@ -19,6 +19,7 @@ from typing import Any, ClassVar, NamedTuple
 from polhode.special import _doubledouble as doubledouble
 from polhode.taylor import (
     kernel,
+    kernel_at_once,
     kernel_extended,
     kernel_invariants,
     kernel_kepler,
@@ -40,6 +41,7 @@ COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, ker
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON),
            EXTENDED: (vectors, kernel_products, doubledouble, *COMMON, kernel_extended)}  # fmt: skip
 ENTRIES = ("advance", "conserved_values")
+AT_ONCE = "advance_lanes", "measure_coefficients", "sample_copy"
 # all other functions are made part of those that call them
 CALLED = ("function", "orbital", "eccentric_anomaly_at", "reach_of", "first_zero", "change_within", "zero_between",
           "first_coefficients", "power_of_pair")  # fmt: skip
@@ -115,8 +117,9 @@ def _is_worth(width: int, spent: float) -> bool:
 
 @cache
 def python_kernel(width: int) -> Kernel:
-    """Return the kernel as it is written."""
-    space = _join_modules(width, lambda function, name: function, {})
+    """Return the kernel as it is written, of one copy with NumPy for what all components have in common."""
+    replaced = {name: getattr(kernel_at_once, name) for name in AT_ONCE} if width == 1 else {}
+    space = _join_modules(width, lambda function, name: function, replaced)
     return Kernel(_lanes(width), False, *(space[name] for name in ENTRIES), stretch=1_000)
 
 
