@@ -282,7 +282,7 @@ def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
 def sample_copy(
     series: Series, course: Course, lane: Any, t: Any, unit: Any, copy: Any, first: Any, last: Any, out: Array
 ) -> None:  # fmt: skip
-    """Set samples (C, T, n) of a copy from a first one up to a last by its series at t: the same bits as those of all."""
+    """Set samples (C, T, n) of a copy from a first one up to a last, by its series at t: always the same bits."""
     width, flat, order = series.whole[SLOTS], series.flat, course.order
     for s in range(first, last):
         h = (course.times[s] - t) / unit
