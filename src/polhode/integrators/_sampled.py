@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import jax
 import jax.numpy as jnp
 
+from polhode.integrators import _diffrax as diffrax
 from polhode.integrators import _embedded as embedded
 from polhode.integrators._either_mode import by_either_mode, by_transposing
 from polhode.motion._outcome import Status
@@ -118,9 +119,7 @@ def sample_motion(
         reverse: whether derivatives are to be of reverse mode, instead of forward mode.
     """
     if reverse or not embedded.is_embedded(solver):
-        from polhode.integrators._diffrax_loop import sample_by_diffrax
-
-        return sample_by_diffrax(system, solver, state, times, kept, largest, tolerance, meter, observe, reverse)
+        return _by_diffrax(system, solver, state, times, kept, largest, tolerance, meter, observe, reverse)
     by = scales(system, times[0], state)
     own = scale_system(system, by, observe)
     run = embedded.begin(start(by, state), times, kept, own.seen)
@@ -149,6 +148,46 @@ def unscale_run(
         grown(saved.state, by.state) if of_states else saved, whole(saved) if of_states else {}, status,
         jnp.where(ended, first, -1), time, state, whole(last), steps,
     )  # fmt: skip
+
+
+def _by_diffrax(
+    system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
+    tolerance: Array, meter: Any, observe: Observe | None, reverse: bool,
+) -> Sampled:  # fmt: skip
+    """Return the motion by diffrax's own loop, which goes back from checkpoints and takes implicit methods."""
+    from polhode.integrators._diffrax_loop import EventBisection, PresentTimeControl
+
+    by = scales(system, times[0], state)
+    own = scale_system(system, by, observe)
+
+    def lowest(t: Array, y: Carried, args: Any, **more: Any) -> Array:
+        return own.margin(t, y)  # type: ignore[misc]
+
+    times, kept = jnp.asarray(times), jnp.asarray(kept)
+    control = PresentTimeControl(rtol=tolerance, atol=tolerance, dtmax=largest)
+    # what is not between the first and the last time is moved behind it, as diffrax steps over each
+    jumps = jnp.ravel(jnp.asarray(system.jumps, float))
+    between = (jumps - times[0]) * (times[-1] - jumps) > 0.0
+    at_jumps = jnp.where(between, jumps, 2.0 * times[-1] - times[0]) if jumps.size else None
+    saving = diffrax.SubSaveAt(ts=kept, fn=lambda t, y, args: own.seen(t, y))
+    # samples are steps: interpolation between steps costs three digits
+    solution: Any = diffrax.diffeqsolve(
+        diffrax.ODETerm(lambda t, y, args: own.rates(jnp.asarray(t), y)), solver, times[0], times[-1], None,
+        start(by, state),
+        stepsize_controller=diffrax.ClipStepSizeController(control, step_ts=times, jump_ts=at_jumps),
+        saveat=diffrax.SaveAt(subs=[saving, diffrax.SubSaveAt(t1=True)]),
+        event=diffrax.Event(lowest, EventBisection(), direction=False) if own.margin else None,
+        max_steps=MOST_STEPS, progress_meter=diffrax.NoProgressMeter() if meter is None else meter, throw=False,
+        adjoint=diffrax.RecursiveCheckpointAdjoint() if reverse else diffrax.ForwardMode(),
+    )  # fmt: skip
+    results: Any = diffrax.RESULTS
+    ended = solution.result == results.event_occurred
+    status = jnp.where(solution.result == results.successful, Status.COMPLETED, Status.NOT_CONVERGED)
+    status = jnp.where(ended, Status.EVENT, status)
+    saved, last = solution.ys
+    last = jax.tree.map(lambda y: y[0], last)
+    steps = solution.stats["num_steps"]
+    return unscale_run(system, by, saved, solution.ts[1][0], last, status, steps, observe is None)
 
 
 def with_jumps(

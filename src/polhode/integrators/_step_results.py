@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-import jax.numpy as jnp
-
 from polhode.types import Array, ArrayOrFloat, Bool, Double, Float64, Integer
 
 Scalar = Float64[ArrayOrFloat, ""]
@@ -36,8 +34,3 @@ class Memory(NamedTuple):
     iterations: Integer[Array, ""]
     fine: Bool[Array, ""]
     hint: Any = ()
-
-
-def explicit(state: Double[Array, "..."]) -> Change:
-    """Return the change of a step that solves nothing."""
-    return Change(state, jnp.zeros((), int), jnp.asarray(True))
