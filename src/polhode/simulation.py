@@ -10,18 +10,17 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-import diffrax
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode import integrators
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.integrators._accuracy import run_to_tolerance, run_with_error
+from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
 from polhode.integrators._difference import EPS
-from polhode.integrators._equal_steps import run_by_equal_steps, step_counts
 from polhode.integrators._series import (
     NoSeries,
     Taylor,
@@ -32,9 +31,7 @@ from polhode.integrators._series import (
     series_to_tolerance,
     solve_by_series,
 )
-from polhode.integrators.base import AbstractOrbitSolver
 from polhode.integrators.probing import find_undeclared_jumps, jumps_along, jumps_between, name_jumps
-from polhode.integrators.splitting import Splitting
 from polhode.motion._outcome import Ending, Ends, Outcome, Status
 from polhode.motion._trajectory import Trajectory
 from polhode.solving import (
@@ -76,7 +73,7 @@ def simulate(
     system: AbstractSystem,
     state: Real[ArrayLike, "..."],
     times: Real[ArrayLike, "time"],
-    method: type[AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver[Any] | Taylor | None = None,
+    method: type[integrators.AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver[Any] | Taylor | None = None,
     step: float | None = None,
     order: int | None = None,
     progress: bool | Any | None = None,
@@ -262,8 +259,12 @@ def _solve_past_jumps(
 def _by_equal_steps(
     system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
+    from polhode.integrators._accuracy import run_to_tolerance, run_with_error
+    from polhode.integrators._equal_steps import run_by_equal_steps, step_counts
+
     own, system = system, name_jumps(system, find_undeclared_jumps(system, state, times))
-    if system is not own and isinstance(method, AbstractOrbitSolver) and bool(eqx.tree_equal(method.system, own)):
+    made = isinstance(method, integrators.AbstractOrbitSolver)
+    if system is not own and made and bool(eqx.tree_equal(method.system, own)):
         method = eqx.tree_at(lambda solver: solver.system, method, system)
     rates = _rates(system, state, times)
     if not np.isfinite(rates).all():
@@ -320,7 +321,7 @@ def _prepare(
     system: AbstractLiePoissonSystem, method: Any, rates: Array, times: np.ndarray, asked: _Asked
 ) -> tuple[Any, Array]:
     """Return the solver and each copy's largest step."""
-    if isinstance(method, AbstractOrbitSolver):
+    if isinstance(method, integrators.AbstractOrbitSolver):
         if asked.step is not None or asked.order is not None or asked.tolerance is not None:
             raise InvalidInput(
                 "`step`, `order` and `tolerance` go with a class of methods; the solver given was made with its own."
@@ -344,12 +345,14 @@ def _rates(system: AbstractLiePoissonSystem, state: Array, times: Array) -> np.n
 def _would_split(system: AbstractLiePoissonSystem, method: Any) -> bool:
     if method is None:
         return bool(system.flows) and moves_by_generator(system)
-    return isinstance(method, Splitting) or (isinstance(method, type) and issubclass(method, Splitting))
+    return isinstance(method, integrators.Splitting) or (
+        isinstance(method, type) and issubclass(method, integrators.Splitting)
+    )
 
 
 def _meter(wanted: Any) -> Any:
     if wanted is None or isinstance(wanted, bool | np.bool_):
-        return diffrax.TqdmProgressMeter() if wanted else diffrax.NoProgressMeter()
+        return diffrax.TqdmProgressMeter() if wanted else None
     return wanted
 
 

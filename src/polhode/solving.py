@@ -9,23 +9,21 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
-import diffrax
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode import integrators
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import TOLERANCE
 from polhode.integrators._sampled import Observe, Sampled, as_floats, sample_by_either_mode
 from polhode.integrators._series import Taylor, is_series
 from polhode.integrators._series_operation import series_solution
-from polhode.integrators.base import AbstractOrbitSolver, Memory
-from polhode.integrators.lie_midpoint import LieMidpoint
+from polhode.integrators._step_results import Memory
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps
-from polhode.integrators.spherical_midpoint import SphericalMidpoint
-from polhode.integrators.splitting import Splitting
 from polhode.motion._outcome import Status
 from polhode.systems._agreement import MOMENTS_OF_TIME, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
@@ -81,7 +79,7 @@ def solve(
     system: AbstractSystem,
     state: Real[ArrayLike, "..."],
     times: Real[ArrayLike, "time"],
-    method: type[AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver[Any] | Taylor | None = None,
+    method: type[integrators.AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver[Any] | Taylor | None = None,
     step: Real[ArrayLike, ""] | None = None,
     order: int | None = None,
     tolerance: Real[ArrayLike, ""] | None = None,
@@ -270,7 +268,7 @@ def _by_equal_steps(
     system: Any, state: Array, times: Array, method: Any, step: Array | None, order: int | None, every: int,
     observe: Any, memory: Memory | None,
 ) -> Solution:  # fmt: skip
-    if isinstance(method, AbstractOrbitSolver):
+    if isinstance(method, integrators.AbstractOrbitSolver):
         if step is not None or order is not None:
             raise InvalidInput("`step` and `order` go with a class of methods; the solver given was made with its own.")
         if not isinstance(system, type(method.system)):
@@ -283,7 +281,7 @@ def _by_equal_steps(
     return _run(solver, state, jnp.asarray(times), step, every, observe, memory)
 
 
-def restore_memory(solver: AbstractOrbitSolver, state: Double[Array, "..."], arrays: Any) -> Memory:
+def restore_memory(solver: integrators.AbstractOrbitSolver, state: Double[Array, "..."], arrays: Any) -> Memory:
     """Return a method's memory from its arrays.
 
     Raises:
@@ -306,7 +304,7 @@ def restore_memory(solver: AbstractOrbitSolver, state: Double[Array, "..."], arr
 
 @eqx.filter_jit
 def _run(
-    solver: AbstractOrbitSolver, state: Array, times: Array, step: Array | None, every: int, observe: Any,
+    solver: integrators.AbstractOrbitSolver, state: Array, times: Array, step: Array | None, every: int, observe: Any,
     memory: Memory | None,
 ) -> Solution:  # fmt: skip
     system, state = solver.system, jnp.asarray(state)
@@ -406,7 +404,7 @@ def goes_along_orbit(system: AbstractSystem, method: Any) -> bool:
 
 def is_adaptive(method: Any) -> bool:
     """Return whether a method is one of diffrax's own solvers."""
-    return isinstance(method, diffrax.AbstractSolver) and not isinstance(method, AbstractOrbitSolver)
+    return isinstance(method, diffrax.AbstractSolver) and not isinstance(method, integrators.AbstractOrbitSolver)
 
 
 def adaptive_solver(system: AbstractSystem, method: Any, order: int | None) -> diffrax.AbstractSolver:
@@ -441,8 +439,11 @@ def orbit_solver(system: AbstractLiePoissonSystem, method: Any, order: int | Non
     if method is None:
         algebra = system.algebra
         spins = algebra.is_of_spins and len(algebra.element_shape) > 1
-        method = Splitting if system.flows else SphericalMidpoint if spins else LieMidpoint
-    if isinstance(method, type) and issubclass(method, AbstractOrbitSolver):
+        method = (
+            integrators.Splitting if system.flows
+            else integrators.SphericalMidpoint if spins else integrators.LieMidpoint
+        )  # fmt: skip
+    if isinstance(method, type) and issubclass(method, integrators.AbstractOrbitSolver):
         any_size = jnp.asarray(1.0)
         return method(system, any_size) if order is None else method(system, any_size, order=order)  # type: ignore[call-arg]
     raise InvalidInput(f"`method` must be a class of polhode.integrators or a diffrax solver; got {shown(method)}.")

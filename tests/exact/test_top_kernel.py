@@ -13,8 +13,11 @@ from oracle.test_lagrange_motion import WORST_ERROR, errors
 from polhode.errors import InvalidInput
 from polhode.exact import _kernel_loops as kernel_loops
 from polhode.exact._closed_form import ClosedForm
+from polhode.exact._copies import for_python
+from polhode.exact.lagrange_top import _kernel_integrals as kernel_integrals
 from polhode.exact.lagrange_top import _kernel_setup as kernel_setup
 from polhode.exact.lagrange_top._evaluation import FORM
+from polhode.exact.lagrange_top._formulas import COLUMNS
 from starts import lagrange_motion
 
 PER_FAMILY, PER_FAMILY_OF_MANY, SWEEP_PER_FAMILY = 3, 20, 600
@@ -231,3 +234,26 @@ def test_a_wrong_column_is_noticed():
     columns[4] *= 1.0 + 1e-14
     found, _ = FORM.states(columns, np.full(600, 20.0), np.zeros(600))
     assert np.abs(found - top.attitude(20.0)).max() > AGREEMENT
+
+
+def test_only_tops_whose_integrals_do_not_converge_are_left_to_numpy(monkeypatch):
+    """Of a block, where few steps of the duplication are allowed; the others keep their bits."""
+    tops = [case for case in draw_tops(5, 11) if case.family in ("generic", "wide_ratio", "fast_loop")]
+    inputs = [[np.ravel(case[k]).tolist() for case in tops] for k in range(1, 5)]
+
+    def columns_and_left(steps):
+        monkeypatch.setattr(kernel_integrals, "MOST_STEPS", steps)
+        space = for_python(FORM._modules)[kernel_setup.__name__]
+        columns = [[0.0] * len(tops) for _ in range(COLUMNS)]
+        left = [True] * len(tops)
+        space["set_up"](*inputs, columns, left)
+        return np.array(columns), np.array(left)
+
+    whole, none_left = columns_and_left(40)
+    assert not none_left.any()
+    for steps in range(8, 0, -1):
+        some, left = columns_and_left(steps)
+        np.testing.assert_array_equal(some[:, ~left], whole[:, ~left])
+        if left.any():
+            break
+    assert left.any() and not left.all()

@@ -65,6 +65,13 @@ def test_second_derivatives():
     assert np.abs(found - wanted).max() < 1e-8 * np.abs(wanted).max()
 
 
+def test_forward_derivatives_of_forward_ones():
+    """The operation gets its arguments as a tuple, or as a list within others."""
+    along = lambda f: lambda x: jax.jvp(f, (x,), (jnp.ones(3),))[1]  # noqa: E731
+    weigh = lambda x: moved(MOMENTS, x)[-1] @ jnp.array([1.0, -0.5, 0.3])  # noqa: E731
+    assert jax.eval_shape(along(along(weigh)), START).shape == ()
+
+
 def test_batches_are_their_copies():
     starts, moments = jnp.stack([START, 3.0 * START]), jnp.stack([MOMENTS, MOMENTS[::-1]])
     for k, (m, x) in enumerate(zip(moments, starts, strict=True)):

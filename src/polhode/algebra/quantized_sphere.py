@@ -172,25 +172,28 @@ class QuantizedSphere(AbstractMatrixAlgebra):
 
     def to_vector(self, x: Element) -> Float64[Array, "*batch {self.dim}"]:
         f = self.to_harmonics(x)
-        parts = []
+        xp = _namespace(f)
+        f, parts = xp.asarray(f), []
         for degree in range(1, self.n):
             row = f[..., degree, 1 : degree + 1]
             # f_lm Y_lm and its conjugate at −m together: a pair of orthonormal real harmonics, with √2 Re f_lm and √2
             # Im f_lm
-            pairs = math.sqrt(2.0) * jnp.stack([row.real, row.imag], axis=-1)
+            pairs = math.sqrt(2.0) * xp.stack([row.real, row.imag], axis=-1)
             parts += [f[..., degree, :1].real, pairs.reshape(*pairs.shape[:-2], -1)]
-        return jnp.concatenate(parts, axis=-1)
+        return jnp.asarray(xp.concatenate(parts, axis=-1))
 
     def from_vector(self, vector: Float64[Array, "*batch {self.dim}"]) -> Element:
-        vector = jnp.asarray(vector)
-        f = jnp.zeros((*vector.shape[:-1], self.n, self.n), complex)
-        at = 0
+        xp = _namespace(vector)
+        vector = xp.asarray(vector)
+        batch, at = vector.shape[:-1], 0
+        rows = [xp.zeros((*batch, self.n), complex)]
         for degree in range(1, self.n):
-            pairs = vector[..., at + 1 : at + 1 + 2 * degree].reshape(*vector.shape[:-1], degree, 2) / math.sqrt(2.0)
-            f = f.at[..., degree, 0].set(vector[..., at])
-            f = f.at[..., degree, 1 : degree + 1].set(pairs[..., 0] + 1j * pairs[..., 1])
+            pairs = vector[..., at + 1 : at + 1 + 2 * degree].reshape(*batch, degree, 2) / math.sqrt(2.0)
+            beyond = xp.zeros((*batch, self.n - 1 - degree), complex)
+            row = [vector[..., at, None] + 0j, pairs[..., 0] + 1j * pairs[..., 1], beyond]
+            rows.append(xp.concatenate(row, axis=-1))
             at += 2 * degree + 1
-        return self.from_harmonics(f)
+        return self.from_harmonics(xp.stack(rows, axis=-2))
 
     def to_dual_vector(self, mu: Element) -> Float64[Array, "*batch {self.dim}"]:
         return self.to_vector(mu)
@@ -206,3 +209,8 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         up = np.diag(np.sqrt((s - m[:-1]) * (s + m[:-1] + 1.0)), -1)
         spins = np.array([0.5 * (up + up.T), -0.5j * (up - up.T), np.diag(m)])
         return 1j * self.hbar * spins
+
+
+def _namespace(x: Any) -> Any:
+    """Return JAX's functions for what it traces, else NumPy's: JAX would compile each degree by itself."""
+    return jnp if is_traced(x) else np

@@ -18,7 +18,6 @@ import jax
 import jax.extend
 import jax.numpy as jnp
 import numpy as np
-from scipy.linalg import expm
 
 from polhode.algebra._functions import Function, check_functions
 from polhode.algebra._polynomial import Polynomial
@@ -246,6 +245,8 @@ def samples_around(constants: Float64[Array, "n n n"], z: Float64[Array, "n"]) -
 
     (2m, n): behind the m points their neighbours at a rounding error's distance, which show how exact derivatives are.
     """
+    from scipy.linalg import expm
+
     rng = np.random.default_rng(2)
     size = float(np.abs(z).max(initial=0.0)) or 1.0
     near = [z + r * size * rng.normal(size=z.size) for r in DISTANCES for _ in range(DRAWS)]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import diffrax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import solve_adaptively
 from polhode.integrators._series import Taylor, has_series, solve_by_series
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps

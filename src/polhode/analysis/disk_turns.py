@@ -6,13 +6,13 @@ import math
 from dataclasses import replace
 from typing import NamedTuple
 
-import diffrax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode.analysis.spin_down import FALL_SAMPLES
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import solve_adaptively
 from polhode.motion._outcome import Ending, Outcome
 from polhode.motion._trajectory import Trajectory

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from scipy.linalg import eig
 
 from polhode.analysis._reasons import Exponents, LeafIsPoint
 from polhode.analysis.energy_casimir import Stability
@@ -34,6 +33,8 @@ def first_method(
     inner = basis.T @ A @ basis
     if not inner.size:
         return Stability("stable", 0.0, None, None, LeafIsPoint(), np.zeros(0, complex))
+    from scipy.linalg import eig
+
     eigensystem: Any = eig(inner, left=True, right=True)
     spectrum, left, right = eigensystem
     alignment = np.abs(np.einsum("ik,ik->k", left.conj(), right))

@@ -14,7 +14,6 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
-import diffrax
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -23,6 +22,7 @@ import numpy as np
 from polhode.analysis._power_law import PowerLaw, Singularity, fit_singularity, power_law
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.integrators import _diffrax as diffrax
 from polhode.integrators import _embedded as embedded
 from polhode.integrators._adaptive import TOLERANCE, solve_adaptively
 from polhode.motion._outcome import Ending, Outcome, Status

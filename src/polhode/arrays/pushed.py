@@ -65,7 +65,7 @@ def _jvp(primals: Any, tangents: Any, **known: Any) -> tuple[Any, Any]:
     import jax
     from jax.interpreters import ad
 
-    return jax.jvp(partial(_push, **known), primals, [ad.instantiate_zeros(x) for x in tangents])
+    return jax.jvp(partial(_push, **known), tuple(primals), tuple(ad.instantiate_zeros(x) for x in tangents))
 
 
 def _batch(args: Any, axes: Any, **known: Any) -> tuple[Any, list[int]]:

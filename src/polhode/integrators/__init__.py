@@ -1,30 +1,7 @@
 """Integrators that conserve what a Lie–Poisson system conserves, as diffrax solvers."""
 
-from polhode.integrators._series import Taylor
-from polhode.integrators.base import AbstractOrbitSolver
-from polhode.integrators.isospectral_midpoint import IsospectralMidpoint
-from polhode.integrators.lie_midpoint import LieMidpoint
-from polhode.integrators.munthe_kaas import MuntheKaas
-from polhode.integrators.spherical_midpoint import SphericalMidpoint
-from polhode.integrators.splitting import Splitting
-from polhode.integrators.sublattice_turns import SublatticeTurns
-from polhode.integrators.thermal_noise import Bath, NoiseDriftNoise
-from polhode.integrators.transport_noise import TransportNoise
+import lazy_loader
 
-__all__ = [
-    "AbstractOrbitSolver",
-    "Bath",
-    "IsospectralMidpoint",
-    "LieMidpoint",
-    "MuntheKaas",
-    "NoiseDriftNoise",
-    "SphericalMidpoint",
-    "Splitting",
-    "SublatticeTurns",
-    "Taylor",
-    "TransportNoise",
-]
+import polhode.algebra  # noqa: F401  # which switches JAX to 64 bits
 
-
-def __dir__() -> list[str]:
-    return __all__
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

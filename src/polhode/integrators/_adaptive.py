@@ -13,16 +13,15 @@ import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-import diffrax
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode.errors import InvalidInput, NotConverged
+from polhode.integrators import _diffrax as diffrax
 from polhode.integrators import _embedded as embedded
 from polhode.integrators._difference import EPS, LARGE, difference, starts_a_rounding_away
-from polhode.integrators._equal_steps import inner_windows, split_into_windows
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators._sampled import (
     MOST_STEPS,
@@ -163,6 +162,8 @@ def adaptive_error(
         return None
     off, unknown = deviation
     grown = np.zeros(np.shape(off))
+    from polhode.integrators._equal_steps import inner_windows, split_into_windows
+
     windows = 1 if kept > 1 or every > 1 or system.events else inner_windows(len(times), motion.steps // len(times[1:]))
 
     def along(start: Array) -> np.ndarray | None:

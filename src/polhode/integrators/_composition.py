@@ -15,7 +15,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
-from polhode.integrators.base import Change, Scalar
+from polhode.integrators._step_results import Change, Scalar
 from polhode.types import Array, Double, Float64
 
 Stage = Callable[[Scalar, Scalar, Double[Array, "..."]], Change]

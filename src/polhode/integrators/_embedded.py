@@ -12,12 +12,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-import diffrax
 import equinox.internal as eqxi
 import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.integrators import _diffrax as diffrax
 from polhode.motion._outcome import Status
 from polhode.types import Array, Bool, Float64, Integer
 

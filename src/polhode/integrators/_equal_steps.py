@@ -19,6 +19,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.errors import InvalidInput
+from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators.base import AbstractOrbitSolver, Memory, step_count
 from polhode.types import Array, Bool, Double, Float64, Integer
@@ -62,7 +63,7 @@ def run_by_equal_steps(
         times: (T,) [s], in one direction.
         sizes: (batch…) largest steps [s].
         rates: (batch…) of the copies, by which they are sorted.
-        meter: of diffrax, for progress.
+        meter: of diffrax, for progress; None for none.
         every: which of the times are saved.
         memory: of a run that ended at this start; without it the run begins afresh.
 
@@ -77,6 +78,7 @@ def run_by_equal_steps(
         )
     own = solver.system.state_axes
     batch = jnp.shape(state)[: jnp.ndim(state) - own]
+    meter = diffrax.NoProgressMeter() if meter is None else meter
     shown = meter.init()
 
     def show(share: float) -> None:

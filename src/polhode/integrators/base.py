@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import abc
 from collections.abc import Callable
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import diffrax
 import equinox as eqx
@@ -19,39 +19,14 @@ import jax.numpy as jnp
 
 from polhode.integrators._difference import parts_with_units
 from polhode.integrators._reversal import Given, repeat_steps
+from polhode.integrators._step_results import Change as Change
+from polhode.integrators._step_results import Memory as Memory
+from polhode.integrators._step_results import Scalar as Scalar
 from polhode.systems._agreement import check_generated
 from polhode.systems.base import AbstractLiePoissonSystem
-from polhode.types import Array, ArrayOrFloat, Bool, Double, Float64, Integer
+from polhode.types import Array, ArrayOrFloat, Double, Float64
 
-Scalar = Float64[ArrayOrFloat, ""]
 BESIDE = 2e-15  # of a time, by which stages stay beside a jump
-
-
-class Change(NamedTuple):
-    """The result of a step.
-
-    Attributes:
-        state: the state's change.
-        iterations: how often an implicit step evaluated the system; 0 for explicit ones.
-        converged: whether it solved its equation.
-    """
-
-    state: Double[Array, "*shape"]
-    iterations: Integer[Array, ""]
-    converged: Bool[Array, ""]
-
-
-class Memory(NamedTuple):
-    """The memory of a solver: rounding errors of the sums, steps and iterations so far, success.
-
-    ``hint`` is what past steps tell the next one about where to start its search; results depend on it by rounding.
-    """
-
-    lost: Double[Array, "*shape"]
-    steps: Integer[Array, ""]
-    iterations: Integer[Array, ""]
-    fine: Bool[Array, ""]
-    hint: Any = ()
 
 
 class AbstractOrbitSolver(diffrax.AbstractSolver):

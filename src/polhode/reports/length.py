@@ -6,11 +6,11 @@ import sys
 import time
 from typing import Any
 
-import diffrax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode.errors import InvalidInput
+from polhode.integrators import _diffrax as diffrax
 from polhode.types import Array, Float64
 
 LONGEST = 600.0  # s that a run may take by these estimates
@@ -41,12 +41,13 @@ class Watch:
         self._named, self._remedy = f"`time.until` of {float(np.ptp(times)):g} s{which}", remedy and f" {remedy}"
         self._begun: tuple[float, float] | None = None
         self._runs = runs
-        self._said, self._bar = False, diffrax.NoProgressMeter()
+        self._said = False
+        self._bar: Any = None  # of diffrax, once it is known that the run is long
 
     def init(self) -> Any:
         """Begin, before a run."""
         self._begun = None
-        return self._bar.init()
+        return self._bar and self._bar.init()
 
     def step(self, shown: Any, share: Any) -> Any:
         """Look at a run of which a share is done.
@@ -67,18 +68,19 @@ class Watch:
                 )
             if seconds > SAID_FROM and not self._said:
                 shown = self._say(seconds)
-        return self._bar.step(shown, jnp.asarray(share))
+        return self._bar and self._bar.step(shown, jnp.asarray(share))
 
     def close(self, shown: Any) -> None:
         """End what is shown, after the run."""
-        self._bar.close(shown)
+        if self._bar:
+            self._bar.close(shown)
 
     def _say(self, seconds: float) -> Any:
         self._said = True
         _say(f"this takes about {duration(seconds)}")
         if sys.stderr.isatty():
             self._bar = diffrax.TqdmProgressMeter()
-        return self._bar.init()
+        return self._bar and self._bar.init()
 
 
 def check_length(

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy.linalg import eigh_tridiagonal
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
@@ -55,6 +54,8 @@ def spherical_tensor(s: float, q: int) -> Float64[np.ndarray, "n diagonal"]:
     beside = -np.sqrt(cut(m[1:] + q) * cut(m[1:]))
     if len(m) == 1:
         return np.array([[(-1.0) ** q]])
+    from scipy.linalg import eigh_tridiagonal
+
     rows = eigh_tridiagonal(diagonal, beside)[1].T
     k = q + np.arange(len(m))
     return rows * ((-1.0) ** q * _signs(rows, k * (k + 1.0), diagonal, beside))[:, None]

@@ -141,17 +141,14 @@ def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane:
             return FULL
         later, last = t + h, False
     lanes.later[lane], lanes.event[lane], lanes.last[lane], lanes.steps[lane] = later, event, last, h / unit
-    following = copies.counts[k, NEXT]
-    while following < course.samples and course.forth * course.times[following] <= course.forth * later:
-        sample = course.times[following]
-        if sample == later and event < 0:
-            break  # samples at the end of a step have its state, put back onto what is conserved
-        sample_copy(rates, order, (sample - t) / unit, lane, lanes.point)
-        for i in range(copies.y.shape[1]):
-            copies.out[k, following, i] = lanes.point[i]
-        if course.clock >= 0:
-            copies.out[k, following, course.clock] = sample
+    first = following = copies.counts[k, NEXT]
+    # a sample at the end of a step has its state, put back onto what is conserved
+    while following < course.samples and (
+        course.forth * course.times[following] < course.forth * later
+        or (event >= 0 and course.times[following] == later)
+    ):
         following += 1
+    sample_copy(rates, course, lane, t, unit, k, first, following, copies.out)
     copies.counts[k, NEXT] = following
     return RUNNING
 

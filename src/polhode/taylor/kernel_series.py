@@ -175,23 +175,9 @@ def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
     same of what follows the motion. That has a radius of its own: at an equilibrium the state's series ends at once,
     and that of a tangent does not.
     """
-    order, reach = course.order, course.reach
-    whole, flat, z, scales, lengths = series.whole, series.flat, series.z, lanes.scales, lanes.lengths
-    width, scale, sizes = whole[SLOTS], vectors(scales), vectors(lengths)
-    size = spread(FLOOR)
-    for i in range(whole[SIZE]):
-        part = abs(z[i]) / scale[i]
-        size = where_less(size, part, part, size)
-    sizes[1] = size
-    for e in range(3):
-        base, largest = (order - 2 + e) * width, spread(0.0)
-        for i in range(whole[SIZE]):
-            part = abs(z[base + i]) / scale[i]
-            # comparisons with NaN are false, so that a NaN stays
-            larger = where_less(largest, part, part, largest)
-            largest = where_less(part, spread(TOO_LARGE), larger, spread(np.nan))
-        sizes[2 + e] = largest
-    of_followers(series, lanes, course)
+    measure_coefficients(series, lanes, course)
+    order, reach, width = course.order, course.reach, series.whole[SLOTS]
+    whole, flat, scales, lengths = series.whole, series.flat, lanes.scales, lanes.lengths
     for lane in range(LANES):
         if lanes.which[lane] == NOBODY:
             continue
@@ -216,6 +202,26 @@ def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
                     if not abs(flat[(k * width + i) * LANES + lane]) <= TOO_LARGE * scales[i * LANES + lane]:
                         best = np.nan
         lengths[lane] = best * reach
+
+
+def measure_coefficients(series: Series, lanes: Lanes, course: Course) -> None:
+    """Set the sizes of the state and of its last three coefficients, and those of what follows the motion."""
+    order, whole, z = course.order, series.whole, series.z
+    width, scale, sizes = whole[SLOTS], vectors(lanes.scales), vectors(lanes.lengths)
+    size = spread(FLOOR)
+    for i in range(whole[SIZE]):
+        part = abs(z[i]) / scale[i]
+        size = where_less(size, part, part, size)
+    sizes[1] = size
+    for e in range(3):
+        base, largest = (order - 2 + e) * width, spread(0.0)
+        for i in range(whole[SIZE]):
+            part = abs(z[base + i]) / scale[i]
+            # comparisons with NaN are false, so that a NaN stays
+            larger = where_less(largest, part, part, largest)
+            largest = where_less(part, spread(TOO_LARGE), larger, spread(np.nan))
+        sizes[2 + e] = largest
+    of_followers(series, lanes, course)
 
 
 def of_followers(series: Series, lanes: Lanes, course: Course) -> None:
@@ -273,11 +279,17 @@ def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
         y[i] = value
 
 
-def sample_copy(series: Series, order: Any, h: Any, lane: Any, out: Array) -> None:
-    """Set out to the state of one copy after h units of time: the same bits as those of all."""
-    width, flat = series.whole[SLOTS], series.flat
-    for i in range(series.whole[SIZE]):
-        value = flat[(order * width + i) * LANES + lane]
-        for k in range(order - 1, -1, -1):
-            value = value * h + flat[(k * width + i) * LANES + lane]
-        out[i] = value
+def sample_copy(
+    series: Series, course: Course, lane: Any, t: Any, unit: Any, copy: Any, first: Any, last: Any, out: Array
+) -> None:  # fmt: skip
+    """Set samples (C, T, n) of a copy from a first one up to a last, by its series at t: always the same bits."""
+    width, flat, order = series.whole[SLOTS], series.flat, course.order
+    for s in range(first, last):
+        h = (course.times[s] - t) / unit
+        for i in range(series.whole[SIZE]):
+            value = flat[(order * width + i) * LANES + lane]
+            for k in range(order - 1, -1, -1):
+                value = value * h + flat[(k * width + i) * LANES + lane]
+            out[copy, s, i] = value
+        if course.clock >= 0:
+            out[copy, s, course.clock] = course.times[s]

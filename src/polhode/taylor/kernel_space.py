@@ -122,7 +122,7 @@ class Lanes(NamedTuple):
         later, event, last, lowered: time and event at the end of a step, if that is the last, if the unit was too long.
         due: whether a state is to be put back onto what is conserved, and ``rows`` gradients of that.
         watched: coefficients of what is watched, and ``p`` (W, order + 1) those of one lane.
-        work, waiting, point: see ``kernel_zeros``, and a sample.
+        work, waiting: see ``kernel_zeros``.
     """
 
     which: Integer[Array, "lanes"]
@@ -146,7 +146,6 @@ class Lanes(NamedTuple):
     p: Float64[Array, "watched orders"]
     work: Float64[Array, "orders"]
     waiting: Float64[Array, " many"]
-    point: Float64[Array, "n"]
 
 
 def series_for(program: Program, orders: int, width: int, code: int = 0) -> Series:
@@ -176,7 +175,6 @@ def lanes_for(program: Program, exact: Exact, order: int, width: int, watched: i
         numbers(1), numbers(1), numbers(LENGTHS), numbers(1), marks(), marks(), marks(), numbers(1),
         numbers(conserved * (n + 1)),
         numbers(watched * (order + 1)), np.zeros((watched, order + 1)), np.zeros(order + 1), np.zeros(2 * DEPTH + 8),
-        np.zeros(n),
     )  # fmt: skip
 
 

@@ -9,9 +9,11 @@ then, and are left to Python, and few copies to the kernel that moves them one a
 from __future__ import annotations
 
 import inspect
+import os
 import zlib
 from collections.abc import Callable
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any, ClassVar, NamedTuple
@@ -19,6 +21,7 @@ from typing import Any, ClassVar, NamedTuple
 from polhode.special import _doubledouble as doubledouble
 from polhode.taylor import (
     kernel,
+    kernel_at_once,
     kernel_extended,
     kernel_invariants,
     kernel_kepler,
@@ -40,6 +43,7 @@ COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, ker
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON),
            EXTENDED: (vectors, kernel_products, doubledouble, *COMMON, kernel_extended)}  # fmt: skip
 ENTRIES = ("advance", "conserved_values")
+AT_ONCE = "advance_lanes", "measure_coefficients", "sample_copy"
 # all other functions are made part of those that call them
 CALLED = ("function", "orbital", "eccentric_anomaly_at", "reach_of", "first_zero", "change_within", "zero_between",
           "first_coefficients", "power_of_pair")  # fmt: skip
@@ -115,8 +119,9 @@ def _is_worth(width: int, spent: float) -> bool:
 
 @cache
 def python_kernel(width: int) -> Kernel:
-    """Return the kernel as it is written."""
-    space = _join_modules(width, lambda function, name: function, {})
+    """Return the kernel as it is written, of one copy with NumPy for what all components have in common."""
+    replaced = {name: getattr(kernel_at_once, name) for name in AT_ONCE} if width == 1 else {}
+    space = _join_modules(width, lambda function, name: function, replaced)
     return Kernel(_lanes(width), False, *(space[name] for name in ENTRIES), stretch=1_000)
 
 
@@ -126,9 +131,6 @@ def compile_kernel(width: int) -> Kernel:
     from polhode.exact import _compiling as compiling
     from polhode.taylor import compiled_vectors
 
-    files = [inspect.getfile(module) for module in (*MODULES[width], compiled_vectors, compiling)]
-    sources = [Path(file).read_bytes() for file in (*files, __file__)]
-    version = zlib.crc32(b"".join(sources))
     operations = compiled_vectors.of_one_copy() if _lanes(width) == 1 else compiled_vectors.of_lanes()
     operations = operations | ({"two_product": compiling.two_product} if width == EXTENDED else {})
     take: Any = compiling.njit  # whose types do not know all of its options
@@ -136,7 +138,7 @@ def compile_kernel(width: int) -> Kernel:
     def compiled(function: FunctionType, name: str) -> Any:
         if name in ENTRIES:
             # Numba looks at one file alone for changes, and keeps what it compiles by this name
-            function.__qualname__ = f"{name}_{width}_{version:08x}"
+            function.__qualname__ = _kept_name(name, width)
             return compiling.announce(WHAT[width], take(error_model="numpy", nogil=True, cache=True)(function))
         return take(error_model="numpy", nogil=True, forceinline=name not in CALLED, no_cpython_wrapper=True,
                     no_cfunc_wrapper=True)(function)  # fmt: skip
@@ -155,8 +157,22 @@ def use_compiled_kernel(*widths: int) -> None:
 
 
 @cache
+def _kept_name(name: str, width: int) -> str:
+    """Return the name by which Numba keeps an entry, which is that of all sources that it is made of."""
+    rooms = "polhode.taylor.compiled_vectors", "polhode.exact._compiling"  # which import Numba
+    specs = [find_spec(room) for room in rooms]
+    files = [*map(inspect.getfile, MODULES[width]), *(spec.origin for spec in specs if spec and spec.origin), __file__]
+    return f"{name}_{width}_{zlib.crc32(b''.join(Path(file).read_bytes() for file in files)):08x}"
+
+
+@cache
 def _is_on_disk(width: int) -> bool:
-    """Whether Numba has compiled it before."""
+    """Whether Numba has compiled it before; mostly it can be told without Numba, whose import takes longer."""
+    named, folder = os.environ.get("NUMBA_CACHE_DIR"), Path(__file__).parent / "__pycache__"
+    if named or os.access(folder, os.W_OK):  # else Numba chooses another place
+        place, within = (Path(named), "*/") if named else (folder, "")
+        if not all(any(place.glob(f"{within}*{_kept_name(name, width)}-*.nbi")) for name in ENTRIES):
+            return False
     kept = [Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi") for entry in compile_kernel(width)[2:4]]
     return all(any(files) for files in kept)
 

@@ -6,6 +6,7 @@ near the saddle wants some more digits.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from polhode.exact._kernel_arithmetic import (
@@ -31,6 +32,7 @@ CLOSE, CLOSER = 1e-2, 2e-3  # of the spread, whose eighth power is what the clos
 X, Y_, Z = 0, 2 * BLOCK, 4 * BLOCK
 STEPS = 6
 ONE = (1.0, 0.0)
+NONE = math.nan
 
 
 @inlined
@@ -73,8 +75,8 @@ def _duplicate(s: Any, count: int) -> None:
 
 
 @called
-def _first_kind(s: Any, count: int) -> bool:
-    """Put R_F(x, y, 1) of what stands in two rows into the first; return whether it has converged."""
+def _first_kind(s: Any, count: int) -> None:
+    """Put R_F(x, y, 1) of what stands in two rows into the first; NaN where it has not converged."""
     for i in range(count):
         s[Z + i] = 1.0
     left = MOST_STEPS
@@ -82,9 +84,10 @@ def _first_kind(s: Any, count: int) -> bool:
         _duplicate(s, count)
         left -= 1
     for i in range(count):
+        far = _widest(s[X + i], s[Y_ + i], s[Z + i]) > CLOSE
         mean = ((s[X + i] + s[Y_ + i]) + s[Z + i]) / 3.0
-        s[X + i] = (1.0 + _series(1.0 - s[X + i] / mean, 1.0 - s[Y_ + i] / mean)) / square_root(mean)
-    return left > 0
+        value = (1.0 + _series(1.0 - s[X + i] / mean, 1.0 - s[Y_ + i] / mean)) / square_root(mean)
+        s[X + i] = NONE if far else value
 
 
 @called
@@ -101,8 +104,8 @@ def _duplicate_sharply(s: Any, count: int) -> None:
 
 
 @called
-def _first_kind_sharply(s: Any, count: int) -> bool:
-    """Put R_F(x, y, 1) of what stands in two pairs of rows into the first; return whether it has converged."""
+def _first_kind_sharply(s: Any, count: int) -> None:
+    """Put R_F(x, y, 1) of what stands in two pairs of rows into the first; NaN where it has not converged."""
     for i in range(count):
         put(s, Z + i, ONE)
     left = MOST_STEPS
@@ -113,73 +116,70 @@ def _first_kind_sharply(s: Any, count: int) -> bool:
         x, y, z = pair(s, X + i), pair(s, Y_ + i), pair(s, Z + i)
         mean = divide(add(add(x, y), z), (3.0, 0.0))
         apart = _series(1.0 - divide(x, mean)[0], 1.0 - divide(y, mean)[0])
-        put(s, X + i, divide(add(ONE, (apart, 0.0)), root(mean)))
-    return left > 0
+        far = _widest(x[0], y[0], z[0]) > CLOSER
+        put(s, X + i, choice(far, (NONE, NONE), divide(add(ONE, (apart, 0.0)), root(mean))))
 
 
 # ---------------------------------------------------------------------- poles and start
 
 
 @called
-def _pole_of_alpha(w: Any, count: int, s: Any) -> bool:
+def _pole_of_alpha(w: Any, count: int, s: Any) -> None:
     for i in range(count):
         d, t2 = w[at.GAP + i], w[at.T2 + i]
         s[X + i], s[Y_ + i] = d / t2, d * w[at.Z_PLUS + i] / (w[at.A + i] * t2)
-    converged = _first_kind(s, count)
+    _first_kind(s, count)
     for i in range(count):
         w[at.V_ALPHA + i] = square_root(w[at.T1 + i] / w[at.T2 + i]) * s[X + i]
-    return converged
 
 
 @called
-def _pole_of_beta(w: Any, count: int, s: Any) -> bool:
+def _pole_of_beta(w: Any, count: int, s: Any) -> None:
     for i in range(count):
         d, s1 = w[at.GAP + i], w[at.S1 + i]
         s[X + i], s[Y_ + i] = d * w[at.Z_MINUS + i] / (s1 * w[at.B + i]), d / s1
-    converged = _first_kind(s, count)
+    _first_kind(s, count)
     for i in range(count):
         w[at.V_BETA + i] = square_root(w[at.S2 + i] * w[at.A + i] / (w[at.S1 + i] * w[at.B + i])) * s[X + i]
-    return converged
 
 
 @called
-def _rest_of_alpha(w: Any, count: int, s: Any) -> bool:
+def _rest_of_alpha(w: Any, count: int, s: Any) -> None:
     for i in range(count):
         g, z = w[at.G + i], w[at.Z_PLUS + i]
         s[X + i], s[Y_ + i] = g * w[at.T1 + i] / z, g * w[at.T2 + i] / z
-    converged = _first_kind(s, count)
+    _first_kind(s, count)
     for i in range(count):
         w[at.W_ALPHA + i] = square_root(w[at.A + i] / w[at.Z_PLUS + i]) * s[X + i]
-    return converged
+        w[at.V_ALPHA + i] = w[at.V_ALPHA + i] if w[at.W_ALPHA + i] == w[at.W_ALPHA + i] else NONE
 
 
 @called
-def _rest_of_beta(w: Any, count: int, s: Any) -> bool:
+def _rest_of_beta(w: Any, count: int, s: Any) -> None:
     for i in range(count):
         g, a, b = w[at.G + i], w[at.A + i], w[at.B + i]
         s[X + i], s[Y_ + i] = g * w[at.S2 + i] / b, g * w[at.S1 + i] / a
-    converged = _first_kind(s, count)
+    _first_kind(s, count)
     for i in range(count):
         w[at.W_BETA + i] = square_root(w[at.Z_MINUS + i] / w[at.B + i]) * s[X + i]
-    return converged
+        w[at.V_BETA + i] = w[at.V_BETA + i] if w[at.W_BETA + i] == w[at.W_BETA + i] else NONE
 
 
 @called
-def _start(w: Any, count: int, s: Any) -> bool:
+def _start(w: Any, count: int, s: Any) -> None:
     for i in range(count):
         d = pair(w, at.GAP + i)
         put(s, X + i, divide(pair(w, at.UPPER + i), d))
         put(s, Y_ + i, divide(pair(w, at.Y + i), pair(w, at.A + i)))
-    converged = _first_kind_sharply(s, count)
+    _first_kind_sharply(s, count)
     for i in range(count):
         x0 = multiply(root_or_zero(divide(pair(w, at.LOWER + i), pair(w, at.GAP + i))), pair(s, X + i))
         put(w, at.X0 + i, scale(x0, 1.0 if w[at.P + i] >= 0.0 else -1.0))
-    return converged
 
 
 @called
-def integrals(w: Any, full: int, count: int, s: Any) -> bool:
-    """Put the places of the poles, and the start, into the store; return whether all have converged.
+def integrals(w: Any, full: int, count: int, s: Any) -> None:
+    """Put the places of the poles, and the start, into the store; NaN into the first of a top where one fails.
 
     Args:
         w: store of tops, those of the full form first; they alone need the distances of the poles from K'.
@@ -187,6 +187,8 @@ def integrals(w: Any, full: int, count: int, s: Any) -> bool:
         count: of all tops.
         s: STEPS rows.
     """
-    converged = _pole_of_alpha(w, count, s) & _pole_of_beta(w, count, s)
-    converged &= _rest_of_alpha(w, full, s) & _rest_of_beta(w, full, s)
-    return converged & _start(w, count, s)
+    _pole_of_alpha(w, count, s)
+    _pole_of_beta(w, count, s)
+    _rest_of_alpha(w, full, s)
+    _rest_of_beta(w, full, s)
+    _start(w, count, s)

@@ -88,8 +88,7 @@ def set_up(
         turning_points(begun, count)
         full, count = _sorted(begun, count, sources, w, place, who)
         rates(w, count, steps, who, m)
-        if not integrals(w, full, count, steps):
-            continue
+        integrals(w, full, count, steps)
         for i in range(count):
             m[AXIAL + i] = momentum[low + place[i]][2]
         series(w, full, count, m)
