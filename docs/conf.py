@@ -14,6 +14,7 @@ from polhode.cli.compiled import compile_quickly
 from polhode.formats.figure_file import save_figure
 from polhode.kinds.playground import write_playground
 from polhode.kinds.reading import read_spec
+from polhode.symbolic.rendering import STRUT
 
 sys.path.insert(0, str(Path(__file__).parent))
 from module_lists import files_of, markdown_list
@@ -24,7 +25,7 @@ author = "The polhode developers"
 release = version = polhode.__version__
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 html_theme = "furo"
-html_static_path = ["_static"]
+html_static_path = ["_static", "../src/polhode/symbolic/assets"]  # the math font is that of derivations
 html_css_files = ["pages.css"]
 exclude_patterns = ["build"]
 nb_execution_mode = "force"
@@ -86,8 +87,8 @@ class FilesOfRooms(SphinxDirective):
 
 
 def as_mathml(node, display):
-    """Browsers know bold letters by their style alone."""
-    found = convert(node.astext(), display=display)
+    """Browsers know bold letters by their style alone, and let the root of a small letter sink below the line."""
+    found = convert(node.astext(), display=display).replace("<msqrt>", f"<msqrt>{STRUT}")
     return re.sub(r'mathvariant="bold(-italic)?"', 'style="font-weight: bold"', found)
 
 
