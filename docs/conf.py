@@ -27,6 +27,7 @@ extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 html_theme = "furo"
 html_static_path = ["_static", "../src/polhode/symbolic/assets"]  # the math font is that of derivations
 html_css_files = ["pages.css"]
+html_js_files = ["offline_search.js"]
 exclude_patterns = ["build"]
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True

@@ -3,7 +3,7 @@
 Browsers build roots, brackets and dots by the MATH table of a font; without one, roots are too short and dots lost in
 the line above. No browser ships such a font, and few systems do. So a part of STIX Two Math comes with polhode: the
 signs that its formulas use, in a fifth of the size. FONT is that of the npm package @fontsource/stix-two-math 5.3.0,
-files/stix-two-math-latin-400-normal.woff2. Its licence is the SIL Open Font License 1.1; the part has a name of its own.
+files/stix-two-math-latin-400-normal.woff2. Its licence is the SIL Open Font License 1.1; the part has its own name.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ RANGES = (
     (0x27E8, 0x27E9), (0x27F5, 0x27FA), (0x2A00, 0x2A02), (0x2A2F, 0x2A2F), (0x2A7D, 0x2A7E),
     (0x1D400, 0x1D49B), (0x1D49C, 0x1D4CF), (0x1D504, 0x1D537), (0x1D538, 0x1D56B), (0x1D6A4, 0x1D755),
 )  # fmt: skip
-"""Code points that are kept, the last of each pair included; the last line is of italic, bold, script and other letters."""
+"""Code points that are kept, the last of each pair included; the last line: italic, bold, script and other letters."""
 
 
 def make_part(source: Path, target: Path) -> int:
