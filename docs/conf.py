@@ -7,6 +7,7 @@ from pathlib import Path
 from docutils import nodes
 from docutils.statemachine import StringList
 from latex2mathml.converter import convert
+from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 
 import polhode
@@ -19,6 +20,7 @@ from polhode.symbolic.rendering import STRUT
 sys.path.insert(0, str(Path(__file__).parent))
 from module_lists import files_of, markdown_list
 
+logger = logging.getLogger(__name__)
 compile_quickly()  # here and in the kernels that run the cells
 project = "polhode"
 author = "The polhode developers"
@@ -103,9 +105,17 @@ def displayed_math(writer, node):
     raise nodes.SkipNode
 
 
+def ask_for_words(app, doctree):
+    """Warn of pictures without an alt text: those who do not see them get a file's name, or nothing."""
+    for picture in doctree.findall(nodes.image):
+        if not picture.get("alt"):
+            logger.warning("%s: a picture has no alt text", picture.get("uri"), location=picture)
+
+
 def setup(app):
     app.add_directive("files", FilesOfRooms)
     app.add_html_math_renderer("mathml", (inline_math, None), (displayed_math, None))
     app.connect("autodoc-process-docstring", escape_marks)
     app.connect("builder-inited", draw_figures)
+    app.connect("doctree-read", ask_for_words)
     app.connect("build-finished", write_live_pages)

@@ -13,6 +13,7 @@ PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md", *s
 REFERENCE = sorted((DOCS / "reference").glob("*.md"))
 PICTURE = re.compile(r"!\[([^\]]*)\]\([^)]*\)")
 DIRECTIVE = re.compile(r"^\.\. auto(?:module|class|function):: (\S+)$", re.MULTILINE)
+DRAWS = re.compile(r"\bplt\.(?!rc)|\.plot\(|\.figure\(|add_subplot|subplots\(|figures\[|figures\.\w+\(|\bImage\(")
 PICTURED = re.compile(r"\{(?:figure|image)\}")
 FEWEST = 3  # words of an alt text: fewer are a name, not a description
 HOMES = {
@@ -46,7 +47,10 @@ def pictures(text):
     for block in re.findall(r"^```\{(?:figure|image)\}.*?^```", prose, re.DOTALL | re.MULTILINE):
         found = re.search(r"^:alt: *(.*)$", block, re.MULTILINE)
         of_directives.append(found and found[1])
-    return [*PICTURE.findall(prose), *html.found, *of_directives]
+    cells = re.findall(r"^```\{code-cell\}.*?^```$", text, re.DOTALL | re.MULTILINE)
+    said = [re.search(r'^:mystnb: .*alt: "([^"]*)"', cell, re.MULTILINE) for cell in cells if DRAWS.search(cell)]
+    of_cells = [found and found[1] for found in said]
+    return [*PICTURE.findall(prose), *html.found, *of_directives, *of_cells]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
@@ -58,6 +62,8 @@ def test_every_picture_says_what_it_shows(page):
 def test_pictures_without_words_are_found():
     assert pictures("![](a.png)") == [""] and pictures('<img src="a.png">') == [None]
     assert pictures("```{figure} a.png\n:alt: What it shows\n```\n\n```{image} b.png\n```") == ["What it shows", None]
+    cell = "```{code-cell}\n%smotion.plot()\n```\n"
+    assert pictures(cell % "") == [None] and pictures(cell % ':mystnb: {image: {alt: "A sphere"}}\n') == ["A sphere"]
     assert pictures("```python\nx = '![](a.png)'\n```\n![A top that leans](b.png)") == ["A top that leans"]
 
 
