@@ -7,6 +7,7 @@ from pathlib import Path
 
 from docutils import nodes
 from docutils.statemachine import StringList
+from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 
 import polhode
@@ -18,14 +19,16 @@ from polhode.kinds.reading import read_spec
 sys.path.insert(0, str(Path(__file__).parent))
 from module_lists import files_of, markdown_list
 
+logger = logging.getLogger(__name__)
 compile_quickly()  # here and in the kernels that run the cells
 project = "polhode"
 author = "The polhode developers"
 release = version = polhode.__version__
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "mathml"]
 html_theme = "furo"
-html_static_path = ["_static"]
+html_static_path = ["_static", "../src/polhode/symbolic/assets"]  # the math font is that of derivations
 html_css_files = ["pages.css"]
+html_js_files = ["offline_search.js"]
 exclude_patterns = ["build"]
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True
@@ -93,9 +96,17 @@ class FilesOfRooms(SphinxDirective):
         return [nodes.raw("", opened, format="html"), listed, nodes.raw("", "</details>", format="html")]
 
 
+def ask_for_words(app, doctree):
+    """Warn of pictures without an alt text: those who do not see them get a file's name, or nothing."""
+    for picture in doctree.findall(nodes.image):
+        if not picture.get("alt"):
+            logger.warning("%s: a picture has no alt text", picture.get("uri"), location=picture)
+
+
 def setup(app):
     app.add_directive("files", FilesOfRooms)
     app.connect("autodoc-process-docstring", escape_marks)
     app.connect("builder-inited", draw_figures)
+    app.connect("doctree-read", ask_for_words)
     app.connect("build-finished", write_live_pages)
     app.connect("build-finished", build_course)

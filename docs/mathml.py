@@ -5,10 +5,12 @@ import re
 from docutils import nodes
 from latex2mathml.converter import convert
 
+from polhode.symbolic.rendering import STRUT
+
 
 def as_mathml(node, display):
-    """Browsers know bold letters by their style alone."""
-    formula = convert(node.astext(), display=display)
+    """Browsers know bold letters by their style alone, and let the root of a small letter sink below the line."""
+    formula = convert(node.astext(), display=display).replace("<msqrt>", f"<msqrt>{STRUT}")
     return re.sub(r'mathvariant="bold(-italic)?"', 'style="font-weight: bold"', formula)
 
 

@@ -15,9 +15,10 @@ release = version = polhode.__version__
 extensions = ["myst_parser", "sphinx_design", "sphinx_proof", "mathml", "course_pages"]
 html_theme = "furo"
 html_title = "How things turn"
-html_static_path = ["_static"]
-html_css_files = ["course.css"]
-html_js_files = [("exercises.js", {"type": "module"})]
+# the math font is that of derivations, and its style that of the documentation
+html_static_path = ["_static", "../docs/_static", "../src/polhode/symbolic/assets"]
+html_css_files = ["pages.css", "course.css"]
+html_js_files = ["offline_search.js", ("exercises.js", {"type": "module"})]
 html_copy_source = False
 html_show_sourcelink = False
 html_use_index = False

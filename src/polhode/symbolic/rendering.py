@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import base64
 import html
 import re
 import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import resources
 from typing import Any
 
 from polhode.errors import InvalidInput, shown
@@ -16,8 +18,11 @@ WIDTH = 100  # of terminal text; wider formulas are written in lines
 INDENT = "    "
 STYLE = (
     "body{max-width:60rem;margin:2rem auto;padding:0 1rem;font-family:serif;line-height:1.5}"
-    "math{display:block;margin:.5rem 0 .5rem 2rem;overflow:auto hidden}small{color:#555}"
+    "math{display:block;margin:.5rem 0 .5rem 2rem;overflow:auto hidden;font-family:'polhode math',math}"
+    "small{color:#555}"
 )
+STRUT = '<mspace height="0.7em" depth="0.15em"/>'
+"""What keeps the root of a small letter on the line: browsers hang the sign of a root on its bar, so that it sinks."""
 _PRINTER = PrettyPrinter({"use_unicode": True, "wrap_line": False})
 
 
@@ -205,7 +210,7 @@ def _escape_latex(text: str) -> str:
 def _html_page(page: Page) -> str:
     title = html.escape(page.title)
     parts = ["<!DOCTYPE html>", '<html lang="en">', f'<head><meta charset="utf-8"><title>{title}</title>',
-             f"<style>{STYLE}</style></head>", f"<body><h1>{title}</h1>", "<ol>"]  # fmt: skip
+             f"<style>{_font_face()}{STYLE}</style></head>", f"<body><h1>{title}</h1>", "<ol>"]  # fmt: skip
     for step in page.steps:
         parts.append(f"<li><p>{html.escape(step.text)}</p>")
         parts += [f'<math display="block">{_mathml_equation(e)}</math>' for e in step.equations]
@@ -213,6 +218,13 @@ def _html_page(page: Page) -> str:
             parts.append(f"<p><small>✓ {html.escape('; '.join(step.checks))}</small></p>")
         parts.append("</li>")
     return "\n".join([*parts, "</ol></body></html>"]) + "\n"
+
+
+def _font_face() -> str:
+    """Return the rule that gives a page its math font: without one, browsers draw roots too short and lose dots."""
+    font = (resources.files("polhode.symbolic") / "assets" / "math.woff2").read_bytes()
+    return (f"@font-face{{font-family:'polhode math';src:url(data:font/woff2;base64,{base64.b64encode(font).decode()})"
+            " format('woff2')}")  # fmt: skip
 
 
 def _mathml_equation(equation: Equation) -> str:
@@ -229,9 +241,10 @@ def _mathml_of(thing: Any) -> str:
         return f"<mrow><mo>{{</mo>{_mathml_of(thing.first)}<mo>,</mo>{_mathml_of(thing.second)}<mo>}}</mo></mrow>"
     if isinstance(thing, Name):
         return f"<mi>{html.escape(thing.text)}</mi>"
-    # SymPy leaves these two signs as they are, which no reader takes
-    written = mathml(thing, printer="presentation")
-    return written.replace("<mo><</mo>", "<mo>&lt;</mo>").replace("<mo>></mo>", "<mo>&gt;</mo>")
+    # SymPy leaves two signs as they are, which no reader takes, and writes a hyphen for a minus
+    written = mathml(thing, printer="presentation").replace("<mo>-</mo>", "<mo>−</mo>")
+    written = written.replace("<mo><</mo>", "<mo>&lt;</mo>").replace("<mo>></mo>", "<mo>&gt;</mo>")
+    return written.replace("<msqrt>", f"<msqrt>{STRUT}")
 
 
 FORMS: dict[str, Callable[[Page], str]] = {
