@@ -25,15 +25,15 @@ def derive(lines):
     hessian = sympy.hessian(function, entries).subs(upright)
     across = hessian.extract([0, 3], [0, 3])
     lines.equal("Its second variation falls into three blocks. Two equal ones are across, in (Π₁, Γ₁) and (Π₂, Γ₂):",
-                across, sympy.Matrix([[1 / I1, -rate], [-rate, rate * p - w]]), shown=r"V''_{\perp}")
+                across, sympy.Matrix([[1 / I1, -rate], [-rate, rate * p - w]]), shown=r"D^2 V_{\perp}")
     lines.equal("the other across block is the same,", hessian.extract([1, 4], [1, 4]) - across, sympy.zeros(2),
-                shown=r"V''_{22} - V''_{11}")
+                shown=r"D^2 V_{22} - D^2 V_{11}")
     mixed = hessian.extract([0, 3], [1, 2, 4, 5])
-    lines.equal("nothing mixes them,", mixed, sympy.zeros(2, 4), shown=r"V''_{\mathrm{mixed}}")
+    lines.equal("nothing mixes them,", mixed, sympy.zeros(2, 4), shown=r"D^2 V_{\mathrm{mixed}}")
     along = hessian.extract([2, 5], [2, 5])
     lines.equal("and along the axis:", along, sympy.Matrix([[1 / I3 + 2 * k, -rate], [-rate, rate * p - w + 8 * k]]),
-                shown=r"V''_{\parallel}")
+                shown=r"D^2 V_{\parallel}")
     lines.equal("The last is positive for large κ. The first is positive if its determinant is: a quadratic in λ.",
-                across.det(), -(I1 * rate**2 - p * rate + w) / I1, shown=r"\det V''_{\perp}")
+                across.det(), -(I1 * rate**2 - p * rate + w) / I1, shown=r"\det D^2 V_{\perp}")
     lines.equal("Choose λ = p/(2I₁), half way between the roots.", across.det().subs(rate, p / (2 * I1)),
-                (p**2 - 4 * I1 * w) / (4 * I1**2), shown=r"\det V''_{\perp}")
+                (p**2 - 4 * I1 * w) / (4 * I1**2), shown=r"\det D^2 V_{\perp}")
