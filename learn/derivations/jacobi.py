@@ -27,9 +27,14 @@ def derive(lines):
     lines.equal("The energy is E at all times.",
                 known(A**2 * c**2 / (2 * I1) + B**2 * s**2 / (2 * I2) + C**2 * d**2 / (2 * I3)), E,
                 shown=r"\frac{A^2 c^2}{2I_1} + \frac{B^2 s^2}{2I_2} + \frac{C^2 d^2}{2I_3}")
-    products = ((1, r"\dot L_1: \quad A^2 \lambda^2", A**2 * rate**2, ((1 / I2 - 1 / I3) * B * C) ** 2),
-                (2, r"\dot L_2: \quad B^2 \lambda^2", B**2 * rate**2, ((1 / I1 - 1 / I3) * C * A) ** 2),
-                (3, r"\dot L_3: \quad C^2 \lambda^2 m^2", C**2 * rate**2 * m**2, ((1 / I1 - 1 / I2) * A * B) ** 2))
+    products = (
+        (1, r"A^2 \lambda^2 = \left(\tfrac1{I_2} - \tfrac1{I_3}\right)^2 B^2 C^2", A**2 * rate**2,
+         ((1 / I2 - 1 / I3) * B * C) ** 2),
+        (2, r"B^2 \lambda^2 = \left(\tfrac1{I_1} - \tfrac1{I_3}\right)^2 C^2 A^2", B**2 * rate**2,
+         ((1 / I1 - 1 / I3) * C * A) ** 2),
+        (3, r"m^2 C^2 \lambda^2 = \left(\tfrac1{I_1} - \tfrac1{I_2}\right)^2 A^2 B^2", C**2 * rate**2 * m**2,
+         ((1 / I1 - 1 / I2) * A * B) ** 2),
+    )
     for number, shown, left, right in products:
         lines.equal("The derivatives of cn, sn, dn are −λ s d, λ c d, −mλ s c, so Euler's equations ask for −Aλ = "
                     "(1/I₃ − 1/I₂)BC and so on. All amplitudes are positive and the signs agree; the squares:"

@@ -15,14 +15,15 @@ def derive(lines):
     across = L1**2 + L2**2
     velocity = omega.cross(axis)
     sideways = L.cross(axis)
-    lines.define("All vectors along the body's axes. The axis e₃ is fixed in the body, so in space it moves with Ω × e₃; "
-                 "going round L means moving along L × e₃.")
-    lines.equal("Its angular rate about L is the velocity along L × e₃, over the distance from L. It is positive: the axis "
-                "always goes on.", (G * velocity.dot(sideways) / sideways.dot(sideways)),
+    lines.define("All vectors along the body's axes. The axis e₃ is fixed in the body, so in space it moves with "
+                 "Ω × e₃; going round L means moving along L × e₃.")
+    lines.equal("Its angular rate about L is the velocity along L × e₃, over the distance from L. It is positive: the "
+                "axis always goes on.", (G * velocity.dot(sideways) / sideways.dot(sideways)),
                 G * (L1**2 / moments[0] + L2**2 / moments[1]) / across, shown=r"\dot\phi")
     longitude = (L1 * rates[1] - L2 * rates[0]) / across
     lines.define("In the body, L has the longitude χ about axis 3, and cos θ = L₃/G.",
                  r"\dot\chi = \frac{L_1 \dot L_2 - L_2 \dot L_1}{L_1^2 + L_2^2}")
     lines.equal("By Euler's equations the first rate is the sum of two. The component of Ω along L is 2E/G.",
-                (G * (L1**2 / moments[0] + L2**2 / moments[1]) / across - twice / G - L3 / G * longitude).subs(G, length), 0,
+                (G * (L1**2 / moments[0] + L2**2 / moments[1]) / across - twice / G - L3 / G * longitude
+                 ).subs(G, length), 0,
                 shown=r"\dot\phi - \frac{2E}{G} - \cos\theta\, \dot\chi")

@@ -38,5 +38,5 @@ def derive(lines):
     lines.equal("A rigid body has κ = 0: Euler's period.", (2 * sympy.pi / wobble).subs(kappa, 0),
                 2 * sympy.pi * A / (rate * (C - A)), shown="T_E")
     ratio = sympy.simplify(wobble / wobble.subs(kappa, 0))
-    lines.equal("Divide. The numerator is 1 to a part in a thousand for the Earth, and is left out: T = T_E/(1 − κ).", 1 / ratio,
-                1 / (1 - kappa) * (1 + kappa * (C - A) / A), shown=r"\frac{T}{T_E}")
+    lines.equal("Divide. The numerator is 1 to a part in a thousand for the Earth, and is left out: "
+                "T = T_E/(1 − κ).", 1 / ratio, 1 / (1 - kappa) * (1 + kappa * (C - A) / A), shown=r"\frac{T}{T_E}")
