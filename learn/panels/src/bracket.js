@@ -112,7 +112,7 @@ function drawRate(paper, box, { model, theme, time }) {
   const [now, slope] = [rateAlong(F, flow, time), valueOf(bracket, L)];
   const from = Math.max(0, time - 0.6 * WINDOW);
   const plot = new Plot(paper, { ...inset(box, 42, 46, 12, 36), x: [from, from + WINDOW], y: bounds, theme });
-  plot.axes({ x: "F against time, s", y: "" });
+  plot.axes({ x: "F against time", y: "" });
   const curve = model.watched(from, from + WINDOW);
   plot.curve(curve, { colour: theme.motion, width: 2.6 });
   const reach = 1.6;

@@ -13,7 +13,7 @@ const UP = [0, 0, 1];
 function addCone(scene, axis, angle, frame, colour, marks) {
   if (angle < 0.004) return;
   const [u, v] = frame;
-  const count = 48;
+  const count = 36;
   const out = (k) => {
     const turn = (2 * Math.PI * k) / count;
     const side = sum(times(u, Math.cos(turn)), times(v, Math.sin(turn)));
@@ -21,7 +21,7 @@ function addCone(scene, axis, angle, frame, colour, marks) {
   };
   for (let k = 0; k < count; k++) {
     const [p, q] = [out(k), out(k + 1)];
-    const shade = marks && Math.floor((k * 12) / count) % 2 ? mixed(colour, "#ffffff", 0.3) : colour;
+    const shade = marks && k % 6 < 3 ? mixed(colour, "#ffffff", 0.3) : colour;
     for (const [from, to] of [[0.04, 0.55], [0.55, 1]]) {
       const corner = (direction, share) => times(direction, LENGTH * share);
       scene.facet([corner(p, from), corner(q, from), corner(q, to), corner(p, to)], shade, { opacity: 0.5 });
@@ -75,7 +75,7 @@ new Panel({
   ],
   prepare({ ratio, tilt }) {
     const motion = motionOf(ratio, radians(tilt));
-    return { motion, cones: conesOf(ratio, radians(tilt)), tilt: radians(tilt), facets: ellipsoidFacets(shapeOf(ratio), 26, 52) };
+    return { motion, cones: conesOf(ratio, radians(tilt)), tilt: radians(tilt), facets: ellipsoidFacets(shapeOf(ratio), 20, 40) };
   },
   readings: ({ cones, motion }, { ratio }) => [
     ["shape", "body", kindOf(ratio)],

@@ -108,14 +108,14 @@ new Panel({
     const span = 12 * Math.min(motion.period, 30);
     const polhode = motion.along(241).map((L) => times(L.map((x, k) => x / motion.moments[k]), -1 / Math.sqrt(2 * motion.energy)));
     const curve = Array.from({ length: 1001 }, (_, k) => contactAt(motion, (0.5 * span * k) / 1000).inSpace);
-    return { motion, span, polhode: [...polhode, polhode[0]], curve, depth: planeDistance(motion), radii: herpolhodeRadii(motion) };
+    return { motion, span, polhode: [...polhode, polhode[0]], curve, depth: planeDistance(motion), radii: herpolhodeRadii(motion), scale: Math.sqrt(energy) };
   },
-  readings: ({ motion, depth, radii }) => [
-    ["distance", "plane below the centre", depth, "", 5],
+  readings: ({ motion, depth, radii, scale }) => [
+    ["along", "Ω along L", scale * depth, "rad/s"],
     ["period", "polhode closes in", motion.period, "s"],
-    ["turn", "plane turned meanwhile", degrees(motion.precessionPerPeriod), "°"],
-    ["inner", "herpolhode, inner radius", radii[0], "", 5],
-    ["outer", "outer radius", radii[1], "", 5],
+    ["turn", "axis round L meanwhile", degrees(motion.precessionPerPeriod), "°"],
+    ["inner", "Ω across L from", scale * radii[0], "rad/s"],
+    ["outer", "to", scale * radii[1], "rad/s"],
     ["moments", "I₁, I₂, I₃", "1, 2, 3 kg m²"],
   ],
   describe: (model, { energy }) => `An ellipsoid rolls on a plane below it; its contact draws a closed curve on the ellipsoid and a rosette on the plane. 2E is ${energy} J.`,
