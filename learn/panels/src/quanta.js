@@ -128,7 +128,8 @@ new Panel({
       ["root", "at |L| = ħ√(J(J + 1))", 2 * Math.sqrt(J * (J + 1)), "", 4],
     ];
   },
-  describe: ({ J }, { B }) => `A sphere with the allowed polhodes for J = ${J} and B = ${B}, and a ladder of the quantum levels beside the energies of the orbits.`,
+  describe: ({ J }, { B }) =>
+    `A sphere with the allowed polhodes for J = ${J} and B = ${B}, and a ladder of the quantum levels beside the energies of the orbits.`,
   frame({ width, height }) {
     const [box] = boxesOf(width, height);
     return { scale: Math.min(box.width, box.height - 16) / 2.6, x: box.left + box.width / 2, y: 8 + box.height * 0.52 };
