@@ -289,6 +289,10 @@ def error_of_quanta(sources):
             errors.append(miss(G * motion.solid_angle / (2.0 * math.pi), level["quanta"]))
         caps = ask([asked("quanta", "quantaOfCaps", B, J + 0.5)], sources)[0]
         errors.append(miss(2.0 * (caps["a"] + caps["c"]), 2 * J + 1))  # the four caps are the sphere
+        share = (B - 9.0) / 18.0 - 1e-12  # a polhode about c beside the crossing
+        momentum = (math.sqrt(share), 0.0, math.sqrt(1.0 - share))
+        beside = ph.FreeMotion((0.5 / 27.0, 0.5 / B, 0.5 / 9.0), momentum=momentum)
+        assert caps["c"] == pytest.approx((J + 0.5) * beside.solid_angle / (2.0 * math.pi), rel=1e-9)
     return max(errors)
 
 

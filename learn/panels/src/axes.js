@@ -49,8 +49,10 @@ function drawMap(paper, box, { model, settings, theme, time }) {
   drawBall(paper, at(exact), 7, theme.motion, theme.ground);
   paper.globalAlpha = 1;
   paper.restore();
-  stroke(paper, Array.from({ length: 97 }, (_, k) => [x + radius * Math.cos((Math.PI * k) / 48), y + radius * Math.sin((Math.PI * k) / 48)]), theme.ring, 1.2);
-  write(paper, `axis ${axis + 1} from outside, ${zoom < 1 ? `enlarged ${(1 / zoom).toFixed(zoom > 0.1 ? 1 : 0)} times` : "the whole sphere"}`, [x, box.top + 9], { colour: theme.quiet, size: 12 });
+  const rim = Array.from({ length: 97 }, (_, k) => (Math.PI * k) / 48);
+  stroke(paper, rim.map((angle) => [x + radius * Math.cos(angle), y + radius * Math.sin(angle)]), theme.ring, 1.2);
+  const enlarged = zoom < 1 ? `enlarged ${(1 / zoom).toFixed(zoom > 0.1 ? 1 : 0)} times` : "the whole sphere";
+  write(paper, `axis ${axis + 1} from outside, ${enlarged}`, [x, box.top + 9], { colour: theme.quiet, size: 12 });
   write(paper, String(i + 1), [x + radius - 11, y - 11], { colour: theme.axes[i], weight: "700", ground: theme.ground });
   write(paper, String(j + 1), [x + 11, y - radius + 12], { colour: theme.axes[j], weight: "700", ground: theme.ground });
   return settings;
@@ -102,7 +104,8 @@ new Panel({
     const bounds = [Math.min(...tilts), Math.max(...tilts)];
     const margin = 0.4 * (bounds[1] - bounds[0]);
     const period = stable ? (2 * Math.PI) / rate : null;
-    return { axis, tilt, motion, stable, rate, zoom, seen, family: [...family, ...opposite], linear, period, bounds: [bounds[0] - margin, bounds[1] + margin] };
+    return { axis, tilt, motion, stable, rate, zoom, seen, family: [...family, ...opposite], linear, period,
+      bounds: [bounds[0] - margin, bounds[1] + margin] }; // prettier-ignore
   },
   readings: ({ motion, stable, rate, period, tilt }) => [
     ["verdict", "this axis is", stable ? "stable" : "unstable"],
@@ -113,7 +116,8 @@ new Panel({
     !stable && ["reach", "linear: tilt 90° in", Math.asinh(Math.PI / 2 / Math.sin(tilt)) / rate, "s"],
     ["moments", "I₁, I₂, I₃", "1, 2, 3 kg m²"],
   ],
-  describe: ({ axis, stable }, { tilt }) => `Axis ${axis + 1} with a tilt of ${tilt} degrees: ${stable ? "L circles it" : "L leaves it and turns over"}; the exact motion and the linear one, on the sphere and against time.`,
+  describe: ({ axis, stable }, { tilt }) =>
+    `Axis ${axis + 1} with a tilt of ${tilt} degrees: ${stable ? "L circles it" : "L leaves it and turns over"}; the exact motion and the linear one, on the sphere and against time.`,
   draw(paper, scene) {
     const [map, graph] = split(scene.width, scene.height, scene.width > 1.45 * scene.height ? 0.5 : 0.56);
     drawMap(paper, map, scene);

@@ -52,7 +52,10 @@ function drawThrow(paper, { model, theme, view, time }) {
   writeAtTip(paper, view, [0, 0, 0], [0, 0, 0.215], "L", { colour: theme.momentum, ground: theme.ground }, 14);
 }
 
-const plotOf = (paper, box, theme, settings) => new Plot(paper, { ...inset(box, 38, 26), x: [LEAST, MOST], y: [0, 1.06 * flipTime(radians(LEAST), TURN * settings.rate)], logX: true, theme });
+function plotOf(paper, box, theme, settings) {
+  const longest = flipTime(radians(LEAST), TURN * settings.rate);
+  return new Plot(paper, { ...inset(box, 38, 26), x: [LEAST, MOST], y: [0, 1.06 * longest], logX: true, theme });
+}
 
 function drawPlot(paper, box, { model, settings, theme, time }) {
   const plot = plotOf(paper, box, theme, settings);
@@ -103,7 +106,8 @@ new Panel({
     ["turns", "spins while it waits", flip * rate, "", 3],
     ["modulus", "modulus k", motion.modulus, "", 6],
   ],
-  describe: ({ flip }, { tilt }) => `A book spinning with its middle axis ${tilt} degrees from L turns over every ${flip.toFixed(2)} s; below, that time against the tilt.`,
+  describe: ({ flip }, { tilt }) =>
+    `A book spinning with its middle axis ${tilt} degrees from L turns over every ${flip.toFixed(2)} s; below, that time against the tilt.`,
   frame({ width, height }) {
     const [box] = split(width, height);
     return { scale: Math.min(box.width, box.height) / 0.42, x: box.left + box.width / 2, y: box.top + box.height * 0.6 };

@@ -9,7 +9,9 @@ import { circle, size, sum, times } from "./lib/vectors.js";
 import { FUNCTIONS, bracketOf, fieldOf, flowFrom, rateAlong, startAt } from "./physics/bracket.js";
 import { valueOf, worded } from "./physics/polynomials.js";
 
-const NAMES = { L1: "L₁", L2: "L₂", L3: "L₃", body: "½L₁² + ¼L₂² + ⅙L₃²", twist: "½L₃²", saddle: "L₁L₂", tilted: "½L₁² + L₃", casimir: "½|L|²" };
+const NAMES = {
+  L1: "L₁", L2: "L₂", L3: "L₃", body: "½L₁² + ¼L₂² + ⅙L₃²", twist: "½L₃²", saddle: "L₁L₂", tilted: "½L₁² + L₃", casimir: "½|L|²",
+}; // prettier-ignore
 const options = Object.entries(NAMES);
 const SPHERES = [0.5, 1, 1.5, 2];
 const [BANDS, PAST, WINDOW, LONGITUDE] = [11, 5, 12, 0.9]; // colours; s of trail; s of graph; rad
@@ -92,7 +94,8 @@ function drawSphere(paper, { model, settings, theme, view, time }) {
     const tip = [0, 0, 0];
     tip[k] = radius + 0.35;
     drawCurve(paper, view, [times(tip, radius / (radius + 0.35)), tip], { colour: theme.axes[k], width: 2, solids, faint: 0.2 });
-    if (view.depth(tip) > -0.64) write(paper, `L${"₁₂₃"[k]}`, view.pixel(times(tip, 1.08)), { colour: theme.axes[k], ground: theme.ground, symbol: true, size: 16 });
+    const options = { colour: theme.axes[k], ground: theme.ground, symbol: true, size: 16 };
+    if (view.depth(tip) > -0.64) write(paper, `L${"₁₂₃"[k]}`, view.pixel(times(tip, 1.08)), options);
   });
   const trail = model.between(time - PAST, time, (t) => Array.from(flow.at(t)));
   drawCurve(paper, view, trail, { colour: theme.motion, width: 3.4, solids, faint: 0.25, margin: 0.03 });
@@ -112,7 +115,7 @@ function drawRate(paper, box, { model, theme, time }) {
   const [now, slope] = [rateAlong(F, flow, time), valueOf(bracket, L)];
   const from = Math.max(0, time - 0.6 * WINDOW);
   const plot = new Plot(paper, { ...inset(box, 42, 46, 12, 36), x: [from, from + WINDOW], y: bounds, theme });
-  plot.axes({ x: "F against time, s", y: "" });
+  plot.axes({ x: "F against time", y: "" });
   const curve = model.watched(from, from + WINDOW);
   plot.curve(curve, { colour: theme.motion, width: 2.6 });
   const reach = 1.6;
@@ -138,7 +141,8 @@ function sampled(step) {
 
 /** Return the least and the most of H on a sphere, from points all over it. */
 function rangeOn(H, radius) {
-  const values = scattered.concat([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, 0, 0], [0, -1, 0], [0, 0, -1]]).map((p) => valueOf(H, times(p, radius))); // prettier-ignore
+  const poles = [1, -1].flatMap((side) => [[side, 0, 0], [0, side, 0], [0, 0, side]]); // prettier-ignore
+  const values = [...scattered, ...poles].map((p) => valueOf(H, times(p, radius)));
   return [Math.min(...values), Math.max(...values)];
 }
 
@@ -163,7 +167,8 @@ new Panel({
     const between = sampled(0.05);
     const value = sampled(0.05);
     const watched = (from, to) => value(from, to, (t) => [t, valueOf(F, flow.at(t))]);
-    return { H, F, sign, start, flow, between, watched, field: fieldOf(H, sign), bracket: bracketOf(F, H, sign), range: rangeOn(H, radius), bounds: [low - margin, high + margin] };
+    return { H, F, sign, start, flow, between, watched, field: fieldOf(H, sign),
+      bracket: bracketOf(F, H, sign), range: rangeOn(H, radius), bounds: [low - margin, high + margin] }; // prettier-ignore
   },
   readings: ({ bracket, F, H, start, flow }, { radius }) => [
     ["bracket", "{F, H}", worded(bracket)],
@@ -172,7 +177,8 @@ new Panel({
     ["H", "H, which is kept", valueOf(H, start), "", 6],
     ["drift", "|L| after 20 s less |L|", Math.abs(size(Array.from(flow.at(20))) - radius) < 1e-11 ? "below 1e−11" : "above 1e−11"],
   ],
-  describe: (model, { H, F, sign, radius }) => `The sphere |L| = ${radius} coloured by H = ${NAMES[H]}; L runs along a level curve under the ${sign < 0 ? "minus" : "plus"} bracket, and a graph shows F = ${NAMES[F]} with the slope {F, H}.`,
+  describe: (model, { H, F, sign, radius }) =>
+    `The sphere |L| = ${radius} coloured by H = ${NAMES[H]}; L runs along a level curve under the ${sign < 0 ? "minus" : "plus"} bracket, and a graph shows F = ${NAMES[F]} with the slope {F, H}.`,
   frame({ width, height }) {
     const [box] = boxesOf(width, height);
     return { scale: Math.min(box.width, box.height) / 4.8, x: box.left + box.width / 2, y: box.top + box.height / 2 };

@@ -13,7 +13,7 @@ const UP = [0, 0, 1];
 function addCone(scene, axis, angle, frame, colour, marks) {
   if (angle < 0.004) return;
   const [u, v] = frame;
-  const count = 48;
+  const count = 36;
   const out = (k) => {
     const turn = (2 * Math.PI * k) / count;
     const side = sum(times(u, Math.cos(turn)), times(v, Math.sin(turn)));
@@ -21,7 +21,7 @@ function addCone(scene, axis, angle, frame, colour, marks) {
   };
   for (let k = 0; k < count; k++) {
     const [p, q] = [out(k), out(k + 1)];
-    const shade = marks && Math.floor((k * 12) / count) % 2 ? mixed(colour, "#ffffff", 0.3) : colour;
+    const shade = marks && k % 6 < 3 ? mixed(colour, "#ffffff", 0.3) : colour;
     for (const [from, to] of [[0.04, 0.55], [0.55, 1]]) {
       const corner = (direction, share) => times(direction, LENGTH * share);
       scene.facet([corner(p, from), corner(q, from), corner(q, to), corner(p, to)], shade, { opacity: 0.5 });
@@ -47,14 +47,18 @@ function draw(paper, { model, settings, theme, view, time, height }) {
     if (name === "3") scene.line(Array.from({ length: 9 }, (_, k) => times(tip, k / 8)), { colour, width: 2.4 });
     else scene.arrow([0, 0, 0], tip, { colour, width: 4.5 });
   }
-  drawCurve(paper, view, circle(times(UP, 1.36 * Math.cos(model.tilt)), UP, 1.36 * Math.sin(model.tilt)), { colour: theme.axes[2], width: 1, dash: [3, 4] });
+  const round = circle(times(UP, 1.36 * Math.cos(model.tilt)), UP, 1.36 * Math.sin(model.tilt));
+  drawCurve(paper, view, round, { colour: theme.axes[2], width: 1, dash: [3, 4] });
   scene.paint();
   for (const [name, [direction, length, colour]] of Object.entries(tips)) {
     const options = { colour, ground: theme.ground, ...(name === "3" && { symbol: false, weight: "700", size: 15 }) };
     writeAtTip(paper, view, [0, 0, 0], times(direction, length), name, options, 15);
   }
   const shown = [["cone fixed in space", theme.family], ["cone fixed in the body", theme.bodyCone]];
-  shown.forEach(([words, colour], k) => write(paper, words, [10, height - 30 + 19 * k], { colour: mixed(colour, theme.text, 0.25), size: 13, align: "left", weight: "600", ground: theme.ground }));
+  shown.forEach(([words, colour], k) => {
+    const options = { colour: mixed(colour, theme.text, 0.25), size: 13, align: "left", weight: "600", ground: theme.ground };
+    write(paper, words, [10, height - 30 + 19 * k], options);
+  });
 }
 
 const shapeOf = (ratio) => {
@@ -75,7 +79,7 @@ new Panel({
   ],
   prepare({ ratio, tilt }) {
     const motion = motionOf(ratio, radians(tilt));
-    return { motion, cones: conesOf(ratio, radians(tilt)), tilt: radians(tilt), facets: ellipsoidFacets(shapeOf(ratio), 26, 52) };
+    return { motion, cones: conesOf(ratio, radians(tilt)), tilt: radians(tilt), facets: ellipsoidFacets(shapeOf(ratio), 20, 40) };
   },
   readings: ({ cones, motion }, { ratio }) => [
     ["shape", "body", kindOf(ratio)],
@@ -85,7 +89,8 @@ new Panel({
     ["bodyCone", "half-angle in body", degrees(cones.bodyCone), "°"],
     ["spaceCone", "half-angle in space", degrees(cones.spaceCone), "°"],
   ],
-  describe: (model, { ratio, tilt }) => `A body with I3/I1 = ${ratio} whose axis leans ${tilt} degrees from L: a cone round the axis rolls on a cone round L and touches it along Ω.`,
+  describe: (model, { ratio, tilt }) =>
+    `A body with I3/I1 = ${ratio} whose axis leans ${tilt} degrees from L: a cone round the axis rolls on a cone round L and touches it along Ω.`,
   frame: ({ width, height }) => ({ scale: Math.min(width / 2.7, height / 2.6), x: width / 2, y: height * 0.68 }),
   draw,
 });

@@ -57,7 +57,10 @@ function drawDisk(paper, { model, settings, theme, view, time }) {
     scene.facet(points, mark ? theme.border : j === 1 ? mixed(theme.metal, "#ffffff", 0.2) : theme.metal, { normal, oneSided: true, shine: 0.6 });
   }
   const place = (radius, angle) => sum(centre, turn([radius * a * Math.cos(angle), radius * a * Math.sin(angle), b * 1.002]));
-  const stripe = (from, to, angle, spread) => [place(from, angle - spread), place(to, angle - spread), place(to, angle + spread), place(from, angle + spread)];
+  const stripe = (from, to, angle, spread) => {
+    const [left, right] = [angle - spread, angle + spread];
+    return [place(from, left), place(to, left), place(to, right), place(from, right)];
+  };
   for (let n = 0; n < 3; n++) {
     const angle = (2 * Math.PI * n) / 3;
     scene.facet(stripe(0.25, 0.82, angle, 0.11), n ? theme.motion : theme.border, { normal: axis, oneSided: true, nearer: 0.02 });
@@ -67,7 +70,8 @@ function drawDisk(paper, { model, settings, theme, view, time }) {
   if (!near) drawBall(paper, view.pixel(spot), 6, theme.velocity, theme.ground);
   scene.paint();
   if (near) drawBall(paper, view.pixel(spot), 6, theme.velocity, theme.ground);
-  const words = time >= model.history.end ? "it lies flat" : `tilt ${degrees(now.tilt).toPrecision(3)}°   contact ${turnsOf(now.rate).toFixed(1)} rounds/s`;
+  const moving = `tilt ${degrees(now.tilt).toPrecision(3)}°   contact ${turnsOf(now.rate).toFixed(1)} rounds/s`;
+  const words = time >= model.history.end ? "it lies flat" : moving;
   write(paper, words, [view.x, 12], { colour: theme.text, ground: theme.ground, weight: "600" });
 }
 
@@ -113,6 +117,7 @@ function drawHistory(paper, box, scene) {
   drawBall(paper, [at, inside(rates.atY(turnsOf(now.rate)))], 6, theme.velocity, theme.ground);
 }
 
+const NAMES = { real: "air and rolling", air: "air alone", rolling: "rolling alone", friction: "contour friction" };
 const boxesOf = (width, height) => split(width, height, 0.5);
 const showLeft = (panel) => panel.shown.left.show(Math.max(SHORTEST, panel.model.history.end - panel.time));
 
@@ -121,7 +126,7 @@ new Panel({
   initial: { losses: "real", tilt: 12, thick: 0, log: 0, speed: 4, sound: 0, turn: -0.6, lift: 0.42 },
   plays: true,
   controls: [
-    { kind: "choice", key: "losses", label: "loses to", list: true, options: [["real", "air and rolling"], ["air", "air alone"], ["rolling", "rolling alone"], ["friction", "contour friction"]] },
+    { kind: "choice", key: "losses", label: "loses to", list: true, options: Object.entries(NAMES) },
     { kind: "slider", key: "tilt", label: "tilt at the start", least: 3, most: 30, step: 0.5, say: (value) => `${value}°` },
     { kind: "slider", key: "left", label: "time left", least: SHORTEST, most: 6000, log: true, say: (value) => `${Number(value.toPrecision(3))} s` },
     { kind: "choice", key: "speed", label: "time runs", options: [[1, "as it is"], [4, "4 times"], [0.1, "1/10"]] },
@@ -151,7 +156,8 @@ new Panel({
     ["exponent", "late tilt ∝ leftⁿ, n", exponent, "", 4],
     ["power", "contact ∝ tiltᵖ, p", powerOfRate(history), "", 4],
   ],
-  describe: ({ history }, { tilt }) => `A disk rolls from a tilt of ${tilt} degrees until it lies flat after ${history.end.toFixed(1)} s; a graph shows its tilt falling and the rate of its contact rising.`,
+  describe: ({ history }, { tilt }) =>
+    `A disk rolls from a tilt of ${tilt} degrees until it lies flat after ${history.end.toFixed(1)} s; a graph shows its tilt falling and the rate of its contact rising.`,
   frame({ width, height }) {
     const [box] = boxesOf(width, height);
     return { scale: Math.min(box.width / (3.5 * a), box.height / (2.2 * a)), x: box.left + box.width / 2, y: box.top + box.height * 0.6 };

@@ -78,7 +78,9 @@ function draw(paper, { model, settings, theme, view, time }) {
   writeAtTip(paper, view, tip, sum(tip, added), "dL = τ dt", { colour: theme.change, ground, size: 15 }, 34);
 }
 
-const WORDS = { steady: "steady precession", cusp: "nods with cusps", loop: "nods in loops", undulating: "nods in waves", planar: "swings like a pendulum" };
+const WORDS = {
+  steady: "steady precession", cusp: "nods with cusps", loop: "nods in loops", undulating: "nods in waves", planar: "swings like a pendulum",
+}; // prettier-ignore
 const turnsPerSecond = (spin) => (spin * 2 * Math.PI) / 60;
 
 new Panel({
@@ -110,7 +112,8 @@ new Panel({
     ["highest", "leans at least", degrees(Math.acos(Math.min(1, motion.nutationLimits[1]))), "°", 4],
     ["lowest", "leans at most", degrees(Math.acos(Math.max(-1, motion.nutationLimits[0]))), "°", 4],
   ],
-  describe: ({ motion }, { spin, lean }) => `A gyroscope on a stand at ${spin} rpm, leaning ${lean} degrees: ${WORDS[motion.regime] ?? motion.regime}. Arrows show weight, torque, L and its change.`,
+  describe: ({ motion }, { spin, lean }) =>
+    `A gyroscope on a stand at ${spin} rpm, leaning ${lean} degrees: ${WORDS[motion.regime] ?? motion.regime}. Arrows show weight, torque, L and its change.`,
   frame: ({ width, height }) => ({ scale: Math.min(width / 0.19, height / 0.18), x: width / 2, y: height * 0.6 }),
   draw,
 });

@@ -86,7 +86,8 @@ function changed(key, panel) {
 
 const aPoint = (value) => (Array.isArray(value) && value.length === 3 ? value.map(round) : undefined);
 const aMass = (value) => (typeof value === "number" ? Math.min(4, Math.max(0.1, value)) : undefined);
-const coordinate = (key) => ({ kind: "slider", key, label: `${key} of the mass`, least: -FAR, most: FAR, step: 0.01, say: (value) => `${value.toFixed(2).replace("-", "−")} m` });
+const metres = (value) => `${value.toFixed(2).replace("-", "−")} m`;
+const coordinate = (key) => ({ kind: "slider", key, label: `${key} of the mass`, least: -FAR, most: FAR, step: 0.01, say: metres });
 
 new Panel({
   name: "inertia",
@@ -111,7 +112,8 @@ new Panel({
     ["Jxy", "Jxy", tensor[0][1], "kg m²"],
     ["mass", "whole mass", mass, "kg"],
   ],
-  describe: ({ moments }) => `Five masses, the ellipsoid with the same moments and its three axes; principal moments ${moments.map((x) => x.toFixed(3)).join(", ")} kg m².`,
+  describe: ({ moments }) =>
+    `Five masses, the ellipsoid with the same moments and its three axes; principal moments ${moments.map((x) => x.toFixed(3)).join(", ")} kg m².`,
   frame: ({ width, height }) => ({ scale: Math.min(width, height) / 2.75, x: width / 2, y: height * 0.53 }),
   grab(place, panel, look = false) {
     const { view, settings } = panel;

@@ -73,13 +73,15 @@ function draw(paper, { model, settings, theme, view, time }) {
   const drawBody = () => {
     drawSolids(paper, view, [solid]);
     solid.drawEdge(paper, mixed(theme.body, theme.text, 0.4), 1.2);
-    for (const meridian of MERIDIANS) drawCurve(paper, view, meridian.map(turn), { colour: mixed(theme.body, theme.text, 0.25), width: 1, solids: [solid], faint: 0, margin: 0.01 });
+    const thin = { colour: mixed(theme.body, theme.text, 0.25), width: 1, solids: [solid], faint: 0, margin: 0.01 };
+    for (const meridian of MERIDIANS) drawCurve(paper, view, meridian.map(turn), thin);
     drawCurve(paper, view, model.polhode.map(turn), { colour: theme.motion, width: 3.2, solids: [solid], faint: 0.42, margin: 0.01 });
     axes.forEach((axis, k) => {
       const from = times(axis, HALF_AXES[k]);
       const to = times(axis, HALF_AXES[k] + 0.22);
       drawCurve(paper, view, [from, times(axis, HALF_AXES[k] + 0.11), to], { colour: theme.axes[k], width: 3, solids: [solid], faint: 0.15 });
-      if (view.depth(axis) > -0.2) write(paper, String(k + 1), view.pixel(times(axis, HALF_AXES[k] + 0.31)), { colour: theme.axes[k], ground: theme.ground, weight: "700", size: 14 });
+      const options = { colour: theme.axes[k], ground: theme.ground, weight: "700", size: 14 };
+      if (view.depth(axis) > -0.2) write(paper, String(k + 1), view.pixel(times(axis, HALF_AXES[k] + 0.31)), options);
     });
   };
   for (const drawPart of above ? [drawBelow, drawBody] : [drawBody, drawBelow]) drawPart();
@@ -108,17 +110,19 @@ new Panel({
     const span = 12 * Math.min(motion.period, 30);
     const polhode = motion.along(241).map((L) => times(L.map((x, k) => x / motion.moments[k]), -1 / Math.sqrt(2 * motion.energy)));
     const curve = Array.from({ length: 1001 }, (_, k) => contactAt(motion, (0.5 * span * k) / 1000).inSpace);
-    return { motion, span, polhode: [...polhode, polhode[0]], curve, depth: planeDistance(motion), radii: herpolhodeRadii(motion) };
+    return { motion, span, polhode: [...polhode, polhode[0]], curve, depth: planeDistance(motion), radii: herpolhodeRadii(motion),
+      scale: Math.sqrt(energy) }; // prettier-ignore
   },
-  readings: ({ motion, depth, radii }) => [
-    ["distance", "plane below the centre", depth, "", 5],
+  readings: ({ motion, depth, radii, scale }) => [
+    ["along", "Ω along L", scale * depth, "rad/s"],
     ["period", "polhode closes in", motion.period, "s"],
-    ["turn", "plane turned meanwhile", degrees(motion.precessionPerPeriod), "°"],
-    ["inner", "herpolhode, inner radius", radii[0], "", 5],
-    ["outer", "outer radius", radii[1], "", 5],
+    ["turn", "axis round L meanwhile", degrees(motion.precessionPerPeriod), "°"],
+    ["inner", "Ω across L from", scale * radii[0], "rad/s"],
+    ["outer", "to", scale * radii[1], "rad/s"],
     ["moments", "I₁, I₂, I₃", "1, 2, 3 kg m²"],
   ],
-  describe: (model, { energy }) => `An ellipsoid rolls on a plane below it; its contact draws a closed curve on the ellipsoid and a rosette on the plane. 2E is ${energy} J.`,
+  describe: (model, { energy }) =>
+    `An ellipsoid rolls on a plane below it; its contact draws a closed curve on the ellipsoid and a rosette on the plane. 2E is ${energy} J.`,
   frame: ({ width, height }) => ({ scale: Math.min(width / 2.2, height / 2.75), x: width / 2, y: height * 0.56 }),
   draw,
 });

@@ -70,7 +70,7 @@ const plotOf = (paper, box, theme, model) => new Plot(paper, { ...inset(box, 46,
 function drawLadder(paper, box, { model, theme }) {
   const plot = plotOf(paper, box, theme, model);
   plot.axes({ x: "", y: "", xTicks: [[0.27, "levels"], [0.78, "orbits"]] });
-  write(paper, "energy", [plot.left - 40, box.top + 10], { colour: theme.quiet, size: 12, align: "left" });
+  write(paper, "energy, cm⁻¹", [plot.left - 40, box.top + 10], { colour: theme.quiet, size: 12, align: "left" });
   const { left, width } = plot;
   const bar = (from, to, energy, colour, thickness, dash = []) => {
     Object.assign(paper, { strokeStyle: colour, lineWidth: thickness, lineCap: "butt" });
@@ -99,7 +99,7 @@ new Panel({
   initial: { J: 6, B: 14, level: 3, turn: 0.62, lift: 0.5 },
   controls: [
     { kind: "slider", key: "J", label: "J", least: 1, most: 20, step: 1, say: String },
-    { kind: "slider", key: "B", label: "B between C = 9 and A = 27", least: 9.5, most: 26.5, step: 0.1, say: (value) => value.toFixed(1) },
+    { kind: "slider", key: "B", label: "B (A = 27, C = 9)", least: 9.5, most: 26.5, step: 0.1, say: (value) => `${value.toFixed(1)} cm⁻¹` },
     { kind: "slider", key: "level", label: "level, from the lowest", least: 1, most: 41, step: 1, say: (value) => String(value) },
   ],
   changed(key, panel) {
@@ -120,15 +120,16 @@ new Panel({
   readings({ J, levels, chosen }) {
     const { energy, orbit, axis, quanta } = levels[chosen];
     return [
-      ["energy", "quantum level", energy, "", 7],
-      orbit === null ? ["orbit", "orbit", "none: it crosses"] : ["orbit", "orbit's energy", orbit, "", 7],
+      ["energy", "quantum level", energy, "cm⁻¹", 7],
+      orbit === null ? ["orbit", "orbit", "none: it crosses"] : ["orbit", "orbit's energy", orbit, "cm⁻¹", 7],
       axis ? ["quanta", `quanta ${LABELS[axis]}`, quanta, "", 2] : ["quanta", "quanta", "no room"],
       ["states", "levels, 2J + 1", 2 * J + 1, "", 2],
       ["half", "quanta at |L| = ħ(J + ½)", 2 * (J + 0.5), "", 4],
       ["root", "at |L| = ħ√(J(J + 1))", 2 * Math.sqrt(J * (J + 1)), "", 4],
     ];
   },
-  describe: ({ J }, { B }) => `A sphere with the allowed polhodes for J = ${J} and B = ${B}, and a ladder of the quantum levels beside the energies of the orbits.`,
+  describe: ({ J }, { B }) =>
+    `A sphere with the allowed polhodes for J = ${J} and B = ${B}, and a ladder of the quantum levels beside the energies of the orbits.`,
   frame({ width, height }) {
     const [box] = boxesOf(width, height);
     return { scale: Math.min(box.width, box.height - 16) / 2.6, x: box.left + box.width / 2, y: 8 + box.height * 0.52 };

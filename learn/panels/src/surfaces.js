@@ -91,7 +91,8 @@ new Panel({
     ["cap", "cap cut off", cap, "sr"],
     ["moments", "I₁, I₂, I₃", "1, 2, 3 kg m²"],
   ],
-  describe: ({ regime }, { energy }) => `A sphere and an ellipsoid that meet in a curve, along which L runs; 2E is ${energy} J: ${WORDS[regime] ?? regime}.`,
+  describe: ({ regime }, { energy }) =>
+    `A sphere and an ellipsoid that meet in a curve, along which L runs; 2E is ${energy} J: ${WORDS[regime] ?? regime}.`,
   frame: ({ width, height, settings }) => ({ scale: Math.min(width, height) / 2 / reach(settings.energy), x: width / 2, y: height / 2 }),
   draw,
 });

@@ -57,6 +57,7 @@ export function ellipsoidFacets([a, b, c], rings = 16, around = 32) {
 /** Add facets of a body to a scene, turned and moved. */
 export function addFacets(scene, facets, turn, colourOf, { centre = [0, 0, 0], oneSided = true, ...more } = {}) {
   for (const facet of facets) {
+    if (oneSided && scene.view.depth(turn(facet.normal)) <= 0) continue; // before its corners are turned
     scene.facet(facet.points.map((p) => sum(centre, turn(p))), colourOf(facet), { normal: turn(facet.normal), oneSided, ...more });
   }
 }

@@ -97,8 +97,6 @@ export class Panel {
     this.prepared = true;
     const found = this.readings(this.model, this.settings).filter(Boolean);
     this.numbers = Object.fromEntries(found.map(([key, , value]) => [key, value]));
-    const words = (value, unit, digits = 5) =>
-      typeof value === "string" ? value : Number.isFinite(value) ? `${worded(value, digits)}${unit === "°" || !unit ? unit : ` ${unit}`}` : value === null ? "undefined" : "infinite";
     byId("readings").replaceChildren(...found.map(([key, label, value, unit, digits]) =>
       element("div", { "data-key": key }, element("span", {}, label), element("b", {}, words(value, unit, digits))))); // prettier-ignore
     this.canvas.setAttribute("aria-label", this.describe(this.model, this.settings));
@@ -238,6 +236,13 @@ export class Panel {
       history.replaceState(null, "", location.pathname + location.search + (this.remembered && `#${this.remembered}`));
     }, SETTLING);
   }
+}
+
+/** Return a value with its unit; words stay as they are. */
+function words(value, unit, digits = 5) {
+  if (typeof value === "string") return value;
+  if (!Number.isFinite(value)) return value === null ? "undefined" : "infinite";
+  return `${worded(value, digits)}${unit === "°" || !unit ? unit : ` ${unit}`}`;
 }
 
 const round = (value) => Number(value.toFixed(3));

@@ -36,8 +36,8 @@ const FAST = 0.05; // of the tilt, lost in a radian of precession: a disk that s
  * Return the history from steady rolling at a tilt [rad] on: columns tilt [rad], time and time left [s], fall −θ̇, rate of the
  * contact φ̇ and turning of the face [rad/s], and the turns [rad] of contact and face so far.
  *
- * `losses` are laws as a spec has them; the half thickness is in m. The couples change ω2 and ω3, and the tilt follows at the rate that keeps θ̈ at zero, to
- * first order in the losses: the slow manifold of `rollingStart`. It is solved in ln α, where it is smooth to the end. The time
+ * `losses` are laws as a spec has them; the half thickness is in m. The couples change ω2 and ω3, and the tilt follows at the
+ * rate that keeps θ̈ at zero, to first order in the losses: the slow manifold of `rollingStart`. It is solved in ln α, where it is smooth to the end. The time
  * left is summed from the end, where it is far smaller than a rounding of the time.
  */
 export function historyOf(losses, first, halfThickness = 0) {
