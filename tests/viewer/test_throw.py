@@ -15,6 +15,7 @@ from polhode.estimation._saturation import saturation
 from polhode.estimation._throw_models import compute_moments
 from polhode.estimation._throw_search import Start
 from polhode.estimation.flight import free_flights
+from polhode.estimation.gyro_log import clean_log
 from polhode.estimation.throw import _cut, fit_throw
 from polhode.formats.column_mapping import ColumnMapping
 from polhode.formats.gyro_logs import read_gyro_log
@@ -174,17 +175,23 @@ def test_the_least_squares_is_that_of_polhode_without_drag_and_gains(both, name)
     assert np.abs(turned - np.eye(3)).max() < 1e-3
 
 
-def test_drag_and_gains_are_said_and_noise_alone_is_not():
+def test_drag_is_fitted_gains_are_said_and_noise_alone_is_not():
     header = "Time (s),Gyroscope x (rad/s),Gyroscope y (rad/s),Gyroscope z (rad/s)"
-    said = []
-    for drag, gain in ((0.0, 0.0), (0.01, 0.01)):
+    asked, logs = [], []
+    for drag, gain in ((0.0, 0.0), (0.01, 0.0), (0.01, 0.05)):
         t, rates, _ = throw(np.random.default_rng(7), np.array(BODIES["phone"]), (2.0, 10.0, 3.0), seconds=1.5,
                             gain=gain, drag=drag, jitter=0.0, bias=0.0, dropped=0.0)  # fmt: skip
-        said.append({"text": lines(header, (t, rates), "{:.9f}"), "mapping": None, "fit": True})
-    clean, wrong = in_javascript(said)
-    assert clean["misfit"] is None and 0.9e-3 < clean["fit"]["rms"] < 1.1e-3
+        asked.append({"text": lines(header, (t, rates), "{:.9f}"), "mapping": None, "fit": True})
+        logs.append(clean_log(t, rates))
+    clean, slowed, wrong = in_javascript(asked)
+    assert clean["misfit"] is None and clean["fit"]["drag"] is None and 0.9e-3 < clean["fit"]["rms"] < 1.1e-3
     np.testing.assert_allclose(clean["fit"]["moments"], BODIES["phone"], atol=2e-3)
-    assert "residuals" in wrong["misfit"] and "Drag" in wrong["misfit"]
+    wanted = fit_throw(logs[1], gain=False, rotor=False, drag=True)
+    assert slowed["misfit"] is None and 0.9e-3 < slowed["fit"]["rms"] < 1.1e-3
+    off = np.abs(np.array(slowed["fit"]["moments"][:2]) - wanted.ratios.value) / wanted.ratios.standard_error
+    assert off.max() < 0.5 and wanted.linear_drag is None
+    np.testing.assert_allclose(slowed["fit"]["drag"], wanted.drag.value, atol=0.5 * wanted.drag.standard_error.max())
+    assert "residuals" in wrong["misfit"] and "gains" in wrong["misfit"]
 
 
 @pytest.mark.parametrize(("wrong", "right", "file"), [

@@ -14,6 +14,7 @@ import { dispose } from "./shapes.js";
 import { SolvedMotion } from "./solved.js";
 import { Stage } from "./stage.js";
 import { THEMES } from "./theme.js";
+import { LogReader } from "./throw/reader.js";
 import { Timebar } from "./timebar.js";
 import * as tools from "./tools.js";
 
@@ -46,6 +47,7 @@ class Page {
       beyond: (time) => this.goTo(time),
     });
     this.playground = data.presets ? new Playground(data.presets, (preset) => this.open(preset), (tables) => this.instrument?.set(tables)) : null;
+    if (data.presets) new LogReader(element("playground"), (found) => this.open(found));
     this.open(data.presets ? data.presets[this.playground.first()] : data, true);
   }
 

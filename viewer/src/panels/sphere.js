@@ -2,10 +2,11 @@
 import { Vector3 } from "three";
 import { unpacked } from "../motion.js";
 import { family, levels, pairThrough, polhodeThrough, rests, separatrix } from "../polhodes.js";
-import { arrowhead, dot, drawUpTo, globe, line, mark, path, pieces } from "../shapes.js";
+import { arrowhead, dot, drawUpTo, globe, line, mark, path, pieces, specks } from "../shapes.js";
 import { newPanel } from "../stage.js";
 
 const GRASP = 18; // pixels from the point within which a press takes hold of it
+const SAMPLED = 1.012; // height of measured points, above the curves
 const HEADS = 4; // arrowheads on this motion's polhode
 const COLORS = { stable: "stable", unstable: "border", undecided: "family" };
 const NAMES = { stable: "stable", unstable: "unstable", undecided: "undecided" };
@@ -30,6 +31,8 @@ export function spherePanel(motion, data, theme) {
   const trail = own ? line(own, color, 3.2) : path(motion, points, color, 2);
   scene.add(trail);
   if (own) for (const head of heads(motion.free, own, color)) scene.add(head);
+  const measured = data.changed ? null : data.measured; // of a log, which a motion that was set here did not make
+  if (measured) scene.add(specks(measured.map((value) => SAMPLED * value), theme.velocity, 6));
   const place = dot(color, theme.ground, 0.035);
   scene.add(place);
   const stubs = [0, 1, 2].map((k) => {
@@ -42,6 +45,7 @@ export function spherePanel(motion, data, theme) {
   const said = [...new Set(marks.map(({ verdict }) => verdict))];
   panel.legend = [
     { color, text: "this motion" },
+    ...(measured ? [{ color: theme.velocity, text: "measured" }] : []),
     ...(border.length ? [{ color: theme.border, text: "separatrix" }] : []),
     ...(others.length ? [{ color: theme.family, text: data.legend }] : []),
     ...(data.families ?? []).map(({ axis, legend }) => ({ color: theme.axes[axis], text: legend })),
@@ -65,6 +69,7 @@ export function spherePanel(motion, data, theme) {
     point: place.position.toArray(),
     path: [...points],
     closed: Boolean(own),
+    measured,
     seen: place.position.clone().project(panel.camera).toArray(),
   });
   return panel;

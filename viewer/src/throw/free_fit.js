@@ -1,8 +1,8 @@
-// Least squares of the exact free motion on throws of one body: shape, axes, the gyro's bias, and the rates of each throw.
+// Least squares of the motion on throws of one body: shape, axes, the gyro's bias, the rates of each throw, and drag.
 import { FreeMotion } from "../../../reference/polhode.js";
 import { fromVector, matrixOf, row } from "./linear_fit.js";
 import { determinant, dot, solve } from "./matrices.js";
-import { median } from "./statistics.js";
+import { median, place } from "./statistics.js";
 
 const ROBUST = 3; // standard deviations, beyond which residuals count linearly (Huber)
 const BIAS_SPREAD = 0.03; // rad/s, of offsets anywhere within ±0.05, as gyros of phones have them
@@ -10,24 +10,28 @@ const FLATTER = -0.1; // c of a body flatter than a plate, which noise may prete
 const LEAST_MOMENT = 0.003; // over the largest
 const [ROUNDS, MOST_STEPS] = [6, 25];
 const STEP = 1e-6; // of a parameter, for derivatives: half the digits
+const DRAG_SPREAD = 0.02; // of coefficients over I3; thin plates in air have a drag of 0.01
+const TURN = 0.04; // rad, that a body turns in a step of Runge and Kutta's: five such steps are right to 1e-8
 const SETTLED = 1e-6; // of the sum of squares, by which a round must lessen it
 
 /**
- * Return {moments, axes, bias, starts, residuals, rms}: the free motion that fits throws of one body best.
+ * Return {moments, axes, bias, drag, starts, residuals, rms}: the motion that fits throws of one body best.
  *
  * Moments ascend over the largest; axes are the columns of a right-handed matrix (device from principal); bias (3) [rad/s,
  * device axes]; starts are rates [rad/s, principal axes] at each throw's epoch; residuals (n, 3) [rad/s], flat, of each throw.
- * Neither drag nor gains of the gyro are fitted: what they do shows in the residuals.
+ * Without drag the motion is the exact free one; drag c is of the torque −c_i |ω| ω_i along the principal axes, over the
+ * largest moment, or null. Gains of the gyro are not fitted: what they do shows in the residuals.
  *
  * @param start of the linear method, as `startOf` returns it
  * @param throws each {elapsed (n) [s], rates (n, 3) [rad/s, device axes], zero: index of the sample at the epoch}
  * @param rest {value (3), spread (3)} of the bias [rad/s] where the log shows it at rest, or null
+ * @param damped whether drag is fitted
  */
-export function fitFree(start, throws, rest) {
+export function fitThrows(start, throws, rest, damped = false) {
   const [x, y] = start.moments;
   const known = rest ?? { value: [0, 0, 0], spread: [BIAS_SPREAD, BIAS_SPREAD, BIAS_SPREAD] };
   let at = {
-    shape: [y - x, 0.5 * (x + y - 1)], axes: start.axes, bias: [...known.value],
+    shape: [y - x, 0.5 * (x + y - 1)], axes: start.axes, bias: [...known.value], drag: damped ? [0, 0, 0] : null,
     starts: throws.map(({ rates, zero }) => alongAxes(start.axes, row(rates, zero).map((value, i) => value - known.value[i]))),
   }; // prettier-ignore
   // over the middles of long throws first, over which a rough start does not lose a turn
@@ -50,21 +54,55 @@ const alongAxes = (axes, v) => [0, 1, 2].map((k) => axes[0][k] * v[0] + axes[1][
 const momentsOf = ([s, c]) => [0.5 * (1 - s) + c, 0.5 * (1 + s) + c, 1];
 
 /** Return what is measured less what the motion predicts, of each throw, flat; null for moments that no body has. */
-function residualsOf({ shape, axes, bias, starts }, throws) {
+function residualsOf({ shape, axes, bias, drag, starts }, throws) {
   const moments = momentsOf(shape);
   if (!(Math.min(...moments) > LEAST_MOMENT)) return null;
   return throws.map(({ elapsed, rates }, k) => {
-    const motion = new FreeMotion({ moments, momentum: moments.map((value, i) => value * starts[k][i]) });
+    const motion = drag ? null : new FreeMotion({ moments, momentum: moments.map((value, i) => value * starts[k][i]) });
+    const slowed = drag && dampedRates(moments, drag, starts[k], elapsed);
     const found = new Float64Array(rates.length);
     elapsed.forEach((time, j) => {
-      const w = motion.angularVelocity(time);
+      const w = slowed ? slowed[j] : motion.angularVelocity(time);
       for (let i = 0; i < 3; i++) found[3 * j + i] = rates[3 * j + i] - bias[i] - dot(axes[i], w);
     });
     return found;
   });
 }
 
-/** Return the parameters moved by a step: shape, turn about the principal axes, bias, then the starts. */
+/** Return the rates at times from the epoch, on both sides of it, of a body with drag. */
+function dampedRates(moments, drag, start, elapsed) {
+  const [I1, I2, I3] = moments;
+  const slope = ([x, y, z]) => {
+    const size = Math.hypot(x, y, z);
+    return [((I2 - I3) * y * z - drag[0] * size * x) / I1, ((I3 - I1) * z * x - drag[1] * size * y) / I2, ((I1 - I2) * x * y - drag[2] * size * z) / I3];
+  };
+  const found = new Array(elapsed.length);
+  const zero = place(elapsed, 0);
+  const walk = (from, behind, sense) => {
+    let [w, time] = [start, 0];
+    for (let k = from; k !== behind; k += sense) {
+      const count = Math.max(1, Math.ceil((Math.hypot(...w) * Math.abs(elapsed[k] - time)) / TURN));
+      const h = (elapsed[k] - time) / count;
+      for (let n = 0; n < count; n++) w = stepped(slope, w, h);
+      [found[k], time] = [w, elapsed[k]];
+    }
+  };
+  walk(zero, elapsed.length, 1);
+  walk(zero - 1, -1, -1);
+  return found;
+}
+
+/** Return a state after one step of the classical Runge–Kutta method. */
+function stepped(slope, w, h) {
+  const along = (rate, part) => w.map((value, i) => value + part * h * rate[i]);
+  const a = slope(w);
+  const b = slope(along(a, 0.5));
+  const c = slope(along(b, 0.5));
+  const d = slope(along(c, 1));
+  return w.map((value, i) => value + (h / 6) * (a[i] + 2 * b[i] + 2 * c[i] + d[i]));
+}
+
+/** Return the parameters moved by a step: shape, turn about the principal axes, bias, the starts, then drag. */
 function moved(at, step) {
   const R = matrixOf(fromVector(step.slice(2, 5)));
   const columns = (i) => [0, 1, 2].map((j) => R[j][i]);
@@ -73,6 +111,7 @@ function moved(at, step) {
     axes: at.axes.map((line) => [0, 1, 2].map((i) => dot(line, columns(i)))),
     bias: at.bias.map((value, i) => value + step[5 + i]),
     starts: at.starts.map((start, k) => start.map((value, i) => value + step[8 + 3 * k + i])),
+    drag: at.drag && at.drag.map((value, i) => value + step[8 + 3 * at.starts.length + i]),
   };
 }
 
@@ -85,11 +124,14 @@ function descend(first, throws, known) {
   for (let round = 0; round < ROUNDS; round++) {
     at = leastSquares(at, throws, known, sigma);
     const before = sigma;
-    sigma = noiseBy(residualsOf(at, throws), 8 + 3 * throws.length);
+    sigma = noiseBy(residualsOf(at, throws), sizeOf(at));
     if (Math.abs(sigma / before - 1) < 0.02) break;
   }
   return at;
 }
+
+/** Return how many parameters there are. */
+const sizeOf = ({ starts, drag }) => 8 + 3 * starts.length + (drag ? 3 : 0);
 
 /** Return the noise of a sample [rad/s] by residuals, those far out counted as if they were at four times the usual. */
 function noiseBy(residuals, lost) {
@@ -122,8 +164,9 @@ function leastSquares(first, throws, known, sigma) {
   return at;
 }
 
-function costOf(residuals, { bias }, known, sigma) {
+function costOf(residuals, { bias, drag }, known, sigma) {
   let sum = bias.reduce((total, value, i) => total + ((value - known.value[i]) / known.spread[i]) ** 2, 0);
+  for (const value of drag ?? []) sum += (value / DRAG_SPREAD) ** 2;
   for (const part of residuals) {
     for (const value of part) {
       const z = Math.abs(value / sigma);
@@ -135,9 +178,9 @@ function costOf(residuals, { bias }, known, sigma) {
 
 /** Return the normal equations of the weighted linear least squares about the parameters. */
 function linearised(at, throws, now, known, sigma) {
-  const count = 8 + 3 * throws.length;
+  const count = sizeOf(at);
   const slopes = Array.from({ length: count }, (_, k) => {
-    const size = k < 5 ? STEP : STEP * Math.max(1, ...at.starts.flat().map(Math.abs));
+    const size = k < 5 || k >= 8 + 3 * throws.length ? STEP : STEP * Math.max(1, ...at.starts.flat().map(Math.abs));
     const [plus, minus] = [size, -size].map((value) => residualsOf(moved(at, Array.from({ length: count }, (_, j) => (j === k ? value : 0))), throws));
     if (!plus || !minus) return now.map((part) => new Float64Array(part.length));
     return plus.map((part, m) => part.map((value, j) => (minus[m][j] - value) / (2 * size))); // of the prediction
@@ -157,11 +200,16 @@ function linearised(at, throws, now, known, sigma) {
     normal[5 + i][5 + i] += known.spread[i] ** -2;
     right[5 + i] += (known.value[i] - at.bias[i]) / known.spread[i] ** 2;
   }
+  (at.drag ?? []).forEach((value, i) => {
+    const k = 8 + 3 * throws.length + i;
+    normal[k][k] += DRAG_SPREAD ** -2;
+    right[k] -= value / DRAG_SPREAD ** 2;
+  });
   return { normal, right };
 }
 
 /** Return the fit with its moments in ascending order, and the axes and starts along with them. */
-function sorted({ shape, axes, bias, starts }, residuals) {
+function sorted({ shape, axes, bias, drag, starts }, residuals) {
   const moments = momentsOf(shape);
   const order = [0, 1, 2].sort((i, j) => moments[i] - moments[j]);
   const turned = axes.map((line) => order.map((k) => line[k]));
@@ -172,6 +220,7 @@ function sorted({ shape, axes, bias, starts }, residuals) {
     moments: order.map((k) => moments[k] / largest),
     axes: turned.map(([a, b, c]) => [a, b, sign * c]),
     bias,
+    drag: drag && order.map((k) => drag[k] / largest),
     starts: starts.map((start) => order.map((k, i) => (i === 2 ? sign : 1) * start[k])),
     residuals: residuals ?? [],
     rms: Math.sqrt(all.reduce((sum, value) => sum + value * value, 0) / Math.max(all.length, 1)),

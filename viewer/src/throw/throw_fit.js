@@ -1,6 +1,6 @@
 // From a gyro log to the fitted body, its exact motion, and how far the log is from it.
 import { freeFlights, LIMIT } from "./flights.js";
-import { fitFree } from "./free_fit.js";
+import { fitThrows } from "./free_fit.js";
 import { row, startOf } from "./linear_fit.js";
 import { Refusal } from "./refusal.js";
 import { restStretches } from "./rests.js";
@@ -9,8 +9,10 @@ import { meanRow, median } from "./statistics.js";
 
 const MIN_SAMPLES = 8;
 const MISFIT = 1.4; // times the noise of the samples: larger residuals are not noise
+const OUTLYING = 2; // times the noise, that residuals are rms where a few samples do not belong to the flight
 const ALIKE = 0.3; // correlation of neighbouring residuals, from which a motion does not explain the data
 const UNEXPLAINED = 0.2; // of the rates, that residuals may be
+const BETTER = 0.9; // of the residuals without drag, that are left with it
 const DRIFT = 0.003; // rad/s, by which a bias in flight differs from that at rest
 
 /** Return {limit, windows, throws}: the free flights of a log, without the samples at the gyro's limit. */
@@ -54,8 +56,8 @@ export function restBias(log, windows) {
 /**
  * Return {throws, windows, limit, start, rest, fit, misfit} of a log.
  *
- * `start` is that of the linear method, `fit` the least squares from it; `misfit` is a sentence that says where the log is
- * not the free motion of a rigid body within its noise, null where it is.
+ * `start` is that of the linear method, `fit` the least squares from it, with drag where the log shows it; `misfit` is a
+ * sentence that says where the log is not that motion within its noise, null where it is.
  *
  * @throws Refusal where no flight is found, or the flights do not determine the inertia
  */
@@ -64,7 +66,10 @@ export function fitLog(log) {
   const start = startOf(throws);
   if (start.degenerate) throw new Refusal(start.degenerate);
   const rest = restBias(log, windows);
-  const fit = fitFree(start, throws, rest);
+  const free = fitThrows(start, throws, rest);
+  // drag is asked for only where the free motion does not explain the log, and kept where it explains clearly more
+  const slowed = misfitOf(free, start.noise) && fitThrows(start, throws, rest, true);
+  const fit = slowed && slowed.rms < BETTER * free.rms ? slowed : free;
   const squares = throws.flatMap(({ rates }) => Array.from(rates, (value) => value * value));
   const size = Math.sqrt(squares.reduce((sum, value) => sum + value, 0) / squares.length);
   if (!(fit.rms < UNEXPLAINED * size)) {
@@ -73,12 +78,17 @@ export function fitLog(log) {
   return { throws, windows, limit, start, rest, fit, misfit: misfitOf(fit, start.noise) };
 }
 
-function misfitOf({ residuals, rms }, noise) {
+function misfitOf({ residuals, rms, drag }, noise) {
   const sizes = residuals.flatMap((part) => Array.from(part, Math.abs));
   const [above, total] = [median(sizes) / 0.6745, sizes.reduce((sum, value) => sum + value * value, 0)];
   const products = residuals.reduce((sum, part) => sum + part.slice(3).reduce((one, value, k) => one + value * part[k], 0), 0);
   const alike = products / Math.max(total, 1e-300);
-  if (above <= MISFIT * noise && alike <= ALIKE) return null;
-  const why = above > MISFIT * noise ? `${(above / noise).toPrecision(2)} times the noise of a sample` : `alike from sample to sample (correlation ${alike.toFixed(2)})`;
-  return `The log is not a free rigid body's motion within its noise: the residuals (${rms.toPrecision(2)} rad/s rms, noise ${noise.toPrecision(2)} rad/s) are ${why}. Drag, a gyro's gains, a clock that jitters or a catch within the window do that; polhode fit fits drag and gains too, and gives errors.`;
+  const times = (ratio) => (ratio < 100 ? ratio.toPrecision(2) : ratio.toFixed(0));
+  let why = null;
+  if (above > MISFIT * noise) why = `${times(above / noise)} times the noise of a sample`;
+  else if (alike > ALIKE) why = `alike from sample to sample (correlation ${alike.toFixed(2)})`;
+  else if (rms > OUTLYING * noise) why = `larger than the noise at a few samples, up to ${Math.max(...sizes).toPrecision(2)} rad/s`;
+  if (!why) return null;
+  const motion = drag ? "the motion of a rigid body with drag" : "a free rigid body's motion";
+  return `The log is not ${motion} within its noise: the residuals (${rms.toPrecision(2)} rad/s rms, noise ${noise.toPrecision(2)} rad/s) are ${why}. A gyro's gains, a clock that jitters or a catch within the window do that; polhode fit fits gains too, and gives errors.`;
 }
