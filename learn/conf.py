@@ -18,7 +18,7 @@ html_title = "How things turn"
 # the math font is that of derivations, and its style that of the documentation
 html_static_path = ["_static", "../docs/_static", "../src/polhode/symbolic/assets"]
 html_css_files = ["pages.css", "course.css"]
-html_js_files = ["offline_search.js", ("exercises.js", {"type": "module"})]
+html_js_files = ["offline_search.js", ("exercises.js", {"defer": "defer"})]
 html_copy_source = False
 html_show_sourcelink = False
 html_use_index = False

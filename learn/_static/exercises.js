@@ -1,4 +1,5 @@
 // Exercises that check themselves. Numbers and answers come from polhode, computed while the page was built.
+// A plain script: browsers load no modules from a disk.
 const add = (parent, tag, properties = {}) => {
   const child = Object.assign(document.createElement(tag), properties);
   parent.append(child);
@@ -8,7 +9,7 @@ const add = (parent, tag, properties = {}) => {
 const isClose = (value, known, tolerance) => Math.abs(value - known) <= tolerance * Math.abs(known) + (known === 0 ? 1e-12 : 0);
 
 /** What the course says to an answer; the same as `Question.respond_to` of polhode.course. */
-export function respondTo(typed, answer, mistakes, hints, tolerance) {
+function respondTo(typed, answer, mistakes, hints, tolerance) {
   const text = typed.trim().replace(",", ".").replace("−", "-");
   const value = text === "" ? NaN : Number(text);
   if (!Number.isFinite(value)) return "Enter a number.";
@@ -65,7 +66,8 @@ function openTarget() {
   target.scrollIntoView();
 }
 
-if (typeof document !== "undefined") {
+if (typeof module !== "undefined") module.exports = { respondTo };
+else {
   const seed = Number(new URLSearchParams(location.search).get("seed") ?? 0) || 0;
   document.querySelectorAll(".exercise").forEach((box) => showExercise(box, seed));
   document.querySelectorAll(".choice").forEach(showChoice);

@@ -7,7 +7,7 @@ from sympy import Matrix
 def derive(lines):
     """The minus bracket on functions of L."""
     L = L1, L2, L3 = sympy.symbols("L_1:4", real=True)
-    I = I1, I2, I3 = sympy.symbols("I_1:4", positive=True)  # noqa: E741
+    I = I1, I2, I3 = sympy.symbols("I_1:4", positive=True)
 
     def gradient(f):
         return Matrix([sympy.diff(f, part) for part in L])

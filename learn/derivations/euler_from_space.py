@@ -7,7 +7,7 @@ from sympy import Matrix, cos, sin
 def derive(lines):
     """The rule of moving frames, applied to L."""
     L = L1, L2, L3 = sympy.symbols("L_1:4", real=True)
-    I = I1, I2, I3 = sympy.symbols("I_1:4", positive=True)  # noqa: E741
+    I = I1, I2, I3 = sympy.symbols("I_1:4", positive=True)
     momentum = Matrix(L)
     velocity = Matrix([part / moment for part, moment in zip(L, I, strict=True)])
     lines.define("The angular momentum in space is π = R L. Only a torque, in the body’s axes τ, changes it.",
