@@ -69,6 +69,13 @@ class Opened:
             self.tab.wait_for_timeout(100)
         pytest.fail(f"never came true: {condition}")
 
+    def unfold(self):
+        """Open all that is folded."""
+        self.tab.evaluate("document.querySelectorAll('details').forEach(one => (one.open = true))")
+
+    def enlarge(self, panel):
+        assert self.tab.evaluate("type => window.polhode.enlarge(type)", panel)
+
     def seek(self, index):
         self.tab.evaluate("index => window.seek(index)", index)
 

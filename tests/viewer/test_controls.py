@@ -1,7 +1,7 @@
 """The page by mouse, by keys alone, on a phone, in the dark, and with a name that tries to be markup."""
 
 from dataclasses import replace
-from itertools import combinations, pairwise
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -140,14 +140,14 @@ def test_without_scripts_the_page_says_so(browser, page_of_a_book):
 
 def test_drag_turns_all_views_at_once(page_of_a_book, opened):
     page = opened(page_of_a_book)
-    box = page.tab.locator("canvas").nth(1).bounding_box()
-    before = page.tab.locator("canvas").nth(0).screenshot()
+    box = page.tab.locator(".large canvas").bounding_box()
+    before = page.tab.locator("canvas").nth(1).screenshot()
     page.tab.mouse.move(box["x"] + 100, box["y"] + 100)
     page.tab.mouse.down()
     page.tab.mouse.move(box["x"] + 200, box["y"] + 130, steps=4)
     page.tab.mouse.up()
     page.tab.wait_for_timeout(400)
-    assert page.tab.locator("canvas").nth(0).screenshot() != before
+    assert page.tab.locator("canvas").nth(1).screenshot() != before
 
 
 def test_motion_starts_by_itself_unless_less_motion_is_wanted(page_of_a_book, opened):
@@ -166,7 +166,8 @@ def test_phone(example_page, opened, scheme):
     assert page.tab.evaluate("document.documentElement.scrollWidth") <= 390
     boxes = [panel.bounding_box() for panel in page.tab.locator("figure").all()]
     assert all(box["x"] + box["width"] <= 390 for box in boxes)
-    assert all(low["y"] >= high["y"] + high["height"] for high, low in pairwise(boxes))
+    assert not any(overlap(a, b) for a, b in combinations(boxes, 2))
+    page.unfold()
     controls = [control.bounding_box() for control in page.tab.locator("button:visible").all()]
     assert all(min(box["width"], box["height"]) >= FINGER and box["x"] + box["width"] <= 390 for box in controls)
     assert page.tab.evaluate("window.polhode.shown().theme") == scheme
@@ -237,8 +238,10 @@ def test_odd_motions_are_drawn(opened, tmp_path, name):
     page = opened(write_page(motion, tmp_path / "odd.html", name=name))
     page.seek(page.count() - 1)
     assert page.tab.locator("#failure").is_hidden() and not page.complaints
-    for canvas in page.tab.locator(".panel canvas").all():
-        assert len(canvas.screenshot()) > EMPTY
+    for panel in page.tab.evaluate("[...document.querySelectorAll('.panel')].map((_, k) => k)"):
+        page.enlarge(panel)
+        page.tab.wait_for_timeout(50)
+        assert len(page.tab.locator(".large canvas").screenshot()) > EMPTY
     values = page.tab.locator("#readouts").text_content()
     assert "NaN" not in values and "Infinity" not in values
 

@@ -61,6 +61,7 @@ def test_the_motion_that_was_given_is_solved(book, opened):
 @pytest.mark.parametrize("key", ["body-moments-1", "spin-rate", "spin-tilt", "spin-around"])
 def test_a_slider_changes_the_motion_to_what_python_computes(book, opened, key):
     page = opened(book)
+    page.unfold()
     before = settings_of(page)
     page.tab.locator(f".control:has(#set-{key}) input[type=range]").fill("640")
     after = settings_of(page)
@@ -73,6 +74,7 @@ def test_a_slider_changes_the_motion_to_what_python_computes(book, opened, key):
 
 def test_numbers_are_typed_in_the_unit_that_stands_beside_them(book, opened):
     page = opened(book)
+    page.unfold()
     for key, text, wanted in (("spin-rate", "30", np.pi), ("body-moments-0", "1.5", 1.5)):
         page.tab.locator(f"#set-{key}").fill(text)
         page.tab.keyboard.press("Enter")
@@ -131,6 +133,7 @@ def test_the_spec_of_what_is_set_gives_the_same_motion(book, opened, tmp_path):
     attitude, momentum = drawn(page)
     assert np.asarray(motion.attitude(TIMES)) == pytest.approx(attitude, abs=SAME)
     assert np.asarray(motion.momentum(TIMES)) == pytest.approx(momentum, abs=SAME)
+    page.unfold()
     page.tab.locator("#spec").click()
     assert page.tab.locator("#copied").input_value() == spec.read_text()
 
@@ -155,9 +158,8 @@ def test_play_goes_on_for_ever_without_drift(book, opened):
 
 def test_the_point_on_the_sphere_is_dragged_to_another_polhode(book, opened):
     page = opened(book)
-    canvas = page.tab.locator("canvas").nth(1)
-    canvas.scroll_into_view_if_needed()
-    box = canvas.bounding_box()
+    page.enlarge("sphere")
+    box = page.tab.locator(".large canvas").bounding_box()
     page.tab.evaluate("window.polhode.set({spin: {momentum: [1.2, 1.2, 1.2]}})")
     page.seek(0)
     x, y, _ = page.measure("sphere")["seen"]
@@ -183,6 +185,7 @@ def test_a_box_is_set_by_its_edges(opened, tmp_path):
     motion = ph.FreeMotion(box.principal_moments, momentum=box.principal_moments * np.array([0.1, 2.0, 0.1]))
     path = write_page(replace(motion.sample(np.linspace(0.0, 9.0, 91)), frame=box.frame), tmp_path / "box.html")
     page = opened(path)
+    page.unfold()
     page.tab.locator("#set-by").select_option("1")
     shown = [float(page.tab.locator(f"#set-{name}").input_value()) for name in ("mass", "edge-0", "edge-1", "edge-2")]
     assert shown == pytest.approx([2.0, 30.0, 20.0, 10.0], rel=1e-6)  # kg and cm, along the axes of ascending moments
@@ -221,8 +224,8 @@ def test_angles_and_rates_are_plotted_over_time(book, opened):
     sampled = MOTION.angular_velocity(np.linspace(0.0, 30.0, 601))
     assert np.array(velocity["ranges"]) == pytest.approx(np.array([sampled.min(0), sampled.max(0)]).T, abs=1e-3)
     assert np.array(angles["ranges"]) == pytest.approx(np.degrees(ph.analysis.axis_angles(MOTION)), abs=0.05)
-    box = page.tab.locator("#plots canvas").first.bounding_box()
-    page.tab.mouse.click(box["x"] + 0.5 * (box["width"] + 62 - 12), box["y"] + 50)
+    plot = page.tab.locator("#plots canvas").first
+    plot.click(position={"x": 0.5 * (plot.bounding_box()["width"] + 62 - 12), "y": 50})
     assert page.tab.evaluate("window.polhode.shown().time") == pytest.approx(15.0, abs=0.1)
     page.tab.evaluate("window.polhode.set({spin: {rate: 2, about: 3, tilt: 1e-5}})")
     *_, small = page.tab.evaluate("window.polhode.plots()")
@@ -259,6 +262,7 @@ def toy(tmp_path_factory):
 @pytest.mark.parametrize("key", [None, "mgl", "lean", "spin", "precession", "nutation", "moments-0", "moments-2"])
 def test_tops_are_set_by_lean_spin_and_precession(toy, opened, key):
     page = opened(toy)
+    page.unfold()
     before = settings_of(page)
     if key:
         page.tab.locator(f".control:has(#set-{key}) input[type=range]").fill("700")

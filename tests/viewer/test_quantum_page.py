@@ -126,8 +126,9 @@ def test_levels_are_chosen_by_name_and_by_hand(page_of):
 def test_a_drag_goes_to_the_nearest_level(page_of):
     page = page_of("j = 6\n")
     page.tab.evaluate("window.polhode.set({ state: { level: 12 } })")
+    page.enlarge("sphere")
     x, y, _ = page.measure("sphere", "seen")["seen"]
-    box = page.tab.locator("canvas").nth(1).bounding_box()
+    box = page.tab.locator(".large canvas").bounding_box()
     at = [box["x"] + 0.5 * (1 + x) * box["width"], box["y"] + 0.5 * (1 - y) * box["height"]]
     page.tab.mouse.move(*at)
     page.tab.mouse.down()
@@ -139,7 +140,7 @@ def test_a_drag_goes_to_the_nearest_level(page_of):
     assert 6.5**2 * unit**2 @ np.array(CONSTANTS) - ZERO == pytest.approx(
         level_polhodes(CONSTANTS, 6).semiclassical[level], rel=1e-9
     )
-    page.until("window.location.hash === '#state.level=" + str(level) + "'")
+    page.until("window.location.hash === '#state.level=" + str(level) + "&view=sphere'")
 
 
 @pytest.mark.browser

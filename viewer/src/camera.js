@@ -5,6 +5,7 @@ export const FIELD = 26; // degrees; narrow, so that shapes look as they are
 const STEP = 0.1; // rad per key
 const HIGHEST = 1.55;
 const [FARTHEST, CLOSEST] = [0.4, 6];
+const STILL = 5; // pixels that a click may move
 
 export class View {
   constructor(onChange) {
@@ -12,6 +13,20 @@ export class View {
     this.elevation = 0.38;
     this.zoom = 1;
     this.onChange = onChange;
+    this.taken = null; // the picture that a click has taken hold of, whose wheel zooms
+    document.addEventListener("pointerdown", (event) => event.target !== this.taken && this.letGo(), { capture: true });
+    document.addEventListener("keydown", (event) => event.key === "Escape" && this.letGo());
+  }
+
+  take(canvas) {
+    this.letGo();
+    this.taken = canvas;
+    canvas.parentElement.classList.add("held");
+  }
+
+  letGo() {
+    this.taken?.parentElement?.classList.remove("held");
+    this.taken = null;
   }
 
   turn(right, up) {
@@ -41,16 +56,18 @@ export class View {
     camera.updateMatrixWorld();
   }
 
-  /** Let a panel's picture turn the view, by mouse, finger or key, and two fingers or the wheel bring it closer. */
+  /** Let a panel's picture turn the view, by mouse or finger, and two fingers or the wheel bring it closer. */
   listen(canvas) {
     const held = new Map();
+    let first = null;
     const gap = () => {
       const [a, b] = [...held.values()];
       return Math.hypot(a[0] - b[0], a[1] - b[1]);
     };
     canvas.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
-      held.set(event.pointerId, [event.clientX, event.clientY]);
+      first = [event.clientX, event.clientY];
+      held.set(event.pointerId, first);
       canvas.setPointerCapture(event.pointerId);
     });
     canvas.addEventListener("mousedown", (event) => event.preventDefault()); // keys stay with the time bar
@@ -63,13 +80,19 @@ export class View {
       else if (held.size === 1) this.turn((event.clientX - last[0]) * 0.008, (event.clientY - last[1]) * 0.008);
     });
     for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => held.delete(event.pointerId));
-    canvas.addEventListener("wheel", (event) => {
-      // at its closest and farthest the page scrolls on
-      const factor = Math.exp(-0.002 * (event.deltaY || event.deltaX));
-      if ((factor < 1 && this.zoom <= FARTHEST) || (factor > 1 && this.zoom >= CLOSEST)) return;
-      event.preventDefault();
-      this.closer(factor);
-    }, { passive: false });
+    canvas.addEventListener("pointerup", (event) => {
+      const clicked = first && Math.hypot(event.clientX - first[0], event.clientY - first[1]) < STILL;
+      if (clicked && event.pointerType === "mouse") this.take(canvas);
+      first = null;
+    });
+    canvas.addEventListener("wheel", (event) => this.wheel(event, canvas), { passive: false });
+  }
+
+  /** Zoom by the wheel where a click has taken hold of the picture, or with Ctrl, as a pinch on a trackpad; else the page scrolls. */
+  wheel(event, canvas) {
+    if (this.taken !== canvas && !event.ctrlKey) return;
+    event.preventDefault();
+    this.closer(Math.exp(-0.002 * (event.deltaY || event.deltaX)));
   }
 
   /** Return whether a key turned the view. */

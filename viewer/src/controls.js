@@ -3,36 +3,41 @@ const STEPS = 1000;
 
 export class Controls {
   /**
-   * @param root element that they are put into
+   * @param roots elements that they are put into: first, those that matter most; more, the rest; fold, which hides the rest
    * @param onChange called with the key and the new value
    * @param refuse called with why what was typed is not taken
    */
-  constructor(root, onChange, refuse) {
-    this.root = root;
+  constructor(roots, onChange, refuse) {
+    this.roots = roots;
     this.onChange = onChange;
     this.refuse = refuse;
     this.rows = new Map();
   }
 
-  /** Show what can be set: new rows where the keys are new, new values everywhere. */
-  show(controls) {
-    const keys = controls.map(({ key }) => key).join();
-    if (keys !== this.keys) {
-      this.keys = keys;
-      this.rows.clear();
-      this.root.replaceChildren(...controls.map((control) => this.row(control)));
+  /** Show what can be set, some first and the rest folded: new rows where the keys are new, new values everywhere. */
+  show(controls, first) {
+    const keys = controls.map(({ key }) => key);
+    if (keys.join() !== this.keys) {
+      this.keys = keys.join();
+      const rows = new Map(controls.map((control) => [control.key, this.rows.get(control.key) ?? this.row(control)]));
+      this.rows = rows;
+      const ahead = first.filter((key) => rows.has(key));
+      const rest = keys.filter((key) => !ahead.includes(key));
+      stand(this.roots.first, ahead.map((key) => rows.get(key).line));
+      stand(this.roots.more, rest.map((key) => rows.get(key).line));
+      this.roots.fold.hidden = !rest.length;
     }
     for (const control of controls) this.refresh(control);
   }
 
   row(control) {
     const line = document.createElement("div");
-    line.className = "control";
+    line.className = control.choices ? "control choice" : "control";
     const label = document.createElement("label");
     const id = `set-${control.key.replaceAll(".", "-")}`;
     label.htmlFor = id;
     line.append(label);
-    const row = { label };
+    const row = { label, line };
     if (control.choices) {
       row.choice = document.createElement("select");
       row.choice.id = id;
@@ -49,10 +54,9 @@ export class Controls {
       Object.assign(row.field, { type: "text", inputMode: "decimal", id, autocomplete: "off" });
       row.field.addEventListener("change", () => this.typed(row));
       row.unit = document.createElement("span");
-      line.append(row.slider, row.field, row.unit);
+      line.append(row.field, row.unit, row.slider);
     }
-    this.rows.set(control.key, row);
-    return line;
+    return row;
   }
 
   refresh(control) {
@@ -66,6 +70,7 @@ export class Controls {
     row.control = held ? { ...row.control, value: control.value } : control;
     row.slider.setAttribute("aria-label", control.label);
     if (!held) row.slider.value = String(STEPS * partAt(control, control.value));
+    row.slider.style.setProperty("--part", `${(100 * Number(row.slider.value)) / STEPS}%`);
     const text = plain(control.value / (control.si ?? 1));
     row.slider.setAttribute("aria-valuetext", `${text} ${control.unit}`);
     if (document.activeElement !== row.field) row.field.value = text;
@@ -92,6 +97,12 @@ export class Controls {
       this.refuse(said);
     } else this.onChange(row.control.key, value);
   }
+}
+
+/** Let lines stand in an element, in their order; those that stand there already stay untouched, and keep the focus. */
+function stand(root, lines) {
+  for (const old of [...root.children]) if (!lines.includes(old)) old.remove();
+  lines.forEach((line, k) => root.children[k] !== line && root.insertBefore(line, root.children[k] ?? null));
 }
 
 /** Return the value at a part, 0 to 1, of a slider's way. */

@@ -2,8 +2,8 @@
 const element = (id) => document.getElementById(id);
 
 /** Put the words of the page in their places, as text and never as markup. */
-export function write({ name, summary, notes }) {
-  element("name").textContent = name;
+export function write({ name, title = name, summary, notes }) {
+  element("name").textContent = title;
   element("summary").textContent = summary;
   element("notes").replaceChildren(...notes.map((note) => said("li", note)));
 }
@@ -28,12 +28,15 @@ export function addFrame(panel, view) {
       if (view.key(event.key)) event.preventDefault();
     });
   }
-  frame.append(canvas, document.createElement("figcaption"));
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "enlarge";
+  frame.append(canvas, document.createElement("figcaption"), button);
   element("panels").append(frame);
   return canvas;
 }
 
-/** Write what a picture shows below it. */
+/** Write what a picture shows above and below it, and on the button that makes it large. */
 export function caption(canvas, panel, data) {
   const place = canvas.nextElementSibling;
   const up = panel.title === "The body in space" && data.up === "L" ? "L points up" : "";
@@ -45,7 +48,10 @@ export function caption(canvas, panel, data) {
     item.append(swatch, text);
     legend.append(item);
   }
-  place.replaceChildren(said("strong", panel.title), words, legend);
+  const heading = said("span", "", "heading");
+  heading.append(said("strong", panel.title), words);
+  place.replaceChildren(heading, legend);
+  place.nextElementSibling.setAttribute("aria-label", `Make large: ${panel.title}`);
   const turns = panel.flat ? "." : ". Arrow keys turn the view, page up and down bring it closer.";
   canvas.setAttribute("aria-label", [panel.title, panel.words].filter(Boolean).join(": ") + turns);
 }

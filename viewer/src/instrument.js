@@ -1,28 +1,25 @@
-// What can be set on a page: the setting, its sliders, its address, and the motion that it makes.
-import { asFragment, fromFragment } from "./address.js";
+// What can be set on a page: the setting, its sliders, and the motion that it makes.
 import { Controls } from "./controls.js";
 import { list } from "./frames.js";
 import { SETTINGS } from "./settings/index.js";
 import { SolvedMotion } from "./solved.js";
 
-const LATER = 300; // ms after the last change that the address follows
+const FEW = 3; // controls that are in sight at first, of a kind that names none
 const element = (id) => document.getElementById(id);
 
 export class Instrument {
   /**
    * @param model what Python wrote of the motion: the solver's name and its numbers
    * @param changed called after each change, with whether the shape of the body has changed too
-   * @param preset which motion of a playground it is, for the address
    */
-  constructor(model, changed, preset = null) {
-    this.preset = preset;
+  constructor(model, changed) {
     this.kind = SETTINGS[model.solver];
     this.given = model;
     this.changed = changed;
     this.setting = this.first = this.kind.from(model);
     this.solver = this.kind.make(this.setting);
-    this.controls = new Controls(element("controls"), (key, value) => this.move(key, value), (why) => this.say(why));
-    element("spec").hidden = !this.kind.toml;
+    const roots = { first: element("controls"), more: element("more"), fold: element("folded") };
+    this.controls = new Controls(roots, (key, value) => this.move(key, value), (why) => this.say(why));
     this.show();
   }
 
@@ -37,7 +34,8 @@ export class Instrument {
   }
 
   show() {
-    this.controls.show(this.kind.controls(this.setting));
+    const controls = this.kind.controls(this.setting);
+    this.controls.show(controls, this.kind.first ?? controls.slice(0, FEW).map(({ key }) => key));
     list(element("facts"), this.kind.facts(this.setting, this.solver));
   }
 
@@ -64,8 +62,6 @@ export class Instrument {
       this.say(error.message);
       return false;
     }
-    clearTimeout(this.waiting);
-    this.waiting = setTimeout(() => this.follow(), LATER);
     return true;
   }
 
@@ -101,23 +97,9 @@ export class Instrument {
     element("refused").textContent = text;
   }
 
-  /** Write the setting into the page's address. */
-  follow(time = null) {
-    const tables = { ...(this.preset ? { preset: this.preset } : {}), ...this.kind.asSpec(this.setting) };
-    try {
-      window.history.replaceState(null, "", `#${asFragment(time === null ? tables : { ...tables, t: time })}`);
-    } catch {
-      // a page inside a frame has no address of its own
-    }
-  }
-
-  /** Take the setting that the page's address names; return its time, or null. */
-  restore() {
-    const tables = fromFragment(window.location.hash);
-    if (!tables) return null;
-    const { t = null, preset, ...settings } = tables;
-    if (Object.keys(settings).length) this.set(settings);
-    return typeof t === "number" ? t : null;
+  /** The setting as tables; none of the one that was given. */
+  get tables() {
+    return this.isAsGiven ? {} : this.kind.asSpec(this.setting);
   }
 
   toml(span) {

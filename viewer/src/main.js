@@ -1,7 +1,9 @@
 // From the data in the page to its panels, and from each change of time, view, colours or setting to a new picture.
+import { Address } from "./address.js";
 import { View } from "./camera.js";
 import { addFrame, caption, write } from "./frames.js";
 import { Instrument } from "./instrument.js";
+import { Room, Views } from "./layout.js";
 import { Motion, unpacked } from "./motion.js";
 import { axisPanel } from "./panels/axis.js";
 import { bodyPanel } from "./panels/body.js";
@@ -10,6 +12,7 @@ import { spherePanel } from "./panels/sphere.js";
 import { Plots } from "./plots.js";
 import { Playground } from "./playground.js";
 import { Readouts } from "./readouts.js";
+import { Sharing } from "./sharing.js";
 import { dispose } from "./shapes.js";
 import { SolvedMotion } from "./solved.js";
 import { Stage } from "./stage.js";
@@ -34,10 +37,10 @@ class Page {
     system.addEventListener("change", (event) => this.dress(event.matches ? THEMES.dark : THEMES.light));
     element("theme").addEventListener("click", () => this.dress(this.theme === THEMES.dark ? THEMES.light : THEMES.dark));
     element("reset").addEventListener("click", () => this.instrument?.reset());
-    element("spec").addEventListener("click", () => this.copySpec());
     // a button that was pressed by hand gives the keys back to the time bar; one reached by key keeps them
     for (const button of document.querySelectorAll("button")) button.addEventListener("pointerup", () => button.blur());
     new ResizeObserver(() => this.sizes() !== this.shapes && this.draw()).observe(element("panels"));
+    this.room = new Room(["summary", "refused", "facts", "notes", "readouts", "plots"].map(element));
     this.plots = new Plots(element("plots"), (time) => {
       this.timebar.pause();
       this.goTo(time);
@@ -45,24 +48,31 @@ class Page {
     this.timebar = new Timebar(element("timebar"), {
       seek: (position, time) => this.show(position, time),
       beyond: (time) => this.goTo(time),
+      told: () => this.told(),
     });
-    this.playground = data.presets ? new Playground(data.presets, (preset) => this.open(preset), (tables) => this.instrument?.set(tables)) : null;
+    this.address = new Address(() => this.seen, (tables) => this.open(this.playground?.find(tables.preset) ?? data, tables));
+    this.views = new Views(element("panels"), () => this.looked());
+    this.sharing = new Sharing(this);
+    this.playground = data.presets ? new Playground(data.presets, (preset) => this.open(preset), (step) => this.tell(step)) : null;
     if (data.presets) new LogReader(element("playground"), (found) => this.open(found));
-    this.open(data.presets ? data.presets[this.playground.first()] : data, true);
+    const { tables } = this.address;
+    this.open(this.playground?.find(tables.preset) ?? data, tables);
   }
 
-  /** Show a motion: its words, its panels, and, where the page can solve it, what can be set. */
-  open(data, restored = false) {
+  /** Show a motion: its words, its panels, and, where the page can solve it, what can be set; as an address says, if given. */
+  open(data, tables = null) {
     const lively = this.timebar.playing;
     this.data = data;
     write(data);
+    this.room.release();
+    this.view.letGo();
     this.view.elevation = data.panels[0].elevation ?? this.view.elevation;
     this.view.azimuth = data.panels[0].azimuth ?? this.view.azimuth;
     this.instrument = null;
     this.shaped = false;
     element("instrument").hidden = !data.model;
     if (data.model) {
-      this.instrument = new Instrument(data.model, (shaped) => this.reset(shaped), data.key);
+      this.instrument = new Instrument(data.model, (shaped) => this.reset(shaped));
       this.epoch = this.instrument.setting.epoch;
     }
     // what is stepped on the page begins with Python's samples, which cost no steps
@@ -70,18 +80,68 @@ class Page {
     element("panels").replaceChildren();
     this.canvases = data.panels.map((panel) => addFrame(panel, this.view));
     this.canvases.forEach((canvas, k) => this.listen(canvas, k));
+    this.views.take(data.panels.map(({ type }) => type));
     this.readouts = new Readouts(element("readouts"), this.motion, data);
     this.now = this.motion.at(0);
     this.build();
     this.timebar.goesOn = Boolean(this.instrument);
     this.timebar.take(this.motion, true, null, this.instrument?.event);
+    this.sharing.take();
+    if (tables) this.restore(tables);
     if (lively) this.timebar.toggle();
-    const time = restored ? this.instrument?.restore() : null;
-    if (time !== null && time !== undefined) this.goTo(time);
+    this.address.write();
+  }
+
+  /** Take the setting, the large picture and the time that an address names. */
+  restore({ t = null, preset, view = null, ...settings }) {
+    if (Object.keys(settings).length) this.instrument?.set(settings);
+    if (view !== null) this.views.enlarge(String(view));
+    if (typeof t === "number") this.goTo(t);
+  }
+
+  /** What the address says: which motion, how it is set, which picture is large, and the time, once it stands still. */
+  get seen() {
+    const { key } = this.data;
+    const { named } = this.views;
+    const stands = !this.timebar.playing && this.now.time !== this.begins;
+    return {
+      ...(key ? { preset: key } : {}),
+      ...this.instrument?.tables,
+      ...(named ? { view: named } : {}),
+      ...(stands ? { t: this.now.time } : {}),
+    };
+  }
+
+  get begins() {
+    return this.instrument?.setting.epoch ?? this.motion.times[0];
+  }
+
+  /** Do what the button in a sentence says, from the motion's beginning: set it, make a picture large, or show it as it was. */
+  tell({ set, view }) {
+    if (view) return this.views.enlarge(view);
+    if (set) this.instrument?.set(set);
+    else this.instrument?.reset();
+    this.goTo(this.begins);
+    if (!calm() && !this.timebar.playing) this.timebar.toggle();
+    return this.address.write();
+  }
+
+  /** Follow another picture that is large now. */
+  looked() {
+    this.view.letGo();
+    this.draw();
+    this.address.write();
+  }
+
+  /** Follow the time bar, which plays, pauses, or has another speed. */
+  told() {
+    if (this.sharing && this.motion) this.sharing.suggest();
+    if (this.instrument !== undefined) this.address.changed();
   }
 
   /** Solve and draw anew after the setting has changed, at the same time. */
   reset(shaped) {
+    this.room.keep();
     const { epoch } = this.instrument.setting;
     const time = epoch === this.epoch ? this.now.time : epoch; // of a motion that begins anew
     this.epoch = epoch;
@@ -93,6 +153,9 @@ class Page {
     this.readouts.take(this.motion, this.data, true);
     this.build();
     this.timebar.take(this.motion, false, time);
+    this.sharing.suggest();
+    this.room.keep();
+    this.address.changed();
   }
 
   build() {
@@ -122,6 +185,7 @@ class Page {
 
   show(position, time) {
     this.now = this.motion.endless ? { position, ...this.motion.solvedAt(time) } : this.motion.at(position);
+    if (!this.timebar.playing) this.address.changed();
     this.draw();
   }
 
@@ -151,6 +215,7 @@ class Page {
     this.stage.draw(this.panels, this.canvases, this.theme);
     this.plots.draw(this.now);
     this.readouts.show(this.now);
+    this.sharing.frame();
     window.polhode.drawn += 1;
     window.polhode.firstPicture ??= performance.now();
   }
@@ -193,22 +258,23 @@ class Page {
     }, { capture: true });
   }
 
-  /** Put the spec of what is shown where it can be pasted from. */
-  async copySpec() {
-    const text = this.instrument.toml(this.motion.span);
-    const place = element("copied");
-    if (text === null) return this.instrument.say("No spec says this start. A gyrostat needs its rotor's moment, and a free rotor a principal axis; a disk must begin in steady rolling.");
-    place.value = text;
-    place.hidden = false;
-    try {
-      await navigator.clipboard.writeText(text);
-      this.instrument.say("The spec is copied: paste it into a file, and run polhode report on it.");
-    } catch {
-      this.instrument.say("This browser keeps the clipboard from pages in frames: copy the spec from the field below.");
-    }
+  /** Return the large picture on its ground, on a canvas of its own or on one of an earlier shot. */
+  shot(into = null) {
+    if (!into) this.drawn();
+    const canvas = this.canvases[this.views.large];
+    const found = into ?? document.createElement("canvas");
+    if (!into) [found.width, found.height] = [canvas.width, canvas.height].map((size) => size - (size % 2)); // as recorders ask
+    const paper = found.getContext("2d");
+    paper.fillStyle = this.theme.ground;
+    paper.fillRect(0, 0, found.width, found.height);
+    const scale = Math.min(found.width / canvas.width, found.height / canvas.height);
+    const [width, height] = [canvas.width * scale, canvas.height * scale];
+    paper.drawImage(canvas, 0.5 * (found.width - width), 0.5 * (found.height - height), width, height);
+    return found;
   }
 }
 
+const calm = () => window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 const timesOf = (data) => unpacked(data.times);
 
 /** What tests and those who embed the page use: set(tables of a spec, in SI), state(time), and where things are drawn. */
@@ -223,6 +289,8 @@ function offered(page) {
       return page.motion.times;
     },
     view: page.view,
+    /** Make the picture of a type large, as "sphere"; whether there is one. */
+    enlarge: (type) => page.views.enlarge(type),
     shown: () => ({ theme: page.theme.name, position: page.now.position, time: page.now.time }),
     seek(index) {
       page.timebar.to(index);
@@ -267,8 +335,7 @@ try {
   window.polhode = offered(page);
   window.seek = (index) => window.polhode.seek(index);
   page.draw();
-  const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
-  if (!calm && page.motion.count > 1 && page.motion.span > 0) requestAnimationFrame(() => page.timebar.toggle());
+  if (!calm() && page.motion.count > 1 && page.motion.span > 0) requestAnimationFrame(() => page.timebar.toggle());
 } catch (error) {
   const words = element("failure");
   words.hidden = false;

@@ -1,36 +1,34 @@
-// Ready-made motions to play with, each with a few words that point at what to watch and buttons that set it.
+// Ready-made motions to play with, each with a few sentences that point at what to watch and have buttons in them.
 const element = (id) => document.getElementById(id);
 
 export class Playground {
   /**
-   * @param presets the motions: data of a page each, with a short title, and a story of steps {say, set}
+   * @param presets the motions: data of a page each, with a short title, and a story of steps {say, set, view, label}
    * @param open called with the one that is chosen
-   * @param set called with the tables that a step sets
+   * @param act called with the step whose button is pressed
    */
-  constructor(presets, open, set) {
+  constructor(presets, open, act) {
     this.presets = presets;
-    this.set = set;
-    const root = element("playground");
-    root.hidden = false;
+    this.act = act;
+    element("playground").hidden = false;
+    document.documentElement.dataset.playground = "";
     this.buttons = presets.map((preset, k) => {
       const button = document.createElement("button");
       Object.assign(button, { type: "button", textContent: preset.title });
-      button.addEventListener("click", () => {
-        this.choose(k);
-        open(presets[k]);
-      });
+      button.addEventListener("click", () => open(this.choose(k)));
       return button;
     });
     element("presets").replaceChildren(...this.buttons);
   }
 
-  /** Return which motion to begin with: the one that the address names, or the first. */
-  first() {
-    const named = new URLSearchParams(window.location.hash.replace(/^#/, "")).get("preset");
+  /** Return the motion of a name, or the first, and say so where the name is wrong. */
+  find(named) {
     const found = this.presets.findIndex(({ key }) => key === named);
-    this.choose(Math.max(0, found));
+    const chosen = this.choose(Math.max(0, found));
+    const [strip, button] = [element("presets"), this.buttons[Math.max(0, found)]]; // a row that scrolls on a phone
+    strip.scrollLeft += button.getBoundingClientRect().left - 0.5 * (strip.clientWidth - button.offsetWidth);
     if (named && found < 0) this.tell(`The playground has no motion called ${named}; it has ${this.presets.map(({ key }) => key).join(", ")}.`);
-    return Math.max(0, found);
+    return chosen;
   }
 
   tell(words) {
@@ -40,18 +38,22 @@ export class Playground {
   }
 
   choose(k) {
-    this.chosen = this.presets[k].key;
     this.buttons.forEach((button, j) => button.setAttribute("aria-pressed", String(j === k)));
-    element("story").replaceChildren(...this.presets[k].story.map(({ say, set, label }) => {
-      const step = document.createElement("li");
-      step.textContent = say;
-      if (set) {
-        const button = document.createElement("button");
-        Object.assign(button, { type: "button", textContent: label ?? "Show it" });
-        button.addEventListener("click", () => this.set(set));
-        step.append(" ", button);
-      }
-      return step;
-    }));
+    element("story").replaceChildren(...this.presets[k].story.map((step) => this.sentence(step)));
+    return this.presets[k];
+  }
+
+  /** Return a sentence with its button: the words in brackets, or, of a sentence without, its label at the end. */
+  sentence(step) {
+    const line = document.createElement("li");
+    const [, before, words, after] = /^(.*?)\[(.+?)\](.*)$/s.exec(step.say) ?? [null, `${step.say} `, step.set && (step.label ?? "Show it"), ""];
+    line.append(before);
+    if (!words) return line;
+    const button = document.createElement("button");
+    Object.assign(button, { type: "button", textContent: words });
+    button.addEventListener("click", () => this.act(step));
+    button.addEventListener("pointerup", () => button.blur()); // so that space plays
+    line.append(button, after);
+    return line;
   }
 }

@@ -4,6 +4,7 @@ import { AmbientLight, DirectionalLight, Scene, Vector3, WebGLRenderer } from "t
 import { FIELD, newCamera, ORIGIN } from "./camera.js";
 
 const APART = 17; // pixels that a name is high
+const SMALL = 200; // pixels: names do not fit into smaller pictures
 const MOST_DOTS = 2; // device pixels per pixel drawn at most
 
 export class Stage {
@@ -63,6 +64,8 @@ export class Stage {
   }
 
   write(panel, paper, across, down, dots, theme) {
+    panel.boxes = [];
+    if (Math.min(across, down) < SMALL * dots) return;
     paper.font = `600 ${13 * dots}px system-ui, sans-serif`;
     paper.textAlign = "center";
     paper.textBaseline = "middle";

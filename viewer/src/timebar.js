@@ -15,11 +15,13 @@ export class Timebar {
    * @param root element with the controls
    * @param seek called with the position in samples
    * @param beyond called with a time outside of the samples of a motion that goes on for ever
+   * @param told called when it plays, pauses, or takes another speed
    */
-  constructor(root, { seek, beyond }) {
+  constructor(root, { seek, beyond, told }) {
     this.root = root;
     this.seek = seek;
     this.beyond = beyond;
+    this.told = told;
     this.position = 0;
     this.playing = false;
     this.looping = false;
@@ -151,6 +153,7 @@ export class Timebar {
 
   refresh() {
     this.slider.value = String(Math.round(this.position));
+    this.slider.style.setProperty("--part", `${(100 * this.position) / Math.max(1, this.motion.count - 1)}%`);
     const text = clock(this.time, Math.max(this.motion.span, Math.abs(this.time)));
     this.slider.setAttribute("aria-valuetext", text);
     this.shown.textContent = text;
@@ -168,6 +171,7 @@ export class Timebar {
     this.play.dataset.playing = String(this.playing);
     this.loop.setAttribute("aria-pressed", String(this.looping));
     if (this.rate) this.speed.textContent = Math.abs(this.rate - 1) < 0.05 ? "real time" : `×${worded(this.rate, 2)}`;
+    this.told();
   }
 }
 

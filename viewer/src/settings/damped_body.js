@@ -7,6 +7,7 @@ import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControl
 const TURNS = 2000; // that are looked at for the time to a flat spin
 const FLAT = (5 * Math.PI) / 180;
 
+export const first = ["rate", "spin.tilt", "spin.rate"]; // of the controls, the others are folded
 export const keys = { body: { moments: 3 }, system: { kind: 0, damping: 1, sink_rate: 1, linear_drag: 1, quadratic_drag: 1 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
 
 export function from({ moments, rate = 0, linear_drag = 0, quadratic_drag = 0, momentum, attitude = [1, 0, 0, 0], epoch = 0 }) {

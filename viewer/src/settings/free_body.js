@@ -11,6 +11,7 @@ const DWELLING = 0.995; // modulus from which L dwells at the intermediate axis
 
 export const dragged = true; // the momentum's point can be dragged on its sphere
 
+export const first = ["spin.tilt", "spin.rate", "spin.about"]; // of the controls, the others are folded
 export const keys = { body: { moments: 3 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
 
 /** Return the setting of what Python wrote down: moments, momentum and attitude along the principal axes. */

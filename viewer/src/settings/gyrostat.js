@@ -5,6 +5,7 @@ import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControl
 
 const RPM = Math.PI / 30;
 
+export const first = ["rate", "rotor", "spin.tilt", "spin.rate"]; // of the controls, the others are folded
 export const keys = {
   body: { moments: 3 },
   system: { kind: 0, rotor_axis: 3, rotor_moment: 1, rotor_rate: 1, rotor_drive: 0, rotor_momentum: 1 },

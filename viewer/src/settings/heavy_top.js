@@ -6,6 +6,7 @@ import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControl
 
 const GRAVITY = 9.80665; // m/s²
 
+export const first = ["spin.rate", "spin.tilt", "mgl"]; // of the controls, the others are folded
 export const keys = { system: { kind: 0, moments: 3, mgl: 1, axis: 3 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
 
 export function from({ moments, mgl, axis, momentum, attitude = [1, 0, 0, 0], epoch = 0 }) {

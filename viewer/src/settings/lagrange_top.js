@@ -8,6 +8,7 @@ const GRAVITY = 9.80665; // m/s²
 const STEADY = 1e-6; // of cos θ: nods as small as that are not seen
 const UPRIGHT = 1e-9; // sine of a lean below which precession and spin cannot be told apart, and all is called spin
 
+export const first = ["lean", "spin", "precession"]; // of the controls, the others are folded
 export const keys = {
   system: { kind: 0, moments: 3, mgl: 1, lean: 1 },
   spin: { spin: 1, precession: 1, nutation_rate: 1, lean: 1, momentum: 3, attitude: 4 },

@@ -13,6 +13,7 @@ const [ROWS, FINEST] = [[64, 192], 6]; // of the map of a Wigner function, and o
 
 export const dragged = true;
 
+export const first = ["state.level", "state.lean", "state.towards"]; // of the controls, the others are folded
 export const keys = { state: { level: 1, direction: 3 } };
 
 /** Return the setting of what Python wrote down: constants, levels with a point of the polhode of each, the state. */
