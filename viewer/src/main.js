@@ -45,7 +45,7 @@ class Page {
       seek: (position, time) => this.show(position, time),
       beyond: (time) => this.goTo(time),
     });
-    this.playground = data.presets ? new Playground(data.presets, (preset) => this.open(preset), (tables) => this.instrument?.set(tables)) : null;
+    this.playground = data.presets ? new Playground(data.presets, (preset) => this.open(preset), (tables) => this.instrument?.set(tables) && this.timebar.quicken(this.instrument.event)) : null;
     this.open(data.presets ? data.presets[this.playground.first()] : data, true);
   }
 
@@ -100,7 +100,7 @@ class Page {
       const data = this.changedPanel(panel);
       return Object.assign(MAKERS[panel.type](this.motion, data, this.theme, tools), { type: panel.type });
     });
-    this.panels.forEach((panel, k) => caption(this.canvases[k], panel, this.data));
+    this.panels.forEach((panel, k) => caption(this.canvases[k], panel, this.data, () => this.draw()));
     const changed = this.instrument && !this.instrument.isAsGiven;
     this.plots.take(this.motion, changed ? { ...this.data, scatters: [], plots: [] } : this.data, this.theme);
     this.draw();
