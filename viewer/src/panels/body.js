@@ -108,10 +108,12 @@ const center = ({ weight }, end) => end.clone().normalize().multiplyScalar(weigh
 /** Return the cones of Ω in space and in the body, and of the traced axis; shown at first of a body that cones. */
 function conesOf(motion, end, data, color, theme) {
   if (!motion.joined || !motion.attitudes || motion.count < 3) return [];
-  const usual = isConing(motion, end.clone().normalize());
+  const axes = [0, 1, 2].map((k) => new Vector3().setComponent(k, 1));
+  const coned = axes.find((axis) => isConing(motion, axis)) ?? null; // which axis that is, a slider may have changed
+  const traced = isConing(motion, end.clone().normalize());
   const rays = sweptRays(motion, lengthPerRate(motion), end);
   const up = new Vector3(0, 0, 1);
-  const about = end.clone().normalize();
+  const about = coned ?? end.clone().normalize();
   if (rays.body.length && new Vector3().fromArray(rays.body).dot(about) < 0) about.negate();
   return [
     { key: "space cone", text: data.pivot ? "cone of Ω in space" : "cone of Ω about L (space cone)", rays: rays.space, about: up, tint: theme.herpolhode },
@@ -119,7 +121,7 @@ function conesOf(motion, end, data, color, theme) {
     { key: "axis cone", text: "cone of the axis", rays: rays.axis, about: up, tint: color },
   ].flatMap(({ key, text, rays: ends, about: line, tint, inBody = false }) => {
     const cone = coneThrough(ends, line, tint);
-    return cone ? [{ ...cone, inBody, entry: switched(key, tint, text, usual) }] : [];
+    return cone ? [{ ...cone, inBody, entry: switched(key, tint, text, key === "axis cone" ? traced : coned !== null) }] : [];
   });
 }
 
