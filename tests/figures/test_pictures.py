@@ -169,7 +169,7 @@ def test_the_cones_of_steady_precession(precessing):
     words = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
     assert "space cone of Ω" in words and "body cone of Ω" in words
     # the rims as drawn touch
-    red, green = (curve(figure, colour) for colour in (style.VERMILION, style.GREEN))
+    red, green = (curve(figure, colour) for colour in (style.HERPOLHODE, style.BODY_CONE))
     assert np.linalg.norm(red[:, None] - green[None], axis=-1).min() < 0.02
 
 

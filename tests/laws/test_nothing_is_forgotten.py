@@ -86,7 +86,7 @@ NO_ARRAYS = {
     "from_scipy", "testing.algebras.check_algebra", "testing.kinds.check_kind", "testing.systems.check_system",
     "testing.motion_table.reference_motions", "testing.motion_table.parse_motions", "testing.engines.compare_engine",
     "ReferenceMotion", "MotionErrors", "EngineComparison", "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
-    "bodies.surface.Surface", "Surface.along", "Surface.coarsened", "surface.join_surfaces",
+    "bodies.surface.Paint", "bodies.surface.Surface", "Surface.along", "Surface.coarsened", "surface.join_surfaces",
     "combine", "overlap_of", "stability_threshold", "Levels.of", "rotor.join_levels", "Rotor.from_body", "Rotor.levels",
     "Rotor.levels_of", "fitting.RotorFit", "RotorFit.worst", "RotorFit.predict",
     "analysis.threshold.Threshold", "analysis.plasma_waves.PlasmaWave",

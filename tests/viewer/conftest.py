@@ -29,7 +29,7 @@ def example_page(tmp_path_factory):
         if name not in made:
             spec = replace(read_spec(EXAMPLES / f"{name}.toml"), **SHORTER.get(name, {}))
             report = spec.report()
-            made[name] = page_of_report(report, folder / f"{name}.html", surface=spec.surface)
+            made[name] = page_of_report(report, folder / f"{name}.html", surface=spec.picture)
         return made[name]
 
     return page

@@ -1,4 +1,6 @@
 // The frames that pictures stand in, with their captions, and the words of the page.
+import { isOn, turn } from "./switches.js";
+
 const element = (id) => document.getElementById(id);
 
 /** Put the words of the page in their places, as text and never as markup. */
@@ -36,24 +38,54 @@ export function addFrame(panel, view) {
   return canvas;
 }
 
-/** Write what a picture shows above and below it, and on the button that makes it large. */
-export function caption(canvas, panel, data) {
+/**
+ * Write what a picture shows above and below it, and on the button that makes it large.
+ *
+ * @param redraw called after a checkbox of the legend has shown or hidden something
+ */
+export function caption(canvas, panel, data, redraw = () => {}) {
   const place = canvas.nextElementSibling;
   const up = panel.title === "The body in space" && data.up === "L" ? "L points up" : "";
   const words = said("span", [panel.words, up].filter(Boolean).join("; "), "words");
   const legend = said("span", "", "legend");
-  for (const { color, text } of panel.legend) {
-    const [item, swatch] = [document.createElement("span"), document.createElement("i")];
-    swatch.style.background = color;
-    item.append(swatch, text);
-    legend.append(item);
-  }
+  for (const entry of panel.legend) legend.append(legendItem(entry, redraw));
   const heading = said("span", "", "heading");
   heading.append(said("strong", panel.title), words);
   place.replaceChildren(heading, legend);
   place.nextElementSibling.setAttribute("aria-label", `Make large: ${panel.title}`);
   const turns = panel.flat ? "." : ". Arrow keys turn the view, page up and down bring it closer.";
   canvas.setAttribute("aria-label", [panel.title, panel.words].filter(Boolean).join(": ") + turns);
+}
+
+/** Return an entry of a legend; one with a key has a checkbox, one with an action a button. */
+function legendItem(entry, redraw) {
+  const swatch = document.createElement("i");
+  if (entry.color) swatch.style.background = entry.color;
+  if (entry.press) {
+    const button = said("button", entry.text);
+    button.type = "button";
+    button.setAttribute("aria-pressed", String(entry.pressed()));
+    button.addEventListener("click", () => {
+      entry.press();
+      button.setAttribute("aria-pressed", String(entry.pressed()));
+      redraw();
+    });
+    return button;
+  }
+  const item = document.createElement(entry.key ? "label" : "span");
+  if (entry.key) {
+    const box = document.createElement("input");
+    Object.assign(box, { type: "checkbox", checked: isOn(entry) });
+    box.dataset.part = entry.key;
+    box.setAttribute("aria-label", `show ${entry.text}`);
+    box.addEventListener("change", () => {
+      turn(entry.key, box.checked);
+      redraw();
+    });
+    item.append(box);
+  }
+  item.append(swatch, entry.text);
+  return item;
 }
 
 /** Show pairs of a name and a value as a list. */

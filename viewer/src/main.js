@@ -119,8 +119,8 @@ class Page {
   /** Do what the button in a sentence says, from the motion's beginning: set it, make a picture large, or show it as it was. */
   tell({ set, view }) {
     if (view) return this.views.enlarge(view);
-    if (set) this.instrument?.set(set);
-    else this.instrument?.reset();
+    if (set && this.instrument?.set(set)) this.timebar.quicken(this.instrument.event);
+    else if (!set) this.instrument?.reset();
     this.goTo(this.begins);
     if (!calm() && !this.timebar.playing) this.timebar.toggle();
     return this.address.write();
@@ -165,7 +165,7 @@ class Page {
       const data = this.changedPanel(panel);
       return Object.assign(MAKERS[panel.type](this.motion, data, this.theme, tools), { type: panel.type });
     });
-    this.panels.forEach((panel, k) => caption(this.canvases[k], panel, this.data));
+    this.panels.forEach((panel, k) => caption(this.canvases[k], panel, this.data, () => this.draw()));
     const changed = this.instrument && !this.instrument.isAsGiven;
     this.plots.take(this.motion, changed ? { ...this.data, scatters: [], plots: [] } : this.data, this.theme);
     this.draw();

@@ -3,6 +3,7 @@ import { Quaternion, Vector3 } from "three";
 import { unpacked } from "./motion.js";
 import { SUPERSCRIPTS, unitOf, worded } from "./numbers.js";
 import { polhodeThrough } from "./polhodes.js";
+import { seriesStyle } from "./theme.js";
 
 const POINTS = 1600; // of a curve at most
 const SMALL = 0.05; // rad from its axis up to which a polhode is also drawn magnified
@@ -13,8 +14,8 @@ const ARC = [[1 / DEGREE, "°"], [1 / DEGREE / 60, "′"], [1 / DEGREE / 3600, "
 /** Return what is to be plotted of a motion: titles, units, and series (name, colour, values at rows). */
 function plotsOf(motion, data, theme, rows) {
   const own = motion.solver?.plots?.(rows.map((row) => motion.times[row]));
-  const colors = [theme.motion, theme.border, theme.stable];
-  if (own) return own.map(({ series, along, ...more }) => ({ ...more, series: series.map((one, k) => ({ ...one, color: (along ? theme.axes : colors)[k] })) }));
+  const styleOf = (one, k, along) => (one.role ? { color: theme[one.role] } : along ? { color: theme.axes[k] } : seriesStyle(theme, k));
+  if (own) return own.map(({ series, along, ...more }) => ({ ...more, series: series.map((one, k) => ({ ...one, ...styleOf(one, k, along) })) }));
   const found = [];
   const vectors = motion.velocities ?? motion.momenta;
   const names = data.axes ?? ["axis 1", "axis 2", "axis 3"];
@@ -30,7 +31,7 @@ function plotsOf(motion, data, theme, rows) {
   for (const { title, unit, series } of data.plots ?? []) {
     found.push({ title, unit, series: series.map(({ name, values }, k) => {
       const own = unpacked(values);
-      return { name, color: colors[k % colors.length], values: rows.map((row) => own[row]) };
+      return { name, ...seriesStyle(theme, k), values: rows.map((row) => own[row]) };
     }) });
   }
   return found;
@@ -160,12 +161,14 @@ export class Plots {
     for (const value of ticks(times[0] / unit, times.at(-1) / unit, width > 500 ? 6 : 3)) {
       paper.fillText(`${round(value)} ${name}`, place(value * unit, low)[0], height - MARGIN.bottom + 7);
     }
-    for (const { color, values, times: own = times } of series) {
+    for (const { color, dash = [], values, times: own = times } of series) {
       [paper.strokeStyle, paper.fillStyle, paper.lineWidth] = [color, color, 1.6];
+      paper.setLineDash(dash);
       const points = values.map((value, k) => place(own[k], value));
       if (this.motion.joined) stroke(paper, points);
       else for (const [x, y] of points) paper.fillRect(x - 1, y - 1, 2, 2);
     }
+    paper.setLineDash([]);
   }
 
   cursor(paper, now, width, height) {
@@ -189,6 +192,7 @@ export class Plots {
     return this.plots.map(({ what }) => ({
       title: what.title,
       ranges: (what.series ?? []).map(({ values }) => [Math.min(...values), Math.max(...values)]),
+      styles: (what.series ?? []).map(({ color, dash = [] }) => ({ color, dash })),
       across: what.across ?? null,
     }));
   }
@@ -252,9 +256,9 @@ function caption(figure, { title, words: more = "", unit, series, path, power })
   words.textContent = unit && !path ? `${title} [${factor}${unit}]` : title;
   const legend = document.createElement("span");
   legend.className = "legend";
-  for (const { name, color } of series?.length > 1 ? series : []) {
+  for (const { name, color, dash = [] } of series?.length > 1 ? series : []) {
     const [item, swatch] = [document.createElement("span"), document.createElement("i")];
-    swatch.style.background = color;
+    swatch.style.background = swatchOf(color, dash);
     item.append(swatch, name);
     legend.append(item);
   }
@@ -264,6 +268,17 @@ function caption(figure, { title, words: more = "", unit, series, path, power })
   figure.lastChild.replaceChildren(words, quiet, legend);
   const kind = path ? ", with the point that moves" : series ? ", over time" : "";
   figure.firstChild.setAttribute("aria-label", `${words.textContent}${more ? `, ${more}` : ""}${kind}.`);
+}
+
+/** Return the background of a legend's swatch, dashed as its curve is. */
+function swatchOf(color, dash) {
+  if (!dash.length) return color;
+  let place = 0;
+  const stops = dash.map((length, k) => {
+    const [from, to] = [place, (place += length)];
+    return `${k % 2 ? "transparent" : color} ${from}px ${to}px`;
+  });
+  return `repeating-linear-gradient(90deg, ${stops.join(", ")})`;
 }
 
 /** Return a plot with the power of ten that is taken out of its numbers, 0 for handy ones. */

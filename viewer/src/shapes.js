@@ -6,6 +6,7 @@ import {
   Color,
   ConeGeometry,
   CylinderGeometry,
+  DataTexture,
   EdgesGeometry,
   Group,
   Line,
@@ -14,6 +15,7 @@ import {
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
+  MeshMatcapMaterial,
   OctahedronGeometry,
   Points,
   PointsMaterial,
@@ -29,8 +31,10 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
 
 const UP = new Vector3(0, 1, 0); // along which three.js builds cylinders and cones
+export const GLOBE = 0.995; // radius of the drawn sphere, below the curves on it
 const CREASE = 0.6; // rad between faces from which an edge is one
 const TURN = 2 * Math.PI;
+const METAL = 64; // pixels along the edge of the picture that metal mirrors
 
 const lineMaterial = (color, width, opacity) =>
   new LineMaterial({ color: new Color(color), linewidth: width, transparent: opacity < 1, opacity, alphaToCoverage: false });
@@ -140,8 +144,28 @@ export function mark(place, verdict, color, rim) {
   return found;
 }
 
-/** Return a surface of triangles with its sharp edges drawn, or with colours of its corners. */
-export function surface(vertices, faces, color, edge, colors = null) {
+let polished = null;
+
+/** Return how polished metal looks by the direction that it faces: as a bright room does, with a dark horizon. */
+function polish() {
+  if (polished) return polished;
+  const pixels = new Uint8Array(4 * METAL * METAL);
+  for (let i = 0; i < METAL; i++) {
+    for (let j = 0; j < METAL; j++) {
+      const [x, y] = [(2 * j) / (METAL - 1) - 1, (2 * i) / (METAL - 1) - 1];
+      const lamp = Math.exp(-12 * ((x + 0.35) ** 2 + (y - 0.45) ** 2));
+      const room = 0.62 + 0.3 * Math.tanh(2.5 * y) - 0.3 * Math.exp(-18 * (y + 0.1) ** 2);
+      const shade = Math.round(255 * Math.min(1, Math.max(0.12, room + 0.5 * lamp)));
+      pixels.set([shade, shade, shade, 255], 4 * (METAL * i + j));
+    }
+  }
+  polished = new DataTexture(pixels, METAL, METAL);
+  polished.needsUpdate = true;
+  return polished;
+}
+
+/** Return a surface of triangles with its sharp edges drawn, or with colours of its corners; a shiny one looks like metal. */
+export function surface(vertices, faces, color, edge, colors = null, shiny = false) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(Float32Array.from(vertices), 3));
   geometry.setIndex(new BufferAttribute(faces, 1));
@@ -150,7 +174,8 @@ export function surface(vertices, faces, color, edge, colors = null) {
     geometry.setAttribute("color", new BufferAttribute(Float32Array.from(shades), 3));
   }
   const smooth = toCreasedNormals(geometry, CREASE);
-  const material = new MeshLambertMaterial({ color: colors ? "#ffffff" : color, vertexColors: Boolean(colors), side: 2, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  const looks = { color: colors ? "#ffffff" : color, vertexColors: Boolean(colors), side: 2, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+  const material = shiny ? new MeshMatcapMaterial({ ...looks, matcap: polish() }) : new MeshLambertMaterial(looks);
   const edges = new LineSegments(new EdgesGeometry(geometry, 30), new LineBasicMaterial({ color: edge, transparent: true, opacity: 0.6 }));
   return new Group().add(new Mesh(smooth, material), edges);
 }
@@ -190,10 +215,23 @@ export function ellipsoid(semiAxes, color, edge, opacity = 1) {
   return found;
 }
 
+/** Return the triangles between the origin and neighbouring points [x, y, z, …], seen through. */
+export function fan(points, color, opacity) {
+  const geometry = new BufferGeometry();
+  const corners = new Float32Array(3 * Math.max(0, points.length - 3));
+  for (let k = 0; k + 5 < points.length; k += 3) corners.set(points.slice(k, k + 6), 3 * k + 3);
+  geometry.setAttribute("position", new BufferAttribute(corners, 3));
+  const material = new MeshBasicMaterial({ color, transparent: true, opacity, side: 2, depthWrite: false });
+  const found = new Mesh(geometry, material);
+  found.frustumCulled = false;
+  found.renderOrder = 2;
+  return found;
+}
+
 /** Return the sphere that curves are drawn on; those on its far side show through it, dimmed. */
 export function globe(theme) {
   const material = new MeshLambertMaterial({ color: theme.sphere, transparent: true, opacity: 0.8, depthWrite: true });
-  const found = new Mesh(new SphereGeometry(0.995, 80, 48), material);
+  const found = new Mesh(new SphereGeometry(GLOBE, 80, 48), material);
   found.renderOrder = 1; // after the lines: it veils those behind it, and fails the depth test against those before it
   return found;
 }

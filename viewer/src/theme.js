@@ -1,46 +1,16 @@
-// Colours of both themes: Okabe and Ito's palette, as in the figures; on a dark ground the lighter blue takes blue's part.
-const ORANGE = "#E69F00";
-const GREEN = "#009E73";
-const VERMILION = "#D55E00";
-const PURPLE = "#CC79A7";
+// Colours of both themes by what they stand for, from the table that the figures take theirs from: Okabe and Ito's palette,
+// darker where thin lines on white need it; on a dark ground the lighter blue takes blue's part.
+import table from "../../src/polhode/figures/colours.json" with { type: "json" };
 
 export const THEMES = {
-  light: {
-    name: "light",
-    ground: "#ffffff",
-    text: "#222222",
-    motion: "#0072B2",
-    border: VERMILION,
-    stable: GREEN,
-    family: "#8a8a8a",
-    velocity: "#a8477c",
-    rotor: VERMILION,
-    momentum: "#222222",
-    axes: ["#0072B2", "#c78500", GREEN],
-    sphere: "#eef1f4",
-    body: "#b9c6d3",
-    edge: "#5a6672",
-    plane: "#dfe4e8",
-    ring: "#b4bcc4",
-    lamp: 1.0,
-  },
-  dark: {
-    name: "dark",
-    ground: "#14171b",
-    text: "#e6e6e6",
-    motion: "#56B4E9",
-    border: "#f0803c",
-    stable: "#1fbf92",
-    family: "#7d848c",
-    velocity: PURPLE,
-    rotor: "#f0803c",
-    momentum: "#f2f2f2",
-    axes: ["#56B4E9", ORANGE, "#1fbf92"],
-    sphere: "#2a3038",
-    body: "#66727f",
-    edge: "#aab4be",
-    plane: "#2a3038",
-    ring: "#4c5660",
-    lamp: 1.1,
-  },
+  light: { ...table.light, name: "light", lamp: 1.0 },
+  dark: { ...table.dark, name: "dark", lamp: 1.1 },
 };
+
+const DASHES = [[], [6, 3], [2, 2], [8, 3, 2, 3]]; // pixels on and off, in turn
+
+/** Return colour and dashes of the k-th of many curves: colours repeat after six, never with the same dashes. */
+export function seriesStyle(theme, k) {
+  const colors = [theme.motion, theme.axes[1], theme.stable, theme.border, theme.bodyCone, theme.velocity];
+  return { color: colors[k % colors.length], dash: DASHES[Math.floor(k / colors.length) % DASHES.length] };
+}

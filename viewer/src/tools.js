@@ -22,4 +22,5 @@ export { endsLegend, mapGlobe, mappedGlobe } from "./map_globe.js";
 export { unpacked } from "./motion.js";
 export { pairThrough, polhodeThrough } from "./polhodes.js";
 export { circle, dot, drawUpTo, floor, globe, line, path, pieces, specks } from "./shapes.js";
+export { contactSound } from "./sound.js";
 export { newPanel } from "./stage.js";

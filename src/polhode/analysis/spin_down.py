@@ -34,6 +34,7 @@ from polhode.types import Array, ArrayLike, Float64, Real
 
 ASYMPTOTIC_END = 0.3  # |θ̇|/(θ|φ̇|), beyond which the tilt falls as fast as the disk goes round
 ASYMPTOTIC_FIT = 0.02  # the same, up to which exponents are fitted
+DOMINANT = 0.8  # of the power, from which on one law rules and exponents can be its own
 END_OF_REGIME = "end of asymptotic regime"
 FALL = 20.0  # √(a/g), in which a disk that has left the asymptotic regime lies flat or has taken off
 FALL_SAMPLES = 32
@@ -57,9 +58,12 @@ class SpinDown:
         adiabaticity: (T,) |θ̇|/(θ|φ̇|).
         end: asymptotic t0 [s from the start], None if the motion has no finite one.
         end_uncertainty: [s].
-        tilt: fit of α ∝ (t0 − t)^n over the samples with an adiabaticity below 0.02; without a finite t0 of α ∝ t^n.
-        precession: the same of Ω, −n/2 in theory.
-        precession_by_tilt: fit of Ω ∝ α^k, −1/2 in theory.
+        tilt: fit of α ∝ (t0 − t)^n over the samples with an adiabaticity below 0.02, those at the end where one law
+            takes four fifths of the power if there are as many as eight; without a finite t0 of α ∝ t^n.
+        precession: the same of Ω, −n/2 in theory where the centre is at rest.
+        precession_by_tilt: fit of Ω ∝ α^k, −1/2 in theory where the centre is at rest. A thick disk's is not: the spin
+            that losses leave it holds a part of the weight.
+        unspun_by_tilt: the same without the spin's part, −1/2 in theory for every disk and law.
         fitted: the samples that were fitted, one after the other.
         events: name → time [s from the start], in order: "end of asymptotic regime", "flat", "lift-off", "on edge".
             Empty if the tilt fell by as much, or took as many steps, as was asked for before any of them.
@@ -74,6 +78,7 @@ class SpinDown:
     tilt: PowerLaw
     precession: PowerLaw
     precession_by_tilt: PowerLaw
+    unspun_by_tilt: PowerLaw
     fitted: slice
     events: dict[str, float]
     energy_balance: float
@@ -138,7 +143,8 @@ def spin_down(
     outcome = Outcome(Ending.COMPLETED) if last is None else Outcome(Ending.EVENT, last)
     trajectory = make_trajectory(disk, np.cumsum(run.spans), states, outcome, {"steps": run.steps}, received)
     ratio, rate = (np.asarray(x) for x in _pace(disk, states))
-    fitted, tilt = _choose_samples(ratio[:regular]), np.asarray(trajectory.part("tilt"))
+    fitted = _ruled_by_one(_choose_samples(ratio[:regular]), np.asarray(disk.powers(states)))
+    tilt, unspun = np.asarray(trajectory.part("tilt")), _unspun(disk, states[fitted])
     spans = np.asarray(run.spans)
     singularity = fit_singularity(spans[fitted][1:], tilt[fitted])
     distance = _distances(spans, fitted, singularity)
@@ -152,6 +158,7 @@ def spin_down(
         tilt=singularity.law,
         precession=power_law(distance[fitted], rate[fitted]),
         precession_by_tilt=power_law(tilt[fitted], rate[fitted]),
+        unspun_by_tilt=power_law(tilt[fitted], unspun),
         fitted=fitted,
         events=events,
         energy_balance=float(trajectory.drift["energy"]),
@@ -354,6 +361,20 @@ def _choose_samples(ratio: Array) -> slice:
             "`rolling_state`."
         )
     return slice(int(deep[0]), int(deep[-1]) + 1)
+
+
+def _ruled_by_one(fitted: slice, powers: Array) -> slice:
+    """Return the last of the samples to fit, while one law takes most of the power (T, laws); all if they are few."""
+    shares = powers[fitted] / powers[fitted].sum(axis=-1, keepdims=True)
+    ruled = shares[:, int(shares[-1].argmax())] >= DOMINANT
+    count = int(np.argmin(ruled[::-1])) if not ruled.all() else len(ruled)
+    return fitted if count < FEWEST else slice(fitted.stop - count, fitted.stop)
+
+
+def _unspun(disk: EulerDisk, states: Array) -> Float64[Array, "n"]:
+    """Return |Ω| [rad/s] of states (n, 8) without what the spin about the disk's axis does to it."""
+    tilt, spin = (LAYOUT.part(states, name) for name in ("tilt", "spin"))
+    return np.asarray(disk.mechanics.precession_without_spin(tilt, disk.precession(states), spin))
 
 
 def _distances(spans: Array, fitted: slice, singularity: Singularity) -> Array:

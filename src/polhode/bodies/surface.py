@@ -21,6 +21,21 @@ _FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5,
 
 
 @dataclass(frozen=True, eq=False)
+class Paint:
+    """How a page draws a surface, beyond the colours of its corners.
+
+    Attributes:
+        lines: on the surface: points (k, 3) [m] in its axes, a colour as 0xRRGGBB and a width [pixels] each.
+        shiny: whether it looks like metal.
+        cage: centre (3,) and radius [m] of a frame that leans with a top's axis and does not spin; None without one.
+    """
+
+    lines: tuple[tuple[Array, int, float], ...] = ()
+    shiny: bool = False
+    cage: tuple[Real[ArrayLike, "3"], float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
 class Surface:
     """A triangle mesh to draw, which need not be closed.
 
@@ -30,18 +45,28 @@ class Surface:
         vertices: (n, 3) [m].
         faces: (m, 3) indices of corners, counterclockwise seen from outside.
         colors: (n,) of corners, as 0xRRGGBB, where parts have colours of their own; None elsewhere.
+        paint: what else a page draws of it; None for nothing.
     """
 
     vertices: Float64[Array, "n 3"]
     faces: Integer[Array, "m 3"]
     colors: Integer[Array, "n"] | None = None
+    paint: Paint | None = None
 
     def __iter__(self) -> Iterator[Array]:
         return iter((self.vertices, self.faces))
 
     def along(self, frame: BodyFrame) -> Surface:
         """Return a surface in given axes as it stands along a trajectory's axes, about the point it turns about."""
-        return replace(self, vertices=(np.asarray(self.vertices) - frame.origin) @ np.asarray(frame.axes))
+
+        def turned(points: Real[ArrayLike, "... 3"]) -> Float64[Array, "... 3"]:
+            return (np.asarray(points, dtype=float) - frame.origin) @ np.asarray(frame.axes)
+
+        paint = self.paint
+        if paint is not None:
+            lines = tuple((turned(points), *drawn) for points, *drawn in paint.lines)
+            paint = replace(paint, lines=lines, cage=paint.cage and (turned(paint.cage[0]), paint.cage[1]))
+        return replace(self, vertices=turned(self.vertices), paint=paint)
 
     def coarsened(self, most: int) -> Surface:
         """Return a surface of at most so many triangles, itself if it has no more: near corners become one.
@@ -128,7 +153,7 @@ def _with_one_corner_each(surface: Surface, numbers: Array) -> Surface:
     kept = turned[np.diff(turned, axis=0, prepend=-1).any(axis=1)]
     used = np.unique(kept)
     colors = None if surface.colors is None else np.asarray(surface.colors)[first][used]
-    return Surface(means[used], np.searchsorted(used, kept), colors)
+    return Surface(means[used], np.searchsorted(used, kept), colors, surface.paint)
 
 
 @known_numbers_only

@@ -47,7 +47,7 @@ def run_report(
         if html:
             from polhode.kinds.page import page_of_report
 
-            files.append(page_of_report(report, draft / "page.html", surface=spec.surface))
+            files.append(page_of_report(report, draft / "page.html", surface=spec.picture))
         proofs, remarks = ([], []) if proof is None else _write_proofs(report, proof)
     names = [*(str(folder / file.name) for file in files), *proofs]
     removed = _remove_outdated(folder, [file.name for file in files])

@@ -27,7 +27,7 @@ def _page(path: Path, out: Path | None) -> Path:
     target = out or Path(f"{path.stem}.html")
     check_spares(target, path)
     spec = read_spec(path)
-    return page_of_report(make_page_report(path, spec), target, surface=spec.surface)
+    return page_of_report(make_page_report(path, spec), target, surface=spec.picture)
 
 
 def _playground(out: Path | None) -> Path:

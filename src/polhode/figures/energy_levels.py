@@ -14,7 +14,7 @@ from polhode.figures.sphere import view_frame
 from polhode.types import Array, Float64
 
 VIEW = (0.80, 0.46, 0.38)
-MARKS = {"stable": ("o", style.GREEN), "unstable": ("X", style.VERMILION), "undecided": ("s", style.ORANGE)}
+MARKS = {"stable": ("o", style.GREEN), "unstable": ("X", style.VERMILION), "undecided": ("s", style.UNDECIDED)}
 
 
 def draw_levels(

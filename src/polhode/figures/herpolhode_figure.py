@@ -45,8 +45,8 @@ def herpolhode(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | 
     for radius in () if not distinct else {limits.inner_radius / 10.0**power, outer}:
         axes.plot(radius * np.cos(circle), radius * np.sin(circle), color=style.VERMILION, lw=0.7, ls="--", zorder=1,
                   label="its limits" if radius == outer else None)  # fmt: skip
-    axes.plot(*curve.T, color=style.BLUE, lw=0.9, label="herpolhode")
-    axes.plot(*curve[0], "o", ms=3.5, color=style.BLUE, mec="white", mew=0.5)
+    axes.plot(*curve.T, color=style.HERPOLHODE, lw=0.9, label="herpolhode")
+    axes.plot(*curve[0], "o", ms=3.5, color=style.HERPOLHODE, mec="white", mew=0.5)
     axes.plot(0.0, 0.0, "+", color=style.DARK, ms=6, mew=0.8)
     axes.set_aspect("equal")
     axes.set_xlim(-1.12 * outer, 1.12 * outer)

@@ -16,7 +16,7 @@ from polhode.quantum.rotor import Rotor
 from polhode.types import Array, Float64
 
 POINTS = 300  # of a curve
-ROUND_A, ROUND_C = style.ORANGE, style.BLUE
+ROUND_A, ROUND_C = style.AXIS_COLOURS[0], style.AXIS_COLOURS[2]  # the axes' own colours
 VIEW = (0.55, 0.68, 0.49)  # a, b and c are all seen, and the saddle at b
 CROWDED = 12  # J from which on curves are thinner
 

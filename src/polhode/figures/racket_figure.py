@@ -42,8 +42,8 @@ def racket_flip(racket: Racket, *, axes: Any = None) -> Figure:
     times = np.linspace(0.0, growth if revival is None else PERIODS * racket.period, POINTS)
     power = style.power_of_ten(times)
     shown = times / 10.0**power
-    panels[0].plot(shown, racket.ensemble(times), color=style.ORANGE, lw=1.1, label="classical ensemble")
-    panels[0].plot(shown, racket.classical(times), color=style.GREY, lw=0.8, ls="--", label="classical body")
+    panels[0].plot(shown, racket.ensemble(times), color=style.ENSEMBLE, lw=1.1, label="classical ensemble")
+    panels[0].plot(shown, racket.classical(times), color=style.CLASSICAL, lw=0.8, ls="--", label="classical body")
     panels[0].plot(shown, racket.quantum(times), color=style.BLUE, lw=1.1, label="quantum")
     _tidy_panel(panels[0], power, shown[-1])
     if revival is not None:
@@ -58,7 +58,7 @@ def _draw_long(panel: Any, racket: Racket, revival: float) -> None:
     power = style.power_of_ten(times)
     shown = times / 10.0**power
     every = max(1, count // POINTS)
-    panel.plot(shown[::every], racket.ensemble(times[::every]), color=style.ORANGE, lw=0.9, zorder=3)
+    panel.plot(shown[::every], racket.ensemble(times[::every]), color=style.ENSEMBLE, lw=0.9, zorder=3)
     panel.plot(shown, racket.quantum(times), color=style.BLUE, lw=0.5)
     for share, name in ((0.5, "½ $T_{rev}$"), (1.0, "$T_{rev}$")):
         panel.axvline(share * revival / 10.0**power, color=style.VERMILION, lw=0.7, ls=":")

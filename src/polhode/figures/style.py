@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
+from importlib import resources
 from io import BytesIO
 from typing import Any
 
@@ -17,9 +19,14 @@ from polhode.formats.figure_file import DOTS_PER_INCH
 from polhode.formats.figure_file import save_figure as save  # noqa: F401  (polhode.figures.save)
 
 COLUMN = 3.6  # inches, a journal's column
-# Okabe & Ito's palette
-BLUE, ORANGE, GREEN, VERMILION, SKY, PURPLE = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#CC79A7"
-AXIS_COLOURS = (BLUE, ORANGE, GREEN)
+COLOURS: dict[str, Any] = json.loads((resources.files("polhode.figures") / "colours.json").read_text("utf-8"))
+BLUE, ORANGE, GREEN, VERMILION, SKY, PURPLE = COLOURS["palette"]  # Okabe & Ito's
+ROLES: dict[str, Any] = COLOURS["light"]  # colours by what they stand for, which pages take from the same table
+AXIS_COLOURS = tuple(ROLES["axes"])
+MOTION, SEPARATRIX, STABLE, UNDECIDED = (ROLES[name] for name in ("motion", "border", "stable", "undecided"))
+MOMENTUM, VELOCITY, WEIGHT, ROTOR = (ROLES[name] for name in ("momentum", "velocity", "weight", "rotor"))
+HERPOLHODE, BODY_CONE = ROLES["herpolhode"], ROLES["bodyCone"]
+ENSEMBLE, CLASSICAL = ROLES["ensemble"], ROLES["classical"]
 GREY, LIGHT, DARK = "#6f6f6f", "#c8c8c8", "#222222"
 FONT = 8
 LOST, TOO_SMALL = 0.03, 1e-12  # of the largest: curves between are enlarged, those below are rounding

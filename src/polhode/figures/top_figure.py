@@ -129,13 +129,14 @@ def _cones(scene: Scene, path: Followed, k: int) -> list[Any]:
     handles = []
     for tilt in limits:
         if STEADY < tilt < np.pi - STEADY:
-            draw_cone(scene, up, tilt, BEYOND, style.SKY, 0.08)
+            draw_cone(scene, up, tilt, BEYOND, style.SEPARATRIX, 0.08)
     words = "cone of its precession" if steady else "cones at its least and largest tilt"
-    handles.append(scene.axes.plot([], [], color=style.SKY, lw=0.9, label=words)[0])
+    handles.append(scene.axes.plot([], [], color=style.SEPARATRIX, lw=0.9, label=words)[0])
     speed = np.linalg.norm(path.velocity[k])
     if steady and speed > 0.0:
         omega = path.velocity[k] / speed
-        for about, colour, words in ((up, style.VERMILION, "space cone of Ω"), (axis, style.GREEN, "body cone of Ω")):
+        for about, colour, words in ((up, style.HERPOLHODE, "space cone of Ω"),
+                                     (axis, style.BODY_CONE, "body cone of Ω")):  # fmt: skip
             half = float(np.arctan2(np.linalg.norm(np.cross(about, omega)), about @ omega))
             draw_cone(scene, about, half, SLANT, colour)
             handles.append(scene.axes.plot([], [], color=colour, lw=0.9, label=words)[0])
@@ -155,9 +156,9 @@ def _arrows(scene: Scene, path: Followed, k: int, center: Array) -> None:
     """Draw Ω, L about the pivot and the weight; their lengths are not to scale with each other."""
     right, up, _ = scene.frame @ path.axis[k]
     across = np.array([-up, right]) / (np.hypot(right, up) or 1.0)
-    for vector, colour, name, long, side in ((path.momentum[k], style.DARK, "L", L_LONG, 9.0),
-                                             (path.velocity[k], style.PURPLE, "Ω", OMEGA_LONG, -9.0)):  # fmt: skip
+    for vector, colour, name, long, side in ((path.momentum[k], style.MOMENTUM, "L", L_LONG, 9.0),
+                                             (path.velocity[k], style.VELOCITY, "Ω", OMEGA_LONG, -9.0)):  # fmt: skip
         size = np.linalg.norm(vector)
         if size > 0.0:
             scene.arrow(np.zeros(3), long * vector / size, colour, name, side=side * across)
-    scene.arrow(center, center - np.array([0.0, 0.0, 0.45]), style.GREY, "mg")
+    scene.arrow(center, center - np.array([0.0, 0.0, 0.45]), style.WEIGHT, "mg")

@@ -24,6 +24,7 @@ from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import MotionReport, SystemReport
 from polhode.spec.building import build_spin
+from polhode.spec.looks import paint_body
 from polhode.spec.models import BodyTable, SpinTable, SystemTable
 from polhode.spec.reach import REACH, most_extreme
 from polhode.spec.remarks import remarks_on
@@ -302,7 +303,7 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         model = panel.model(trajectory) if keeps_motion_of((names_it,), trajectory.source) else None
         panels = panel.panels(trajectory, samples, surface)
         if panels is None:
-            return replace(choose_content(trajectory.source, samples, surface), model=model)
+            return replace(choose_content(trajectory.source, samples, surface, trajectory.frame), model=model)
         return Content(panels, self._scripts(), model, **panel.plots(trajectory, samples))
 
     def _scripts(self) -> tuple[str, ...]:
@@ -359,6 +360,11 @@ class Spec(Generic[TableT]):
     def surface(self) -> Surface | None:
         """The body's surface, made when first asked for; see ``AbstractKind.surface``."""
         return self.kind.surface(self)
+
+    @cached_property
+    def picture(self) -> Surface | None:
+        """What a page draws of the body: its surface, painted if the spec names a look."""
+        return self.surface if self.source is None else paint_body(self.source, self.surface)
 
     @property
     def times(self) -> Float64[Array, "time"] | None:

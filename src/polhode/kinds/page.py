@@ -97,7 +97,7 @@ def _page(
         raise InvalidInput("`summary` and `notes` are what a report says, and a spec has its own. Leave them out.")
     if isinstance(moved, Spec):
         moved.kind.check_page()
-        return page_of_answers(moved.report(), name or moved.name, moved.surface if surface is None else surface)
+        return page_of_answers(moved.report(), name or moved.name, moved.picture if surface is None else surface)
     if isinstance(moved, Report):
         return _page_of_any_report(moved, name or moved.name, surface)
     if isinstance(moved, AbstractMotion):

@@ -47,8 +47,10 @@ def _preset(
     path = examples[words["example"]]
     spec = read_spec(path)
     spec = spec if spec.kind.in_closed_form else replace(spec, samples=min(spec.samples, SAMPLES))
+    if "until" in words:
+        spec = replace(spec, until=float(words["until"]), samples=SAMPLES)
     report = spec.report() if report_of is None else report_of(path, spec)
-    page = page_of_answers(report, report.name, spec.surface)
+    page = page_of_answers(report, report.name, spec.picture)
     if page.data["model"] is not None:  # the page solves it from the start, at any time, and needs no samples of it
         page = page._replace(data={name: value for name, value in page.data.items() if name not in SAMPLED})
     return page, {"key": words["example"], "title": words["title"], "story": words["story"]}

@@ -43,6 +43,18 @@ SHAPE_KEYS: dict[str, tuple[str, ...]] = {
 MAY_BE_HOLLOW = ("cylinder", "sphere", "disk")
 Shape = Annotated[str, one_of(*SHAPE_KEYS)]
 PartAxis = Annotated[Literal["x", "y", "z", "-x", "-y", "-z"], one_of("x", "y", "z", "-x", "-y", "-z")]
+LOOK_SOURCES: dict[str, tuple[str, ...]] = {
+    "book": ("parts",),
+    "phone": ("parts",),
+    "earth": ("moments",),
+    "metal": ("mesh", "parts"),
+    "gyroscope": ("parts",),
+    "satellite": ("parts",),
+    "rocket": ("parts",),
+    "top": ("parts",),
+}
+ONE_PART = {"book": "box", "phone": "box", "rocket": "cylinder"}  # of that shape, which these looks paint
+BodyLook = Annotated[str, one_of(*LOOK_SOURCES)]
 Axis = Annotated[Literal[1, 2, 3, "x", "y", "z"], one_of(1, 2, 3, "x", "y", "z")]
 
 
@@ -86,6 +98,7 @@ class BodyTable(Strict):
     molecule: str | None = None
     urdf: str | None = None
     link: str | None = None
+    look: BodyLook | None = None
 
     @property
     def is_molecule(self) -> bool:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from polhode.spec.export import export_rules
-from polhode.spec.models import MAY_BE_HOLLOW, SHAPE_KEYS, SystemTable
+from polhode.spec.models import LOOK_SOURCES, MAY_BE_HOLLOW, ONE_PART, SHAPE_KEYS, SystemTable
 from polhode.spec.units import parse_quantity
 
 Location = tuple[str | int, ...]
@@ -81,6 +81,18 @@ def _body_rules(body: dict[str, Any]) -> Iterator[str]:
         yield "allow_vibration goes with rotational_constants; leave it out"
     if "link" in body and "urdf" not in body:
         yield "link goes with a urdf; leave it out"
+    if isinstance(look := body.get("look"), str) and len(sources) == 1:
+        yield from _look_rules(look, sources[0], body)
+
+
+def _look_rules(look: str, source: str, body: dict[str, Any]) -> Iterator[str]:
+    wanted, parts = LOOK_SOURCES.get(look, (source,)), body.get("parts")
+    if source not in wanted:
+        yield f'look = "{look}" goes with {list_words(wanted, "or")}, not with {source}; leave it out'
+    elif look in ONE_PART and isinstance(parts, list):
+        shapes = [part.get("shape") for part in parts if isinstance(part, dict)]
+        if shapes != [ONE_PART[look]]:
+            yield f'look = "{look}" paints one part, a {ONE_PART[look]}; got {len(parts)} parts; leave it out'
 
 
 def _part_rules(part: dict[str, Any]) -> Iterator[str]:

@@ -107,6 +107,18 @@ class RollingMechanics(eqx.Module):
         return m * self.gravity * (a * c - b * s) / (A * s * c - C * s * s * b / a)
 
     @jax.jit
+    def precession_without_spin(self, theta: Operand, precession: Operand, spin: Operand) -> Result:
+        """Return |φ̇| [rad/s] less what the spin ω3 does to it in steady motion: ∝ θ^(−1/2) for small tilts.
+
+        Not finite where the spin's own torque holds more than the weight.
+        """
+        m, a, b, _, C = self._constants
+        s, c = jnp.sin(theta), jnp.cos(theta)
+        # θ̈ = 0 is ((A + mb²) c + mab s) s φ̇² = mg (ac − bs) + ω3 ((C + ma²) s + mabc) φ̇
+        held = 1.0 + spin * ((C + m * a * a) * s + m * a * b * c) * precession / (m * self.gravity * (a * c - b * s))
+        return jnp.abs(precession) / jnp.sqrt(held)
+
+    @jax.jit
     def steady_spin(self, theta: Operand, precession: Operand) -> Result:
         """Return ω3 [rad/s] of steady motion at φ̇; not finite where nothing precesses."""
         m, a, b, A, C = self._constants

@@ -93,7 +93,7 @@ def make_page(
     samples = take_samples(trajectory)
     frame = trajectory.frame
     drawn = surface if surface is None or frame is None else surface.along(frame)
-    shown = content(trajectory, samples, drawn) or choose_content(trajectory.source, samples, drawn)
+    shown = content(trajectory, samples, drawn) or choose_content(trajectory.source, samples, drawn, frame)
     if not shown.panels:
         raise InvalidInput(
             "the page has nothing to draw: this motion has neither an attitude nor a momentum that a sphere could "

@@ -11,6 +11,7 @@ import numpy as np
 from polhode import rotation
 from polhode.analysis.polhodes import level_segments, saddle_energies
 from polhode.bodies.surface import Surface
+from polhode.motion.frame import BodyFrame
 from polhode.types import Array, Float64
 from polhode.viewer.encoding import pack
 from polhode.viewer.samples import Samples
@@ -20,6 +21,7 @@ Panel = dict[str, Any]
 KEPT = 1e-6  # of |L|: a momentum in space that stays within this is the one that a page's "up" can be
 LOW = 0.4  # cosine of the tilt below which a top of unknown shape would dip into the ground, and stands on a post
 DIPS = 0.02  # of its size by which a top may do so, as the tip of a stem is not a point
+SOMEWHERE = 0.6  # of the reach of a top: where its weight is drawn if its place is not known
 LOOKS = 300  # samples at which that is looked at
 ALIGNED = 0.99999  # cosine up to which a top's axis is one of its principal axes
 AXIS = np.array([0.0, 0.0, 1.0])
@@ -50,17 +52,20 @@ class Content:
     words: dict[str, Any] = field(default_factory=dict)
 
 
-def choose_content(source: Any, samples: Samples, surface: Surface | None) -> Content:
+def choose_content(
+    source: Any, samples: Samples, surface: Surface | None, frame: BodyFrame | None = None
+) -> Content:
     """Return the pictures for any body, the body first, as its system or exact motion determines.
 
     Args:
         source: of the trajectory: a system, an exact motion, or anything else.
         samples: of it.
         surface: of the body, along the axes of the samples.
+        frame: of the body, which knows how far a top's centre of mass is from its pivot; None if nobody does.
     """
     moments = find_moments(source)
     if is_mechanical(source) and source.has_vertical:
-        return Content(top_panels(source, samples, moments, surface))
+        return Content(top_panels(source, samples, moments, surface, frame))
     panels = body_panels(samples, moments, surface)
     if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
         return Content(panels)
@@ -154,6 +159,9 @@ def _body(samples: Samples, moments: Array | None, surface: Surface | None, word
                             "faces": pack(surface.faces, "u4" if wide else "u2")}  # fmt: skip
         if surface.colors is not None:
             panel["surface"]["colors"] = pack(surface.colors, "u4")
+        if moments is not None and is_celestial(moments):
+            panel["round"] = True
+        panel |= _paint(panel["surface"], surface)
     elif moments is not None and is_celestial(moments):
         panel |= {"ellipsoid": np.sqrt(semi_axes_squared(moments)).tolist(), "round": True}
     elif moments is not None:
@@ -161,9 +169,30 @@ def _body(samples: Samples, moments: Array | None, surface: Surface | None, word
     return panel
 
 
+def _paint(drawn: Panel, surface: Surface) -> Panel:
+    """Add what is painted on a surface to its data; return what stands around it, in units of the surface's reach."""
+    paint, reach = surface.paint, _reach(surface)
+    if paint is None:
+        return {}
+    drawn["shiny"] = paint.shiny
+    drawn["lines"] = [
+        {"points": pack(points, "f4"), "color": int(color), "width": width} for points, color, width in paint.lines
+    ]
+    if paint.cage is None:
+        return {}
+    center, radius = paint.cage
+    return {"cage": {"center": float(np.linalg.norm(center)) / reach, "radius": radius / reach}}
+
+
+def _reach(surface: Surface) -> float:
+    """Return the distance of the farthest corner from where the body turns [m]."""
+    return float(np.linalg.norm(np.asarray(surface.vertices, dtype=float), axis=1).max())
+
+
 def top_panels(
-    source: Any, samples: Samples, moments: Float64[Array, "3"] | None, surface: Surface | None
-) -> list[Panel]:
+    source: Any, samples: Samples, moments: Float64[Array, "3"] | None, surface: Surface | None,
+    frame: BodyFrame | None = None,
+) -> list[Panel]:  # fmt: skip
     """Return a body about a fixed point, and the path of its axis; none without attitudes."""
     if samples.attitude is None:
         return []
@@ -171,12 +200,27 @@ def top_panels(
     weighed = hasattr(source, "mgl")
     shape = top_shape(moments, axis, surface) if weighed and moments is not None else body_shape(moments, surface)
     own: Panel = {"traced": int(np.abs(axis).argmax()), "pivot": _pivot(samples.attitude, axis, shape[0])}
+    if weighed:
+        own["weight"] = {"center": _center(shape, surface is not None, axis, frame)}
     if weighed and axis[own["traced"]] < ALIGNED * np.linalg.norm(axis):
         own["along"] = (axis / np.linalg.norm(axis)).tolist()
     body = _body(samples, moments, *shape) | own
     limits = [float(x) for x in getattr(source, "nutation_limits", ()) if x is not None and abs(x) < 1.0]
     locus = {"type": "axis", "axis": axis.tolist(), "limits": limits, "center": weighed}
     return [body, locus]
+
+
+def _center(shape: tuple[Surface | None, str], is_own: bool, axis: Array, frame: BodyFrame | None) -> float:
+    """Return how far from the pivot a top's centre of mass is drawn, in units of the drawn surface's reach."""
+    drawn, words = shape
+    if drawn is None:
+        return SOMEWHERE
+    if is_own and frame is not None and frame.pivot is not None:
+        return float(np.linalg.norm(np.asarray(frame.center_of_mass) - np.asarray(frame.pivot))) / _reach(drawn)
+    if is_own or "stem" not in words:
+        return SOMEWHERE
+    disk = np.asarray(drawn.vertices)[: len(drawn.vertices) // 2]  # on a massless stem
+    return abs(float(disk.mean(axis=0) @ axis)) / float(np.linalg.norm(axis)) / _reach(drawn)
 
 
 def _pivot(attitude: Array, axis: Array, surface: Surface | None) -> str:

@@ -22,7 +22,7 @@ def body_shape(moments: Real[ArrayLike, "3"] | None, surface: Surface | None) ->
         surface: of the body, if known.
     """
     if surface is not None:
-        whole = weld_corners(surface)
+        whole = surface if surface.paint is not None else weld_corners(surface)  # colours may change where pieces meet
         small = whole.coarsened(MOST_FACES)
         return small, "" if small is whole else "its mesh, coarsened"
     if moments is None:

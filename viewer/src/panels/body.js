@@ -1,23 +1,26 @@
-// The body itself, turning in space, with L, Ω and the trace of one of its axes.
+// The body itself, turning in space, with the trace of one of its axes, and arrows and cones that can be switched.
 import { Group, Vector3 } from "three";
 import { unpacked } from "../motion.js";
 import { worded } from "../numbers.js";
-import { arrow, box, circle, drawPieces, ellipsoid, floor, line, specks, surface } from "../shapes.js";
+import { box, circle, drawPieces, ellipsoid, floor, hairline, line, specks, surface } from "../shapes.js";
 import { rotorOf } from "../rotor.js";
 import { newPanel } from "../stage.js";
+import { isOn, switched } from "../switches.js";
+import { cageOf } from "./cage.js";
+import { coneThrough, isConing, sweptRays } from "./cones.js";
+import { lengthPerRate, vectorsOf } from "./vectors.js";
 
-const REACH = 1.32; // how far axes and trace stand off from a body of size one
+const REACH = 1.22; // how far axes and trace stand off from a body of size one
 const HEIGHTS = { ground: 0, post: -REACH, hook: REACH }; // of the plane that holds the pivot
 const LOW = 0.4; // height of the axis below which a top would dip into the ground
-const LONGEST = 1.5; // of L and of the largest Ω
 const GLASS = 0.35; // opacity of a body with a rotor inside
 const FINE = 0.06; // rad between points of the trace
 
 export function bodyPanel(motion, given, theme) {
   const data = given.pivot && motion.solver ? { ...given, pivot: holding(motion, given.pivot) } : given;
-  const panel = newPanel(theme, { title: "The body in space", words: data.changed ? "box or ellipsoid of the same inertia" : data.shape, radius: data.pivot === "ground" ? 1.7 : 1.88 });
+  const panel = newPanel(theme, { title: "The body in space", words: data.changed ? "box or ellipsoid of the same inertia" : data.shape, radius: data.pivot === "ground" ? 1.5 : 1.62 });
   if (!data.pivot) panel.target = new Vector3(0, 0, 0.08); // as arrows point up more often than down
-  if (data.pivot === "ground") panel.target = new Vector3(0, 0, 0.5);
+  if (data.pivot === "ground") panel.target = new Vector3(0, 0, 0.42);
   const space = new Group();
   space.quaternion.copy(motion.space);
   panel.scene.add(space);
@@ -43,14 +46,18 @@ export function bodyPanel(motion, given, theme) {
   else panel.scene.add(circle(REACH, 0, theme.ring));
   if (data.pivot === "post") panel.scene.add(line([0, 0, -REACH, 0, 0, 0], theme.edge, 5));
   if (data.pivot === "hook") panel.scene.add(line([0, 0, 0, 0, 0, REACH], theme.edge, 5));
-  const arrows = { L: motion.momenta && arrow(theme.momentum, 0.02), Ω: motion.velocities && arrow(theme.velocity, 0.017) };
-  for (const found of Object.values(arrows)) if (found) space.add(found);
+  const vectors = vectorsOf(motion, data.weight ? center(data, end) : null, theme);
+  const cones = conesOf(motion, end, data, color, theme);
+  const cage = data.cage && !data.changed ? cageOf(data, theme) : null;
+  if (cage) panel.scene.add(cage.object);
+  for (const found of vectors.objects) panel.scene.add(found);
+  for (const cone of cones) (cone.inBody ? body : panel.scene).add(cone.object);
   let state = null;
 
   panel.legend = [
     { color, text: data.along ? "trace of the axis through the centre of mass" : `trace of axis ${data.axes?.[data.traced] ?? data.traced + 1}` },
-    ...(arrows.L ? [{ color: theme.momentum, text: "L" }] : []),
-    ...(arrows["Ω"] ? [{ color: theme.velocity, text: "Ω" }] : []),
+    ...vectors.entries,
+    ...cones.map(({ entry }) => entry),
     ...(rotor ? [{ color: theme.rotor, text: `rotor${turning(rotor.rate({ position: 0 }))}` }] : []),
   ];
   panel.update = (now) => {
@@ -58,8 +65,9 @@ export function bodyPanel(motion, given, theme) {
     body.quaternion.copy(now.attitude);
     trace.show(now.position);
     rotor?.turn(now);
-    point(arrows.L, now.momentum, now.attitude, largest(motion.momenta));
-    point(arrows["Ω"], now.velocity, now.attitude, motion.fastest);
+    vectors.show(now);
+    cage?.turn(end.clone().applyQuaternion(now.attitude).applyQuaternion(motion.space));
+    for (const cone of cones) cone.object.visible = isOn(cone.entry);
   };
   panel.labels = () => [
     ...tips.map((tip, k) => ({
@@ -67,13 +75,7 @@ export function bodyPanel(motion, given, theme) {
       color: theme.axes[k],
       place: tip.clone().multiplyScalar(1.07).applyQuaternion(state.attitude).applyQuaternion(motion.space),
     })),
-    ...Object.entries(arrows)
-      .filter(([, found]) => found?.visible)
-      .map(([text, found]) => ({
-        text,
-        color: text === "L" ? theme.momentum : theme.velocity,
-        place: found.userData.tip.clone().multiplyScalar(text === "L" ? 1.08 : 1.16).applyQuaternion(motion.space),
-      })),
+    ...vectors.labels(),
   ];
   panel.probe = () => {
     body.updateWorldMatrix(true, false);
@@ -81,7 +83,10 @@ export function bodyPanel(motion, given, theme) {
       matrix: [...body.matrixWorld.elements],
       axisTip: end.clone().applyMatrix4(body.matrixWorld).toArray(),
       trace: [...trace.points].slice(0, 3 * (trace.shown + 1)),
-      momentumTip: arrows.L?.userData.tip?.toArray() ?? null,
+      momentumTip: vectors.probe().L?.tip ?? null,
+      vectors: vectors.probe(),
+      cage: cage ? cage.object.matrix.elements.slice() : null,
+      cones: Object.fromEntries(cones.map(({ entry, halves, object }) => [entry.key, { halves, shown: object.visible }])),
       rotor: rotor ? [...rotor.object.children[0].quaternion.toArray(), rotor.rate(state)] : null,
     };
   };
@@ -94,6 +99,29 @@ function seeThrough(body) {
     if (!found.isMesh) return;
     Object.assign(found.material, { transparent: true, opacity: GLASS, depthWrite: false });
     found.renderOrder = 1; // after the rotor
+  });
+}
+
+/** Return where a top's centre of mass is drawn: on its axis, in units of its reach. */
+const center = ({ weight }, end) => end.clone().normalize().multiplyScalar(weight.center).toArray();
+
+/** Return the cones of Ω in space and in the body, and of the traced axis; shown at first of a body that cones. */
+function conesOf(motion, end, data, color, theme) {
+  if (!motion.joined || !motion.attitudes || motion.count < 3) return [];
+  const axes = [0, 1, 2].map((k) => new Vector3().setComponent(k, 1));
+  const coned = axes.find((axis) => isConing(motion, axis)) ?? null; // which axis that is, a slider may have changed
+  const traced = isConing(motion, end.clone().normalize());
+  const rays = sweptRays(motion, lengthPerRate(motion), end);
+  const up = new Vector3(0, 0, 1);
+  const about = coned ?? end.clone().normalize();
+  if (rays.body.length && new Vector3().fromArray(rays.body).dot(about) < 0) about.negate();
+  return [
+    { key: "space cone", text: data.pivot ? "cone of Ω in space" : "cone of Ω about L (space cone)", rays: rays.space, about: up, tint: theme.herpolhode },
+    { key: "body cone", text: "cone of Ω in the body", rays: rays.body, about, tint: theme.bodyCone, inBody: true },
+    { key: "axis cone", text: "cone of the axis", rays: rays.axis, about: up, tint: color },
+  ].flatMap(({ key, text, rays: ends, about: line, tint, inBody = false }) => {
+    const cone = coneThrough(ends, line, tint);
+    return cone ? [{ ...cone, inBody, entry: switched(key, tint, text, key === "axis cone" ? traced : coned !== null) }] : [];
   });
 }
 
@@ -120,16 +148,25 @@ function shapeOf(motion, data, theme) {
   if (edges) return found.add(box(edges, theme.body, theme.edge));
   if (data.surface) {
     const vertices = unpacked(data.surface.vertices);
-    let size = 0;
-    for (let k = 0; k < vertices.length; k += 3) {
-      size = Math.max(size, Math.hypot(vertices[k], vertices[k + 1], vertices[k + 2]));
+    const size = farthest(vertices);
+    const { faces, colors, shiny = false, lines = [] } = data.surface;
+    found.add(surface(vertices.map((x) => x / size), unpacked(faces), theme.body, theme.edge, unpacked(colors), shiny));
+    for (const { points, color, width } of lines) {
+      const ends = [...unpacked(points)].map((x) => x / size);
+      const shade = `#${color.toString(16).padStart(6, "0")}`;
+      found.add(width > 1 ? line(ends, shade, width) : hairline(ends, shade));
     }
-    const colors = unpacked(data.surface.colors);
-    found.add(surface(vertices.map((x) => x / size), unpacked(data.surface.faces), theme.body, theme.edge, colors));
   } else if (data.ellipsoid) {
     const size = Math.max(...data.ellipsoid);
     found.add(ellipsoid(data.ellipsoid.map((x) => x / size), theme.body, theme.edge));
   }
+  return found;
+}
+
+/** Return the distance of the farthest of points [x, y, z, …] from where the body turns. */
+function farthest(points) {
+  let found = 0;
+  for (let k = 0; k < points.length; k += 3) found = Math.max(found, Math.hypot(points[k], points[k + 1], points[k + 2]));
   return found;
 }
 
@@ -165,18 +202,5 @@ function traceOf(motion, end, color) {
     found.object = specks(points, color, 3);
     found.show = (position) => found.object.geometry.setDrawRange(0, (found.shown = Math.floor(position)) + 1);
   }
-  return found;
-}
-
-function point(found, vector, attitude, most) {
-  if (!found) return;
-  const size = most ? vector.length() / most : 0;
-  if (size > 0) found.point(vector.clone().applyQuaternion(attitude), LONGEST * size);
-  else found.visible = false;
-}
-
-function largest(values) {
-  let found = 0;
-  for (let k = 0; values && k < values.length; k += 3) found = Math.max(found, Math.hypot(values[k], values[k + 1], values[k + 2]));
   return found;
 }

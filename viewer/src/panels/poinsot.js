@@ -32,10 +32,10 @@ export function poinsotPanel(motion, data, theme) {
 
   const inSpace = turned(motion, contacts);
   const polhode = path(motion, contacts, theme.motion, 3);
-  const herpolhode = path(motion, inSpace, theme.border, 2.5);
+  const herpolhode = path(motion, inSpace, theme.herpolhode, 2.5);
   body.add(polhode);
   space.add(herpolhode);
-  if (motion.joined) space.add(hairline(inSpace, theme.border, 0.45));
+  if (motion.joined) space.add(hairline(inSpace, theme.herpolhode, 0.45));
   const touch = dot(theme.velocity, theme.ground, 0.03);
   const axis = arrow(theme.velocity, 0.012);
   const normal = arrow(theme.momentum, 0.012);
@@ -46,7 +46,7 @@ export function poinsotPanel(motion, data, theme) {
   let shown = 0;
   panel.legend = [
     { color: theme.motion, text: "polhode" },
-    { color: theme.border, text: "herpolhode" },
+    { color: theme.herpolhode, text: "herpolhode" },
     { color: theme.velocity, text: "contact, −Ω" },
   ];
   panel.update = (now) => {

@@ -4,18 +4,21 @@ import { unpacked } from "../motion.js";
 import { family, levels, pairThrough, polhodeThrough, rests, separatrix } from "../polhodes.js";
 import { arrowhead, dot, drawUpTo, globe, line, mark, path, pieces, specks } from "../shapes.js";
 import { newPanel } from "../stage.js";
+import { energySurface } from "./energy.js";
 
 const GRASP = 18; // pixels from the point within which a press takes hold of it
 const SAMPLED = 1.012; // height of measured points, above the curves
 const HEADS = 4; // arrowheads on this motion's polhode
-const COLORS = { stable: "stable", unstable: "border", undecided: "family" };
+const COLORS = { stable: "stable", unstable: "border", undecided: "undecided" };
+const [VEIL, SEEN_THROUGH] = [0.8, 0.55]; // opacity of the sphere, without and with the ellipsoid over it
 const NAMES = { stable: "stable", unstable: "unstable", undecided: "undecided" };
 
 export function spherePanel(motion, data, theme) {
   const panel = newPanel(theme, { title: data.title, words: data.words, radius: 1.36 });
   const { scene } = panel;
   const color = data.families ? theme.text : theme.motion; // other curves have colours of their own there
-  scene.add(globe(theme));
+  const ball = globe(theme);
+  scene.add(ball);
   // a free body's curves are known in closed form, those of other systems come with the page
   const start = motion.free ? motion.at(0).momentum.toArray() : null;
   const [others, border] = start
@@ -42,6 +45,8 @@ export function spherePanel(motion, data, theme) {
   });
   const marks = motion.free ? rests(motion.free) : data.equilibria ?? [];
   for (const { at, verdict } of marks) scene.add(mark(new Vector3(...at), verdict, theme[COLORS[verdict]], theme.ground));
+  const surface = energySurface(motion, data, theme);
+  if (surface) scene.add(surface.object);
   const said = [...new Set(marks.map(({ verdict }) => verdict))];
   panel.legend = [
     { color, text: "this motion" },
@@ -50,12 +55,14 @@ export function spherePanel(motion, data, theme) {
     ...(others.length ? [{ color: theme.family, text: data.legend }] : []),
     ...(data.families ?? []).map(({ axis, legend }) => ({ color: theme.axes[axis], text: legend })),
     ...said.map((verdict) => ({ color: theme[COLORS[verdict]], text: NAMES[verdict] })),
+    ...(surface ? [surface.entry] : []),
   ];
   panel.update = (now) => {
     const norm = now.momentum.length();
     place.visible = norm > 0;
     if (norm > 0) place.position.copy(now.momentum).divideScalar(norm);
     if (!own) drawUpTo(motion, trail, Math.floor(now.position * motion.fine));
+    ball.material.opacity = surface?.show(now) ? SEEN_THROUGH : VEIL;
   };
   panel.labels = () =>
     stubs.map((end, k) => ({ text: data.axes?.[k] ?? `L${"₁₂₃"[k]}`, color: theme.axes[k], place: end.clone().multiplyScalar(1.08) }));
@@ -70,6 +77,7 @@ export function spherePanel(motion, data, theme) {
     path: [...points],
     closed: Boolean(own),
     measured,
+    surface: surface?.probe() ?? null,
     seen: place.position.clone().project(panel.camera).toArray(),
   });
   return panel;

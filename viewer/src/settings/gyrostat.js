@@ -1,9 +1,10 @@
 // A body with a rotor inside that turns at a constant rate, or freely, as sliders set it.
 import { Gyrostat } from "../../../reference/stepped/index.js";
-import { exact, worded } from "../numbers.js";
-import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, tomlList, turned, withTables } from "./turning.js";
+import { clock, exact, worded } from "../numbers.js";
+import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, tomlList, toSpace, turned, watchAxis, withTables } from "./turning.js";
 
 const RPM = Math.PI / 30;
+const DEGREE = Math.PI / 180;
 
 export const first = ["rate", "rotor", "spin.tilt", "spin.rate"]; // of the controls, the others are folded
 export const keys = {
@@ -22,6 +23,7 @@ export function from({ moments, rotor, rotor_moment = null, rotor_drive = "const
   return { moments, velocity, attitude, epoch, about, around, momentum, axis, spin: size, moment: rotor_moment, drive: rotor_drive };
 }
 
+const ALONG = 1e-9; // by which a rotor's axis may miss a principal one
 const NAMES = { momentum_space: "L in space" };
 const inner = ({ axis, spin }) => axis.map((value) => value * spin);
 
@@ -110,7 +112,44 @@ until = "${exact(span)} s"
 `;
 }
 
-export const facts = (setting, solver) => kept(solver);
+const JUDGED = {
+  minimum: "stable, also with losses in the body: least energy",
+  maximum: "stable until losses act: most energy",
+  saddle: "unstable: a saddle of the energy",
+};
+
+/** Return how the rotor's axis moves about L, whether a spin about it is stable, and how L goes round it in the body. */
+export function facts(setting, solver) {
+  const first = solver.state(solver.epoch);
+  const size = Math.hypot(...first.momentum);
+  const L = toSpace(first.attitude, first.momentum).map((value) => value / (size || 1));
+  const found = [];
+  if (size > 0) {
+    const { least, most, around } = watchAxis(solver, ({ attitude }) => toSpace(attitude, setting.axis), L);
+    found.push(["rotor's axis leans from L", `${worded(least / DEGREE, 4)}° to ${worded(most / DEGREE, 4)}°`]);
+    found.push(["precession of the rotor's axis about L", `${worded(around / RPM, 4)} rpm`]);
+    const spin = spinAboutRotor(setting, size);
+    if (spin) {
+      found.push(["a spin about the rotor's axis", JUDGED[spin.extremum]]);
+      if (spin.nutation) found.push(["nutation: L goes round it in the body every", clock((2 * Math.PI) / spin.nutation, (2 * Math.PI) / spin.nutation)]);
+    }
+  }
+  return [...found, ...kept(solver)];
+}
+
+/**
+ * Return what the energy is at L along the rotor's principal axis, and how fast L goes round near it [rad/s]; null for others.
+ *
+ * With L = l e, Ω = (l − h)/K and small parts x, y across: x′ = (Ω − l/J) y, y′ = (l/I − Ω) x, and the energy on the sphere
+ * changes by ½ (1/I − Ω/l) x² + ½ (1/J − Ω/l) y².
+ */
+export function spinAboutRotor({ moments, axis, spin: h }, size) {
+  const k = axis.findIndex((value) => Math.abs(Math.abs(value) - 1) < ALONG);
+  if (k < 0) return null;
+  const rate = (size - h) / moments[k];
+  const [x, y] = [1, 2].map((j) => size / moments[(k + j) % 3] - rate);
+  return { extremum: x * y <= 0 ? "saddle" : x > 0 ? "minimum" : "maximum", nutation: x * y > 0 ? Math.sqrt(x * y) : null };
+}
 
 /** Return by how much what is conserved has changed until some turns later. */
 export function kept(solver) {

@@ -1,10 +1,13 @@
 // Any body about a fixed point under its weight, as sliders set it.
 import { HeavyTop } from "../../../reference/stepped/index.js";
-import { exact, worded } from "../numbers.js";
+import { clock, exact, worded } from "../numbers.js";
 import { kept } from "./gyrostat.js";
-import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, tomlList, turned, withTables } from "./turning.js";
+import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, tomlList, toSpace, turned, watchAxis, withTables } from "./turning.js";
 
 const GRAVITY = 9.80665; // m/s²
+const [DEGREE, RPM] = [Math.PI / 180, Math.PI / 30];
+const ALONG = 1e-5; // by which the cosine to a principal axis may miss one: 0.26°
+const NODS = 0.01 * DEGREE; // of lean, below which it is called steady
 
 export const first = ["spin.rate", "spin.tilt", "mgl"]; // of the controls, the others are folded
 export const keys = { system: { kind: 0, moments: 3, mgl: 1, axis: 3 }, spin: SPIN_KEYS }; // of a spec, with how many numbers each has
@@ -69,4 +72,32 @@ until = "${exact(span)} s"
 `;
 }
 
-export const facts = (setting, solver) => kept(solver);
+/** Return how the axis leans, nods and goes round, what a gyroscope's rule says of it, and whether it would stand upright. */
+export function facts({ moments, mgl, axis, velocity }, solver) {
+  const size = Math.hypot(...axis);
+  const unit = axis.map((value) => value / size);
+  const { least, most, swing, around } = watchAxis(solver, ({ attitude }) => toSpace(attitude, unit));
+  const found = [["axis leans", `${worded(least / DEGREE, 4)}° to ${worded(most / DEGREE, 4)}°`]];
+  if (swing !== null && most - least > NODS) found.push(["nutation: nods every", clock(swing, swing)]);
+  found.push(["mean precession", `${worded(around / RPM, 4)} rpm`]);
+  const k = unit.findIndex((value) => Math.abs(Math.abs(value) - 1) < ALONG);
+  if (k >= 0) {
+    const spin = velocity[k] * unit[k];
+    if (spin && mgl) found.push(["a gyroscope's, mgl/I₃ω", `${worded(mgl / (moments[k] * spin) / RPM, 4)} rpm`]);
+    found.push(["upright at this spin, to first order", standsUpright(moments, mgl, k, spin) ? "stable: it would sleep" : "unstable: it would fall"]);
+  }
+  return [...found, ...kept(solver)];
+}
+
+/**
+ * Whether a top that spins upright about its principal axis k is stable to first order.
+ *
+ * With the tilt (x, y) in the body I x″ − G ω y′ + ((K − J) ω² − mgl) x = 0 and likewise y, G = I + J − K: I, J are the moments
+ * across, K that along. Source: Magnus, *Kreisel* (1971), on the sleeping top with unequal moments.
+ */
+export function standsUpright(moments, mgl, k, spin) {
+  const [I, J, K] = [moments[(k + 1) % 3], moments[(k + 2) % 3], moments[k]];
+  const [x, y] = [(K - J) * spin * spin - mgl, (K - I) * spin * spin - mgl];
+  const [a, b, c] = [I * J, I * y + J * x + ((I + J - K) * spin) ** 2, x * y];
+  return b > 0 && c > 0 && b * b > 4 * a * c;
+}

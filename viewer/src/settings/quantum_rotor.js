@@ -129,7 +129,11 @@ export class QuantumMotion extends FreeMotion {
     return [
       {
         title: "L along the b axis, in |L|", unit: "",
-        series: [series("quantum ⟨L⟩", quantum.map((mean) => mean[1])), series("one classical body", one), series("mean of classical bodies", many)],
+        series: [
+          { ...series("quantum ⟨L⟩", quantum.map((mean) => mean[1])), role: "motion" },
+          { ...series("one classical body", one), role: "classical" },
+          { ...series("mean of classical bodies", many), role: "ensemble" },
+        ],
       },
       { title: "quantum ⟨L⟩ along the axes, in J", unit: "", along: true, series: ["a", "b", "c"].map((name, k) => series(name, quantum.map((mean) => mean[k]))) },
     ];

@@ -111,3 +111,67 @@ function ofABody(moments) {
 /** Return the momentum at the start: as it was given, to the last bit, or IΩ and what turns inside. */
 export const momentumOf = ({ moments, velocity, momentum }, inner = [0, 0, 0]) =>
   momentum ?? velocity.map((value, k) => value * moments[k] + inner[k]);
+
+const [WATCHED, PER_TURN] = [60, 24]; // turns of the body that an axis is watched for, and times in each
+
+/**
+ * Return how an axis moves about another, from states that the solver knows: least and largest angle between them [rad],
+ * the mean time between its largest angles [s], null if it does not swing, and the mean rate at which it goes round [rad/s].
+ *
+ * @param solver with state(time) and epoch
+ * @param towards returns the axis in space at a state, a unit vector
+ * @param up unit vector in space
+ */
+export function watchAxis(solver, towards, up = [0, 0, 1]) {
+  const first = solver.state(solver.epoch);
+  const step = (2 * Math.PI) / (Math.hypot(...first.velocity) || 1) / PER_TURN;
+  const [across, beside] = crossedBy(up);
+  const [leans, rounds] = [[], []]; // angles from `up`, and about it, counted on
+  let [round, last] = [0, null];
+  const count = WATCHED * PER_TURN;
+  for (let k = 0; k <= count; k++) {
+    const axis = towards(solver.state(solver.epoch + k * step));
+    const [x, y, z] = [across, beside, up].map((one) => dot(one, axis));
+    leans.push(Math.atan2(Math.hypot(x, y), z));
+    const angle = Math.atan2(y, x);
+    if (last !== null) round += Math.atan2(Math.sin(angle - last), Math.cos(angle - last));
+    last = angle;
+    rounds.push(round);
+  }
+  const [least, most] = [Math.min(...leans), Math.max(...leans)];
+  const tops = maxima(leans);
+  const [from, to, nods] = tops.length > 1 ? [tops[0], tops.at(-1), tops.length - 1] : [0, count, null];
+  // over whole nods, as it goes round faster and slower in each
+  const around = (between(rounds, to) - between(rounds, from)) / ((to - from) * step);
+  return { least, most, swing: nods ? ((to - from) * step) / nods : null, around };
+}
+
+const between = (values, place) => {
+  const k = Math.min(Math.floor(place), values.length - 2);
+  return values[k] + (place - k) * (values[k + 1] - values[k]);
+};
+
+/** Return where evenly spaced values are at their maxima, by parabolas through three of them. */
+function maxima(values) {
+  const tops = [];
+  for (let k = 1; k + 1 < values.length; k++) {
+    const [a, b, c] = [values[k - 1], values[k], values[k + 1]];
+    if (b > a && b >= c && a - 2 * b + c < 0) tops.push(k + (0.5 * (a - c)) / (a - 2 * b + c));
+  }
+  return tops;
+}
+
+/** Return two unit vectors that form a right-handed frame with a third. */
+function crossedBy([a, b, c]) {
+  const other = Math.abs(c) < 0.9 ? [0, 0, 1] : [1, 0, 0];
+  const first = [other[1] * c - other[2] * b, other[2] * a - other[0] * c, other[0] * b - other[1] * a];
+  const size = Math.hypot(...first);
+  const [x, y, z] = first.map((value) => value / size);
+  return [[x, y, z], [b * z - c * y, c * x - a * z, a * y - b * x]];
+}
+
+/** Return a vector of the body as it stands in space. */
+export function toSpace([w, x, y, z], [a, b, c]) {
+  const [p, q, r] = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
+  return [a + w * p + y * r - z * q, b + w * q + z * p - x * r, c + w * r + x * q - y * p];
+}

@@ -1,7 +1,7 @@
 // A disk rolling on a plane, with the path of its contact and of its centre. Lengths are in radii.
 // Loaded before the page's own script, which hands over its tools.
 (globalThis.polhodePanels ??= {}).disk = (motion, data, theme, tools) => {
-  const { CylinderGeometry, Group, Mesh, MeshLambertMaterial, Vector3, dot, drawUpTo, floor, line, newPanel, path, unpacked } = tools;
+  const { CylinderGeometry, Group, Mesh, MeshLambertMaterial, Vector3, contactSound, dot, drawUpTo, floor, line, newPanel, path, unpacked } = tools;
   const LARGEST = 7; // radii: a path wider than that is followed instead of shown whole
   const THINNEST = 0.02;
 
@@ -34,7 +34,10 @@
     panel.legend = [
       { color: theme.motion, text: "contact" },
       { color: theme.border, text: "below the centre" },
+      { text: "sound of the contact", press: () => contactSound.toggle(), pressed: () => contactSound.on },
     ];
+    const rates = contactRates(motion);
+    let heard = null; // a picture drawn again is silent
     panel.update = (now) => {
       const k = Math.floor(now.position);
       const part = now.position - k;
@@ -45,10 +48,12 @@
       touch.position.set(mix(touched, 3, 0), mix(touched, 3, 1), 0);
       if (follows) panel.target.set(touch.position.x, touch.position.y, 0.4);
       for (const found of [trail, heart]) drawUpTo(motion, found, k);
+      if (now.time !== heard) contactSound.follow(mix(rates, 1, 0));
+      heard = now.time;
     };
     panel.probe = () => {
       coin.updateWorldMatrix(true, true);
-      return { coin: [...coin.matrixWorld.elements], half: data.thickness / data.radius / 2, point: touch.position.toArray(), path: [...touched] };
+      return { coin: [...coin.matrixWorld.elements], half: data.thickness / data.radius / 2, point: touch.position.toArray(), path: [...touched], sound: contactSound.probe() };
     };
     return panel;
   }
@@ -64,6 +69,19 @@
     return [contacts, centers];
   }
 
+  /** Return how often the contact goes round per second at the motion's times: as the normal of the face does. */
+  function contactRates(motion) {
+    const found = new Float64Array(motion.count);
+    const normal = (k) => new Vector3(0, 0, 1).applyQuaternion(motion.attitude(k));
+    for (let k = 0; k < motion.count; k++) {
+      const [before, after] = [Math.max(0, k - 1), Math.min(motion.count - 1, k + 1)];
+      const [a, b] = [normal(before), normal(after)];
+      const turned = Math.atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+      found[k] = after > before ? Math.abs(turned) / (2 * Math.PI * (motion.times[after] - motion.times[before]) || Infinity) : 0;
+    }
+    return found;
+  }
+
   /** Return a coin of radius one about its third axis, with a mark on its faces that shows its turning. */
   function coinOf(data, theme) {
     const height = Math.max(data.thickness / data.radius, THINNEST);
@@ -72,6 +90,12 @@
     const geometry = new CylinderGeometry(1, 1, height, 96);
     geometry.rotateX(Math.PI / 2);
     const found = new Group().add(new Mesh(geometry, [side, face, face]));
+    const inlay = new MeshLambertMaterial({ color: theme.axes[1] });
+    for (const turn of [0, Math.PI]) {
+      const sector = new CylinderGeometry(0.86, 0.86, height + 0.006, 24, 1, false, turn, Math.PI / 2);
+      sector.rotateX(Math.PI / 2);
+      found.add(new Mesh(sector, inlay));
+    }
     for (const z of [height / 2 + 0.004, -height / 2 - 0.004]) {
       const rim = [];
       for (let k = 0; k <= 64; k++) rim.push(0.86 * Math.cos((Math.PI * k) / 32), 0.86 * Math.sin((Math.PI * k) / 32), z);

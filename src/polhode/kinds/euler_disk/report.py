@@ -138,8 +138,9 @@ class EulerDiskReport(MotionReport):
             notes.append("no law takes nearly all of the power where exponents are fitted: they lie between the laws', "
                          "and their uncertainty is that of the fit alone.")  # fmt: skip
         if spin_down is not None and self.table.thickness:
-            notes.append("laws are predicted for a thin disk. A thick one does not keep its centre at rest and bends "
-                         "them: exponents then differ by more than their uncertainty.")  # fmt: skip
+            notes.append("laws are predicted for a thin disk. A thick one does not keep its centre at rest: the spin "
+                         "that losses leave it holds a part of the weight, and Ω grows more slowly by it than as "
+                         "tilt^(−1/2).")  # fmt: skip
         if spin_down is not None and spin_down.first_event is None:
             notes.append("followed through four decades of tilt or a million steps without an event.")
         return notes
@@ -223,18 +224,18 @@ class EulerDiskReport(MotionReport):
     def _exponents(self, spin_down: SpinDown) -> Table:
         law = "None" if self.dominant is None else self.dominant.law
         said = {
-            "tilt_exponent": ("tilt ∝ (t0 − t)^n", law),
+            "tilt_exponent": ("tilt ∝ (t0 − t)^n", f"{law}, of a thin disk" if self.table.thickness else law),
             "precession_exponent": ("Ω ∝ (t0 − t)^k", law),
             "precession_by_tilt_exponent": ("Ω ∝ tilt^k", "any law; not −1"),
+            "unspun_by_tilt_exponent": ("Ω without the spin's part ∝ tilt^k", "any law and any disk; not −1"),
         }
-        of_whom = ", of a thin disk" if self.table.thickness else ""
         rows = [{"name": name, **values} for name, values in self._fits(spin_down).items()]
         columns = {
             "law": lambda row: said[row["name"]][0],
             "fitted": lambda row: uncertain(row["fitted"], row["uncertainty"]) + (
                 ", too uncertain to compare" if row["uncertainty"] > TELLING * abs(row["fitted"]) else ""),
             "predicted": lambda row: (
-                "–" if row["predicted"] is None else f"{_word(row['predicted'])} ({said[row['name']][1]}{of_whom})"
+                "–" if row["predicted"] is None else f"{_word(row['predicted'])} ({said[row['name']][1]})"
             ),
         }
         title = f"Exponents, fitted where |tilt rate|/(tilt·Ω) < {ASYMPTOTIC_FIT:g}"
@@ -245,10 +246,13 @@ class EulerDiskReport(MotionReport):
         law = None if self.dominant is None else self.disk.dissipation[self.laws.index(self.dominant)]
         wanted = (None, None, None) if law is None else predicted_exponents(law)
         tilt, precession, by_tilt = wanted
+        if self.table.thickness:  # whose centre is not at rest
+            precession = by_tilt = None
         return {
             "tilt_exponent": _exponent(spin_down.tilt, tilt),
             "precession_exponent": _exponent(spin_down.precession, precession),
             "precession_by_tilt_exponent": _exponent(spin_down.precession_by_tilt, by_tilt),
+            "unspun_by_tilt_exponent": _exponent(spin_down.unspun_by_tilt, -0.5),
         }
 
     def _end(self, spin_down: SpinDown) -> Group:

@@ -57,7 +57,7 @@ def draw_gyrostat_motion(report: GyrostatReport) -> Figure:
     upper.set_ylabel(f"Ω  [{style.factor(power)}rad/s]")
     if report.motor:
         spin = style.power_of_ten(report.rotor_rate)
-        lower.plot(times / 10.0**slow, report.rotor_rate / 10.0**spin, color=style.DARK, lw=1.1)
+        lower.plot(times / 10.0**slow, report.rotor_rate / 10.0**spin, color=style.ROTOR, lw=1.1)
         lower.set_ylabel(f"rotor's rate  [{style.factor(spin)}rad/s]")
     else:
         lower.plot(times / 10.0**slow, np.degrees(report.axis_to_momentum), color=style.DARK, lw=1.1)

@@ -6,7 +6,7 @@
   const strengths = unpacked(data.strength);
   const words = data.flat ? "in the plane, from above" : "on the sphere";
   const panel = newPanel(theme, { title: "Point vortices", words, radius: 1.3 });
-  const colors = [theme.axes[0], theme.axes[1]];
+  const colors = [theme.motion, theme.border];
   const own = (k) => places.subarray(3 * motion.count * k, 3 * motion.count * (k + 1));
   if (!data.flat) panel.scene.add(globe(theme), circle(1, 0, theme.family));
   const found = [...strengths].map((strength, k) => {
