@@ -27,6 +27,7 @@ HERE = Path(__file__).resolve().parents[1]
 PROOFS = HERE.parent / "proofs"
 VARIANTS = 24  # sets of numbers that a page holds of an exercise
 SEED = 1  # of the worksheets beside the course
+SHOWN = {"panels": "panels", "derivations and proofs": "derivations", "exercises": "exercises"}
 SOURCE = "https://github.com/polhode/polhode/blob/main"
 
 
@@ -182,14 +183,11 @@ class Syllabus(SphinxDirective):
 
     def run(self):
         rows = tomllib.loads((HERE / "syllabus.toml").read_text("utf-8"))["row"]
-        head = ("#", "topic", "tier", "where", "panel", "derivation or proof", "exercises")
-        text = [f"| {' | '.join(head)} |", f"|{'---|' * len(head)}"]
+        text = ["| # | topic | tier | where it is |", "|---|---|---|---|"]
         for row in rows:
-            text.append("| " + " | ".join([
-                str(row["number"]), row["topic"], row["tier"],
-                ", ".join(f"[{_title(page)}]({page}.md)" for page in row["sections"]),
-                ", ".join(row["panels"]), ", ".join(row["derivations"]), ", ".join(row["exercises"]),
-            ]) + " |")  # fmt: skip
+            pages = ", ".join(f"[{_title(page)}]({page}.md)" for page in row["sections"])
+            rest = (f"*{what}:* {', '.join(row[key]).replace('_', ' ')}" for what, key in SHOWN.items())
+            text.append(f"| {row['number']} | {row['topic']} | {row['tier']} | {'<br>'.join([pages, *rest])} |")
         table = nodes.container()
         self.state.nested_parse(StringList(text, "syllabus.toml"), 0, table)
         return [table]

@@ -53,7 +53,10 @@ def test_numbers_are_computed_or_have_a_source(path):
 
 
 def test_a_number_without_a_source_is_seen():
-    text = "# 5.25 heads\nIt takes 20.2 s, {n}`20.3 | .3g` s, $20.4$, in 1834, of 3 kg, 20.5.\n```{setup}\nx = 20.5\n```\n"
+    text = (
+        "# 5.25 heads\nIt takes 20.2 s, {n}`20.3 | .3g` s, $20.4$, in 1834, of 3 kg, 20.5.\n"
+        "```{setup}\nx = 20.5\n```\n"
+    )
     assert numbers_of(text) == {"20.2"}
 
 
