@@ -23,8 +23,8 @@ def built_course(folder: str | Path | None = None) -> Path:
         if (SITE / "index.html").is_file():
             return SITE / "index.html"
         raise InvalidInput(
-            "this installation of polhode has no built course. In a checkout, `python -m sphinx learn out/learn` "
-            "builds it, and `polhode learn --from out/learn` opens it."
+            "this installation of polhode has no built course. In a checkout with the extras docs and symbolic, "
+            "`python -m sphinx learn out/learn` builds it, and `polhode learn --from out/learn` opens it."
         )
     for page in (Path(folder) / "learn" / "index.html", Path(folder) / "index.html"):
         if page.is_file() and (page.parent / "panels").is_dir():
