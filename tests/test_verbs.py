@@ -27,7 +27,7 @@ def test_each_has_a_page(report):
         assert isinstance(page, NotebookPage) and page.height == 300 and "a thing" in page.page
         assert page.page == ph.show(moved, name="a thing").page
     spec = ph.read_spec(HANDLE)
-    assert report.show(surface=spec.surface).page == ph.show(spec).page
+    assert report.show(surface=spec.picture).page == ph.show(spec).page
     assert MOTION.show(summary="how it turns", notes=["slowly"]).page.count("how it turns") == 1
 
 

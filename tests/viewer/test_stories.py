@@ -22,10 +22,11 @@ NUMBER = r"(\d+(?:\.\d+)?)"
 
 
 def story(example):
-    """Return what is said, in one text, and the tables that steps set."""
+    """Return what is said, in one text without the brackets of buttons, and the tables that steps set."""
     (found,) = [words for words in presets() if words["example"] == example]
     steps = found["story"]
-    return " ".join(step["say"] for step in steps), {step.get("label"): step.get("set") for step in steps}
+    words = " ".join(step["say"] for step in steps)
+    return words.replace("[", "").replace("]", ""), {step.get("label"): step.get("set") for step in steps}
 
 
 def motion_of(example):
