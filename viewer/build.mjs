@@ -4,6 +4,7 @@ import { readFile, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 import { PANELS, coursePanels } from "./course_panels.mjs";
+import { words } from "./words.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const ASSETS = here("../src/polhode/viewer/assets/");
@@ -20,6 +21,7 @@ async function bundle() {
     target: "es2022",
     charset: "ascii", // the same bytes in whatever encoding a page is read
     legalComments: "none",
+    plugins: [words],
     // every page holds a copy of three.js, and so its licence
     banner: { js: `/* three.js: ${licence.trim()}\n\nThe rest is part of polhode, under the MIT licence. */` },
   });

@@ -212,6 +212,50 @@ def test_any_picture_is_made_large_by_a_click_or_a_key(short, opened, size):
     assert not page.complaints
 
 
+def check_legend(page):
+    """Every checkbox of the large picture's legend is in sight above the time bar, whole, without scrolling."""
+    found = page.tab.evaluate("""() => {
+      const bar = document.querySelector("#timebar").getBoundingClientRect().top;
+      const legend = document.querySelector(".large .legend").getBoundingClientRect();
+      return [...document.querySelectorAll(".large .legend > *")].map((one) => one.getBoundingClientRect())
+        .map((box) => [box.bottom - Math.min(bar, legend.bottom), box.right - legend.right]);
+    }""")
+    assert found and all(below <= 1.0 and beside <= 1.0 for below, beside in found)
+
+
+def check_every_legend(page):
+    for button in page.tab.locator("#presets button").all():
+        button.click()
+        for k in range(page.tab.locator(".panel").count()):
+            page.enlarge(k)
+            check_legend(page)
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("language", ["en", "de", "fr", "es"])
+def test_the_legend_is_in_sight_below_the_scene(short, opened, language):
+    """A row above the scene pushed its checkboxes below the window, 768 pixels high."""
+    page = opened(short, **sized(SIZES[0]))
+    page.tab.goto(f"{short.as_uri()}#lang={language}")
+    check_every_legend(page)
+    page.picture(f"legend-{language}")
+    with_rules(page, ".large .legend { height: 20px !important; }")
+    with pytest.raises(AssertionError):
+        check_every_legend(page)
+
+
+@pytest.mark.browser
+def test_a_log_is_opened_at_the_end_of_what_can_be_set(short, opened):
+    page = opened(short, **sized(SIZES[0]))
+    boxes = [page.tab.locator(name).bounding_box() for name in ("#panels", "#instrument", "#share", "#log")]
+    panels, instrument, share, log = boxes
+    assert panels["y"] < 80 and log["x"] >= share["x"] > panels["x"] + panels["width"]
+    assert instrument["y"] < share["y"] < log["y"]
+    page.tab.locator("#share summary").focus()
+    page.tab.keyboard.press("Tab")
+    assert page.tab.evaluate("document.activeElement.closest('#log') !== null")
+
+
 @pytest.mark.browser
 def test_a_sentence_shows_what_it_is_about(short, opened):
     """Its button stands in it, and keys reach it."""

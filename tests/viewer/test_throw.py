@@ -200,7 +200,7 @@ def test_drag_is_fitted_gains_are_said_and_noise_alone_is_not():
 ])  # fmt: skip
 def test_a_broken_formula_is_seen(both, tmp_path, wrong, right, file):
     folder = tmp_path / "viewer" / "src" / "throw"
-    shutil.copytree(SOURCES, folder)
+    shutil.copytree(SOURCES.parent, folder.parent)
     shutil.copytree(ROOT / "reference", tmp_path / "reference")
     text = (folder / file).read_text()
     assert text.count(wrong) == 1

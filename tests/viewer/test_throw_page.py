@@ -1,6 +1,7 @@
 """A gyro log on the page: dropped or chosen, asked about, fitted and drawn over the exact motion, or refused."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -78,6 +79,23 @@ def test_a_dropped_file_is_taken_and_columns_are_asked_for(playground_page, open
     moments = page.tab.evaluate("window.polhode.settings().body.moments")
     assert moments == pytest.approx(BODIES["book"], abs=0.01)
     assert not page.complaints
+
+
+@pytest.mark.browser
+def test_a_log_is_told_in_the_readers_language(playground_page, opened, tmp_path):
+    page = opened(playground_page, locale="de-DE")
+    assert page.tab.locator("#log button").first.text_content() == "Gyro-Aufzeichnung öffnen…"
+    path = tmp_path / "empty.csv"
+    path.write_text("")
+    choose(page, path)
+    page.until("document.getElementById('log-said').textContent.endsWith('je Zeile.')")
+    choose(page, EXAMPLE)
+    page.until("document.getElementById('name').textContent === 'phone_throw.csv'")
+    story = page.tab.locator("#story").text_content()
+    assert "Beschleunigungsmesser" in story and re.search(r"I1/I3 = 0,\d{3}; I2/I3", story) and "Rauschens" in story
+    page.tab.locator("#language").select_option("es")  # the log is read again
+    page.until("document.querySelector('#story').textContent.includes('acelerómetro')")
+    assert page.tab.locator("#name").text_content() == "phone_throw.csv" and not page.complaints
 
 
 @pytest.mark.browser

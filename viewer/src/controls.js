@@ -1,4 +1,6 @@
 // Sliders and number fields for what can be set; values come and go in SI.
+import { decimal, say } from "./say.js";
+
 const STEPS = 1000;
 
 export class Controls {
@@ -41,7 +43,7 @@ export class Controls {
     if (control.choices) {
       row.choice = document.createElement("select");
       row.choice.id = id;
-      for (const [value, text] of control.choices) row.choice.append(new Option(text, value));
+      for (const [value, text] of control.choices) row.choice.append(new Option(say(text), value));
       row.choice.addEventListener("change", () => this.onChange(control.key, Number(row.choice.value)));
       line.append(row.choice);
     } else {
@@ -61,21 +63,22 @@ export class Controls {
 
   refresh(control) {
     const row = this.rows.get(control.key);
-    row.label.textContent = control.label;
+    const [label, unit] = [say(control.label), say(control.unit ?? "")];
+    row.label.textContent = label;
     if (row.choice) {
       row.choice.value = String(control.value);
       return;
     }
     const held = row.slider === document.activeElement && row.slider.matches(":active");
     row.control = held ? { ...row.control, value: control.value } : control;
-    row.slider.setAttribute("aria-label", control.label);
+    row.slider.setAttribute("aria-label", label);
     if (!held) row.slider.value = String(STEPS * partAt(control, control.value));
     row.slider.style.setProperty("--part", `${(100 * Number(row.slider.value)) / STEPS}%`);
     const text = plain(control.value / (control.si ?? 1));
-    row.slider.setAttribute("aria-valuetext", `${text} ${control.unit}`);
+    row.slider.setAttribute("aria-valuetext", `${text} ${unit}`);
     if (document.activeElement !== row.field) row.field.value = text;
-    row.unit.textContent = control.unit;
-    row.field.setAttribute("aria-label", `${control.label} [${control.unit}]`);
+    row.unit.textContent = unit;
+    row.field.setAttribute("aria-label", `${label} [${unit}]`);
     row.field.setCustomValidity("");
     row.field.removeAttribute("aria-invalid");
   }
@@ -87,9 +90,9 @@ export class Controls {
   typed(row) {
     const value = Number(row.field.value.trim().replace(",", ".")) * (row.control.si ?? 1);
     const { low, high, log, unit, si = 1 } = row.control;
-    const wrong = !row.field.value.trim() || !Number.isFinite(value) ? "A number is needed." : log && !(value > 0) ? "It must be greater than zero." : "";
+    const wrong = !row.field.value.trim() || !Number.isFinite(value) ? say("A number is needed.") : log && !(value > 0) ? say("It must be greater than zero.") : "";
     const outside = row.control.key.startsWith("body.moments") && (value < low * 0.999 || value > high * 1.001);
-    const said = wrong || (outside ? `No body has this moment with the two others: ${plain(low / si)} to ${plain(high / si)} ${unit}.` : "");
+    const said = wrong || (outside ? say("No body has this moment with the two others: {least} to {most} {unit}.", { least: plain(low / si), most: plain(high / si), unit }) : "");
     row.field.setCustomValidity(said);
     if (said) {
       row.field.setAttribute("aria-invalid", "true");
@@ -119,5 +122,5 @@ function partAt({ low, high, log, power = 1 }, value) {
 function plain(value) {
   if (value === 0) return "0";
   const size = Math.abs(value);
-  return size >= 1e-3 && size < 1e6 ? String(Number(value.toPrecision(7))) : value.toExponential(5);
+  return decimal(size >= 1e-3 && size < 1e6 ? String(Number(value.toPrecision(7))) : value.toExponential(5));
 }

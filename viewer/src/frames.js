@@ -1,13 +1,14 @@
 // The frames that pictures stand in, with their captions, and the words of the page.
+import { decimal, say } from "./say.js";
 import { isOn, turn } from "./switches.js";
 
 const element = (id) => document.getElementById(id);
 
 /** Put the words of the page in their places, as text and never as markup. */
 export function write({ name, title = name, summary, notes }) {
-  element("name").textContent = title;
-  element("summary").textContent = summary;
-  element("notes").replaceChildren(...notes.map((note) => said("li", note)));
+  element("name").textContent = say(title);
+  element("summary").textContent = say(summary);
+  element("notes").replaceChildren(...notes.map((note) => said("li", say(note))));
 }
 
 function said(tag, text, className = "") {
@@ -46,15 +47,16 @@ export function addFrame(panel, view) {
 export function caption(canvas, panel, data, redraw = () => {}) {
   const place = canvas.nextElementSibling;
   const up = panel.title === "The body in space" && data.up === "L" ? "L points up" : "";
-  const words = said("span", [panel.words, up].filter(Boolean).join("; "), "words");
+  const words = said("span", [panel.words, up].filter(Boolean).map((text) => say(text)).join("; "), "words");
   const legend = said("span", "", "legend");
   for (const entry of panel.legend) legend.append(legendItem(entry, redraw));
   const heading = said("span", "", "heading");
-  heading.append(said("strong", panel.title), words);
+  heading.append(said("strong", say(panel.title)), words);
   place.replaceChildren(heading, legend);
-  place.nextElementSibling.setAttribute("aria-label", `Make large: ${panel.title}`);
-  const turns = panel.flat ? "." : ". Arrow keys turn the view, page up and down bring it closer.";
-  canvas.setAttribute("aria-label", [panel.title, panel.words].filter(Boolean).join(": ") + turns);
+  place.nextElementSibling.setAttribute("aria-label", say("Make large: {picture}", { picture: say(panel.title) }));
+  const turns = panel.flat ? "" : ` ${say("Arrow keys turn the view, page up and down bring it closer.")}`;
+  canvas.setAttribute("aria-label", `${[panel.title, panel.words].filter(Boolean).map((text) => say(text)).join(": ")}.${turns}`);
+  canvas.parentElement.dataset.held = say("The wheel zooms. Esc lets go.");
 }
 
 /** Return an entry of a legend; one with a key has a checkbox, one with an action a button. */
@@ -62,7 +64,7 @@ function legendItem(entry, redraw) {
   const swatch = document.createElement("i");
   if (entry.color) swatch.style.background = entry.color;
   if (entry.press) {
-    const button = said("button", entry.text);
+    const button = said("button", say(entry.text));
     button.type = "button";
     button.setAttribute("aria-pressed", String(entry.pressed()));
     button.addEventListener("click", () => {
@@ -77,14 +79,14 @@ function legendItem(entry, redraw) {
     const box = document.createElement("input");
     Object.assign(box, { type: "checkbox", checked: isOn(entry) });
     box.dataset.part = entry.key;
-    box.setAttribute("aria-label", `show ${entry.text}`);
+    box.setAttribute("aria-label", say("show {part}", { part: say(entry.text) }));
     box.addEventListener("change", () => {
       turn(entry.key, box.checked);
       redraw();
     });
     item.append(box);
   }
-  item.append(swatch, entry.text);
+  item.append(swatch, say(entry.text));
   return item;
 }
 
@@ -92,7 +94,7 @@ function legendItem(entry, redraw) {
 export function list(root, pairs) {
   root.replaceChildren(...pairs.map(([name, value]) => {
     const pair = document.createElement("div");
-    pair.append(said("dt", name), said("dd", value));
+    pair.append(said("dt", say(name)), said("dd", decimal(say(value))));
     return pair;
   }));
 }

@@ -1,6 +1,7 @@
 // What can be set on a page: the setting, its sliders, and the motion that it makes.
 import { Controls } from "./controls.js";
 import { list } from "./frames.js";
+import { inEnglish } from "./say.js";
 import { SETTINGS } from "./settings/index.js";
 import { SolvedMotion } from "./solved.js";
 
@@ -103,7 +104,7 @@ export class Instrument {
   }
 
   toml(span) {
-    return this.kind.toml?.(this.setting, span) ?? null;
+    return inEnglish(() => this.kind.toml?.(this.setting, span) ?? null);
   }
 }
 

@@ -1,8 +1,9 @@
 // From the data in the page to its panels, and from each change of time, view, colours or setting to a new picture.
-import { Address } from "./address.js";
+import { Address, fromFragment } from "./address.js";
 import { View } from "./camera.js";
 import { addFrame, caption, write } from "./frames.js";
 import { Instrument } from "./instrument.js";
+import { Language } from "./language.js";
 import { Room, Views } from "./layout.js";
 import { Motion, unpacked } from "./motion.js";
 import { axisPanel } from "./panels/axis.js";
@@ -12,6 +13,7 @@ import { spherePanel } from "./panels/sphere.js";
 import { Plots } from "./plots.js";
 import { Playground } from "./playground.js";
 import { Readouts } from "./readouts.js";
+import { say } from "./say.js";
 import { Sharing } from "./sharing.js";
 import { dispose } from "./shapes.js";
 import { SolvedMotion } from "./solved.js";
@@ -26,7 +28,13 @@ const MAKERS = { axis: axisPanel, body: bodyPanel, poinsot: poinsotPanel, sphere
 const element = (id) => document.getElementById(id);
 
 class Page {
-  constructor(data) {
+  /**
+   * @param data what Python wrote
+   * @param language that is spoken, and its choice
+   */
+  constructor(data, language) {
+    this.language = language;
+    language.changed = () => this.retell();
     this.view = new View(() => this.draw());
     this.stage = new Stage(this.view);
     this.panels = [];
@@ -50,12 +58,22 @@ class Page {
       beyond: (time) => this.goTo(time),
       told: () => this.told(),
     });
-    this.address = new Address(() => this.seen, (tables) => this.open(this.playground?.find(tables.preset) ?? data, tables));
+    this.address = new Address(() => this.seen, (tables) => this.follow(tables, data));
     this.views = new Views(element("panels"), () => this.looked());
     this.sharing = new Sharing(this);
     this.playground = data.presets ? new Playground(data.presets, (preset) => this.open(preset), (step) => this.tell(step)) : null;
-    if (data.presets) new LogReader(element("playground"), (found) => this.open(found));
+    if (data.presets) this.reader = new LogReader(element("share"), (found) => this.open(found));
     const { tables } = this.address;
+    this.open(this.playground?.find(tables.preset) ?? data, tables);
+  }
+
+  /** Show what an address says, of the motions in `data`. */
+  follow(tables, data) {
+    if (tables.lang !== (this.language.asked ?? undefined)) {
+      this.language.take(tables.lang);
+      this.playground?.write();
+      this.reader?.write();
+    }
     this.open(this.playground?.find(tables.preset) ?? data, tables);
   }
 
@@ -92,8 +110,17 @@ class Page {
     this.address.write();
   }
 
+  /** Show the same again, in the language that is spoken now. */
+  retell() {
+    const { position, time } = this.now;
+    const tables = { ...this.seen, t: position || time !== this.begins ? time : null };
+    this.playground?.write();
+    this.reader?.write();
+    this.open(this.data, tables);
+  }
+
   /** Take the setting, the large picture and the time that an address names. */
-  restore({ t = null, preset, view = null, ...settings }) {
+  restore({ t = null, preset, view = null, lang, ...settings }) {
     if (Object.keys(settings).length) this.instrument?.set(settings);
     if (view !== null) this.views.enlarge(String(view));
     if (typeof t === "number") this.goTo(t);
@@ -105,6 +132,7 @@ class Page {
     const { named } = this.views;
     const stands = !this.timebar.playing && this.now.time !== this.begins;
     return {
+      ...(this.language.asked ? { lang: this.language.asked } : {}),
       ...(key ? { preset: key } : {}),
       ...this.instrument?.tables,
       ...(named ? { view: named } : {}),
@@ -147,7 +175,7 @@ class Page {
     this.epoch = epoch;
     this.shaped = shaped;
     // what Python said is of the motion as it was given
-    element("summary").textContent = this.instrument.isAsGiven ? this.data.summary : "Set on this page.";
+    element("summary").textContent = say(this.instrument.isAsGiven ? this.data.summary : "Set on this page.");
     const fresh = this.instrument.motion();
     this.motion = fresh.around(time);
     this.readouts.take(this.motion, this.data, true);
@@ -330,8 +358,10 @@ function offered(page) {
 try {
   const data = JSON.parse(element("motion").textContent);
   window.polhode = { drawn: 0, firstPicture: null };
+  const language = new Language();
+  language.take(fromFragment(window.location.hash)?.lang);
   write(data.presets ? data.presets[0] : data);
-  const page = new Page(data);
+  const page = new Page(data, language);
   window.polhode = offered(page);
   window.seek = (index) => window.polhode.seek(index);
   page.draw();
@@ -339,6 +369,6 @@ try {
 } catch (error) {
   const words = element("failure");
   words.hidden = false;
-  words.textContent = `The pictures cannot be drawn (${error.message}). They need a browser with WebGL 2.`;
+  words.textContent = say("The pictures cannot be drawn ({why}). They need a browser with WebGL 2.", { why: error.message });
   throw error;
 }

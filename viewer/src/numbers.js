@@ -1,4 +1,6 @@
 // Numbers as people read them.
+import { decimal, say } from "./say.js";
+
 export const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
 
 /** Return a number with so many digits, powers of ten as such. */
@@ -7,11 +9,11 @@ export function worded(value, digits = 6) {
   const size = Math.abs(value);
   if (size >= 1e-3 && size < 1e6) {
     const text = size >= 10 ** digits ? String(Number(value.toPrecision(digits))) : value.toPrecision(digits);
-    return text.replace("-", "−");
+    return decimal(text.replace("-", "−"));
   }
   const [mantissa, power] = value.toExponential(digits - 1).split("e");
   const raised = [...power.replace("+", "")].map((sign) => SUPERSCRIPTS[sign]).join("");
-  return `${mantissa}·10${raised}`.replace("-", "−");
+  return decimal(`${mantissa}·10${raised}`.replace("-", "−"));
 }
 
 const LONG = [
@@ -31,8 +33,19 @@ export function unitOf(span) {
 /** Return a time in the unit that fits the length of the motion. */
 export function clock(seconds, span) {
   const [unit, name] = unitOf(span) ?? [null];
-  return unit ? `${(seconds / unit).toFixed(decimals(span / unit))} ${name}` : `${worded(seconds, 4)} s`;
+  return unit ? `${decimal((seconds / unit).toFixed(decimals(span / unit)))} ${say(name)}` : `${worded(seconds, 4)} s`;
 }
+
+/** Return a number with so many digits, without powers of ten. */
+export const digits = (value, count) => decimal(value.toPrecision(count));
+
+/** Return the range between two angles [rad] in degrees. */
+export const degreesBetween = (least, most) => say("{least} to {most}", { least: inDegrees(least), most: inDegrees(most) });
+
+const inDegrees = (angle) => `${worded((angle * 180) / Math.PI, 4)}°`;
+
+/** Return a rate [rad/s] in turns a minute. */
+export const perMinute = (rate, count = 4) => say("{number} rpm", { number: worded((rate * 30) / Math.PI, count) });
 
 const decimals = (span) => Math.max(0, Math.min(4, 4 - Math.ceil(Math.log10(Math.max(span, 1e-9)))));
 

@@ -1,4 +1,6 @@
 // Ready-made motions to play with, each with a few sentences that point at what to watch and have buttons in them.
+import { say } from "./say.js";
+
 const element = (id) => document.getElementById(id);
 
 export class Playground {
@@ -14,11 +16,19 @@ export class Playground {
     document.documentElement.dataset.playground = "";
     this.buttons = presets.map((preset, k) => {
       const button = document.createElement("button");
-      Object.assign(button, { type: "button", textContent: preset.title });
+      button.type = "button";
       button.addEventListener("click", () => open(this.choose(k)));
       return button;
     });
     element("presets").replaceChildren(...this.buttons);
+    this.write();
+  }
+
+  /** Write the titles, and the story that is told, in the language that is spoken. */
+  write() {
+    this.buttons.forEach((button, k) => (button.textContent = say(this.presets[k].title)));
+    const shown = this.buttons.findIndex((button) => button.getAttribute("aria-pressed") === "true");
+    if (shown >= 0) this.choose(shown);
   }
 
   /** Return the motion of a name, or the first, and say so where the name is wrong. */
@@ -27,7 +37,7 @@ export class Playground {
     const chosen = this.choose(Math.max(0, found));
     const [strip, button] = [element("presets"), this.buttons[Math.max(0, found)]]; // a row that scrolls on a phone
     strip.scrollLeft += button.getBoundingClientRect().left - 0.5 * (strip.clientWidth - button.offsetWidth);
-    if (named && found < 0) this.tell(`The playground has no motion called ${named}; it has ${this.presets.map(({ key }) => key).join(", ")}.`);
+    if (named && found < 0) this.tell(say("The playground has no motion called {named}; it has {keys}.", { named: String(named), keys: this.presets.map(({ key }) => key).join(", ") }));
     return chosen;
   }
 
@@ -46,7 +56,8 @@ export class Playground {
   /** Return a sentence with its button: the words in brackets, or, of a sentence without, its label at the end. */
   sentence(step) {
     const line = document.createElement("li");
-    const [, before, words, after] = /^(.*?)\[(.+?)\](.*)$/s.exec(step.say) ?? [null, `${step.say} `, step.set && (step.label ?? "Show it"), ""];
+    const told = say(step.say);
+    const [, before, words, after] = /^(.*?)\[(.+?)\](.*)$/s.exec(told) ?? [null, `${told} `, step.set && say(step.label ?? "Show it"), ""];
     line.append(before);
     if (!words) return line;
     const button = document.createElement("button");

@@ -3,6 +3,7 @@ import { Quaternion, Vector3 } from "three";
 import { unpacked } from "./motion.js";
 import { SUPERSCRIPTS, unitOf, worded } from "./numbers.js";
 import { polhodeThrough } from "./polhodes.js";
+import { decimal, say } from "./say.js";
 import { seriesStyle } from "./theme.js";
 
 const POINTS = 1600; // of a curve at most
@@ -215,7 +216,7 @@ function magnified(motion, theme) {
   if (!(most < SMALL) || most < 1e-14) return null;
   const [unit, name] = ARC.find(([size]) => 2 * most >= size) ?? ARC.at(-1);
   const across = `${round((2 * most) / unit, 3)}${name.length > 1 ? " " : ""}${name}`;
-  return { title: `the polhode from above, ${across} across: the sphere magnified ${worded(1 / most, 1)} times`, across, path: points, flat, most, color: theme.motion, unit, name };
+  return { title: ["the polhode from above, {across} across: the sphere magnified {times} times", { across, times: worded(1 / most, 1) }], across, path: points, flat, most, color: theme.motion, unit, name };
 }
 
 const scaled = ({ most }, width, height) => {
@@ -253,21 +254,21 @@ function drawPath(paper, what, width, height, theme) {
 function caption(figure, { title, words: more = "", unit, series, path, power }) {
   const words = document.createElement("strong");
   const factor = power ? `10${[...String(power)].map((sign) => SUPERSCRIPTS[sign]).join("")} ` : "";
-  words.textContent = unit && !path ? `${title} [${factor}${unit}]` : title;
+  words.textContent = unit && !path ? `${say(title)} [${factor}${say(unit)}]` : say(title);
   const legend = document.createElement("span");
   legend.className = "legend";
   for (const { name, color, dash = [] } of series?.length > 1 ? series : []) {
     const [item, swatch] = [document.createElement("span"), document.createElement("i")];
     swatch.style.background = swatchOf(color, dash);
-    item.append(swatch, name);
+    item.append(swatch, say(name));
     legend.append(item);
   }
   const quiet = document.createElement("span");
   quiet.className = "words";
-  quiet.textContent = more;
+  quiet.textContent = say(more);
   figure.lastChild.replaceChildren(words, quiet, legend);
-  const kind = path ? ", with the point that moves" : series ? ", over time" : "";
-  figure.firstChild.setAttribute("aria-label", `${words.textContent}${more ? `, ${more}` : ""}${kind}.`);
+  const kind = path ? say("with the point that moves") : series ? say("over time") : "";
+  figure.firstChild.setAttribute("aria-label", `${[words.textContent, say(more), kind].filter(Boolean).join(", ")}.`);
 }
 
 /** Return the background of a legend's swatch, dashed as its curve is. */

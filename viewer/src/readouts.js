@@ -1,5 +1,6 @@
 // Energy, |L| and |Ω| as they are now, and by how much what should be constant drifts over the whole motion.
 import { worded } from "./numbers.js";
+import { say } from "./say.js";
 
 const NAMES = { momentum_norm: "|L|", momentum_space: "L in space", "|L|²": "|L|²" };
 
@@ -25,12 +26,12 @@ export class Readouts {
     if (!drifts.length || changed) return;
     const worst = drifts.reduce((a, b) => (b[1] > a[1] ? b : a));
     const words = (NAMES[worst[0]] ?? worst[0]).replaceAll("_", " ");
-    this.row("largest drift").textContent = `${worded(worst[1], 2)} (${words})`;
+    this.row("largest drift").textContent = `${worded(worst[1], 2)} (${say(words)})`;
   }
 
   row(name) {
     const [label, value] = [document.createElement("dt"), document.createElement("dd")];
-    label.textContent = name;
+    label.textContent = say(name);
     const pair = document.createElement("div");
     pair.append(label, value);
     this.list.append(pair);

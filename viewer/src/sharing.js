@@ -1,6 +1,7 @@
 // What can be taken from a page: its link, the code that embeds it, its spec, a picture, a film.
 import { canFilm, Film } from "./film.js";
 import { worded } from "./numbers.js";
+import { decimal, say } from "./say.js";
 
 const HEIGHT = 760; // pixels of an embedded frame: picture, controls and time bar stand in it without scrolling
 const [SHORTEST, USUAL, LONGEST] = [0.5, 10, 60]; // s that a film takes to watch
@@ -30,8 +31,8 @@ export class Sharing {
     this.suggest();
   }
 
-  say(words) {
-    element("shared").textContent = words;
+  say(words, values) {
+    element("shared").textContent = say(words, values);
   }
 
   /** Put a text where it can be copied from by hand, and into the clipboard where the browser allows it. */
@@ -51,8 +52,7 @@ export class Sharing {
   copyLink() {
     const { whole, fragment } = this.page.address;
     if (whole === null) return this.copy(`#${fragment}`, "A page in a notebook has no address of its own. Write it to a file with write_page, and add this to the file's address.");
-    const here = whole.startsWith("file:") ? " It opens on this computer only: put the file on a web server to give it to others." : "";
-    return this.copy(whole, `The link is copied.${here}`);
+    return this.copy(whole, whole.startsWith("file:") ? "The link is copied. It opens on this computer only: put the file on a web server to give it to others." : "The link is copied.");
   }
 
   copyEmbedCode() {
@@ -89,17 +89,17 @@ export class Sharing {
     if (seconds === null) return undefined;
     const { timebar } = this.page;
     const played = timebar.playing;
-    const told = () => this.say(`Recording: ${Math.min(this.film.passed, seconds).toFixed(1)} of ${worded(seconds, 3)} s.`);
+    const told = () => this.say("Recording: {passed} of {seconds} s.", { passed: decimal(Math.min(this.film.passed, seconds).toFixed(1)), seconds: worded(seconds, 3) });
     const telling = setInterval(told, 200);
     this.film = new Film(this.page.shot(), seconds, (blob, kind) => {
       clearInterval(telling);
       this.film = null;
-      element("film").textContent = "Save film";
+      element("film").textContent = say("Save film");
       if (!played) timebar.pause();
       if (blob) this.save(blob, kind);
       this.say(!blob ? "The browser has recorded nothing." : isKept() ? "The film is recorded. If it was not saved, this frame may not save files: open the page on its own." : "The film is saved.");
     });
-    element("film").textContent = "Stop";
+    element("film").textContent = say("Stop");
     if (!played) timebar.toggle();
     return told();
   }
@@ -117,7 +117,7 @@ export class Sharing {
     const finite = [period, nutationPeriod, instrument?.event ?? null].find((time) => time !== null && Number.isFinite(time) && time > 0);
     const seconds = (finite ?? motion?.span ?? 0) / timebar.rate;
     const length = seconds > 0 && Number.isFinite(seconds) ? Math.min(LONGEST, Math.max(SHORTEST, seconds)) : USUAL;
-    element("film-length").value = String(Number(length.toFixed(1)));
+    element("film-length").value = decimal(String(Number(length.toFixed(1))));
   }
 
   /** Return the film's length that stands in the field [s]; null, and why, of one that is none. */
@@ -126,7 +126,8 @@ export class Sharing {
     const seconds = Number(field.value.trim().replace(",", "."));
     const fits = field.value.trim() !== "" && seconds >= SHORTEST && seconds <= LONGEST;
     field.setAttribute("aria-invalid", String(!fits));
-    this.say(fits ? "" : `A film takes ${SHORTEST} to ${LONGEST} s; got ${field.value.trim() || "nothing"}. Type a number between these.`);
+    const got = field.value.trim() || say("nothing");
+    this.say(fits ? "" : "A film takes {least} to {most} s; got {got}. Type a number between these.", { least: SHORTEST, most: LONGEST, got });
     this.given = fits ? seconds : this.given;
     return fits ? seconds : null;
   }

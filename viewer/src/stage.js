@@ -1,6 +1,7 @@
 // One WebGL context draws all panels, and each picture is copied to the panel's own canvas. Browsers allow few
 // contexts, and so panels scroll and stack as any element does; names are written over the copy, where text is sharp.
 import { AmbientLight, DirectionalLight, Scene, Vector3, WebGLRenderer } from "three";
+import { say } from "./say.js";
 import { FIELD, newCamera, ORIGIN } from "./camera.js";
 
 const APART = 17; // pixels that a name is high
@@ -71,7 +72,8 @@ export class Stage {
     paper.textBaseline = "middle";
     paper.lineJoin = "round";
     const taken = [];
-    for (const { text, place, color } of panel.labels()) {
+    for (const { text: english, place, color } of panel.labels()) {
+      const text = say(english);
       const seen = place.clone().project(panel.camera);
       const size = [paper.measureText(text).width + 4 * dots, APART * dots];
       const at = [0.5 * (1 + seen.x) * across, 0.5 * (1 - seen.y) * down];

@@ -1,5 +1,6 @@
 // Play, pause, seek, step, loop and speed, by button, slider and key.
 import { clock, worded } from "./numbers.js";
+import { say } from "./say.js";
 
 const FASTER = Math.SQRT2;
 const [EASY, TOPS] = [0.5, 8]; // turns of the body per second of watching, at first: of a free body, and of a top
@@ -173,10 +174,10 @@ export class Timebar {
   }
 
   say() {
-    this.play.setAttribute("aria-label", this.playing ? "Pause" : "Play");
+    this.play.setAttribute("aria-label", say(this.playing ? "Pause" : "Play"));
     this.play.dataset.playing = String(this.playing);
     this.loop.setAttribute("aria-pressed", String(this.looping));
-    if (this.rate) this.speed.textContent = Math.abs(this.rate - 1) < 0.05 ? "real time" : `×${worded(this.rate, 2)}`;
+    if (this.rate) this.speed.textContent = Math.abs(this.rate - 1) < 0.05 ? say("real time") : `×${worded(this.rate, 2)}`;
     this.told();
   }
 }

@@ -22,5 +22,6 @@ export { endsLegend, mapGlobe, mappedGlobe } from "./map_globe.js";
 export { unpacked } from "./motion.js";
 export { pairThrough, polhodeThrough } from "./polhodes.js";
 export { circle, dot, drawUpTo, floor, globe, line, path, pieces, specks } from "./shapes.js";
+export { decimal, say } from "./say.js";
 export { contactSound } from "./sound.js";
 export { newPanel } from "./stage.js";

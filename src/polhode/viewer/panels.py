@@ -249,7 +249,7 @@ def sphere_of_levels(
     momentum: Float64[Array, "time 3"],
     moments: Float64[Array, "3"] | None,
     rotor: Float64[Array, "3"] | None = None,
-    words: str = "",
+    words: str = "direction of L in body axes",
 ) -> Panel:
     """Return the sphere with levels of the energy ½ (L − h)·I⁻¹(L − h) at the |L| of the last sample.
 
@@ -257,11 +257,11 @@ def sphere_of_levels(
         momentum: (T, 3) of the samples.
         moments: (3,), None for a sphere without levels.
         rotor: (3,) h of a rotor inside; None without one.
-        words: more to say below it.
+        words: what is said above it.
     """
     norm = float(np.linalg.norm(momentum[-1])) or float(np.linalg.norm(momentum, axis=-1).max())
     panel: Panel = {"type": "sphere", "title": "Momentum sphere", "own": None, "family": None, "separatrix": None,
-                    "legend": "levels of energy", "words": f"direction of L in body axes{words}"}  # fmt: skip
+                    "legend": "levels of energy", "words": words}  # fmt: skip
     if moments is None:
         return panel
     inner = np.zeros(3) if rotor is None else rotor

@@ -1,7 +1,8 @@
 // The body itself, turning in space, with the trace of one of its axes, and arrows and cones that can be switched.
 import { Group, Vector3 } from "three";
 import { unpacked } from "../motion.js";
-import { worded } from "../numbers.js";
+import { perMinute } from "../numbers.js";
+import { say } from "../say.js";
 import { box, circle, drawPieces, ellipsoid, floor, hairline, line, specks, surface } from "../shapes.js";
 import { rotorOf } from "../rotor.js";
 import { newPanel } from "../stage.js";
@@ -55,10 +56,10 @@ export function bodyPanel(motion, given, theme) {
   let state = null;
 
   panel.legend = [
-    { color, text: data.along ? "trace of the axis through the centre of mass" : `trace of axis ${data.axes?.[data.traced] ?? data.traced + 1}` },
+    { color, text: data.along ? "trace of the axis through the centre of mass" : say("trace of axis {axis}", { axis: data.axes?.[data.traced] ?? data.traced + 1 }) },
     ...vectors.entries,
     ...cones.map(({ entry }) => entry),
-    ...(rotor ? [{ color: theme.rotor, text: `rotor${turning(rotor.rate({ position: 0 }))}` }] : []),
+    ...(rotor ? [{ color: theme.rotor, text: turning(rotor.rate({ position: 0 })) }] : []),
   ];
   panel.update = (now) => {
     state = now;
@@ -127,8 +128,8 @@ function conesOf(motion, end, data, color, theme) {
 
 /** Return how fast a rotor turns at first, in words. */
 function turning(rate) {
-  if (rate === null) return ", drawn at rest: its moment is not given";
-  return `, ${worded((rate * 30) / Math.PI, 4)} rpm against the body`;
+  if (rate === null) return "rotor, drawn at rest: its moment is not given";
+  return say("rotor, {rate} against the body", { rate: perMinute(rate) });
 }
 
 /** Return what holds the pivot of a motion set on the page: what holds it as given, if the body stays clear of the ground. */

@@ -1,6 +1,7 @@
 // A disk that rolls on a plane, and what slows it, as sliders set it.
 import { EulerDisk } from "../../../reference/stepped/index.js";
 import { exact, worded } from "../numbers.js";
+import { say } from "../say.js";
 
 const DEGREE = Math.PI / 180;
 const STEADY = 0.02; // by which the rates at first may differ from those of steady rolling, relative
@@ -133,6 +134,6 @@ export function facts(setting, solver) {
     ["energy less losses, change in 20 rounds", worded(Math.abs(later.energy - spent - first.energy) / first.energy, 2)],
   ];
   if (spent) found.push(["lost in 20 rounds", `${worded((-100 * spent) / first.energy, 3)} %`]);
-  if (later.ended) found.push(["ends", later.ended === "flat" ? "flat on the table, within 20 rounds" : `by ${later.ended}, within 20 rounds`]);
+  if (later.ended) found.push(["ends", later.ended === "flat" ? "flat on the table, within 20 rounds" : say("by {event}, within 20 rounds", { event: say(later.ended) })]);
   return found;
 }

@@ -1,6 +1,7 @@
 // A free body as sliders set it: three moments, and how it spins at first.
 import { FreeMotion } from "../../../reference/polhode.js";
 import { clock, exact, worded } from "../numbers.js";
+import { say } from "../say.js";
 import { ascending } from "../polhodes.js";
 import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, tomlList, turned, withTables } from "./turning.js";
 
@@ -33,7 +34,7 @@ function boxControls({ mass = 1 }, edges) {
   const [unit, si] = [["km", 1e3], ["m", 1], ["cm", 1e-2], ["mm", 1e-3], ["µm", 1e-6], ["nm", 1e-9]].find(([, size]) => most >= size) ?? ["m", 1];
   return [
     { key: "mass", label: "mass of the box", unit: "kg", value: mass, log: true, low: mass / 20, high: 20 * mass },
-    ...edges.map((value, k) => ({ key: `edge.${k}`, label: `edge along axis ${k + 1}`, unit, si, value, log: true, low: Math.max(value, 1e-3 * most) / 10, high: 10 * Math.max(value, 1e-3 * most) })),
+    ...edges.map((value, k) => ({ key: `edge.${k}`, label: say("edge along axis {axis}", { axis: k + 1 }), unit, si, value, log: true, low: Math.max(value, 1e-3 * most) / 10, high: 10 * Math.max(value, 1e-3 * most) })),
   ];
 }
 
@@ -100,7 +101,7 @@ export function facts({ moments, velocity }, solver) {
   const found = [["what it does", form]];
   if (finite) found.push(["period of L in the body", clock(period, period)]);
   if (finite && solver.precessionPerPeriod !== null) {
-    found.push(["precession about L", `${worded(solver.precessionPerPeriod / DEGREE, 5)}° per period`]);
+    found.push(["precession about L", say("{angle} per period", { angle: `${worded(solver.precessionPerPeriod / DEGREE, 5)}°` })]);
   }
   if (form === FLIPS && Number.isFinite(solver.flipInterval ?? NaN)) found.push(["turns over every", clock(solver.flipInterval, solver.flipInterval)]);
   found.push(["regime", regime]);
@@ -121,10 +122,10 @@ function seen(moments, velocity, { regime, modulus }, order) {
   if (regime === "permanent" || regime === "spherical") return "spins steadily";
   const [least, most] = leaning(moments, velocity, order);
   const close = Number(least.toPrecision(3)) === Number(most.toPrecision(3));
-  const half = close ? arc(most) : `${arc(least)} to ${arc(most)}`;
-  if (most < CONING) return `cones, its axis ${half} from L`;
+  const half = close ? arc(most) : say("{least} to {most}", { least: arc(least), most: arc(most) });
+  if (most < CONING) return say("cones, its axis {angle} from L", { angle: half });
   if (most >= FLIPPING && (most - least >= SWINGING || modulus > DWELLING)) return FLIPS;
-  return `tumbles, its axis ${half} from L`;
+  return say("tumbles, its axis {angle} from L", { angle: half });
 }
 
 /** Return an angle [degrees] in the unit of its size. */

@@ -1,6 +1,7 @@
 // A body with a rotor inside that turns at a constant rate, or freely, as sliders set it.
 import { Gyrostat } from "../../../reference/stepped/index.js";
-import { clock, exact, worded } from "../numbers.js";
+import { clock, degreesBetween, exact, perMinute, worded } from "../numbers.js";
+import { say } from "../say.js";
 import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, tomlList, toSpace, turned, watchAxis, withTables } from "./turning.js";
 
 const RPM = Math.PI / 30;
@@ -126,8 +127,8 @@ export function facts(setting, solver) {
   const found = [];
   if (size > 0) {
     const { least, most, around } = watchAxis(solver, ({ attitude }) => toSpace(attitude, setting.axis), L);
-    found.push(["rotor's axis leans from L", `${worded(least / DEGREE, 4)}° to ${worded(most / DEGREE, 4)}°`]);
-    found.push(["precession of the rotor's axis about L", `${worded(around / RPM, 4)} rpm`]);
+    found.push(["rotor's axis leans from L", degreesBetween(least, most)]);
+    found.push(["precession of the rotor's axis about L", perMinute(around)]);
     const spin = spinAboutRotor(setting, size);
     if (spin) {
       found.push(["a spin about the rotor's axis", JUDGED[spin.extremum]]);
@@ -159,6 +160,6 @@ export function kept(solver) {
   return Object.entries(first.invariants).map(([name, value]) => {
     const [a, b] = [[value].flat(), [later.invariants[name]].flat()];
     const size = Math.hypot(...a) || 1;
-    return [`${NAMES[name] ?? name}, change in 20 turns`, worded(Math.hypot(...a.map((x, k) => x - b[k])) / size, 2)];
+    return [say("{quantity}, change in 20 turns", { quantity: say(NAMES[name] ?? name) }), worded(Math.hypot(...a.map((x, k) => x - b[k])) / size, 2)];
   });
 }

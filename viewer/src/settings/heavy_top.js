@@ -1,11 +1,11 @@
 // Any body about a fixed point under its weight, as sliders set it.
 import { HeavyTop } from "../../../reference/stepped/index.js";
-import { clock, exact, worded } from "../numbers.js";
+import { clock, degreesBetween, exact, perMinute, worded } from "../numbers.js";
 import { kept } from "./gyrostat.js";
 import { angles, momentControls, momentumOf, nearestAxis, SPIN_KEYS, spinControls, tomlList, toSpace, turned, watchAxis, withTables } from "./turning.js";
 
 const GRAVITY = 9.80665; // m/s²
-const [DEGREE, RPM] = [Math.PI / 180, Math.PI / 30];
+const DEGREE = Math.PI / 180;
 const ALONG = 1e-5; // by which the cosine to a principal axis may miss one: 0.26°
 const NODS = 0.01 * DEGREE; // of lean, below which it is called steady
 
@@ -77,13 +77,13 @@ export function facts({ moments, mgl, axis, velocity }, solver) {
   const size = Math.hypot(...axis);
   const unit = axis.map((value) => value / size);
   const { least, most, swing, around } = watchAxis(solver, ({ attitude }) => toSpace(attitude, unit));
-  const found = [["axis leans", `${worded(least / DEGREE, 4)}° to ${worded(most / DEGREE, 4)}°`]];
+  const found = [["axis leans", degreesBetween(least, most)]];
   if (swing !== null && most - least > NODS) found.push(["nutation: nods every", clock(swing, swing)]);
-  found.push(["mean precession", `${worded(around / RPM, 4)} rpm`]);
+  found.push(["mean precession", perMinute(around)]);
   const k = unit.findIndex((value) => Math.abs(Math.abs(value) - 1) < ALONG);
   if (k >= 0) {
     const spin = velocity[k] * unit[k];
-    if (spin && mgl) found.push(["a gyroscope's, mgl/I₃ω", `${worded(mgl / (moments[k] * spin) / RPM, 4)} rpm`]);
+    if (spin && mgl) found.push(["a gyroscope's, mgl/I₃ω", perMinute(mgl / (moments[k] * spin))]);
     found.push(["upright at this spin, to first order", standsUpright(moments, mgl, k, spin) ? "stable: it would sleep" : "unstable: it would fall"]);
   }
   return [...found, ...kept(solver)];

@@ -1,6 +1,6 @@
 // A Lagrange top as sliders set it: moments about its point, weight, lean, and the rates of Euler's angles at first.
 import { LagrangeMotion } from "../../../reference/polhode.js";
-import { clock, exact, worded } from "../numbers.js";
+import { clock, exact, perMinute, worded } from "../numbers.js";
 
 const RPM = Math.PI / 30;
 const DEGREE = Math.PI / 180;
@@ -148,10 +148,10 @@ export function facts({ moments, spin, mgl }, solver) {
   const finite = period !== null && Number.isFinite(period);
   if (finite && regime !== "steady") found.push(["nods every", clock(period, period)]);
   if (finite && solver.precessionPerPeriod !== null && solver.regime !== "planar") {
-    found.push(["mean precession", `${worded(solver.precessionPerPeriod / period / RPM, 4)} rpm`]);
+    found.push(["mean precession", perMinute(solver.precessionPerPeriod / period)]);
   }
-  if (spin && mgl) found.push(["a gyroscope's, mgl/I₃ω", `${worded(mgl / (moments[2] * spin) / RPM, 4)} rpm`]);
-  if (mgl > 0) found.push(["sleeps upright from", `${worded((2 * Math.sqrt(mgl * moments[0])) / moments[2] / RPM, 4)} rpm`]);
+  if (spin && mgl) found.push(["a gyroscope's, mgl/I₃ω", perMinute(mgl / (moments[2] * spin))]);
+  if (mgl > 0) found.push(["sleeps upright from", perMinute((2 * Math.sqrt(mgl * moments[0])) / moments[2])]);
   return found;
 }
 

@@ -1,6 +1,7 @@
 // What all bodies that spin are set by: three moments, and the size and direction of Ω at first.
 import { exact } from "../numbers.js";
 import { ascending } from "../polhodes.js";
+import { say } from "../say.js";
 
 const RPM = Math.PI / 30;
 const DEGREE = Math.PI / 180;
@@ -30,7 +31,7 @@ export const nearestAxis = (vector) => vector.map(Math.abs).reduce((best, value,
 
 /** Return the sliders of the moments. */
 export const momentControls = (moments) =>
-  moments.map((value, k) => ({ key: `body.moments.${k}`, label: `moment of inertia I${"₁₂₃"[k]}`, unit: "kg m²", value, ...allowed(moments, k) }));
+  moments.map((value, k) => ({ key: `body.moments.${k}`, label: say("moment of inertia I{axis}", { axis: "₁₂₃"[k] }), unit: "kg m²", value, ...allowed(moments, k) }));
 
 /** Return the range of one moment, given the two others: no solid body has moments outside of it. */
 function allowed(moments, k) {
@@ -45,9 +46,9 @@ export function spinControls({ velocity, about, around }) {
   const slow = rate < 1e-3 * RPM || rate > 1e6 * RPM;
   return [
     { key: "spin.rate", label: "spin rate |Ω|", unit: slow ? "rad/s" : "rpm", si: slow ? 1 : RPM, value: rate, log: true, low: rate / 20 || 0.1, high: 20 * rate || 100 },
-    { key: "spin.about", label: "tilt counted from", value: about, choices: [0, 1, 2].map((k) => [k, `axis ${k + 1}`]) },
+    { key: "spin.about", label: "tilt counted from", value: about, choices: [0, 1, 2].map((k) => [k, say("axis {axis}", { axis: k + 1 })]) },
     { key: "spin.tilt", label: "tilt of the spin", unit: "°", si: DEGREE, value: tilt, low: 0, high: Math.PI, power: 2 },
-    { key: "spin.around", label: `tilted towards (0° is axis ${((about + 1) % 3) + 1})`, unit: "°", si: DEGREE, value: tilt > 0 ? angles(velocity, about).around : around, low: -Math.PI, high: Math.PI },
+    { key: "spin.around", label: say("tilted towards (0° is axis {axis})", { axis: ((about + 1) % 3) + 1 }), unit: "°", si: DEGREE, value: tilt > 0 ? angles(velocity, about).around : around, low: -Math.PI, high: Math.PI },
   ];
 }
 

@@ -1,5 +1,6 @@
 // Gyro logs of phones and flight controllers from the text of a file: samples in the order of time, in SI.
 import { accelerationUnit, detectDialect, findPlaces, IN_RADIANS, RATE_UNITS, TIME_UNITS, timePlace, unitIn } from "./header_words.js";
+import { say } from "../say.js";
 import { Refusal } from "./refusal.js";
 import { median, steps } from "./statistics.js";
 import { DELIMITERS, detectDecimal, detectForm, linesOf, nameColumn, readCells, splitCells } from "./table.js";
@@ -28,7 +29,7 @@ export function openTable(text) {
       const dialect = detectDialect(splitCells(lines[k].text, delimiter) ?? []);
       if (!dialect) continue;
       const below = lines.slice(k);
-      if (!below.slice(1).some((line) => /[^ \t;,]/.test(line.text))) throw new Refusal(`no sample stands below the header in line ${lines[k].number}. Log again.`);
+      if (!below.slice(1).some((line) => /[^ \t;,]/.test(line.text))) throw new Refusal(say("no sample stands below the header in line {line}. Log again.", { line: lines[k].number }));
       return { form: detectForm(below), dialect, lines };
     }
   }
@@ -71,19 +72,19 @@ function unitsIn(names, units) {
  */
 export function readLog({ form, dialect, lines }, mapping) {
   if (mapping.time === null || !mapping.gyro || mapping.gyro.includes(null)) {
-    throw new Refusal("it is not known which columns have the time and the angular velocities: no app that is known writes such a header. Choose them.");
+    throw new Refusal(say("it is not known which columns have the time and the angular velocities: no app that is known writes such a header. Choose them."));
   }
   const used = [mapping.time, ...mapping.gyro];
   const twice = used.find((place, k) => used.indexOf(place) < k);
-  if (twice !== undefined) throw new Refusal(`${nameColumn(form, twice)} is chosen twice. Choose another column for each.`);
-  if (!(mapping.rateUnit in IN_RADIANS)) throw new Refusal("the unit of the angular velocity is not known: the file does not say it. Choose deg/s, rad/s or rpm.");
-  if (!(mapping.timeUnit in TIME_UNITS)) throw new Refusal("the unit of the time is not known: the file does not say it. Choose it.");
+  if (twice !== undefined) throw new Refusal(say("{column} is chosen twice. Choose another column for each.", { column: nameColumn(form, twice) }));
+  if (!(mapping.rateUnit in IN_RADIANS)) throw new Refusal(say("the unit of the angular velocity is not known: the file does not say it. Choose deg/s, rad/s or rpm."));
+  if (!(mapping.timeUnit in TIME_UNITS)) throw new Refusal(say("the unit of the time is not known: the file does not say it. Choose it."));
   const notes = [];
   const felt = dialect ? accelerations(form, dialect, notes) : null;
   const { numbers, texts } = readCells(lines, form, [...used, ...(felt ? felt.places : [])], detectDecimal(lines, form));
   const times = secondsOf(numbers[0], texts, mapping.timeUnit);
   const gyro = clean("rates", times, packed(numbers.slice(1, 4), IN_RADIANS[mapping.rateUnit]));
-  if (gyro.times.length < MIN_SAMPLES) throw new Refusal(`a gyro log must have ${MIN_SAMPLES} finite samples at different times; this one has ${gyro.times.length}. Log for longer.`);
+  if (gyro.times.length < MIN_SAMPLES) throw new Refusal(say("a gyro log must have {least} finite samples at different times; this one has {count}. Log for longer.", { least: MIN_SAMPLES, count: gyro.times.length }));
   const other = felt ? clean("accelerations", times, packed(numbers.slice(4, 7), felt.unit)) : null;
   const has = Boolean(other?.times.length);
   return {
@@ -98,7 +99,7 @@ function accelerations(form, dialect, notes) {
     if (!places) continue;
     const unit = accelerationUnit(form.names[places[0]], dialect);
     if (unit !== null) return { places, unit };
-    notes.push("Accelerations are left out, as their unit is not known.");
+    notes.push(say("Accelerations are left out, as their unit is not known."));
     return null;
   }
   return null;
@@ -145,7 +146,7 @@ function exactly(text, shift) {
 function clean(name, times, values) {
   let kept = Array.from(times.keys()).filter((k) => Number.isFinite(times[k]) && [0, 1, 2].every((i) => Number.isFinite(values[3 * k + i])));
   const notes = [];
-  if (kept.length < times.length) notes.push(`${times.length - kept.length} lines without finite values are left out.`);
+  if (kept.length < times.length) notes.push(say("{count} lines without finite values are left out.", { count: times.length - kept.length }));
   const taken = (order) => ({
     t: Float64Array.from(order, (k) => times[k]),
     x: Float64Array.from(order.flatMap((k) => [values[3 * k], values[3 * k + 1], values[3 * k + 2]])),
@@ -155,9 +156,9 @@ function clean(name, times, values) {
   const between = steps(t);
   const apart = between.filter((step) => step !== 0).map(Math.abs);
   const usual = apart.length ? median(apart) : CLOSEST;
-  if (usual < CLOSEST) throw new Refusal(`times of ${name} must lie ${CLOSEST} s apart or more; got ${usual} s. Check which column has the times, and their unit.`);
+  if (usual < CLOSEST) throw new Refusal(say("times of {what} must lie {least} s apart or more; got {got} s. Check which column has the times, and their unit.", { what: say(name), least: CLOSEST, got: usual }));
   if (between.every((step) => step > 0)) return { times: t, values: x, notes };
-  if (between.some((step) => step < 0)) notes.push("Lines are not in the order of time; they were sorted.");
+  if (between.some((step) => step < 0)) notes.push(say("Lines are not in the order of time; they were sorted."));
   kept = kept.sort((i, j) => times[i] - times[j]); // a stable sort
   ({ t, x } = taken(kept));
   const later = (k) => k === 0 || t[k] > t[k - 1];
@@ -166,8 +167,8 @@ function clean(name, times, values) {
   const spread = all.filter((k) => fresh(k) && !later(k)).length;
   const coarse = spread >= Math.max(HICCUPS, COARSE * t.length);
   const chosen = all.filter(coarse ? fresh : later);
-  if (chosen.length < t.length) notes.push(`${t.length - chosen.length} samples come at a time that was there already; the first of each is kept.`);
-  if (coarse) notes.push(`The clock is rounded: ${spread} samples come at a time that was there already, with other values; they are taken at equal steps.`);
+  if (chosen.length < t.length) notes.push(say("{count} samples come at a time that was there already; the first of each is kept.", { count: t.length - chosen.length }));
+  if (coarse) notes.push(say("The clock is rounded: {count} samples come at a time that was there already, with other values; they are taken at equal steps.", { count: spread }));
   const found = taken(chosen.map((k) => kept[k]));
   return { times: coarse ? evenly(found.t) : found.t, values: found.x, notes };
 }
@@ -175,7 +176,7 @@ function clean(name, times, values) {
 function checkSizes(name, t, x) {
   for (const [what, numbers] of [["times", t], [name, x]]) {
     const largest = numbers.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-    if (largest > LARGEST) throw new Refusal(`${what} must be at most ${LARGEST} in SI units; got ${largest}. Check which columns they are, and their unit.`);
+    if (largest > LARGEST) throw new Refusal(say("{what} must be at most {most} in SI units; got {got}. Check which columns they are, and their unit.", { what: say(what), most: LARGEST, got: largest }));
   }
 }
 

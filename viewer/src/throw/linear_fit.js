@@ -1,4 +1,6 @@
 // The inertia J of a body from the angular velocities of its free flights: R J ω is constant in space, linear in J.
+import { digits } from "../numbers.js";
+import { listed, say } from "../say.js";
 import { cross, dot, eigenSymmetric, singularValues } from "./matrices.js";
 import { lengths, median, noiseOf, steps } from "./statistics.js";
 
@@ -151,11 +153,11 @@ export function startOf(throws) {
   const typical = Math.max(...throws.map(({ rates }) => median(lengths(rates))));
   let degenerate = null;
   if (between > MOST_TURN) {
-    degenerate = `The rates say that the body turns by ${between.toPrecision(3)} rad from sample to sample, too far to be followed: the rates are of another unit, like deg/s, or the times are.`;
+    degenerate = say("The rates say that the body turns by {angle} rad from sample to sample, too far to be followed: the rates are of another unit, like deg/s, or the times are.", { angle: digits(between, 3) });
   } else if (typical > FASTEST && found.moments[0] > ROUND) {
-    degenerate = `The rates, about ${typical.toPrecision(3)} rad/s, are beyond what gyros can tell, and make the body nearly a sphere. Both happen where rates in deg/s are read as rad/s: choose their unit.`;
+    degenerate = say("The rates, about {rates} rad/s, are beyond what gyros can tell, and make the body nearly a sphere. Both happen where rates in deg/s are read as rad/s: choose their unit.", { rates: digits(typical, 3) });
   } else if (turned < MIN_TURN) {
-    degenerate = `The body turned by ${turned.toPrecision(2)} rad only: nothing can be said of its inertia.`;
+    degenerate = say("The body turned by {angle} rad only: nothing can be said of its inertia.", { angle: digits(turned, 2) });
   } else if (found.singularValues[4] < floor) degenerate = explainUndetermined(throws);
   return { ...found, noise, degenerate };
 }
@@ -174,9 +176,9 @@ function explainUndetermined(throws) {
     return { away, speed: speeds.reduce((sum, value) => sum + value, 0) / n, toward: mean.map((value) => value / Math.max(size, 1e-300)) };
   });
   const { away, speed, toward } = told.reduce((best, one) => (one.away > best.away ? one : best));
-  const axis = `(${toward.map((value) => value.toFixed(2)).join(", ")})`;
+  const axis = `(${listed(toward.map((value) => value.toFixed(2)))})`;
   if (away < STEADY) {
-    return `The rates (${speed.toPrecision(3)} rad/s) stay within ${away.toPrecision(2)}° of one direction of the device, ${axis}: the body spins about a principal axis, or is a sphere; either way the log does not determine the moments. Throw it with a tumble, best about its middle axis.`;
+    return say("The rates ({rates} rad/s) stay within {angle}° of one direction of the device, {axis}: the body spins about a principal axis, or is a sphere; either way the log does not determine the moments. Throw it with a tumble, best about its middle axis.", { rates: digits(speed, 3), angle: digits(away, 2), axis });
   }
-  return `Within the noise, bodies of quite different moments fit the rates (${speed.toPrecision(3)} rad/s, up to ${away.toFixed(0)}° from ${axis}). Throw it longer or faster, with a tumble about its middle axis.`;
+  return say("Within the noise, bodies of quite different moments fit the rates ({rates} rad/s, up to {angle}° from {axis}). Throw it longer or faster, with a tumble about its middle axis.", { rates: digits(speed, 3), angle: away.toFixed(0), axis });
 }

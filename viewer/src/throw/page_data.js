@@ -1,4 +1,6 @@
 // What the page shows of a fitted log: the data of a free body's page, with the measured directions of L on its sphere.
+import { digits } from "../numbers.js";
+import { listed, say } from "../say.js";
 import { row } from "./linear_fit.js";
 import { meanRow } from "./statistics.js";
 
@@ -21,10 +23,10 @@ export function dataOf(found, log, name, which = 0) {
   const momentum = fit.starts[which].map((value, k) => value * moments[k]);
   const [first, last] = [one.times[0], one.times.at(-1)];
   const times = Float64Array.from({ length: SAMPLES }, (_, k) => first + ((last - first) * k) / (SAMPLES - 1));
-  const ratios = `I1/I3 = ${moments[0].toFixed(3)}, I2/I3 = ${moments[1].toFixed(3)}`;
+  const ratios = listed([`I1/I3 = ${moments[0].toFixed(3)}`, `I2/I3 = ${moments[1].toFixed(3)}`]);
   const body = { type: "body", traced: 1, shape: "box or ellipsoid of the same inertia", surface: null, ellipsoid: null, changed: true, azimuth: Math.atan2(y, x) };
   return {
-    name, key: null, summary: `Free flight from ${first.toPrecision(4)} s to ${last.toPrecision(4)} s of the log, and the exact motion of the fitted body: ${ratios}.`,
+    name, key: null, summary: say("Free flight from {begin} s to {end} s of the log, and the exact motion of the fitted body: {ratios}.", { begin: digits(first, 4), end: digits(last, 4), ratios }),
     notes: ["A gyro tells the moments up to a common factor: on this page the largest is 1 kg m².", ...log.notes],
     panels: [
       body,
@@ -39,16 +41,38 @@ export function dataOf(found, log, name, which = 0) {
 }
 
 function storyOf({ throws, windows, limit, start, rest, fit, misfit }, log, window, ratios) {
-  const read = log.dialect ? `Read as a log of ${log.dialect}, rates in ${log.rateUnit}.` : `Rates are read in ${log.rateUnit}, as chosen.`;
-  const bias = fit.bias.map((value) => value.toFixed(3).replace("-", "−")).join(", ");
-  const flight = `${windows.length > 1 ? `${windows.length} free flights are found; this one` : "One free flight is found; it"} lasts ${(window.end - window.start).toPrecision(2)} s: ${window.reason}.`;
+  const read = log.dialect
+    ? say("Read as a log of {app}, rates in {unit}.", { app: log.dialect, unit: log.rateUnit })
+    : say("Rates are read in {unit}, as chosen.", { unit: log.rateUnit });
+  const duration = digits(window.end - window.start, 2);
+  const flight = windows.length > 1
+    ? say("{count} free flights are found; this one lasts {duration} s: {reason}.", { count: windows.length, duration, reason: say(window.reason) })
+    : say("One free flight is found; it lasts {duration} s: {reason}.", { duration, reason: say(window.reason) });
+  const bias = listed(fit.bias.map((value) => value.toFixed(3).replace("-", "−")));
+  const confirmed = rest
+    ? "{ratios}; the gyro's bias is {bias} rad/s, which a rest confirms."
+    : "{ratios}; the gyro's bias is {bias} rad/s, and no rest in the log confirms it.";
+  const small = fit.drag
+    ? "The residuals, {rms} rad/s rms, are those of the noise, {noise} rad/s: within it the log is the motion of a rigid body with drag."
+    : "The residuals, {rms} rad/s rms, are those of the noise, {noise} rad/s: within it the log is the motion of a free rigid body.";
   return [
     `${read} ${flight}`,
-    `${ratios}; the gyro's bias is ${bias} rad/s, ${rest ? "which a rest confirms" : "and no rest in the log confirms it"}.`,
-    ...(fit.drag ? [`Drag slows it: c/I3 = ${fit.drag.map((value) => value.toFixed(4).replace("-", "−")).join(", ")} of the torque −c |ω| ω along the axes. The curves are of the free motion that touches it in the middle of the flight.`] : []),
-    misfit ?? `The residuals, ${fit.rms.toPrecision(2)} rad/s rms, are those of the noise, ${start.noise.toPrecision(2)} rad/s: within it the log is the motion of a ${fit.drag ? "rigid body with drag" : "free rigid body"}.`,
-    ...(limit === null ? [] : [`Samples at the gyro's limit, ${((limit * 180) / Math.PI).toPrecision(4)} deg/s, are left out; ${throws.reduce((sum, { times }) => sum + times.length, 0)} remain.`]),
+    say(confirmed, { ratios, bias }),
+    ...(fit.drag ? [ofDrag(fit.drag)] : []),
+    misfit ?? say(small, { rms: digits(fit.rms, 2), noise: digits(start.noise, 2) }),
+    ...(limit === null ? [] : [atLimit(limit, throws)]),
   ];
+}
+
+function ofDrag(drag) {
+  const numbers = listed(drag.map((value) => value.toFixed(4).replace("-", "−")));
+  const touching = say("The curves are of the free motion that touches it in the middle of the flight.");
+  return `${say("Drag slows it: c/I3 = {numbers} of the torque −c |ω| ω along the axes.", { numbers })} ${touching}`;
+}
+
+function atLimit(limit, throws) {
+  const count = throws.reduce((sum, { times }) => sum + times.length, 0);
+  return say("Samples at the gyro's limit, {limit} deg/s, are left out; {count} remain.", { limit: digits((limit * 180) / Math.PI, 4), count });
 }
 
 /** Return a fit with its principal axes turned by half turns, so that the samples of L lie at positive L1 and L3. */

@@ -1,12 +1,15 @@
 // The part of the page that takes a gyro log: a button, a place to drop it, and the choice of columns and units.
+import { digits } from "../numbers.js";
+import { say } from "../say.js";
 import { mappingOf, openTable, readLog } from "./gyro_log.js";
 import { RATE_UNITS, TIME_UNITS } from "./header_words.js";
 import { dataOf } from "./page_data.js";
 import { Refusal } from "./refusal.js";
+import { counted } from "./table.js";
 import { fitLog } from "./throw_fit.js";
 
 const LARGEST = 64e6; // bytes
-const APPS = "phyphox, Sensor Logger, AndroSensor, Betaflight, or any table with a time and three angular velocities";
+const HINT = "or drop it on this page: phyphox, Sensor Logger, AndroSensor, Betaflight, or any table with a time and three angular velocities. It stays on this computer.";
 
 const made = (tag, fields = {}, ...children) => {
   const found = Object.assign(document.createElement(tag), fields);
@@ -26,8 +29,8 @@ export class LogReader {
       if (this.input.files.length) this.take(this.input.files[0]);
       this.input.value = ""; // the same file can be chosen again
     });
-    const button = made("button", { type: "button", className: "wide", textContent: "Open a gyro log…" });
-    button.addEventListener("click", () => this.input.click());
+    this.button = made("button", { type: "button", className: "wide" });
+    this.button.addEventListener("click", () => this.input.click());
     this.said = made("p", { id: "log-said" });
     this.said.setAttribute("role", "status");
     this.form = made("form", { id: "log-columns", hidden: true });
@@ -35,11 +38,20 @@ export class LogReader {
       event.preventDefault();
       this.fit();
     });
-    const hint = made("span", { className: "hint", textContent: `or drop it on this page: ${APPS}. It stays on this computer.` });
-    this.root = made("section", { id: "log" }, made("p", {}, button, " ", hint), this.input, this.said, this.form);
-    this.root.setAttribute("aria-label", "A log of your own");
+    this.hint = made("span", { className: "hint" });
+    this.root = made("section", { id: "log" }, made("p", {}, this.button, " ", this.hint), this.input, this.said, this.form);
     after.after(this.root);
     this.listen();
+    this.write();
+  }
+
+  /** Write what stands here in the language that is spoken; a log that is shown is read again. */
+  write() {
+    this.button.textContent = say("Open a gyro log…");
+    this.hint.textContent = say(HINT);
+    this.root.setAttribute("aria-label", say("A log of your own"));
+    if (!this.form.hidden) this.ask();
+    if (this.found && !document.querySelector("#presets [aria-pressed=true]")) this.fit();
   }
 
   listen() {
@@ -64,15 +76,15 @@ export class LogReader {
     this.form.hidden = true;
     this.name = file.name;
     try {
-      if (file.size > LARGEST) throw new Refusal(`it has ${Math.round(file.size / 1e6)} MB, and at most ${LARGEST / 1e6} MB are read. Cut the log to the throw.`);
+      if (file.size > LARGEST) throw new Refusal(say("it has {size} MB, and at most {most} MB are read. Cut the log to the throw.", { size: Math.round(file.size / 1e6), most: LARGEST / 1e6 }));
       const text = await file.text();
-      if (text.startsWith("PK\u0003\u0004")) throw new Refusal("it is a zip archive. Unpack it, and choose the table inside, like Gyroscope.csv or Raw Data.csv.");
+      if (text.startsWith("PK\u0003\u0004")) throw new Refusal(say("it is a zip archive. Unpack it, and choose the table inside, like Gyroscope.csv or Raw Data.csv."));
       this.table = openTable(text);
       this.mapping = mappingOf(this.table);
       this.ask();
       const { time, timeUnit, gyro, rateUnit } = this.mapping;
       if (time !== null && timeUnit && gyro && rateUnit) await this.fit();
-      else this.say(`${this.name}: no app that is known writes such a header. Choose what the columns are, and the units that the file does not say.`);
+      else this.say(say("no app that is known writes such a header. Choose what the columns are, and the units that the file does not say."));
     } catch (error) {
       this.refuse(error);
     }
@@ -82,15 +94,15 @@ export class LogReader {
   ask() {
     const { form, dialect } = this.table;
     const { time, timeUnit, gyro, rateUnit } = this.mapping;
-    const columns = Array.from({ length: form.width }, (_, k) => [k, form.names[k] || `column ${k + 1}`]);
+    const columns = Array.from({ length: form.width }, (_, k) => [k, form.names[k] || counted(k)]);
     const units = (table) => Object.keys(table).map((unit) => [unit, unit]);
     this.fields = {
       time: choice("time", columns, time), timeUnit: choice("unit of the time", units(TIME_UNITS), timeUnit),
       x: choice("angular velocity x", columns, gyro?.[0]), y: choice("angular velocity y", columns, gyro?.[1]),
       z: choice("angular velocity z", columns, gyro?.[2]), rateUnit: choice("its unit", units(RATE_UNITS), rateUnit),
     }; // prettier-ignore
-    const words = made("summary", { textContent: "Columns and units" });
-    const details = made("details", { open: !dialect }, words, ...Object.values(this.fields), made("button", { type: "submit", className: "wide", textContent: "Read the log" }));
+    const words = made("summary", { textContent: say("Columns and units") });
+    const details = made("details", { open: !dialect }, words, ...Object.values(this.fields), made("button", { type: "submit", className: "wide", textContent: say("Read the log") }));
     this.form.replaceChildren(details);
     this.form.hidden = false;
   }
@@ -99,7 +111,8 @@ export class LogReader {
     const chosen = Object.fromEntries(Object.entries(this.fields).map(([key, label]) => [key, label.querySelector("select").value]));
     const place = (key) => (chosen[key] === "" ? null : Number(chosen[key]));
     const mapping = { time: place("time"), timeUnit: chosen.timeUnit, gyro: ["x", "y", "z"].map(place), rateUnit: chosen.rateUnit };
-    this.say(`${this.name}: fitting…`);
+    this.mapping = mapping;
+    this.say(say("fitting…"));
     await new Promise((resolve) => setTimeout(resolve, 30)); // lets the browser show that
     try {
       this.log = readLog(this.table, mapping);
@@ -119,7 +132,7 @@ export class LogReader {
     this.say("");
     const { windows } = this.found;
     if (windows.length < 2) return;
-    const options = windows.map(({ start, end }, k) => [k, `${start.toPrecision(4)} s to ${end.toPrecision(4)} s`]);
+    const options = windows.map(({ start, end }, k) => [k, say("{least} to {most}", { least: `${digits(start, 4)} s`, most: `${digits(end, 4)} s` })]);
     const label = choice("which throw", options, which);
     label.querySelector("select").addEventListener("change", (event) => this.show(Number(event.target.value)));
     this.said.replaceChildren(label);
@@ -127,11 +140,11 @@ export class LogReader {
 
   refuse(error) {
     if (!(error instanceof Refusal || error instanceof RangeError)) throw error;
-    this.say(`${this.name}: ${error.message}`, true);
+    this.say(error.message, true);
   }
 
   say(words, wrong = false) {
-    this.said.textContent = words;
+    this.said.textContent = words && `${this.name}: ${words}`;
     this.said.classList.toggle("wrong", wrong);
   }
 }
@@ -148,7 +161,7 @@ function longest(windows) {
 function choice(words, options, value) {
   const select = made("select", { required: true });
   const known = value !== null && value !== undefined;
-  if (!known) select.append(made("option", { value: "", textContent: "choose…" }));
+  if (!known) select.append(made("option", { value: "", textContent: say("choose…") }));
   select.append(...options.map(([key, text]) => made("option", { value: String(key), textContent: text, selected: known && key === value })));
-  return made("label", {}, `${words} `, select);
+  return made("label", {}, `${say(words)} `, select);
 }

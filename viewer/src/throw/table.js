@@ -1,5 +1,6 @@
 // Plain tables of any program: their separator, the line that names the columns, and the numbers of some of them.
 import { ANGLE_UNITS, findUnit, RATE_UNITS, TIME_UNITS } from "./header_words.js";
+import { say } from "../say.js";
 import { Refusal, shown } from "./refusal.js";
 
 export const DELIMITERS = [";", "\t", ",", " "]; // where a semicolon divides lines into equal numbers, commas are decimal ones
@@ -18,8 +19,8 @@ export function linesOf(text) {
   const lines = text.replace(/^\uFEFF/, "").split(/\r\n|\n|\r/);
   if (lines.at(-1) === "") lines.pop();
   return lines.map((line, k) => {
-    if (line.includes("\0") || line.includes("\uFFFD")) throw new Refusal(`line ${k + 1} is not UTF-8 text, so this is not a table. Choose the app's CSV file, unpacked from its archive.`);
-    if (line.length > LONGEST_LINE) throw new Refusal(`line ${k + 1} has more than ${LONGEST_LINE} characters. Choose a table with one sample in each line.`);
+    if (line.includes("\0") || line.includes("\uFFFD")) throw new Refusal(say("line {line} is not UTF-8 text, so this is not a table. Choose the app's CSV file, unpacked from its archive.", { line: k + 1 }));
+    if (line.length > LONGEST_LINE) throw new Refusal(say("line {line} has more than {most} characters. Choose a table with one sample in each line.", { line: k + 1, most: LONGEST_LINE }));
     return { number: k + 1, text: line };
   });
 }
@@ -69,8 +70,8 @@ export function detectForm(lines) {
   const tried = DELIMITERS.map((delimiter) => ({ delimiter, ...countAgreeing(content, delimiter) }));
   const best = tried.reduce((one, other) => (other.count > one.count ? other : one));
   if (!best.count) {
-    const said = content.length ? `; its first line is ${shown(content[0].text)}` : "";
-    throw new Refusal(`it has no line of numbers in two columns or more, between commas, semicolons, tabs or blanks${said}. Choose a table with one sample in each line.`);
+    const first = content.length ? say("its first line is {text}", { text: shown(content[0].text) }) : say("it is empty");
+    throw new Refusal(say("it has no line of numbers in two columns or more, between commas, semicolons, tabs or blanks; {first}. Choose a table with one sample in each line.", { first }));
   }
   const { delimiter, begin } = best;
   const cells = splitCells(content[begin].text, delimiter);
@@ -88,7 +89,7 @@ export function detectForm(lines) {
   }
   if (begin) {
     const { number, text } = candidates[0];
-    throw new Refusal(`line ${number} must name the ${cells.length} columns that line ${first} has; got ${headerCells(text, delimiter).length} names. Name each, or delete the line.`);
+    throw new Refusal(say("line {line} must name the {columns} columns that line {first} has; got {names} names. Name each, or delete the line.", { line: number, columns: cells.length, first, names: headerCells(text, delimiter).length }));
   }
   return form([]);
 }
@@ -148,13 +149,15 @@ export function readCells(lines, form, columns, decimal) {
   for (const { number, text } of lines) {
     if (number < form.first || isComment(text)) continue;
     const cells = splitCells(text, form.delimiter);
-    if (!cells) throw new Refusal(`line ${number} has quotes that do not close. Check the line.`);
+    if (!cells) throw new Refusal(say("line {line} has quotes that do not close. Check the line.", { line: number }));
     while (cells.length > form.width && !cells.at(-1)) cells.pop();
     if (cells.length !== form.width) {
-      const hint = form.delimiter === "," ? " Is the comma a decimal one? Then save it with semicolons." : "";
-      throw new Refusal(`line ${number} has ${cells.length} cells, and line ${form.first} has ${form.width}. Check the line, or delete it.${hint}`);
+      const said = form.delimiter === ","
+        ? "line {line} has {cells} cells, and line {first} has {width}. Check the line, or delete it. Is the comma a decimal one? Then save it with semicolons."
+        : "line {line} has {cells} cells, and line {first} has {width}. Check the line, or delete it.";
+      throw new Refusal(say(said, { line: number, cells: cells.length, first: form.first, width: form.width }));
     }
-    columns.forEach((column, k) => numbers[k].push(readNumber(cells[column], decimal, () => `line ${number}, ${nameColumn(form, column)}`)));
+    columns.forEach((column, k) => numbers[k].push(readNumber(cells[column], decimal, () => say("line {line}, {column}", { line: number, column: nameColumn(form, column) }))));
     texts.push(decimal === "comma" ? cells[columns[0]].replaceAll(",", ".") : cells[columns[0]]);
   }
   return { numbers: numbers.map((each) => Float64Array.from(each)), texts };
@@ -162,14 +165,16 @@ export function readCells(lines, form, columns, decimal) {
 
 function readNumber(cell, decimal, where) {
   if (MISSING.has(cell.toLowerCase())) return NaN;
-  if (decimal === "comma" && cell.includes(".")) throw new Refusal(`${where()}: ${shown(cell)} has a point, and the other numbers have decimal commas. Choose one of them.`);
+  if (decimal === "comma" && cell.includes(".")) throw new Refusal(say("{where}: {cell} has a point, and the other numbers have decimal commas. Choose one of them.", { where: where(), cell: shown(cell) }));
   const text = decimal === "comma" && DECIMAL_COMMA.test(cell) ? cell.replace(",", ".") : cell;
   const value = PLAIN_NUMBER.test(text) ? Number(text) : NaN;
   if (Number.isFinite(value) && !(value === 0 && /^[+-]?[0.]*[1-9]/.test(text))) return value;
   const why = Number.isNaN(value) ? "must be a number in decimal digits" : value === 0 ? "is so small that nothing is left of it" : "is too large for a number";
   const remedy = text.includes(":") ? "Dates and times of day are not read: give times as plain numbers, like seconds from the start." : "Correct it, or leave the cell blank.";
-  throw new Refusal(`${where()}: ${shown(cell)} ${why}. ${remedy}`);
+  throw new Refusal(`${where()}: ${shown(cell)} ${say(why)}. ${say(remedy)}`);
 }
 
+export const counted = (column) => say("column {column}", { column: column + 1 });
+
 /** Return a column's name for messages; columns count from 0. */
-export const nameColumn = (form, column) => (form.names[column] ? `column ${column + 1} ${shown(form.names[column])}` : `column ${column + 1}`);
+export const nameColumn = (form, column) => (form.names[column] ? `${counted(column)} ${shown(form.names[column])}` : counted(column));

@@ -1,7 +1,9 @@
 // From a gyro log to the fitted body, its exact motion, and how far the log is from it.
 import { freeFlights, LIMIT } from "./flights.js";
 import { fitThrows } from "./free_fit.js";
+import { digits } from "../numbers.js";
 import { row, startOf } from "./linear_fit.js";
+import { decimal, say } from "../say.js";
 import { Refusal } from "./refusal.js";
 import { restStretches } from "./rests.js";
 import { saturation } from "./saturation.js";
@@ -20,7 +22,7 @@ export function throwsOf(log) {
   const limit = saturation(log.rates);
   const windows = freeFlights(log, limit);
   if (!windows.length) {
-    throw new Refusal("no free flight was found in the log: no stretch of a quarter of a second keeps an angular momentum, or feels no weight. Throw it with a spin of a turn a second or more, and log from before the throw until after the catch.");
+    throw new Refusal(say("no free flight was found in the log: no stretch of a quarter of a second keeps an angular momentum, or feels no weight. Throw it with a spin of a turn a second or more, and log from before the throw until after the catch."));
   }
   return { limit, windows, throws: windows.map((window) => cut(log, window, limit)) };
 }
@@ -29,7 +31,7 @@ export function throwsOf(log) {
 function cut({ times, rates }, { start, end }, limit) {
   const used = Array.from(times.keys()).filter((k) => times[k] >= start && times[k] <= end
     && (limit === null || row(rates, k).every((value) => Math.abs(value) < limit * LIMIT)));
-  if (used.length < MIN_SAMPLES) throw new Refusal(`a throw must have ${MIN_SAMPLES} samples that are not at the gyro's limit; got ${used.length}. Throw more slowly.`);
+  if (used.length < MIN_SAMPLES) throw new Refusal(say("a throw must have {least} samples that are not at the gyro's limit; got {count}. Throw more slowly.", { least: MIN_SAMPLES, count: used.length }));
   const zero = Math.floor(used.length / 2);
   const epoch = times[used[zero]];
   return {
@@ -73,7 +75,7 @@ export function fitLog(log) {
   const squares = throws.flatMap(({ rates }) => Array.from(rates, (value) => value * value));
   const size = Math.sqrt(squares.reduce((sum, value) => sum + value, 0) / squares.length);
   if (!(fit.rms < UNEXPLAINED * size)) {
-    throw new Refusal(`no free motion of a rigid body explains the log: the residuals, ${fit.rms.toPrecision(2)} rad/s, are not small beside the rates, ${size.toPrecision(2)} rad/s. Check columns and units, or log a free flight.`);
+    throw new Refusal(say("no free motion of a rigid body explains the log: the residuals, {residuals} rad/s, are not small beside the rates, {rates} rad/s. Check columns and units, or log a free flight.", { residuals: digits(fit.rms, 2), rates: digits(size, 2) }));
   }
   return { throws, windows, limit, start, rest, fit, misfit: misfitOf(fit, start.noise) };
 }
@@ -83,12 +85,15 @@ function misfitOf({ residuals, rms, drag }, noise) {
   const [above, total] = [median(sizes) / 0.6745, sizes.reduce((sum, value) => sum + value * value, 0)];
   const products = residuals.reduce((sum, part) => sum + part.slice(3).reduce((one, value, k) => one + value * part[k], 0), 0);
   const alike = products / Math.max(total, 1e-300);
-  const times = (ratio) => (ratio < 100 ? ratio.toPrecision(2) : ratio.toFixed(0));
+  const times = (ratio) => (ratio < 100 ? digits(ratio, 2) : ratio.toFixed(0));
   let why = null;
-  if (above > MISFIT * noise) why = `${times(above / noise)} times the noise of a sample`;
-  else if (alike > ALIKE) why = `alike from sample to sample (correlation ${alike.toFixed(2)})`;
-  else if (rms > OUTLYING * noise) why = `larger than the noise at a few samples, up to ${Math.max(...sizes).toPrecision(2)} rad/s`;
+  if (above > MISFIT * noise) why = say("{times} times the noise of a sample", { times: times(above / noise) });
+  else if (alike > ALIKE) why = say("alike from sample to sample (correlation {correlation})", { correlation: decimal(alike.toFixed(2)) });
+  else if (rms > OUTLYING * noise) why = say("larger than the noise at a few samples, up to {most} rad/s", { most: digits(Math.max(...sizes), 2) });
   if (!why) return null;
-  const motion = drag ? "the motion of a rigid body with drag" : "a free rigid body's motion";
-  return `The log is not ${motion} within its noise: the residuals (${rms.toPrecision(2)} rad/s rms, noise ${noise.toPrecision(2)} rad/s) are ${why}. A gyro's gains, a clock that jitters or a catch within the window do that; polhode fit fits gains too, and gives errors.`;
+  const numbers = { rms: digits(rms, 2), noise: digits(noise, 2), why };
+  const said = drag
+    ? "The log is not the motion of a rigid body with drag within its noise: the residuals ({rms} rad/s rms, noise {noise} rad/s) are {why}."
+    : "The log is not a free rigid body's motion within its noise: the residuals ({rms} rad/s rms, noise {noise} rad/s) are {why}.";
+  return `${say(said, numbers)} ${say("A gyro's gains, a clock that jitters or a catch within the window do that; polhode fit fits gains too, and gives errors.")}`;
 }

@@ -58,9 +58,9 @@ class EulerDiskPanel(KindPanel):
         states = np.asarray(spin_down.trajectory.states)[ahead]
         tilt = np.degrees(np.asarray(spin_down.trajectory.part("tilt"))[ahead])
         rate = np.abs(report.disk.precession(states))
-        words = "the whole motion: log₁₀ {} against log₁₀ of the time left [s], which runs to the left"
+        words = "the whole motion: log₁₀ {unit} against log₁₀ of the time left [s], which runs to the left"
         return tuple(
-            {"title": title, "words": words.format(unit), "x": pack(np.log10(left[ahead]), "f4"),
+            {"title": title, "words": [words, {"unit": unit}], "x": pack(np.log10(left[ahead]), "f4"),
              "y": pack(np.log10(np.asarray(values)), "f4")}
             for title, unit, values in (("Tilt", "[°]", tilt), ("Precession", "[rad/s]", rate))
         )  # fmt: skip

@@ -54,8 +54,9 @@ class GyrostatPanel(KindPanel):
         if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
             return panels
         if isinstance(system, Gyrostat):
-            rotor, words = np.asarray(system.rotor, dtype=float), ""
+            rotor, words = np.asarray(system.rotor, dtype=float), "direction of L in body axes"
         else:
             last = float(trajectory.layout.part(samples.states, "rotor_momentum")[-1])
-            rotor, words = last * np.asarray(system.axis, dtype=float), "; levels are those at the end"
+            rotor = last * np.asarray(system.axis, dtype=float)
+            words = "direction of L in body axes; levels are those at the end"
         return [*panels, sphere_of_levels(samples.momentum, moments, rotor, words)]

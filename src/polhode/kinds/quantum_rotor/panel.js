@@ -6,7 +6,7 @@
   const { mesh, paint } = mappedGlobe(rows, columns);
   const levels = new Float32Array(rows * columns);
   const cloud = solver.cloud;
-  const words = cloud.length ? "of the quantum state, and classical bodies that began as it did" : `of the level ${solver.ladder[solver.level].name}, and its polhodes`;
+  const words = cloud.length ? "of the quantum state, and classical bodies that began as it did" : ["of the level {level}, and its polhodes", { level: solver.ladder[solver.level].name }];
   const panel = newPanel(theme, { title: "Wigner function", words, radius: 1.36 });
   // the spin's x, y, z are c, a, b
   mesh.geometry.rotateX(-Math.PI / 2).rotateY(-Math.PI / 2);

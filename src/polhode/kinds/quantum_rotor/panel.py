@@ -142,7 +142,7 @@ def _of_level(polhodes: LevelPolhodes, k: int) -> list[list[str]]:
     said = [
         ["energy E/hc, rigid rotor", wave_number(float(polhodes.energy[k]))],
         ["as a quantised polhode", wave_number(float(polhodes.semiclassical[k]))],
-        ["L goes round", f"the {'a' if above else 'c'} axis, {'above' if above else 'below'} the saddle"],
+        ["L goes round", "the a axis, above the saddle" if above else "the c axis, below the saddle"],
     ]
     if math.isfinite(step) and math.isfinite(classical):
         said.append(["step to the next of its ladder", frequency(step, 6)])
@@ -152,12 +152,13 @@ def _of_level(polhodes: LevelPolhodes, k: int) -> list[list[str]]:
     return said
 
 
-def _of_flip(racket: Racket) -> list[list[str]]:
+def _of_flip(racket: Racket) -> list[list[Any]]:
     """Return pairs of a name and a value about the flip."""
     half, first, revival = racket.half_time, racket.first_reversal, racket.revival_time
-    said = [] if half is None else [["⟨L_b⟩ falls to J/2 after", in_its_unit(half)]]
+    said: list[list[Any]] = [] if half is None else [["⟨L_b⟩ falls to J/2 after", in_its_unit(half)]]
     if first is not None:
-        said.append(["first reversal", f"{in_its_unit(first.time)}, to ⟨L_b⟩ = {first.along:.4f} J"])
+        turned = {"time": in_its_unit(first.time), "value": f"{first.along:.4f}"}
+        said.append(["first reversal", ["{time}, to ⟨L_b⟩ = {value} J", turned]])
     return said if revival is None else [*said, ["revival T_rev", in_its_unit(revival)]]
 
 
@@ -181,13 +182,14 @@ class QuantumRotorPanel(KindPanel):
         """Return the body, the sphere of the levels' polhodes and, up to J = 60, the Wigner function."""
         directions, above = _polhodes(report)
         families = [
-            {"starts": directions[chosen].tolist(), "axis": axis, "legend": f"levels round {'abc'[axis]}"}
+            {"starts": directions[chosen].tolist(), "axis": axis,
+             "legend": ["levels round {axis}", {"axis": "abc"[axis]}]}
             for chosen, axis in ((above, ROUND_A), (~above, ROUND_C)) if chosen.any()
         ]  # fmt: skip
         axes = ["a", "b", "c"]
         sphere = {
-            "type": "sphere", "title": f"Levels of J = {report.J} as polhodes", "families": families, "axes": axes,
-            "words": "drag the point to another level, or L", "legend": "",
+            "type": "sphere", "title": ["Levels of J = {J} as polhodes", {"J": report.J}], "families": families,
+            "axes": axes, "words": "drag the point to another level, or L", "legend": "",
         }  # fmt: skip
         panels = [*(panel | {"axes": axes} for panel in body_panels(samples, _moments(report), surface)), sphere]
         if report.J <= LARGEST_J:

@@ -42,7 +42,7 @@ class SphereFluidPanel(KindPanel):
         energies = np.cumsum(np.asarray(trajectory.source.energy_spectrum(samples.states)), axis=1)
         shares = energies / energies[:, -1:]
         series = [
-            {"name": f"up to degree {k}", "values": pack(shares[:, k], "f4")}
+            {"name": ["up to degree {degree}", {"degree": k}], "values": pack(shares[:, k], "f4")}
             for k in CURVES if k < trajectory.source.size
         ]  # fmt: skip
         return {"plots": [{"title": "energy in eddies", "unit": "of all", "series": series}]}

@@ -56,6 +56,6 @@ class SpinOrbitPanel(KindPanel):
                          "series": [_series("distance", apart)]})  # fmt: skip
         points = poincare_section(system, start, ORBITS, steps_for(system, float(rate[0]) / n))
         turned = points[:, 0] - np.pi * np.round(points[:, 0] / np.pi)
-        section = {"title": "Section at periapsis", "words": f"{ORBITS} orbits: θ̇/n against θ [°]",
+        section = {"title": "Section at periapsis", "words": ["{count} orbits: θ̇/n against θ [°]", {"count": ORBITS}],
                    "x": pack(np.degrees(turned), "f4"), "y": pack(points[:, 1] / n, "f4")}  # fmt: skip
         return {"plots": plots, "scatters": (section,)}

@@ -44,5 +44,8 @@ class VlasovPoissonPanel(KindPanel):
         """Return the logarithm of the field's waves over time."""
         field = np.asarray(trajectory.source.field_amplitudes(samples.states))
         shown = np.log10(np.maximum(field, 1e-12 * (field.max() or 1.0)))[:, :4]
-        series = [{"name": f"wave {k + 1}", "values": pack(shown[:, k], "f4")} for k in range(shown.shape[1])]
+        series = [
+            {"name": ["wave {number}", {"number": k + 1}], "values": pack(values, "f4")}
+            for k, values in enumerate(shown.T)
+        ]
         return {"plots": [{"title": "field", "unit": "log₁₀", "series": series}]}
