@@ -87,6 +87,7 @@ class Page {
     this.view.elevation = data.panels[0].elevation ?? this.view.elevation;
     this.view.azimuth = data.panels[0].azimuth ?? this.view.azimuth;
     this.instrument = null;
+    element("refused").textContent = ""; // what was said of another motion
     this.shaped = false;
     element("instrument").hidden = !data.model;
     if (data.model) {

@@ -52,5 +52,6 @@ def _preset(
     report = spec.report() if report_of is None else report_of(path, spec)
     page = page_of_answers(report, report.name, spec.picture)
     if page.data["model"] is not None:  # the page solves it from the start, at any time, and needs no samples of it
-        page = page._replace(data={name: value for name, value in page.data.items() if name not in SAMPLED})
+        data = {name: value for name, value in page.data.items() if name not in SAMPLED}
+        page = page._replace(data=data | {"notes": data["notes"][data["notesOnSamples"] :]})
     return page, {"key": words["example"], "title": words["title"], "story": words["story"]}

@@ -106,7 +106,7 @@ def make_page(
     chosen = () if solved else samples.notes
     said = [note[:1].upper() + note[1:] for note in (*map(with_powers, chosen), *notes)]
     data = {
-        "name": title, "summary": summary, "notes": said, "panels": shown.panels,
+        "name": title, "summary": summary, "notes": said, "notesOnSamples": len(chosen), "panels": shown.panels,
         "drift": {key: float(np.max(value)) for key, value in trajectory.drift.items() if np.size(value)},
         "model": model, "scatters": [*shown.scatters, *scatters],
         "plots": _plots(trajectory, samples) if shown.plots is None else shown.plots,
