@@ -1,8 +1,12 @@
+from ._judging import Judgement as Judgement
 from .algebras import check_algebra as check_algebra
 from .engines import EngineComparison as EngineComparison
 from .engines import FamilyErrors as FamilyErrors
 from .engines import MotionErrors as MotionErrors
 from .engines import compare_engine as compare_engine
+from .judge import judge as judge
+from .judge import judge_file as judge_file
+from .judge_report import JudgeReport as JudgeReport
 from .kinds import check_kind as check_kind
 from .laws import LawBroken as LawBroken
 from .motion_table import ReferenceMotion as ReferenceMotion
