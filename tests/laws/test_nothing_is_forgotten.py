@@ -86,7 +86,7 @@ NO_ARRAYS = {
     "from_scipy", "testing.algebras.check_algebra", "testing.kinds.check_kind", "testing.systems.check_system",
     "testing.motion_table.reference_motions", "testing.motion_table.parse_motions", "testing.engines.compare_engine",
     "testing.judge.judge", "testing.judge.judge_file", "JudgeReport", "JudgeReport.figures",
-    "judge_report.word_verdict",
+    "judge_report.word_verdict", "FixedStepCase", "FixedStepResults", "fixed_step_cases", "run_fixed_steps",
     "judge_report.describe_verdict", "judge_report.describe_motion", "judge_report.word_ends",
     "ReferenceMotion", "MotionErrors", "EngineComparison", "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
     "bodies.surface.Surface", "Surface.along", "Surface.coarsened", "surface.join_surfaces",
