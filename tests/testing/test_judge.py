@@ -14,6 +14,7 @@ from testing.engines import equations, explicit_euler, midpoint, rk4, semi_impli
 MOMENTS = np.diag([1.0, 2.0, 3.0])
 START = np.array([0.1, -0.7, 0.5, 0.5])
 FEW = 64
+RUNGE_KUTTA = (rk4, engines.rk4_by_mean_rate)
 BODIES = 50
 """Over which no right engine is accused."""
 
@@ -28,6 +29,8 @@ def test_orders_are_those_that_the_methods_have(method):
     found = only(judge(method(equations(MOMENTS)), 0.05, steps=FEW))
     assert found.right
     assert found.convergence.order == pytest.approx(engines.ORDERS[method], abs=0.06)
+    of_momentum = 4 if method in RUNGE_KUTTA else engines.ORDERS[method]
+    assert found.convergence.momentum_order == pytest.approx(of_momentum, abs=0.1)
 
 
 @pytest.mark.parametrize("method", [semi_implicit, midpoint], ids=lambda method: method.__name__)

@@ -26,6 +26,7 @@ class Convergence(NamedTuple):
         limit: distance of the extrapolated limit from the reference, as the errors; None where there is none.
         unsure: a mistake that moves the states by less than this is not seen; as the errors.
         by_rounding: whether all errors are of rounding.
+        momentum_order: that of the momentum alone, which may be higher; None where rounding hides it.
     """
 
     converges: bool
@@ -34,6 +35,7 @@ class Convergence(NamedTuple):
     limit: float | None
     unsure: float
     by_rounding: bool = False
+    momentum_order: float | None = None
 
 
 def departures(
@@ -101,7 +103,10 @@ def judge_convergence(
     unsure = _size(limit - earlier) + floor
     distance = _size(limit)
     asymptotic = unsure <= max(ASYMPTOTIC * errors[-1], 2.0 * floor) and unsure <= SEEN * max(turned, 1.0)
-    return Convergence(bool(asymptotic and distance <= unsure), order, errors, distance, unsure)
+    own = [_size(change[:, 3:]) for change in (coarse - middle, middle - fine)]
+    of_momentum = float(np.log2(own[0] / own[1])) if own[1] > floor else None
+    converges = bool(asymptotic and distance <= unsure)
+    return Convergence(converges, order, errors, distance, unsure, momentum_order=of_momentum)
 
 
 def _size(level: Float64[Array, "time 6"]) -> float:

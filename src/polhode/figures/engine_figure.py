@@ -14,6 +14,7 @@ from polhode.figures import style
 from polhode.types import Array
 
 LEAST = 1e-17  # rad or relative: where zero is drawn, on an axis that has none
+LARGE = 0.1  # relative change of an invariant after which an engine's way may be any
 STAYS = 1e-12  # relative change of an invariant that is rounding
 COLOURS = (style.BLUE, style.ORANGE, style.PURPLE)
 
@@ -38,9 +39,10 @@ def engine_errors(run: EngineRun, name: str = "", runs: Mapping[str, EngineRun] 
     with np.errstate(all="ignore"):
         for values, word, colour in ((run.energy, "energy", style.GREEN), (run.momentum_norm, "|L|", style.ORANGE)):
             change = values / values[0] - 1.0
-            finite = change[np.isfinite(change)]
-            verb = "grows" if finite[-1] > 0.0 else "falls"
-            label = f"{word} {verb}" if np.abs(finite).max() > STAYS else f"{word} stays"
+            # which way it goes is seen before it has changed much: an engine that lets go may end anywhere
+            out = np.flatnonzero(~(np.abs(change) < LARGE))
+            verb = "grows" if change[out[0] - 1 if len(out) and out[0] > 1 else -1] > 0.0 else "falls"
+            label = f"{word} {verb}" if len(out) or np.abs(change).max() > STAYS else f"{word} stays"
             _plot(middle, run.turned, np.abs(change), color=colour, label=label)
     middle.set_ylabel("change, relative")
     for axes in (upper, middle):

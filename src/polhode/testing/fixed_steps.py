@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -47,8 +47,8 @@ class FixedStepCase:
     steps: tuple[int, ...]
     attitudes: Float64[Array, "time 4"]
     momenta: Float64[Array, "time 3"]
-    attitude_thresholds: dict[int, Float64[Array, "time"]]
-    momentum_thresholds: dict[int, Float64[Array, "time"]]
+    attitude_thresholds: Mapping[int, Float64[Array, "time"]]
+    momentum_thresholds: Mapping[int, Float64[Array, "time"]]
 
 
 class FixedStepErrors(NamedTuple):

@@ -114,8 +114,10 @@ def describe_verdict(one: Judgement) -> str:
     if one.right and (found is None or found.by_rounding):
         return "Right: exact to rounding."
     if one.right and found is not None:
-        return (f"Right: with shorter steps it converges to the exact motion with order {found.order:.2f}; a mistake "
-                f"that moves states by less than {found.unsure:.1e} would not be seen.")  # fmt: skip
+        other = found.momentum_order
+        more = f", in momentum {other:.2f}" if other is not None and abs(other - (found.order or 0.0)) > 0.5 else ""
+        return (f"Right: with shorter steps it converges to the exact motion with order {found.order:.2f}{more}; a "
+                f"mistake that moves states by less than {found.unsure:.1e} would not be seen.")  # fmt: skip
     if one.mistakes:
         return f"Wrong, and explained: {', or '.join(one.mistakes)}. With that, its states are the exact ones."
     if one.right is None:
@@ -175,6 +177,7 @@ def _row(one: Judgement) -> dict[str, Any]:
     return {
         "name": one.name, "verdict": word_verdict(one),
         "order": None if one.convergence is None else one.convergence.order,
+        "momentum_order": None if one.convergence is None else one.convergence.momentum_order,
         "dt": one.dt, "turned": one.run.turned[-1],
         "energy_per_radian": one.energy.per_radian if one.energy.is_seen else 0.0,
         "momentum_per_radian": one.momentum.per_radian if one.momentum.is_seen else 0.0,
