@@ -1,4 +1,7 @@
-/* How rigid bodies rotate, exactly at any time: the free body and the Lagrange top. C99 and C++, <math.h> alone, no malloc.
+/* SPDX-License-Identifier: MIT
+   Copyright (c) 2026 The polhode developers; the licence is the file LICENSE of the repository.
+
+   How rigid bodies rotate, exactly at any time: the free body and the Lagrange top. C99 and C++, <math.h> alone, no malloc.
 
    Conventions are those of docs/conventions.md: quaternions (w, x, y, z) take body to space, momentum and moments are along
    the principal axes, everything is in SI units. The method and its sources are told in README.md beside this file.
@@ -13,6 +16,8 @@
    gnu modes): phases are kept in pairs of doubles, whose errors are computed exactly. _init checks that they are. */
 #ifndef POLHODE_H
 #define POLHODE_H
+
+#define POLHODE_VERSION "0.2.0"
 
 #include <math.h>
 

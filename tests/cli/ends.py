@@ -4,6 +4,7 @@ What a command is given beside is the least that it does something with. Tables 
 brought to the ends a column at a time.
 """
 
+import json
 import re
 import shutil
 
@@ -45,6 +46,7 @@ GIVEN = {
     "export": [["free.toml", "--to", "csv"]],
     "import": [["log.csv", *COLUMNS]],
     "compare": [["free.toml", "free.toml"]],
+    "judge": [["states.json"]],
     "sweep": [["sweep.toml", "--dry-run"]],
     "tumble": [["apophis"], ["apophis", "--diameter", "340 m"]],
     "derive": [["clebsch"]],
@@ -64,11 +66,22 @@ def log_of(scale=(1.0, 1.0)):
     return "t_s,gx,gy,gz\n" + "\n".join(",".join(f"{x:.12g}" for x in row) for row in rows) + "\n"
 
 
+def states_of():
+    """Return the exact states of a free body, as an engine writes them."""
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), angular_velocity=(2.0, 9.0, 3.0))
+    times = np.arange(0.0, 0.9, 0.1)
+    run = {"inertia": [1.0, 2.0, 3.0], "attitude": [1.0, 0.0, 0.0, 0.0], "angular_velocity": [2.0, 9.0, 3.0],
+           "times": times.tolist(), "attitudes": motion.attitude(times).tolist(),
+           "momenta": motion.momentum(times).tolist()}  # fmt: skip
+    return json.dumps({"format": "polhode engine states", "version": 1, "runs": [run]})
+
+
 def write_given(folder):
     """Write the files that commands are given."""
     (folder / "free.toml").write_text(FREE)
     (folder / "sweep.toml").write_text(SWEEP)
     (folder / "log.csv").write_text(log_of())
+    (folder / "states.json").write_text(states_of())
     shutil.copy(EXAMPLES / "water.xyz", folder)
 
 

@@ -1,8 +1,17 @@
+from ._judging import Judgement as Judgement
 from .algebras import check_algebra as check_algebra
 from .engines import EngineComparison as EngineComparison
 from .engines import FamilyErrors as FamilyErrors
 from .engines import MotionErrors as MotionErrors
 from .engines import compare_engine as compare_engine
+from .fixed_steps import FixedStepCase as FixedStepCase
+from .fixed_steps import FixedStepErrors as FixedStepErrors
+from .fixed_steps import FixedStepResults as FixedStepResults
+from .fixed_steps import fixed_step_cases as fixed_step_cases
+from .fixed_steps import run_fixed_steps as run_fixed_steps
+from .judge import judge as judge
+from .judge import judge_file as judge_file
+from .judge_report import JudgeReport as JudgeReport
 from .kinds import check_kind as check_kind
 from .laws import LawBroken as LawBroken
 from .motion_table import ReferenceMotion as ReferenceMotion

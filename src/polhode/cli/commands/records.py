@@ -181,6 +181,25 @@ def compare(
 
 
 @app.command(cls=StrictCommand)
+def judge(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="JSON with the states that an engine wrote.")],
+    json: AsJson = False,
+    out: Annotated[Path | None, typer.Option("--out", metavar="DIR", help="Folder for figures, one a motion.")] = None,
+    spec: Annotated[
+        Path | None, typer.Option("--spec", metavar="SPEC", help="Of a free body, for runs that name no motion.")
+    ] = None,
+) -> None:
+    """Judge a physics engine by the states that it wrote of free bodies.
+
+    Printed are a verdict for each motion, the order of the method where the file has three step sizes, the drift of
+    energy and momentum, how the error grows, and mistakes that explain it. Runs that cannot be judged are listed.
+    """
+    from polhode.cli.judge import run_judge
+
+    run_judge(file, json, out, spec)
+
+
+@app.command(cls=StrictCommand)
 def tumble(
     body: tumbling.Body = None,
     precession: tumbling.Precession = None,

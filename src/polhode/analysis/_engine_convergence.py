@@ -1,0 +1,114 @@
+"""Whether an engine's states converge to the exact motion as its steps become shorter, and with which order."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode import rotation
+from polhode.types import Array, Float64
+
+HIGHEST_ORDER = 8
+OFF = 0.2  # that an observed order may miss a whole number by
+ASYMPTOTIC = 0.25  # of the error: what the limit of halved steps may be unsure by, or steps are too long to tell
+SEEN = 1e-3  # rad a radian turned: a limit that is known no better is no verdict
+
+
+class Convergence(NamedTuple):
+    """What halved steps show.
+
+    Attributes:
+        converges: whether the limit of short steps is the reference, as far as it can be seen.
+        order: observed, a power of the step; None where steps do not show one.
+        errors: of each step, root of the mean square over the samples, attitudes in rad and momenta relative.
+        limit: distance of the extrapolated limit from the reference, as the errors; None where there is none.
+        unsure: a mistake that moves the states by less than this is not seen; as the errors.
+        by_rounding: whether all errors are of rounding.
+        momentum_order: that of the momentum alone, which may be higher; None where rounding hides it.
+    """
+
+    converges: bool
+    order: float | None
+    errors: tuple[float, ...]
+    limit: float | None
+    unsure: float
+    by_rounding: bool = False
+    momentum_order: float | None = None
+
+
+def departures(
+    attitude: Float64[Array, "time 4"], momentum: Float64[Array, "time 3"],
+    exact_attitude: Float64[Array, "time 4"], exact_momentum: Float64[Array, "time 3"],
+) -> Float64[Array, "time 6"]:
+    """Return rotation vectors [rad, body axes] and momenta relative to the largest |L|, of states from exact ones.
+
+    All are NaN where a state is not finite.
+
+    Args:
+        attitude, momentum: (T, 4) wxyz of any length, and (T, 3), of an engine.
+        exact_attitude, exact_momentum: (T, 4) unit quaternions and (T, 3).
+    """
+    if not (np.isfinite(attitude).all() and np.isfinite(momentum).all()):
+        return np.full((len(momentum), 6), np.nan)
+    turn = rotation.multiply(rotation.conjugate(exact_attitude), rotation.normalize(attitude))
+    turn = np.where(turn[..., :1] < 0.0, -turn, turn)
+    size = float(np.linalg.norm(exact_momentum, axis=-1).max()) or 1.0
+    return np.concatenate([rotation.as_rotation_vector(turn), (momentum - exact_momentum) / size], axis=-1)
+
+
+def judge_convergence(
+    levels: Sequence[Float64[Array, "time 6"]], floors: Sequence[float], turned: float
+) -> Convergence:
+    """Return what states with steps dt, dt/2, dt/4, … show.
+
+    The order is that of the differences between successive levels, which a wrong limit does not touch. The limit is
+    Richardson's; it is unsure by what it moved between the last two levels.
+
+    Args:
+        levels: of each step (T, 6), the departures from the reference at the same times.
+        floors: of each, the size of departures that rounding alone may cause.
+        turned: how far the body turns in that time [rad].
+
+    Source: Richardson, Phil. Trans. R. Soc. A 226 (1927) 299; Roache, J. Fluids Eng. 116 (1994) 405.
+
+    >>> import numpy as np
+    >>> shape = np.ones((4, 6))
+    >>> found = judge_convergence([shape * h**2 for h in (0.1, 0.05, 0.025)], [1e-15] * 3, 1.0)
+    >>> found.converges, round(found.order, 3)
+    (True, 2.0)
+    >>> judge_convergence([shape * (0.02 + h**2) for h in (0.1, 0.05, 0.025)], [1e-15] * 3, 1.0).converges
+    False
+    """
+    errors = tuple(_size(level) for level in levels)
+    floor = floors[-1]
+    if not np.isfinite(errors[-3:]).all():
+        return Convergence(False, None, errors, None, np.inf)
+    if all(error <= least for error, least in zip(errors, floors, strict=True)):
+        return Convergence(floor <= SEEN * max(turned, 1.0), None, errors, errors[-1], floor, True)
+    if len(levels) < 3:
+        return Convergence(False, None, errors, None, np.inf)
+    coarse, middle, fine = levels[-3:]
+    before, after = _size(coarse - middle), _size(middle - fine)
+    if after <= floor:
+        # the last halving drowned in rounding: what is left of the error is then the limit itself
+        return Convergence(errors[-1] <= floor, None, errors, errors[-1], floor, errors[-1] <= floor)
+    order = float(np.log2(before / after)) if before > 0.0 else 0.0
+    whole = round(order)
+    if not (1 <= whole <= HIGHEST_ORDER and abs(order - whole) <= OFF):
+        return Convergence(False, order, errors, None, np.inf)
+    divisor = 2.0**whole - 1.0
+    limit, earlier = fine - (middle - fine) / divisor, middle - (coarse - middle) / divisor
+    unsure = _size(limit - earlier) + floor
+    distance = _size(limit)
+    asymptotic = unsure <= max(ASYMPTOTIC * errors[-1], 2.0 * floor) and unsure <= SEEN * max(turned, 1.0)
+    own = [_size(change[:, 3:]) for change in (coarse - middle, middle - fine)]
+    of_momentum = float(np.log2(own[0] / own[1])) if own[1] > floor else None
+    converges = bool(asymptotic and distance <= unsure)
+    return Convergence(converges, order, errors, distance, unsure, momentum_order=of_momentum)
+
+
+def _size(level: Float64[Array, "time 6"]) -> float:
+    with np.errstate(all="ignore"):
+        return float(np.sqrt(np.mean(np.sum(level**2, axis=-1))))

@@ -1,0 +1,177 @@
+"""Reads the states that an engine wrote into a JSON file; a run that is refused does not end the reading."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from polhode.analysis._engine_mistakes import StateConvention
+from polhode.bodies._inertia import principal_axes
+from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.opening import read_text
+from polhode.testing.motion_table import reference_motions
+from polhode.types import Array, Float64
+
+FORMAT, VERSION = "polhode engine states", 1
+LARGEST = 512 * 1024 * 1024
+RATES = {"momenta": "momentum", "angular_velocities": "angular velocity"}
+
+
+@dataclass(frozen=True, eq=False)
+class GivenMotion:
+    """A free body's motion as it starts, at time 0.
+
+    Attributes:
+        name: of the motion.
+        inertia: (3, 3) [kg m², body axes].
+        attitude: (4,) unit quaternion wxyz, body → space.
+        momentum: (3,) [kg m²/s, body axes].
+    """
+
+    name: str
+    inertia: Float64[Array, "3 3"]
+    attitude: Float64[Array, "4"]
+    momentum: Float64[Array, "3"]
+
+
+@dataclass(frozen=True, eq=False)
+class WrittenStates:
+    """States that an engine wrote of one motion with one step size.
+
+    Attributes:
+        given: the motion.
+        dt: the step [s]; None where the file does not say.
+        times: (T,) rising, after the start [s].
+        quaternions, rates: (T, 4) and (T, 3), as the engine wrote them.
+        convention: what these are meant to be.
+    """
+
+    given: GivenMotion
+    dt: float | None
+    times: Float64[Array, "time"]
+    quaternions: Float64[Array, "time 4"]
+    rates: Float64[Array, "time 3"]
+    convention: StateConvention
+
+
+def read_engine_states(
+    path: Path, of_spec: GivenMotion | None = None
+) -> tuple[str, list[WrittenStates], list[tuple[str, str]]]:
+    """Return the engine's name, the states of each run, and the name and reason of each run that was refused.
+
+    Args:
+        path: of the file, as ``polhode judge`` describes it.
+        of_spec: the motion of runs that name none.
+
+    Raises:
+        InvalidInput: for a file that cannot be read.
+        FormatError: for what is not JSON of this format and version.
+    """
+    try:
+        table = json.loads(read_text(path, "JSON", LARGEST))
+    except (json.JSONDecodeError, RecursionError) as error:
+        raise FormatError(f"{path}: is not JSON ({error}). Write one object with format, version and runs.") from None
+    header = (table.get("format"), table.get("version")) if isinstance(table, dict) else None
+    if header != (FORMAT, VERSION):
+        got = shown(header if header else table)
+        raise FormatError(f"{path}: must have `format` {FORMAT} and `version` {VERSION}; got {got}. Write both.")
+    runs = table.get("runs")
+    if not isinstance(runs, list) or not runs:
+        raise FormatError(f"{path}: `runs` must be a list of runs, one at least; got {shown(runs)}.")
+    found, refused = [], []
+    for number, run in enumerate(runs, 1):
+        label = str(run.get("motion", f"run {number}")) if isinstance(run, dict) else f"run {number}"
+        try:
+            found.append(_read_run(run, table, of_spec, label))
+        except InvalidInput as error:
+            refused.append((label, str(error)))
+    return str(table.get("engine", path.stem)), found, refused
+
+
+def checked_tensor(inertia: Any) -> Float64[Array, "3 3"]:
+    """Return an inertia (3,) or (3, 3) as a tensor [kg m²].
+
+    Raises:
+        InvalidInput: for another shape, what is not symmetric and positive, and for moments that no body has.
+    """
+    try:
+        values = np.asarray(inertia, dtype=float)
+    except (TypeError, ValueError):
+        values = np.empty(0)
+    tensor = np.diag(values) if values.shape == (3,) else values
+    square = tensor.shape == (3, 3) and np.isfinite(tensor).all()
+    if not square or np.abs(tensor - tensor.T).max() > 1e-6 * np.abs(tensor).max():
+        raise InvalidInput(f"`inertia` must be three moments or a symmetric (3, 3) tensor; got {shown(inertia)}.")
+    tensor = 0.5 * (tensor + tensor.T)
+    moments, _ = principal_axes(tensor)
+    if not (moments[0] > 0.0 and moments[0] + moments[1] >= moments[2] * (1.0 - 1e-6)):
+        got = ", ".join(f"{x:.6g}" for x in moments)
+        raise InvalidInput(f"`inertia` must have positive moments with I1 + I2 ≥ I3; got ({got}). Check its entries.")
+    return tensor
+
+
+def _read_run(run: Any, table: dict[str, Any], of_spec: GivenMotion | None, label: str) -> WrittenStates:
+    if not isinstance(run, dict):
+        raise InvalidInput(f"a run must be an object with times, attitudes and a rate; got {shown(run)}.")
+    given = _given_motion(run, of_spec, label)
+    named = [key for key in RATES if key in run]
+    if len(named) != 1:
+        raise InvalidInput(f"a run must have `momenta` or `angular_velocities`, one of them; got {shown(named)}.")
+    times = _numbers(run, "times", (-1,))
+    q, rates = _numbers(run, "attitudes", (len(times), 4)), _numbers(run, named[0], (len(times), 3))
+    if len(times) < 4 or not np.isfinite(times).all() or times[0] < 0.0 or not (np.diff(times) > 0.0).all():
+        raise InvalidInput(f"`times` must be four or more, rising, from 0 or later; got {shown(times.tolist()[:6])}.")
+    lengths = np.linalg.norm(q[np.isfinite(q).all(axis=-1)], axis=-1)
+    if not len(lengths) or np.abs(lengths - 1.0).max() > 1e-2:
+        got = f"{lengths[np.abs(lengths - 1.0).argmax()]:.4g}" if len(lengths) else "none that is finite"
+        raise InvalidInput(f"`attitudes` must be quaternions of length 1; got length {got}. Divide each by its norm.")
+    dt = run.get("dt", table.get("dt"))
+    if dt is not None and not (isinstance(dt, int | float) and 0.0 < dt < np.inf):
+        raise InvalidInput(f"`dt` must be a positive time in seconds; got {shown(dt)}. Leave it out if it varies.")
+    convention = StateConvention(RATES[named[0]], str(run.get("axes", table.get("axes", "body"))))
+    late = times > 0.0
+    return WrittenStates(given, dt, times[late], q[late], rates[late], convention)
+
+
+def _given_motion(run: dict[str, Any], of_spec: GivenMotion | None, label: str) -> GivenMotion:
+    if "inertia" in run:
+        inertia = checked_tensor(run["inertia"])
+        attitude = _numbers(run, "attitude", (4,))
+        if abs(np.linalg.norm(attitude) - 1.0) > 1e-6:
+            raise InvalidInput(f"`attitude` must have length 1; got {shown(run['attitude'])}. Divide it by its norm.")
+        if "angular_velocity" in run:
+            momentum = inertia @ _numbers(run, "angular_velocity", (3,))
+        else:
+            momentum = _numbers(run, "momentum", (3,))
+        if not (momentum.any() and np.isfinite(momentum).all()):
+            raise InvalidInput(f"a body must turn at the start; got L = {shown(momentum.tolist())}.")
+        return GivenMotion(label, inertia, attitude / np.linalg.norm(attitude), momentum)
+    if "motion" in run:
+        known = {motion.name: motion for motion in reference_motions()}
+        motion = known.get(str(run["motion"]))
+        if motion is None:
+            raise InvalidInput(f"`motion` must be a name of the table of motions; got {shown(run['motion'])}.")
+        if motion.kind != "free body":
+            raise InvalidInput(f"{motion.name} is a {motion.kind}, and only free bodies are judged. Compare it by "
+                               "`polhode.testing.compare_engine`.")  # fmt: skip
+        unit = motion.attitude / np.linalg.norm(motion.attitude)
+        return GivenMotion(motion.name, np.diag(motion.moments), unit, np.asarray(motion.momentum))
+    if of_spec is None:
+        raise InvalidInput("a run must name its `motion` of the table or give `inertia`, `attitude` and `momentum`; "
+                           "for the motion of a spec, give the spec.")  # fmt: skip
+    return of_spec
+
+
+def _numbers(run: dict[str, Any], key: str, shape: tuple[int, ...]) -> np.ndarray:
+    try:
+        values = np.asarray(run.get(key), dtype=float)
+    except (TypeError, ValueError):
+        values = np.empty(0)
+    if values.ndim != len(shape) or any(n not in (-1, m) for n, m in zip(shape, values.shape, strict=True)):
+        size = " × ".join("any number" if n == -1 else str(n) for n in shape)
+        raise InvalidInput(f"`{key}` must be {size} numbers; got {shown(run.get(key))}.")
+    return values

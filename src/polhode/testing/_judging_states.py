@@ -1,0 +1,182 @@
+"""Judges an engine by states that it wrote: with one step size cautiously, with three of one motion by their limit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from polhode.analysis._engine_convergence import SEEN, Convergence, departures, judge_convergence
+from polhode.analysis._engine_mistakes import (
+    EngineEquations,
+    StateConvention,
+    list_convention_mistakes,
+    list_equation_mistakes,
+)
+from polhode.analysis._engine_run import EngineRun, exact_motion, find_spin_end, turned_angle
+from polhode.errors import InvalidInput, NotConverged
+from polhode.testing._engine_states import WrittenStates
+from polhode.testing._judging import Judgement, find_unseen, measure
+from polhode.testing._stepping import find_eps
+from polhode.types import Array, Float64
+
+SHORT = 10.0  # rad; states up to there are compared, later ones amplify any error
+FEWEST = 4
+FALLS = 100.0  # times by which the residual of a mistake must be less
+FIRST_ORDER = 1.0  # rad of error for each radian turned and each radian of a step
+States = tuple[Array, Array]
+
+
+def judge_states(states: Sequence[WrittenStates]) -> tuple[list[Judgement], list[tuple[str, str]]]:
+    """Return the judgement on each run, those with three or more halved steps taken together; and what was refused.
+
+    Args:
+        states: of the runs, in any order.
+    """
+    groups: dict[tuple[object, ...], list[WrittenStates]] = {}
+    for one in states:
+        given = one.given
+        key = given.name, *(x.tobytes() for x in (given.inertia, given.attitude, given.momentum)), one.convention
+        groups.setdefault(key, []).append(one)
+    judged, refused = [], []
+    for group in groups.values():
+        halved = _by_halved_steps(group)
+        for one in [halved[0]] if len(halved) >= 3 else group:
+            try:
+                judged.append(_judge_one(one, halved if len(halved) >= 3 else []))
+            except InvalidInput as error:
+                refused.append((one.given.name, str(error)))
+    return judged, refused
+
+
+def _by_halved_steps(group: Sequence[WrittenStates]) -> list[WrittenStates]:
+    """Return runs from the longest step to the shortest, where each has half the step of the one before."""
+    ordered = sorted((one for one in group if one.dt is not None), key=lambda one: -(one.dt or 0.0))
+    if all(abs((a.dt or 0.0) / (b.dt or 1.0) - 2.0) < 1e-6 for a, b in pairwise(ordered)):
+        return ordered
+    return []
+
+
+def _judge_one(one: WrittenStates, halved: Sequence[WrittenStates]) -> Judgement:
+    given, run = one.given, as_run(one, one.convention)
+    short = _short_part(run)
+    if halved:
+        common = _common_times(halved, float(run.times[short]))
+        found = _converge(halved, common, None, lambda given: given.convention)
+        mistakes = () if found.converges else _find(one, lambda convention, equations: _converge(
+            halved, common, equations, lambda given: convention or given.convention).converges)  # fmt: skip
+        verdict = {"right": found.converges, "convergence": found, "mistakes": mistakes}
+    else:
+        verdict = _judge_by_one_step(one, run, short)
+    times = np.concatenate([[0.0], run.times[1 : short + 1]])
+    unseen = find_unseen(one.convention, given.inertia, given.attitude, given.momentum, times)
+    energy, norm, growth = measure(run)
+    return Judgement(given.name, run, one.dt, unseen=unseen, energy=energy, momentum=norm, growth=growth,
+                     ends={"the given start": find_spin_end(run)}, **verdict)  # type: ignore[arg-type]  # fmt: skip
+
+
+def as_run(one: WrittenStates, convention: StateConvention) -> EngineRun:
+    """Return the states after the exact start, read by a convention."""
+    q, L = convention.decode(one.quaternions, one.rates, one.given.inertia)
+    steps = len(one.times) if one.dt is None else max(1, round(float(one.times[-1]) / one.dt))
+    return EngineRun(one.given.inertia, np.concatenate([[0.0], one.times]), np.vstack([one.given.attitude, q]),
+                     np.vstack([one.given.momentum, L]), find_eps(one.quaternions, one.rates), steps)  # fmt: skip
+
+
+def _short_part(run: EngineRun) -> int:
+    """Return the place of the last state that is compared."""
+    last = int(np.searchsorted(run.turned, SHORT, side="right")) - 1
+    if last < FEWEST:
+        within = run.times[-1] * SHORT / max(float(run.turned[-1]), 1e-300)
+        raise InvalidInput(f"`times` must have {FEWEST} or more within the first {SHORT:g} rad, here {within:.4g} s; "
+                           f"got {last}. Write states more often.")  # fmt: skip
+    return last
+
+
+def _judge_by_one_step(one: WrittenStates, run: EngineRun, short: int) -> dict[str, object]:
+    part = slice(1, short + 1)
+    rate = float(run.turned[short] / run.times[short])
+    steps = short if one.dt is None else float(run.times[short]) / one.dt
+    rounding = run.eps * (16.0 + steps / 2.0)
+    slack = SEEN if one.dt is None else min(0.02, FIRST_ORDER * one.dt * rate)
+    allowed = max(rounding, slack * float(run.turned[short]))
+
+    def residual(convention: StateConvention | None, equations: EngineEquations | None) -> float:
+        read = run if convention is None else as_run(one, convention)
+        exact = _exact(one, run.times, equations)
+        return float(np.abs(departures(read.attitude[part], read.momentum[part], *(x[part] for x in exact))).max())
+
+    plain = residual(None, None)
+    if not plain > rounding:
+        return {"right": True, "convergence": None, "mistakes": (), "residual": plain, "allowed": allowed}
+    bound = min(allowed, plain / FALLS)
+    mistakes = _find(one, lambda *mistake: residual(*mistake) <= bound, _measure_damping(run, short))
+    right = False if mistakes or not plain <= allowed else None
+    return {"right": right, "convergence": None, "mistakes": mistakes, "residual": plain, "allowed": allowed}
+
+
+def _exact(one: WrittenStates, times: Float64[Array, "time"], equations: EngineEquations | None) -> States:
+    given = one.given
+    if equations is not None:
+        return equations.solve(given.inertia, given.attitude, given.momentum, times)
+    motion = exact_motion(given.inertia, given.attitude, given.momentum)
+    return np.asarray(motion.attitude(times)), np.asarray(motion.momentum(times))
+
+
+def _find(
+    one: WrittenStates, explains: Callable[[StateConvention | None, EngineEquations | None], bool], damping: float = 0.0
+) -> tuple[str, ...]:
+    """Return the mistakes that explain the states; pairs are looked for where no single one does."""
+
+    def holds(convention: StateConvention | None, equations: EngineEquations | None) -> bool:
+        try:
+            return explains(convention, equations)
+        except NotConverged:
+            return False
+
+    conventions = list_convention_mistakes(one.convention)
+    single = [name for name, other in conventions.items() if " and " not in name and holds(other, None)]
+    single += [name for name, other in list_equation_mistakes(damping).items() if holds(None, other)]
+    return tuple(single or [name for name, other in conventions.items() if " and " in name and holds(other, None)])
+
+
+def _measure_damping(run: EngineRun, short: int) -> float:
+    with np.errstate(all="ignore"):
+        decay = np.log(run.momentum_norm[: short + 1] / run.momentum_norm[0])
+    rate = float(np.polyfit(run.times[: short + 1], decay, 1)[0]) if np.isfinite(decay).all() else 0.0
+    return -rate if abs(rate) * float(run.times[short]) > 1e-3 else 0.0
+
+
+def _common_times(halved: Sequence[WrittenStates], last: float) -> Float64[Array, "time"]:
+    """Return the times that all of the runs have, to a millionth of the shortest step."""
+    times = halved[0].times[halved[0].times <= last * (1.0 + 1e-9)]
+    for one in halved[1:]:
+        near = np.abs(one.times[_nearest(one.times, times)] - times)
+        times = times[near <= 1e-6 * (halved[-1].dt or 1.0)]
+    if len(times) < FEWEST:
+        raise InvalidInput(f"runs with dt, dt/2, dt/4 must have {FEWEST} times in common within {SHORT:g} rad; got "
+                           f"{len(times)}. Write the same times in each.")  # fmt: skip
+    return times
+
+
+def _nearest(rising: Float64[Array, "time"], wanted: Float64[Array, "time"]) -> Array:
+    right = np.clip(np.searchsorted(rising, wanted), 1, len(rising) - 1)
+    return np.where(wanted - rising[right - 1] < rising[right] - wanted, right - 1, right)
+
+
+def _converge(
+    halved: Sequence[WrittenStates], times: Float64[Array, "time"], equations: EngineEquations | None,
+    convention: Callable[[WrittenStates], StateConvention],
+) -> Convergence:  # fmt: skip
+    from_start = np.concatenate([[0.0], times])
+    exact = [x[1:] for x in _exact(halved[0], from_start, equations)]
+    motion = exact_motion(halved[0].given.inertia, halved[0].given.attitude, halved[0].given.momentum)
+    levels, floors = [], []
+    for one in halved:
+        run = as_run(one, convention(one))
+        kept = _nearest(run.times, times)
+        levels.append(departures(run.attitude[kept], run.momentum[kept], *exact))
+        steps = float(times[-1]) / (one.dt or 1.0)
+        floors.append(run.eps * (16.0 + steps / 2.0) + (0.0 if equations is None else 1e-10))
+    return judge_convergence(levels, floors, float(turned_angle(motion, from_start)[-1]))
