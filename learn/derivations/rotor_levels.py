@@ -7,9 +7,10 @@ def derive(lines):
     """Matrices of the components for J = 1, with ħ = 1."""
     A, B, C = sympy.symbols("A B C", positive=True)
     La, Lb, Lc = (sympy.Matrix(3, 3, _component(axis)) for axis in range(3))
-    lines.define("For J = 1 there are three states. On them the components of L are matrices, with ħ = 1.",
+    lines.define("For J = 1 there are three states. These matrices stand for the components along the body's axes with "
+                 "their signs changed, with ħ = 1.",
                  ("L_a", La), ("L_b", Lb), ("L_c", Lc))
-    lines.equal("They do not commute. This is the bracket with i in front.",
+    lines.equal("They do not commute. With the signs changed back, the right side has −i.",
                 La * Lb - Lb * La, sympy.I * Lc, shown="L_aL_b - L_bL_a")
     lines.equal("The length is sharp: L² = J(J+1) with J = 1.", La**2 + Lb**2 + Lc**2, 2 * sympy.eye(3),
                 shown="L_a^2 + L_b^2 + L_c^2")

@@ -213,6 +213,24 @@ def test_a_wrong_number_is_seen(shown):
     assert len(numbers_that_differ(page, "surfaces")) == 1
 
 
+@pytest.mark.parametrize("name, fragment, key, said", [
+    ("surfaces", "#energy=1", "period", "L stays on the axis"), ("surfaces", "#energy=4", "cap", "—"),
+    ("surfaces", "#energy=2", "period", "never comes back"), ("cones", "#ratio=1", "period", "Ω stays on L"),
+])  # fmt: skip
+def test_words_stand_where_there_is_no_number(shown, name, fragment, key, said):
+    page = shown(name, fragment)
+    assert page.words(key) == said
+    assert "undefined" not in page.tab.locator("#readings").inner_text()
+
+
+def test_sliders_reach_both_ends(shown):
+    """The range of this one is no multiple of its step."""
+    page = shown("surfaces")
+    page.tab.locator("#energy").focus()
+    reached = [page.tab.keyboard.press(key) or page.settings()["energy"] for key in ("End", "Home")]
+    assert reached == [4, pytest.approx(4 / 3, abs=1e-12)]
+
+
 def parts_out_of_reach(page):
     """Return what the tabulator does not come to, and what has no label."""
     parts = "canvas, #side input, #side select, #side button"

@@ -59,7 +59,7 @@ function plotOf(paper, box, theme, settings) {
 
 function drawPlot(paper, box, { model, settings, theme, time }) {
   const plot = plotOf(paper, box, theme, settings);
-  plot.axes({ x: "tilt at the throw, degrees", y: "time until it has turned over, s" });
+  plot.axes({ x: "angle of L from axis 2 at the throw, degrees", y: "time until it has turned over, s" });
   plot.curve(model.straight, { colour: theme.approximation, width: 1.6, dash: [5, 4] });
   plot.curve(model.curve, { colour: theme.motion, width: 3 });
   const x = plot.atX(settings.tilt);
@@ -82,7 +82,7 @@ new Panel({
   initial: { tilt: 1, rate: 1.5, speed: 0.2, turn: -0.5, lift: 0.34 },
   plays: true,
   controls: [
-    { kind: "slider", key: "tilt", label: "tilt from axis 2", least: LEAST, most: MOST, log: true, say: (value) => `${Number(value.toPrecision(3))}°` },
+    { kind: "slider", key: "tilt", label: "L leans from axis 2 by", least: LEAST, most: MOST, log: true, say: (value) => `${Number(value.toPrecision(3))}°` },
     { kind: "slider", key: "rate", label: "spin", least: 0.5, most: 4, step: 0.1, say: (value) => `${value.toFixed(1)} turns/s` },
     { kind: "choice", key: "speed", label: "time runs", options: [[1, "as it is"], [0.2, "1/5"], [0.05, "1/20"]] },
   ],

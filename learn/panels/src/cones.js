@@ -84,7 +84,7 @@ new Panel({
   readings: ({ cones, motion }, { ratio }) => [
     ["shape", "body", kindOf(ratio)],
     ["precession", "axis round L in", (2 * Math.PI) / cones.precession, "s"],
-    ["period", "Ω round axis in", motion.period, "s"],
+    ["period", "Ω round axis in", ratio === 1 ? "Ω stays on L" : motion.period, "s"],
     ["sense", "in the body Ω goes", ratio > 1 ? "with the spin" : ratio < 1 ? "against the spin" : "nowhere"],
     ["bodyCone", "half-angle in body", degrees(cones.bodyCone), "°"],
     ["spaceCone", "half-angle in space", degrees(cones.spaceCone), "°"],

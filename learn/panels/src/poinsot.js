@@ -80,8 +80,9 @@ function draw(paper, { model, settings, theme, view, time }) {
       const from = times(axis, HALF_AXES[k]);
       const to = times(axis, HALF_AXES[k] + 0.22);
       drawCurve(paper, view, [from, times(axis, HALF_AXES[k] + 0.11), to], { colour: theme.axes[k], width: 3, solids: [solid], faint: 0.15 });
-      const options = { colour: theme.axes[k], ground: theme.ground, weight: "700", size: 14 };
-      if (view.depth(axis) > -0.2) write(paper, String(k + 1), view.pixel(times(axis, HALF_AXES[k] + 0.31)), options);
+      const behind = view.depth(axis) < -0.2; // a number seen through the body is pale, as its axis is
+      const options = { colour: mixed(theme.axes[k], theme.ground, behind ? 0.35 : 0), ground: theme.ground, weight: "700", size: 14 };
+      write(paper, String(k + 1), view.pixel(times(axis, HALF_AXES[k] + 0.31)), options);
     });
   };
   for (const drawPart of above ? [drawBelow, drawBody] : [drawBody, drawBelow]) drawPart();

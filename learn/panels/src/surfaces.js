@@ -15,6 +15,11 @@ const WORDS = {
   separatrix: "separatrix",
   permanent: "steady spin",
 };
+/** What stands for the period and the cap where L runs round no curve. */
+const ABSENT = {
+  permanent: ["L stays on the axis", "—"],
+  separatrix: ["never comes back", "—"],
+};
 const reach = (energy) => 1.22 * Math.max(2.1, Math.sqrt(energy * MOMENTS[2]));
 const mirrored = (points) => points.map((p) => times(p, -1));
 
@@ -87,8 +92,8 @@ new Panel({
   readings: ({ motion, regime, period, cap }) => [
     ["regime", "L", WORDS[regime] ?? regime],
     ["norm", "|L|", motion.momentumNorm, "kg m²/s"],
-    ["period", "back after", period, "s"],
-    ["cap", "cap cut off", cap, "sr"],
+    ["period", "back after", ABSENT[regime]?.[0] ?? period, "s"],
+    ["cap", "cap cut off", ABSENT[regime]?.[1] ?? cap, "sr"],
     ["moments", "I₁, I₂, I₃", "1, 2, 3 kg m²"],
   ],
   describe: ({ regime }, { energy }) =>

@@ -16,7 +16,9 @@ const STEPS = 1000; // of a slider on a logarithmic scale
 function sliderOf(control, changed) {
   const { key, label, least, most, step = (most - least) / 400, log = false, say } = control;
   const toPlace = (value) => (log ? (STEPS * Math.log(value / least)) / Math.log(most / least) : value);
-  const fromPlace = (place) => (log ? Number((least * (most / least) ** (place / STEPS)).toPrecision(4)) : place);
+  // the browser's last place lies below the end where the range is no multiple of the step
+  const fromStep = (place) => (place + step > most + 1e-6 * step ? most : place);
+  const fromPlace = (place) => (log ? Number((least * (most / least) ** (place / STEPS)).toPrecision(4)) : fromStep(place));
   const bounds = log ? { min: 0, max: STEPS, step: 1 } : { min: least, max: most, step };
   const input = element("input", { type: "range", id: key, ...bounds });
   const shown = element("output", { for: key, "aria-live": "off" });
