@@ -67,8 +67,12 @@ export class Instrument {
   }
 
   move(key, value) {
-    if (key === null) this.show();
-    else this.take(this.kind.changed(this.setting, key, value));
+    if (key === null) return this.show();
+    try {
+      return this.take(this.kind.changed(this.setting, key, value));
+    } catch (error) {
+      return this.say(error.message); // no start belongs to it
+    }
   }
 
   /** Set what tables of a spec say, in SI; whether that could be done. */
