@@ -193,7 +193,7 @@ def test_the_report_says_numbers_and_draws(tmp_path):
     ({"attitude": (1, 1, 0, 0)}, "length 1"), ({"momentum": (0, 0, 0)}, "`momentum`"), ({"steps": 3}, "`steps`"),
     ({"step": lambda q, L, h: q}, "`step` must return"), ({"step": lambda q, L, h: (L, q)}, "shapes"),
 ])  # fmt: skip
-def test_bad_input_is_refused_in_one_sentence(wrong, words):
+def test_bad_input_is_refused_in_one_sentence(wrong, words, any_type):
     with pytest.raises(InvalidInput, match=words.replace("+", r"\+")):
         judge(**{"step": rk4(equations(MOMENTS)), "dt": 0.05, **wrong})
 

@@ -160,7 +160,7 @@ def _common_times(halved: Sequence[WrittenStates], last: float) -> Float64[Array
     return times
 
 
-def _nearest(rising: Float64[Array, "time"], wanted: Float64[Array, "time"]) -> Array:
+def _nearest(rising: Float64[Array, "samples"], wanted: Float64[Array, "time"]) -> Array:
     right = np.clip(np.searchsorted(rising, wanted), 1, len(rising) - 1)
     return np.where(wanted - rising[right - 1] < rising[right] - wanted, right - 1, right)
 
