@@ -13,7 +13,7 @@ from polhode.types import Array, Float64
 HIGHEST_ORDER = 8
 OFF = 0.2  # that an observed order may miss a whole number by
 ASYMPTOTIC = 0.25  # of the error: what the limit of halved steps may be unsure by, or steps are too long to tell
-SEEN = 1e-3  # rad a radian turned: a limit that is known no better is no verdict
+SEEN = 1e-3  # rad a radian turned: a limit with a larger uncertainty gives no verdict
 
 
 class Convergence(NamedTuple):

@@ -261,7 +261,7 @@ class Chapter(_Data):
         """Return an exercise or a choice by its name.
 
         Raises:
-            InvalidInput: for a name that is none.
+            InvalidInput: for an unknown name.
         """
         for one in (*self.exercises, *self.choices):
             if one.name == name:
@@ -284,7 +284,7 @@ def read_chapter(name: str) -> Chapter:
         name: such as "two-surfaces"; ``chapter_names`` lists them.
 
     Raises:
-        InvalidInput: for a name that is none, or a file that breaks a rule.
+        InvalidInput: for an unknown name, or a file that breaks a rule.
     """
     paths = {path.stem.partition("_")[2].replace("_", "-"): path for path in sorted(FOLDER.glob("*.toml"))}
     if name not in paths:

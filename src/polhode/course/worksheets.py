@@ -25,7 +25,7 @@ def worksheet(chapter: str, seed: int = 0, *, key: bool = False) -> str:
         key: the teacher's key, with answers, solutions and what typical mistakes give.
 
     Raises:
-        InvalidInput: for a chapter that is none, or a seed that is no whole number from 0.
+        InvalidInput: for an unknown chapter, or a seed that is not a whole number from 0.
 
     >>> "teacher" in worksheet("two-surfaces", key=True)
     True

@@ -60,7 +60,7 @@ def _book(table: BodyTable, surface: Surface | None) -> Surface:
     place = _unit(thin) * 0.5 * edges[thin] + _unit(long) * 0.2 * edges[long]
     pieces.append(_plate(label, TITLE, place, thin, edges))
     lines = [(_edge_line(edges, thin, wide, long, share), LEAF, 1.0) for share in (-0.5, -0.25, 0.0, 0.25, 0.5)]
-    return _painted(pieces, table, lines)
+    return _paint(pieces, table, lines)
 
 
 def _edge_line(edges: Array, thin: int, wide: int, long: int, share: float) -> Float64[Array, "2 3"]:
@@ -88,7 +88,7 @@ def _phone(table: BodyTable, surface: Surface | None) -> Surface:
             square = _with(_with(np.zeros(3), wide, share * size), long, share * size)
             lens = _with(square, thin, depth * LIFT * edges[long])
             pieces.append(_block(lens, color, place))
-    return _painted(pieces, table)
+    return _paint(pieces, table)
 
 
 def _earth(table: BodyTable, surface: Surface | None) -> Surface:
@@ -153,17 +153,17 @@ def _is_inside(x: Array, y: Array, rings: Sequence[Array]) -> Bool[Array, "n"]:
 def _metal(table: BodyTable, surface: Surface | None) -> Surface:
     """Return the surface as polished metal."""
     assert surface is not None, "the rules let metal go with a mesh or parts only"
-    return replace(_colored(surface, ALUMINIUM), paint=Paint(shiny=True))
+    return replace(_color(surface, ALUMINIUM), paint=Paint(shiny=True))
 
 
 def _gyroscope(table: BodyTable, surface: Surface | None) -> Surface:
     """Return a brass wheel with a red weight on a steel axle, in a frame of two rings that lean with it."""
     parts = _parts(table)
     colors = [RIVET if part.shape == "box" else STEEL if _is_slender(part) else BRASS for part in parts]
-    pieces = [_colored(surface_of_part(part), color) for part, color in zip(parts, colors, strict=True)]
+    pieces = [_color(surface_of_part(part), color) for part, color in zip(parts, colors, strict=True)]
     widest = max((part.radius or 0.0) for part in parts)
     wheel = max((part for part in parts if part.shape in ("cylinder", "disk")), key=lambda part: part.radius or 0.0)
-    return replace(_painted(pieces, None), paint=Paint(shiny=True, cage=(tuple(wheel.at), 1.12 * widest)))
+    return replace(_paint(pieces, None), paint=Paint(shiny=True, cage=(tuple(wheel.at), 1.12 * widest)))
 
 
 def _satellite(table: BodyTable, surface: Surface | None) -> Surface:
@@ -173,36 +173,36 @@ def _satellite(table: BodyTable, surface: Surface | None) -> Surface:
     pieces, lines = [], []
     for part in parts:
         color = CELLS if part is clad else FOIL if part.shape == "box" else WHITE
-        pieces.append(_colored(surface_of_part(part), color))
+        pieces.append(_color(surface_of_part(part), color))
         if part is clad:
             lines += [(line, SEAM, 1.0) for line in _grid_on(part)]
-    return _painted(pieces, None, lines)
+    return _paint(pieces, None, lines)
 
 
 def _rocket(table: BodyTable, surface: Surface | None) -> Surface:
     """Return a white cylinder with dark stripes along it, and four whip antennas about its middle."""
     (part,) = _parts(table)
     radius, half = part.radius or 0.0, 0.5 * (part.height or 0.0)
-    hull = _turned_as(part, surface_of_part(part))
+    hull = _undo_placement(part, surface_of_part(part))
     angle = np.arctan2(hull.vertices[:, 1], hull.vertices[:, 0])
     striped = (np.floor(angle / (math.pi / 4.0) + 1e-9).astype(int) % 2 == 0) & (hull.vertices[:, 2] > 0.0)
     painted = Surface(hull.vertices, hull.faces, np.where(striped, STRIPE, WHITE))
     ends = [2.0 * math.pi * k / WHIPS for k in range(WHIPS)]
     reach = np.array([radius, 0.5 * half])  # from the hull to the end of a whip
     whips = [(np.outer(reach, [math.cos(a), math.sin(a), 0.0]), WHIP, 2.0) for a in ends]
-    return _placed(replace(painted, paint=Paint(tuple(whips))), part)
+    return _place(replace(painted, paint=Paint(tuple(whips))), part)
 
 
 def _top(table: BodyTable, surface: Surface | None) -> Surface:
     """Return a wooden top with sectors of two shades, which show its spin."""
     pieces = []
     for part in _parts(table):
-        local = _turned_as(part, surface_of_part(part))
+        local = _undo_placement(part, surface_of_part(part))
         angle = np.arctan2(local.vertices[:, 1], local.vertices[:, 0])
         sector = np.floor(angle / (math.pi / 3.0) + 1e-9).astype(int)
         shade = (sector % 2 == 0) & (np.hypot(*local.vertices.T[:2]) > 0.0)
-        pieces.append(_placed(Surface(local.vertices, local.faces, np.where(shade, BAND, WOOD)), part))
-    return _painted(pieces, None)
+        pieces.append(_place(Surface(local.vertices, local.faces, np.where(shade, BAND, WOOD)), part))
+    return _paint(pieces, None)
 
 
 def _parts(table: BodyTable) -> list[PartTable]:
@@ -214,12 +214,12 @@ def _is_slender(part: PartTable) -> bool:
     return part.shape == "rod" or (part.height or 0.0) > 4.0 * (part.radius or math.inf)
 
 
-def _turned_as(part: PartTable, surface: Surface) -> Surface:
+def _undo_placement(part: PartTable, surface: Surface) -> Surface:
     """Return a part's surface about its own place and axis z."""
     return Surface((np.asarray(surface.vertices) - np.asarray(part.at)) @ _turn(part), surface.faces)
 
 
-def _placed(surface: Surface, part: PartTable) -> Surface:
+def _place(surface: Surface, part: PartTable) -> Surface:
     """Return a surface about the origin and the axis z where a part is."""
     turn, place = _turn(part), np.asarray(part.at)
     paint = surface.paint
@@ -245,7 +245,7 @@ def _grid_on(part: PartTable) -> list[Float64[Array, "k 3"]]:
 
 def _block(edges: Array, color: int, place: Array | float = 0.0) -> Surface:
     block = cuboid(edges)
-    return _colored(Surface(block.vertices + place, block.faces), color)
+    return _color(Surface(block.vertices + place, block.faces), color)
 
 
 def _plate(edges: Array, color: int, place: Array, thin: int, size: Array) -> Surface:
@@ -253,7 +253,7 @@ def _plate(edges: Array, color: int, place: Array, thin: int, size: Array) -> Su
     return _block(_with(edges, thin, 2.0 * LIFT * float(np.max(size))), color, place)
 
 
-def _colored(surface: Surface, color: int) -> Surface:
+def _color(surface: Surface, color: int) -> Surface:
     return replace(surface, colors=np.full(len(surface.vertices), color))
 
 
@@ -267,12 +267,12 @@ def _unit(k: int) -> Float64[Array, "3"]:
     return np.eye(3)[k]
 
 
-def _painted(
+def _paint(
     pieces: Sequence[Surface], table: BodyTable | None, lines: Sequence[tuple[Array, int, float]] = ()
 ) -> Surface:
     """Return pieces as one painted surface; those of a body of one box, drawn about its middle, where that box is."""
     whole = replace(join_surfaces(pieces), paint=Paint(tuple(lines)))
-    return whole if table is None else _placed(whole, _parts(table)[0])
+    return whole if table is None else _place(whole, _parts(table)[0])
 
 
 LOOKS: dict[str, Callable[[BodyTable, Surface | None], Surface]] = {
