@@ -42,6 +42,11 @@ gc.disable()  # while modules are imported, of which nothing is garbage: a fifth
 MAX_SECONDS = 900  # of one test, on a machine that does other things too
 MAX_SECONDS_IN_A_BROWSER = 240
 MAX_SECONDS_OF_A_SWEEP = 3000
+CHROMIUM = Path("/usr/bin/chromium")  # of Debian
+SWITCHES = (
+    "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
+    "--disable-component-update --disable-sync"
+)
 
 
 def pytest_configure(config):
@@ -131,6 +136,20 @@ def _most_resident():
 
 
 MOST_RESIDENT = _most_resident()
+
+
+@pytest.fixture(scope="session")
+def browser():
+    """Chromium, which pip cannot bring: the README's test command skips without it, CI installs and requires it.
+
+    One for all tests of a worker: playwright cannot be started twice in a process.
+    """
+    if not CHROMIUM.exists() and os.environ.get("POLHODE_BROWSER") != "required":
+        pytest.skip(f"{CHROMIUM} is missing")
+    with pytest.importorskip("playwright.sync_api").sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=str(CHROMIUM), args=SWITCHES.split())
+        yield opened
+        opened.close()
 
 
 @pytest.fixture

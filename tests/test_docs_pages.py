@@ -102,22 +102,19 @@ def built(tmp_path_factory):
 
 
 @pytest.mark.browser
-@pytest.mark.skipif(not Path("/usr/bin/chromium").exists(), reason="/usr/bin/chromium is missing")
-def test_search_works_from_a_disk(built):
-    api = pytest.importorskip("playwright.sync_api")
-    with api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox"])
-        tab = browser.new_context(offline=True).new_page()
-        complaints = []
-        tab.on("console", lambda message: message.type == "error" and complaints.append(message.text))
-        tab.on("pageerror", lambda error: complaints.append(str(error)))
-        tab.goto((built / "index.html").as_uri())
-        field = tab.locator("input[name=q]").first
-        field.fill("from_euler_angles")
-        field.press("Enter")
-        result = tab.locator("#search-results li a").first
-        result.wait_for(timeout=20_000)
-        assert "from_euler_angles" in result.text_content()
-        result.click()
-        assert tab.url.startswith("file:") and "rotation.html" in tab.url and not complaints
-        browser.close()
+def test_search_works_from_a_disk(built, browser):
+    context = browser.new_context(offline=True)
+    tab = context.new_page()
+    complaints = []
+    tab.on("console", lambda message: message.type == "error" and complaints.append(message.text))
+    tab.on("pageerror", lambda error: complaints.append(str(error)))
+    tab.goto((built / "index.html").as_uri())
+    field = tab.locator("input[name=q]").first
+    field.fill("from_euler_angles")
+    field.press("Enter")
+    result = tab.locator("#search-results li a").first
+    result.wait_for(timeout=20_000)
+    assert "from_euler_angles" in result.text_content()
+    result.click()
+    assert tab.url.startswith("file:") and "rotation.html" in tab.url and not complaints
+    context.close()

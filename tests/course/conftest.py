@@ -1,12 +1,10 @@
-"""The course, built once; and the browser of the page's tests."""
+"""The course, built once."""
 
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-
-from viewer.conftest import browser as browser  # the same Chromium
 
 COURSE = Path(__file__).parents[2] / "learn"
 

@@ -1,23 +1,16 @@
-"""Pages of examples, each made once, and Debian's chromium to open them in."""
+"""Pages of examples, each made once, and what the browser says about them."""
 
-import os
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import sync_playwright
 
 from polhode.kinds.page import page_of_report
 from polhode.kinds.reading import read_spec
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SHORTER = {"euler_disk": {"until": 0.6, "samples": 600}}  # to its end it takes half a minute
-CHROMIUM = Path("/usr/bin/chromium")
 SCREENSHOTS = Path(__file__).parents[2] / "build" / "screenshots"
-SWITCHES = (
-    "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
-    "--disable-component-update --disable-sync"
-)
 
 
 @pytest.fixture(scope="session")
@@ -33,17 +26,6 @@ def example_page(tmp_path_factory):
         return made[name]
 
     return page
-
-
-@pytest.fixture(scope="session")
-def browser():
-    """Chromium, which pip cannot bring: the README's test command skips without it, CI installs and requires it."""
-    if not CHROMIUM.exists() and os.environ.get("POLHODE_BROWSER") != "required":
-        pytest.skip(f"{CHROMIUM} is missing")
-    with sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=str(CHROMIUM), args=SWITCHES.split())
-        yield found
-        found.close()
 
 
 class Opened:
