@@ -7,7 +7,7 @@ from pathlib import Path
 import typer
 
 from polhode.cli.terminal import open_in_browser
-from polhode.course.exercises import chapter_names, read_chapter
+from polhode.course.exercises import chapter_names, choose_chapter
 from polhode.course.site import built_course, page_of_chapter
 from polhode.course.worksheets import worksheet
 from polhode.errors import InvalidInput, one_line, shown
@@ -36,7 +36,7 @@ def run_learn(
 def _write_sheet(chapter: str | None, key: bool, seed: int, out: Path | None) -> None:
     if chapter is None:
         raise InvalidInput(f"a worksheet is of a chapter: name one of {', '.join(chapter_names())}.")
-    read_chapter(chapter)
+    chapter = choose_chapter(chapter_names(), chapter)
     target = out or Path(f"{chapter}{'-key' if key else ''}.html")
     if target.suffix.lower() not in (".html", ".htm"):
         raise InvalidInput(f"--out must end with .html, as a worksheet is a page; got {shown(str(target))}.")

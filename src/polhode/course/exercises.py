@@ -11,6 +11,7 @@ import math
 import re
 import tomllib
 import zlib
+from collections.abc import Collection, Iterable
 from functools import cache
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
@@ -273,7 +274,7 @@ class Chapter(_Data):
 
 def chapter_names() -> list[str]:
     """Return the names of the chapters that have exercises, in their order."""
-    return [path.stem.partition("_")[2].replace("_", "-") for path in sorted(FOLDER.glob("*.toml"))]
+    return list(chapters_of_files(FOLDER.glob("*.toml")))
 
 
 @cache
@@ -281,19 +282,36 @@ def read_chapter(name: str) -> Chapter:
     """Return the exercises of a chapter.
 
     Args:
-        name: such as "two-surfaces"; ``chapter_names`` lists them.
+        name: such as "two-surfaces", or its number, such as "5"; ``chapter_names`` lists them.
 
     Raises:
         InvalidInput: for an unknown name, or a file that breaks a rule.
     """
-    paths = {path.stem.partition("_")[2].replace("_", "-"): path for path in sorted(FOLDER.glob("*.toml"))}
-    if name not in paths:
-        raise InvalidInput(f"a chapter must be one of {', '.join(paths)}; got {shown(name)}."
-                           f"{suggest_name(name, list(paths))}")  # fmt: skip
+    paths = chapters_of_files(FOLDER.glob("*.toml"))
+    path = paths[choose_chapter(paths, name)]
     try:
-        return Chapter.model_validate(tomllib.loads(paths[name].read_text("utf-8")))
+        return Chapter.model_validate(tomllib.loads(path.read_text("utf-8")))
     except (tomllib.TOMLDecodeError, ValidationError) as error:
-        raise InvalidInput(f"{paths[name].name}: {error}") from None
+        raise InvalidInput(f"{path.name}: {error}") from None
+
+
+def chapters_of_files(paths: Iterable[Path]) -> dict[str, Path]:
+    """Return the files of chapters by the chapters' names, in their order: "two-surfaces" for 05_two_surfaces.toml."""
+    return {path.stem.partition("_")[2].replace("_", "-"): path for path in sorted(paths)}
+
+
+def choose_chapter(names: Collection[str], chapter: str) -> str:
+    """Return the name of a chapter that is given by its name or number.
+
+    Raises:
+        InvalidInput: for a chapter that there is not.
+    """
+    by_number = {str(number): name for number, name in enumerate(names, 1)}
+    name = by_number.get(chapter.lstrip("0"), chapter)
+    if name not in names:
+        raise InvalidInput(f"a chapter must be a number from 1 to {len(names)} or one of {', '.join(names)}; "
+                           f"got {shown(chapter)}.{suggest_name(chapter, list(names))}")  # fmt: skip
+    return name
 
 
 def evaluate(expression: str, values: dict[str, Any]) -> Any:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from polhode.course.exercises import suggest_name
+from polhode.course.exercises import chapters_of_files, choose_chapter
 from polhode.errors import InvalidInput, shown
 
 SITE = Path(__file__).parent / "site"
@@ -38,14 +38,10 @@ def page_of_chapter(front: Path, chapter: str) -> Path:
 
     Args:
         front: the first page of the course.
-        chapter: its name, such as "two-surfaces".
+        chapter: its name, such as "two-surfaces", or its number.
 
     Raises:
         InvalidInput: for a chapter that the course does not hold.
     """
-    paths = sorted((front.parent / "chapters").glob("*.html"))
-    pages = {page.stem.partition("_")[2].replace("_", "-"): page for page in paths}
-    if chapter not in pages:
-        raise InvalidInput(f"a chapter must be one of {', '.join(pages)}; got {shown(chapter)}."
-                           f"{suggest_name(chapter, list(pages))}")  # fmt: skip
-    return pages[chapter]
+    pages = chapters_of_files((front.parent / "chapters").glob("*.html"))
+    return pages[choose_chapter(pages, chapter)]

@@ -37,7 +37,7 @@ def derive(
 @app.command(cls=StrictCommand)
 def learn(
     chapter: Annotated[
-        str | None, typer.Argument(metavar="[CHAPTER]", help="Where to begin, like two-surfaces; else at the front.")
+        str | None, typer.Argument(metavar="[CHAPTER]", help="Where to begin, like 5 or two-surfaces.")
     ] = None,
     worksheet: Annotated[
         bool, typer.Option("--worksheet", help="Write the chapter's exercises as a page to print.")
