@@ -54,7 +54,7 @@ def run_import(
     written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported to the same folder has
     check_spares(written, path)
     begin = find_begin(path, trajectory)
-    header = {"title": path.name if labels is None else labels.object_name}
+    header = {"title": path.name if labels is None else labels.object_name or path.name}
     header |= {COUNTED_FROM: in_words(begin)} if begin else {}
     what = "sample" if trajectory.attitude is None else "attitude"
     name = kind_in_words(kind, article=False)
@@ -115,6 +115,12 @@ def _with_states(trajectory: Trajectory) -> Trajectory:
     return replace(trajectory, states=states, layout=StateLayout(tuple(part for part, _ in parts)))
 
 
+def _word_frames(labels: AttitudeLabels) -> str | None:
+    """Return the frames that a file names, None where it names none."""
+    named = ((labels.body_frame, "body"), (labels.reference_frame, "space"))
+    return " in ".join(f"{name} ({what})" for name, what in named if name) or None
+
+
 def about_file(trajectory: Trajectory, labels: AttitudeLabels | None, kept: str) -> Group:
     """Return the answers about a file's content; ``kept`` names whose invariants the drift is of."""
     times = np.asarray(trajectory.times)
@@ -127,12 +133,11 @@ def about_file(trajectory: Trajectory, labels: AttitudeLabels | None, kept: str)
     gap_from = float(times[int(np.argmax(steps))]) if several else None
     fastest = None if velocity is None else float(np.linalg.norm(np.asarray(velocity), axis=-1).max())
     named = [] if labels is None else [
-        Answer("object", labels.object_name, "", "object", "",
-               ", ".join(filter(None, (labels.object_name, labels.object_id)))),
+        Answer("object", labels.object_name or None, "", "object", "",
+               ", ".join(filter(None, (labels.object_name, labels.object_id))) or None),
         Answer("object_id", labels.object_id),
-        Answer("reference_frame", labels.reference_frame, "", "frames", "",
-               f"{labels.body_frame} (body) in {labels.reference_frame} (space)"),
-        Answer("body_frame", labels.body_frame),
+        Answer("reference_frame", labels.reference_frame or None, "", "frames", "", _word_frames(labels)),
+        Answer("body_frame", labels.body_frame or None),
         Answer("epoch", labels.epoch, "", "time zero", "", f"{labels.epoch} {labels.time_system}"),
         Answer("time_system", labels.time_system),
     ]  # fmt: skip

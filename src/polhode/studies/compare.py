@@ -172,6 +172,6 @@ def _names(a: Source, b: Source) -> list[str]:
     notes = []
     for name, words in (("reference_frame", "space axes"), ("body_frame", "body axes"), ("object_name", "objects")):
         mine, theirs = getattr(a.labels, name), getattr(b.labels, name)
-        if same_name(mine) != same_name(theirs):
+        if mine and theirs and same_name(mine) != same_name(theirs):
             notes.append(f"{words} have different names, {mine} and {theirs}; they are compared as if the same.")
     return notes

@@ -144,7 +144,8 @@ def read_recorded(
 
         if table is None:
             raise needs_mapping(path)
-        return kind, read_columns(path, table.mapping), None
+        read = read_columns(path, table.mapping)
+        return kind, read, find_labels(read)
     form = forms().get(kind)
     if form is None or form.read is None:
         raise InvalidInput(f"{path}: is no AEM, C-kernel, table or dataset, as it does not begin like one. Check the "
@@ -187,14 +188,22 @@ def load_source(path: Path, kernels: Kernels, table: Table | None = None, kind: 
         return _from_spec(path)
     _, recorded, labels = read_recorded(path, kernels, table, kind)
     if kind == TABLE and recorded.attitude is None:
-        raise InvalidInput(f"{path}: a comparison is of attitudes, and only --gyro is given. Name them by --quat or "
-                           "--euler.")  # fmt: skip
+        raise InvalidInput(f"{path}: a comparison is of attitudes, and only --gyro is given. Name them by --quat, "
+                           "--matrix, --mrp or --euler.")  # fmt: skip
     trajectory = recorded.along("given")
     history = replace(
-        _history(path, trajectory), resolution=0.0 if kind == TABLE else forms()[kind].resolution,
+        _history(path, trajectory), resolution=_resolution(kind, recorded),
         mechanics=_find_mechanics(trajectory, recorded.frame),
     )  # fmt: skip
     return Source(kind, trajectory, history, labels, None, find_begin(path, recorded))
+
+
+def _resolution(kind: str, recorded: Trajectory) -> float:
+    """Return by how much a file's times may be off, as they are written with so many digits [s]."""
+    said = recorded.source.attributes.get("time_resolution") if isinstance(recorded.source, Recording) else None
+    if isinstance(said, float | int) and said > 0.0:
+        return float(said)
+    return forms()[kind].resolution if kind in forms() else 0.0
 
 
 def _find_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanics | None:

@@ -15,6 +15,7 @@ from polhode.cli.source_options import (
     ClockKernel,
     ClockOffset,
     ColumnUnit,
+    CountScale,
     Decimal,
     Direction,
     EulerColumns,
@@ -23,10 +24,13 @@ from polhode.cli.source_options import (
     GyroColumns,
     LeapSeconds,
     MappingFile,
+    MatrixColumns,
+    MrpColumns,
     QuatColumns,
     QuatOrder,
     SpiceId,
     TimeColumn,
+    TimeSystem,
     TimeUnit,
 )
 from polhode.formats.form_registry import writable_forms
@@ -58,13 +62,17 @@ def fit(
     mapping: MappingFile = None,
     time: TimeColumn = None,
     time_unit: TimeUnit = None,
+    time_system: TimeSystem = None,
     quat: QuatColumns = None,
     order: QuatOrder = None,
     direction: Direction = None,
+    matrix: MatrixColumns = None,
+    mrp: MrpColumns = None,
     euler: EulerColumns = None,
     sequence: EulerSequence = None,
     gyro: GyroColumns = None,
     unit: ColumnUnit = None,
+    scale: CountScale = None,
     decimal: Decimal = None,
 ) -> None:
     """Fit the inertia of a thrown body to gyro logs, or a molecule's constants to measured lines.
@@ -77,7 +85,8 @@ def fit(
     from polhode.cli.fit import run_fit
     from polhode.studies.throws import ThrowOptions
 
-    columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
+    columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
+                            gyro, unit, scale, decimal)  # fmt: skip
     for_throws = ThrowOptions(window or (), drag, torque, rotor, gain, clip, moment, mass, added_weight, weighted or ())
     run_fit(files, free, for_throws, columns, out, figures, json)
 
@@ -117,13 +126,17 @@ def import_(
     mapping: MappingFile = None,
     time: TimeColumn = None,
     time_unit: TimeUnit = None,
+    time_system: TimeSystem = None,
     quat: QuatColumns = None,
     order: QuatOrder = None,
     direction: Direction = None,
+    matrix: MatrixColumns = None,
+    mrp: MrpColumns = None,
     euler: EulerColumns = None,
     sequence: EulerSequence = None,
     gyro: GyroColumns = None,
     unit: ColumnUnit = None,
+    scale: CountScale = None,
     decimal: Decimal = None,
 ) -> None:
     """Read another tool's attitude history; write it as NetCDF.
@@ -135,7 +148,8 @@ def import_(
     from polhode.cli.importing import run_import
     from polhode.formats.form import Kernels
 
-    columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
+    columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
+                            gyro, unit, scale, decimal)  # fmt: skip
     run_import(file, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns)
 
 
@@ -158,13 +172,17 @@ def compare(
     mapping: MappingFile = None,
     time: TimeColumn = None,
     time_unit: TimeUnit = None,
+    time_system: TimeSystem = None,
     quat: QuatColumns = None,
     order: QuatOrder = None,
     direction: Direction = None,
+    matrix: MatrixColumns = None,
+    mrp: MrpColumns = None,
     euler: EulerColumns = None,
     sequence: EulerSequence = None,
     gyro: GyroColumns = None,
     unit: ColumnUnit = None,
+    scale: CountScale = None,
     decimal: Decimal = None,
 ) -> None:
     """Say how two attitude histories differ.
@@ -176,7 +194,8 @@ def compare(
     from polhode.cli.compare import run_compare
     from polhode.formats.form import Kernels
 
-    columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
+    columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
+                            gyro, unit, scale, decimal)  # fmt: skip
     run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns, offset)
 
 
