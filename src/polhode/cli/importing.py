@@ -23,7 +23,7 @@ from polhode.motion.frame import BodyFrame
 from polhode.reports.answer import Answer, Group
 from polhode.reports.report import PlainReport
 from polhode.reports.wording import drifts, rate, write_count
-from polhode.studies.sources import COUNTED_FROM, find_begin, kind_in_words, load_body, read_recorded
+from polhode.studies.sources import COUNTED_FROM, TABLE, find_begin, is_table, kind_in_words, load_body, read_recorded
 from polhode.studies.tables import describe_reading, list_reading_notes
 
 
@@ -35,13 +35,13 @@ def run_import(
 
     table = table_to_import(columns)
     kind, trajectory, labels = read_recorded(path, kernels, table)
-    if table is not None and kind != "table":
+    if table is not None and kind != TABLE:
         why = f"is {kind_in_words(kind)}, and the options of columns are for tables"
         raise InvalidInput(f"{path}: {why}. Leave them out.")
     if kind in forms() and forms()[kind].is_own:
         raise InvalidInput(f"{path}: is {kind_in_words(kind)} of polhode's already; there is nothing to import.")
     notes, groups = [], []
-    if kind == "table":
+    if is_table(kind):
         notes = list_reading_notes(trajectory, one_line(path.name))
         groups = [describe_reading(trajectory, "How the table is read", "read_as")]
     if trajectory.outcome.message:

@@ -42,7 +42,8 @@ class ColumnMapping:
     Attributes:
         time: the column of the times, or two columns whose values add up, like seconds and nanoseconds.
         time_unit: "s", "ms", "us", "ns", "min", "h" or "d", one for each column; or a calendar: "mjd", "jd", "unix",
-            "unix-ms", "unix-us", "unix-ns", or "gps", seconds from 1980 or weeks and seconds. None where the column's
+            "unix-ms", "unix-us", "unix-ns", "gmat", days from JD 2430000, or "gps", seconds from 1980 or weeks and
+            seconds. None where the column's
             name says it, as "t [s]" or "time_ms" do, and for dates and times of day, which show what they are.
         time_system: of dates without a zone and of Julian days: "UTC", "TAI", "TT", "TDB" or "GPS".
         quat: the four columns of the attitude quaternion, as names or numbers with commas between, or a sequence; or

@@ -15,7 +15,7 @@ TIME_UNITS = {
     "h": ("hr", "hrs", "hour", "hours"),
     "d": ("day", "days"),
 }
-CALENDARS = ("mjd", "jd", "gps", "unix", "unix-ms", "unix-us", "unix-ns")
+CALENDARS = ("mjd", "jd", "gps", "unix", "unix-ms", "unix-us", "unix-ns", "gmat")
 """Ways to count time from a calendar day, beside dates written out, which show what they are."""
 ANGLE_UNITS = {"deg": ("°", "degs", "degree", "degrees"), "rad": ("rads", "radian", "radians")}
 RATE_UNITS = {

@@ -19,7 +19,7 @@ from polhode.reports.answer import Group
 from polhode.studies.clocks import lay_side_by_side, parse_offset
 from polhode.studies.comparison_report import ComparisonReport
 from polhode.studies.naming import name_file_in_errors
-from polhode.studies.sources import Source, kind_in_words, load_body, load_source
+from polhode.studies.sources import TABLE, Source, is_table, kind_in_words, load_body, load_source
 from polhode.studies.tables import Table, describe_reading, list_reading_notes
 
 SAME_INERTIA = 1e-6  # relative; what seven digits of a file leave
@@ -127,10 +127,10 @@ def _check_used(a: Source, b: Source, tables: tuple[Table | None, Table | None])
         InvalidInput: naming the file.
     """
     for side, table in zip((a, b), tables, strict=True):
-        if table is not None and table.only and side.kind != "table":
+        if table is not None and table.only and side.kind != TABLE:
             why = f"is {kind_in_words(side.kind)}, and a mapping is for tables"
             raise InvalidInput(f"{side.history.name}: {why}. Leave its part of the mapping out.")
-    if tables != (None, None) and "table" not in (a.kind, b.kind):
+    if tables != (None, None) and TABLE not in (a.kind, b.kind):
         why = "is a table, and the options of columns are for these"
         raise InvalidInput(f"neither {a.history.name} nor {b.history.name} {why}. Leave them out.")
 
@@ -139,7 +139,7 @@ def _readings(a: Source, b: Source) -> tuple[list[Group], list[str]]:
     """Return how tables among the two are read, and notes on it."""
     groups, notes = [], []
     for name, side in (("a", a), ("b", b)):
-        if side.kind == "table":
+        if is_table(side.kind):
             title = f"How {side.history.name} ({name.upper()}) is read"
             groups.append(describe_reading(side.trajectory, title, f"read_as.{name}"))
             notes += list_reading_notes(side.trajectory, side.history.name)

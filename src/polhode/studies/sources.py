@@ -15,7 +15,7 @@ from polhode.analysis.comparison import AttitudeHistory, Mechanics
 from polhode.errors import FormatError, InvalidInput, PolhodeError, one_line, shown
 from polhode.formats.attitude_checks import check_recorded, single_attitude
 from polhode.formats.form import Form, Kernels
-from polhode.formats.form_registry import form_that_begins, forms
+from polhode.formats.form_registry import form_that_begins, form_that_is_named, forms
 from polhode.formats.labels import AttitudeLabels, Recording, find_labels
 from polhode.formats.opening import is_folder, open_file
 from polhode.formats.stamps import exact_number
@@ -97,11 +97,10 @@ def detect_kind(path: Path, table: Table | None = None) -> str:
     with open_file(path, "spec or motion") as file:
         head = file.read(HEAD)
     begin = head.removeprefix(b"\xef\xbb\xbf")
-    form = form_that_begins(begin)
-    if form is not None and not (form.name == "csv" and _is_chosen(begin, table)):
+    form = form_that_begins(begin) or (form_that_is_named(path) if table is None else None)
+    overruled = form is not None and form.is_table and table is not None and (table.only or _fits(path, table))
+    if form is not None and not overruled and not (form.name == "csv" and _is_chosen(begin, table)):
         return form.name
-    if b"<aem" in head or b"<ndm" in head:
-        raise FormatError(f"{path}: is XML; AEMs are read as text of keyword = value. Convert it.")
     if head.startswith(b"PK\x03\x04"):
         raise FormatError(f"{path}: is a zip archive, from which only fit takes logs of gyros. Unpack it.")
     if b"\0" in head:
@@ -110,6 +109,23 @@ def detect_kind(path: Path, table: Table | None = None) -> str:
     if path.suffix.lower() == ".toml":
         return SPEC
     return TABLE if table is not None or _looks_like_table(path, head) else SPEC
+
+
+def is_table(kind: str) -> bool:
+    """Whether a kind of file is a table of another tool, whose reading is told."""
+    return kind == TABLE or (kind in forms() and forms()[kind].is_table)
+
+
+def _fits(path: Path, table: Table) -> bool:
+    """Whether a mapping for two files is for this one: whether its columns are there."""
+    from polhode.formats.column_resolution import resolve_mapping
+    from polhode.formats.plain_table import table_form
+
+    try:
+        resolve_mapping(path, table_form(path), table.mapping)
+    except InvalidInput:
+        return False
+    return True
 
 
 def _is_chosen(begin: bytes, table: Table | None) -> bool:
