@@ -14,6 +14,9 @@ ClockOffset = Annotated[
     typer.Option("--offset", metavar="TIME",
                  help="A's time at B's time zero, like -68.5s; or start: both begin at the same moment."),
 ]  # fmt: skip
+AlignClock = Annotated[
+    bool, typer.Option("--align-clock", help="Find the offset of the clocks from the attitudes, with its error.")
+]
 ClockKernel = Annotated[
     Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel (default: next to it, .tsc).")
 ]

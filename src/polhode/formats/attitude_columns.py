@@ -117,8 +117,8 @@ def _from_matrices(path: Path, table: PlainTable, values: Array, letters: str) -
     if not misfit.max() <= FAR_FROM_UNIT:
         row = int(np.argmax(~(misfit <= FAR_FROM_UNIT)))
         raise FormatError(
-            f"{where} {table.lines[row]}: a rotation matrix must be orthogonal, RᵀR = 1 to {FAR_FROM_UNIT:g}; it misses "
-            f"by {misfit[row]:.3g}. Check which columns it has."
+            f"{where} {table.lines[row]}: a rotation matrix must be orthogonal, RᵀR = 1 to {FAR_FROM_UNIT:g}; it "
+            f"misses by {misfit[row]:.3g}. Check which columns it has."
         )
     mirrored = np.linalg.det(matrices) < 0.0
     if mirrored.any():

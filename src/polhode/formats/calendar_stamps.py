@@ -29,7 +29,8 @@ from polhode.formats.table_form import TableForm
 DATE, TIME_OF_DAY = "dates", "times of day"
 KINDS = (DATE, TIME_OF_DAY, *CALENDARS)
 OWN_SYSTEM = {"gps": "GPS", "unix": "UTC", "unix-ms": "UTC", "unix-us": "UTC", "unix-ns": "UTC"}
-FIRST_DAY = {"mjd": Decimal(40587), "jd": Decimal("2440587.5"), "gmat": Decimal("10587.5")}  # 1970-01-01T00:00 as they count it
+FIRST_DAY = {"mjd": Decimal(40587), "jd": Decimal("2440587.5"), "gmat": Decimal("10587.5")}
+"""1970-01-01T00:00 as they count it [days]."""
 GPS_ZERO = 3657 * 86400  # s from 1970-01-01 to 1980-01-06, both of a uniform system
 WEEK = 604_800  # s
 ROLLOVER = 1024  # weeks, after which receivers of the first signal begin again

@@ -42,8 +42,8 @@ def read_42(path: Path) -> Trajectory:
     velocity = _read_lines(other, 3) if other.is_file() else None
     for name, values in ((beside, times), (other, velocity)):
         if values is not None and len(values) != len(attitude):
-            raise FormatError(f"{path}: has {len(attitude)} lines, and {name.name} has {len(values)}. Take files of one "
-                              "run.")  # fmt: skip
+            raise FormatError(f"{path}: has {len(attitude)} lines, and {name.name} has {len(values)}. Take files of "
+                              "one run.")  # fmt: skip
     return Trajectory(
         times, attitude, StateLayout((ATTITUDE,)), attitude, angular_velocity=velocity,
         outcome=Outcome(Ending.RECORDED), source=Recording(path.name),

@@ -71,8 +71,8 @@ def read_stk(path: str | Path) -> Trajectory:
     attitude, velocity = _attitudes(path, group, numbers)
     axes = group.keywords.get("coordinateaxes", "")
     still = axes.lower() in INERTIAL
-    doubt = "" if still else f"its attitudes are relative to the axes {axes or 'that it does not name'}, which are " \
-                             "taken as fixed in space"
+    named = axes or "that it does not name"
+    doubt = "" if still else f"its attitudes are relative to the axes {named}, which are taken as fixed in space"
     labels = None if epoch is None else AttitudeLabels(
         "", None, group.keywords.get("centralbody"), axes, "", epoch, "UTC", None, None
     )  # fmt: skip

@@ -101,6 +101,8 @@ def detect_kind(path: Path, table: Table | None = None) -> str:
     overruled = form is not None and form.is_table and table is not None and (table.only or _fits(path, table))
     if form is not None and not overruled and not (form.name == "csv" and _is_chosen(begin, table)):
         return form.name
+    if begin.lstrip().startswith(b"<?xml"):
+        raise FormatError(f"{path}: is XML, and no message of CCSDS's that is read here. Check the file.")
     if head.startswith(b"PK\x03\x04"):
         raise FormatError(f"{path}: is a zip archive, from which only fit takes logs of gyros. Unpack it.")
     if b"\0" in head:

@@ -12,6 +12,7 @@ from polhode.cli import tumble_options as tumbling
 from polhode.cli.arguments import StrictCommand
 from polhode.cli.commands.application import AsJson, BodySpec, SpecPath, app
 from polhode.cli.source_options import (
+    AlignClock,
     ClockKernel,
     ClockOffset,
     ColumnUnit,
@@ -165,6 +166,7 @@ def compare(
     ] = None,
     spec: BodySpec = None,
     offset: ClockOffset = None,
+    align_clock: AlignClock = False,
     sclk: ClockKernel = None,
     fk: FrameKernel = None,
     lsk: LeapSeconds = None,
@@ -196,7 +198,7 @@ def compare(
 
     columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
                             gyro, unit, scale, decimal)  # fmt: skip
-    run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns, offset)
+    run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns, offset, align_clock)
 
 
 @app.command(cls=StrictCommand)
