@@ -154,7 +154,7 @@ def _refine(motion: Moving, times: Array, attitude: Array, offset: float, turned
     """Return an offset improved from a start; None where it leaves the span, or does not converge."""
     space = np.array([1.0, 0.0, 0.0, 0.0])
     usual = float(np.median(np.diff(times)))
-    error = np.inf
+    error = rms = np.inf
     for k in range(ROUNDS):
         moved = times + offset
         inside = (moved >= motion.first) & (moved <= motion.last) if motion.is_bounded else np.ones(len(times), bool)

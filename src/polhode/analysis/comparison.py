@@ -196,7 +196,7 @@ def _noise(a: AttitudeHistory, b: AttitudeHistory) -> float | None:
     """Return the noise of both together; an exact motion has none."""
     each = [0.0 if one.exact is not None else attitude_noise(one.times, one.attitude) for one in (a, b)]
     known = [noise for noise in each if noise is not None]
-    return None if len(known) < 2 else float(np.hypot(*known))
+    return None if len(known) < 2 else float(np.hypot(known[0], known[1]))
 
 
 def align_clocks(a: AttitudeHistory, b: AttitudeHistory) -> ClockOffset:

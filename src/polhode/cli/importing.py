@@ -23,8 +23,11 @@ from polhode.motion.frame import BodyFrame
 from polhode.reports.answer import Answer, Group
 from polhode.reports.report import PlainReport
 from polhode.reports.wording import drifts, rate, write_count
+from polhode.studies.recorded_spec import tells_spin, write_spec
 from polhode.studies.sources import COUNTED_FROM, TABLE, find_begin, is_table, kind_in_words, load_body, read_recorded
 from polhode.studies.tables import describe_reading, list_reading_notes
+
+SPEC_ENDING = ".toml"
 
 
 def run_import(
@@ -50,8 +53,12 @@ def run_import(
     if spec is not None:
         trajectory, kept, more = _with_moments(trajectory, spec)
         notes += more
+    elif trajectory.frame is not None:
+        trajectory = _with_body(trajectory, trajectory.frame, Mechanics(np.asarray(trajectory.frame.inertia)))
+        groups.append(_about_body(trajectory))
     groups.append(about_file(trajectory, labels, kept))
-    written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported to the same folder has
+    ending = SPEC_ENDING if len(trajectory.times) == 1 and tells_spin(trajectory) else ".nc"
+    written = out or Path(f"{path.stem}_imported{ending}")  # not the name of a dataset exported to the same folder
     check_spares(written, path)
     begin = find_begin(path, trajectory)
     header = {"title": path.name if labels is None else labels.object_name or path.name}
@@ -60,8 +67,26 @@ def run_import(
     name = kind_in_words(kind, article=False)
     summary = f"{name[0].upper()}{name[1:]} with {write_count(len(trajectory.times), what)}."
     groups.append(Group("", [Answer("drift", trajectory.drift)]))
-    report = PlainReport(str(path), name, summary, groups, notes, lambda out: write_dataset(trajectory, out, header))
-    publish(report, json, written)
+
+    def save(out: Path) -> Path:
+        if out.suffix.lower() == SPEC_ENDING:
+            return write_spec(trajectory, labels, out, path.name)
+        return write_dataset(trajectory, out, header)
+
+    publish(PlainReport(str(path), name, summary, groups, notes, save), json, written)
+
+
+def _about_body(trajectory: Trajectory) -> Group:
+    """Return the answers about the inertia in a file, and the spin at its first time."""
+    frame, momentum = trajectory.frame, trajectory.momentum
+    assert frame is not None
+    size = None if momentum is None else float(np.linalg.norm(np.asarray(momentum)[0]))
+    return Group("Body", [
+        Answer("body.moments", np.asarray(frame.moments), "kg m²", "principal moments"),
+        Answer("body.axes", np.asarray(frame.axes)),
+        Answer("body.mass", frame.mass, "kg", "mass"),
+        Answer("momentum_norm", size, "kg m²/s", "|L| at first"),
+    ])  # fmt: skip
 
 
 def _with_moments(trajectory: Trajectory, spec: Path) -> tuple[Trajectory, str, list[str]]:
