@@ -88,7 +88,7 @@ NO_ARRAYS = {
     "testing.judge.judge", "testing.judge.judge_file", "JudgeReport", "JudgeReport.figures",
     "judge_report.word_verdict", "FixedStepCase", "FixedStepResults", "fixed_step_cases", "run_fixed_steps",
     "judge_report.describe_verdict", "judge_report.describe_motion", "judge_report.word_ends",
-    "ReferenceMotion", "MotionErrors", "EngineComparison", "Comparison", "SpinDown", "Resonance", "AttitudeHistory",
+    "ReferenceMotion", "MotionErrors", "EngineComparison", "Comparison", "align_clocks", "SpinDown", "Resonance", "AttitudeHistory",
     "bodies.surface.Paint", "bodies.surface.Surface", "Surface.along", "Surface.coarsened", "surface.join_surfaces",
     "combine", "overlap_of", "stability_threshold", "Levels.of", "rotor.join_levels", "Rotor.from_body", "Rotor.levels",
     "Rotor.levels_of", "fitting.RotorFit", "RotorFit.worst", "RotorFit.predict",

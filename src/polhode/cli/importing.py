@@ -82,9 +82,9 @@ def _about_body(trajectory: Trajectory) -> Group:
     assert frame is not None
     size = None if momentum is None else float(np.linalg.norm(np.asarray(momentum)[0]))
     return Group("Body", [
-        Answer("body.moments", np.asarray(frame.moments), "kg m²", "principal moments"),
-        Answer("body.axes", np.asarray(frame.axes)),
-        Answer("body.mass", frame.mass, "kg", "mass"),
+        Answer("principal_moments", np.asarray(frame.moments), "kg m²", "principal moments"),
+        Answer("principal_axes", np.asarray(frame.axes)),
+        Answer("mass", frame.mass, "kg", "mass"),
         Answer("momentum_norm", size, "kg m²/s", "|L| at first"),
     ])  # fmt: skip
 

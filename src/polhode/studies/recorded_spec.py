@@ -41,9 +41,9 @@ def write_spec(trajectory: Trajectory, labels: AttitudeLabels | None, path: Path
     given, frame = trajectory.along("given"), trajectory.frame
     assert frame is not None and given.attitude is not None and given.angular_velocity is not None
     rows = [_quantities(row, "kg*m^2") for row in _rounded(np.asarray(frame.inertia))]
-    mass = "" if frame.mass is None else f'mass = "{float(frame.mass)!r} kg"\n'
+    mass = "" if frame.mass is None else f'mass = "{frame.mass:.15g} kg"\n'
     attitude = ", ".join(map(repr, np.asarray(given.attitude)[0].tolist()))
-    rates = ", ".join(f'"{rate!r} rad/s"' for rate in np.asarray(given.angular_velocity)[0].tolist())
+    rates = ", ".join(f'"{rate} rad/s"' for rate in map(repr, np.asarray(given.angular_velocity)[0].tolist()))
     text = (
         f"# From {json.dumps(source)}.\n[body]\ninertia = [\n" + "".join(f"    {row},\n" for row in rows) + f"]\n{mass}"
         f"\n[spin]\nangular_velocity = [{rates}]\n"

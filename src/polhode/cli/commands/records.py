@@ -113,11 +113,13 @@ def export(
 
 @app.command("import", cls=StrictCommand)
 def import_(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="CCSDS AEM, SPICE C-kernel, or any table of numbers.")],
+    file: Annotated[
+        Path, typer.Argument(metavar="FILE", help="Of CCSDS, SPICE, STK, 42 and others, or any table of numbers.")
+    ],
     json: AsJson = False,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE.nc", help="Dataset to write (default: the file's name and _imported.nc)."),
+        typer.Option("--out", metavar="FILE.nc", help="Dataset, or a spec, .toml (default: the file's name and _imported)."),
     ] = None,
     spec: BodySpec = None,
     sclk: ClockKernel = None,
@@ -142,8 +144,10 @@ def import_(
 ) -> None:
     """Read another tool's attitude history; write it as NetCDF.
 
-    What the history holds is printed. Of a table, such as a CSV file, say which columns are what, like
-    --time t --time-unit s --quat qw,qx,qy,qz --gyro gx,gy,gz --unit deg/s; how it is read is printed.
+    What the history holds is printed. Files of CCSDS, SPICE, STK and 42, and tables of PX4, ArduPilot, ROS, Basilisk
+    and GMAT are known by what they begin with. Of other tables say which columns are what, like
+    --time t --time-unit s --quat qw,qx,qy,qz --gyro gx,gy,gz --unit deg/s; how they are read is printed. Of a message
+    with inertia and spin at one time, an APM, a spec is written.
     """
     from polhode.cli.columns import ColumnOptions
     from polhode.cli.importing import run_import
@@ -157,7 +161,7 @@ def import_(
 @app.command(cls=StrictCommand)
 def compare(
     a: Annotated[
-        Path, typer.Argument(metavar="A", help="Spec, dataset or CSV of polhode's, CCSDS AEM, C-kernel, any table.")
+        Path, typer.Argument(metavar="A", help="Spec, dataset or CSV of polhode's, a file that import takes.")
     ],
     b: Annotated[Path, typer.Argument(metavar="B", help="The same; times are counted by A.")],
     json: AsJson = False,
