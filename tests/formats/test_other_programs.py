@@ -198,7 +198,7 @@ def test_options_overrule_what_a_table_is_known_as(folder, capsys):
 
 @pytest.mark.parametrize(("change", "words"), [
     (("END Attitude", ""), "has no END Attitude, so it is cut short"),
-    ((f"NumberOfAttitudePoints {len(TIMES)}", "NumberOfAttitudePoints 7"), "NumberOfAttitudePoints is 7, and there are"),
+    ((f"NumberOfAttitudePoints {len(TIMES)}", "NumberOfAttitudePoints 7"), "NumberOfAttitudePoints is 7, and there"),
     (("AttitudeTimeQuaternions", "AttitudeTimeDCM"), "AttitudeTimeDCM is not read here"),
     (("AttitudeTimeQuaternions", "AttitudeTimeEulerAngles"), "must have 3 numbers after the time"),
     (("CentralBody Earth", "TimeFormat JDate"), "TimeFormat must be EpSec, UTCG or ISO-YMD"),
@@ -230,12 +230,11 @@ def test_axes_that_turn_are_said(folder, capsys):
 def test_42_needs_its_times(folder):
     (folder / "qbn.42").write_text(CASES["42"][1])
     (folder / "time.42").write_text("0\n1\n")
-    with pytest.raises(FormatError, match="has 240 lines, and time.42 has 2"):
+    with pytest.raises(FormatError, match=r"has 240 lines, and time\.42 has 2"):
         ph.compare("free.toml", "qbn.42")
     (folder / "time.42").unlink()
-    with pytest.raises(InvalidInput, match="42 writes times into time.42, which is not next to it"):
+    with pytest.raises(InvalidInput, match=r"42 writes times into time\.42, which is not next to it"):
         ph.compare("free.toml", "qbn.42")
-    (folder / "qbn.toml").write_text(SPEC)
 
 
 # ---------------------------------------------------------------- CCSDS

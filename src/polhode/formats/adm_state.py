@@ -34,6 +34,7 @@ SPIN = ("SPIN_ALPHA", "SPIN_DELTA", "SPIN_ANGLE")
 INERTIA = {"IXX": (0, 0), "IYY": (1, 1), "IZZ": (2, 2), "IXY": (0, 1), "IXZ": (0, 2), "IYZ": (1, 2)}
 APART = 0.01  # rad; two attitudes of one instant that differ by more are no rounding
 RATES = {"ANGVEL": "ANGVEL", "Q_DOT": "DERIVATIVE", "EULER_RATE": "DERIVATIVE", "GYRO_BIAS": "", "NONE": ""}
+SIGNS = "IXY, IXZ and IYZ are taken as entries of the inertia matrix, which are minus the products of inertia"
 WIDTHS = {"QUATERNION": 4, "EULER_ANGLES": 3}
 
 
@@ -228,8 +229,4 @@ def _body(blocks: list[Block], body: str) -> tuple[BodyFrame | None, list[str]]:
         known = Body.from_inertia(matrix, mass)
     except InvalidInput as error:
         raise FormatError(f"{block.path}, line {block.line}: {error}") from None
-    doubts = [] if np.count_nonzero(matrix) == 3 else [
-        "off the diagonal IXY, IXZ and IYZ are taken as entries of the inertia matrix, which are minus the products of "
-        "inertia"
-    ]  # fmt: skip
-    return known.frame, doubts
+    return known.frame, [] if np.count_nonzero(matrix) == 3 else [SIGNS]

@@ -119,8 +119,9 @@ def import_(
     json: AsJson = False,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE.nc", help="Dataset, or a spec, .toml (default: the file's name and _imported)."),
-    ] = None,
+        typer.Option("--out", metavar="FILE", help="Dataset, .nc, or a spec, .toml (default: the file's name and "
+                     "_imported)."),
+    ] = None,  # fmt: skip
     spec: BodySpec = None,
     sclk: ClockKernel = None,
     fk: FrameKernel = None,
