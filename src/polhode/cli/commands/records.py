@@ -121,7 +121,7 @@ def import_(
         Path | None,
         typer.Option("--out", metavar="FILE", help="Dataset, .nc, or a spec, .toml (default: the file's name and "
                      "_imported)."),
-    ] = None,  # fmt: skip
+    ] = None,
     spec: BodySpec = None,
     sclk: ClockKernel = None,
     fk: FrameKernel = None,
