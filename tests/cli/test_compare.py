@@ -394,6 +394,7 @@ def test_clocks_that_nothing_says_are_one_are_refused_until_told(logs, capsys):
     """A log by the clock of a computer that booted 68 s before was compared with the motion's 68th second: 119°."""
     code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS], capsys)
     assert code == 2 and "share a clock" in err and "B at 68.497369 s" in err and "--offset=-68.497369s" in err
+    assert "--align-clock" in err
     for told in ("--offset=-68.497369s", "--offset=-68497.369 ms", "--offset=start"):
         found = values_of(["compare", "free.toml", "boot.csv", *COLUMNS, told], capsys)
         assert found["angle"]["largest"] <= 2e-6 and "--offset" in found["clocks"]  # stamps are cut to microseconds
@@ -402,7 +403,12 @@ def test_clocks_that_nothing_says_are_one_are_refused_until_told(logs, capsys):
     found = values_of(["compare", "free.toml", "boot.csv", *COLUMNS, "--offset", "0 s"], capsys)
     assert found["angle"]["largest"] > 1.0 and not found["alignment"]["explains"]
     code, out, _ = run(["compare", "free.toml", "boot.csv", *COLUMNS, "--offset", "0 s"], capsys)
-    assert "do not explain it" in out and "explain all" not in out
+    assert "do not explain it" in " ".join(out.split()) and "explain all" not in out
+    found = values_of(["compare", "free.toml", "boot.csv", *COLUMNS, "--align-clock"], capsys)
+    assert found["angle"]["largest"] <= 2e-6 and abs(found["clock_offset"]["value"] + 68.497369) < 1e-6
+    assert found["clock_offset"]["error"] < 1e-6 and "by the attitudes" in found["clocks"]
+    code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS, "--align-clock", "--offset", "0 s"], capsys)
+    assert code == 2 and "Leave one out" in err
     for wrong in ("68", "soon", "nan s", "1_0 s", "3 kg"):
         code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS, f"--offset={wrong}"], capsys)
         assert code == 2 and "--offset must be `start`" in err and err.count("\n") == 1

@@ -18,6 +18,7 @@ import traceback
 import warnings
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -26,7 +27,9 @@ import numpy as np
 import polhode as ph
 from polhode import formats
 from polhode.errors import InvalidInput
+from polhode.formats.form import Kernels
 from polhode.quantum import DEBYE, MeasuredLines, Rotor
+from polhode.studies.sources import read_recorded
 
 CPU_SECONDS, WALL_SECONDS = 10, 300  # a case may take; the second is for what waits
 MORE_MEMORY = 10**9  # bytes that a case may add to the process
@@ -266,6 +269,8 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
     formats.write_urdf_inertial(ph.shapes.box(12.0, (1.0, 2.0, 3.0)), folder / "a.urdf", principal=True)
     formats.write_aem(motion, folder / "a.aem", LABELS, rates="angular velocity")
     formats.write_csv(motion, folder / "a.csv")
+    for name, text in messages(motion).items():
+        (folder / name).write_text(text)
     lines = ROTOR.lines(3, 300.0)
     formats.write_cat(formats.catalogue_of(lines), folder / "a.cat")
     seen = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e4))
@@ -293,7 +298,57 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
         "a.zarr": Specimen(folder / "a.zarr", in_store, read_trajectory(formats.read_dataset)),
         "a.bc": Specimen(folder / "a.bc", in_kernels, read_trajectory(formats.read_ck)),
     }  # fmt: skip
+    for name in messages(motion):
+        form = "aem" if name.endswith("xml") else "csv" if name == "dates.csv" else name.partition(".")[2]
+        read = read_dates if form == "csv" else partial(read_form, form)
+        found[name] = Specimen(folder / name, in_text, read_trajectory(read))
     return {name: found[name] for name in names or found}
+
+
+def read_form(form: str, path: Path) -> Any:
+    """Return what the reader of a form makes of a file, checked as ``compare`` and ``import`` have it checked."""
+    return read_recorded(path, Kernels(), kind=form)[1]
+
+
+def read_dates(path: Path) -> Any:
+    """Return a table of dates, matrices and counts."""
+    words = {"time": 1, "matrix": tuple(range(2, 11)), "direction": "body-to-space", "gyro": (11, 12, 13)}
+    return formats.read_columns(path, formats.ColumnMapping(**words, scale="131 LSB/(deg/s)"))
+
+
+def messages(motion: Any) -> dict[str, str]:
+    """Return small files in the shapes of other programs, by name."""
+    rows = [f"{t:.6f} {' '.join(f'{x:.9f}' for x in q[[1, 2, 3, 0]])}"
+            for t, q in zip(motion.times, motion.attitude, strict=True)]  # fmt: skip
+    stk = ["stk.v.11.0", "BEGIN Attitude", f"NumberOfAttitudePoints {len(rows)}", "ScenarioEpoch 1 Jun 2002 12:00:00.0",
+           "CoordinateAxes J2000", "AttitudeTimeQuaternions", *rows, "END Attitude"]  # fmt: skip
+    header = ["ORIGINATOR = X", "OBJECT_NAME = BOX", "OBJECT_ID = 1", "TIME_SYSTEM = UTC"]
+    frames = ["REF_FRAME_A = EME2000", "REF_FRAME_B = SC_BODY_1"]
+    inertia = ["IXX = 1 [kg*m**2]", "IYY = 2 [kg*m**2]", "IZZ = 2.5 [kg*m**2]", "IXY = 0.1 [kg*m**2]"]
+    apm = ["CCSDS_APM_VERS = 2.0", *header, "EPOCH = 2026-03-01T12:00:00", "SPIN_START", *frames, "SPIN_ALPHA = 10",
+           "SPIN_DELTA = 20 [deg]", "SPIN_ANGLE = 30", "SPIN_ANGLE_VEL = 4 [deg/s]", "NUTATION = 1",
+           "NUTATION_PER = 70 [s]", "NUTATION_PHASE = 5", "SPIN_STOP", "INERTIA_START", *inertia,
+           "INERTIA_STOP"]  # fmt: skip
+    acm = ["CCSDS_ACM_VERS = 2.0", "META_START", *header, "EPOCH_TZERO = 2026-03-01T12:00:00", "META_STOP", "ATT_START",
+           *frames, "ATT_TYPE = QUATERNION", "RATE_TYPE = NONE", *rows, "ATT_STOP", "PHYS_START", *inertia,
+           "PHYS_STOP"]  # fmt: skip
+    states = "".join(
+        f"<attitudeState><quaternionEphemeris><EPOCH>2026-03-01T12:00:{float(t):09.6f}</EPOCH><quaternion>"
+        f"<Q1>{x}</Q1><Q2>{y}</Q2><Q3>{z}</Q3><QC>{w}</QC></quaternion></quaternionEphemeris></attitudeState>\n"
+        for t, x, y, z, w in (row.split() for row in rows)
+    )  # fmt: skip
+    tags = {"OBJECT_NAME": "BOX", "OBJECT_ID": "1", "REF_FRAME_A": "EME2000", "REF_FRAME_B": "SC_BODY_1",
+            "TIME_SYSTEM": "UTC", "START_TIME": "2026-03-01T12:00:00", "STOP_TIME": "2026-03-01T12:00:09",
+            "ATTITUDE_TYPE": "QUATERNION"}  # fmt: skip
+    head = "\n".join(f"<{name}>{value}</{name}>" for name, value in tags.items())
+    xml = (f'<aem id="CCSDS_AEM_VERS" version="2.0">\n<body><segment><metadata>{head}</metadata><data>\n{states}</data>'
+           "</segment></body></aem>")  # fmt: skip
+    matrices = ph.rotation.as_matrix(motion.attitude).reshape(-1, 9)
+    dates = [f"2026-03-01T12:00:{t:09.6f}Z,{','.join(f'{x:.9f}' for x in row)},{k},-3,17"
+             for k, (t, row) in enumerate(zip(motion.times, matrices, strict=True))]  # fmt: skip
+    names = ",".join(["t", *(f"R{i}{j}" for i in "123" for j in "123"), "gx", "gy", "gz"])
+    texts = {"a.stk": stk, "a.apm": apm, "a.acm": acm, "new.xml": [xml], "dates.csv": [names, *dates]}
+    return {name: "\n".join(text) + "\n" for name, text in texts.items()}
 
 
 def read_table(path: Path) -> Any:

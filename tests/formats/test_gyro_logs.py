@@ -125,7 +125,7 @@ def test_samples_out_of_order_repeated_and_missing(tmp_path):
     (table(PHYPHOX[:3], [TIMES, RATES[:, :2]]), r"has the columns Time \(s\), Gyroscope x"),
     (table(PHYPHOX, [TIMES, RATES]) + "1.0,2.0,abc,3\n", r"line 14, column 3 .*abc"),
     (table(PHYPHOX, [TIMES, RATES]) + "1.0,2.0\n", r"line 14: has 2 cells"),
-    (table(PHYPHOX, [TIMES, RATES]) + "23:59:50.02,1,2,3\n", r"line 14, .*'23:59:50\.02'.*plain numbers"),
+    (table(PHYPHOX, [TIMES, RATES]) + "23:59:50.02,1,2,3\n", r"line 14, .*'23:59:50\.02'.*all of the column must be"),
 ])  # fmt: skip
 def test_what_is_no_log_is_refused_by_name(tmp_path, text, said):
     with pytest.raises(InvalidInput, match=rf"log\.csv.*{said}"):

@@ -19,6 +19,7 @@ from polhode.errors import FormatError
 WORKER = Path(reader_fuzz.__file__)
 TEXTS = ["ascii.stl", "ascii.ply", "a.obj", "a.off", "a.gltf", "water.xyz", "ext.xyz", "a.pdb", "a.mol", "a.urdf",
          "a.cat", "a.lin", "a.par"]  # fmt: skip
+OTHERS = ["a.stk", "a.apm", "a.acm", "new.xml", "dates.csv"]
 DATASETS = ["a.nc", "a.zarr"]  # forty milliseconds a file, ten times the others
 
 
@@ -42,7 +43,8 @@ def test_damaged_files(tmp_path):
 @pytest.mark.sweep
 @pytest.mark.parametrize(("names", "count"), [
     (["a.stl", "a.ply", "a.glb"], 2000), (TEXTS, 2000), (["a.aem", "a.csv"], 2000), (["a.bc"], 2000), (DATASETS, 2000),
-], ids=["meshes", "texts", "tables", "kernels", "datasets"])  # fmt: skip
+    (OTHERS, 2000),
+], ids=["meshes", "texts", "tables", "kernels", "datasets", "others"])  # fmt: skip
 def test_many_damaged_files(tmp_path, names, count):
     run(tmp_path, 1, count, names)
 

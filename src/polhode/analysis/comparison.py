@@ -9,6 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis._attitude_noise import attitude_noise
+from polhode.analysis._clock_offset import ClockOffset, Moving, find_clock_offset
 from polhode.analysis._mechanics import Mechanics, invariants_along
 from polhode.analysis.alignment import Alignment, fit_alignment
 from polhode.arrays import is_traced
@@ -18,8 +20,8 @@ from polhode.motion.base import AbstractMotion
 from polhode.types import Array, Float64
 
 SAME_TIME = 1e-9  # of a step: two samples that near are at the same time, written with other digits
-EXPLAINED = 0.1  # of the rms angle; nine numbers fitted to angles that end at π leave a third of it of anything
-SMALL = 0.01  # rad; what leaves more is another motion, however much it began with
+NOISY = 2.0  # times the noise of the samples: what leaves no more is noise, as far as it is known
+PEAK = 6.0  # times the noise, which the largest of a million samples of it stays below
 ENDS = 16  # samples at either end whose rates a spline does not know; its error there falls to a quarter with each
 ROUNDING = 1e-12  # rad; errors below are of rounding, and nothing is fitted to them
 MARGIN = 2.0  # on what rounding of times may miss: the bound is met exactly by a steady turn, and speeds are estimates
@@ -91,6 +93,8 @@ class Comparison:
         interpolation_error: what a spline through every second sample of B misses the others by [rad], more than what
             the spline through all of them does; None where nothing was interpolated.
         rounding: angles up to this are of rounding, that of times included [rad].
+        noise: root mean square angle by which the samples of both scatter, printed digits included [rad]; None where
+            it is not known.
     """
 
     names: tuple[str, str]
@@ -102,6 +106,16 @@ class Comparison:
     method: str
     interpolation_error: float | None
     rounding: float = ROUNDING
+    noise: float | None = None
+
+    @property
+    def is_noise(self) -> bool:
+        """Whether they differ by no more than the samples scatter."""
+        return self._is_noise(self.angle)
+
+    def _is_noise(self, angles: Float64[Array, "time"]) -> bool:
+        noise = self.noise or 0.0
+        return float(np.sqrt(np.mean(angles**2))) <= NOISY * noise and float(angles.max()) <= PEAK * noise
 
     @property
     def is_rounding(self) -> bool:
@@ -120,13 +134,11 @@ class Comparison:
 
     @property
     def explained(self) -> bool:
-        """Whether the alignment leaves only rounding or interpolation errors, or less than a small tenth."""
-        if self.alignment is None:
+        """Whether the alignment leaves only rounding, interpolation errors, or the noise of the samples."""
+        if self.alignment is None or self.is_noise:
             return False
         left = float(self.alignment.remaining.max())
-        if left <= max(self.rounding, self.interpolation_error or 0.0):
-            return True
-        return self.alignment.rms < EXPLAINED * self.rms and left < SMALL
+        return left <= max(self.rounding, self.interpolation_error or 0.0) or self._is_noise(self.alignment.remaining)
 
 
 Source = AttitudeHistory | Trajectory | AbstractMotion
@@ -176,7 +188,47 @@ def _compare(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Compariso
     # a single rotation is explained by any misalignment
     alignment = fit_alignment(times, at_a, at_b) if len(times) > 1 and angle.max() > rounding else None
     invariants = _invariants(a, times, 0.0, slack), _invariants(b, times, offset, slack)
-    return Comparison((a.name, b.name), times, angle, growth, alignment, invariants, method, missed, rounding)
+    return Comparison((a.name, b.name), times, angle, growth, alignment, invariants, method, missed, rounding,
+                      _noise(a, b))  # fmt: skip
+
+
+def _noise(a: AttitudeHistory, b: AttitudeHistory) -> float | None:
+    """Return the noise of both together; an exact motion has none."""
+    each = [0.0 if one.exact is not None else attitude_noise(one.times, one.attitude) for one in (a, b)]
+    known = [noise for noise in each if noise is not None]
+    return None if len(known) < 2 else float(np.hypot(known[0], known[1]))
+
+
+def align_clocks(a: AttitudeHistory, b: AttitudeHistory) -> ClockOffset:
+    """Return A's time at B's time zero where the attitudes show it, with its error.
+
+    Raises:
+        InvalidInput: where no offset makes the two agree, several do, or the motion does not determine it.
+
+    >>> from polhode import FreeMotion
+    >>> motion = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
+    >>> a, b = (motion.sample(np.linspace(start, start + 20.0, 400)) for start in (0.0, 3.0))
+    >>> one, other = (AttitudeHistory("", each.times - each.times[0], each.attitude) for each in (a, b))
+    >>> abs(align_clocks(one, other).offset - 3.0) < 1e-6
+    True
+    """
+    a, b = (_sort_by_time(one) for one in (a, b))
+    speed = max(a.speed, b.speed)
+    if b.exact is not None and a.exact is None:
+        found = find_clock_offset(_moving(b), np.asarray(a.times), np.asarray(a.attitude), speed)
+        return found._replace(offset=-found.offset)
+    return find_clock_offset(_moving(a), np.asarray(b.times), np.asarray(b.attitude), speed)
+
+
+def _moving(history: AttitudeHistory) -> Moving:
+    first, last = float(history.times[0]), float(history.times[-1])
+    if history.exact is not None:
+        return Moving(history.exact, first, last, False)
+    if len(history.times) < 3:
+        raise InvalidInput(f"{history.name} has {len(history.times)} samples, which are too few to align clocks. Say "
+                           "the offset by --offset.")  # fmt: skip
+    spline = _spline(history.times, history.attitude)
+    return Moving(lambda times: (rotation.from_scipy(spline(times)), spline(times, 1)), first, last, True)
 
 
 def _take_samples(source: Any, name: str) -> AttitudeHistory | None:

@@ -19,13 +19,17 @@ class ColumnOptions(NamedTuple):
     mapping: Path | None = None
     time: str | None = None
     time_unit: str | None = None
+    time_system: str | None = None
     quat: str | None = None
     order: str | None = None
     direction: str | None = None
+    matrix: str | None = None
+    mrp: str | None = None
     euler: str | None = None
     sequence: str | None = None
     gyro: str | None = None
     unit: str | None = None
+    scale: str | None = None
     decimal: str | None = None
 
     @property

@@ -7,14 +7,15 @@ from pathlib import Path
 from polhode.cli.columns import ColumnOptions, tables_to_compare
 from polhode.cli.publish import publish
 from polhode.formats.form import Kernels
-from polhode.studies.clocks import parse_offset
+from polhode.studies.clocks import join_offset, parse_offset
 from polhode.studies.compare import compare_files
 
 
 def run_compare(
     first: Path, second: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels,
-    columns: ColumnOptions, offset: str | None = None,
+    columns: ColumnOptions, offset: str | None = None, align: bool = False,
 ) -> None:  # fmt: skip
     """Read both, compare, draw, and print the answers."""
-    report = compare_files(first, second, spec, kernels, tables_to_compare(columns), parse_offset(offset))
+    parsed = parse_offset(join_offset(offset, align))
+    report = compare_files(first, second, spec, kernels, tables_to_compare(columns), parsed)
     publish(report, json, figures=out or Path(f"{first.stem}_and_{second.stem}"))

@@ -23,8 +23,11 @@ from polhode.motion.frame import BodyFrame
 from polhode.reports.answer import Answer, Group
 from polhode.reports.report import PlainReport
 from polhode.reports.wording import drifts, rate, write_count
-from polhode.studies.sources import COUNTED_FROM, find_begin, kind_in_words, load_body, read_recorded
+from polhode.studies.recorded_spec import tells_spin, write_spec
+from polhode.studies.sources import COUNTED_FROM, TABLE, find_begin, is_table, kind_in_words, load_body, read_recorded
 from polhode.studies.tables import describe_reading, list_reading_notes
+
+SPEC_ENDING = ".toml"
 
 
 def run_import(
@@ -35,13 +38,13 @@ def run_import(
 
     table = table_to_import(columns)
     kind, trajectory, labels = read_recorded(path, kernels, table)
-    if table is not None and kind != "table":
+    if table is not None and kind != TABLE:
         why = f"is {kind_in_words(kind)}, and the options of columns are for tables"
         raise InvalidInput(f"{path}: {why}. Leave them out.")
     if kind in forms() and forms()[kind].is_own:
         raise InvalidInput(f"{path}: is {kind_in_words(kind)} of polhode's already; there is nothing to import.")
     notes, groups = [], []
-    if kind == "table":
+    if is_table(kind):
         notes = list_reading_notes(trajectory, one_line(path.name))
         groups = [describe_reading(trajectory, "How the table is read", "read_as")]
     if trajectory.outcome.message:
@@ -50,18 +53,40 @@ def run_import(
     if spec is not None:
         trajectory, kept, more = _with_moments(trajectory, spec)
         notes += more
+    elif trajectory.frame is not None:
+        trajectory = _with_body(trajectory, trajectory.frame, Mechanics(np.asarray(trajectory.frame.inertia)))
+        groups.append(_about_body(trajectory))
     groups.append(about_file(trajectory, labels, kept))
-    written = out or Path(f"{path.stem}_imported.nc")  # not the name that a dataset exported to the same folder has
+    ending = SPEC_ENDING if len(trajectory.times) == 1 and tells_spin(trajectory) else ".nc"
+    written = out or Path(f"{path.stem}_imported{ending}")  # not the name of a dataset exported to the same folder
     check_spares(written, path)
     begin = find_begin(path, trajectory)
-    header = {"title": path.name if labels is None else labels.object_name}
+    header = {"title": path.name if labels is None else labels.object_name or path.name}
     header |= {COUNTED_FROM: in_words(begin)} if begin else {}
     what = "sample" if trajectory.attitude is None else "attitude"
     name = kind_in_words(kind, article=False)
     summary = f"{name[0].upper()}{name[1:]} with {write_count(len(trajectory.times), what)}."
     groups.append(Group("", [Answer("drift", trajectory.drift)]))
-    report = PlainReport(str(path), name, summary, groups, notes, lambda out: write_dataset(trajectory, out, header))
-    publish(report, json, written)
+
+    def save(out: Path) -> Path:
+        if out.suffix.lower() == SPEC_ENDING:
+            return write_spec(trajectory, labels, out, path.name)
+        return write_dataset(trajectory, out, header)
+
+    publish(PlainReport(str(path), name, summary, groups, notes, save), json, written)
+
+
+def _about_body(trajectory: Trajectory) -> Group:
+    """Return the answers about the inertia in a file, and the spin at its first time."""
+    frame, momentum = trajectory.frame, trajectory.momentum
+    assert frame is not None
+    size = None if momentum is None else float(np.linalg.norm(np.asarray(momentum)[0]))
+    return Group("Body", [
+        Answer("principal_moments", np.asarray(frame.moments), "kg m²", "principal moments"),
+        Answer("principal_axes", np.asarray(frame.axes)),
+        Answer("mass", frame.mass, "kg", "mass"),
+        Answer("momentum_norm", size, "kg m²/s", "|L| at first"),
+    ])  # fmt: skip
 
 
 def _with_moments(trajectory: Trajectory, spec: Path) -> tuple[Trajectory, str, list[str]]:
@@ -115,6 +140,12 @@ def _with_states(trajectory: Trajectory) -> Trajectory:
     return replace(trajectory, states=states, layout=StateLayout(tuple(part for part, _ in parts)))
 
 
+def _word_frames(labels: AttitudeLabels) -> str | None:
+    """Return the frames that a file names, None where it names none."""
+    named = ((labels.body_frame, "body"), (labels.reference_frame, "space"))
+    return " in ".join(f"{name} ({what})" for name, what in named if name) or None
+
+
 def about_file(trajectory: Trajectory, labels: AttitudeLabels | None, kept: str) -> Group:
     """Return the answers about a file's content; ``kept`` names whose invariants the drift is of."""
     times = np.asarray(trajectory.times)
@@ -127,12 +158,11 @@ def about_file(trajectory: Trajectory, labels: AttitudeLabels | None, kept: str)
     gap_from = float(times[int(np.argmax(steps))]) if several else None
     fastest = None if velocity is None else float(np.linalg.norm(np.asarray(velocity), axis=-1).max())
     named = [] if labels is None else [
-        Answer("object", labels.object_name, "", "object", "",
-               ", ".join(filter(None, (labels.object_name, labels.object_id)))),
+        Answer("object", labels.object_name or None, "", "object", "",
+               ", ".join(filter(None, (labels.object_name, labels.object_id))) or None),
         Answer("object_id", labels.object_id),
-        Answer("reference_frame", labels.reference_frame, "", "frames", "",
-               f"{labels.body_frame} (body) in {labels.reference_frame} (space)"),
-        Answer("body_frame", labels.body_frame),
+        Answer("reference_frame", labels.reference_frame or None, "", "frames", "", _word_frames(labels)),
+        Answer("body_frame", labels.body_frame or None),
         Answer("epoch", labels.epoch, "", "time zero", "", f"{labels.epoch} {labels.time_system}"),
         Answer("time_system", labels.time_system),
     ]  # fmt: skip

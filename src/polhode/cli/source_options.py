@@ -14,6 +14,9 @@ ClockOffset = Annotated[
     typer.Option("--offset", metavar="TIME",
                  help="A's time at B's time zero, like -68.5s; or start: both begin at the same moment."),
 ]  # fmt: skip
+AlignClock = Annotated[
+    bool, typer.Option("--align-clock", help="Find the offset of the clocks from the attitudes, with its error.")
+]
 ClockKernel = Annotated[
     Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel (default: next to it, .tsc).")
 ]
@@ -29,14 +32,23 @@ SpiceId = Annotated[
                  help="Whose attitude, of several in a kernel."),
 ]  # fmt: skip
 TimeColumn = Annotated[
-    str | None, typer.Option("--time", metavar="COLUMN", help="Of a table: column of the times, by name or number.")
+    str | None,
+    typer.Option("--time", metavar="COLUMN",
+                 help="Of a table: column of the times, by name or number; or two that add up."),
 ]
 TimeUnit = Annotated[
     str | None,
-    typer.Option("--time-unit", metavar="UNIT", help="s, ms, us, ns or min, unless the column's name says it."),
-]
+    typer.Option("--time-unit", metavar="UNIT",
+                 help="s, ms, us, ns, min, h, d, unless the column's name says it; or mjd, jd, gps, unix, unix-ns."),
+]  # fmt: skip
+TimeSystem = Annotated[
+    str | None,
+    typer.Option("--time-system", metavar="SYSTEM",
+                 help="UTC, TAI, TT, TDB or GPS, of dates without a zone and of Julian days."),
+]  # fmt: skip
 QuatColumns = Annotated[
-    str | None, typer.Option("--quat", metavar="C,C,C,C", help="Columns of the attitude quaternion.")
+    str | None,
+    typer.Option("--quat", metavar="C,C,C,C", help="Columns of the attitude quaternion, or of its vector part alone."),
 ]
 QuatOrder = Annotated[
     str | None,
@@ -45,6 +57,13 @@ QuatOrder = Annotated[
 Direction = Annotated[
     str | None,
     typer.Option("--direction", metavar="WAY", help="body-to-space (default) or space-to-body, of the attitude."),
+]
+MatrixColumns = Annotated[
+    str | None,
+    typer.Option("--matrix", metavar="C,C,…", help="Nine columns of the rotation matrix, row by row."),
+]  # fmt: skip
+MrpColumns = Annotated[
+    str | None, typer.Option("--mrp", metavar="C,C,C", help="Columns of modified Rodrigues parameters.")
 ]
 EulerColumns = Annotated[
     str | None,
@@ -62,6 +81,11 @@ ColumnUnit = Annotated[
     str | None,
     typer.Option("--unit", metavar="UNIT", help="deg/s, rad/s or rpm of --gyro, deg or rad of --euler; or deg,deg/s."),
 ]
+CountScale = Annotated[
+    str | None,
+    typer.Option("--scale", metavar="SCALE",
+                 help='Of raw counts in --gyro, like "131 LSB/(deg/s)", instead of --unit.'),
+]  # fmt: skip
 Decimal = Annotated[
     str | None, typer.Option("--decimal", metavar="SIGN", help="point (default) or comma, of the numbers.")
 ]

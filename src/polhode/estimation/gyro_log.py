@@ -8,12 +8,10 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.estimation._coarse_clock import is_coarse, spread_evenly
 from polhode.types import Array, ArrayLike, Float64, Real
 
 MIN_SAMPLES = 8
-HICCUPS = 3  # samples at a time that was there already, at most
-COARSE = 0.02  # of the samples at a time that was there already: more is a clock that is rounded, not a hiccup
-EVEN = 1.1  # of the clock's step, within which its rounding keeps the times of equal steps
 MOST = {"times": (1e12, "s"), "rates": (1e12, "rad/s"), "acceleration": (1e12, "m/s²")}
 """The largest values that a log may hold, beyond any clock and gyro; levitated grains reach 3e10 rad/s."""
 CLOSEST = 1e-9  # s from sample to sample: no gyro comes near it, and a second of such a log fills the memory
@@ -131,17 +129,6 @@ def _clean(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Array
     new = np.concatenate([[True], (np.diff(t) > 0) | (np.diff(x, axis=0) != 0).any(axis=1)])  # no line that came twice
     first = np.concatenate([[True], np.diff(t) > 0])
     spread = int((new & ~first).sum())
-    if spread < max(HICCUPS, COARSE * len(t)):
+    if not is_coarse(spread, len(t)):
         return t[first], x[first], int((~whole).sum()), int((~first).sum()), reordered, 0
-    return _evenly(t[new]), x[new], int((~whole).sum()), int((~new).sum()), reordered, spread
-
-
-def _evenly(t: Float64[Array, "n"]) -> Float64[Array, "n"]:
-    """Return the times of a coarse clock, with samples of one time at equal steps to the next."""
-    distinct, counts = np.unique(t, return_counts=True)
-    coarse = float(np.median(np.diff(distinct))) if len(distinct) > 1 else 0.0
-    steps = np.minimum(np.diff(distinct, append=distinct[-1] + coarse), coarse)  # not over a gap
-    spread = t + np.concatenate([np.arange(count) / count * step for count, step in zip(counts, steps, strict=True)])
-    # samples that come evenly, as far as the clock can tell, came evenly
-    grid = np.polynomial.Polynomial.fit(np.arange(len(t)), t, 1)(np.arange(len(t)))
-    return t[0] + grid - grid[0] if np.ptp(t - grid) <= EVEN * coarse else spread
+    return spread_evenly(t[new]), x[new], int((~whole).sum()), int((~new).sum()), reordered, spread

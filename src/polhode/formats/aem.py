@@ -56,6 +56,8 @@ def write_aem(
         raise InvalidInput(f'`rates` must be None, "derivative" or "angular velocity"; got {shown(rates)}.')
     if labels is None:
         labels = find_labels(trajectory) or AttitudeLabels()
+        usual, named = AttitudeLabels(), ("object_name", "reference_frame", "body_frame")
+        labels = replace(labels, **{name: getattr(labels, name) or getattr(usual, name) for name in named})
     if is_in_spacecraft(labels.reference_frame) and not is_in_spacecraft(labels.body_frame):
         raise InvalidInput(f"`reference_frame` {labels.reference_frame} has a name for frames of a spacecraft, and "
                            f"`body_frame` {labels.body_frame} has not: readers would take one for the other. "

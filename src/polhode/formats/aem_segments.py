@@ -121,7 +121,9 @@ def read_segments(path: Path) -> list[Segment]:
     lines = _lines(path)
     number, first = next(lines, (None, ""))
     if first.startswith("<"):
-        refuse(path, number, "is an AEM in XML, or no AEM at all; read here is the keyword = value form. Convert it")
+        from polhode.formats.aem_xml import read_xml_segments
+
+        return read_xml_segments(path)
     if "=" not in first or first.split("=")[0].strip() != "CCSDS_AEM_VERS":
         refuse(path, number,
             f"an AEM begins with CCSDS_AEM_VERS = 2.0; got {shown(first[:60])}. "
@@ -196,6 +198,16 @@ def _read_metadata(lines: Lines, one: Segment) -> None:
             _assign(one.path, number, text, NEEDED + OPTIONAL, one.values, one.lines)
     else:
         refuse(one.path, begun, "META_START has no META_STOP; the file is cut short. Get it whole")
+    check_metadata(one)
+
+
+def check_metadata(one: Segment) -> None:
+    """Refuse metadata without a keyword that is needed, and spans that end before they begin.
+
+    Raises:
+        FormatError: naming the line.
+    """
+    begun = one.lines["META_START"]
     if missing := [keyword for keyword in NEEDED if keyword not in one.values]:
         refuse(one.path, begun, f"the metadata need {' and '.join(missing)}")
     for first, last in (("START_TIME", "STOP_TIME"), ("USEABLE_START_TIME", "USEABLE_STOP_TIME")):
@@ -224,6 +236,18 @@ def _read_data(lines: Lines, one: Segment) -> None:
     whole, picoseconds, columns, numbers = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
     if not len(whole):
         refuse(one.path, begun, "there are no data between DATA_START and DATA_STOP")
+    keep_data(one, whole, picoseconds, columns, numbers)
+
+
+def keep_data(
+    one: Segment, whole: Integer[Array, "n"], picoseconds: Integer[Array, "n"], columns: Float64[Array, "n k"],
+    numbers: Integer[Array, "n"],
+) -> None:  # fmt: skip
+    """Put instants, columns and the numbers of their lines into a segment.
+
+    Raises:
+        FormatError: naming the line of an epoch that does not come after the one before.
+    """
     steps = np.diff(whole)
     ascending = (steps > 0) | ((steps == 0) & (np.diff(picoseconds) > 0))
     if not ascending.all():

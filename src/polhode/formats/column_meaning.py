@@ -8,15 +8,14 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
-from polhode.errors import FormatError
-from polhode.formats.aem_attitudes import FAR_FROM_UNIT
-from polhode.formats.column_mapping import ColumnMapping
-from polhode.formats.header_words import IN_RADIANS
+from polhode.errors import FormatError, InvalidInput
+from polhode.estimation._coarse_clock import is_coarse, spread_evenly
 from polhode.formats.plain_table import PlainTable
-from polhode.types import Array, Float64
+from polhode.types import Array, Bool, Float64
 
 CLEAR_TURN = 1.0  # rad; where it is more between samples, differences say little about rates
 SEEN_TURN = 0.02  # rad, rms; less may be noise
+SURE, UNLIKE = 0.1, 0.5  # relative; rates that agree with one direction of a rotation, and not with the other
 FEWEST_TURNS = 4  # that are compared
 
 
@@ -31,11 +30,16 @@ class Understood(NamedTuple):
         first, last: times [s].
         left_out: how many lines have no values.
         repeated: how many only repeat the one before.
-        largest_deviation: of |q| from 1; None without quaternions.
+        spread: how many came at a time that was there already, with other values, and were spread over the clock's
+            step.
+        largest_deviation: of |q| from 1, or of RᵀR from the unit matrix; None for attitudes that fit any numbers.
+        deviation_from: what of the attitude must be 1, in words.
         rates_apart: by how much the rates differ from how fast the attitude turns, relative, both as root mean squares;
             None where one is missing or the samples are too far apart.
         notes: contradictions between file and mapping, and the zero of the times.
-        counted_from: the stamp of the file's clock that times count from [s], with all its digits; None for its zero.
+        counted_from: the stamp of the file's clock that times count from [s], with all its digits; None for its zero,
+            or a date.
+        time_resolution: by how much times may be off, as stamps are written with so many digits [s].
     """
 
     header: str
@@ -48,14 +52,22 @@ class Understood(NamedTuple):
     last: float
     left_out: int
     repeated: int
+    spread: int
     largest_deviation: float | None
+    deviation_from: str
     rates_apart: float | None
     notes: tuple[str, ...]
     counted_from: str | None
+    time_resolution: float
 
 
-def keep_rising(path: Path, times: Float64[Array, "rows"], table: PlainTable) -> np.ndarray:
-    """Return which rows to keep (n,): all that do not merely repeat the row before.
+def order_times(
+    path: Path, times: Float64[Array, "rows"], table: PlainTable
+) -> tuple[Float64[Array, "kept"], Bool[Array, "rows"], int]:
+    """Return rising times, which rows they are of (n,), and how many of them were spread over a coarse clock's step.
+
+    Rows that merely repeat the row before are left out. Where many come at a time that was there already, with other
+    values, the clock is rounded more coarsely than the samples come, and they are spread evenly.
 
     Raises:
         FormatError: naming the line of a time that is not after the one before it.
@@ -65,6 +77,9 @@ def keep_rising(path: Path, times: Float64[Array, "rows"], table: PlainTable) ->
         raise FormatError(f"{path}, line {line}: its time is too large for a number of seconds. Check its unit.")
     steps, same = np.diff(times), np.zeros(len(times), dtype=bool)
     same[1:] = (steps == 0.0) & (table.numbers[1:, 1:] == table.numbers[:-1, 1:]).all(axis=1)
+    stands = np.concatenate([[False], steps == 0.0]) & ~same
+    if is_coarse(int(stands.sum()), len(times)) and (steps >= 0.0).all() and np.ptp(times) > 0.0:
+        return spread_evenly(times[~same]), ~same, int(stands.sum())
     wrong = ~((steps > 0) | same[1:])
     if wrong.any():
         row = int(np.argmax(wrong)) + 1
@@ -76,43 +91,7 @@ def keep_rising(path: Path, times: Float64[Array, "rows"], table: PlainTable) ->
             f"{path}, line {now}: its time, {times[row]:.9g} s, is {how} that of line {before}, "
             f"{times[row - 1]:.9g} s. Times must rise. {remedy}."
         )
-    return ~same
-
-
-def make_attitude(
-    path: Path, table: PlainTable, values: Float64[Array, "rows columns"], mapping: ColumnMapping, letters: str,
-    angle_unit: str,
-) -> tuple[Float64[Array, "rows 4"], float | None]:  # fmt: skip
-    """Return the attitude (n, 4), body → space, and the largest deviation of |q| from 1, None for Euler angles.
-
-    Args:
-        path: for messages.
-        table: for the numbers of lines.
-        values: the columns of the attitude.
-        mapping: what they are.
-        letters: the order of a quaternion's columns.
-        angle_unit: of Euler angles.
-
-    Raises:
-        FormatError: naming the line of what is not a unit quaternion.
-    """
-    deviation = None
-    if mapping.sequence:
-        attitude = rotation.from_euler_angles(values * IN_RADIANS[angle_unit], mapping.sequence)
-    else:
-        attitude = values[:, [letters.index(letter) for letter in "wxyz"]]
-        with np.errstate(over="ignore"):  # an infinite length is not one
-            lengths = np.linalg.norm(attitude, axis=-1)
-        off = np.abs(lengths - 1.0)
-        deviation = float(off.max())
-        if deviation > FAR_FROM_UNIT:
-            row = int(np.argmax(off > FAR_FROM_UNIT))
-            raise FormatError(
-                f"{path}, line {table.lines[row]}: a quaternion must have length 1 to {FAR_FROM_UNIT:g}; got "
-                f"{lengths[row]:.6g} from {values[row].tolist()}. Check which columns it has, or normalise them."
-            )
-        attitude = attitude / lengths[:, None]
-    return (rotation.conjugate(attitude) if mapping.is_backward else attitude), deviation
+    return times[~same], ~same, 0
 
 
 def agreement(
@@ -147,6 +126,26 @@ def agreement(
                 return apart if np.isfinite(apart) else None
             stride *= 2
     return None
+
+
+def find_direction(
+    path: Path, times: Float64[Array, "rows"], attitude: Float64[Array, "rows 4"],
+    velocity: Float64[Array, "rows 3"] | None,
+) -> bool:  # fmt: skip
+    """Return whether rotations take space to body, as the angular velocity shows.
+
+    Raises:
+        InvalidInput: where it does not show it, or there is none.
+    """
+    forward, back = (agreement(times, turned, velocity) for turned in (attitude, rotation.conjugate(attitude)))
+    for one, other, backward in ((forward, back, False), (back, forward, True)):
+        if one is not None and other is not None and one < SURE and other > UNLIKE:
+            return backward
+    why = "the file has no angular velocity" if velocity is None else "the angular velocity does not show it"
+    raise InvalidInput(
+        f"{path}: whether the matrix takes components along the body's axes to those of space, or the other way round, "
+        f"is not known, as {why}. Say it by --direction body-to-space|space-to-body."
+    )
 
 
 def _rms(values: Float64[Array, "rows 3"]) -> float:

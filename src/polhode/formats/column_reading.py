@@ -2,46 +2,49 @@
 
 from __future__ import annotations
 
-import difflib
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
-from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.column_mapping import ORDERS, ColumnMapping
-from polhode.formats.column_meaning import Understood, agreement, keep_rising, make_attitude
-from polhode.formats.header_words import (
-    ANGLE_UNITS,
-    IN_RADIANS,
-    RATE_UNITS,
-    TIME_UNITS,
-    bare_name,
-    components_in,
-    unit_in,
-)  # fmt: skip
-from polhode.formats.labels import Recording
+from polhode import rotation
+from polhode.errors import FormatError
+from polhode.formats.attitude_columns import make_attitude
+from polhode.formats.calendar_stamps import ClockColumns, read_calendar, words_of
+from polhode.formats.column_mapping import ColumnMapping
+from polhode.formats.column_meaning import Understood, agreement, find_direction, order_times
+from polhode.formats.column_resolution import Resolved, resolve_mapping
+from polhode.formats.header_words import IN_RADIANS
+from polhode.formats.labels import AttitudeLabels, Recording, nameless
 from polhode.formats.plain_table import PlainTable, name_column, read_cells, table_form
-from polhode.formats.stamps import in_words, read_clock
+from polhode.formats.rate_scale import read_scale
+from polhode.formats.stamps import Clock, in_words, read_clock
 from polhode.formats.table_form import DELIMITERS, TableForm
 from polhode.motion._layout import ANGULAR_VELOCITY, ATTITUDE, StateLayout
 from polhode.motion._outcome import Ending, Outcome
 from polhode.motion._trajectory import Trajectory
 
-COLUMNS_SHOWN = 12  # in a message
+
+def read_timed(
+    path: Path, form: TableForm, time: ClockColumns, columns: Sequence[int], decimal: str,
+    progress: Callable[[int], None] | None = None,
+) -> tuple[PlainTable, Clock]:  # fmt: skip
+    """Return the columns of a table with times [s] before them, NaN where there is none, and the clock.
+
+    Raises:
+        InvalidInput, FormatError: as reading the cells and the clock does.
+    """
+    if time.is_plain:
+        table = read_cells(path, form, (time.columns[0], *columns), decimal, progress)
+        return table, read_clock(path, form, time.columns[0], time.units[0], decimal, table.numbers[:, 0])
+    table = read_cells(path, form, columns, decimal, progress)
+    clock = read_calendar(path, form, time, decimal)
+    return PlainTable(np.concatenate([clock.times[:, None], table.numbers], axis=1), table.lines), clock
 
 
-class Resolved(NamedTuple):
-    """A mapping applied to a file: columns counted from 0, with units and orders that the header gives."""
-
-    time: int
-    time_unit: str
-    attitude: tuple[int, ...]
-    letters: str
-    angle_unit: str
-    gyro: tuple[int, ...]
-    rate_unit: str
-    notes: tuple[str, ...]
+def rate_of_one(mapping: ColumnMapping, resolved: Resolved) -> float:
+    """Return the angular velocity [rad/s] that a 1 in the table stands for."""
+    return read_scale(mapping.scale) if mapping.scale else IN_RADIANS[resolved.rate_unit]
 
 
 def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
@@ -75,132 +78,41 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
     path = Path(path)
     form = table_form(path)
     resolved = resolve_mapping(path, form, mapping)
-    wanted = (resolved.time, *resolved.attitude, *resolved.gyro)
+    wanted = (*resolved.attitude, *resolved.gyro)
     decimal = mapping.decimal or "point"
-    table = read_cells(path, form, wanted, decimal)
-    clock = read_clock(path, form, resolved.time, resolved.time_unit, decimal, table.numbers[:, 0])
-    filled = _find_filled(path, form, wanted, table)
+    table, clock = read_timed(path, form, resolved.time, wanted, decimal)
+    filled = _find_filled(path, form, (resolved.time.columns[0], *wanted), table)
     left_out, times = int(len(filled) - filled.sum()), clock.times[filled]
     table = PlainTable(table.numbers[filled], table.lines[filled])
-    kept = keep_rising(path, times, table)
+    times, kept, spread = order_times(path, times, table)
     repeated = int(len(kept) - kept.sum())
-    times, table = times[kept], PlainTable(table.numbers[kept], table.lines[kept])
+    table = PlainTable(table.numbers[kept], table.lines[kept])
     end = 1 + len(resolved.attitude)
-    attitude, deviation = None, None
+    velocity = table.numbers[:, end:] * rate_of_one(mapping, resolved) if resolved.gyro else None
+    attitude, deviation, backward = None, None, mapping.is_backward
     if resolved.attitude:
         letters, unit = resolved.letters, resolved.angle_unit
         attitude, deviation = make_attitude(path, table, table.numbers[:, 1:end], mapping, letters, unit)
-    velocity = table.numbers[:, end:] * IN_RADIANS[resolved.rate_unit] if resolved.gyro else None
+        if mapping.matrix and mapping.direction is None:
+            backward = find_direction(path, times, attitude, velocity)
+        attitude = rotation.conjugate(attitude) if backward else attitude
     understood = Understood(
-        header=_header(form), delimiter=DELIMITERS[form.delimiter], time=_time_words(form, resolved),
-        attitude=_attitude_words(form, resolved, mapping), angular_velocity=_gyro_words(form, resolved),
+        header=_header(form), delimiter=DELIMITERS[form.delimiter], time=words_of(resolved.time, form),
+        attitude=_attitude_words(form, resolved, mapping, backward),
+        angular_velocity=_gyro_words(form, resolved, mapping),
         samples=len(times), first=float(times[0]), last=float(times[-1]), left_out=left_out, repeated=repeated,
-        largest_deviation=deviation, rates_apart=agreement(times, attitude, velocity),
-        notes=(*resolved.notes, *filter(None, (clock.note,))),
-        counted_from=in_words(clock.begin) if clock.begin else None,
+        spread=spread, largest_deviation=deviation, deviation_from="RᵀR" if mapping.matrix else "|q|",
+        rates_apart=agreement(times, attitude, velocity),
+        notes=(*resolved.notes, *clock.notes, *_spread_note(spread)),
+        counted_from=in_words(clock.begin) if clock.begin else None, time_resolution=clock.resolution,
     )  # fmt: skip
     parts = [part for part, value in ((ATTITUDE, attitude), (ANGULAR_VELOCITY, velocity)) if value is not None][:1]
     states = velocity if attitude is None else attitude
     assert states is not None
     return Trajectory(
         times, states, StateLayout(tuple(parts)), attitude, None, velocity, outcome=Outcome(Ending.RECORDED),
-        source=Recording(path.name, None, understood._asdict()),
+        source=Recording(path.name, _labels(clock), understood._asdict()),
     )  # fmt: skip
-
-
-def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Resolved:
-    """Apply a mapping to a file.
-
-    Raises:
-        InvalidInput: with a line for each column that is not there, and each unit and order that neither gives.
-    """
-    problems: list[str] = []
-    places = {name: _places(form, columns, problems)
-              for name, columns in (("time", (mapping.time,)), ("attitude", mapping.attitude), ("gyro", mapping.gyro))}
-    used = [place for group in places.values() for place in group if place is not None]
-    for place in sorted({place for place in used if used.count(place) > 1}):
-        problems.append(f"{name_column(form, place)} is given twice. Every column has one meaning.")
-    groups = {name: tuple(place for place in group if place is not None) for name, group in places.items()}
-    notes: list[str] = []
-
-    def unit(what: str, group: str, said: str | None, units: dict[str, tuple[str, ...]], option: str) -> str:
-        if not groups[group] and said is None:
-            return ""
-        names = [form.names[place] for place in groups[group]] if form.names else []
-        header_units = {unit_in(name, units) for name in names} - {None}
-        in_header = " and ".join(sorted(map(str, header_units)))
-        if said is not None:
-            if header_units - {said}:
-                notes.append(f"the header names {in_header} for {what}; it is read in {said}, as said.")
-            return said
-        if len(header_units) == 1:
-            return in_header
-        why = f"the header names {in_header}" if header_units else "the file does not say it"
-        problems.append(f"the unit of {what} is not known: {why}. Say it by {option} {'|'.join(units)}.")
-        return ""
-
-    time_unit = unit("the time", "time", mapping.time_unit, TIME_UNITS, "--time-unit")
-    angle_unit = rate_unit = letters = ""
-    if mapping.euler:
-        angle_unit = unit("the angles", "attitude", mapping.angle_unit, ANGLE_UNITS, "--unit")
-    if mapping.gyro:
-        rate_unit = unit("the angular velocity", "gyro", mapping.rate_unit, RATE_UNITS, "--unit")
-    if mapping.quat and len(groups["attitude"]) == 4:
-        names = [form.names[place] for place in groups["attitude"]] if form.names else []
-        letters = _letters(names, mapping.order, problems)
-    if mapping.decimal == "comma" and form.delimiter == ",":
-        problems.append("decimal commas cannot be distinguished from commas between columns. Save it with semicolons.")
-    if problems:
-        raise InvalidInput(*(f"{path}: {problem}" for problem in problems))
-    return Resolved(groups["time"][0], time_unit, groups["attitude"], letters, angle_unit, groups["gyro"], rate_unit,
-                     tuple(notes))  # fmt: skip
-
-
-def _letters(names: list[str], order: str | None, problems: list[str]) -> str:
-    """Return which of w, x, y and z each column of a quaternion is."""
-    letters = components_in(names)
-    if order is None and letters is None:
-        problems.append("the order of the quaternion is not known: its columns are not named by w, x, y and z. Say it "
-                        f"by --order {'|'.join(ORDERS)}.")  # fmt: skip
-    if order and letters and order != letters:
-        problems.append(f"order is {order}, and the columns are named in the order {letters}. Correct one of them.")
-    return order or letters or ""
-
-
-def _places(form: TableForm, columns: object, problems: list[str]) -> list[int | None]:
-    """Return the columns' indices, from 0; None for a name that no column or several have."""
-    assert isinstance(columns, tuple | None)
-    return [_place(form, column, problems) for column in columns or ()]
-
-
-def _place(form: TableForm, column: str | int, problems: list[str]) -> int | None:
-    if isinstance(column, str):
-        for called in (lambda name: name, bare_name):
-            places = [place for place, name in enumerate(form.names) if called(name) == column]
-            if len(places) == 1:
-                return places[0]
-            if places:
-                numbers = " and ".join(str(place + 1) for place in places)
-                problems.append(f"{shown(column)} is the name of columns {numbers}. Give the number instead.")
-                return None
-        if not (column.isascii() and column.isdigit()):
-            problems.append(f"has no column {shown(column)}. {_there_are(form, column)}")
-            return None
-    number = int(column) if len(str(column)) < 9 else 10**9
-    if not 1 <= number <= form.width:
-        problems.append(f"has no column {shown(number)}, as its columns are 1 to {form.width}.")
-        return None
-    return number - 1
-
-
-def _there_are(form: TableForm, column: str) -> str:
-    if not form.names:
-        return f"No line names its columns; give a number from 1 to {form.width}."
-    near = difflib.get_close_matches(column.lower(), {name.lower() for name in form.names if name}, 1)
-    hint = f"Did you mean {shown(next(name for name in form.names if name.lower() == near[0]))}? " if near else ""
-    listed = ", ".join(map(shown, form.names[:COLUMNS_SHOWN]))
-    more = f" and {len(form.names) - COLUMNS_SHOWN} more" if len(form.names) > COLUMNS_SHOWN else ""
-    return f"{hint}Its columns are {listed}{more}."
 
 
 def _find_filled(path: Path, form: TableForm, columns: tuple[int, ...], table: PlainTable) -> np.ndarray:
@@ -226,15 +138,20 @@ def _header(form: TableForm) -> str:
     return f"in line {form.named_in}" if form.named_in else "none; columns by number"
 
 
-def _time_words(form: TableForm, resolved: Resolved) -> str:
-    return f"{name_column(form, resolved.time)}, in {resolved.time_unit}"
-
-
-def _attitude_words(form: TableForm, resolved: Resolved, mapping: ColumnMapping) -> str | None:
+def _attitude_words(form: TableForm, resolved: Resolved, mapping: ColumnMapping, backward: bool) -> str | None:
     if not resolved.attitude:
         return None
-    direction = "from space to body" if mapping.is_backward else "from body to space"
+    direction = "from space to body" if backward else "from body to space"
     names = [name_column(form, place) for place in resolved.attitude]
+    if mapping.matrix:
+        shown = mapping.direction is None
+        entries = ", ".join(f"R{entry} = {name}" for entry, name in zip(resolved.letters.split(), names, strict=True))
+        return f"matrix {entries}; {direction}{', as the angular velocity shows' if shown else ''}"
+    if mapping.mrp or (mapping.quat and len(names) == 3):
+        vector = "vector part of a quaternion, the scalar by continuity,"
+        what = "modified Rodrigues parameters" if mapping.mrp else vector
+        parts = ", ".join(f"{axis} = {name}" for axis, name in zip("xyz", names, strict=True))
+        return f"{what} {parts}; {direction}"
     if mapping.quat:
         parts = ", ".join(f"{letter} = {name}" for letter, name in zip(resolved.letters, names, strict=True))
         return f"quaternion {parts}; {direction}"
@@ -244,8 +161,24 @@ def _attitude_words(form: TableForm, resolved: Resolved, mapping: ColumnMapping)
     return f"turns about {axes}, {turns}, in {resolved.angle_unit}; {direction}"
 
 
-def _gyro_words(form: TableForm, resolved: Resolved) -> str | None:
+def _gyro_words(form: TableForm, resolved: Resolved, mapping: ColumnMapping) -> str | None:
     if not resolved.gyro:
         return None
     parts = ", ".join(f"{axis} = {name_column(form, place)}" for axis, place in zip("xyz", resolved.gyro, strict=True))
-    return f"{parts}, body axes, in {resolved.rate_unit}"
+    return f"{parts}, body axes, {f'counts at {mapping.scale}' if mapping.scale else f'in {resolved.rate_unit}'}"
+
+
+def _spread_note(spread: int) -> tuple[str, ...]:
+    if not spread:
+        return ()
+    note = (f"its clock is rounded: {spread} lines come at a time that was there already, with other values; they are "
+            "taken at equal steps.")  # fmt: skip
+    return (note,)
+
+
+def _labels(clock: Clock) -> AttitudeLabels | None:
+    """Return labels with the epoch of the stamps, and no names, as a table has none; None without an epoch."""
+    if clock.epoch is None:
+        return None
+    epoch, system = clock.epoch
+    return nameless(epoch, system)

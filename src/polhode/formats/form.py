@@ -100,6 +100,8 @@ class Form:
         is_own: whether polhode alone writes such files, so that there is nothing to import.
         has_labels: whether it tells objects, frames and epochs.
         resolution: of its times [s].
+        is_table: whether it is a table whose columns are known by their names, which options of columns may overrule.
+        named: whether a file of this name is one, of a form whose content does not show it; None for others.
     """
 
     name: str
@@ -115,3 +117,5 @@ class Form:
     is_own: bool = False
     has_labels: bool = False
     resolution: float = 0.0
+    is_table: bool = False
+    named: Callable[[Path], bool] | None = None

@@ -57,6 +57,11 @@ def writable_forms() -> dict[str, Form]:
     return {name: form for name, form in forms().items() if form.write is not None}
 
 
+def form_that_is_named(path: Path) -> Form | None:
+    """Return the form of a file whose content does not show it, by its name; None for none of them."""
+    return next((form for form in forms().values() if form.named is not None and form.named(path)), None)
+
+
 def form_that_begins(head: bytes) -> Form | None:
     """Return the form of a file by the bytes that it begins with; None for none of them."""
     return next((form for form in forms().values() if form.begins is not None and form.begins(head)), None)

@@ -10,7 +10,8 @@ from typing import NamedTuple
 from polhode.errors import FormatError, InvalidInput, PolhodeError
 from polhode.estimation.gyro_log import GyroLog, clean_log
 from polhode.formats.column_mapping import ColumnMapping
-from polhode.formats.column_reading import COLUMNS_SHOWN, resolve_mapping
+from polhode.formats.column_reading import rate_of_one, read_timed
+from polhode.formats.column_resolution import COLUMNS_SHOWN, resolve_mapping
 from polhode.formats.gyro_dialects import (
     DIALECTS,
     GYRO_FILES,
@@ -20,7 +21,7 @@ from polhode.formats.gyro_dialects import (
     find_places,
     time_place,
 )  # fmt: skip
-from polhode.formats.header_words import IN_RADIANS, RATE_UNITS, TIME_UNITS, unit_in
+from polhode.formats.header_words import RATE_UNITS, TIME_UNITS, unit_in
 from polhode.formats.log_archives import is_archive, unpack_log
 from polhode.formats.opening import check_is_file, is_folder
 from polhode.formats.plain_table import LARGEST_FILE, detect_decimal, first_lines, read_cells
@@ -113,21 +114,22 @@ def _read_table(path: Path, mapping: ColumnMapping | None, progress: Progress, r
     resolved = resolve_mapping(path, form, mapping)
     decimal = mapping.decimal or detect_decimal(path, form)
     felt = _acceleration(form, dialect, notes) if dialect else None
-    columns = (resolved.time, *resolved.gyro, *(felt[0] if felt else ()))
-    numbers = read_cells(path, form, columns, decimal, progress).numbers
-    clock_of_rates = read_clock(path, form, resolved.time, resolved.time_unit, decimal, numbers[:, 0])
-    times = clock_of_rates.times
-    rates = numbers[:, 1:4] * IN_RADIANS[resolved.rate_unit]
+    table, clock_of_rates = read_timed(
+        path, form, resolved.time, (*resolved.gyro, *(felt[0] if felt else ())), decimal, progress
+    )
+    numbers, times = table.numbers, clock_of_rates.times
+    rates = numbers[:, 1:4] * rate_of_one(mapping, resolved)
     acceleration, clock, source = (numbers[:, 4:] * felt[1], times, path.name) if felt else (None, None, None)
-    del numbers  # of long logs these are the most memory
+    del table, numbers  # of long logs these are the most memory
     if not felt and dialect:
         clock, acceleration, source = _beside(path, dialect, clock_of_rates.begin, progress)
     try:
         log = clean_log(times, rates, clock, acceleration)
     except InvalidInput as error:
         raise InvalidInput(f"{path}: {error}") from None
-    notes += [*resolved.notes, *filter(None, (clock_of_rates.note,)), *_remarks(log)]
-    return ReadLog(log, dialect.name if dialect else "a mapping", resolved.rate_unit, source, tuple(notes))
+    notes += [*resolved.notes, *clock_of_rates.notes, *_remarks(log)]
+    unit = mapping.scale or resolved.rate_unit
+    return ReadLog(log, dialect.name if dialect else "a mapping", unit, source, tuple(notes))
 
 
 def _form(path: Path, mapping: ColumnMapping | None) -> tuple[TableForm, GyroDialect | None]:

@@ -12,7 +12,11 @@ TIME_UNITS = {
     "us": ("usec", "µs", "μs", "microsecond", "microseconds"),
     "ns": ("nsec", "nanosecond", "nanoseconds"),
     "min": ("mins", "minute", "minutes"),
+    "h": ("hr", "hrs", "hour", "hours"),
+    "d": ("day", "days"),
 }
+CALENDARS = ("mjd", "jd", "gps", "unix", "unix-ms", "unix-us", "unix-ns", "gmat")
+"""Ways to count time from a calendar day, beside dates written out, which show what they are."""
 ANGLE_UNITS = {"deg": ("°", "degs", "degree", "degrees"), "rad": ("rads", "radian", "radians")}
 RATE_UNITS = {
     "deg/s": ("°/s", "deg/sec", "degree/s", "degrees/s", "degrees/sec", "dps", "deg s-1", "deg s^-1", "deg_s",
@@ -23,7 +27,7 @@ RATE_UNITS = {
 }  # fmt: skip
 """Units by our name for them, with the other ways to write them; case does not matter."""
 PER_SECOND = {"ms": 1e3, "us": 1e6, "ns": 1e9}  # divided by, which rounds once
-IN_SECONDS = {"s": 1.0, "min": 60.0}
+IN_SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
 IN_RADIANS = {"deg": math.pi / 180.0, "rad": 1.0, "deg/s": math.pi / 180.0, "rad/s": 1.0, "rpm": math.pi / 30.0}
 _BRACKETED = re.compile(r"(?P<name>.*?)\s*[\[(](?P<unit>[^\])]*)[\])]\s*")
 
@@ -71,3 +75,21 @@ def components_in(names: Sequence[str]) -> str | None:
     """
     letters = "".join(bare_name(name)[-1:].lower() for name in names)
     return letters if sorted(letters) == sorted("wxyz") else None
+
+
+ENTRIES = "11 12 13 21 22 23 31 32 33"
+"""Row and column of the entries of a matrix, row by row."""
+
+
+def entries_in(names: Sequence[str]) -> str | None:
+    """Return row and column that nine names of a matrix's entries end in, counted from 1; None where they do not.
+
+    >>> entries_in([f"R{i}{j}" for j in "123" for i in "123"]), entries_in([f"m[{k}]" for k in range(9)])
+    ('11 21 31 12 22 32 13 23 33', None)
+    """
+    found = [re.search(r"([0-3xyz])[\W_]*([0-3xyz])\W*$", name.lower()) for name in names]
+    pairs = [match[1] + match[2] for match in found if match]
+    for letters in ("123", "012", "xyz"):
+        if sorted(pairs) == sorted(i + j for i in letters for j in letters):
+            return " ".join(f"{letters.index(i) + 1}{letters.index(j) + 1}" for i, j in pairs)
+    return None

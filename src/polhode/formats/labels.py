@@ -21,7 +21,7 @@ class AttitudeLabels:
     """The labels of an attitude history; a trajectory read from a file has them in its source.
 
     Attributes:
-        object_name: of the body.
+        object_name: of the body; it and the frames are empty where a file does not name them.
         object_id: its international designator, or any id; None where it is not known.
         center: the body whose vicinity it is in, or None.
         reference_frame: the space axes.
@@ -66,6 +66,11 @@ class Recording:
     title: str = ""
     labels: AttitudeLabels | None = None
     attributes: dict[str, Any] = field(default_factory=dict)
+
+
+def nameless(epoch: str, time_system: str) -> AttitudeLabels:
+    """Return labels that tell an epoch and no names, which are empty."""
+    return AttitudeLabels("", None, None, "", "", epoch, time_system, None, None)
 
 
 def find_labels(trajectory: Trajectory) -> AttitudeLabels | None:

@@ -134,6 +134,18 @@ def read_texts(path: Path, form: TableForm, column: int) -> Iterator[str]:
             yield split_cells(line.text, form.delimiter)[column]
 
 
+def read_rows(path: Path, form: TableForm, columns: Sequence[int]) -> Iterator[tuple[int, tuple[str, ...]]]:
+    """Yield the number of each line and its cells in some columns, as ``read_texts`` does.
+
+    Raises:
+        InvalidInput, FormatError: as ``table_form`` does.
+    """
+    for line in _read_lines(path):
+        if line.number >= form.first and not is_comment(line.text):
+            cells = split_cells(line.text, form.delimiter)
+            yield line.number, tuple(cells[column] for column in columns)
+
+
 def _read_lines(path: Path) -> Iterator[Line]:
     return (Line(first + k, text) for first, texts in _read_blocks(path) for k, text in enumerate(texts))
 
@@ -232,7 +244,7 @@ def _number(path: Path, line: int, form: TableForm, column: int, cell: str, deci
         if decimal == "point" and _DECIMAL_COMMA.fullmatch(cell):
             remedy = "If its comma is a decimal one, say so by --decimal comma."
         elif ":" in cell:
-            remedy = "Dates and times of day are not read: give times as plain numbers, like seconds from the start."
+            remedy = "If times are dates or times of day, all of the column must be, and --time-unit must be left out."
         raise FormatError(f"{where}: {shown(cell)} {error}. {remedy}") from None
 
 

@@ -20,24 +20,37 @@ from polhode.types import Array, Float64
 FINEST = 1e-10  # s; a body at 100 rad/s turns by 1e-8 rad meanwhile. Stamps below six days are as fine
 _EXACT = Context(prec=400)  # digits; more than any stamp has that is read
 IN_DECIMAL_SECONDS = {
-    "s": Decimal(1), "ms": Decimal("1e-3"), "us": Decimal("1e-6"), "ns": Decimal("1e-9"), "min": Decimal(60)
+    "s": Decimal(1), "ms": Decimal("1e-3"), "us": Decimal("1e-6"), "ns": Decimal("1e-9"), "min": Decimal(60),
+    "h": Decimal(3600), "d": Decimal(86400),
 }  # fmt: skip
 
 
 class Clock(NamedTuple):
-    """Times [s] (n,), NaN where there is none, and the stamp that they count from [s]; 0 for stamps as they stand."""
+    """The times of a table.
+
+    Attributes:
+        times: (n,) [s], NaN where there is none.
+        begin: the stamp that they count from [s]; 0 for stamps as they stand, and where there is an epoch.
+        epoch: calendar date and time system of time zero; None where the stamps do not tell it.
+        resolution: by how much times may be off, as stamps are written with so many digits [s].
+        remarks: on how stamps were read.
+    """
 
     times: Float64[Array, "rows"]
     begin: Decimal
+    epoch: tuple[str, str] | None = None
+    resolution: float = 0.0
+    remarks: tuple[str, ...] = ()
 
     @property
-    def note(self) -> str | None:
-        """A note on the zero of the times, None where times are the stamps themselves."""
+    def notes(self) -> tuple[str, ...]:
+        """Notes on the zero of the times and on how stamps were read; none where times are the stamps themselves."""
         if not self.begin:
-            return None
+            return self.remarks
         apart = float(np.spacing(float(abs(self.begin))))
-        return (f"its times count from its first stamp, {in_words(self.begin)} s; from its clock's own zero numbers of "
+        note = (f"its times count from its first stamp, {in_words(self.begin)} s; from its clock's own zero numbers of "
                 f"double precision tell only {apart:.2g} s apart.")  # fmt: skip
+        return (note, *self.remarks)
 
 
 def read_clock(

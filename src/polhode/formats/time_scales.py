@@ -24,6 +24,8 @@ TT_FROM = {
     "GPS": TT_FROM_TAI + 19,
     "UTC": TT_FROM_TAI + FIRST_OFFSET,  # an instant in UTC has the later leap seconds counted already
 }
+CLOCKS = (*TT_FROM, "TDB")
+"""Time systems whose epochs are brought onto one scale."""
 K, EB, M0, M1 = 1.657e-3, 1.671e-2, 6.239996, 1.99096871e-7
 
 
@@ -40,8 +42,7 @@ def terrestrial_time(epoch: str, time_system: str) -> Fraction:
         barycentric = _time_since_noon(epoch, time_system)
         return barycentric - Fraction(periodic_term(float(barycentric)))
     if time_system not in TT_FROM:
-        known = ", ".join([*TT_FROM, "TDB"])
-        raise InvalidInput(f"`time_system` must be one of {known} here; got {shown(time_system)}.")
+        raise InvalidInput(f"`time_system` must be one of {', '.join(CLOCKS)} here; got {shown(time_system)}.")
     return _time_since_noon(epoch, time_system) + TT_FROM[time_system]
 
 

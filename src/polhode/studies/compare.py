@@ -16,10 +16,10 @@ from polhode.formats.form import Kernels
 from polhode.formats.labels import plain as same_name
 from polhode.formats.paths import as_path
 from polhode.reports.answer import Group
-from polhode.studies.clocks import lay_side_by_side, parse_offset
+from polhode.studies.clocks import join_offset, lay_side_by_side, parse_offset
 from polhode.studies.comparison_report import ComparisonReport
 from polhode.studies.naming import name_file_in_errors
-from polhode.studies.sources import Source, kind_in_words, load_body, load_source
+from polhode.studies.sources import TABLE, Source, is_table, kind_in_words, load_body, load_source
 from polhode.studies.tables import Table, describe_reading, list_reading_notes
 
 SAME_INERTIA = 1e-6  # relative; what seven digits of a file leave
@@ -27,8 +27,9 @@ History = comparison.Source | Path | str
 
 
 def compare(
-    a: History, b: History, *, spec: Path | str | None = None, offset: float | str | None = None
-) -> ComparisonReport:
+    a: History, b: History, *, spec: Path | str | None = None, offset: float | str | None = None,
+    align_clock: bool = False,
+) -> ComparisonReport:  # fmt: skip
     """Return the report on how two attitude histories of one body differ.
 
     Both are compared along the same body axes: where one is known exactly it is evaluated at the other's samples, and
@@ -41,6 +42,7 @@ def compare(
         spec: of files, that of the body's spec, for its moments where the two do not tell energy and momentum.
         offset: A's time at B's time zero [s]; of files also a text like "-68.5 s", or "start" if both begin at the same
             moment. Left out, it is 0, and of files what their epochs say.
+        align_clock: of two files, whether the offset is estimated from the attitudes.
 
     Raises:
         InvalidInput: for files that cannot be read, for what is not an attitude history, and for two histories that
@@ -55,10 +57,14 @@ def compare(
     if not (offset is None or isinstance(offset, str) or (isinstance(offset, int | float) and math.isfinite(offset))):
         raise InvalidInput(f"`offset` must be a time in seconds, or a text like `-68.5 s`; got {shown(offset)}.")
     if isinstance(a, str | Path) and isinstance(b, str | Path):
+        if align_clock:
+            offset = join_offset(offset, align_clock, "`offset`", "`align_clock`")
         parsed = parse_offset(offset, "`offset`") if offset is None or isinstance(offset, str) else Decimal(offset)
         body = None if spec is None else as_path("spec", spec)
         return compare_files(as_path("a", a), as_path("b", b), body, offset=parsed)
     sides = [load_source(Path(side), Kernels()).history if isinstance(side, str | Path) else side for side in (a, b)]
+    if align_clock:
+        raise InvalidInput("`align_clock` is for two files. Use polhode.analysis.comparison.align_clocks on histories.")
     if spec is not None or isinstance(offset, str):
         name, got = ("spec", spec) if spec is not None else ("offset", offset)
         rule = "left out" if name == "spec" else "a time in seconds"
@@ -102,7 +108,7 @@ def compare_files(
     warned = (*notes, *doubts, *_kinds(a, b), *_names(a, b))
     unknown = _unknown(a, b, known)
     why = {} if unknown is None else {"unknown": unknown}
-    return ComparisonReport(result, laid.words, warned, reading=tuple(reading), **why)
+    return ComparisonReport(result, laid.words, laid.aligned, warned, reading=tuple(reading), **why)
 
 
 def _has_other_moments(side: Source, shared: Mechanics) -> bool:
@@ -127,10 +133,10 @@ def _check_used(a: Source, b: Source, tables: tuple[Table | None, Table | None])
         InvalidInput: naming the file.
     """
     for side, table in zip((a, b), tables, strict=True):
-        if table is not None and table.only and side.kind != "table":
+        if table is not None and table.only and side.kind != TABLE:
             why = f"is {kind_in_words(side.kind)}, and a mapping is for tables"
             raise InvalidInput(f"{side.history.name}: {why}. Leave its part of the mapping out.")
-    if tables != (None, None) and "table" not in (a.kind, b.kind):
+    if tables != (None, None) and TABLE not in (a.kind, b.kind):
         why = "is a table, and the options of columns are for these"
         raise InvalidInput(f"neither {a.history.name} nor {b.history.name} {why}. Leave them out.")
 
@@ -139,7 +145,7 @@ def _readings(a: Source, b: Source) -> tuple[list[Group], list[str]]:
     """Return how tables among the two are read, and notes on it."""
     groups, notes = [], []
     for name, side in (("a", a), ("b", b)):
-        if side.kind == "table":
+        if is_table(side.kind):
             title = f"How {side.history.name} ({name.upper()}) is read"
             groups.append(describe_reading(side.trajectory, title, f"read_as.{name}"))
             notes += list_reading_notes(side.trajectory, side.history.name)
@@ -172,6 +178,6 @@ def _names(a: Source, b: Source) -> list[str]:
     notes = []
     for name, words in (("reference_frame", "space axes"), ("body_frame", "body axes"), ("object_name", "objects")):
         mine, theirs = getattr(a.labels, name), getattr(b.labels, name)
-        if same_name(mine) != same_name(theirs):
+        if mine and theirs and same_name(mine) != same_name(theirs):
             notes.append(f"{words} have different names, {mine} and {theirs}; they are compared as if the same.")
     return notes

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
+from polhode.analysis._clock_offset import ClockOffset
 from polhode.analysis.comparison import Comparison, Invariants
 from polhode.errors import one_line
 from polhode.reports.answer import Answer, Group, Table
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 LEAST = 3e-16  # rad; rounding of a quaternion's components alone makes as much
+SMALL = 0.01  # rad; what leaves more is another motion, however much it began with
+MOST_OF_IT = 0.1  # what remains of the rms angle; nine numbers fitted to any angles leave a third of them
 NAMES = {"energy": "energy", "momentum_norm": "|L|", "momentum_space": "L in space", "vertical_momentum": "L upwards"}
 INVARIANT_UNITS = {"energy": "J"}
 
@@ -30,6 +33,7 @@ class ComparisonReport(StudyReport):
     Attributes:
         comparison: the numbers.
         clocks: how the two clocks were related.
+        aligned: their offset, A's clock at B's zero, where it was estimated.
         warned: further caveats.
         unknown: why energy and momentum are unknown for both, where they are.
         reading: how tables among the two were understood.
@@ -38,6 +42,7 @@ class ComparisonReport(StudyReport):
     kind: ClassVar[str] = "comparison"
     comparison: Comparison
     clocks: str
+    aligned: ClockOffset | None = None
     warned: tuple[str, ...] = ()
     unknown: str = "energy and momentum need the body's moments; give a spec of a free body or top with --spec."
     reading: tuple[Group, ...] = ()
@@ -58,13 +63,20 @@ class ComparisonReport(StudyReport):
             return f"Both agree to {size}: to rounding."
         if len(comparison.times) == 1:
             return f"They differ by {self._word_angle(comparison.largest)} at the only time they have in common."
-        text = f"They differ by up to {self._word_angle(comparison.largest)}, {self._word_angle(comparison.rms)} rms."
-        if comparison.alignment is not None:
-            rest = float(comparison.alignment.remaining.max())
-            text += " Constant misalignments and a constant rate"
-            text += f" explain all but {rest:.3g} rad of it." if comparison.explained else (
-                f" do not explain it: the best fit leaves {rest:.3g} rad.")  # fmt: skip
-        return text
+        text = f"They differ by up to {self._word_angle(comparison.largest)}, {self._word_angle(comparison.rms)} rms"
+        noise = comparison.noise
+        if comparison.is_noise:
+            return f"{text}: no more than the noise of the samples, {noise:.2g} rad."
+        if comparison.alignment is None:
+            return f"{text}."
+        rest = float(comparison.alignment.remaining.max())
+        fit, share = "Constant misalignments and a constant rate", comparison.alignment.rms / comparison.rms
+        if comparison.explained:
+            return f"{text}. {fit} explain all but {rest:.3g} rad of it, which is no more than errors of the samples."
+        beyond = f", {comparison.alignment.rms / noise:.3g} times the noise of the samples" if noise else ""
+        if share < MOST_OF_IT and rest < SMALL:
+            return f"{text}. {fit} explain most of it; the best fit leaves {rest:.3g} rad{beyond}."
+        return f"{text}. {fit} do not explain it: the best fit leaves {rest:.3g} rad."
 
     @property
     def answers(self) -> list[Group | Table]:
@@ -82,6 +94,7 @@ class ComparisonReport(StudyReport):
         ]
         return Group("Times", [
             Answer("clocks", self.clocks, "", "clocks"),
+            *self._offset(),
             Answer("times.first", first, "s", "compared from", "A's", f"{first:.9g} to {last:.9g} s of A"),
             Answer("times.last", last, "s", "", "A's"),
             Answer("times.samples", len(comparison.times), "", "samples", "", str(len(comparison.times))),
@@ -90,15 +103,28 @@ class ComparisonReport(StudyReport):
             *sources,
         ])  # fmt: skip
 
+    def _offset(self) -> list[Answer]:
+        """Return the estimated offset of the clocks; empty where it was known."""
+        found = self.aligned
+        if found is None:
+            return []
+        return [
+            Answer("clock_offset.value", found.offset, "s"),
+            Answer("clock_offset.error", found.error, "s"),
+            Answer("clock_offset.turned", found.turned),
+        ]
+
     def _angle(self) -> Group:
         comparison = self.comparison
         sizes = {"largest": comparison.largest, "rms": comparison.rms,
                  "first": comparison.angle[0], "last": comparison.angle[-1]}  # fmt: skip
         unseen = comparison.growth is None or comparison.is_rounding
+        noise = None if comparison.noise is None else f"{comparison.noise:.2g} rad"
         growth = None if unseen else f"{comparison.growth:.{self._digits(6)}g} rad/s"
         said = "" if growth is None else "growth, best line"
         return Group("Angle between them", [
             *(Answer(f"angle.{name}", x, "rad", name, "", self._word_tiny(float(x))) for name, x in sizes.items()),
+            Answer("noise", comparison.noise, "rad", "noise of the samples", "rms", noise),
             Answer("growth", comparison.growth, "rad/s", said, "", growth),
         ])  # fmt: skip
 
@@ -110,6 +136,8 @@ class ComparisonReport(StudyReport):
         most, mean = (f"{x:.{count_known_digits(x, missed, 6)}g} rad" for x in (largest, fit.rms))
         rest, share = f"{most}, {mean} rms", fit.rms / self.comparison.rms
         explains = "yes" if self.comparison.explained else f"no, {100.0 * share:.3g} % of the rms angle remains"
+        if self.comparison.is_noise:
+            explains = "there is nothing to explain: the angle is noise"
         axes = {side: vector(getattr(fit, side), "rad", digits=self._digits(6)) for side in ("body", "space")}
         return Group("Best fit, A = turn(rate · t) · space · B · body", [
             Answer("alignment.body", fit.body, "rad", "body axes misaligned by", "", axes["body"]),

@@ -15,7 +15,7 @@ from polhode.analysis.comparison import AttitudeHistory, Mechanics
 from polhode.errors import FormatError, InvalidInput, PolhodeError, one_line, shown
 from polhode.formats.attitude_checks import check_recorded, single_attitude
 from polhode.formats.form import Form, Kernels
-from polhode.formats.form_registry import form_that_begins, forms
+from polhode.formats.form_registry import form_that_begins, form_that_is_named, forms
 from polhode.formats.labels import AttitudeLabels, Recording, find_labels
 from polhode.formats.opening import is_folder, open_file
 from polhode.formats.stamps import exact_number
@@ -97,11 +97,12 @@ def detect_kind(path: Path, table: Table | None = None) -> str:
     with open_file(path, "spec or motion") as file:
         head = file.read(HEAD)
     begin = head.removeprefix(b"\xef\xbb\xbf")
-    form = form_that_begins(begin)
-    if form is not None and not (form.name == "csv" and _is_chosen(begin, table)):
+    form = form_that_begins(begin) or (form_that_is_named(path) if table is None else None)
+    overruled = form is not None and form.is_table and table is not None and (table.only or _fits(path, table))
+    if form is not None and not overruled and not (form.name == "csv" and _is_chosen(begin, table)):
         return form.name
-    if b"<aem" in head or b"<ndm" in head:
-        raise FormatError(f"{path}: is XML; AEMs are read as text of keyword = value. Convert it.")
+    if begin.lstrip().startswith(b"<?xml"):
+        raise FormatError(f"{path}: is XML, and no message of CCSDS's that is read here. Check the file.")
     if head.startswith(b"PK\x03\x04"):
         raise FormatError(f"{path}: is a zip archive, from which only fit takes logs of gyros. Unpack it.")
     if b"\0" in head:
@@ -110,6 +111,23 @@ def detect_kind(path: Path, table: Table | None = None) -> str:
     if path.suffix.lower() == ".toml":
         return SPEC
     return TABLE if table is not None or _looks_like_table(path, head) else SPEC
+
+
+def is_table(kind: str) -> bool:
+    """Whether a kind of file is a table of another tool, whose reading is told."""
+    return kind == TABLE or (kind in forms() and forms()[kind].is_table)
+
+
+def _fits(path: Path, table: Table) -> bool:
+    """Whether a mapping for two files is for this one: whether its columns are there."""
+    from polhode.formats.column_resolution import resolve_mapping
+    from polhode.formats.plain_table import table_form
+
+    try:
+        resolve_mapping(path, table_form(path), table.mapping)
+    except InvalidInput:
+        return False
+    return True
 
 
 def _is_chosen(begin: bytes, table: Table | None) -> bool:
@@ -144,7 +162,8 @@ def read_recorded(
 
         if table is None:
             raise needs_mapping(path)
-        return kind, read_columns(path, table.mapping), None
+        read = read_columns(path, table.mapping)
+        return kind, read, find_labels(read)
     form = forms().get(kind)
     if form is None or form.read is None:
         raise InvalidInput(f"{path}: is no AEM, C-kernel, table or dataset, as it does not begin like one. Check the "
@@ -187,14 +206,22 @@ def load_source(path: Path, kernels: Kernels, table: Table | None = None, kind: 
         return _from_spec(path)
     _, recorded, labels = read_recorded(path, kernels, table, kind)
     if kind == TABLE and recorded.attitude is None:
-        raise InvalidInput(f"{path}: a comparison is of attitudes, and only --gyro is given. Name them by --quat or "
-                           "--euler.")  # fmt: skip
+        raise InvalidInput(f"{path}: a comparison is of attitudes, and only --gyro is given. Name them by --quat, "
+                           "--matrix, --mrp or --euler.")  # fmt: skip
     trajectory = recorded.along("given")
     history = replace(
-        _history(path, trajectory), resolution=0.0 if kind == TABLE else forms()[kind].resolution,
+        _history(path, trajectory), resolution=_resolution(kind, recorded),
         mechanics=_find_mechanics(trajectory, recorded.frame),
     )  # fmt: skip
     return Source(kind, trajectory, history, labels, None, find_begin(path, recorded))
+
+
+def _resolution(kind: str, recorded: Trajectory) -> float:
+    """Return by how much a file's times may be off, as they are written with so many digits [s]."""
+    said = recorded.source.attributes.get("time_resolution") if isinstance(recorded.source, Recording) else None
+    if isinstance(said, float | int) and said > 0.0:
+        return float(said)
+    return forms()[kind].resolution if kind in forms() else 0.0
 
 
 def _find_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanics | None:

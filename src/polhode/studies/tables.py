@@ -24,7 +24,7 @@ class Table(NamedTuple):
 
 def needs_mapping(path: Path) -> InvalidInput:
     """Return the error for a table without a mapping; it lists the columns."""
-    from polhode.formats.column_reading import COLUMNS_SHOWN
+    from polhode.formats.column_resolution import COLUMNS_SHOWN
     from polhode.formats.plain_table import table_form
 
     form = table_form(path)
@@ -60,7 +60,8 @@ def describe_reading(trajectory: Trajectory, title: str, level: str) -> Group:
                f"{reading['left_out']}, left out"),
         Answer(f"{prefix}repeated", reading["repeated"], "", "lines that repeat" if reading["repeated"] else "", "",
                f"{reading['repeated']}, left out"),
-        Answer(f"{prefix}largest_deviation", off, "", "largest deviation of |q| from 1", "",
+        Answer(f"{prefix}spread", reading["spread"]),
+        Answer(f"{prefix}largest_deviation", off, "", f"largest deviation of {reading['deviation_from']} from 1", "",
                None if off is None else f"{off:.2g}, normalised"),
         Answer(f"{prefix}rates_apart", apart, "", "rates differ from the attitude's by", "relative, rms",
                None if apart is None else f"{100.0 * apart:.3g} %"),

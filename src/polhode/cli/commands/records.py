@@ -12,9 +12,11 @@ from polhode.cli import tumble_options as tumbling
 from polhode.cli.arguments import StrictCommand
 from polhode.cli.commands.application import AsJson, BodySpec, SpecPath, app
 from polhode.cli.source_options import (
+    AlignClock,
     ClockKernel,
     ClockOffset,
     ColumnUnit,
+    CountScale,
     Decimal,
     Direction,
     EulerColumns,
@@ -23,10 +25,13 @@ from polhode.cli.source_options import (
     GyroColumns,
     LeapSeconds,
     MappingFile,
+    MatrixColumns,
+    MrpColumns,
     QuatColumns,
     QuatOrder,
     SpiceId,
     TimeColumn,
+    TimeSystem,
     TimeUnit,
 )
 from polhode.formats.form_registry import writable_forms
@@ -58,13 +63,17 @@ def fit(
     mapping: MappingFile = None,
     time: TimeColumn = None,
     time_unit: TimeUnit = None,
+    time_system: TimeSystem = None,
     quat: QuatColumns = None,
     order: QuatOrder = None,
     direction: Direction = None,
+    matrix: MatrixColumns = None,
+    mrp: MrpColumns = None,
     euler: EulerColumns = None,
     sequence: EulerSequence = None,
     gyro: GyroColumns = None,
     unit: ColumnUnit = None,
+    scale: CountScale = None,
     decimal: Decimal = None,
 ) -> None:
     """Fit the inertia of a thrown body to gyro logs, or a molecule's constants to measured lines.
@@ -77,7 +86,8 @@ def fit(
     from polhode.cli.fit import run_fit
     from polhode.studies.throws import ThrowOptions
 
-    columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
+    columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
+                            gyro, unit, scale, decimal)  # fmt: skip
     for_throws = ThrowOptions(window or (), drag, torque, rotor, gain, clip, moment, mass, added_weight, weighted or ())
     run_fit(files, free, for_throws, columns, out, figures, json)
 
@@ -103,11 +113,14 @@ def export(
 
 @app.command("import", cls=StrictCommand)
 def import_(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="CCSDS AEM, SPICE C-kernel, or any table of numbers.")],
+    file: Annotated[
+        Path, typer.Argument(metavar="FILE", help="Of CCSDS, SPICE, STK, 42 and others, or any table of numbers.")
+    ],
     json: AsJson = False,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE.nc", help="Dataset to write (default: the file's name and _imported.nc)."),
+        typer.Option("--out", metavar="FILE", help="Dataset, .nc, or a spec, .toml (default: the file's name and "
+                     "_imported)."),
     ] = None,
     spec: BodySpec = None,
     sclk: ClockKernel = None,
@@ -117,32 +130,39 @@ def import_(
     mapping: MappingFile = None,
     time: TimeColumn = None,
     time_unit: TimeUnit = None,
+    time_system: TimeSystem = None,
     quat: QuatColumns = None,
     order: QuatOrder = None,
     direction: Direction = None,
+    matrix: MatrixColumns = None,
+    mrp: MrpColumns = None,
     euler: EulerColumns = None,
     sequence: EulerSequence = None,
     gyro: GyroColumns = None,
     unit: ColumnUnit = None,
+    scale: CountScale = None,
     decimal: Decimal = None,
 ) -> None:
     """Read another tool's attitude history; write it as NetCDF.
 
-    What the history holds is printed. Of a table, such as a CSV file, say which columns are what, like
-    --time t --time-unit s --quat qw,qx,qy,qz --gyro gx,gy,gz --unit deg/s; how it is read is printed.
+    What the history holds is printed. Files of CCSDS, SPICE, STK and 42, and tables of PX4, ArduPilot, ROS, Basilisk
+    and GMAT are known by what they begin with. Of other tables say which columns are what, like
+    --time t --time-unit s --quat qw,qx,qy,qz --gyro gx,gy,gz --unit deg/s; how they are read is printed. Of a message
+    with inertia and spin at one time, an APM, a spec is written.
     """
     from polhode.cli.columns import ColumnOptions
     from polhode.cli.importing import run_import
     from polhode.formats.form import Kernels
 
-    columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
+    columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
+                            gyro, unit, scale, decimal)  # fmt: skip
     run_import(file, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns)
 
 
 @app.command(cls=StrictCommand)
 def compare(
     a: Annotated[
-        Path, typer.Argument(metavar="A", help="Spec, dataset or CSV of polhode's, CCSDS AEM, C-kernel, any table.")
+        Path, typer.Argument(metavar="A", help="Spec, dataset or CSV of polhode's, a file that import takes.")
     ],
     b: Annotated[Path, typer.Argument(metavar="B", help="The same; times are counted by A.")],
     json: AsJson = False,
@@ -151,6 +171,7 @@ def compare(
     ] = None,
     spec: BodySpec = None,
     offset: ClockOffset = None,
+    align_clock: AlignClock = False,
     sclk: ClockKernel = None,
     fk: FrameKernel = None,
     lsk: LeapSeconds = None,
@@ -158,13 +179,17 @@ def compare(
     mapping: MappingFile = None,
     time: TimeColumn = None,
     time_unit: TimeUnit = None,
+    time_system: TimeSystem = None,
     quat: QuatColumns = None,
     order: QuatOrder = None,
     direction: Direction = None,
+    matrix: MatrixColumns = None,
+    mrp: MrpColumns = None,
     euler: EulerColumns = None,
     sequence: EulerSequence = None,
     gyro: GyroColumns = None,
     unit: ColumnUnit = None,
+    scale: CountScale = None,
     decimal: Decimal = None,
 ) -> None:
     """Say how two attitude histories differ.
@@ -176,8 +201,9 @@ def compare(
     from polhode.cli.compare import run_compare
     from polhode.formats.form import Kernels
 
-    columns = ColumnOptions(mapping, time, time_unit, quat, order, direction, euler, sequence, gyro, unit, decimal)
-    run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns, offset)
+    columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
+                            gyro, unit, scale, decimal)  # fmt: skip
+    run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns, offset, align_clock)
 
 
 @app.command(cls=StrictCommand)

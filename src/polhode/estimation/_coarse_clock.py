@@ -1,0 +1,27 @@
+"""Times of a clock that is rounded more coarsely than the samples come."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from polhode.types import Array, Float64
+
+HICCUPS = 3  # samples at a time that was there already, at most
+COARSE = 0.02  # of the samples at a time that was there already: more is a clock that is rounded, not a hiccup
+EVEN = 1.1  # of the clock's step, within which its rounding keeps the times of equal steps
+
+
+def is_coarse(repeated: int, samples: int) -> bool:
+    """Whether so many samples at a time that was there already show a rounded clock."""
+    return repeated >= max(HICCUPS, COARSE * samples)
+
+
+def spread_evenly(t: Float64[Array, "n"]) -> Float64[Array, "n"]:
+    """Return the times of a coarse clock, with samples of one time at equal steps to the next."""
+    distinct, counts = np.unique(t, return_counts=True)
+    coarse = float(np.median(np.diff(distinct))) if len(distinct) > 1 else 0.0
+    steps = np.minimum(np.diff(distinct, append=distinct[-1] + coarse), coarse)  # not over a gap
+    spread = t + np.concatenate([np.arange(count) / count * step for count, step in zip(counts, steps, strict=True)])
+    # samples that come evenly, as far as the clock can tell, came evenly
+    grid = np.polynomial.Polynomial.fit(np.arange(len(t)), t, 1)(np.arange(len(t)))
+    return t[0] + grid - grid[0] if np.ptp(t - grid) <= EVEN * coarse else spread
