@@ -76,7 +76,7 @@ def repair_mesh(
 
 
 def as_mesh(
-    vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"]
+    vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], least: int = 4
 ) -> tuple[Float64[np.ndarray, "n 3"], Integer[np.ndarray, "m 3"]]:
     """Return copies as float64 and int64 arrays of the right shapes, finite and in range."""
     if np.iscomplexobj(vertices):
@@ -89,7 +89,7 @@ def as_mesh(
         raise InvalidInput(
             f"a mesh needs vertices (n, 3) and faces (m, 3), triangles only; got {vertices.shape} and {faces.shape}."
         )
-    if len(faces) < 4:
+    if len(faces) < least:
         raise InvalidInput(f"the mesh is open: a closed surface has at least 4 triangles; got {len(faces)}.")
     if not np.issubdtype(faces.dtype, np.integer):
         raise InvalidInput(f"`faces` must be integer indices; got {faces.dtype}.")
