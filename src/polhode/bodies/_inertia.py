@@ -60,11 +60,18 @@ def nearest_physical(inertia: Float64[Array, "3 3"]) -> Float64[Array, "3 3"]:
     return 0.5 * near + 0.5 * near.T
 
 
-def take_rounded(inertia: Float64[Array, "3 3"], digits: int) -> Float64[Array, "3 3"]:
+def take_rounded(
+    inertia: Float64[Array, "3 3"], digits: int, given: Float64[Array, "3 3"] | None = None
+) -> Float64[Array, "3 3"]:
     """Return the tensor itself if a body can have it, else the nearest one, where rounding explains the distance.
 
     The true tensor is one that a body has and, entry by entry, within half a unit of the last digit; the nearest one is
     no further away than it.
+
+    Args:
+        inertia: symmetric.
+        digits: significant ones of the entries.
+        given: the entries that were rounded, where the tensor was taken from another point; else its own.
 
     Raises:
         InvalidInput: where rounding to so many significant digits is not enough.
@@ -75,9 +82,14 @@ def take_rounded(inertia: Float64[Array, "3 3"], digits: int) -> Float64[Array, 
     moved = float(np.linalg.norm(near - inertia))
     if moved <= ROUNDING * float(np.abs(inertia).max()):
         return inertia
-    if moved > rounding_of(inertia, digits):
-        check_moments(np.linalg.eigvalsh(inertia))
-        raise AssertionError("a tensor that is moved is none that a body has")
+    if moved > rounding_of(inertia if given is None else given, digits):
+        moments = ", ".join(f"{x:.9g}" for x in np.linalg.eigvalsh(inertia))
+        enough = digits_that_explain(inertia, given)
+        but = f", but to {enough} digits would" if enough else " nor to fewer from 3 on"
+        raise InvalidInput(
+            f"no rigid body has the principal moments ({moments}) kg m², which must satisfy I1 + I2 ≥ I3 ≥ 0; rounding "
+            f"to {digits} digits does not explain it{but}. Check the numbers."
+        )
     return near
 
 
@@ -89,10 +101,11 @@ def rounding_of(inertia: Float64[Array, "3 3"], digits: int) -> float:
     return float(np.linalg.norm(0.5 * unit)) * (1.0 + ROUNDING)
 
 
-def digits_that_explain(inertia: Float64[Array, "3 3"]) -> int | None:
+def digits_that_explain(inertia: Float64[Array, "3 3"], given: Float64[Array, "3 3"] | None = None) -> int | None:
     """Return the most significant digits, from 3 on, whose rounding explains that no body has this tensor, or None."""
     moved = float(np.linalg.norm(nearest_physical(inertia) - inertia))
-    return next((digits for digits in range(12, 2, -1) if moved <= rounding_of(inertia, digits)), None)
+    entries = inertia if given is None else given
+    return next((digits for digits in range(12, 2, -1) if moved <= rounding_of(entries, digits)), None)
 
 
 def check_moments(moments: Float64[Array, "3"], effective: bool = False) -> None:

@@ -6,7 +6,7 @@ import io
 import logging
 import warnings
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,6 +23,20 @@ LARGEST_EXTENT = 1e30  # m; moments of inertia are its fifth power, and doubles 
 ENDINGS = ("stl", "obj", "ply", "off", "glb", "gltf")
 NEIGHBOURS = 50  # of a corner within SAME_CORNER, on average; more would be all pairs of a heap of corners
 SAME_CORNER = 1e-6  # of the mesh's extent: what single precision and printed digits leave between copies of a corner
+
+
+class LoadedMesh(NamedTuple):
+    """A mesh from a file.
+
+    Attributes:
+        vertices: (n, 3) [m].
+        faces: (m, 3) indices of corners.
+        notes: what repair changed, in sentences; empty where it was not asked for or changed nothing.
+    """
+
+    vertices: Float64[Array, "n 3"]
+    faces: Integer[Array, "m 3"]
+    notes: tuple[str, ...] = ()
 
 
 def read_mesh(
@@ -42,6 +56,12 @@ def read_mesh(
         InvalidInput: if the file is missing or the unit is not positive.
         FormatError: if it cannot be read as a mesh.
     """
+    read = load_mesh(path, unit, repair)
+    return read.vertices, read.faces
+
+
+def load_mesh(path: str | Path, unit: float, repair: bool = False) -> LoadedMesh:
+    """Return a mesh as ``read_mesh`` does, with notes on what repair changed."""
     path = Path(path)
     if isinstance(unit, str) or not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
         raise InvalidInput(f"`unit` must be a positive length in metres, like 1e-3 for millimetres; got {shown(unit)}.")
@@ -61,7 +81,7 @@ def read_mesh(
             vertices, faces = repair_mesh(*_fill_holes(*_merge_nearby(vertices, faces)))
         except InvalidInput as error:
             raise InvalidInput(f"{path}: {error}") from None
-    return vertices * unit, faces
+    return LoadedMesh(vertices * unit, faces)
 
 
 def _load(path: Path, content: bytes) -> tuple[Array, Array]:
