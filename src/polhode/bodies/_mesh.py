@@ -5,16 +5,20 @@ from __future__ import annotations
 import numpy as np
 
 from polhode.bodies._inertia import MassProperties, inertia_of_second
-from polhode.bodies._mesh_gate import as_mesh, check_mesh, repair_mesh, triple_products
+from polhode.bodies._mesh_gate import as_mesh, check_mesh, triple_products
+from polhode.bodies._mesh_repair import repair_mesh
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
 
 def mass_properties(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], *, mass: float | None, density: float | None,
-    several: bool = False, repair: bool = False,
+    several: bool = False, repair: bool = False, repaired: bool = False,
 ) -> MassProperties:  # fmt: skip
-    """Return mass, centre and inertia of what a mesh encloses: ``Body.from_mesh`` documents the arguments."""
+    """Return mass, centre and inertia of what a mesh encloses: ``Body.from_mesh`` documents the arguments.
+
+    A mesh that was ``repaired`` when it was read needs no second repair, and no message advises to ask for it.
+    """
     if (mass is None) == (density is None):
         raise InvalidInput("give exactly one of `mass` [kg] and `density` [kg/m³]; a mesh alone has neither.")
     for name, value in (("mass", mass), ("density", density)):
@@ -24,8 +28,8 @@ def mass_properties(
                 "Check sign and units."
             )
     if repair:
-        vertices, faces = repair_mesh(vertices, faces)
-    vertices, faces = check_mesh(vertices, faces, several, repaired=repair)
+        vertices, faces, _ = repair_mesh(vertices, faces)
+    vertices, faces = check_mesh(vertices, faces, several, repair or repaired)
     volume, center, second = volume_moments(vertices[faces])
     whole = float(mass if mass is not None else density * volume)  # type: ignore[operator]
     return MassProperties(whole, center, whole / volume * inertia_of_second(second))

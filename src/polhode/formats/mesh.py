@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.bodies._mesh_gate import repair_mesh
+from polhode.bodies._mesh_repair import repair_mesh
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.mesh_checks import as_text, check_content
 from polhode.formats.obj_mesh import read_obj
@@ -76,12 +76,24 @@ def load_mesh(path: str | Path, unit: float, repair: bool = False) -> LoadedMesh
         raise FormatError(f"{path}: a corner is {extent:.3g} of its units away, and no body is that large. Check the "
                           "file and its unit.")  # fmt: skip
     vertices, faces = _merge(vertices, faces.astype(np.int64))
-    if repair:
-        try:
-            vertices, faces = repair_mesh(*_fill_holes(*_merge_nearby(vertices, faces)))
-        except InvalidInput as error:
-            raise InvalidInput(f"{path}: {error}") from None
-    return LoadedMesh(vertices * unit, faces)
+    if not repair:
+        return LoadedMesh(vertices * unit, faces)
+    try:
+        near, index = _merge_nearby(vertices, faces)
+        merged = len(vertices) - len(near)
+        vertices, faces, changes = repair_mesh(near, index, holes=True)
+    except InvalidInput as error:
+        raise InvalidInput(f"{path}: {error}") from None
+    return LoadedMesh(vertices * unit, faces, _say(changes, merged))
+
+
+def _say(changes: tuple[str, ...], merged: int) -> tuple[str, ...]:
+    """Return what repair did as one sentence."""
+    if merged:
+        changes = (f"made {merged} corners one with others less than 1e-6 of the mesh's size away", *changes)
+    if not changes:
+        return ("repair found nothing to mend.",)
+    return (f"repair {' and '.join(filter(None, (', '.join(changes[:-1]), changes[-1])))}.",)
 
 
 def _load(path: Path, content: bytes) -> tuple[Array, Array]:
@@ -140,15 +152,3 @@ def _merge_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
     kept = np.empty(count, dtype=int)
     kept[labels[::-1]] = np.arange(len(vertices))[::-1]
     return vertices[kept], labels[faces]
-
-
-def _fill_holes(vertices: Array, faces: Array) -> tuple[Array, Array]:
-    """Drop triangles that are degenerate or there twice, then close small holes."""
-    trimesh = _trimesh()
-    a, b, c = faces.T
-    faces = faces[(a != b) & (b != c) & (c != a)]
-    _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
-    mesh = trimesh.Trimesh(vertices, faces[np.sort(first)], process=False)
-    trimesh.repair.fix_winding(mesh)
-    trimesh.repair.fill_holes(mesh)
-    return np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64)

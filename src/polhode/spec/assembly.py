@@ -14,10 +14,10 @@ import numpy as np
 from polhode import rotation
 from polhode.bodies import _solids as solids
 from polhode.bodies._inertia import MassProperties, inertia_of_second
-from polhode.bodies._mesh import volume_moments
+from polhode.bodies._mesh import mass_properties, volume_moments
 from polhode.bodies.body import Body, combine
 from polhode.errors import InvalidInput
-from polhode.formats.mesh import load_mesh
+from polhode.formats.mesh import LoadedMesh, load_mesh
 from polhode.spec.built import BuiltBody, BuiltPart, ReadBody
 from polhode.spec.known_inertia import build_known
 from polhode.spec.models import MAY_HAVE, SHAPE_KEYS, PartTable
@@ -137,13 +137,22 @@ def _shape(part: PartTable, density: float | None) -> tuple[Body, float | None, 
 def _mesh(part: PartTable, density: float | None, folder: Path) -> tuple[Body, float | None, tuple[str, ...]]:
     assert part.mesh is not None
     read = load_mesh(folder / part.mesh, part.mesh_unit or 1.0, part.repair)
-    amount = {"mass": part.mass} if part.mass is not None else {"density": density}
+    amount = {"mass": part.mass, "density": None if part.mass is not None else density}
     try:
         if part.is_shell:
             of_wall = {} if part.mass is not None else {"thickness": part.thickness}
             return Body.from_sheet(read.vertices, read.faces, **amount, **of_wall), None, read.notes
-        body = Body.from_mesh(read.vertices, read.faces, **amount, several=part.several, repair=part.repair)
+        body = body_of_mesh(read, several=part.several, repaired=part.repair, **amount)
     except InvalidInput as error:
         raise InvalidInput(f"mesh {part.mesh}: {error}") from None
     volume = abs(volume_moments(read.vertices[read.faces])[0])
     return body, volume, read.notes
+
+
+def body_of_mesh(
+    read: LoadedMesh, mass: float | None, density: float | None, *, several: bool, repaired: bool
+) -> Body:
+    """Return the body that a mesh from a file bounds, which was repaired there if that was asked for."""
+    return Body(*mass_properties(
+        read.vertices, read.faces, mass=mass, density=density, several=several, repaired=repaired
+    ))  # fmt: skip

@@ -18,7 +18,7 @@ from polhode.errors import FormatError, InvalidInput
 from polhode.formats.mesh import load_mesh
 from polhode.formats.molecule import read_molecule
 from polhode.formats.urdf import read_urdf_inertial
-from polhode.spec.assembly import build_assembly, build_part
+from polhode.spec.assembly import body_of_mesh, build_assembly, build_part
 from polhode.spec.built import BuiltBody
 from polhode.spec.known_inertia import build_known
 from polhode.spec.mistakes import as_message, list_mistakes
@@ -88,10 +88,7 @@ class _Files:
         if table.mesh is not None:
             read = load_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair)
             with _of_file("mesh", table.mesh):
-                body = Body.from_mesh(
-                    read.vertices, read.faces, mass=table.mass, density=table.density, several=table.several,
-                    repair=table.repair,
-                )  # fmt: skip
+                body = body_of_mesh(read, table.mass, table.density, several=table.several, repaired=table.repair)
             return BuiltBody(body, tuple(f"mesh {table.mesh}: {note}" for note in read.notes))
         if table.moments is not None or table.inertia is not None:
             return build_known(table)
