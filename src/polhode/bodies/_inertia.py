@@ -50,6 +50,8 @@ def nearest_physical(inertia: Float64[Array, "3 3"]) -> Float64[Array, "3 3"]:
     from scipy.optimize import nnls
 
     scale = float(np.abs(inertia).max())
+    if not 0.0 < scale < LARGEST:
+        return inertia
     diagonal = np.diag(inertia)
     if np.array_equal(inertia, np.diag(diagonal)):
         moments, axes = diagonal, np.eye(3)
@@ -104,6 +106,8 @@ def rounding_of(inertia: Float64[Array, "3 3"], digits: int) -> float:
 def digits_that_explain(inertia: Float64[Array, "3 3"], given: Float64[Array, "3 3"] | None = None) -> int | None:
     """Return the most significant digits, from 3 on, whose rounding explains that no body has this tensor, or None."""
     moved = float(np.linalg.norm(nearest_physical(inertia) - inertia))
+    if not moved > 0.0:
+        return None
     entries = inertia if given is None else given
     return next((digits for digits in range(12, 2, -1) if moved <= rounding_of(entries, digits)), None)
 

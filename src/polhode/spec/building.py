@@ -16,8 +16,10 @@ from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.mesh import load_mesh
+from polhode.formats.mjcf import read_mjcf_inertial, read_mjcf_robot
 from polhode.formats.molecule import read_molecule
-from polhode.formats.urdf import read_urdf_inertial
+from polhode.formats.sdf import read_sdf_inertial, read_sdf_robot
+from polhode.formats.urdf import read_urdf_inertial, read_urdf_robot
 from polhode.spec.assembly import body_of_mesh, build_assembly, build_part
 from polhode.spec.built import BuiltBody
 from polhode.spec.known_inertia import build_known
@@ -26,6 +28,13 @@ from polhode.spec.models import BodyTable, SpinTable
 from polhode.spec.parsing import read_tables
 from polhode.spec.rules import find_broken_body_rules
 from polhode.types import Array, Float64
+
+ROBOTS = {
+    "urdf": (read_urdf_inertial, read_urdf_robot),
+    "sdf": (read_sdf_inertial, read_sdf_robot),
+    "mjcf": (read_mjcf_inertial, read_mjcf_robot),
+}
+"""How one link and how all links of a robot description are read, by the key that names the file."""
 
 
 def build_body(table: BodyTable, folder: Path, file: Path | None = None) -> BuiltBody:
@@ -122,8 +131,11 @@ def _of_molecule_or_robot(table: BodyTable, folder: Path) -> Body:
         atoms = read_molecule(folder / table.molecule)
         with _of_file("molecule", table.molecule):
             return Body.from_atoms(*atoms)
-    if table.urdf is not None:
-        return read_urdf_inertial(folder / table.urdf, table.link)
+    for kind, (read_link, read_robot) in ROBOTS.items():
+        if (name := getattr(table, kind)) is not None:
+            if table.joints is not None:
+                return read_robot(folder / name, table.joints, table.rounding)
+            return read_link(folder / name, table.link, table.rounding)
     raise AssertionError("the rules let a body have one source")
 
 
