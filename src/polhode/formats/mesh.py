@@ -12,6 +12,7 @@ import numpy as np
 
 from polhode.bodies._mesh_repair import repair_mesh
 from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.mesh_archives import LIBRARIES, check_archive
 from polhode.formats.mesh_checks import as_text, check_content
 from polhode.formats.obj_mesh import read_obj
 from polhode.formats.opening import MB, read_file
@@ -20,7 +21,7 @@ from polhode.types import Array, Float64, Integer
 
 LARGEST_FILE = 256 * MB  # five million triangles of a binary STL
 LARGEST_EXTENT = 1e30  # m; moments of inertia are its fifth power, and doubles end at 1e308
-ENDINGS = ("stl", "obj", "ply", "off", "glb", "gltf")
+ENDINGS = ("stl", "obj", "ply", "off", "glb", "gltf", "3mf", "dae")
 NEIGHBOURS = 50  # of a corner within SAME_CORNER, on average; more would be all pairs of a heap of corners
 SAME_CORNER = 1e-6  # of the mesh's extent: what single precision and printed digits leave between copies of a corner
 
@@ -42,7 +43,7 @@ class LoadedMesh(NamedTuple):
 def read_mesh(
     path: str | Path, unit: float, repair: bool = False
 ) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
-    """Return vertices (n, 3) [m] and faces (m, 3) of a mesh file (STL, OBJ, PLY, OFF, GLB, glTF in one file).
+    """Return vertices (n, 3) [m] and faces (m, 3) of a mesh file (STL, OBJ, PLY, OFF, GLB, glTF in one file, 3MF, DAE).
 
     Corners at exactly the same place become one, as STL files repeat them for every triangle.
 
@@ -65,7 +66,7 @@ def load_mesh(path: str | Path, unit: float, repair: bool = False) -> LoadedMesh
     path = Path(path)
     if isinstance(unit, str) or not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
         raise InvalidInput(f"`unit` must be a positive length in metres, like 1e-3 for millimetres; got {shown(unit)}.")
-    vertices, faces = _load(path, read_file(path, "mesh", LARGEST_FILE))
+    vertices, faces = _load(path, read_file(path, "mesh", LARGEST_FILE), unit)
     if len(faces) == 0:
         raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it again, as a surface mesh.")
     if not np.isfinite(vertices).all():
@@ -96,7 +97,7 @@ def _say(changes: tuple[str, ...], merged: int) -> tuple[str, ...]:
     return (f"repair {' and '.join(filter(None, (', '.join(changes[:-1]), changes[-1])))}.",)
 
 
-def _load(path: Path, content: bytes) -> tuple[Array, Array]:
+def _load(path: Path, content: bytes, unit: float) -> tuple[Array, Array]:
     ending = path.suffix.lower().lstrip(".")
     if ending not in ENDINGS:
         known = ", ".join(ENDINGS)
@@ -106,7 +107,7 @@ def _load(path: Path, content: bytes) -> tuple[Array, Array]:
         return read_obj(path, as_text(path, content))
     if ending == "stl":
         return read_stl(path, content)
-    content = check_content(path, ending, content)
+    content = check_archive(path, ending, content, unit) if ending in LIBRARIES else check_content(path, ending, content)
     trimesh = _trimesh()
     try:
         with warnings.catch_warnings(), np.errstate(all="ignore"):

@@ -206,10 +206,17 @@ def find_positions(path: Path, pose: Pose, motions: Sequence[Motion]) -> dict[st
             wanted = 'an angle like "30 deg"' if motion.unit == "rad" else 'a distance like "10 cm"'
             raise InvalidInput(f"{path}: joint {shown(name)} must be at {wanted}.")
     positions = {name: pose[name][0] if name in pose else motion.reference for name, motion in known.items()}
-    for name, motion in known.items():
-        if motion.follows is not None:
-            leader, factor, offset = motion.follows
-            if leader not in known or known[leader].follows is not None:
-                raise FormatError(f"{path}: joint {shown(name)} follows {shown(leader)}, which is no joint of its own.")
-            positions[name] = factor * positions[leader] + offset
-    return positions
+    return {name: _follow(path, known, positions, name) for name in known}
+
+
+def _follow(path: Path, known: Mapping[str, Motion], positions: Mapping[str, float], name: str) -> float:
+    """Return the position of a joint that may follow another one, which may follow one in turn."""
+    factor, offset, seen = 1.0, 0.0, [name]
+    while (follows := known[seen[-1]].follows) is not None:
+        leader, times, plus = follows
+        if leader not in known or leader in seen:
+            what = "follows itself" if leader in seen else f"follows {shown(leader)}, which is no joint that can move"
+            raise FormatError(f"{path}: joint {shown(name)} {what}. Check its <mimic>.")
+        factor, offset = factor * times, offset + factor * plus
+        seen.append(leader)
+    return factor * positions[seen[-1]] + offset

@@ -133,6 +133,8 @@ def _named(path: Path, model: ET.Element, tag: str) -> dict[str, ET.Element]:
 def _pose(where: str, parent: ET.Element) -> tuple[Frame, str | None]:
     """Return what an element's <pose> says, and in whose frame, None where it does not say."""
     element = parent.find("pose")
+    if element is not None and element.get("frame"):
+        raise FormatError(f"{where}: its <pose> names a frame by `frame`, as before SDF 1.7. Convert the file by `gz sdf`.")
     if element is None or not (element.text or "").strip():
         return Frame(), None if element is None else element.get("relative_to")
     if element.get("rotation_format", "euler_rpy") == "quat_xyzw":
@@ -181,7 +183,10 @@ def _motion(path: Path, name: str, element: ET.Element, poses: _Poses) -> Motion
         return Motion(name, "")
     xyz = find_child(where, find_child(where, element, "axis"), "xyz")
     axis = unit_vector(where, "its axis", finite_numbers(where, "its <xyz>", xyz.text, 3))
-    if (outer := xyz.get("expressed_in")) is not None:
+    outer = xyz.get("expressed_in")
+    if (element.findtext("axis/use_parent_model_frame") or "").strip() in ("1", "true"):  # before version 1.7
+        outer = ""
+    if outer is not None:
         axis = poses.of_joint(name).turn.T @ poses.of(outer).turn @ axis
     mimic = element.find("axis/mimic")
     if mimic is None:
