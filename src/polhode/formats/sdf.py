@@ -134,7 +134,7 @@ def _pose(where: str, parent: ET.Element) -> tuple[Frame, str | None]:
     """Return what an element's <pose> says, and in whose frame, None where it does not say."""
     element = parent.find("pose")
     if element is not None and element.get("frame"):
-        raise FormatError(f"{where}: its <pose> names a frame by `frame`, as before SDF 1.7. Convert the file by `gz sdf`.")
+        raise FormatError(f"{where}: its <pose> names another frame, as before SDF 1.7. Convert the file with Gazebo's tool.")
     if element is None or not (element.text or "").strip():
         return Frame(), None if element is None else element.get("relative_to")
     if element.get("rotation_format", "euler_rpy") == "quat_xyzw":

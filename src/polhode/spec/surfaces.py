@@ -29,6 +29,7 @@ BONDED = 1.2  # of the sum of covalent radii: atoms no further apart are bonded
 UNKNOWN = 1.5, 0xFF1493  # Å and colour of an element that the table does not have
 BOND = 0x9A9A9A
 MOST_TRIANGLES = 5_000_000
+MOST_PIECES = 10_000
 MANY_ATOMS = 100  # from which on their balls are coarser
 
 
@@ -43,11 +44,28 @@ def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
     if table.mesh is not None:
         return Surface(*read_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair))
     if table.part is not None:
+        if (count := _count_pieces(table, folder, {})) > MOST_PIECES:
+            raise InvalidInput(f"its parts have {count} pieces with those of other specs, more than {MOST_PIECES}, which "
+                               "no page can draw. The report needs no picture.")  # fmt: skip
         return surface_of_parts(table.part, folder)
     if table.molecule is not None:
         symbols, positions, _ = read_molecule(folder / table.molecule)
         return surface_of_atoms(symbols, positions)
     return None
+
+
+def _count_pieces(table: BodyTable, folder: Path, known: dict[Path, int]) -> int:
+    """Return how many pieces are drawn of a body, with those of the specs in it, each of which is looked at once."""
+    count = 0
+    for part in table.part or [None]:
+        if part is None or part.spec is None:
+            count += 1
+            continue
+        path = (folder / part.spec).resolve()
+        if path not in known:
+            known[path] = _count_pieces(read_body_table(path), path.parent, known)
+        count += known[path]
+    return count
 
 
 def surface_of_disk(radius: float, thickness: float, sections: int = SECTIONS) -> Surface:
@@ -59,7 +77,7 @@ def surface_of_parts(parts: Sequence[PartTable], folder: Path) -> Surface | None
     """Return the parts that are not cut, points as small balls; None where nothing is known but points in one place.
 
     Raises:
-        InvalidInput: for more than 10 000 pieces.
+        InvalidInput: for more triangles than a page can draw.
     """
     pieces, points = [], []
     for part in parts:
