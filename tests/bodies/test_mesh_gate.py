@@ -92,7 +92,7 @@ BROKEN = {
     "a face twice": ((box()[0], np.vstack([box()[1], box()[1][:1]])), "not a surface"),
     "a wall inside": (walled(), "open|not a surface: . edges border more than two"),
     "a body welded in a body": (welded(box(), box((-0.25, 0, 0), (0.5, 1, 3))), "overlaps"),
-    "the same body twice, welded": (welded(box(), box()), "not a surface: 12 of its triangles are there more than once"),
+    "the same body twice, welded": (welded(box(), box()), "12 of its triangles are there more than once"),
     "a corner repeated": ((box()[0], np.vstack([box()[1], [[0, 0, 1]]])), "repeated corner"),
     "flat": ((box()[0] * [1, 1, 0], box()[1]), "no volume"),
     "flat and tilted": ((box()[0] @ [[0.3, 0.1, 0.7], [0.2, 0.9, 0.4], [0, 0, 0]], box()[1]), "no volume"),
@@ -224,12 +224,12 @@ def scrambled(mesh, seed=0):
 @pytest.mark.parametrize("name", WHOLE)
 def test_repair_turns_faces_right(name):
     mesh, volume = WHOLE[name]
-    welded_in_part = "welded at a" in name or "along an edge" in name or "about an edge" in name or "flap" in name
+    welded_in_part = any(words in name for words in ("welded at a", "along an edge", "about an edge", "flap"))
     # around an edge that bodies share, turned faces do not say which of them belong together
     for spoiled in (mesh,) if welded_in_part else (inside_out(mesh), scrambled(mesh), mesh):
         repaired = ph.Body.from_mesh(*spoiled, density=1.0, several=True, repair=True)
         assert repaired.mass == pytest.approx(volume, rel=EXACT)
-    with pytest.raises(InvalidInput, match="wound inconsistently|not a surface"):
+    with pytest.raises(InvalidInput, match=r"wound inconsistently|not a surface"):
         ph.Body.from_mesh(*scrambled(mesh), density=1.0, several=True)
 
 

@@ -44,7 +44,9 @@ def sheet_properties(
         raise InvalidInput("give either `mass` [kg], or `density` [kg/m³] with `thickness` [m]; a sheet has no other.")
     for name, value in (("mass", mass), ("density", density), ("thickness", thickness)):
         if value is not None and not (np.ndim(value) == 0 and np.isfinite(value) and value > 0):
-            raise InvalidInput(f"`{name}` must be one positive finite number; got {shown(value)}. Check sign and units.")
+            raise InvalidInput(
+                f"`{name}` must be one positive finite number; got {shown(value)}. Check sign and units."
+            )
     vertices, faces = as_mesh(vertices, faces, least=1)
     area, center, second = area_moments(vertices[faces])
     whole = float(mass if mass is not None else density * thickness * area)  # type: ignore[operator]

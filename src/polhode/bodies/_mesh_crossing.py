@@ -115,7 +115,8 @@ def find_miscounted_face(corners: Float64[np.ndarray, "m 3 3"], pieces: list[np.
 
     Around a point of the body the whole surface winds once, around others not at all.
     """
-    chosen = np.concatenate([piece[np.unique(np.linspace(0, len(piece) - 1, SAMPLES // 4).astype(int))] for piece in pieces])
+    places = [np.unique(np.linspace(0, len(piece) - 1, SAMPLES // 4).astype(int)) for piece in pieces]
+    chosen = np.concatenate([piece[place] for piece, place in zip(pieces, places, strict=True)])
     a, b, c = np.moveaxis(corners[chosen], 1, 0)
     normal = np.cross(b - a, c - a)
     area = np.linalg.norm(normal, axis=1, keepdims=True)

@@ -1,8 +1,8 @@
 """Edges of triangle meshes, and which faces belong together across them.
 
 Two faces on an edge are neighbours. On an edge with more of them, bodies touch, or a body touches itself: sorted by
-angle about the edge, faces open and close sectors of material like brackets, and each pair of brackets belongs together.
-What hangs together by such pairs is a closed surface, since each pair uses its edge once in each direction.
+angle about the edge, faces open and close sectors of material like brackets, and each pair of brackets belongs
+together. What hangs together by such pairs is a closed surface, since each pair uses its edge once in each direction.
 """
 
 from __future__ import annotations

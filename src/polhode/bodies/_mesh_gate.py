@@ -114,7 +114,8 @@ def _check_edges(faces: np.ndarray, repaired: bool) -> None:
     _, twice = np.unique(np.sort(faces, axis=1) * find_parity(faces)[:, None], axis=0, return_counts=True)
     if doubled := int((twice > 1).sum()):
         raise InvalidInput(
-            f"the mesh is not a surface: {doubled} of its triangles are there more than once, turned the same way, so that "
+            f"the mesh is not a surface: {doubled} of its triangles are there more than once, turned the same "
+            "way, so that "
             f"volume would count twice. Drop the copies{_or_repair(repaired)}."
         )
     edges = find_edges(faces)

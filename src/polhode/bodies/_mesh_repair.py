@@ -129,8 +129,8 @@ def _close_holes(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, l
         widest, longest, closed = max(widest, width), max(longest, len(loop)), closed + 1
     if not added:
         return faces, []
-    said = f"closed {closed} hole{'s' if closed > 1 else ''}, of up to {longest} edges and {widest / extent:.2g} of the mesh's size"
-    return np.vstack([faces, *added]), [said]
+    holes, share = f"{closed} hole{'s' if closed > 1 else ''}", widest / extent
+    return np.vstack([faces, *added]), [f"closed {holes} of up to {longest} edges and {share:.2g} of the mesh's size"]
 
 
 def _find_loops(rim: np.ndarray) -> list[list[int]]:

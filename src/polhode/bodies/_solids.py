@@ -37,7 +37,7 @@ class Solid(NamedTuple):
 def box(size: Any) -> Solid:
     """Return a block: ⟨x²⟩ = size_x²/12."""
     edges = lengths("size", size)
-    return _solid(edges.prod(), edges**2 / 12.0)
+    return _solid(float(edges.prod()), edges**2 / 12.0)
 
 
 def cylinder(radius: float, height: float, inner_radius: float = 0.0) -> Solid:
@@ -248,13 +248,14 @@ def _find_crossed_sides(p: Array) -> tuple[int, int] | None:
     apart = ~((i == 0) & (j == n - 1))
     i, j = i[apart], j[apart]
     a, b, c, d = p[i], q[i], p[j], q[j]
-    boxes = (np.maximum(np.minimum(a, b), np.minimum(c, d)) <= np.minimum(np.maximum(a, b), np.maximum(c, d))).all(axis=1)
+    low, high = np.maximum(np.minimum(a, b), np.minimum(c, d)), np.minimum(np.maximum(a, b), np.maximum(c, d))
+    boxes = (low <= high).all(axis=1)
     straddle = (side(a, b, c) * side(a, b, d) <= 0.0) & (side(c, d, a) * side(c, d, b) <= 0.0)
     hit = np.flatnonzero(boxes & straddle)
     return (int(i[hit[0]]), int(j[hit[0]])) if hit.size else None
 
 
-def _solid(volume: float | None, squares: Any) -> Solid:
+def _solid(volume: Any, squares: Any) -> Solid:
     return Solid(None if volume is None else float(volume), np.diag(np.asarray(squares, dtype=float)))
 
 

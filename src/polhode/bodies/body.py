@@ -241,8 +241,9 @@ class Body:
         Raises:
             InvalidInput: for a mesh without area, or if not exactly one of mass and density is given.
 
-        >>> Body.from_sheet([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]], mass=12.0).inertia[2, 2]
-        np.float64(2.0)
+        >>> square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+        >>> Body.from_sheet(square, [[0, 1, 2], [0, 2, 3]], mass=12.0).principal_moments
+        array([1., 1., 2.])
         """
         return cls(*mesh.sheet_properties(vertices, faces, mass=mass, density=density, thickness=thickness))
 

@@ -107,7 +107,10 @@ def _load(path: Path, content: bytes, unit: float) -> tuple[Array, Array]:
         return read_obj(path, as_text(path, content))
     if ending == "stl":
         return read_stl(path, content)
-    content = check_archive(path, ending, content, unit) if ending in LIBRARIES else check_content(path, ending, content)
+    if ending in LIBRARIES:
+        check_archive(path, ending, content, unit)
+    else:
+        content = check_content(path, ending, content)
     trimesh = _trimesh()
     try:
         with warnings.catch_warnings(), np.errstate(all="ignore"):

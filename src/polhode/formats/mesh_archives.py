@@ -22,8 +22,8 @@ _MODEL = re.compile(rb"<(?:\w+:)?model\b[^>]*?\bunit\s*=\s*[\"'](\w+)[\"']")
 _ASSET = re.compile(rb"<unit\b[^>]*?\bmeter\s*=\s*[\"']([^\"']+)[\"']")
 
 
-def check_archive(path: Path, ending: str, content: bytes, unit: float) -> bytes:
-    """Return a file's bytes as trimesh can read them.
+def check_archive(path: Path, ending: str, content: bytes, unit: float) -> None:
+    """Refuse a file that trimesh should not see, or whose unit is another one.
 
     Args:
         path: for messages.
@@ -45,8 +45,9 @@ def check_archive(path: Path, ending: str, content: bytes, unit: float) -> bytes
         raise FormatError(f"{path}: declares a document type, which a mesh has no use for. Export it again.")
     own = _unit_of(path, ending, texts)
     if own is not None and abs(own - unit) > SAME_UNIT * own:
-        raise InvalidInput(f"{path}: says itself that its unit is {own:g} m; got mesh_unit of {unit:g} m. Give the file's.")
-    return content
+        raise InvalidInput(
+            f"{path}: says itself that its unit is {own:g} m; got mesh_unit of {unit:g} m. Give the file's."
+        )
 
 
 def _unpack(path: Path, content: bytes) -> list[bytes]:
@@ -71,4 +72,6 @@ def _unit_of(path: Path, ending: str, texts: list[bytes]) -> float | None:
     try:
         return float(match[1]) if match else 1.0
     except ValueError:
-        raise FormatError(f"{path}: its unit must be a number of metres; got {shown(match[1] if match else '')}. Export it again.") from None
+        raise FormatError(
+            f"{path}: its unit must be a number of metres; got {shown(match[1] if match else '')}. Export it again."
+        ) from None

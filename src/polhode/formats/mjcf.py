@@ -68,8 +68,10 @@ def read_mjcf_inertial(path: str | Path, name: str | None = None, digits: int | 
         name = massive[0]
     have = ", ".join(massive[:NAMED]) or "none"
     if name is None:
-        raise InvalidInput(f"{path}: has {len(massive)} bodies with mass; name one as `link`, or take all of them together "
-                           f"at a pose with `joints`: {have}.")  # fmt: skip
+        raise InvalidInput(
+            f"{path}: has {len(massive)} bodies with mass; name one as `link`, or take all of them together at a pose "
+            f"with `joints`: {have}."
+        )
     found = [node.inertial for node in nodes if node.name == name]
     if len(found) != 1 or found[0] is None:
         raise InvalidInput(f"{path}: has no body {shown(name)} with mass; those with mass are {have}.")
@@ -136,14 +138,18 @@ class _Reader:
         self.path, self.digits = path, digits
         root = read_xml(path, "MJCF", "mujoco")
         if elsewhere := [element.tag for element in root.iter() if element.tag in ELSEWHERE]:
-            raise FormatError(f"{path}: has an <{elsewhere[0]}>, whose bodies are not in the file as they stand. Save the "
-                              "compiled model from MuJoCo, by mj_saveLastXML, and take that file.")  # fmt: skip
+            raise FormatError(
+                f"{path}: has an <{elsewhere[0]}>, whose bodies are not in the file as they stand. Save the compiled "
+                "model from MuJoCo, by mj_saveLastXML, and take that file."
+            )
         compilers = root.findall("compiler")
         options = {key: value for compiler in compilers for key, value in compiler.attrib.items()}
         for key, harmless in CHANGE_MASS.items():
             if key in options and options[key].rstrip(".0" if key.startswith("bound") else "") not in (*harmless, ""):
-                raise FormatError(f"{path}: its <compiler> has {key}={shown(options[key])}, which changes masses and inertias "
-                                  "that the file gives. Save the compiled model from MuJoCo, and take that.")  # fmt: skip
+                raise FormatError(
+                    f"{path}: its <compiler> has {key}={shown(options[key])}, which changes masses and inertias that "
+                    "the file gives. Save the compiled model from MuJoCo, and take that."
+                )
         if (unit := options.get("angle", "degree")) not in ("degree", "radian"):
             raise FormatError(f"{path}: angle of <compiler> must be degree or radian; got {shown(unit)}.")
         self.per_angle = math.radians(1.0) if unit == "degree" else 1.0
@@ -186,8 +192,10 @@ class _Reader:
         joints += [(Motion(joint.get("name", ""), ""), np.zeros(3)) for joint in element.findall("freejoint")]
         inertial = element.find("inertial")
         if inertial is None and (element.find("geom") is not None or element.find("frame/geom") is not None):
-            raise FormatError(f"{where}: has no <inertial>, and MuJoCo takes its mass from its geoms, which are not read. "
-                              "Save the compiled model from MuJoCo, by mj_saveLastXML with inertias, or add it.")  # fmt: skip
+            raise FormatError(
+                f"{where}: has no <inertial>, and MuJoCo takes its mass from its geoms, which are not read. Save the "
+                "compiled model from MuJoCo, by mj_saveLastXML with inertias, or add it."
+            )
         own = None if inertial is None else self._inertial(where, inertial)
         return _Node(name, frame, joints, own, self._children(element, Frame(), kind))
 
@@ -197,7 +205,9 @@ class _Reader:
         frame = self._frame(where, element)
         full, diagonal = element.get("fullinertia"), element.get("diaginertia")
         if (full is None) == (diagonal is None):
-            raise FormatError(f"{where}: must have one of diaginertia and fullinertia; got {'both' if full else 'neither'}.")
+            raise FormatError(
+                f"{where}: must have one of diaginertia and fullinertia; got {'both' if full else 'neither'}."
+            )
         if diagonal is not None:
             matrix = np.diag(finite_numbers(where, "diaginertia", diagonal, 3))
         else:

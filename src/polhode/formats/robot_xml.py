@@ -114,7 +114,9 @@ def finite_numbers(where: str, what: str, text: str | None, count: int) -> Float
         values = [read_number(word) for word in words]
     except ValueError:
         hint = " Expand the xacro first." if "$" in (text or "") else " Check the file."
-        raise FormatError(f"{where}: {what} must be finite numbers in decimal digits; got {shown(text)}.{hint}") from None
+        raise FormatError(
+            f"{where}: {what} must be finite numbers in decimal digits; got {shown(text)}.{hint}"
+        ) from None
     if len(values) != count:
         number = {3: "three numbers", 1: "one number"}.get(count, f"{count} numbers")
         raise FormatError(f"{where}: {what} must be {number}; got {shown(text)}.")
@@ -201,7 +203,9 @@ def find_positions(path: Path, pose: Pose, motions: Sequence[Motion]) -> dict[st
         if motion.follows is not None:
             raise InvalidInput(f"{path}: joint {shown(name)} follows {shown(motion.follows[0])}; set that one.")
         if not motion.unit:
-            raise InvalidInput(f"{path}: joint {shown(name)} cannot be set, as it has no single position; leave it out.")
+            raise InvalidInput(
+                f"{path}: joint {shown(name)} cannot be set, as it has no single position; leave it out."
+            )
         if unit != motion.unit:
             wanted = 'an angle like "30 deg"' if motion.unit == "rad" else 'a distance like "10 cm"'
             raise InvalidInput(f"{path}: joint {shown(name)} must be at {wanted}.")

@@ -26,8 +26,8 @@ from polhode.formats.robot_xml import (
     unit_vector,
 )
 
-UNITS = {"revolute": "rad", "continuous": "rad", "prismatic": "m", "fixed": "", "ball": "", "screw": "", "universal": "",
-         "revolute2": "", "gearbox": ""}  # fmt: skip
+UNITS = {"revolute": "rad", "continuous": "rad", "prismatic": "m"}
+UNITS |= dict.fromkeys(("fixed", "ball", "screw", "universal", "revolute2", "gearbox"), "")
 ENTRIES = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 MODEL = ("", "__model__")
 
@@ -54,7 +54,8 @@ def read_sdf_inertial(path: str | Path, link: str | None = None, digits: int | N
     have = ", ".join(list(links)[:NAMED]) or "none"
     if link is None:
         if len(links) != 1:
-            raise InvalidInput(f"{path}: has {len(links)} links; name one as `link`, or take all of them together at a pose "
+            raise InvalidInput(f"{path}: has {len(links)} links; name one as `link`, or take all of them "
+                               "together at a pose "
                                f"with `joints`: {have}.")  # fmt: skip
         link = next(iter(links))
     if link not in links:
@@ -118,7 +119,9 @@ def _model(path: Path) -> ET.Element:
         raise FormatError(f"{path}: must hold one <model>; got {len(models)}. Split the file.")
     (model,) = models
     if nested := [tag for tag in ("include", "model") if model.find(tag) is not None]:
-        raise FormatError(f"{path}: its model has a <{nested[0]}> in it, which is not read. Put all links in one model.")
+        raise FormatError(
+            f"{path}: its model has a <{nested[0]}> in it, which is not read. Put all links in one model."
+        )
     return model
 
 
@@ -134,7 +137,9 @@ def _pose(where: str, parent: ET.Element) -> tuple[Frame, str | None]:
     """Return what an element's <pose> says, and in whose frame, None where it does not say."""
     element = parent.find("pose")
     if element is not None and element.get("frame"):
-        raise FormatError(f"{where}: its <pose> names another frame, as before SDF 1.7. Convert the file with Gazebo's tool.")
+        raise FormatError(
+            f"{where}: its <pose> names another frame, as before SDF 1.7. Convert the file with Gazebo's tool."
+        )
     if element is None or not (element.text or "").strip():
         return Frame(), None if element is None else element.get("relative_to")
     if element.get("rotation_format", "euler_rpy") == "quat_xyzw":
@@ -161,13 +166,14 @@ class _Poses:
             return Frame()
         found = [key for key in self.elements if key[1] == name]
         if len(found) != 1 or name in above:
-            what = "goes round in circles" if name in above else f"names {shown(name)}, which is not one link, joint or frame"
+            unknown = f"names {shown(name)}, which is not one link, joint or frame"
+            what = "goes round in circles" if name in above else unknown
             raise FormatError(f"{self.path}: a <pose> {what}. Check relative_to and attached_to.")
         (tag, _), element = found[0], self.elements[found[0]]
         frame, outer = _pose(f"{self.path}: {tag} {shown(name)}", element)
         if outer is None:  # a joint stands in its child, a frame in what it is attached to, a link in the model
-            own = {"link": "", "joint": (element.findtext("child") or "").strip(), "frame": element.get("attached_to", "")}
-            outer = own[tag]
+            child, attached = (element.findtext("child") or "").strip(), element.get("attached_to", "")
+            outer = {"link": "", "joint": child, "frame": attached}[tag]
         return self.of(outer, (*above, name)).then(frame)
 
     def of_joint(self, name: str) -> Frame:
@@ -201,7 +207,9 @@ def _motion(path: Path, name: str, element: ET.Element, poses: _Poses) -> Motion
 def _inertial(path: Path, name: str, link: ET.Element, digits: int | None) -> Body | MassProperties:
     where, inertial = f"{path}: link {shown(name)}", link.find("inertial")
     if inertial is None or inertial.find("mass") is None or inertial.find("inertia") is None:
-        raise FormatError(f"{where}: has no <inertial> with mass and inertia, for which SDF puts 1 kg and 1 kg m². Add it.")
+        raise FormatError(
+            f"{where}: has no <inertial> with mass and inertia, for which SDF puts 1 kg and 1 kg m². Add it."
+        )
     frame, outer = _pose(f"{where}: its <inertial>", inertial)
     if outer not in (None, "", name):
         raise FormatError(f"{where}: the <pose> of its <inertial> must be in the link; got relative_to={shown(outer)}.")

@@ -89,7 +89,10 @@ def read_urdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> 
         children.setdefault(parent, []).append((child, frame.then(motion.at(at))))
     below = [child for _, child, _, _ in joints]
     tops = [name for name in names if name not in below]
-    if len(tops) != 1 or len(set(below)) != len(below):
+    reached = list(tops)
+    for name in reached:  # which grows meanwhile; a link with two parents is refused
+        reached += [child for child, _ in children.get(name, ())] if len(reached) <= len(names) else []
+    if len(tops) != 1 or len(set(below)) != len(below) or len(reached) != len(names):
         raise FormatError(f"{path}: its joints must make one tree of its links, from one that is no other's child; got "
                           f"{len(tops)} such links.")  # fmt: skip
     inertials = {element.get("name", ""): element.find("inertial") for element in root.findall("link")}
@@ -209,7 +212,8 @@ def _find_inertial(path: Path, root: ET.Element, link: str | None) -> tuple[str,
             raise FormatError(f"{path}: no link has an <inertial>; of {len(links)} links none has mass properties.")
         if len(massive) > 1:
             raise InvalidInput(
-                f"{path}: has {len(massive)} links with mass; name one as `link`, or take all of them together at a pose "
+                f"{path}: has {len(massive)} links with mass; name one as `link`, or take all of them together "
+                "at a pose "
                 f"with `joints`: {', '.join(massive)}."
             )
         link = massive[0]

@@ -62,7 +62,8 @@ def about_place(body: Body, label: str, point: Float64[Array, "3"], direction: F
     rows = {f"inertia, row {x}": vector(row, "kg m²", size) + GIVEN for x, row in zip("xyz", inertia, strict=True)}
     if direction is None:
         moments = np.diag(inertia)
-        found = [Answer("about.moments", moments, "kg m²", "moments about x, y, z there", "", vector(moments, "kg m²", size))]
+        words = vector(moments, "kg m²", size)
+        found = [Answer("about.moments", moments, "kg m²", "moments about x, y, z there", "", words)]
     else:
         moment = float(direction @ inertia @ direction)
         # √(J/m): where the same mass in one place would have the same moment

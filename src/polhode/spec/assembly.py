@@ -116,7 +116,9 @@ def build_part(part: PartTable, density: float | None, folder: Path, read_body: 
         return BuiltPart(MassProperties(part.mass or 0.0, place, np.zeros((3, 3))), None)
     own = part.density or (None if part.mass else density)
     if part.mass is None and own is None:
-        raise InvalidInput("says neither mass nor density, and what it is cut from has not one density. Give its density")
+        raise InvalidInput(
+            "says neither mass nor density, and what it is cut from has not one density. Give its density"
+        )
     body, volume, notes = _mesh(part, own, folder) if part.mesh is not None else _shape(part, own)
     known = own or (body.mass / volume if volume and body.mass else None)
     return BuiltPart(body.placed(turn, place), None if part.is_shell else known, notes)
@@ -145,7 +147,7 @@ def _mesh(part: PartTable, density: float | None, folder: Path) -> tuple[Body, f
         body = body_of_mesh(read, several=part.several, repaired=part.repair, **amount)
     except InvalidInput as error:
         raise InvalidInput(f"mesh {part.mesh}: {error}") from None
-    volume = abs(volume_moments(read.vertices[read.faces])[0])
+    volume = abs(volume_moments(np.asarray(read.vertices)[read.faces])[0])
     return body, volume, read.notes
 
 

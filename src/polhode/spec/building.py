@@ -74,12 +74,12 @@ def read_body_table(path: Path) -> BodyTable:
     body = tables.get("body")
     if not isinstance(body, dict):
         raise InvalidInput(f"{path}: has no [body], so that it cannot be part of another one")
-    mistakes = list(find_broken_body_rules(body))
+    mistakes, table = list(find_broken_body_rules(body)), None
     try:
         table = BodyTable.model_validate(body)
     except ValidationError as error:
         mistakes += list_mistakes(error, BodyTable, ("body",))
-    if mistakes:
+    if table is None or mistakes:
         raise InvalidInput(*as_message(path, mistakes))
     return table
 

@@ -63,7 +63,9 @@ def _radius(value: Any) -> Any:
 
 def _outline(value: Any) -> Any:
     if not isinstance(value, list) or not all(isinstance(one, list) and len(one) == 2 for one in value):
-        raise ValueError(f'must be a list of corners, like [["0 mm", "0 mm"], ["20 mm", "0 mm"], …]; got {shown(value)}')
+        raise ValueError(
+            f'must be a list of corners, like [["0 mm", "0 mm"], ["20 mm", "0 mm"], …]; got {shown(value)}'
+        )
     return value
 
 

@@ -49,9 +49,11 @@ def _said(inertia: Float64[Array, "3 3"], near: Any, digits: int) -> tuple[str, 
     if near is inertia:
         return ()
     (I1, I2, I3), change = np.linalg.eigvalsh(inertia), np.linalg.norm(near - inertia)
-    miss = f"miss I₁ + I₂ ≥ I₃ by {(I3 - I1 - I2) / I3:.2g} of I₃" if I1 >= 0.0 else f"have I₁ = {I1:.3g} kg m² below zero"
+    below = f"have I₁ = {I1:.3g} kg m² below zero"
+    miss = below if I1 < 0.0 else f"miss I₁ + I₂ ≥ I₃ by {(I3 - I1 - I2) / I3:.2g} of I₃"
     taken = ", ".join(f"{x:.9g}" for x in np.linalg.eigvalsh(near))
-    return (
-        f"the moments of inertia as given {miss}, which rounding to {digits} digits explains; in their place stands the "
-        f"nearest tensor that a body can have, {change:.2g} kg m² away, with the moments ({taken}) kg m².",
+    text = (
+        f"the moments of inertia as given {miss}, which rounding to {digits} digits explains; in their place stands "
+        f"the nearest tensor that a body can have, {change:.2g} kg m² away, with the moments ({taken}) kg m²."
     )
+    return (text,)

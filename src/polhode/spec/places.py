@@ -18,7 +18,8 @@ from polhode.types import Array, Float64
 
 THROUGH = " through "
 FORMS = (
-    'a point like "0 cm, 0 cm, 5 cm", an axis x, y or z of the given axes, 1, 2 or 3 of the principal ones or a direction '
+    'a point like "0 cm, 0 cm, 5 cm", an axis x, y or z of the given axes, 1, 2 or 3 of the principal ones or '
+    'a direction '
     'like "1, 0, 1", each perhaps with " through " and a point, or a part by its name or like "part 2"'
 )
 

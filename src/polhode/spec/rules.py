@@ -20,7 +20,11 @@ Location = tuple[str | int, ...]
 Mistake = tuple[Location, str]
 SOURCES = ("mesh", "moments", "inertia", "rotational_constants", "part", "molecule", "urdf", "sdf", "mjcf")
 ROBOTS = ("urdf", "sdf", "mjcf")
-OF_INERTIA = {"center_of_mass": ("inertia", "moments"), "about": ("inertia",), "rounding": ("inertia", "moments", *ROBOTS)}
+OF_INERTIA = {
+    "center_of_mass": ("inertia", "moments"),
+    "about": ("inertia",),
+    "rounding": ("inertia", "moments", *ROBOTS),
+}
 NO_BODY = 'is missing; say what rotates, like moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"] under [body]'
 WAYS = ("angular_velocity", "momentum", "rate", "temperature")
 OF_A_TOP = ("spin", "precession", "nutation_rate")

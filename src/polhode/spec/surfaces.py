@@ -45,7 +45,8 @@ def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
         return Surface(*read_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair))
     if table.part is not None:
         if (count := _count_pieces(table, folder, {})) > MOST_PIECES:
-            raise InvalidInput(f"its parts have {count} pieces with those of other specs, more than {MOST_PIECES}, which "
+            raise InvalidInput(f"its parts have {count} pieces with those of other specs, more than "
+                               f"{MOST_PIECES}, which "
                                "no page can draw. The report needs no picture.")  # fmt: skip
         return surface_of_parts(table.part, folder)
     if table.molecule is not None:
