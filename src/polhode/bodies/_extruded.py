@@ -37,19 +37,20 @@ def triangulate(corners: Real[Array, "n 2"]) -> Integer[Array, "m 3"]:
     found: list[tuple[int, int, int]] = []
     k = 0
     while len(left) > 3:
-        for shift in range(len(left)):
-            k = (k + (shift > 0)) % len(left)
-            a, b, c = left[k - 1], left[k], left[(k + 1) % len(left)]
-            others = corners[[i for i in left if i not in (a, b, c)]]
-            if _is_ear(corners[a], corners[b], corners[c], others):
-                break
-        found.append((a, b, c))  # without an ear, which rounding may hide, any corner; it is to look at
+        turns = (k + np.arange(len(left))) % len(left)
+        # without an ear, which rounding may hide, any corner
+        k = next((int(turn) for turn in turns if _is_ear(corners, left, int(turn))), k)
+        found.append((left[k - 1], left[k], left[(k + 1) % len(left)]))
         del left[k]
         k %= len(left)
     return np.array([*found, tuple(left)], dtype=np.int64)
 
 
-def _is_ear(a: Array, b: Array, c: Array, others: Array) -> bool:
+def _is_ear(corners: Array, left: list[int], k: int) -> bool:
+    """Whether the triangle of a corner and its neighbours lies inside, with no other corner in it."""
+    three = (left[k - 1], left[k], left[(k + 1) % len(left)])
+    a, b, c = corners[list(three)]
+    others = corners[[i for i in left if i not in three]]
     if not _turn(a, b, c) > 0.0:
         return False
     inside = (_turn(a, b, others) >= 0.0) & (_turn(b, c, others) >= 0.0) & (_turn(c, a, others) >= 0.0)

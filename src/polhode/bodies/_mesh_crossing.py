@@ -104,9 +104,9 @@ def depths(corners: Float64[np.ndarray, "m 3 3"], pieces: list[np.ndarray]) -> I
         near = ((low < high[i] - clear) & (high > low[i] + clear)).all(axis=1)
         for j in np.flatnonzero(near):
             if i != j:
-                if j not in seen:
-                    seen[j] = _Seen.of(corners[pieces[j]])
-                result[i] += _lies_inside(corners[piece], seen[j], clear)
+                if int(j) not in seen:
+                    seen[int(j)] = _Seen.of(corners[pieces[j]])
+                result[i] += _lies_inside(corners[piece], seen[int(j)], clear)
     return result
 
 

@@ -181,7 +181,7 @@ def _span(corners: np.ndarray) -> np.ndarray:
     normal /= size
     across = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
     across /= np.linalg.norm(across)
-    return triangulate(np.column_stack([middle @ across, middle @ np.cross(normal, across)]))
+    return np.asarray(triangulate(np.column_stack([middle @ across, middle @ np.cross(normal, across)])))
 
 
 def _count_turned(given: np.ndarray, faces: np.ndarray) -> int:
