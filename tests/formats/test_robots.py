@@ -27,7 +27,8 @@ URDF = """<robot name="arm">
 <link name="marker"><inertial><mass value="0"/>
   <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial></link>
 <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/>
-  <origin xyz="0.2 -0.1 0.4" rpy="0.5 -0.2 0.1"/><axis xyz="0.6 0 0.8"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
+  <origin xyz="0.2 -0.1 0.4" rpy="0.5 -0.2 0.1"/><axis xyz="0.6 0 0.8"/>
+  <limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
 <joint name="slide" type="prismatic"><parent link="upper"/><child link="tool"/>
   <origin xyz="0 0 0.5" rpy="0 0 1"/><axis xyz="0 0 1"/><limit lower="0" upper="1" effort="1" velocity="1"/></joint>
 <joint name="grip" type="prismatic"><parent link="tool"/><child link="finger"/><axis xyz="0 1 0"/>
@@ -133,10 +134,11 @@ MJCF = """<mujoco><compiler angle="degree" eulerseq="xyz"/>
   <inertial pos="0 0.1 0.3" quat="1 0.2 0 0.1" mass="2" diaginertia="0.1 0.12 0.05"/>
   <body name="hand" pos="0 0 0.6" axisangle="0 1 1 40" childclass="rail">
    <joint name="rail"/><inertial pos="0 0 0.05" mass="0.5" diaginertia="0.01 0.01 0.004" zaxis="1 1 1"/>
-   <body name="tip" xyaxes="0 1 0 -1 0 0.2" pos="0 0.1 0"><inertial pos="0 0 0" mass="0.1" diaginertia="1e-3 1e-3 1e-3"/></body>
+   <body name="tip" xyaxes="0 1 0 -1 0 0.2" pos="0 0.1 0">
+    <inertial pos="0 0 0" mass="0.1" diaginertia="1e-3 1e-3 1e-3"/></body>
    <body name="frame"/></body></body></body></worldbody></mujoco>"""
-# at hinge = 0.7 rad, twist = −0.4 rad, rail = 0.3 m: mass, centre and inertia in the base, by MuJoCo 3.5.0 (mj_kinematics,
-# then body_mass, xipos, ximat and body_inertia summed)
+# at hinge = 0.7 rad, twist = −0.4 rad, rail = 0.3 m: mass, centre and inertia in the base, by MuJoCo 3.5.0
+# (mj_kinematics, then body_mass, xipos, ximat and body_inertia summed)
 BY_MUJOCO = (
     7.6,
     [0.2212778823209, 0.009720671812773, 0.4041225503664],
@@ -158,7 +160,8 @@ def test_mjcf_against_mujoco(saved):
 
 def test_through_a_spec(saved):
     saved(URDF, "arm.urdf")
-    spec = read_spec(saved('[body]\nurdf = "arm.urdf"\n[body.joints]\nshoulder = "0.7 rad"\nslide = "30 cm"\n', "a.toml"))
+    joints = '[body.joints]\nshoulder = "0.7 rad"\nslide = "30 cm"\n'
+    spec = read_spec(saved(f'[body]\nurdf = "arm.urdf"\n{joints}', "a.toml"))
     check(spec.body, (lambda b: (b.mass, b.center_of_mass, b.inertia))(read_urdf_robot(spec.folder / "arm.urdf", POSE)))
     saved(SDF, "arm.sdf")
     assert read_spec(saved('[body]\nsdf = "arm.sdf"\nlink = "arm"\n', "b.toml")).body.mass == 2.0
@@ -190,8 +193,7 @@ def test_poses_that_are_refused(saved, kind, keys):
 
 BROKEN = {
     "urdf": [
-        (('type="fixed"><parent link="tool"/><child link="camera"', 'type="fixed"><parent link="nil"/><child link="camera"'),
-         "there is no link 'nil'"),
+        (('<parent link="tool"/><child link="camera"', '<parent link="nil"/><child link="camera"'), "no link 'nil'"),
         (('<child link="upper"/>', '<child link="base"/>'), "must make one tree"),
         (('type="revolute"', 'type="bent"'), "its type must be one of"),
         (('xyz="0.6 0 0.8"', 'xyz="0 0 0"'), "must not be zero"),
@@ -214,7 +216,7 @@ BROKEN = {
         (('eulerseq="xyz"', 'balanceinertia="true"'), "changes masses and inertias"),
         (('type="slide"', 'type="screw"'), "its type must be one of hinge, slide, ball, free"),
         (("</worldbody>", '<body name="second"/></worldbody>'), "must have one outermost body"),
-        (('fullinertia="0.3 0.4', 'diaginertia="1 1 1" fullinertia="0.3 0.4'), "must have one of diaginertia and fullinertia"),
+        (('fullinertia="0.3 0.4', 'diaginertia="1 1 1" fullinertia="0.3 0.4'), "must have one of"),
         (('eulerseq="xyz"', 'eulerseq="xyy2"'), "eulerseq"),
     ],
 }
