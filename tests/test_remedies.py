@@ -55,6 +55,7 @@ FROM = {
     "studies/comparison_report.py": "compare", "studies/throw_report.py": "fit", "sweeps/running.py": "sweep",
     "sweeps/evaluation.py": "sweep", "estimation/_throw_fit.py": "fit", "estimation/flight.py": "fit",
     "studies/left_out.py": "fit", "cli/proofs.py": "report", "course/site.py": "learn",
+    "spec/places.py": "body",
 }  # fmt: skip
 DECLARED = ("cli/commands/application.py", "cli/commands/specs.py", "cli/commands/records.py",
             "cli/commands/learning.py", "cli/spectrum_options.py", "cli/source_options.py", "cli/fit_options.py",

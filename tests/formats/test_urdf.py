@@ -130,7 +130,7 @@ TWO = ARM.replace('<link name="base_link"/>', ONE_LINK.replace("upper_arm", "for
 
 
 def test_which_link(saved):
-    with pytest.raises(InvalidInput, match="has 2 links with mass; name one as `link`: fore_arm, upper_arm"):
+    with pytest.raises(InvalidInput, match=r"has 2 links with mass; name one as `link`, or.*: fore_arm, upper_arm"):
         read_urdf_inertial(saved(TWO))
     assert read_urdf_inertial(saved(TWO), "fore_arm").mass == 3.7
     with pytest.raises(InvalidInput, match="has no link 'hand'; those with mass are upper_arm"):
@@ -196,8 +196,8 @@ def test_a_spec_takes_a_link(saved, tmp_path):
     mistakes = {
         'urdf = "robot.urdf"': "has 2 links with mass; name one as `link`",
         'urdf = "robot.urdf"\nlink = "fore_arm"\nmass = "1 kg"': "mass follows from the urdf; leave it out",
-        'link = "fore_arm"\nmoments = ["1 kg*m^2", "2 kg*m^2", "2 kg*m^2"]': "link goes with a urdf; leave it out",
-        'urdf = "robot.urdf"\nmolecule = "a.xyz"': "rotational_constants, parts, molecule and urdf; got",
+        'link = "fore_arm"\nmoments = ["1 kg*m^2", "2 kg*m^2", "2 kg*m^2"]': "link goes with urdf, sdf or mjcf",
+        'urdf = "robot.urdf"\nmolecule = "a.xyz"': "rotational_constants, part, molecule, urdf, sdf and mjcf; got",
         'urdf = "robot.urdf"\nlink = "fore_arm"\ndensity = "1 kg/m^3"': "density goes with a mesh, not with urdf",
         'urdf = "none.urdf"': "no such URDF file",
     }

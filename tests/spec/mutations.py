@@ -43,6 +43,55 @@ rate = "2 rad/s"
 about = "x"
 tilt = "90 deg"
 """,
+    "assembly": """
+[body]
+density = "2700 kg/m^3"
+[[body.part]]
+name = "plate"
+shape = "cylinder"
+radius = "5 cm"
+height = "1 cm"
+[[body.part]]
+shape = "prism"
+sides = 6
+radius = "1 cm"
+height = "1 cm"
+cut = true
+[[body.part]]
+mass = "1 kg"
+inertia = [["3 kg*m^2", "0 kg*m^2", "0 kg*m^2"], ["0 kg*m^2", "3 kg*m^2", "0 kg*m^2"], ["0 kg*m^2", "0 kg*m^2", "3 kg*m^2"]]
+about = ["1 cm", "0 cm", "0 cm"]
+center_of_mass = ["0 cm", "0 cm", "0 cm"]
+attitude = {axis = [1, 0, 1], angle = "20 deg"}
+[[body.part]]
+mesh = "t_handle.stl"
+mesh_unit = "mm"
+thickness = "1 mm"
+at = ["1 m", "0 m", "0 m"]
+[[body.part]]
+shape = "box"
+size = ["1 m", "2 m", "3 m"]
+shell = true
+mass = "2 kg"
+[[body.part]]
+shape = "prism"
+outline = [["0 m", "0 m"], ["1 m", "0 m"], ["0 m", "1 m"]]
+height = "1 m"
+[spin]
+rate = "2 rad/s"
+about = "z"
+""",
+    "rounded": """
+[body]
+moments = ["1.23456e-5 kg*m^2", "2.34567e-5 kg*m^2", "3.58024e-5 kg*m^2"]
+rounding = "6 digits"
+mass = "1 kg"
+center_of_mass = ["1 m", "0 m", "0 m"]
+[spin]
+rate = "1 rev/s"
+about = 3
+tilt = "5 deg"
+""",
     "vibrating": """
 [body]
 rotational_constants = ["27.8806 1/cm", "435.348 GHz", "9.2778 1/cm"]

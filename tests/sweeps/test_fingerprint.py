@@ -15,7 +15,7 @@ from polhode.formats.opening import content_digest, read_text, record_files
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind, kind_names
 from polhode.reports import program
-from polhode.spec.models import BodyTable, SpecFile, SpinTable
+from polhode.spec.models import BodyTable, PartTable, SpecFile, SpinTable
 from polhode.sweeps import running
 from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep
@@ -49,6 +49,12 @@ WATER = "3\nwater\nO 0 0 0.1173\nH 0 0.7572 -0.4692\nH 0 -0.7572 -0.4692\n"
 URDF = """<robot name="r"><link name="base"><inertial><mass value="2"/>
 <inertia ixx="1" iyy="2" izz="2.5" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>
 """
+SDF = """<sdf version="1.9"><model name="r"><link name="base"><inertial><mass>2</mass>
+<inertia><ixx>1</ixx><iyy>2</iyy><izz>2.5</izz></inertia></inertial></link></model></sdf>
+"""
+MJCF = """<mujoco><worldbody><body name="base"><inertial pos="0 0 0" mass="2" diaginertia="1 2 2.5"/></body>
+</worldbody></mujoco>
+"""
 BODY = """[body]
 moments = ["1.2 g*cm^2", "2 g*cm^2", "2.9 g*cm^2"]
 [spin]
@@ -74,6 +80,21 @@ def molecule(folder):
 def urdf(folder):
     (folder / "robot.urdf").write_text(URDF)
     return MESH.replace('mesh = "body.stl"\nmesh_unit = "mm"\nmass = "50 g"', 'urdf = "robot.urdf"')
+
+
+def sdf(folder):
+    (folder / "robot.sdf").write_text(SDF)
+    return MESH.replace('mesh = "body.stl"\nmesh_unit = "mm"\nmass = "50 g"', 'sdf = "robot.sdf"')
+
+
+def mjcf(folder):
+    (folder / "robot.xml").write_text(MJCF)
+    return MESH.replace('mesh = "body.stl"\nmesh_unit = "mm"\nmass = "50 g"', 'mjcf = "robot.xml"')
+
+
+def part(folder):
+    (folder / "hub.toml").write_text('[body]\nmoments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"]\nmass = "2 kg"\n')
+    return MESH.replace('mesh = "body.stl"\nmesh_unit = "mm"\nmass = "50 g"', '[[body.part]]\nspec = "hub.toml"')
 
 
 def table(folder):
@@ -108,6 +129,7 @@ chunk = 1
 
 CASES = {
     "mesh": (mesh, "body.stl"), "molecule": (molecule, "water.xyz"), "urdf": (urdf, "robot.urdf"),
+    "sdf": (sdf, "robot.sdf"), "mjcf": (mjcf, "robot.xml"), "spec": (part, "hub.toml"),
     "table": (table, "runs.csv"), "fluid": (earlier_run("sphere-fluid", "energy"), "run.nc"),
     "mhd": (earlier_run("sphere-mhd", "magnetic_energy"), "run.nc"),
 }  # fmt: skip
@@ -115,10 +137,10 @@ CASES = {
 
 def test_every_key_of_a_file_is_among_the_cases():
     """Whoever adds a key of free text says here whether it names a file, and then adds a case."""
-    tables = [BodyTable, SpinTable, SpecFile, *(find_kind(kind).table for kind in kind_names())]
+    tables = [BodyTable, PartTable, SpinTable, SpecFile, *(find_kind(kind).table for kind in kind_names())]
     texts = {key for model in tables for key, field in model.model_fields.items()
              if field.annotation in (str, str | None) and not field.metadata}  # fmt: skip
-    assert texts == {"kind", "name", "link", "mesh", "molecule", "urdf", "start_from"}
+    assert texts == {"kind", "name", "link", "mesh", "molecule", "urdf", "sdf", "mjcf", "spec", "start_from"}
 
 
 def made(name, folder):

@@ -32,6 +32,86 @@ def point_inertia(offset: Real[ArrayLike, "*batch 3"]) -> Float64[Array, "*batch
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
+def inertia_of_second(second: Float64[Array, "3 3"]) -> Float64[Array, "3 3"]:
+    """Return tr(S) 1 − S (3, 3) of S = ∫ r rᵀ, its diagonal as sums, not trace minus entry, which cancels."""
+    xx, yy, zz = np.diag(second)
+    return np.diag([yy + zz, zz + xx, xx + yy]) - (second - np.diag([xx, yy, zz]))
+
+
+def nearest_physical(inertia: Float64[Array, "3 3"]) -> Float64[Array, "3 3"]:
+    """Return the tensor (3, 3) nearest to a symmetric one, in Frobenius' norm, that a body can have.
+
+    The norm is the same along all axes, so the nearest tensor has the same axes, and its moments are I_i = s_j + s_k
+    with second moments s ≥ 0 that bring them nearest: least squares without negative unknowns, of three.
+
+    Source: Lawson & Hanson, *Solving Least Squares Problems* (1974), ch. 23; Lewis, Math. Oper. Res. 21 (1996) 576
+    (projections onto sets of matrices that depend on eigenvalues alone).
+    """
+    from scipy.optimize import nnls
+
+    scale = float(np.abs(inertia).max())
+    if not 0.0 < scale < LARGEST:
+        return inertia
+    diagonal = np.diag(inertia)
+    if np.array_equal(inertia, np.diag(diagonal)):
+        moments, axes = diagonal, np.eye(3)
+    else:
+        moments, axes = np.linalg.eigh(inertia)
+    seconds, _ = nnls(1.0 - np.eye(3), moments / scale)
+    near = axes * (scale * (seconds.sum() - seconds)) @ axes.T
+    return 0.5 * near + 0.5 * near.T
+
+
+def take_rounded(
+    inertia: Float64[Array, "3 3"], digits: int, given: Float64[Array, "3 3"] | None = None
+) -> Float64[Array, "3 3"]:
+    """Return the tensor itself if a body can have it, else the nearest one, where rounding explains the distance.
+
+    The true tensor is one that a body has and, entry by entry, within half a unit of the last digit; the nearest one is
+    no further away than it.
+
+    Args:
+        inertia: symmetric.
+        digits: significant ones of the entries.
+        given: the entries that were rounded, where the tensor was taken from another point; else its own.
+
+    Raises:
+        InvalidInput: where rounding to so many significant digits is not enough.
+    """
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= 17:
+        raise InvalidInput(f"`digits` must be a whole number from 1 to 17; got {shown(digits)}.")
+    near = nearest_physical(inertia)
+    moved = float(np.linalg.norm(near - inertia))
+    if moved <= ROUNDING * float(np.abs(inertia).max()):
+        return inertia
+    if moved > rounding_of(inertia if given is None else given, digits):
+        moments = ", ".join(f"{x:.9g}" for x in np.linalg.eigvalsh(inertia))
+        enough = digits_that_explain(inertia, given)
+        but = f", but to {enough} digits would" if enough else " nor to fewer from 3 on"
+        raise InvalidInput(
+            f"no rigid body has the principal moments ({moments}) kg m², which must satisfy I1 + I2 ≥ I3 ≥ 0; rounding "
+            f"to {digits} digits does not explain it{but}. Check the numbers."
+        )
+    return near
+
+
+def rounding_of(inertia: Float64[Array, "3 3"], digits: int) -> float:
+    """Return the most that rounding the entries to so many significant digits changes a matrix, in Frobenius' norm."""
+    size = np.abs(inertia)
+    with np.errstate(divide="ignore"):
+        unit = np.where(size > 0.0, 10.0 ** (np.floor(np.log10(size)) - digits + 1.0), 0.0)
+    return float(np.linalg.norm(0.5 * unit)) * (1.0 + ROUNDING)
+
+
+def digits_that_explain(inertia: Float64[Array, "3 3"], given: Float64[Array, "3 3"] | None = None) -> int | None:
+    """Return the most significant digits, from 3 on, whose rounding explains that no body has this tensor, or None."""
+    moved = float(np.linalg.norm(nearest_physical(inertia) - inertia))
+    if not moved > 0.0:
+        return None
+    entries = inertia if given is None else given
+    return next((digits for digits in range(12, 2, -1) if moved <= rounding_of(entries, digits)), None)
+
+
 def check_moments(moments: Float64[Array, "3"], effective: bool = False) -> None:
     """Refuse moments (3,) ascending that no rigid body has, or effective ones that no molecule has.
 

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from polhode.bodies._inertia import MassProperties
-from polhode.bodies._mesh_gate import check_mesh, repair_mesh, triple_products
+from polhode.bodies._inertia import MassProperties, inertia_of_second
+from polhode.bodies._mesh_gate import as_mesh, check_mesh, triple_products
+from polhode.bodies._mesh_repair import repair_mesh
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
 
 def mass_properties(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], *, mass: float | None, density: float | None,
-    several: bool = False, repair: bool = False,
+    several: bool = False, repair: bool = False, repaired: bool = False,
 ) -> MassProperties:  # fmt: skip
-    """Return mass, centre and inertia of what a mesh encloses: ``Body.from_mesh`` documents the arguments."""
+    """Return mass, centre and inertia of what a mesh encloses: ``Body.from_mesh`` documents the arguments.
+
+    A mesh that was ``repaired`` when it was read needs no second repair, and no message advises to ask for it.
+    """
     if (mass is None) == (density is None):
         raise InvalidInput("give exactly one of `mass` [kg] and `density` [kg/m³]; a mesh alone has neither.")
     for name, value in (("mass", mass), ("density", density)):
@@ -24,14 +28,48 @@ def mass_properties(
                 "Check sign and units."
             )
     if repair:
-        vertices, faces = repair_mesh(vertices, faces)
-    vertices, faces = check_mesh(vertices, faces, several, repaired=repair)
+        vertices, faces, _ = repair_mesh(vertices, faces)
+    vertices, faces = check_mesh(vertices, faces, several, repair or repaired)
     volume, center, second = volume_moments(vertices[faces])
     whole = float(mass if mass is not None else density * volume)  # type: ignore[operator]
-    xx, yy, zz = np.diag(second)
-    # sums of squares, not trace minus entry, which would cancel for needles
-    inertia = np.diag([yy + zz, zz + xx, xx + yy]) - (second - np.diag([xx, yy, zz]))
-    return MassProperties(whole, center, whole / volume * inertia)
+    return MassProperties(whole, center, whole / volume * inertia_of_second(second))
+
+
+def sheet_properties(
+    vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], *, mass: float | None, density: float | None,
+    thickness: float | None,
+) -> MassProperties:  # fmt: skip
+    """Return mass, centre and inertia of a thin sheet: ``Body.from_sheet`` documents the arguments."""
+    if (mass is None) == (density is None) or (density is None) != (thickness is None):
+        raise InvalidInput("give either `mass` [kg], or `density` [kg/m³] with `thickness` [m]; a sheet has no other.")
+    for name, value in (("mass", mass), ("density", density), ("thickness", thickness)):
+        if value is not None and not (np.ndim(value) == 0 and np.isfinite(value) and value > 0):
+            raise InvalidInput(
+                f"`{name}` must be one positive finite number; got {shown(value)}. Check sign and units."
+            )
+    vertices, faces = as_mesh(vertices, faces, least=1)
+    area, center, second = area_moments(vertices[faces])
+    whole = float(mass if mass is not None else density * thickness * area)  # type: ignore[operator]
+    return MassProperties(whole, center, whole / area * inertia_of_second(second))
+
+
+def area_moments(corners: Float64[np.ndarray, "m 3 3"]) -> tuple[float, Float64[Array, "3"], Float64[Array, "3 3"]]:
+    """Return area [m²], centroid (3,) [m] and ∫ r rᵀ dA about the centroid (3, 3) [m⁴] of triangles (m, 3, 3).
+
+    Over a triangle of area A with corners a, b, c and s = a + b + c, ∫ r rᵀ dA = A/12 (a aᵀ + b bᵀ + c cᵀ + s sᵀ).
+    """
+    origin = 0.5 * (corners.min(axis=(0, 1)) + corners.max(axis=(0, 1)))
+    corners = corners - origin
+    a, b, c = np.moveaxis(corners, 1, 0)
+    areas = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    area = float(areas.sum())
+    if not area > 0.0:
+        raise InvalidInput("the mesh has no area: all of its triangles are lines or points. Check the file.")
+    center = areas @ corners.sum(axis=1) / (3.0 * area)
+    corners = corners - center
+    sums = corners.sum(axis=1)
+    squares = np.einsum("nki,nkj->nij", corners, corners) + np.einsum("ni,nj->nij", sums, sums)
+    return area, center + origin, (areas[:, None, None] * squares).sum(axis=0) / 12.0
 
 
 def volume_moments(corners: Float64[np.ndarray, "m 3 3"]) -> tuple[float, Float64[Array, "3"], Float64[Array, "3 3"]]:

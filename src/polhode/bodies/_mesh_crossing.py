@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,6 +12,8 @@ from polhode.types import Float64, Integer
 
 TOUCHING = 1e-6  # of the mesh's extent: contact, and what single-precision files make of it, is not a crossing
 LEAF = 20_000  # pairs of boxes compared at once; smaller sets cost calls, larger ones needless comparisons
+UNSURE = 1e-13  # of the extent, squared: rounding of products of two coordinates
+NEAR = 1e-9  # of the extent: points closer to a triangle than this are asked carefully
 SAMPLES = 64  # faces of one piece asked whether they lie inside another
 
 
@@ -95,16 +98,42 @@ def depths(corners: Float64[np.ndarray, "m 3 3"], pieces: list[np.ndarray]) -> I
     low = np.array([corners[piece].min(axis=(0, 1)) for piece in pieces])
     high = np.array([corners[piece].max(axis=(0, 1)) for piece in pieces])
     clear = TOUCHING * (high.max(axis=0) - low.min(axis=0)).max()
+    seen: dict[int, _Seen] = {}
     for i, piece in enumerate(pieces):
         # only what reaches into another's box can lie inside it or share volume with it
         near = ((low < high[i] - clear) & (high > low[i] + clear)).all(axis=1)
         for j in np.flatnonzero(near):
             if i != j:
-                result[i] += _lies_inside(corners[piece], corners[pieces[j]], clear)
+                if int(j) not in seen:
+                    seen[int(j)] = _Seen.of(corners[pieces[j]])
+                result[i] += _lies_inside(corners[piece], seen[int(j)], clear)
     return result
 
 
-def _lies_inside(piece: np.ndarray, other: np.ndarray, clear: float) -> bool:
+def find_miscounted_face(corners: Float64[np.ndarray, "m 3 3"], pieces: list[np.ndarray]) -> int | None:
+    """Return a face with neither material nor none on one of its sides, asked at some of each piece; None without one.
+
+    Around a point of the body the whole surface winds once, around others not at all.
+    """
+    places = [np.unique(np.linspace(0, len(piece) - 1, SAMPLES // 4).astype(int)) for piece in pieces]
+    chosen = np.concatenate([piece[place] for piece, place in zip(pieces, places, strict=True)])
+    a, b, c = np.moveaxis(corners[chosen], 1, 0)
+    normal = np.cross(b - a, c - a)
+    area = np.linalg.norm(normal, axis=1, keepdims=True)
+    size = np.ptp(corners, axis=(0, 1)).max()
+    clear = 10.0 * TOUCHING * size
+    # corners as far from every side as this; on smaller faces the shift leaves the neighbourhood of the face
+    wide = area[:, 0] > clear * size
+    shift = clear * normal / np.where(area > 0.0, area, 1.0)
+    middles, seen = corners[chosen].mean(axis=1), _Seen.of(corners)
+    for side in (shift, -shift):
+        wound = _winding_number((middles + side)[wide], seen)
+        if (wrong := np.flatnonzero((wound != 0.0) & (wound != 1.0))).size:
+            return int(chosen[wide][wrong[0]])
+    return None
+
+
+def _lies_inside(piece: np.ndarray, other: _Seen, clear: float) -> bool:
     """Whether a closed piece lies inside another one, asked at some faces, each just above and just below.
 
     Faces that lie in the other surface differ in that, and decide nothing.
@@ -130,16 +159,69 @@ def _lies_inside(piece: np.ndarray, other: np.ndarray, clear: float) -> bool:
     return bool(inside[0])
 
 
-def _winding_number(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Return how often closed triangles (m, 3, 3) wind around points (k, 3).
+def _winding_number(points: np.ndarray, triangles: _Seen) -> np.ndarray:
+    """Return how often closed triangles wind around points (k, 3).
+
+    A ray in an odd direction is counted through the triangles, outward ways less inward ones; a point whose ray passes
+    close to an edge, or that is close to a triangle, is asked by solid angles, which take a hundred times as long.
+    """
+    at = (points - triangles.origin) @ _ODD_AXES / triangles.size
+    low, high = triangles.low, triangles.high
+    ray, face = np.nonzero(
+        (low[0] <= at[:, :1]) & (at[:, :1] <= high[0]) & (low[1] <= at[:, 1:2]) & (at[:, 1:2] <= high[1])
+    )
+    corners = triangles.seen[face] - at[ray][:, None, :]
+    (a, b, c), up = np.moveaxis(corners[:, :, :2], 1, 0), corners[:, :, 2]
+    turns = np.stack([p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0] for p, q in ((b, c), (c, a), (a, b))], axis=1)
+    within = (turns > -UNSURE).all(axis=1) | (turns < UNSURE).all(axis=1)
+    ray, turns, up = ray[within], turns[within], up[within]
+    # each side's turn is twice the area opposite to the third corner: its weight where the ray meets the triangle
+    whole = turns.sum(axis=1)
+    height = np.einsum("kn,kn->k", turns, up) / np.where(whole == 0.0, 1.0, whole)
+    unsure = (np.abs(turns) <= UNSURE).any(axis=1) | (np.abs(height) <= NEAR)
+    ways = np.where(height > 0.0, np.sign(turns[:, 0]), 0.0)
+    result = np.rint(np.bincount(ray, weights=ways, minlength=len(points)))
+    for k in np.unique(ray[unsure]):
+        result[k] = _solid_angle(points[k], triangles.corners)
+    return result
+
+
+class _Seen(NamedTuple):
+    """Triangles (m, 3, 3) as they are seen along the ray, and the boxes around what is seen."""
+
+    corners: np.ndarray
+    origin: np.ndarray
+    size: float
+    seen: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+
+    @classmethod
+    def of(cls, triangles: np.ndarray) -> _Seen:
+        origin = triangles.reshape(-1, 3).mean(axis=0)
+        size = float(np.abs(triangles - origin).max()) or 1.0
+        seen = (triangles - origin) @ _ODD_AXES / size
+        flat = seen[:, :, :2]
+        return cls(triangles, origin, size, seen, flat.min(axis=1).T.copy(), flat.max(axis=1).T.copy())
+
+
+def _solid_angle(point: np.ndarray, triangles: np.ndarray) -> float:
+    """Return how often closed triangles (m, 3, 3) wind around a point (3,), by the sum of their solid angles.
 
     Source: van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125, eq. 8.
     """
-    result = np.empty(len(points))
-    for k, point in enumerate(points):
-        a, b, c = np.moveaxis(triangles - point, 1, 0)
-        la, lb, lc = (np.linalg.norm(x, axis=1) for x in (a, b, c))
-        volume = np.einsum("ni,ni->n", a, np.cross(b - a, c - a))
-        ab, bc, ca = (np.einsum("ni,ni->n", x, y) for x, y in ((a, b), (b, c), (c, a)))
-        result[k] = np.arctan2(volume, la * lb * lc + ab * lc + bc * la + ca * lb).sum() / (2.0 * np.pi)
-    return np.rint(result)
+    a, b, c = np.moveaxis(triangles - point, 1, 0)
+    la, lb, lc = (np.linalg.norm(x, axis=1) for x in (a, b, c))
+    volume = np.einsum("ni,ni->n", a, np.cross(b, c))
+    ab, bc, ca = (np.einsum("ni,ni->n", x, y) for x, y in ((a, b), (b, c), (c, a)))
+    return float(np.rint(np.arctan2(volume, la * lb * lc + ab * lc + bc * la + ca * lb).sum() / (2.0 * np.pi)))
+
+
+def _odd_axes() -> np.ndarray:
+    """Return a rotation (3, 3) by columns that is along no axis, face or diagonal of what people draw."""
+    axes, _ = np.linalg.qr(np.array([[1.0, 0.3194, 0.1237], [0.2713, -1.0, 0.4561], [0.4129, 0.1873, 1.0]]))
+    axes[:, 2] *= np.sign(np.linalg.det(axes))
+    return axes
+
+
+_ODD_AXES = _odd_axes()

@@ -1,14 +1,16 @@
 """Checks of meshes: a bad one would silently give wrong moments, so each fault is an error of its own.
 
-What passes is a closed surface, each edge used once in each direction, that winds once around every point of the body
-and not at all around any other: pieces neither cross nor contain each other, but for cavities.
+What passes is a closed surface, each edge used as often in one direction as in the other, that winds once around every
+point of the body and not at all around any other: pieces neither cross nor contain each other, but for cavities. They
+may touch by a face, an edge or a corner.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from polhode.bodies._mesh_crossing import depths, find_crossing_faces
+from polhode.bodies._mesh_crossing import depths, find_crossing_faces, find_miscounted_face
+from polhode.bodies._mesh_edges import find_edges, find_pieces
 from polhode.errors import InvalidInput
 from polhode.types import ArrayLike, Float64, Integer, Real
 
@@ -33,10 +35,10 @@ def check_mesh(
     """
     vertices, faces = as_mesh(vertices, faces)
     _check_edges(faces, repaired)
-    pieces = find_pieces(faces)
+    pieces = find_pieces(vertices, faces)
     corners = vertices[faces]
-    volumes = np.array([_volume(corners[piece]) for piece in pieces])
-    if not volumes.all():
+    volumes = np.array([find_volume(corners[piece]) for piece in pieces])
+    if not volumes.any():
         raise InvalidInput("the mesh encloses no volume; a flat surface is not a body. Check the file and its scale.")
     if volumes.sum() < 0:
         raise InvalidInput(
@@ -44,39 +46,20 @@ def check_mesh(
             f"Turn the faces outward{_or_repair(repaired)}."
         )
     _check_crossings(vertices, faces, pieces)
-    if len(pieces) > 1:
-        _check_nesting(volumes, depths(corners, pieces), several, repaired)
-    return vertices, faces
-
-
-def repair_mesh(
-    vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"]
-) -> tuple[Float64[np.ndarray, "n 3"], Integer[np.ndarray, "kept 3"]]:
-    """Return the mesh with its faces turned alike, bodies outward, cavities inward; what cannot be turned stays.
-
-    Triangles with repeated corners are dropped.
-
-    Raises:
-        InvalidInput: if a piece of the surface has only one side.
-    """
-    vertices, faces = as_mesh(vertices, faces)
-    a, b, c = faces.T
-    faces = faces[(a != b) & (b != c) & (c != a)]
-    edges, face, forward, uses = _edges(faces)
-    if len(faces) == 0 or (uses < 2).any():
-        return vertices, faces  # the gate will say that it is open
-    faces = _orient_faces(faces, *_neighbours(edges, face, forward, uses))
-    if (uses > 2).any():
-        return vertices, faces
-    pieces = find_pieces(faces)
-    for piece, depth in zip(pieces, depths(vertices[faces], pieces), strict=True):
-        if (_volume(vertices[faces[piece]]) < 0) == (depth % 2 == 0):
-            faces[piece] = faces[piece][:, ::-1]
+    # what encloses nothing, such as a flap of two faces back to back, neither adds volume nor takes it away
+    thick = [piece for piece, volume in zip(pieces, volumes, strict=True) if volume]
+    if len(thick) > 1:
+        _check_nesting(volumes[volumes != 0.0], depths(corners, thick), several, repaired)
+    if (find_edges(faces).uses > 2).any() and (face := find_miscounted_face(corners, thick)) is not None:
+        raise InvalidInput(
+            f"the mesh overlaps itself near ({_near(corners[face])}) m, where some of its volume would count twice, or "
+            "as outside. Unite the parts first."
+        )
     return vertices, faces
 
 
 def as_mesh(
-    vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"]
+    vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], least: int = 4
 ) -> tuple[Float64[np.ndarray, "n 3"], Integer[np.ndarray, "m 3"]]:
     """Return copies as float64 and int64 arrays of the right shapes, finite and in range."""
     if np.iscomplexobj(vertices):
@@ -89,7 +72,7 @@ def as_mesh(
         raise InvalidInput(
             f"a mesh needs vertices (n, 3) and faces (m, 3), triangles only; got {vertices.shape} and {faces.shape}."
         )
-    if len(faces) < 4:
+    if len(faces) < least:
         raise InvalidInput(f"the mesh is open: a closed surface has at least 4 triangles; got {len(faces)}.")
     if not np.issubdtype(faces.dtype, np.integer):
         raise InvalidInput(f"`faces` must be integer indices; got {faces.dtype}.")
@@ -110,60 +93,7 @@ def triple_products(corners: Float64[np.ndarray, "m 3 3"]) -> Float64[np.ndarray
     return np.einsum("mi,mi->m", a, np.cross(b - a, c - a))
 
 
-def find_pieces(faces: Integer[np.ndarray, "m 3"]) -> list[Integer[np.ndarray, "_"]]:
-    """Return the indices of the faces of each piece of surface that hangs together by edges."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    one, other, _ = _neighbours(*_edges(faces))
-    graph = coo_array((np.ones(len(one), dtype=bool), (one, other)), shape=(len(faces),) * 2)
-    count, labels = connected_components(graph, directed=False)
-    order = np.argsort(labels, kind="stable")
-    return np.split(order, np.cumsum(np.bincount(labels, minlength=count))[:-1])
-
-
-def _edges(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return of each half-edge the number of its edge, its face, whether it runs forward; of each edge its uses."""
-    ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    size = int(faces.max(initial=0)) + 1
-    _, edges, uses = np.unique(ends.min(axis=1) * size + ends.max(axis=1), return_inverse=True, return_counts=True)
-    return edges, np.tile(np.arange(len(faces)), 3), ends[:, 0] < ends[:, 1], uses
-
-
-def _neighbours(
-    edges: np.ndarray, face: np.ndarray, forward: np.ndarray, uses: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return pairs of faces that share an edge with no third, and whether both run along it the same way."""
-    order = np.argsort(edges, kind="stable")
-    order = order[uses[edges[order]] == 2]
-    one, other = order[::2], order[1::2]
-    return face[one], face[other], forward[one] == forward[other]
-
-
-def _orient_faces(faces: np.ndarray, one: np.ndarray, other: np.ndarray, clash: np.ndarray) -> np.ndarray:
-    """Return the faces, in each piece turned like the first one.
-
-    Each face stands twice in a graph, as it is and turned; neighbours are joined in the ways that agree. A surface
-    with two sides falls apart into two copies.
-    """
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    n = len(faces)
-    rows = np.concatenate([one, one + n])
-    columns = np.concatenate([other + n * clash, other + n * ~clash])
-    graph = coo_array((np.ones(len(rows), dtype=bool), (rows, columns)), shape=(2 * n, 2 * n))
-    _, labels = connected_components(graph, directed=False)
-    if (labels[:n] == labels[n:]).any():
-        raise InvalidInput(
-            "the mesh has a surface with only one side, like a Klein bottle, which encloses nothing. Check the file."
-        )
-    # labels count up by first appearance, so the copy that holds a piece's first face as it is has the lower one
-    turn = labels[:n] > labels[n:]
-    return np.where(turn[:, None], faces[:, ::-1], faces)
-
-
-def _volume(corners: np.ndarray) -> float:
+def find_volume(corners: np.ndarray) -> float:
     """Return the signed volume [m³] inside triangles (m, 3, 3), zero where it is not above rounding."""
     corners = corners - 0.5 * (corners.min(axis=(0, 1)) + corners.max(axis=(0, 1)))
     a, b, c = np.moveaxis(corners, 1, 0)
@@ -178,27 +108,43 @@ def _or_repair(repaired: bool) -> str:
 
 
 def _check_edges(faces: np.ndarray, repaired: bool) -> None:
-    """Require that every edge is used once in each direction."""
+    """Require that every edge is used as often in one direction as in the other, and no triangle twice."""
     if (faces == np.roll(faces, 1, axis=1)).any():
         raise InvalidInput(f"the mesh has a triangle with a repeated corner. Ask for repair to drop it ({ASKED}).")
-    edges, _, forward, uses = _edges(faces)
-    balance = np.bincount(edges, weights=np.where(forward, 1.0, -1.0))
-    if open_edges := int((uses == 1).sum()):
+    _, twice = np.unique(np.sort(faces, axis=1) * find_parity(faces)[:, None], axis=0, return_counts=True)
+    if doubled := int((twice > 1).sum()):
+        raise InvalidInput(
+            f"the mesh is not a surface: {doubled} of its triangles are there more than once, turned the same "
+            "way, so that "
+            f"volume would count twice. Drop the copies{_or_repair(repaired)}."
+        )
+    edges = find_edges(faces)
+    if open_edges := int((edges.uses == 1).sum()):
         raise InvalidInput(
             f"the mesh is open: {open_edges} edges border only one triangle, so it encloses nothing. "
             f"{'Repair fills small holes only; close' if repaired else 'Close'} the surface, or merge duplicate corners"
             f"{'' if repaired else f', or read the file with repair: {ASKED}'}."
         )
-    if shared_edges := int((uses > 2).sum()):
+    if shared := int(((edges.uses > 2) & (edges.balance != 0)).sum()):
         raise InvalidInput(
-            f"the mesh is not a surface: {shared_edges} edges border more than two triangles. "
-            "Drop duplicate triangles, or separate the bodies that touch there."
+            f"the mesh is not a surface: {shared} edges border more than two triangles, and not as many one way round "
+            "as the other. Drop duplicate triangles and walls inside the body."
         )
-    if clashing := int((balance != 0).sum()):
+    if clashing := int((edges.balance != 0).sum()):
         raise InvalidInput(
             f"the mesh is wound inconsistently: {clashing} edges are not used once in each direction. "
             f"Turn the faces alike{_or_repair(repaired)}."
         )
+
+
+def find_parity(faces: np.ndarray) -> np.ndarray:
+    """Return 1 or −1 (m,): whether the corners of each triangle are an even or an odd permutation of ascending ones."""
+    a, b, c = faces.T
+    return np.where((a < b) ^ (b < c) ^ (c < a), -1, 1)
+
+
+def _near(corners: np.ndarray) -> str:
+    return ", ".join(f"{x:.4g}" for x in corners.mean(axis=0))
 
 
 def _check_crossings(vertices: np.ndarray, faces: np.ndarray, pieces: list[np.ndarray]) -> None:
@@ -208,7 +154,7 @@ def _check_crossings(vertices: np.ndarray, faces: np.ndarray, pieces: list[np.nd
     labels = np.empty(len(faces), dtype=int)
     for k, piece in enumerate(pieces):
         labels[piece] = k
-    where = ", ".join(f"{x:.4g}" for x in vertices[faces[pair[0]]].mean(axis=0))
+    where = _near(vertices[faces[pair[0]]])
     if labels[pair[0]] == labels[pair[1]]:
         what = "its surface passes through itself"
     else:

@@ -63,6 +63,16 @@ def ball(sections: int = SECTIONS) -> Surface:
     return revolve(profile, sections)
 
 
+def capsule(radius: float, length: float, sections: int = SECTIONS) -> Surface:
+    """Return a cylinder of this length about z with half a ball on each end [m]."""
+    heights = np.linspace(-0.5 * math.pi, 0.5 * math.pi, 2 * (sections // 4) + 1)
+    heights = np.insert(heights, len(heights) // 2, 0.0)  # the equator twice, half of the length up and down
+    lift = np.where(np.arange(len(heights)) < len(heights) // 2, -0.5, 0.5) * length
+    profile = np.column_stack([radius * np.cos(heights), radius * np.sin(heights) + lift])
+    profile[[0, -1], 0] = 0.0
+    return revolve(profile, sections)
+
+
 def torus(major_radius: float, minor_radius: float, sections: int = SECTIONS) -> Surface:
     """Return a ring torus about z [m]."""
     angles = 4.0 * math.pi / sections * np.arange(sections // 2)

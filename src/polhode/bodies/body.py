@@ -14,7 +14,17 @@ from polhode.arrays import known_numbers_only
 from polhode.bodies import _mesh as mesh
 from polhode.bodies import _points as points
 from polhode.bodies import atoms
-from polhode.bodies._inertia import LARGEST, ROUNDING, check_moments, finite_array, point_inertia, principal_axes
+from polhode.bodies._inertia import (
+    LARGEST,
+    ROUNDING,
+    MassProperties,
+    check_moments,
+    finite_array,
+    nearest_physical,
+    point_inertia,
+    principal_axes,
+    take_rounded,
+)
 from polhode.errors import InvalidInput, shown
 from polhode.motion.frame import BodyFrame
 from polhode.rotation import as_matrix, from_matrix, normalize
@@ -116,12 +126,27 @@ class Body:
 
     @classmethod
     @known_numbers_only
-    def from_inertia(cls, inertia: Real[ArrayLike, "3 3"], mass: float | None = None) -> Body:
+    def from_inertia(
+        cls, inertia: Real[ArrayLike, "3 3"], mass: float | None = None, *, digits: int | None = None
+    ) -> Body:
         """Return the body with an inertia tensor (3, 3) about its centre of mass, at the origin [kg m²].
+
+        Args:
+            inertia: symmetric.
+            mass: [kg], or None.
+            digits: significant digits of the entries, where they were rounded: a tensor that no body has for that
+                reason alone is replaced by the nearest one, in Frobenius' norm, that a body can have.
+
+        Raises:
+            InvalidInput: for a tensor that no rigid body has, which rounding to so many digits does not explain.
 
         >>> Body.from_inertia([[2.0, 1.0, 0.0], [1.0, 2.0, 0.0], [0.0, 0.0, 2.5]]).principal_moments
         array([1. , 2.5, 3. ])
         """
+        if digits is not None:
+            inertia = finite_array("inertia", inertia, (3, 3))
+            if np.array_equal(inertia, inertia.T):  # others are refused as they are
+                inertia = take_rounded(inertia, digits)
         return cls(mass, (0.0, 0.0, 0.0), inertia)
 
     @classmethod
@@ -195,6 +220,32 @@ class Body:
         Source: Tonon, J. Math. Stat. 1 (2004) 8 (signed tetrahedra); Mirtich, J. Graphics Tools 1 (1996) 31.
         """
         return cls(*mesh.mass_properties(vertices, faces, mass=mass, density=density, several=several, repair=repair))
+
+    @classmethod
+    @known_numbers_only
+    def from_sheet(
+        cls, vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], *, mass: float | None = None,
+        density: float | None = None, thickness: float | None = None,
+    ) -> Body:  # fmt: skip
+        """Return a thin sheet along a triangle mesh, open or closed: its mass lies on the triangles, evenly.
+
+        A wall of finite thickness differs by the square of thickness over size.
+
+        Args:
+            vertices: (n, 3) corners [m].
+            faces: (m, 3) indices of corners, either way round; triangles that are there twice count twice.
+            mass: [kg]; this, or ``density`` and ``thickness``.
+            density: [kg/m³].
+            thickness: [m].
+
+        Raises:
+            InvalidInput: for a mesh without area, or if not exactly one of mass and density is given.
+
+        >>> square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+        >>> Body.from_sheet(square, [[0, 1, 2], [0, 2, 3]], mass=12.0).principal_moments
+        array([1., 1., 2.])
+        """
+        return cls(*mesh.sheet_properties(vertices, faces, mass=mass, density=density, thickness=thickness))
 
     @cached_property
     def _principal(self) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"]]:
@@ -287,24 +338,64 @@ def check_is_body(body: Any) -> None:
         )
 
 
-def combine(bodies: Sequence[Body]) -> Body:
+def combine(
+    bodies: Sequence[Body | MassProperties], cut: Sequence[Body | MassProperties] = ()
+) -> Body:
     """Return several bodies as one rigid body: J = Σ J_k + m_k (|d_k|² 1 − d_k d_kᵀ), d_k from the common centre.
 
+    Args:
+        bodies: each with its mass; ``shapes.point`` makes point masses to put beside them.
+        cut: material taken away, such as holes: these count with negative mass.
+
     Raises:
-        InvalidInput: for an empty list or a body without mass.
+        InvalidInput: for an empty list or a body without mass, and if more is cut than was there, so that no body is
+            left.
+
+    >>> from polhode.bodies import shapes
+    >>> ring = combine([shapes.disk(4.0, 2.0)], cut=[shapes.disk(1.0, 1.0)])  # 3/2 (R² + r²)
+    >>> ring.mass, float(ring.inertia[2, 2])
+    (3.0, 7.5)
     """
-    bodies = [bodies] if isinstance(bodies, Body) else list(bodies or [])
-    if not bodies:
+    added, taken = ([one] if isinstance(one, Body) else list(one or []) for one in (bodies, cut))
+    if not added:
         raise InvalidInput("`bodies` must name at least one body to combine; got none.")
-    if strange := [body for body in bodies if not isinstance(body, Body)]:
+    if strange := [body for body in (*added, *taken) if not isinstance(body, Body | MassProperties)]:
         raise InvalidInput(
             f"`bodies` must be Body objects; got {shown(strange[0])}. "
             "Make one with polhode.shapes or Body."
         )
-    masses = np.array([body._require_mass("combining bodies") for body in bodies])
-    centers = np.array([body.center_of_mass for body in bodies])
+    whole = [*added, *taken]
+    signs = np.array([1.0] * len(added) + [-1.0] * len(taken))
+    masses = signs * [_mass_of(body) for body in whole]
+    centers = np.array([body.center_of_mass for body in whole])
+    effective = any(isinstance(body, Body) and body.effective for body in added)
+    if taken and not masses.sum() > ROUNDING * np.abs(masses).sum():
+        left = f"{-masses[masses < 0].sum():.6g} kg are cut from {masses[masses > 0].sum():.6g} kg"
+        raise InvalidInput(f"nothing is left: {left}. Check the masses or densities of what is cut.")
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
         center = masses @ (centers - centers[0]) / masses.sum() + centers[0]
         shifted = masses[:, None, None] * point_inertia(centers - center)
-        inertia = np.sum([body.inertia for body in bodies], axis=0) + shifted.sum(axis=0)
-        return Body(float(masses.sum()), center, inertia, any(body.effective for body in bodies))
+        own = signs[:, None, None] * np.array([body.inertia for body in whole])
+        inertia = own.sum(axis=0) + shifted.sum(axis=0)
+        if not taken:
+            return Body(float(masses.sum()), center, inertia, effective)
+        size = np.abs(own).sum() + np.abs(shifted).sum()
+    return Body(float(masses.sum()), center, _left_by_cut(inertia, size), effective)
+
+
+def _mass_of(body: Body | MassProperties) -> float:
+    return body._require_mass("combining bodies") if isinstance(body, Body) else body.mass
+
+
+def _left_by_cut(inertia: Array, size: float) -> Array:
+    """Return the tensor after cutting: flat bodies may miss I1 + I2 ≥ I3 by what is lost where terms cancel."""
+    if not np.isfinite(inertia).all():
+        return inertia  # the body refuses it
+    near = nearest_physical(inertia)
+    if np.linalg.norm(near - inertia) > ROUNDING * size:
+        moments = ", ".join(f"{x:.6g}" for x in np.linalg.eigvalsh(inertia))
+        raise InvalidInput(
+            f"what the cuts leave is no body: its principal moments would be ({moments}) kg m², and I1 + I2 ≥ I3 ≥ 0 "
+            "must hold. More is cut somewhere than is there: check places and sizes of what is cut."
+        )
+    return near if np.linalg.norm(near - inertia) > ROUNDING * np.abs(inertia).max() else inertia

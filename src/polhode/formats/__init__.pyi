@@ -18,6 +18,8 @@ from .gyro_logs import read_gyro_log as read_gyro_log
 from .labels import AttitudeLabels as AttitudeLabels
 from .labels import Recording as Recording
 from .mesh import read_mesh as read_mesh
+from .mjcf import read_mjcf_inertial as read_mjcf_inertial
+from .mjcf import read_mjcf_robot as read_mjcf_robot
 from .molecule import read_molecule as read_molecule
 from .polar_motion import PoleSeries as PoleSeries
 from .polar_motion import read_polar_motion as read_polar_motion
@@ -26,6 +28,8 @@ from .rotor_dataset import write_spectrum as write_spectrum
 from .saving import write_motion as write_motion
 from .scipy_rotation import as_rotation as as_rotation
 from .scipy_rotation import as_rotation_spline as as_rotation_spline
+from .sdf import read_sdf_inertial as read_sdf_inertial
+from .sdf import read_sdf_robot as read_sdf_robot
 from .spcat import Catalogue as Catalogue
 from .spcat import catalogue_of as catalogue_of
 from .spcat import read_cat as read_cat
@@ -41,4 +45,5 @@ from .spfit_constants import write_par as write_par
 from .spice import write_ck as write_ck
 from .spice_reading import read_ck as read_ck
 from .urdf import read_urdf_inertial as read_urdf_inertial
+from .urdf import read_urdf_robot as read_urdf_robot
 from .urdf import write_urdf_inertial as write_urdf_inertial

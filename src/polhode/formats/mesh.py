@@ -6,12 +6,13 @@ import io
 import logging
 import warnings
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.bodies._mesh_gate import repair_mesh
+from polhode.bodies._mesh_repair import repair_mesh
 from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.mesh_archives import LIBRARIES, check_archive
 from polhode.formats.mesh_checks import as_text, check_content
 from polhode.formats.obj_mesh import read_obj
 from polhode.formats.opening import MB, read_file
@@ -20,15 +21,29 @@ from polhode.types import Array, Float64, Integer
 
 LARGEST_FILE = 256 * MB  # five million triangles of a binary STL
 LARGEST_EXTENT = 1e30  # m; moments of inertia are its fifth power, and doubles end at 1e308
-ENDINGS = ("stl", "obj", "ply", "off", "glb", "gltf")
+ENDINGS = ("stl", "obj", "ply", "off", "glb", "gltf", "3mf", "dae")
 NEIGHBOURS = 50  # of a corner within SAME_CORNER, on average; more would be all pairs of a heap of corners
 SAME_CORNER = 1e-6  # of the mesh's extent: what single precision and printed digits leave between copies of a corner
+
+
+class LoadedMesh(NamedTuple):
+    """A mesh from a file.
+
+    Attributes:
+        vertices: (n, 3) [m].
+        faces: (m, 3) indices of corners.
+        notes: what repair changed, in sentences; empty where it was not asked for or changed nothing.
+    """
+
+    vertices: Float64[Array, "n 3"]
+    faces: Integer[Array, "m 3"]
+    notes: tuple[str, ...] = ()
 
 
 def read_mesh(
     path: str | Path, unit: float, repair: bool = False
 ) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
-    """Return vertices (n, 3) [m] and faces (m, 3) of a mesh file (STL, OBJ, PLY, OFF, GLB, glTF in one file).
+    """Return vertices (n, 3) [m] and faces (m, 3) of a mesh file (STL, OBJ, PLY, OFF, GLB, glTF in one file, 3MF, DAE).
 
     Corners at exactly the same place become one, as STL files repeat them for every triangle.
 
@@ -42,10 +57,16 @@ def read_mesh(
         InvalidInput: if the file is missing or the unit is not positive.
         FormatError: if it cannot be read as a mesh.
     """
+    read = load_mesh(path, unit, repair)
+    return read.vertices, read.faces
+
+
+def load_mesh(path: str | Path, unit: float, repair: bool = False) -> LoadedMesh:
+    """Return a mesh as ``read_mesh`` does, with notes on what repair changed."""
     path = Path(path)
     if isinstance(unit, str) or not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
         raise InvalidInput(f"`unit` must be a positive length in metres, like 1e-3 for millimetres; got {shown(unit)}.")
-    vertices, faces = _load(path, read_file(path, "mesh", LARGEST_FILE))
+    vertices, faces = _load(path, read_file(path, "mesh", LARGEST_FILE), unit)
     if len(faces) == 0:
         raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it again, as a surface mesh.")
     if not np.isfinite(vertices).all():
@@ -56,15 +77,27 @@ def read_mesh(
         raise FormatError(f"{path}: a corner is {extent:.3g} of its units away, and no body is that large. Check the "
                           "file and its unit.")  # fmt: skip
     vertices, faces = _merge(vertices, faces.astype(np.int64))
-    if repair:
-        try:
-            vertices, faces = repair_mesh(*_fill_holes(*_merge_nearby(vertices, faces)))
-        except InvalidInput as error:
-            raise InvalidInput(f"{path}: {error}") from None
-    return vertices * unit, faces
+    if not repair:
+        return LoadedMesh(vertices * unit, faces)
+    try:
+        near, index = _merge_nearby(vertices, faces)
+        merged = len(vertices) - len(near)
+        vertices, faces, changes = repair_mesh(near, index, holes=True)
+    except InvalidInput as error:
+        raise InvalidInput(f"{path}: {error}") from None
+    return LoadedMesh(vertices * unit, faces, _say(changes, merged))
 
 
-def _load(path: Path, content: bytes) -> tuple[Array, Array]:
+def _say(changes: tuple[str, ...], merged: int) -> tuple[str, ...]:
+    """Return what repair did as one sentence."""
+    if merged:
+        changes = (f"made {merged} corners one with others less than 1e-6 of the mesh's size away", *changes)
+    if not changes:
+        return ("repair found nothing to mend.",)
+    return (f"repair {' and '.join(filter(None, (', '.join(changes[:-1]), changes[-1])))}.",)
+
+
+def _load(path: Path, content: bytes, unit: float) -> tuple[Array, Array]:
     ending = path.suffix.lower().lstrip(".")
     if ending not in ENDINGS:
         known = ", ".join(ENDINGS)
@@ -74,7 +107,10 @@ def _load(path: Path, content: bytes) -> tuple[Array, Array]:
         return read_obj(path, as_text(path, content))
     if ending == "stl":
         return read_stl(path, content)
-    content = check_content(path, ending, content)
+    if ending in LIBRARIES:
+        check_archive(path, ending, content, unit)
+    else:
+        content = check_content(path, ending, content)
     trimesh = _trimesh()
     try:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
@@ -120,15 +156,3 @@ def _merge_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
     kept = np.empty(count, dtype=int)
     kept[labels[::-1]] = np.arange(len(vertices))[::-1]
     return vertices[kept], labels[faces]
-
-
-def _fill_holes(vertices: Array, faces: Array) -> tuple[Array, Array]:
-    """Drop triangles that are degenerate or there twice, then close small holes."""
-    trimesh = _trimesh()
-    a, b, c = faces.T
-    faces = faces[(a != b) & (b != c) & (c != a)]
-    _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
-    mesh = trimesh.Trimesh(vertices, faces[np.sort(first)], process=False)
-    trimesh.repair.fix_winding(mesh)
-    trimesh.repair.fill_holes(mesh)
-    return np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64)

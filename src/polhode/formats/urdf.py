@@ -9,18 +9,30 @@ from typing import Any
 
 import numpy as np
 
+from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.numerals import read_number
-from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import write_whole
-from polhode.types import Array
+from polhode.formats.robot_xml import (
+    Frame,
+    Motion,
+    Pose,
+    find_child,
+    find_positions,
+    finite_numbers,
+    from_fixed_angles,
+    join_links,
+    make_inertial,
+    read_xml,
+    unit_vector,
+)
+from polhode.types import Array, Float64
 
-LARGEST_FILE = 16 * MB  # robots of a thousand links take one
+UNITS = {"revolute": "rad", "continuous": "rad", "prismatic": "m", "fixed": "", "floating": "", "planar": ""}
 ENTRIES = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 
 
-def read_urdf_inertial(path: str | Path, link: str | None = None) -> Body:
+def read_urdf_inertial(path: str | Path, link: str | None = None, digits: int | None = None) -> Body:
     """Return a link of a URDF file as a body, along the axes of the link's own frame: J = R J_inertial Rᵀ.
 
     ``<origin xyz rpy>`` places the inertial frame in the link's: the centre of mass stands at xyz, and
@@ -30,6 +42,7 @@ def read_urdf_inertial(path: str | Path, link: str | None = None) -> Body:
     Args:
         path: the file; xacro has to be expanded first.
         link: its name; it may be left out where only one link has an ``<inertial>``.
+        digits: to which the entries of its inertia were rounded, see ``Body.from_inertia``.
 
     Raises:
         InvalidInput: if the file is missing, or it is open which link is meant.
@@ -38,19 +51,114 @@ def read_urdf_inertial(path: str | Path, link: str | None = None) -> Body:
     Source: ROS, *URDF XML specification*, link and joint elements.
     """
     path = Path(path)
-    name, inertial = _find_inertial(path, _root(path), link)
+    name, inertial = _find_inertial(path, read_xml(path, "URDF", "robot"), link)
     where = f"{path}: link {shown(name)}"
-    mass = _number(where, _child(where, inertial, "mass"), "value")
-    entry = _child(where, inertial, "inertia")
+    found = _inertial(where, inertial, digits)
+    if not isinstance(found, Body):
+        raise FormatError(f"{where}: has no inertia, and a point has no attitude. Give its <inertia>.")
+    return found
+
+
+def read_urdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> Body:
+    """Return all links of a URDF file as one body, along the axes of the link that is no other's child.
+
+    A joint's frame stands in its parent at ``<origin>``; the child's frame is it, turned about or moved along
+    ``<axis>`` by the joint's position.
+
+    Args:
+        path: the file; xacro has to be expanded first.
+        pose: positions of joints, zero for others; ``<mimic>`` joints follow theirs. Limits are not looked at.
+        digits: to which entries of inertias were rounded, see ``Body.from_inertia``.
+
+    Raises:
+        InvalidInput: if the file is missing, or the pose does not fit its joints.
+        FormatError: if it is not URDF, its links are no tree, or no body has their mass properties.
+
+    Source: ROS, *URDF XML specification*, link and joint elements.
+    """
+    path = Path(path)
+    root = read_xml(path, "URDF", "robot")
+    names = [element.get("name", "") for element in root.findall("link")]
+    if len(set(names)) != len(names):
+        raise FormatError(f"{path}: several links have the same name. Rename them.")
+    joints = [_joint(path, element, names) for element in root.findall("joint")]
+    positions = find_positions(path, pose, [motion for _, _, _, motion in joints])
+    children: dict[str, list[tuple[str, Frame]]] = {}
+    for parent, child, frame, motion in joints:
+        at = positions.get(motion.name, motion.reference)
+        children.setdefault(parent, []).append((child, frame.then(motion.at(at))))
+    below = [child for _, child, _, _ in joints]
+    tops = [name for name in names if name not in below]
+    reached = list(tops)
+    for name in reached:  # which grows meanwhile; a link with two parents is refused
+        reached += [child for child, _ in children.get(name, ())] if len(reached) <= len(names) else []
+    if len(tops) != 1 or len(set(below)) != len(below) or len(reached) != len(names):
+        raise FormatError(f"{path}: its joints must make one tree of its links, from one that is no other's child; got "
+                          f"{len(tops)} such links.")  # fmt: skip
+    inertials = {element.get("name", ""): element.find("inertial") for element in root.findall("link")}
+    links: list[tuple[Frame, Body | MassProperties]] = []
+    waiting = [(tops[0], Frame())]
+    while waiting:
+        name, frame = waiting.pop()
+        element = inertials[name]
+        if element is not None and not _is_massless(f"{path}: link {shown(name)}", element):
+            links.append((frame, _inertial(f"{path}: link {shown(name)}", element, digits)))
+        waiting += [(child, frame.then(inner)) for child, inner in children.get(name, ())]
+    return join_links(path, links)
+
+
+def _joint(path: Path, element: ET.Element, names: list[str]) -> tuple[str, str, Frame, Motion]:
+    """Return parent, child, frame in the parent and motion of a joint."""
+    name, kind = element.get("name", ""), element.get("type", "")
+    where = f"{path}: joint {shown(name)}"
+    if kind not in UNITS:
+        raise FormatError(f"{where}: its type must be one of {', '.join(UNITS)}; got {shown(kind)}.")
+    ends = [find_child(where, element, tag).get("link", "") for tag in ("parent", "child")]
+    if unknown := [end for end in ends if end not in names]:
+        raise FormatError(f"{where}: there is no link {shown(unknown[0])}. Check the file.")
+    axis, mimic, follows = element.find("axis"), element.find("mimic"), None
+    direction = np.array([1.0, 0.0, 0.0])
+    if axis is not None and UNITS[kind]:
+        direction = unit_vector(where, "its <axis>", finite_numbers(where, "xyz of <axis>", axis.get("xyz"), 3))
+    if mimic is not None and UNITS[kind]:
+        factor, offset = (
+            finite_numbers(where, f"{key} of <mimic>", mimic.get(key, default), 1)[0]
+            for key, default in (("multiplier", "1"), ("offset", "0"))
+        )
+        follows = (mimic.get("joint", ""), float(factor), float(offset))
+    return ends[0], ends[1], _origin(where, element), Motion(name, UNITS[kind], direction, 0.0, follows)
+
+
+def _origin(where: str, parent: ET.Element) -> Frame:
+    origin = parent.find("origin")
+    values = {key: "0 0 0" if origin is None else origin.get(key, "0 0 0") for key in ("xyz", "rpy")}
+    place, angles = (finite_numbers(where, f"{key} of <origin>", text, 3) for key, text in values.items())
+    return Frame(from_fixed_angles(angles), place)
+
+
+def _is_massless(where: str, inertial: ET.Element) -> bool:
+    """Whether a link says that it has neither mass nor inertia, as frames without matter do."""
+    return _number(where, find_child(where, inertial, "mass"), "value") == 0.0 and not _matrix(where, inertial).any()
+
+
+def _inertial(where: str, inertial: ET.Element, digits: int | None) -> Body | MassProperties:
+    mass = _number(where, find_child(where, inertial, "mass"), "value")
+    return make_inertial(where, mass, _origin(where, inertial), _matrix(where, inertial), digits)
+
+
+def _matrix(where: str, inertial: ET.Element) -> Float64[Array, "3 3"]:
+    entry = find_child(where, inertial, "inertia")
     matrix = np.zeros((3, 3))
     for key, (i, j) in ENTRIES.items():
         matrix[i, j] = matrix[j, i] = _number(where, entry, key)
-    origin = inertial.find("origin")
-    center, angles = (_three(where, origin, key) for key in ("xyz", "rpy"))
-    try:
-        return Body(mass, np.zeros(3), matrix).placed(_from_fixed_angles(angles), center)
-    except InvalidInput as error:
-        raise FormatError(f"{where}: {error}") from None
+    return matrix
+
+
+def _number(where: str, element: ET.Element, key: str) -> float:
+    text = element.get(key)
+    if text is None:
+        raise FormatError(f"{where}: <{element.tag}> has no {key}. Add it.")
+    return float(finite_numbers(where, f"{key} of <{element.tag}>", text, 1)[0])
 
 
 def write_urdf_inertial(body: Body, path: str | Path, name: str = "body", principal: bool = False) -> Path:
@@ -95,25 +203,6 @@ def write_urdf_inertial(body: Body, path: str | Path, name: str = "body", princi
     return path
 
 
-class _NoEntities(ET.TreeBuilder):
-    """Robots need no document type, and entities declared in one can grow without bound."""
-
-    def doctype(self, name: str, pubid: str | None, system: str | None) -> None:
-        raise ValueError("it declares a document type, which URDF has no use for")
-
-
-def _root(path: Path) -> ET.Element:
-    try:
-        root = ET.fromstring(read_file(path, "URDF", LARGEST_FILE), ET.XMLParser(target=_NoEntities()))
-    except InvalidInput:
-        raise
-    except (ET.ParseError, ValueError, LookupError) as error:
-        raise FormatError(f"{path}: is not URDF, which is XML: {error}. Check the file.") from None
-    if root.tag != "robot":
-        raise FormatError(f"{path}: is not URDF: its outermost element must be <robot>; got <{root.tag}>.")
-    return root
-
-
 def _find_inertial(path: Path, root: ET.Element, link: str | None) -> tuple[str, ET.Element]:
     links = root.findall("link")
     names = [element.get("name", "") for element in links]
@@ -122,7 +211,11 @@ def _find_inertial(path: Path, root: ET.Element, link: str | None) -> tuple[str,
         if not massive:
             raise FormatError(f"{path}: no link has an <inertial>; of {len(links)} links none has mass properties.")
         if len(massive) > 1:
-            raise InvalidInput(f"{path}: has {len(massive)} links with mass; name one as `link`: {', '.join(massive)}.")
+            raise InvalidInput(
+                f"{path}: has {len(massive)} links with mass; name one as `link`, or take all of them together "
+                "at a pose "
+                f"with `joints`: {', '.join(massive)}."
+            )
         link = massive[0]
     if names.count(link) != 1:
         fault = "has no link" if link not in names else f"has {names.count(link)} links called"
@@ -132,47 +225,6 @@ def _find_inertial(path: Path, root: ET.Element, link: str | None) -> tuple[str,
         raise FormatError(f"{path}: link {shown(link)} has no <inertial>, so no mass; links that have are "
                           f"{', '.join(massive) or 'none'}.")  # fmt: skip
     return link, inertial
-
-
-def _child(where: str, parent: ET.Element, tag: str) -> ET.Element:
-    child = parent.find(tag)
-    if child is None:
-        raise FormatError(f"{where}: its <inertial> has no <{tag}>. Add it.")
-    return child
-
-
-def _number(where: str, element: ET.Element, key: str) -> float:
-    text = element.get(key)
-    if text is None:
-        raise FormatError(f"{where}: <{element.tag}> has no {key}. Add it.")
-    return _finite(where, f"{key} of <{element.tag}>", [text])[0]
-
-
-def _three(where: str, origin: ET.Element | None, key: str) -> Array:
-    text = None if origin is None else origin.get(key)
-    values = [0.0, 0.0, 0.0] if text is None else _finite(where, f"{key} of <origin>", text.split())
-    if len(values) != 3:
-        raise FormatError(f"{where}: {key} of <origin> must be three numbers; got {shown(text)}.")
-    return np.array(values)
-
-
-def _finite(where: str, what: str, texts: list[str]) -> list[float]:
-    try:
-        return [read_number(text) for text in texts]
-    except ValueError:
-        came = " ".join(texts)
-    hint = " Expand the xacro first." if "$" in came else " Check the file."
-    raise FormatError(f"{where}: {what} must be finite numbers in decimal digits; got {shown(came)}.{hint}")
-
-
-def _from_fixed_angles(angles: Array) -> Array:
-    """Return Rz(yaw) Ry(pitch) Rx(roll)."""
-    (a, b, c), (s, t, u) = np.cos(angles), np.sin(angles)
-    return np.array([
-        [c * b, c * t * s - u * a, c * t * a + u * s],
-        [u * b, u * t * s + c * a, u * t * a - c * s],
-        [-t, b * s, b * a],
-    ])  # fmt: skip
 
 
 def _fixed_angles(R: Array) -> Array:

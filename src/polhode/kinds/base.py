@@ -342,6 +342,7 @@ class Spec(Generic[TableT]):
         source: the table that describes the body; None where the system has sizes of its own.
         folder: that relative paths start from.
         instants: times [s], zero first, in place of equal steps up to ``until``, their last.
+        body_notes: sentences on how the body was made: what was repaired or rounded.
     """
 
     name: str
@@ -355,6 +356,7 @@ class Spec(Generic[TableT]):
     source: BodyTable | None = None
     folder: Path = Path()
     instants: tuple[float, ...] | None = None
+    body_notes: tuple[str, ...] = ()
 
     @cached_property
     def surface(self) -> Surface | None:
@@ -376,7 +378,7 @@ class Spec(Generic[TableT]):
     @property
     def remarks(self) -> tuple[str, ...]:
         """Notes for a report on how body and spin were understood."""
-        return remarks_on(self.body, self.spin)
+        return self.body_notes + remarks_on(self.body, self.spin)
 
     def start(
         self, moments: Float64[Array, "3"], axes: Float64[Array, "3 3"]

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import difflib
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
-from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
 from polhode.formats.molecule import FORMS
 from polhode.formats.paths import as_path
@@ -18,11 +17,13 @@ from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.registry import default_kind, find_kind, kind_names
 from polhode.reports.base import SystemReport
 from polhode.reports.report import with_inputs
-from polhode.spec.building import build_body, build_part
+from polhode.spec.assembly import PartsRefused
+from polhode.spec.building import build_body
+from polhode.spec.built import BuiltBody
 from polhode.spec.export import make_labels
 from polhode.spec.mistakes import as_message, list_mistakes
-from polhode.spec.models import BodyTable, PartTable, SpecFile, SystemTable
-from polhode.spec.parsing import read_tables
+from polhode.spec.models import BodyTable, SpecFile, SystemTable
+from polhode.spec.parsing import name_parts, read_tables
 from polhode.spec.reach import beyond_reach
 from polhode.spec.rules import SOURCES, Location, Mistake, find_broken_rules, table_rules
 
@@ -61,7 +62,7 @@ def build_spec(tables: dict[str, Any], path: Path) -> Spec:
         tables: as TOML has them, without [sweep]; they stay as they are.
         path: of the file, which messages name and from whose folder paths count.
     """
-    table = dict(tables)
+    table = dict(name_parts(tables))
     raw, kind, faults = _read_system(table.pop("system", default_kind().name))
     mistakes, model = [], None
     mistakes += find_broken_rules(table, _rules_of_kind(kind, table | {"system": raw}))
@@ -75,16 +76,16 @@ def build_spec(tables: dict[str, Any], path: Path) -> Spec:
         beyond = [*beyond_reach(system, ("system",), kind.reach), *beyond_reach(model, (), kind.reach)]
         locations = {location for location, _ in mistakes}
         mistakes += [mistake for mistake in beyond if mistake[0] not in locations]
-    body, unphysical = _build_body(table.get("body"), path.parent, mistakes)
+    built, unphysical = _build_body(table.get("body"), path, mistakes)
     if model is None or kind is None or system is None or mistakes or unphysical:
         faults = mistakes + [(location, str(error)) for location, error in unphysical]
         of_files = not mistakes and all(isinstance(error, FormatError) for _, error in unphysical)
         raise (FormatError if of_files else InvalidInput)(*as_message(path, faults))
     name = printable(model.name or path.stem).replace("\n", " ")
     return Spec(
-        name=name, kind=kind, system=system, body=body, spin=model.spin,
+        name=name, kind=kind, system=system, body=None if built is None else built.body, spin=model.spin,
         until=model.time.until, samples=model.time.samples, labels=make_labels(model.export, model.name or path.stem),
-        source=model.body, folder=path.parent,
+        source=model.body, folder=path.parent, body_notes=() if built is None else built.notes,
     )  # fmt: skip
 
 
@@ -164,8 +165,8 @@ def _system(kind: AbstractKind, raw: dict[str, Any]) -> tuple[SystemTable | None
 
 
 def _build_body(
-    raw: Any, folder: Path, mistakes: list[Mistake]
-) -> tuple[Body | None, list[tuple[Location, InvalidInput]]]:
+    raw: Any, path: Path, mistakes: list[Mistake]
+) -> tuple[BuiltBody | None, list[tuple[Location, InvalidInput]]]:
     """Return the body, or the mistakes in its table.
 
     Beside mistakes, what is right in itself is tried on its own: each part, and the source of the body with its other
@@ -177,25 +178,35 @@ def _build_body(
 
     if not isinstance(raw, dict):
         return None, []
-    errors: list[tuple[Location, InvalidInput]] = []
-    parts = raw.get("parts")
-    for k, part in enumerate(parts if isinstance(parts, list) else []):
-        location = ("body", "parts", k)
-        if clean(location):
-            errors += _attempt(location, lambda part=part: build_part(PartTable.model_validate(part)))[1]
+    parts = raw.get("part")
+    numbers = range(len(parts) if isinstance(parts, list) else 0)
+    right = [k for k in numbers if clean(("body", "part", k))]
     sources = [key for key in SOURCES if key in raw]
-    if errors or len(sources) != 1 or not clean(("body", sources[0])):
-        return None, errors
+    if len(right) < len(numbers):
+        assert isinstance(parts, list)
+        alone = [k for k in right if parts[k].get("cut") is not True]
+        kept = {"part": [parts[k] for k in alone]}
+        if "density" in raw and clean(("body", "density")):
+            kept |= {"density": raw["density"]}
+        _, faults = _attempt(kept, path, alone) if alone else (None, [])
+        return None, [fault for fault in faults if len(fault[0]) > 1]  # not what the parts are together
+    if len(sources) != 1 or not clean(("body", sources[0])):
+        return None, []
     kept = {key: value for key, value in raw.items() if key in BodyTable.model_fields and clean(("body", key))}
     if "mesh" in kept:
         kept = {"mesh_unit": "m", **kept}
         if ("mass" in kept) == ("density" in kept):
             kept = {key: value for key, value in kept.items() if key != "density"} | {"mass": "1 kg"}
-    return _attempt(("body",), lambda: build_body(BodyTable.model_validate(kept), folder))
+    return _attempt(kept, path, list(numbers))
 
 
-def _attempt(location: Location, build: Callable[[], Body]) -> tuple[Body | None, list[tuple[Location, InvalidInput]]]:
+def _attempt(
+    table: dict[str, Any], path: Path, numbers: list[int]
+) -> tuple[BuiltBody | None, list[tuple[Location, InvalidInput]]]:
+    """Return the body of a table whose parts have these numbers in the file, or what is wrong with it."""
     try:
-        return build(), []
+        return build_body(BodyTable.model_validate(table), path.parent, path), []
+    except PartsRefused as error:
+        return None, [(("body", "part", numbers[k]), fault) for k, fault in error.faults]
     except InvalidInput as error:
-        return None, [(location, error)]
+        return None, [(("body",), error)]

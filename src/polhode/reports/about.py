@@ -48,6 +48,39 @@ def _about_inertia(body: Body) -> list[Answer]:
     return [whole, *(Answer("", None, "", label, "", words) for label, words in rows.items())]
 
 
+def about_place(body: Body, label: str, point: Float64[Array, "3"], direction: Float64[Array, "3"] | None) -> Group:
+    """Return the inertia about a point, along the given axes, and the moment about an axis through it.
+
+    Args:
+        body: with its mass.
+        label: of the place, in words.
+        point: (3,) [m, given axes].
+        direction: (3,) unit vector of the axis; None for the moments about all three given axes.
+    """
+    inertia = body.about(point)
+    size = float(np.abs(inertia).max())
+    rows = {f"inertia, row {x}": vector(row, "kg m²", size) + GIVEN for x, row in zip("xyz", inertia, strict=True)}
+    if direction is None:
+        moments = np.diag(inertia)
+        words = vector(moments, "kg m²", size)
+        found = [Answer("about.moments", moments, "kg m²", "moments about x, y, z there", "", words)]
+    else:
+        moment = float(direction @ inertia @ direction)
+        # √(J/m): where the same mass in one place would have the same moment
+        radius = math.sqrt(max(moment, 0.0)) / math.sqrt(body.mass or math.inf)
+        found = [
+            Answer("about.direction", direction, "", "along", "given axes", vector(direction)),
+            Answer("about.moment", moment, "kg m²", "moment about that axis"),
+            Answer("about.radius_of_gyration", radius, "m", "radius of gyration"),
+        ]
+    return Group(f"About {label}", [
+        Answer("about.point", point, "m", "through", "given axes", vector(point, "m")),
+        *found,
+        Answer("about.inertia", inertia, "kg m²", "", "about that point, given axes"),
+        *(Answer("", None, "", words, "", row) for words, row in rows.items()),
+    ])  # fmt: skip
+
+
 def about_axes(name: str, axes: Float64[Array, "3 3"], explanation: str = "") -> list[Answer]:
     """Return axes, which are columns, with a line each."""
     columns = enumerate(zip(*axes.tolist(), strict=True))

@@ -8,39 +8,117 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+from pydantic import ValidationError
 
 from polhode import rotation
 from polhode.analysis.thermal import thermal_momentum
-from polhode.bodies import shapes
-from polhode.bodies.body import Body, combine
-from polhode.errors import InvalidInput
-from polhode.formats.mesh import read_mesh
+from polhode.bodies._inertia import MassProperties
+from polhode.bodies.body import Body
+from polhode.errors import FormatError, InvalidInput
+from polhode.formats.mesh import load_mesh
+from polhode.formats.mjcf import read_mjcf_inertial, read_mjcf_robot
 from polhode.formats.molecule import read_molecule
-from polhode.formats.urdf import read_urdf_inertial
-from polhode.spec.models import SHAPE_KEYS, BodyTable, PartTable, SpinTable
+from polhode.formats.sdf import read_sdf_inertial, read_sdf_robot
+from polhode.formats.urdf import read_urdf_inertial, read_urdf_robot
+from polhode.spec.assembly import body_of_mesh, build_assembly, build_part
+from polhode.spec.built import BuiltBody
+from polhode.spec.known_inertia import build_known
+from polhode.spec.mistakes import as_message, list_mistakes
+from polhode.spec.models import BodyTable, SpinTable
+from polhode.spec.parsing import read_tables
+from polhode.spec.rules import find_broken_body_rules
 from polhode.types import Array, Float64
 
-TURNS = {"z": np.eye(3), "x": np.eye(3)[[2, 0, 1]], "y": np.eye(3)[[1, 2, 0]]}
-TURNS |= {f"-{axis}": turn * [1.0, -1.0, -1.0] for axis, turn in TURNS.items()}
+ROBOTS = {
+    "urdf": (read_urdf_inertial, read_urdf_robot),
+    "sdf": (read_sdf_inertial, read_sdf_robot),
+    "mjcf": (read_mjcf_inertial, read_mjcf_robot),
+}
+"""How one link and how all links of a robot description are read, by the key that names the file."""
 
 
-def build_body(table: BodyTable, folder: Path) -> Body:
+def build_body(table: BodyTable, folder: Path, file: Path | None = None) -> BuiltBody:
     """Return the body; paths count from the folder.
+
+    Args:
+        table: of the body.
+        folder: of its spec.
+        file: the spec itself, where it is known, so that no spec can be part of itself.
 
     Raises:
         InvalidInput: for values that no body has.
         FormatError: for files that are not what they should be.
     """
-    if table.mesh is not None:
-        vertices, faces = read_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair)
-        with _of_file("mesh", table.mesh):
-            return Body.from_mesh(
-                vertices, faces, mass=table.mass, density=table.density, several=table.several, repair=table.repair
-            )
-    if table.moments is not None:
-        return Body.from_moments(*table.moments, mass=table.mass)
-    if table.inertia is not None:
-        return Body(table.mass, (0.0, 0.0, 0.0), table.inertia)
+    return _Files().build(table, folder, () if file is None else (file.resolve(),))
+
+
+def build_part_of(table: BodyTable, number: int, folder: Path) -> Body | MassProperties:
+    """Return the mass properties of one part alone, in its place; of a cut, those of what is cut away.
+
+    Raises:
+        InvalidInput, FormatError: as ``build_body`` does.
+    """
+    files, part = _Files(), (table.part or [])[number]
+    density = table.density or 1.0  # of a cut that leaves it to the others, whose centre of mass does not depend on it
+    return build_part(part, density, folder, lambda path: files.read(path, ())).properties
+
+
+def read_body_table(path: Path) -> BodyTable:
+    """Return the table [body] of a spec, of which nothing else is read.
+
+    Raises:
+        InvalidInput: naming the file and every mistake in that table.
+        FormatError: if the file is not TOML.
+    """
+    tables = read_tables(path)
+    body = tables.get("body")
+    if not isinstance(body, dict):
+        raise InvalidInput(f"{path}: has no [body], so that it cannot be part of another one")
+    mistakes, table = list(find_broken_body_rules(body)), None
+    try:
+        table = BodyTable.model_validate(body)
+    except ValidationError as error:
+        mistakes += list_mistakes(error, BodyTable, ("body",))
+    if table is None or mistakes:
+        raise InvalidInput(*as_message(path, mistakes))
+    return table
+
+
+class _Files:
+    """The specs that a body is made of, each read and built once."""
+
+    def __init__(self) -> None:
+        self.built: dict[Path, BuiltBody] = {}
+
+    def build(self, table: BodyTable, folder: Path, above: tuple[Path, ...]) -> BuiltBody:
+        """Return the body; ``above`` are the specs that it is part of, and its own."""
+        if table.part is not None:
+            return build_assembly(table.part, table.density, folder, lambda path: self.read(path, above))
+        if table.mesh is not None:
+            read = load_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair)
+            with _of_file("mesh", table.mesh):
+                body = body_of_mesh(read, table.mass, table.density, several=table.several, repaired=table.repair)
+            return BuiltBody(body, tuple(f"mesh {table.mesh}: {note}" for note in read.notes))
+        if table.moments is not None or table.inertia is not None:
+            return build_known(table)
+        return BuiltBody(_of_molecule_or_robot(table, folder))
+
+    def read(self, path: Path, above: tuple[Path, ...]) -> BuiltBody:
+        place = path.resolve()
+        if place in above:
+            chain = " → ".join(one.name for one in (*above[above.index(place) :], place))
+            raise InvalidInput(f"is part of itself: {chain}. Leave one of these parts out")
+        if place not in self.built:
+            table = read_body_table(path)
+            try:
+                self.built[place] = self.build(table, path.parent, (*above, place))
+            except InvalidInput as error:
+                kind = FormatError if isinstance(error, FormatError) else InvalidInput
+                raise kind(f"{path}: {error}") from None
+        return self.built[place]
+
+
+def _of_molecule_or_robot(table: BodyTable, folder: Path) -> Body:
     if table.rotational_constants is not None:
         try:
             return Body.from_rotational_constants(
@@ -53,9 +131,12 @@ def build_body(table: BodyTable, folder: Path) -> Body:
         atoms = read_molecule(folder / table.molecule)
         with _of_file("molecule", table.molecule):
             return Body.from_atoms(*atoms)
-    if table.urdf is not None:
-        return read_urdf_inertial(folder / table.urdf, table.link)
-    return combine([build_part(part) for part in table.parts or []])
+    for kind, (read_link, read_robot) in ROBOTS.items():
+        if (name := getattr(table, kind)) is not None:
+            if table.joints is not None:
+                return read_robot(folder / name, table.joints, table.rounding)
+            return read_link(folder / name, table.link, table.rounding)
+    raise AssertionError("the rules let a body have one source")
 
 
 @contextlib.contextmanager
@@ -64,18 +145,6 @@ def _of_file(kind: str, name: str) -> Iterator[None]:
         yield
     except InvalidInput as error:
         raise InvalidInput(f"{kind} {name}: {error}") from None
-
-
-def build_part(table: PartTable) -> Body:
-    """Return one homogeneous part in its place.
-
-    Raises:
-        InvalidInput: for measures that do not fit each other.
-    """
-    measures = {name: getattr(table, name) for name in SHAPE_KEYS[table.shape]}
-    if table.inner_radius is not None:
-        measures["inner_radius"] = table.inner_radius
-    return getattr(shapes, table.shape)(table.mass, **measures).placed(TURNS[table.axis], table.at)
 
 
 def build_spin(

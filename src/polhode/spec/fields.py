@@ -53,6 +53,42 @@ def quantity(unit: str, *, positive: bool = False) -> Any:
     return Annotated[float, _reader(unit, positive)]
 
 
+def _radius(value: Any) -> Any:
+    number = parse_quantity(value, "m")
+    if not number > 0:
+        remedy = 'A point mass is shape = "point", a thin rod shape = "rod"' if number == 0 else "Check number and unit"
+        raise ValueError(f"must be positive; got {shown(value)}. {remedy}")
+    return value
+
+
+def _outline(value: Any) -> Any:
+    if not isinstance(value, list) or not all(isinstance(one, list) and len(one) == 2 for one in value):
+        raise ValueError(
+            f'must be a list of corners, like [["0 mm", "0 mm"], ["20 mm", "0 mm"], …]; got {shown(value)}'
+        )
+    return value
+
+
+def _joint(value: Any) -> tuple[float, str]:
+    """Return the position of a joint with its SI unit: an angle or a distance, which the kind of joint must fit."""
+    for unit in ("rad", "m"):
+        try:
+            return parse_quantity(value, unit), unit
+        except ValueError:
+            continue
+    raise ValueError(f'must be an angle like "30 deg" or a distance like "10 cm"; got {shown(value)}')
+
+
+def _digits(value: Any) -> int:
+    """Return how many digits a text like "6 digits" says."""
+    number, _, word = str(value).partition(" ")
+    if not isinstance(value, str) or word not in ("digits", "digit") or not (number.isascii() and number.isdigit()):
+        raise ValueError(f'must say how many significant digits were kept, like "6 digits"; got {shown(value)}')
+    if not 3 <= int(number[:3]) <= 15:
+        raise ValueError(f"must be from 3 to 15 digits; got {shown(value)}. Fewer say nothing about a body")
+    return int(number)
+
+
 def _three(unit: str) -> BeforeValidator:
     example = find_example(unit)
 
@@ -258,6 +294,7 @@ def one_of(*choices: str | int) -> BeforeValidator:
 Mass = Annotated[float, _reader("kg", positive=True)]
 Density = Annotated[float, _reader("kg/m^3", positive=True)]
 Length = Annotated[float, _reader("m", positive=True)]
+Radius = Annotated[float, _reader("m", positive=True), BeforeValidator(_radius)]
 Rate = Annotated[float, _reader("rad/s")]
 PositiveRate = Annotated[float, _reader("rad/s", positive=True)]
 Precession = Annotated[float | Literal["slow", "fast"], BeforeValidator(_precession)]
@@ -267,6 +304,11 @@ Coordinate = Annotated[float, _reader("m")]
 Moment = Annotated[float, _reader("kg*m^2")]
 NotNegative = Annotated[Moment, AfterValidator(_not_negative)]
 MomentumComponent = Annotated[float, _reader("kg*m^2/s")]
+Corner = tuple[Coordinate, Coordinate]
+Outline = Annotated[list[Corner], Field(min_length=3), BeforeValidator(_outline)]
+Joints = dict[str, Annotated[tuple[float, str], BeforeValidator(_joint)]]
+Sides = Annotated[StrictInt, Field(ge=3, le=10_000)]
+Digits = Annotated[int, BeforeValidator(_digits)]
 Lengths = Annotated[tuple[Length, Length, Length], _three("m")]
 Position = Annotated[tuple[Coordinate, Coordinate, Coordinate], _three("m")]
 Moments = Annotated[tuple[NotNegative, NotNegative, NotNegative], _three("kg*m^2")]

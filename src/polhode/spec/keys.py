@@ -38,7 +38,7 @@ def number_at(key: str, system: type[BaseModel]) -> Number:
     Raises:
         ValueError: in words, where there is no such key, or no number at it.
     """
-    first, *rest = key.split(".")
+    first, *rest = _names(key)
     if first not in TOP or not rest:
         raise ValueError(f"must begin with body., spin., time. or system.; got {shown(key)}")
     at: Any = system if first == "system" else SpecFile.model_fields[first].annotation
@@ -54,6 +54,12 @@ def number_at(key: str, system: type[BaseModel]) -> Number:
     if unit is None and not (at is float and marks):
         raise ValueError(f"is not a number with a unit, nor a list of such; got {shown(key)}")
     return Number(unit, length)
+
+
+def _names(key: str) -> list[str]:
+    """Return the names in a key, with that of a body's list of parts as ``name_parts`` has it."""
+    names = key.split(".")
+    return ["body", "part", *names[2:]] if names[:2] == ["body", "parts"] else names
 
 
 def _inside(at: Any, part: str, key: str) -> tuple[Any, list[Any]]:
@@ -99,7 +105,7 @@ def with_value(tables: dict[str, Any], key: str, value: Any) -> dict[str, Any]:
     """
     changed = copy.copy(tables)
     at: Any = changed
-    *parents, last = key.split(".")
+    *parents, last = _names(key)
     for name, after in zip(parents, [*parents[1:], last], strict=True):
         place = _place(at, name, key)
         inner = at[place] if isinstance(place, int) or place in at else {}

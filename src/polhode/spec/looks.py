@@ -14,7 +14,7 @@ from importlib import resources
 import numpy as np
 
 from polhode.bodies.surface import Paint, Surface, cuboid, join_surfaces
-from polhode.spec.building import TURNS
+from polhode.spec.assembly import turn_of
 from polhode.spec.models import BodyTable, PartTable
 from polhode.spec.surfaces import surface_of_part
 from polhode.types import Array, Bool, Float64
@@ -160,7 +160,7 @@ def _gyroscope(table: BodyTable, surface: Surface | None) -> Surface:
     """Return a brass wheel with a red weight on a steel axle, in a frame of two rings that lean with it."""
     parts = _parts(table)
     colors = [RIVET if part.shape == "box" else STEEL if _is_slender(part) else BRASS for part in parts]
-    pieces = [_color(surface_of_part(part), color) for part, color in zip(parts, colors, strict=True)]
+    pieces = [_color(_drawn_part(part), color) for part, color in zip(parts, colors, strict=True)]
     widest = max((part.radius or 0.0) for part in parts)
     wheel = max((part for part in parts if part.shape in ("cylinder", "disk")), key=lambda part: part.radius or 0.0)
     return replace(_paint(pieces, None), paint=Paint(shiny=True, cage=(tuple(wheel.at), 1.12 * widest)))
@@ -169,11 +169,11 @@ def _gyroscope(table: BodyTable, surface: Surface | None) -> Surface:
 def _satellite(table: BodyTable, surface: Surface | None) -> Surface:
     """Return the heaviest cylinder clad in solar cells, other cylinders white, and boxes in gold foil."""
     parts = _parts(table)
-    clad = max((part for part in parts if part.shape == "cylinder"), key=lambda part: part.mass, default=None)
+    clad = max((part for part in parts if part.shape == "cylinder"), key=lambda part: part.mass or 0.0, default=None)
     pieces, lines = [], []
     for part in parts:
         color = CELLS if part is clad else FOIL if part.shape == "box" else WHITE
-        pieces.append(_color(surface_of_part(part), color))
+        pieces.append(_color(_drawn_part(part), color))
         if part is clad:
             lines += [(line, SEAM, 1.0) for line in _grid_on(part)]
     return _paint(pieces, None, lines)
@@ -183,7 +183,7 @@ def _rocket(table: BodyTable, surface: Surface | None) -> Surface:
     """Return a white cylinder with dark stripes along it, and four whip antennas about its middle."""
     (part,) = _parts(table)
     radius, half = part.radius or 0.0, 0.5 * (part.height or 0.0)
-    hull = _undo_placement(part, surface_of_part(part))
+    hull = _undo_placement(part, _drawn_part(part))
     angle = np.arctan2(hull.vertices[:, 1], hull.vertices[:, 0])
     striped = (np.floor(angle / (math.pi / 4.0) + 1e-9).astype(int) % 2 == 0) & (hull.vertices[:, 2] > 0.0)
     painted = Surface(hull.vertices, hull.faces, np.where(striped, STRIPE, WHITE))
@@ -197,7 +197,7 @@ def _top(table: BodyTable, surface: Surface | None) -> Surface:
     """Return a wooden top with sectors of two shades, which show its spin."""
     pieces = []
     for part in _parts(table):
-        local = _undo_placement(part, surface_of_part(part))
+        local = _undo_placement(part, _drawn_part(part))
         angle = np.arctan2(local.vertices[:, 1], local.vertices[:, 0])
         sector = np.floor(angle / (math.pi / 3.0) + 1e-9).astype(int)
         shade = (sector % 2 == 0) & (np.hypot(*local.vertices.T[:2]) > 0.0)
@@ -205,9 +205,15 @@ def _top(table: BodyTable, surface: Surface | None) -> Surface:
     return _paint(pieces, None)
 
 
+def _drawn_part(part: PartTable) -> Surface:
+    drawn = surface_of_part(part)
+    assert drawn is not None, "the rules let looks that paint parts go with shapes only"
+    return drawn
+
+
 def _parts(table: BodyTable) -> list[PartTable]:
-    assert table.parts is not None, "the rules let this look go with parts only"
-    return table.parts
+    assert table.part is not None, "the rules let this look go with parts only"
+    return table.part
 
 
 def _is_slender(part: PartTable) -> bool:
@@ -229,7 +235,7 @@ def _place(surface: Surface, part: PartTable) -> Surface:
 
 
 def _turn(part: PartTable) -> Float64[Array, "3 3"]:
-    return np.asarray(TURNS[part.axis])
+    return turn_of(part)
 
 
 def _grid_on(part: PartTable) -> list[Float64[Array, "k 3"]]:

@@ -4,28 +4,33 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from polhode.spec.export import ExportTable
 from polhode.spec.fields import (
     Angle,
     Attitude,
     Density,
+    Digits,
     Duration,
     Flag,
     Inertia,
+    Joints,
     Length,
     Lengths,
     Mass,
     MeshUnit,
     Moments,
     Momentum,
+    Outline,
     Position,
     Precession,
+    Radius,
     Rate,
     Rates,
     RotationalConstants,
     Samples,
+    Sides,
     Temperature,
     one_of,
 )
@@ -39,19 +44,31 @@ SHAPE_KEYS: dict[str, tuple[str, ...]] = {
     "disk": ("radius",),
     "rod": ("length",),
     "torus": ("major_radius", "minor_radius"),
+    "capsule": ("radius", "length"),
+    "prism": ("height",),
+    "point": (),
 }
-MAY_BE_HOLLOW = ("cylinder", "sphere", "disk")
+MAY_HAVE: dict[str, tuple[str, ...]] = {
+    "cylinder": ("inner_radius", "shell", "thickness", "open_ends"),
+    "sphere": ("inner_radius", "shell", "thickness"),
+    "disk": ("inner_radius",),
+    "box": ("shell", "thickness"),
+    "prism": ("sides", "radius", "outline"),
+}
+"""What else may be said of a shape."""
+WITHOUT_VOLUME = ("disk", "rod", "point")
+PART_SOURCES = ("shape", "mesh", "spec", "inertia")
 Shape = Annotated[str, one_of(*SHAPE_KEYS)]
 PartAxis = Annotated[Literal["x", "y", "z", "-x", "-y", "-z"], one_of("x", "y", "z", "-x", "-y", "-z")]
 LOOK_SOURCES: dict[str, tuple[str, ...]] = {
-    "book": ("parts",),
-    "phone": ("parts",),
+    "book": ("part",),
+    "phone": ("part",),
     "earth": ("moments",),
-    "metal": ("mesh", "parts"),
-    "gyroscope": ("parts",),
-    "satellite": ("parts",),
-    "rocket": ("parts",),
-    "top": ("parts",),
+    "metal": ("mesh", "part"),
+    "gyroscope": ("part",),
+    "satellite": ("part",),
+    "rocket": ("part",),
+    "top": ("part",),
 }
 ONE_PART = {"book": "box", "phone": "box", "rocket": "cylinder"}  # of that shape, which these looks paint
 BodyLook = Annotated[str, one_of(*LOOK_SOURCES)]
@@ -65,20 +82,53 @@ class Strict(BaseModel):
 
 
 class PartTable(Strict):
-    """One homogeneous part; ``at`` is its centre of mass, ``axis`` where its own z axis points."""
+    """One part of a body: exactly one of the keys ``PART_SOURCES``, in its place.
 
-    shape: Shape = Field(description='give it like "box"')
-    mass: Mass = Field(description='give it like "30 g"')
+    ``at`` is where its own origin stands: the centre of mass of a shape, the origin of a file or of an outline.
+    ``attitude`` or ``axis`` turn its own axes.
+    """
+
+    name: str | None = None
+    shape: Shape | None = None
+    mesh: str | None = None
+    mesh_unit: MeshUnit | None = None
+    repair: Flag = False
+    several: Flag = False
+    spec: str | None = None
+    inertia: Inertia | None = None
+    about: Position | None = None
+    center_of_mass: Position | None = None
+    rounding: Digits | None = None
+    mass: Mass | None = None
+    density: Density | None = None
+    cut: Flag = False
     at: Position = (0.0, 0.0, 0.0)
     axis: PartAxis = "z"
+    attitude: Attitude | None = None
     size: Lengths | None = None
     semi_axes: Lengths | None = None
-    radius: Length | None = None
+    radius: Radius | None = None
     inner_radius: Length | None = None
     height: Length | None = None
     length: Length | None = None
     major_radius: Length | None = None
     minor_radius: Length | None = None
+    sides: Sides | None = None
+    outline: Outline | None = None
+    shell: Flag = False
+    thickness: Length | None = None
+    open_ends: Flag = False
+
+    @property
+    def is_shell(self) -> bool:
+        """Whether its material lies in a wall along its surface."""
+        return self.shell or self.thickness is not None
+
+
+def _as_list(value: object) -> object:
+    if isinstance(value, dict):
+        raise ValueError("must be a list of tables: begin each part with [[body.part]], in double brackets")
+    return value
 
 
 class BodyTable(Strict):
@@ -94,10 +144,16 @@ class BodyTable(Strict):
     inertia: Inertia | None = None
     rotational_constants: RotationalConstants | None = None
     allow_vibration: Flag = False
-    parts: Annotated[list[PartTable], Field(min_length=1)] | None = None
+    center_of_mass: Position | None = None
+    about: Position | None = None
+    rounding: Digits | None = None
+    part: Annotated[list[PartTable], Field(min_length=1), BeforeValidator(_as_list)] | None = None
     molecule: str | None = None
     urdf: str | None = None
+    sdf: str | None = None
+    mjcf: str | None = None
     link: str | None = None
+    joints: Joints | None = None
     look: BodyLook | None = None
 
     @property

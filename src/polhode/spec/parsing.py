@@ -38,7 +38,15 @@ def read_tables(path: Path, kind: str = "spec") -> dict[str, Any]:
         raise FormatError(_too_deep(path)) from None
     if _is_deeper(tables, DEEPEST):
         raise FormatError(_too_deep(path))
-    return tables
+    return name_parts(tables)
+
+
+def name_parts(tables: dict[str, Any]) -> dict[str, Any]:
+    """Return tables in which a body's ``parts``, as its list may be called too, is ``part``."""
+    body = tables.get("body")
+    if not isinstance(body, dict) or "parts" not in body or "part" in body:
+        return tables
+    return tables | {"body": {"part" if key == "parts" else key: value for key, value in body.items()}}
 
 
 def _too_deep(path: Path) -> str:

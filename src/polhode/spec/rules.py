@@ -6,16 +6,25 @@ said at once.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from typing import Any
 
+from polhode.errors import shown
 from polhode.spec.export import export_rules
-from polhode.spec.models import LOOK_SOURCES, MAY_BE_HOLLOW, ONE_PART, SHAPE_KEYS, SystemTable
+from polhode.spec.models import LOOK_SOURCES, ONE_PART, SystemTable
+from polhode.spec.part_rules import find_broken_part_rules
 from polhode.spec.units import parse_quantity
+from polhode.spec.words import list_words
 
 Location = tuple[str | int, ...]
 Mistake = tuple[Location, str]
-SOURCES = ("mesh", "moments", "inertia", "rotational_constants", "parts", "molecule", "urdf")
+SOURCES = ("mesh", "moments", "inertia", "rotational_constants", "part", "molecule", "urdf", "sdf", "mjcf")
+ROBOTS = ("urdf", "sdf", "mjcf")
+OF_INERTIA = {
+    "center_of_mass": ("inertia", "moments"),
+    "about": ("inertia",),
+    "rounding": ("inertia", "moments", *ROBOTS),
+}
 NO_BODY = 'is missing; say what rotates, like moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"] under [body]'
 WAYS = ("angular_velocity", "momentum", "rate", "temperature")
 OF_A_TOP = ("spin", "precession", "nutation_rate")
@@ -25,11 +34,7 @@ def find_broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) 
     """Yield the places where a spec's tables break a rule, and the messages; rules of [system] come in their place."""
     body = table.get("body")
     if isinstance(body, dict):
-        yield from ((("body",), text) for text in _body_rules(body))
-        parts = body.get("parts")
-        for k, part in enumerate(parts if isinstance(parts, list) else []):
-            if isinstance(part, dict):
-                yield from ((("body", "parts", k), text) for text in _part_rules(part))
+        yield from find_broken_body_rules(body)
     yield from of_system
     spin = table.get("spin")
     if isinstance(spin, dict):
@@ -37,6 +42,25 @@ def find_broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) 
     export = table.get("export")
     if isinstance(export, dict):
         yield from export_rules(export)
+
+
+def find_broken_body_rules(body: dict[str, Any]) -> Iterator[Mistake]:
+    """Yield what is wrong with a table [body] alone."""
+    yield from ((("body",), text) for text in _body_rules(body))
+    yield from _rules_of_parts(body)
+
+
+def _rules_of_parts(body: dict[str, Any]) -> Iterator[Mistake]:
+    parts = body.get("part")
+    parts = parts if isinstance(parts, list) else []
+    names = [part.get("name") for part in parts if isinstance(part, dict)]
+    for k, part in enumerate(parts):
+        if isinstance(part, dict):
+            yield from ((("body", "part", k), text) for text in find_broken_part_rules(part, "density" in body))
+            if isinstance(name := part.get("name"), str) and names.count(name) > 1:
+                yield ("body", "part", k, "name"), f"must differ from those of other parts; got {shown(name)} twice"
+    if parts and all(isinstance(part, dict) and part.get("cut") is True for part in parts):
+        yield ("body", "part"), "has cuts only, and nothing that they are cut from; add a part without cut"
 
 
 def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | None) -> Iterator[Mistake]:
@@ -72,40 +96,47 @@ def _body_rules(body: dict[str, Any]) -> Iterator[str]:
         if ("mass" in body) == ("density" in body):
             yield "needs exactly one of mass and density for a mesh"
     elif sources:
-        if extra := [key for key in ("mesh_unit", "density", "repair", "several") if key in body]:
+        of_mesh = ("mesh_unit", "repair", "several", *(() if "part" in body else ("density",)))
+        if extra := [key for key in of_mesh if key in body]:
             verb = "goes" if len(extra) == 1 else "go"
             yield f"{list_words(extra)} {verb} with a mesh, not with {sources[0]}; leave it out"
-        if "mass" in body and sources[0] in ("parts", "molecule", "urdf"):
-            yield f"mass follows from the {sources[0]}; leave it out"
+        if "mass" in body and sources[0] in ("part", "molecule", *ROBOTS):
+            what = "parts" if sources[0] == "part" else sources[0]
+            yield f"mass follows from the {what}; leave it out"
+    yield from _inertia_rules(body)
     if "allow_vibration" in body and "rotational_constants" not in body:
         yield "allow_vibration goes with rotational_constants; leave it out"
-    if "link" in body and "urdf" not in body:
-        yield "link goes with a urdf; leave it out"
+    for key in ("link", "joints"):
+        if key in body and not set(ROBOTS) & set(body):
+            yield f"{key} goes with {list_words(ROBOTS, 'or')}; leave it out"
+    if "link" in body and "joints" in body:
+        yield "link names one link, and joints put all of them together; leave one out"
     if isinstance(look := body.get("look"), str) and len(sources) == 1:
         yield from _look_rules(look, sources[0], body)
 
 
+def _inertia_rules(body: dict[str, Any]) -> Iterator[str]:
+    """Yield what is wrong with the keys that go with known moments or a tensor."""
+    for key, wanted in OF_INERTIA.items():
+        if key in body and not set(wanted) & set(body):
+            yield f"{key} goes with {list_words(wanted, 'or')}; leave it out"
+    if "about" in body and "inertia" in body and "mass" not in body:
+        yield "about needs mass, to take the inertia from there to the centre of mass"
+
+
 def _look_rules(look: str, source: str, body: dict[str, Any]) -> Iterator[str]:
-    wanted, parts = LOOK_SOURCES.get(look, (source,)), body.get("parts")
+    wanted, parts = LOOK_SOURCES.get(look, (source,)), body.get("part")
+    plain = [part for part in parts if isinstance(part, dict)] if isinstance(parts, list) else []
+    strange = [k for k, part in enumerate(plain) if "shape" not in part or {"cut", "shell", "thickness"} & set(part)]
+    strange += [k for k, part in enumerate(plain) if part.get("shape") == "point"]
     if source not in wanted:
         yield f'look = "{look}" goes with {list_words(wanted, "or")}, not with {source}; leave it out'
+    elif strange and look != "metal":
+        yield f'look = "{look}" paints parts that are solid shapes alone, not part[{strange[0]}]; leave it out'
     elif look in ONE_PART and isinstance(parts, list):
         shapes = [part.get("shape") for part in parts if isinstance(part, dict)]
         if shapes != [ONE_PART[look]]:
             yield f'look = "{look}" paints one part, a {ONE_PART[look]}; got {len(parts)} parts; leave it out'
-
-
-def _part_rules(part: dict[str, Any]) -> Iterator[str]:
-    shape = part.get("shape")
-    if not isinstance(shape, str) or shape not in SHAPE_KEYS:
-        return
-    needed = SHAPE_KEYS[shape]
-    allowed = {*needed, *(("inner_radius",) if shape in MAY_BE_HOLLOW else ())}
-    measures = {key for keys in SHAPE_KEYS.values() for key in keys} | {"inner_radius"}
-    if missing := [key for key in needed if key not in part]:
-        yield f"a {shape} needs {list_words(missing)}"
-    if extra := sorted((measures & set(part)) - allowed):
-        yield f"a {shape} has no {' or '.join(extra)}; it takes {', '.join(needed)}"
 
 
 def _spin_rules(spin: dict[str, Any]) -> Iterator[str]:
@@ -132,12 +163,3 @@ def _vanishes(rate: Any) -> bool:
         return parse_quantity(rate, "rad/s") == 0.0
     except ValueError:
         return False
-
-
-def list_words(keys: Sequence[str], last: str = "and") -> str:
-    """Return keys in words.
-
-    >>> list_words(["a", "b", "c"]), list_words(["a", "b"], "or"), list_words([])
-    ('a, b and c', 'a or b', 'none')
-    """
-    return f" {last} ".join(filter(None, (", ".join(keys[:-1]), *keys[-1:]))) or "none"

@@ -10,11 +10,15 @@ from pathlib import Path
 
 import numpy as np
 
-from polhode.bodies._turned import SECTIONS, ball, bar, cone, torus, tube
-from polhode.bodies.surface import Surface, cuboid, join_surfaces
+from polhode.bodies._extruded import extrude, regular_outline
+from polhode.bodies._turned import SECTIONS, ball, bar, capsule, cone, torus, tube
+from polhode.bodies.surface import Surface, box_in_place, cuboid, join_surfaces
+from polhode.errors import InvalidInput
 from polhode.formats.mesh import read_mesh
 from polhode.formats.molecule import ANGSTROM, read_molecule
-from polhode.spec.building import TURNS
+from polhode.spec.assembly import turn_of
+from polhode.spec.building import build_body, read_body_table
+from polhode.spec.known_inertia import build_known
 from polhode.spec.models import BodyTable, PartTable
 from polhode.types import Array, Float64
 
@@ -24,25 +28,45 @@ BAR = 0.12 * ANGSTROM  # radius of what is drawn for a bond
 BONDED = 1.2  # of the sum of covalent radii: atoms no further apart are bonded
 UNKNOWN = 1.5, 0xFF1493  # Å and colour of an element that the table does not have
 BOND = 0x9A9A9A
+MOST_TRIANGLES = 5_000_000
+MOST_PIECES = 10_000
 MANY_ATOMS = 100  # from which on their balls are coarser
 
 
 def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
     """Return the surface of a body; paths count from the folder. None where only moments are known.
 
-    A mesh is as in its file, parts are in their places, a molecule is balls and bars.
+    A mesh is as in its file, parts are in their places, a molecule is balls and bars. What is cut is not shown.
 
     Raises:
         InvalidInput: if a file that the body came from is gone.
     """
     if table.mesh is not None:
         return Surface(*read_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair))
-    if table.parts is not None:
-        return join_surfaces([surface_of_part(part) for part in table.parts])
+    if table.part is not None:
+        if (count := _count_pieces(table, folder, {})) > MOST_PIECES:
+            raise InvalidInput(f"its parts have {count} pieces with those of other specs, more than "
+                               f"{MOST_PIECES}, which "
+                               "no page can draw. The report needs no picture.")  # fmt: skip
+        return surface_of_parts(table.part, folder)
     if table.molecule is not None:
         symbols, positions, _ = read_molecule(folder / table.molecule)
         return surface_of_atoms(symbols, positions)
     return None
+
+
+def _count_pieces(table: BodyTable, folder: Path, known: dict[Path, int]) -> int:
+    """Return how many pieces are drawn of a body, with those of the specs in it, each of which is looked at once."""
+    count = 0
+    for part in table.part or [None]:
+        if part is None or part.spec is None:
+            count += 1
+            continue
+        path = (folder / part.spec).resolve()
+        if path not in known:
+            known[path] = _count_pieces(read_body_table(path), path.parent, known)
+        count += known[path]
+    return count
 
 
 def surface_of_disk(radius: float, thickness: float, sections: int = SECTIONS) -> Surface:
@@ -50,10 +74,45 @@ def surface_of_disk(radius: float, thickness: float, sections: int = SECTIONS) -
     return tube(radius, thickness or THIN * radius, sections=sections)
 
 
-def surface_of_part(table: PartTable) -> Surface:
-    """Return one part in its place."""
-    shape = _make_shape(table)
-    return Surface(shape.vertices @ TURNS[table.axis].T + np.asarray(table.at), shape.faces)
+def surface_of_parts(parts: Sequence[PartTable], folder: Path) -> Surface | None:
+    """Return the parts that are not cut, points as small balls; None where nothing is known but points in one place.
+
+    Raises:
+        InvalidInput: for more triangles than a page can draw.
+    """
+    pieces, points = [], []
+    for part in parts:
+        if part.cut:
+            continue
+        if part.shape == "point":
+            points.append(part.at)
+        elif (piece := surface_of_part(part, folder)) is not None:
+            pieces.append(piece)
+    if sum(len(piece.faces) for piece in pieces) > MOST_TRIANGLES:
+        raise InvalidInput(f"the parts have more than {MOST_TRIANGLES} triangles together, which no page can draw.")
+    corners = np.vstack([*(piece.vertices for piece in pieces), *np.reshape(points, (-1, 1, 3))])
+    size = float(np.ptp(corners, axis=0).max())
+    if size > 0.0:
+        vertices, faces = ball(12)
+        pieces += [Surface(vertices * THIN * size + np.asarray(at), faces) for at in points]
+    return join_surfaces(pieces) if pieces else None
+
+
+def surface_of_part(part: PartTable, folder: Path = Path()) -> Surface | None:
+    """Return one part in its place; where only its inertia is known, the box of the same."""
+    if part.spec is not None:
+        path = folder / part.spec
+        table = read_body_table(path)
+        local = surface_of_body(table, path.parent) or box_in_place(build_body(table, path.parent, path).body.frame)
+    elif part.mesh is not None:
+        local = Surface(*read_mesh(folder / part.mesh, part.mesh_unit or 1.0, part.repair))
+    elif part.inertia is not None:
+        local = box_in_place(build_known(part).body.frame)
+    else:
+        local = _make_shape(part)
+    if local is None:
+        return None
+    return Surface(local.vertices @ turn_of(part).T + np.asarray(part.at), local.faces)
 
 
 def _make_shape(part: PartTable) -> Surface:
@@ -64,7 +123,14 @@ def _make_shape(part: PartTable) -> Surface:
     match part.shape:
         case "box":
             return cuboid(part.size)
+        case "capsule":
+            return capsule(radius, length)
+        case "prism":
+            outline = part.outline or regular_outline(part.sides or 3, radius)
+            return extrude(np.asarray(outline, dtype=float), height)
         case "cylinder":
+            if part.is_shell and part.open_ends:
+                inner = max(radius - max(0.5 * (part.thickness or 0.0), 0.5 * THIN * radius), 0.0)
             return tube(radius, height, inner)
         case "disk":
             return tube(radius, THIN * radius, inner)

@@ -69,7 +69,7 @@ def _one_by_one(folder: Path, tables: dict[str, Any], varied: Mapping[str, Any],
         for key, values in varied.items():
             changed = with_value(changed, key, write_quantity(np.asarray(values[k]).tolist(), units[key]))
         try:
-            body = build_body(BodyTable.model_validate(changed["body"]), folder)
+            body = build_body(BodyTable.model_validate(changed["body"]), folder).body
             moments[k], axes[k] = body.principal_moments, body.principal_axes
         except ValidationError as error:
             wrong = list_mistakes(error, BodyTable, ("body",))

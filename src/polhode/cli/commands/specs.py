@@ -78,11 +78,23 @@ def view(
 
 
 @app.command(cls=StrictCommand)
-def body(spec: SpecPath, json: AsJson = False) -> None:
+def body(
+    spec: SpecPath,
+    json: AsJson = False,
+    about: Annotated[
+        str | None,
+        typer.Option(
+            "--about",
+            metavar="PLACE",
+            help='Also the inertia about a point ("0 m, 0 m, 5 cm"), an axis (x, y, z, 1, 2, 3 or "1, 0, 1", perhaps '
+            '" through " a point) or a part (its name, or "part 2").',
+        ),
+    ] = None,
+) -> None:
     """Print the body's mass properties alone."""
     from polhode.cli.body import run_body
 
-    run_body(spec, json)
+    run_body(spec, json, about)
 
 
 @app.command(cls=StrictCommand)

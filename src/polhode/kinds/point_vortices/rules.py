@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from polhode.spec.rules import Mistake, list_words
+from polhode.spec.rules import Mistake
+from polhode.spec.words import list_words
 
 IN_PLANE, ON_SPHERE = ("positions", "ring_radius"), ("coordinates", "ring_latitude")
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from polhode.spec.rules import Mistake, list_words
+from polhode.spec.rules import Mistake
 from polhode.spec.sphere_start import degree_rules, harmonic_rules
+from polhode.spec.words import list_words
 
 SUMMED = ("random", "waves", "random_field", "field_waves")
 ALONE = ("alfven_wave", "start_from")

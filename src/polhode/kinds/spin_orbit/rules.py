@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from polhode.spec.rules import NO_BODY, Mistake, list_words
+from polhode.spec.rules import NO_BODY, Mistake
+from polhode.spec.words import list_words
 
 
 def spin_orbit_rules(system: dict[str, Any], has_body: bool) -> Iterator[Mistake]:

@@ -1,0 +1,77 @@
+"""3MF and COLLADA (DAE) files, which carry a unit, before trimesh reads them: sizes, entities, units, libraries.
+
+Source: 3MF Consortium, *3D Manufacturing Format core specification* 1.3, section 3.4; Khronos, *COLLADA 1.5*, <asset>.
+"""
+
+from __future__ import annotations
+
+import importlib
+import io
+import re
+import zipfile
+from pathlib import Path
+
+from polhode.errors import FormatError, InvalidInput, not_installed, shown
+
+UNPACKED = 1 << 28  # bytes of the files in one archive
+LIBRARIES = {"3mf": (("lxml.etree", "lxml"), ("networkx", "networkx")),
+             "dae": (("collada", "pycollada"), ("lxml.etree", "lxml"), ("networkx", "networkx"))}  # fmt: skip
+UNITS_OF_3MF = {"micron": 1e-6, "millimeter": 1e-3, "centimeter": 1e-2, "inch": 0.0254, "foot": 0.3048, "meter": 1.0}
+SAME_UNIT = 1e-6  # relative
+_MODEL = re.compile(rb"<(?:\w+:)?model\b[^>]*?\bunit\s*=\s*[\"'](\w+)[\"']")
+_ASSET = re.compile(rb"<unit\b[^>]*?\bmeter\s*=\s*[\"']([^\"']+)[\"']")
+
+
+def check_archive(path: Path, ending: str, content: bytes, unit: float) -> None:
+    """Refuse a file that trimesh should not see, or whose unit is another one.
+
+    Args:
+        path: for messages.
+        ending: "3mf" or "dae".
+        content: of the file.
+        unit: that the user gave [m]; it must be the file's own.
+
+    Raises:
+        InvalidInput: where a library is missing, or the unit is not that of the file.
+        FormatError: for archives larger than they look, and XML that declares entities.
+    """
+    for module, library in LIBRARIES[ending]:
+        try:
+            importlib.import_module(module)
+        except ImportError:
+            raise not_installed(f"{ending.upper()} files", library, "meshes", "Or convert it to STL.") from None
+    texts = _unpack(path, content) if ending == "3mf" else [content]
+    if any(b"<!DOCTYPE" in text or b"<!ENTITY" in text for text in texts):
+        raise FormatError(f"{path}: declares a document type, which a mesh has no use for. Export it again.")
+    own = _unit_of(path, ending, texts)
+    if own is not None and abs(own - unit) > SAME_UNIT * own:
+        raise InvalidInput(
+            f"{path}: says itself that its unit is {own:g} m; got mesh_unit of {unit:g} m. Give the file's."
+        )
+
+
+def _unpack(path: Path, content: bytes) -> list[bytes]:
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            sizes = [one.file_size for one in archive.infolist()]
+            if sum(sizes) > UNPACKED:
+                raise FormatError(f"{path}: unpacks to {sum(sizes)} bytes, and may have {UNPACKED}. Export it smaller.")
+            names = [one for one in archive.namelist() if one.lower().endswith((".model", ".rels", ".xml"))]
+            return [archive.read(name) for name in names]
+    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, OSError, EOFError, ValueError) as error:
+        if isinstance(error, FormatError):
+            raise
+        raise FormatError(f"{path}: cannot be read as a mesh: it is no archive, as 3MF is. Export it again.") from None
+
+
+def _unit_of(path: Path, ending: str, texts: list[bytes]) -> float | None:
+    if ending == "3mf":
+        words = [match[1].decode("ascii", "replace") for text in texts if (match := _MODEL.search(text))]
+        return UNITS_OF_3MF.get(words[0]) if words else UNITS_OF_3MF["millimeter"]
+    match = _ASSET.search(texts[0])
+    try:
+        return float(match[1]) if match else 1.0
+    except ValueError:
+        raise FormatError(
+            f"{path}: its unit must be a number of metres; got {shown(match[1] if match else '')}. Export it again."
+        ) from None

@@ -1,0 +1,226 @@
+"""What robot descriptions share: XML without surprises, numbers in it, and links put together at a pose."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode import rotation
+from polhode.bodies._inertia import MassProperties, digits_that_explain, take_rounded
+from polhode.bodies.body import Body, combine
+from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.numerals import read_number
+from polhode.formats.opening import MB, read_file
+from polhode.types import Array, Float64
+
+LARGEST_FILE = 16 * MB  # robots of a thousand links take one
+NAMED = 20  # links or joints that a message lists
+Pose = Mapping[str, tuple[float, str]]
+"""Positions of joints by name: a number in SI and its unit, rad or m."""
+
+
+class Frame(NamedTuple):
+    """Where axes stand in others: r ↦ R r + d.
+
+    Attributes:
+        turn: R (3, 3).
+        place: d (3,) [m].
+    """
+
+    turn: Float64[Array, "3 3"] = np.eye(3)
+    place: Float64[Array, "3"] = np.zeros(3)
+
+    def then(self, inner: Frame) -> Frame:
+        """Return where axes stand that stand so in these."""
+        return Frame(self.turn @ inner.turn, self.turn @ inner.place + self.place)
+
+    def inverse(self) -> Frame:
+        """Return where the outer axes stand in these."""
+        return Frame(self.turn.T, -self.turn.T @ self.place)
+
+
+class Motion(NamedTuple):
+    """What one joint lets a link do.
+
+    Attributes:
+        name: of the joint, "" without one.
+        unit: of its position: "rad", "m", or "" for one that cannot be set.
+        axis: (3,) unit vector, in the joint's axes.
+        reference: position at which the link stands as described, in SI.
+        follows: another joint whose position it follows, times a factor and plus an offset; None for none.
+    """
+
+    name: str
+    unit: str
+    axis: Float64[Array, "3"] = np.array([1.0, 0.0, 0.0])
+    reference: float = 0.0
+    follows: tuple[str, float, float] | None = None
+
+    def at(self, position: float) -> Frame:
+        """Return where the moved axes stand in those at the reference."""
+        moved = position - self.reference
+        if self.unit == "m":
+            return Frame(place=moved * self.axis)
+        if self.unit == "rad":
+            return Frame(np.asarray(rotation.as_matrix(rotation.from_rotation_vector(moved * self.axis))))
+        return Frame()
+
+
+def read_xml(path: Path, kind: str, root_tag: str) -> ET.Element:
+    """Return the outermost element of a robot description.
+
+    Raises:
+        InvalidInput: if the file is missing.
+        FormatError: if it is not XML, declares a document type, or has another outermost element.
+    """
+    try:
+        root = ET.fromstring(read_file(path, kind, LARGEST_FILE), ET.XMLParser(target=_NoEntities()))
+    except InvalidInput:
+        raise
+    except (ET.ParseError, ValueError, LookupError) as error:
+        raise FormatError(f"{path}: is not {kind}, which is XML: {error}. Check the file.") from None
+    if root.tag != root_tag:
+        raise FormatError(f"{path}: is not {kind}: its outermost element must be <{root_tag}>; got <{root.tag}>.")
+    return root
+
+
+class _NoEntities(ET.TreeBuilder):
+    """Robots need no document type, and entities declared in one can grow without bound."""
+
+    def doctype(self, name: str, pubid: str | None, system: str | None) -> None:
+        raise ValueError("it declares a document type, which robots have no use for")
+
+
+def find_child(where: str, parent: ET.Element, tag: str) -> ET.Element:
+    """Return an element that must be there."""
+    child = parent.find(tag)
+    if child is None:
+        raise FormatError(f"{where}: its <{parent.tag}> has no <{tag}>. Add it.")
+    return child
+
+
+def finite_numbers(where: str, what: str, text: str | None, count: int) -> Float64[Array, "count"]:
+    """Return so many numbers from text.
+
+    Raises:
+        FormatError: for other words, or another number of them.
+    """
+    words = (text or "").split()
+    try:
+        values = [read_number(word) for word in words]
+    except ValueError:
+        hint = " Expand the xacro first." if "$" in (text or "") else " Check the file."
+        raise FormatError(
+            f"{where}: {what} must be finite numbers in decimal digits; got {shown(text)}.{hint}"
+        ) from None
+    if len(values) != count:
+        number = {3: "three numbers", 1: "one number"}.get(count, f"{count} numbers")
+        raise FormatError(f"{where}: {what} must be {number}; got {shown(text)}.")
+    return np.array(values)
+
+
+def from_fixed_angles(angles: Float64[Array, "3"]) -> Float64[Array, "3 3"]:
+    """Return Rz(yaw) Ry(pitch) Rx(roll)."""
+    (a, b, c), (s, t, u) = np.cos(angles), np.sin(angles)
+    return np.array([
+        [c * b, c * t * s - u * a, c * t * a + u * s],
+        [u * b, u * t * s + c * a, u * t * a - c * s],
+        [-t, b * s, b * a],
+    ])  # fmt: skip
+
+
+def unit_vector(where: str, what: str, vector: Float64[Array, "3"]) -> Float64[Array, "3"]:
+    """Return a direction with length one; zero is refused."""
+    size = float(np.abs(vector).max())
+    if not size > 0.0:
+        raise FormatError(f"{where}: {what} must not be zero, as it is a direction. Check the file.")
+    return vector / size / np.linalg.norm(vector / size)
+
+
+def make_inertial(
+    where: str, mass: float, frame: Frame, inertia: Float64[Array, "3 3"], digits: int | None
+) -> Body | MassProperties:
+    """Return the mass properties of a link along its axes; a link that has mass and no inertia is a point.
+
+    Args:
+        where: for messages.
+        mass: [kg].
+        frame: of the inertia in the link, its origin at the centre of mass.
+        inertia: (3, 3) [kg m²].
+        digits: to which the entries were rounded; None for exact ones.
+
+    Raises:
+        FormatError: for what no body has, with the remedy where rounding explains it.
+    """
+    try:
+        if digits is not None and np.array_equal(inertia, inertia.T):
+            inertia = take_rounded(inertia, digits)
+        if mass > 0.0 and not inertia.any():
+            return MassProperties(mass, frame.place, np.zeros((3, 3)))
+        return Body(mass, np.zeros(3), inertia).placed(frame.turn, frame.place)
+    except InvalidInput as error:
+        enough = digits_that_explain(inertia) if digits is None and np.isfinite(inertia).all() else None
+        remedy = f' Rounding to {enough} digits explains it: say rounding = "{enough} digits" to take the nearest ones.'
+        raise FormatError(f"{where}: {error}{remedy if enough and mass > 0.0 else ''}") from None
+
+
+def join_links(path: Path, links: Sequence[tuple[Frame, Body | MassProperties]]) -> Body:
+    """Return links in their places as one body.
+
+    Raises:
+        FormatError: if none has mass, or they are no body together.
+    """
+    if not links:
+        raise FormatError(f"{path}: no link has an <inertial>, so that nothing has mass.")
+    placed = [
+        one.placed(frame.turn, frame.place) if isinstance(one, Body)
+        else one._replace(center_of_mass=frame.turn @ one.center_of_mass + frame.place)
+        for frame, one in links
+    ]  # fmt: skip
+    try:
+        return combine(placed)
+    except InvalidInput as error:
+        raise FormatError(f"{path}: its links together: {error}") from None
+
+
+def find_positions(path: Path, pose: Pose, motions: Sequence[Motion]) -> dict[str, float]:
+    """Return the position of every joint that has a name: as asked for, following another one, or at its reference.
+
+    Raises:
+        InvalidInput: for joints that are not there or cannot be set, and positions in a wrong unit.
+    """
+    known = {motion.name: motion for motion in motions if motion.name}
+    free = [name for name, motion in known.items() if motion.unit and motion.follows is None]
+    for name, (_, unit) in pose.items():
+        if name not in known:
+            have = ", ".join(free[:NAMED]) or "none"
+            raise InvalidInput(f"{path}: has no joint {shown(name)}; those that can be set are {have}.")
+        motion = known[name]
+        if motion.follows is not None:
+            raise InvalidInput(f"{path}: joint {shown(name)} follows {shown(motion.follows[0])}; set that one.")
+        if not motion.unit:
+            raise InvalidInput(
+                f"{path}: joint {shown(name)} cannot be set, as it has no single position; leave it out."
+            )
+        if unit != motion.unit:
+            wanted = 'an angle like "30 deg"' if motion.unit == "rad" else 'a distance like "10 cm"'
+            raise InvalidInput(f"{path}: joint {shown(name)} must be at {wanted}.")
+    positions = {name: pose[name][0] if name in pose else motion.reference for name, motion in known.items()}
+    return {name: _follow(path, known, positions, name) for name in known}
+
+
+def _follow(path: Path, known: Mapping[str, Motion], positions: Mapping[str, float], name: str) -> float:
+    """Return the position of a joint that may follow another one, which may follow one in turn."""
+    factor, offset, seen = 1.0, 0.0, [name]
+    while (follows := known[seen[-1]].follows) is not None:
+        leader, times, plus = follows
+        if leader not in known or leader in seen:
+            what = "follows itself" if leader in seen else f"follows {shown(leader)}, which is no joint that can move"
+            raise FormatError(f"{path}: joint {shown(name)} {what}. Check its <mimic>.")
+        factor, offset = factor * times, offset + factor * plus
+        seen.append(leader)
+    return factor * positions[seen[-1]] + offset

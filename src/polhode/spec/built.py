@@ -1,0 +1,40 @@
+"""What building the tables of a spec gives: a body, and what a reader should know about how it was made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+from polhode.bodies._inertia import MassProperties
+from polhode.bodies.body import Body
+
+
+class BuiltBody(NamedTuple):
+    """A body.
+
+    Attributes:
+        body: its mass properties.
+        notes: sentences on repairs, rounding and the like.
+    """
+
+    body: Body
+    notes: tuple[str, ...] = ()
+
+
+class BuiltPart(NamedTuple):
+    """A part in its place.
+
+    Attributes:
+        properties: its mass properties along the body's axes.
+        density: of its material [kg/m³], None where it is not known.
+        notes: sentences on repairs, rounding and the like.
+    """
+
+    properties: Body | MassProperties
+    density: float | None
+    notes: tuple[str, ...] = ()
+
+
+ReadBody = Callable[[Path], BuiltBody]
+"""Returns the body of another spec."""
