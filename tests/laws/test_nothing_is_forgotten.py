@@ -99,7 +99,7 @@ NO_ARRAYS = {
     "Lattice.positions",
     "GyroLog", "estimation.flight.free_flights", "estimation.flight.Window", "FittedThrow", "ModelScore", "ThrowFit",
     "estimation.flight.find_flights", "estimation.rest.rest_stretches",
-    "AttitudeFit", "Tumbling", "TumblingInterval",
+    "estimation.pendulum.fit_pendulum", "AttitudeFit", "Tumbling", "TumblingInterval",
     "ChandlerFit", "ChandlerFit.term", "ChandlerFit.amplitude", "ChandlerProcess", "ChandlerWindows",
     "PoleSpectrum", "PolarExcitation", "EulerPeriod",
     "analysis.certificate.Subject", "Certificate.as_rational", "Certificate.check", "Certificate.write_proof",

@@ -26,6 +26,7 @@ from polhode.analysis.precession import body_precession, fastest_rate, space_pre
 from polhode.analysis.twist import racket_twist
 from polhode.bodies import surface
 from polhode.errors import InvalidInput
+from polhode.estimation import pendulum_periods
 from polhode.exact.lagrange_top import steady_precession as tops
 from polhode.motion import frame
 from polhode.systems import body_with_rotor
@@ -275,6 +276,11 @@ REFUSED = {
     "herpolhode": (THREE, lambda x: poinsot.herpolhode(moving(x))),
     "herpolhode_curve": (THREE, lambda x: poinsot.herpolhode_curve(moving(x), 4)),
     "body_precession": (THREE, lambda x: body_precession(moving(x))),
+    "filament_period": (1.0, lambda x: pendulum_periods.filament_period(x, 1.0, 1.0, 0.2, 0.2)),
+    "filament_moment": (1.0, lambda x: pendulum_periods.filament_moment(x, 1.0, 1.0, 0.2, 0.2)),
+    "compound_period": (1.0, lambda x: pendulum_periods.compound_period(x, 1.0, 0.2)),
+    "compound_moment": (1.0, lambda x: pendulum_periods.compound_moment(x, 1.0, 0.2)),
+    "quarter_period": (1.0, pendulum_periods.quarter_period),
     "flat_spin_time": (THREE, lambda x: energy_sink.flat_spin_time(THREE, x, 0.1)),
     "sink_rate_by_loss": (THREE, lambda x: energy_sink.sink_rate_by_loss(THREE, x, 0.1)),
     "sink_rate_by_time": (1.0, lambda x: energy_sink.sink_rate_by_time(THREE, x, 0.1)),

@@ -1,8 +1,8 @@
 """The time in which internal losses bring a body to a flat spin, by the energy-sink method.
 
 Losses are so slow that L runs round one polhode after another: dE/dt = −α ⟨|L × Ω|²⟩, the mean over the polhode of
-energy E, which complete elliptic integrals give. Along the way 1/⟨…⟩ grows as a logarithm at the separatrix, and without
-bound towards the axis of least moment; the integral over E is taken by variables in which neither is felt.
+energy E, which complete elliptic integrals give. Along the way 1/⟨…⟩ grows as a logarithm at the separatrix, and
+without bound towards the axis of least moment; the integral over E is taken by variables in which neither is felt.
 
 Source: Likins, J. Spacecraft 3 (1966) 1638; Hughes, *Spacecraft Attitude Dynamics*, §5.4 for the method; the losses are
 those of the double bracket.
