@@ -48,6 +48,11 @@ from .floquet import PeriodicMotion as PeriodicMotion
 from .floquet import monodromy as monodromy
 from .floquet import periodic_motion as periodic_motion
 from .free_axes import axis_stability as axis_stability
+from .gravity_gradient import OrbitalEquilibrium as OrbitalEquilibrium
+from .gravity_gradient import SpinningEquilibrium as SpinningEquilibrium
+from .gravity_gradient import orbital_equilibria as orbital_equilibria
+from .gravity_gradient import orbiting_body as orbiting_body
+from .gravity_gradient import spinning_equilibria as spinning_equilibria
 from .gyrostat_rotations import SteadyRotation as SteadyRotation
 from .gyrostat_rotations import SymmetricRates as SymmetricRates
 from .gyrostat_rotations import angle_from_axis as angle_from_axis
@@ -164,6 +169,9 @@ from .spin_down import (
 )
 from .spin_motion import SpinMotion as SpinMotion
 from .spin_motion import spin_motion as spin_motion
+from .spin_orbit import (
+    libration_period as libration_period,
+)
 from .spin_orbit import (
     Resonance as Resonance,
 )

@@ -136,7 +136,8 @@ def find_center(
         ends = np.linspace(left + inside, right - inside, 9)
         starts = [(ends[k], ends[k + 1]) for k in range(8)]
         for a, b in starts:
-            best: Any = minimize_scalar(misfit, bounds=(a, b), method="bounded", options={"xatol": 1e-12 * (right - left)})
+            sharp = {"xatol": 1e-12 * (right - left)}
+            best: Any = minimize_scalar(misfit, bounds=(a, b), method="bounded", options=sharp)
             edge = 1e-6 * (b - a)
             if a + edge < best.x < b - edge and chi2.sf(best.fun, max(len(places) - 2, 1)) > PLAUSIBLE:
                 found.append(float(best.x))
