@@ -71,6 +71,11 @@ from .manakov_rotations import plane_rotation_exponents as plane_rotation_expone
 from .motion_enclosures import FreeEnclosure as FreeEnclosure
 from .motion_enclosures import MotionEnclosure as MotionEnclosure
 from .motion_enclosures import TopEnclosure as TopEnclosure
+from .nutation_damping import DualSpinDamping as DualSpinDamping
+from .nutation_damping import damper_loss as damper_loss
+from .nutation_damping import dual_spin_damping as dual_spin_damping
+from .nutation_damping import nutation_time_constant as nutation_time_constant
+from .nutation_damping import slosh_frequency as slosh_frequency
 from .periodic_branches import continue_periodic as continue_periodic
 from .plasma_growth import GrowthFit as GrowthFit
 from .plasma_growth import fitted_growth as fitted_growth
@@ -170,10 +175,10 @@ from .spin_down import (
 from .spin_motion import SpinMotion as SpinMotion
 from .spin_motion import spin_motion as spin_motion
 from .spin_orbit import (
-    libration_period as libration_period,
+    Resonance as Resonance,
 )
 from .spin_orbit import (
-    Resonance as Resonance,
+    libration_period as libration_period,
 )
 from .spin_orbit import (
     lyapunov_exponent as lyapunov_exponent,
