@@ -11,6 +11,7 @@ from polhode import algebra, analysis, estimation, poisson, quantum, systems
 from polhode.analysis import (
     alignment,
     comparison,
+    coning,
     energy_sink,
     first_method,
     free_axes,
@@ -291,6 +292,9 @@ REFUSED = {
     "nutation_time_constant": (1.0, lambda x: nutation_damping.nutation_time_constant(x, 2.0, 1.0, 0.1)),
     "damper_loss": (1.0, lambda x: nutation_damping.damper_loss(x, 2.0, 1.0, 0.1, 1.0, 1.0, 0.1)),
     "slosh_frequency": (1.0, lambda x: nutation_damping.slosh_frequency(x, 0.1, 0.2)),
+    "coning_momentum": (1.0, lambda x: coning.coning_momentum((1.0, 1.0, 1.5), x, None, 2.0)),
+    "caged_precession": (1.0, lambda x: coning.caged_precession(2.0, x, 0.1, 1.0, 1.0, 9.0)),
+    "holding_torque": (1.0, lambda x: coning.holding_torque(2.0, x, 0.1, 1.0, 1.0, 9.0, 1.0)),
     "flat_spin_time": (THREE, lambda x: energy_sink.flat_spin_time(THREE, x, 0.1)),
     "sink_rate_by_loss": (THREE, lambda x: energy_sink.sink_rate_by_loss(THREE, x, 0.1)),
     "sink_rate_by_time": (1.0, lambda x: energy_sink.sink_rate_by_time(THREE, x, 0.1)),

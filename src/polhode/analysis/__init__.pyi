@@ -11,6 +11,9 @@ from .cone import axis_angles as axis_angles
 from .cone import cone_angles as cone_angles
 from .cone import rotation_form as rotation_form
 from .cone import velocity_angles as velocity_angles
+from .coning import caged_precession as caged_precession
+from .coning import coning_momentum as coning_momentum
+from .coning import holding_torque as holding_torque
 from .continuation import Bifurcation as Bifurcation
 from .continuation import Branch as Branch
 from .continuation import Continuation as Continuation
