@@ -239,7 +239,9 @@ def spinning_equilibria(
     return tuple(_judge_spin(A, C, n, s, case, axis) for case, axis in axes)
 
 
-def _judge_spin(A: float, C: float, n: float, s: float, case: str, axis: Array) -> SpinningEquilibrium:
+def _judge_spin(
+    A: float, C: float, n: float, s: float, case: str, axis: Float64[np.ndarray, "3"]
+) -> SpinningEquilibrium:
     p, up = C * s / n, axis[2]
     # V/n² with its gradient 2λχ at rest, and its second variation ∇²V − 2λ on the sphere's tangent plane
     slope = np.array([3.0 * (C - A) * axis[0], 0.0, A * up - p])

@@ -148,14 +148,13 @@ def about_orbital_rests(moments: Float64[Array, "3"], mean_motion: float) -> Tab
         "roll_yaw_rates": None if one.roll_yaw_rates is None else list(one.roll_yaw_rates),
     } for one in orbital_equilibria(moments, mean_motion)]  # fmt: skip
     columns = {
-        "axis along the radius": lambda row: str(row["radius"]),
-        "the velocity": lambda row: str(row["velocity"]),
-        "the normal": lambda row: str(row["normal"]),
+        "axes": lambda row: f"{row['radius']}, {row['velocity']}, {row['normal']}",
         "region": lambda row: row["region"],
-        "libration in pitch": lambda row: "–" if row["pitch_period"] is None else f"{row['pitch_period']:.6g} s",
-        "in roll and yaw": lambda row: "–" if row["roll_yaw_rates"] is None else " and ".join(
-            "∞" if rate == 0.0 else f"{2.0 * math.pi / rate:.6g} s" for rate in row["roll_yaw_rates"]),
+        "pitch": lambda row: "–" if row["pitch_period"] is None else f"{row['pitch_period']:.6g} s",
+        "roll and yaw": lambda row: "–" if row["roll_yaw_rates"] is None else " and ".join(
+            "free" if rate == 0.0 else f"{2.0 * math.pi / rate:.6g} s" for rate in row["roll_yaw_rates"]),
         "leaves in": lambda row: "–" if not row["growth"] else f"{1.0 / row['growth']:.4g} s",
     }  # fmt: skip
+    title = "Rest in the orbit's frame by gravity, axes along radius, velocity and normal, with periods of libration"
     units = {"pitch_period": "s", "roll_yaw_rates": "rad/s", "growth": "1/s"}
-    return Table("orbital_rests", "Rest in the orbit's frame, by gravity alone", columns, rows, units)
+    return Table("orbital_rests", title, columns, rows, units)
