@@ -165,7 +165,7 @@ def fit_pendulum(
     >>> rig = Filaments(Measured(1.0, 1e-3), Measured(0.2, 2e-4), Measured(0.2, 2e-4))
     >>> fit = fit_pendulum([Swing((0, 0, 1), rig, Measured(1.00321, 1e-3))], Measured(1.0, 1e-3))
     >>> print(fit.combined.value.round(6), fit.combined.standard_error.round(6))
-    [0.01] [3.2e-05]
+    [0.01] [2.8e-05]
     """
     if not swings:
         raise InvalidInput("`swings` is empty. Give at least one measured period.")

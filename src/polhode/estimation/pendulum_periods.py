@@ -40,7 +40,7 @@ def filament_period(
         InvalidInput: for numbers that are not positive, or filaments too short for the amplitude.
 
     >>> round(filament_period(0.01, 1.0, 1.0, 0.2, 0.2), 6), round(2 * math.pi * math.sqrt(0.01 / 9.80665 / 0.04), 6)
-    (1.00321, 1.00321)
+    (1.003205, 1.003205)
     """
     _check_positive(moment=moment, mass=mass, length=length, upper=upper, lower=lower, gravity=gravity)
     inertial, rise = _filament_integrand(mass, length, upper, lower, amplitude, gravity)
