@@ -4,12 +4,14 @@ import itertools
 import math
 
 import diffrax
+import mpmath
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
 import polhode as ph
 from polhode.analysis import damped_axis_stability, flat_spin_time, sink_rate_by_loss, sink_rate_by_time
+from polhode.analysis.energy_sink import _mean_products
 from polhode.errors import InvalidInput
 from polhode.systems import DoubleBracket
 from sweeping import first
@@ -52,6 +54,20 @@ def test_it_is_the_integral_over_the_energy(L):
     borders = [end, saddle, start] if start > saddle else [end, start]
     parts = [quad(lambda E: 1.0 / mean(E), *ends, epsrel=1e-7, limit=100)[0] for ends in itertools.pairwise(borders)]
     assert flat_spin_time(I, L, 0.01) == pytest.approx(sum(parts) / 0.01, rel=2e-6)
+
+
+@pytest.mark.parametrize("m", [1e-12, 0.05, 0.0999, 0.1001, 0.7, 0.999, 1.0 - 2.0**-30])
+def test_means_of_products_of_jacobi_functions(m):
+    """Against quadrature over the amplitude at 30 digits; the closed forms and the series meet at 0.1."""
+    with mpmath.workdps(30):
+        ends = [0, 0.8, 1.5, 1.57, mpmath.pi / 2]
+        slope = lambda x: mpmath.sqrt(1 - mpmath.mpf(m) * mpmath.sin(x) ** 2)  # noqa: E731
+        turn = mpmath.quad(lambda x: 1 / slope(x), ends)
+        cs = mpmath.quad(lambda x: (mpmath.sin(x) * mpmath.cos(x)) ** 2 / slope(x), ends) / turn
+        sd = mpmath.quad(lambda x: mpmath.sin(x) ** 2 * slope(x), ends) / turn
+        cd = mpmath.quad(lambda x: mpmath.cos(x) ** 2 * slope(x), ends) / turn
+    found = _mean_products(np.array([m]), np.array([1.0 - m]))
+    assert [float(each[0]) for each in found] == pytest.approx([float(cs), float(sd), float(cd)], rel=2e-14)
 
 
 @pytest.mark.parametrize("L", first(1, [LONG, SHORT, np.array([1.0, 1e-3, 2e-3])]))

@@ -11,10 +11,13 @@ from polhode import algebra, analysis, estimation, poisson, quantum, systems
 from polhode.analysis import (
     alignment,
     comparison,
+    coning,
     energy_sink,
     first_method,
     free_axes,
+    gravity_gradient,
     gyrostat_rotations,
+    nutation_damping,
     poinsot,
     polhodes,
     rolling,
@@ -26,6 +29,7 @@ from polhode.analysis.precession import body_precession, fastest_rate, space_pre
 from polhode.analysis.twist import racket_twist
 from polhode.bodies import surface
 from polhode.errors import InvalidInput
+from polhode.estimation import pendulum_periods
 from polhode.exact.lagrange_top import steady_precession as tops
 from polhode.motion import frame
 from polhode.systems import body_with_rotor
@@ -282,6 +286,22 @@ REFUSED = {
     "herpolhode": (THREE, lambda x: poinsot.herpolhode(moving(x))),
     "herpolhode_curve": (THREE, lambda x: poinsot.herpolhode_curve(moving(x), 4)),
     "body_precession": (THREE, lambda x: body_precession(moving(x))),
+    "filament_period": (1.0, lambda x: pendulum_periods.filament_period(x, 1.0, 1.0, 0.2, 0.2)),
+    "filament_moment": (1.0, lambda x: pendulum_periods.filament_moment(x, 1.0, 1.0, 0.2, 0.2)),
+    "compound_period": (1.0, lambda x: pendulum_periods.compound_period(x, 1.0, 0.2)),
+    "compound_moment": (1.0, lambda x: pendulum_periods.compound_moment(x, 1.0, 0.2)),
+    "quarter_period": (1.0, pendulum_periods.quarter_period),
+    "orbital_equilibria": (THREE, lambda x: gravity_gradient.orbital_equilibria(x, 1.0)),
+    "orbiting_body": (THREE, lambda x: gravity_gradient.orbiting_body(x, 1.0)),
+    "spinning_equilibria": (1.0, lambda x: gravity_gradient.spinning_equilibria(x, 1.5, 1.0, 2.0)),
+    "libration_period": (THREE[:2], lambda x: spin_orbit.libration_period(systems.SpinOrbit(0.3, 0.0), x)),
+    "dual_spin_damping": (THREE[:2], lambda x: nutation_damping.dual_spin_damping(2.0, x, (0.0, 1.0), (0.1, 0.1))),
+    "nutation_time_constant": (1.0, lambda x: nutation_damping.nutation_time_constant(x, 2.0, 1.0, 0.1)),
+    "damper_loss": (1.0, lambda x: nutation_damping.damper_loss(x, 2.0, 1.0, 0.1, 1.0, 1.0, 0.1)),
+    "slosh_frequency": (1.0, lambda x: nutation_damping.slosh_frequency(x, 0.1, 0.2)),
+    "coning_momentum": (1.0, lambda x: coning.coning_momentum((1.0, 1.0, 1.5), x, None, 2.0)),
+    "caged_precession": (1.0, lambda x: coning.caged_precession(2.0, x, 0.1, 1.0, 1.0, 9.0)),
+    "holding_torque": (1.0, lambda x: coning.holding_torque(2.0, x, 0.1, 1.0, 1.0, 9.0, 1.0)),
     "flat_spin_time": (THREE, lambda x: energy_sink.flat_spin_time(THREE, x, 0.1)),
     "sink_rate_by_loss": (THREE, lambda x: energy_sink.sink_rate_by_loss(THREE, x, 0.1)),
     "sink_rate_by_time": (1.0, lambda x: energy_sink.sink_rate_by_time(THREE, x, 0.1)),

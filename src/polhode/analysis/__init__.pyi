@@ -11,6 +11,9 @@ from .cone import axis_angles as axis_angles
 from .cone import cone_angles as cone_angles
 from .cone import rotation_form as rotation_form
 from .cone import velocity_angles as velocity_angles
+from .coning import caged_precession as caged_precession
+from .coning import coning_momentum as coning_momentum
+from .coning import holding_torque as holding_torque
 from .continuation import Bifurcation as Bifurcation
 from .continuation import Branch as Branch
 from .continuation import Continuation as Continuation
@@ -48,6 +51,11 @@ from .floquet import PeriodicMotion as PeriodicMotion
 from .floquet import monodromy as monodromy
 from .floquet import periodic_motion as periodic_motion
 from .free_axes import axis_stability as axis_stability
+from .gravity_gradient import OrbitalEquilibrium as OrbitalEquilibrium
+from .gravity_gradient import SpinningEquilibrium as SpinningEquilibrium
+from .gravity_gradient import orbital_equilibria as orbital_equilibria
+from .gravity_gradient import orbiting_body as orbiting_body
+from .gravity_gradient import spinning_equilibria as spinning_equilibria
 from .gyrostat_rotations import SteadyRotation as SteadyRotation
 from .gyrostat_rotations import SymmetricRates as SymmetricRates
 from .gyrostat_rotations import angle_from_axis as angle_from_axis
@@ -66,6 +74,11 @@ from .manakov_rotations import plane_rotation_exponents as plane_rotation_expone
 from .motion_enclosures import FreeEnclosure as FreeEnclosure
 from .motion_enclosures import MotionEnclosure as MotionEnclosure
 from .motion_enclosures import TopEnclosure as TopEnclosure
+from .nutation_damping import DualSpinDamping as DualSpinDamping
+from .nutation_damping import damper_loss as damper_loss
+from .nutation_damping import dual_spin_damping as dual_spin_damping
+from .nutation_damping import nutation_time_constant as nutation_time_constant
+from .nutation_damping import slosh_frequency as slosh_frequency
 from .periodic_branches import continue_periodic as continue_periodic
 from .plasma_growth import GrowthFit as GrowthFit
 from .plasma_growth import fitted_growth as fitted_growth
@@ -166,6 +179,9 @@ from .spin_motion import SpinMotion as SpinMotion
 from .spin_motion import spin_motion as spin_motion
 from .spin_orbit import (
     Resonance as Resonance,
+)
+from .spin_orbit import (
+    libration_period as libration_period,
 )
 from .spin_orbit import (
     lyapunov_exponent as lyapunov_exponent,

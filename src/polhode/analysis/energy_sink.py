@@ -1,8 +1,8 @@
 """The time in which internal losses bring a body to a flat spin, by the energy-sink method.
 
 Losses are so slow that L runs round one polhode after another: dE/dt = −α ⟨|L × Ω|²⟩, the mean over the polhode of
-energy E, which is taken on the exact motion. Along the way 1/⟨…⟩ grows as a logarithm at the separatrix, and without
-bound towards the axis of least moment; the integral over E is taken by variables in which neither is felt.
+energy E, which complete elliptic integrals give. Along the way 1/⟨…⟩ grows as a logarithm at the separatrix, and
+without bound towards the axis of least moment; the integral over E is taken by variables in which neither is felt.
 
 Source: Likins, J. Spacecraft 3 (1966) 1638; Hughes, *Spacecraft Attitude Dynamics*, §5.4 for the method; the losses are
 those of the double bracket.
@@ -17,12 +17,15 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body import FreeMotion
+from polhode.special.carlson import carlson_rd
 from polhode.types import Array, ArrayLike, Float64, Real
 
 FLAT = math.radians(5.0)  # L as near as that to the major axis is a flat spin
 NODES = 12  # of Gauss and Legendre in each panel; panels double in length away from the separatrix
 NEAREST = 2.0**-40  # of the way, to the separatrix: what is left out is below 1e-10 of the time
 SAMPLES = 512  # of a polhode, over which means converge exponentially
+SMALL = 0.1  # parameter of elliptic integrals, up to which a series gives their difference without cancellation
+TERMS = 18  # of that series, of which the next is below SMALL^18 = 1e-18
 
 
 @known_numbers_only
@@ -143,18 +146,35 @@ def _integral(I: Array, norm2: float, first: float, last: float, long: bool) -> 
     E_max for long-axis modes, from E_min for short-axis modes.
     """
     least, across, rest = 1.0 / I[0] - 1.0 / I[2], (I[1] - I[0]) / (I[0] * I[1]), (I[2] - I[1]) / (I[1] * I[2])
-    # the distance from the extremum is ½ own |L|² e^(−w), so that |dE| = ½ own |L|² e^(−w) dw; the polhode is taken
-    # where L₂ = 0
+    # the distance from the extremum is ½ own |L|² e^(−w), so that |dE| = ½ own |L|² e^(−w) dw
     w, weights = _panels(first, last)
     own, other = (across, rest) if long else (rest, across)
-    small = norm2 * own / least * np.exp(-w)  # squares of the components of L along the axes of extreme moments
-    large = norm2 * (other - own * np.expm1(-w)) / least
-    zero = np.zeros_like(w)
-    squares = (large, zero, small) if long else (small, zero, large)
-    motion = FreeMotion(I, momentum=np.sqrt(np.stack(squares, axis=-1))[:, None, :])
-    times = np.asarray(motion.period) * np.arange(SAMPLES) / SAMPLES
-    means = np.mean(_losses(I, np.asarray(motion.momentum(times)) ** 2), axis=-1)
-    return float(np.sum(weights * 0.5 * own * norm2 * np.exp(-w) / means))
+    # largest squares of L on the polhode: along the axis that it does not circle, the middle and the encircled one
+    fall, past = np.exp(-w), other - own * np.expm1(-w)
+    small, middle, large = norm2 * own / least * fall, norm2 * fall, norm2 * past / least
+    # L is (cn, sn, dn) along these; parameter 1 − m is dn² where L is nearest to the middle axis
+    m, m1 = other * fall / past, -least * np.expm1(-w) / past
+    cs, sd, cd = _mean_products(m, m1)
+    of_small, of_large = (rest, across) if long else (across, rest)  # 1/I − 1/I2 of the two axes
+    means = of_small**2 * small * middle * cs + of_large**2 * middle * large * sd + least**2 * small * large * cd
+    return float(np.sum(weights * 0.5 * own * norm2 * fall / means))
+
+
+def _mean_products(m: Array, m1: Array) -> tuple[Array, Array, Array]:
+    """Return the means of cn² sn², sn² dn² and cn² dn² over a period, for parameters m and 1 − m.
+
+    With Δ² = 1 − m sin²φ let B = ∫ cos²φ/Δ, D = ∫ sin²φ/Δ and T = ∫ sin²φ cos²φ/Δ over a quarter turn. Then
+    K = B + D, and (sin φ cos φ Δ)′ integrates to zero, whence 3 m T = B − (1 − m) D. Where B and D are almost alike,
+    T = ½ Σ (½)_k/k! B(k + 3/2, 3/2) m^k. Source: DLMF 19.25.1 for B and D.
+    """
+    zero, one = np.zeros_like(m), np.ones_like(m)
+    D, B = carlson_rd(zero, m1, one) / 3.0, m1 * carlson_rd(zero, one, m1) / 3.0
+    series, term = zero, 0.0625 * math.pi * one
+    for k in range(TERMS):
+        series = series + term
+        term = term * m * (k + 0.5) * (k + 1.5) / ((k + 1.0) * (k + 3.0))
+    T = np.where(m < SMALL, series, (B - m1 * D) / (3.0 * np.maximum(m, SMALL)))
+    return T / (B + D), (m1 * D + m * T) / (B + D), (B - m * T) / (B + D)
 
 
 def _panels(first: float, last: float) -> tuple[Float64[np.ndarray, "n"], Float64[np.ndarray, "n"]]:

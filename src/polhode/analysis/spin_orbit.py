@@ -13,6 +13,7 @@ import numpy as np
 from polhode.analysis._periapsis_map import Table, carry_neighbours, section, tabulate
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.special.elliptic import complete_k
 from polhode.systems.spin_orbit import SpinOrbit
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -207,3 +208,36 @@ def check_count(name: str, value: int) -> int:
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
         raise InvalidInput(f"`{name}` must be a positive integer; got {shown(value)}.")
     return int(value)
+
+
+@known_numbers_only
+def libration_period(system: SpinOrbit, state: Real[ArrayLike, "2"]) -> float | None:
+    """Return the period of libration on a circular orbit [s], exact at any amplitude; None for a spin that circulates.
+
+    About the radius φ = θ − n t moves as a pendulum, φ̈ = −½ n² ω0² sin 2φ, whose period is 4 K(k)/(n ω0) with
+    k² = sin² φ + (φ̇/(n ω0))².
+
+    Args:
+        system: the spin-orbit problem, of eccentricity zero.
+        state: (2,) angle θ [rad] and rate θ̇ [rad/s] at t = 0.
+
+    Raises:
+        InvalidInput: for an eccentric orbit, on which a libration has no one period.
+
+    >>> quiet = libration_period(SpinOrbit(0.5, 0.0), (0.0, 1.0))
+    >>> print(quiet is not None and round(quiet / TURN, 12))
+    2.0
+    """
+    if float(system.eccentricity):
+        raise InvalidInput(
+            f"the orbit must be a circle; its eccentricity is {float(system.eccentricity):g}. `spin_motion` finds "
+            "librations on others."
+        )
+    angle, rate = (float(x) for x in np.asarray(state, dtype=float))
+    small = float(system.mean_motion) * float(system.asphericity)
+    if small == 0.0:
+        return None
+    # 1 − k² = cos² φ − (φ̇/(n ω0))², a difference of squares without cancellation at a saddle
+    side = (rate - float(system.mean_motion)) / small
+    rest = (math.cos(angle) - side) * (math.cos(angle) + side)
+    return 4.0 * float(complete_k(rest)) / small if rest > 0.0 else None

@@ -1,4 +1,4 @@
-"""``polhode fit FILE…``: a molecule's constants from measured lines, or the inertia of a thrown body from gyro logs."""
+"""``polhode fit FILE…``: the inertia of a body from gyro logs or a pendulum, or a molecule's constants from lines."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ EVERY = 1_000_000  # lines, after which progress is told
 
 def run_fit(
     files: list[Path], free: str | None, options: ThrowOptions, columns: ColumnOptions, out: Path | None,
-    figures: Path | None, json: bool,
+    figures: Path | None, json: bool, pendulum: bool = False,
 ) -> None:  # fmt: skip
     """Fit the files, print the report, and write data and figures where asked for.
 
@@ -40,7 +40,7 @@ def run_fit(
             return ", ".join(map(as_option, columns.words or ["mapping"]))
         return as_option("window" if name == "windows" else name)  # which is given at a time here
 
-    report = fit_files(files, None if free is None else free.split(","), options, name_option, _progress)
+    report = fit_files(files, None if free is None else free.split(","), options, name_option, _progress, pendulum)
     publish(report, json, out, figures)
     if not report.determined:
         raise typer.Exit(NOT_DETERMINED)

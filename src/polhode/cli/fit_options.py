@@ -9,9 +9,13 @@ import typer
 
 FitFiles = Annotated[
     list[Path],
-    typer.Argument(metavar="LOG… | SPEC LINES", help="Gyro logs of throws (CSV, a folder, a zip), or a log of the "
-                   "attitude; or a molecule by a spec or atoms, and its measured lines, a .lin file."),
+    typer.Argument(metavar="LOG… | SPEC LINES | PERIODS", help="Gyro logs of throws (CSV, a folder, a zip), or a log "
+                   "of the attitude; or a molecule by a spec or atoms, and its measured lines, a .lin file; or with "
+                   "--pendulum a TOML file of a pendulum's periods."),
 ]  # fmt: skip
+Pendulum = Annotated[
+    bool, typer.Option("--pendulum", help="The file has periods of a bifilar, trifilar or compound pendulum.")
+]
 FreeNames = Annotated[
     str | None,
     typer.Option("--free", metavar="NAMES",

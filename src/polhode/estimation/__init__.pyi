@@ -11,6 +11,17 @@ from .flight import find_flights as find_flights
 from .flight import free_flights as free_flights
 from .gyro_log import GyroLog as GyroLog
 from .gyro_log import clean_log as clean_log
+from .pendulum import Filaments as Filaments
+from .pendulum import Jig as Jig
+from .pendulum import Measured as Measured
+from .pendulum import PendulumFit as PendulumFit
+from .pendulum import Pivot as Pivot
+from .pendulum import Swing as Swing
+from .pendulum import fit_pendulum as fit_pendulum
+from .pendulum_periods import compound_moment as compound_moment
+from .pendulum_periods import compound_period as compound_period
+from .pendulum_periods import filament_moment as filament_moment
+from .pendulum_periods import filament_period as filament_period
 from .polar_motion import ChandlerFit as ChandlerFit
 from .polar_motion import fit_chandler as fit_chandler
 from .rest import rest_stretches as rest_stretches

@@ -23,7 +23,7 @@ from polhode.kinds.panel import KindPanel
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import MotionReport, SystemReport
-from polhode.spec.building import build_spin
+from polhode.spec.building import build_coning, build_spin
 from polhode.spec.looks import paint_body
 from polhode.spec.models import BodyTable, SpinTable, SystemTable
 from polhode.spec.reach import REACH, most_extreme
@@ -384,6 +384,8 @@ class Spec(Generic[TableT]):
         self, moments: Float64[Array, "3"], axes: Float64[Array, "3 3"]
     ) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
         """Return momentum (3,) along, and attitude (4,) of, principal axes by columns in the given ones."""
+        if self.spin is not None and self.system.cones and self.spin.is_of_a_cone:
+            return build_coning(self.spin, moments, axes)
         return build_spin(self.spin, moments, axes)
 
     def report(self) -> SystemReport:

@@ -169,3 +169,25 @@ def _verdict(row: dict[str, Any]) -> str:
 
 def _rate(row: dict[str, Any]) -> str:
     return f"{row['rate']:.4g} /s" if row["rate"] else "–"
+
+
+def about_orbital_rests(moments: Float64[Array, "3"], mean_motion: float) -> Table:
+    """Return how a body can rest in the frame of its circular orbit, six ways of four attitudes each."""
+    from polhode.analysis.gravity_gradient import orbital_equilibria
+
+    rows = [{
+        "radius": one.yaw, "velocity": one.roll, "normal": one.pitch, "region": one.region,
+        "pitch_period": None if one.pitch_rate is None else 2.0 * math.pi / one.pitch_rate, "growth": one.growth,
+        "roll_yaw_rates": None if one.roll_yaw_rates is None else list(one.roll_yaw_rates),
+    } for one in orbital_equilibria(moments, mean_motion)]  # fmt: skip
+    columns = {
+        "axes": lambda row: f"{row['radius']}, {row['velocity']}, {row['normal']}",
+        "region": lambda row: row["region"],
+        "pitch": lambda row: "–" if row["pitch_period"] is None else f"{row['pitch_period']:.6g} s",
+        "roll and yaw": lambda row: "–" if row["roll_yaw_rates"] is None else " and ".join(
+            "free" if rate == 0.0 else f"{2.0 * math.pi / rate:.6g} s" for rate in row["roll_yaw_rates"]),
+        "leaves in": lambda row: "–" if not row["growth"] else f"{1.0 / row['growth']:.4g} s",
+    }  # fmt: skip
+    title = "Rest in the orbit's frame by gravity, axes along radius, velocity and normal, with periods of libration"
+    units = {"pitch_period": "s", "roll_yaw_rates": "rad/s", "growth": "1/s"}
+    return Table("orbital_rests", title, columns, rows, units)

@@ -11,6 +11,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from polhode import rotation
+from polhode.analysis.coning import coning_momentum
 from polhode.analysis.thermal import thermal_momentum
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
@@ -176,6 +177,19 @@ def build_spin(
     direction[..., index], direction[..., (index + 1) % 3] = _cosine_and_sine(tilt)
     direction = direction if isinstance(about, int) else _components(direction, axes)
     return compute_momentum(moments, rate[..., None] * direction), attitude
+
+
+def build_coning(
+    table: SpinTable, moments: Float64[Array, "3"], axes: Float64[Array, "3 3"]
+) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
+    """Return momentum (3,) along, and attitude (4,) of, the principal axes of a symmetric body that cones steadily.
+
+    Raises:
+        InvalidInput: for another body, and for rates that no coning has.
+    """
+    precession = None if table.precession is None else float(table.precession)
+    attitude = rotation.multiply(rotation.normalize(table.attitude), rotation.from_matrix(axes))
+    return coning_momentum(moments, table.nutation, table.spin, precession), attitude
 
 
 def _components(vector: Array, axes: Array) -> Array:

@@ -165,7 +165,8 @@ class BodyTable(Strict):
 class SpinTable(Strict):
     """How the body spins at the start: exactly one of angular_velocity, momentum, rate and temperature.
 
-    Of a top it may be the rates of its Euler angles instead: spin, precession and nutation_rate.
+    Of a top it may be the rates of its Euler angles instead: spin, precession and nutation_rate; of a free symmetric
+    body two of spin, precession and nutation, the angle between its axis and the momentum.
     """
 
     angular_velocity: Rates | None = None
@@ -178,12 +179,18 @@ class SpinTable(Strict):
     spin: Rate | None = None
     precession: Precession | None = None
     nutation_rate: Rate | None = None
+    nutation: Angle | None = None
     attitude: Attitude = (1.0, 0.0, 0.0, 0.0)
 
     @property
     def is_of_a_top(self) -> bool:
         """Whether it gives the rates of a top's Euler angles."""
         return any(rate is not None for rate in (self.spin, self.precession, self.nutation_rate))
+
+    @property
+    def is_of_a_cone(self) -> bool:
+        """Whether it gives the steady coning of a free symmetric body, where the system takes that."""
+        return self.is_of_a_top or self.nutation is not None
 
 
 class TimeTable(Strict):
@@ -200,11 +207,13 @@ class SystemTable(Strict):
         takes: the other tables that go with it.
         needs: those of them that are required.
         leans: whether [spin] may give spin, precession and nutation_rate.
+        cones: whether [spin] may give two of spin, precession and nutation, as of a free symmetric body.
     """
 
     takes: ClassVar[tuple[str, ...]] = ("body", "spin", "time")
     needs: ClassVar[tuple[str, ...]] = ("body",)
     leans: ClassVar[bool] = False
+    cones: ClassVar[bool] = False
     kind: str
 
 

@@ -28,6 +28,7 @@ OF_INERTIA = {
 NO_BODY = 'is missing; say what rotates, like moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"] under [body]'
 WAYS = ("angular_velocity", "momentum", "rate", "temperature")
 OF_A_TOP = ("spin", "precession", "nutation_rate")
+OF_A_CONE = ("spin", "precession", "nutation")
 
 
 def find_broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) -> Iterator[Mistake]:
@@ -72,7 +73,11 @@ def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | Non
         model: of its table [system]; None for a kind that is not known, which is a mistake of its own.
     """
     spin = table.get("spin")
-    if model is not None and not model.leans and isinstance(spin, dict):
+    if model is not None and isinstance(spin, dict) and (model.cones or (not model.leans and "nutation" in spin)):
+        yield from ((("spin",), text) for text in _cone_rules(spin, kind, model.cones))
+    elif model is not None and model.leans and isinstance(spin, dict) and "nutation" in spin:
+        yield ("spin", "nutation"), "is the angle between axis and momentum of a free body; a top takes system.lean"
+    elif model is not None and not model.leans and isinstance(spin, dict):
         if keys := [key for key in OF_A_TOP if key in spin]:
             verb = "gives" if len(keys) == 1 else "give"
             yield ("spin",), (f"{list_words(keys)} {verb} the rates of a top's Euler angles, which the system {kind} "
@@ -84,6 +89,19 @@ def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | Non
     for key in ("body", "spin", "time"):
         if key in table and key not in model.takes:
             yield (key,), f"does not go with the system {kind}, which takes its own keys in [system]; leave it out"
+
+
+def _cone_rules(spin: dict[str, Any], kind: str, takes: bool) -> Iterator[str]:
+    keys = [key for key in OF_A_CONE if key in spin]
+    if not takes:
+        yield (f"nutation is of a free symmetric body, which the system {kind} is not; give {list_words(WAYS, 'or')} "
+               "instead")  # fmt: skip
+    elif "nutation_rate" in spin:
+        yield "nutation_rate is of a top; a free symmetric body keeps its nutation. Leave it out"
+    elif keys and len(keys) != 2:
+        yield f"needs two of {list_words(OF_A_CONE)}, from which the third follows; got {list_words(keys)}"
+    elif spin.get("precession") in ("slow", "fast"):
+        yield f'precession = "{spin["precession"]}" is of a top; a free symmetric body has one rate, like "4 rev/s"'
 
 
 def _body_rules(body: dict[str, Any]) -> Iterator[str]:
@@ -140,7 +158,7 @@ def _look_rules(look: str, source: str, body: dict[str, Any]) -> Iterator[str]:
 
 
 def _spin_rules(spin: dict[str, Any]) -> Iterator[str]:
-    ways, of_a_top = [key for key in WAYS if key in spin], [key for key in OF_A_TOP if key in spin]
+    ways, of_a_top = [key for key in WAYS if key in spin], [key for key in (*OF_A_TOP, "nutation") if key in spin]
     ways += of_a_top[:1]
     if len(ways) > 1 or (not ways and {"frame", "about", "tilt"} & set(spin)):
         known = f"{list_words(WAYS)}, or of a top {list_words(OF_A_TOP)} together"

@@ -15,7 +15,7 @@ from polhode.spec.units import parse_quantity
 Uncertain = str | float | tuple[float, float]
 """A quantity in SI, one with its standard deviation, or a text like "27.38 ± 0.07 h"."""
 _ERROR = re.compile(r"\s*(?:±|\+/-|\+-)\s*")
-_TRAILING_UNIT = re.compile(r"[a-zA-Zµμ][^±]*$")
+_TRAILING_UNIT = re.compile(r"(?![eE][+-]?\d)[a-zA-Zµμ][^±]*$")
 
 
 def quantity(name: str, text: str, unit: str, positive: bool = True) -> float:

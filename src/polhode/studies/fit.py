@@ -24,11 +24,12 @@ def fit(
     drag: bool | None = None, torque: bool | None = None, rotor: bool | None = None, gain: bool | None = None,
     clip: str | float | None = None, moment: str | None = None, mass: str | None = None,
     added_weight: str | None = None, weighted: Sequence[Path | str] = (), columns: Mapping[str, Any] | None = None,
+    pendulum: bool = False,
 ) -> Report:  # fmt: skip
     """Fit the model that the files determine, and return the report.
 
     Gyro logs of throws of one body, and a log of its attitude, tell its ratios of inertia; a spec or a file of atoms
-    with measured lines (.lin) the constants of a molecule.
+    with measured lines (.lin) the constants of a molecule; a file of a pendulum's periods the moments of a body.
 
     Args:
         files: gyro logs; or one log of attitudes; or a spec or atoms, and lines.
@@ -43,6 +44,7 @@ def fit(
         mass, added_weight, weighted: the body's mass, like "150 g"; a weight on it, like "20 g at 0, 70, 0 mm"; and
             logs of throws with it.
         columns: of a table of another program, words of a mapping by name, like {"time": "t", "gyro": "gx,gy,gz"}.
+        pendulum: whether the file has periods of a pendulum on which the body hung.
 
     Raises:
         InvalidInput: for files that cannot be read or fitted, and for arguments that are not for them.
@@ -64,20 +66,30 @@ def fit(
     options = ThrowOptions(windows, drag, torque, rotor, gain, clip, moment, mass, added_weight,
                            [as_path("weighted", path) for path in weighted], table)  # fmt: skip
     paths = [as_path("files", path) for path in files]
-    return with_inputs(lambda: fit_files(paths, free, options, in_python))
+    return with_inputs(lambda: fit_files(paths, free, options, in_python, pendulum=pendulum))
 
 
 def fit_files(
     files: Sequence[Path], free: Sequence[str] | None, options: ThrowOptions, called: Called,
-    progress: Progress | None = None,
+    progress: Progress | None = None, pendulum: bool = False,
 ) -> Report:  # fmt: skip
     """Return the report of ``fit``; ``called`` says how arguments are called where they are given, for messages."""
     if not files:
         raise InvalidInput("`files` is empty. Name a log, or a spec and its measured lines.")
+    if pendulum:
+        wrong = [*options.given, *(["free"] if free is not None else [])]
+        wrong += ["columns"] if options.table is not None or options.unit is not None else []
+        if wrong or len(files) > 1:
+            what = f"{', '.join(map(called, wrong))} cannot go with it" if wrong else f"got {len(files)} files"
+            raise InvalidInput(f"{called('pendulum')} takes one file of periods alone; {what}. Leave out the rest.")
+        from polhode.studies.pendulum import fit_periods
+
+        return fit_periods(files[0])
     if files[0].suffix.lower() in STARTS or files[-1].suffix.lower() == LINES:
         if len(files) != 2:
             raise InvalidInput(f"{files[0]}: a molecule is fitted to one file of lines; got {len(files) - 1}. Write "
-                               f"polhode fit SPEC LINES{LINES}.")  # fmt: skip
+                               f"polhode fit SPEC LINES{LINES}; for a pendulum's periods give "
+                               f"{called('pendulum')}.")  # fmt: skip
         wrong = options.given + (["columns"] if options.table is not None or options.unit is not None else [])
         if wrong:
             names = ", ".join(map(called, wrong))

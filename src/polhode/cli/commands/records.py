@@ -47,6 +47,7 @@ def _list_forms() -> str:
 def fit(
     files: options.FitFiles,
     json: AsJson = False,
+    pendulum: options.Pendulum = False,
     free: options.FreeNames = None,
     out: options.FitOut = None,
     figures: options.FitFigures = None,
@@ -76,7 +77,7 @@ def fit(
     scale: CountScale = None,
     decimal: Decimal = None,
 ) -> None:
-    """Fit the inertia of a thrown body to gyro logs, or a molecule's constants to measured lines.
+    """Fit the inertia of a body to gyro logs of throws or to a pendulum's periods, or a molecule's constants to lines.
 
     Logs of phyphox, Sensor Logger, AndroSensor and Betaflight are known by their headers; of others say which columns
     are what, like --time t --time-unit s --gyro gx,gy,gz --unit deg/s. Several logs are of the same thing. The exit
@@ -89,7 +90,7 @@ def fit(
     columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
                             gyro, unit, scale, decimal)  # fmt: skip
     for_throws = ThrowOptions(window or (), drag, torque, rotor, gain, clip, moment, mass, added_weight, weighted or ())
-    run_fit(files, free, for_throws, columns, out, figures, json)
+    run_fit(files, free, for_throws, columns, out, figures, json, pendulum)
 
 
 @app.command(cls=StrictCommand)

@@ -26,7 +26,7 @@ from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.damped_body.table import DampedBodyTable
 from polhode.motion._trajectory import Trajectory
-from polhode.reports.about import about_body, accuracy, stability_values, verdicts
+from polhode.reports.about import about_body, about_orbital_rests, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
 from polhode.reports.length import Watch
@@ -114,6 +114,13 @@ class DampedStart:
             Answer("orbital_period", self.table.orbital_period, "s", "orbital period"),
             Answer("eccentricity", self.table.eccentricity or 0.0 if orbiting else None, "", "eccentricity"),
         ])  # fmt: skip
+
+    def rests(self) -> list[Table]:
+        """Return how gravity alone lets the body rest in the frame of a circular orbit."""
+        period, eccentric = self.table.orbital_period, self.table.eccentricity
+        if period is None or eccentric:
+            return []
+        return [about_orbital_rests(self.body.principal_moments, 2.0 * math.pi / period)]
 
     def verdicts(self) -> Table:
         """Return the verdicts on the axes."""
@@ -237,7 +244,8 @@ class DampedBodyReport(MotionReport):
 
     @property
     def answers(self) -> list[Group | Table]:
-        return [about_body(self.body), self.start.losses(), self.start.verdicts(), self._motion()]
+        start = self.start
+        return [about_body(self.body), start.losses(), start.verdicts(), *start.rests(), self._motion()]
 
     def _motion(self) -> Group:
         energy, norm, moments = self.energy, self.momentum_norm, self.body.principal_moments
@@ -311,6 +319,7 @@ def answers_without_motion(spec: Spec[DampedBodyTable]) -> Iterator[Group | Tabl
     yield about_body(start.body)
     yield start.losses()
     yield Group("Motion", start.flat_spin())
+    yield from start.rests()
     yield start.verdicts()
     yield Group("Motion", [start.settling()])
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from polhode.spec.fields import (
     Duration,
     Eccentricity,
@@ -22,6 +24,7 @@ class DampedBodyTable(SystemTable):
         loss_rate: mean power lost on the polhode of the start [W].
     """
 
+    cones: ClassVar[bool] = True
     damping: PositivePlain | None = None
     damping_time: Duration | None = None
     loss_rate: Power | None = None

@@ -134,7 +134,8 @@ def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> E
     spec, varied, bodies, count = samples.spec, samples.varied, samples.bodies, samples.size
     spins = {key.removeprefix("spin."): values for key, values in varied.items() if key.startswith("spin.")}
     known = {*NUMBERS, *(STATES + part for part in PARTS)}
-    if bodies is None or not set(names) <= known or len(spins) + _of_body(varied) < len(varied):
+    coning = spec.spin is not None and spec.spin.is_of_a_cone
+    if bodies is None or coning or not set(names) <= known or len(spins) + _of_body(varied) < len(varied):
         return None
     momentum, attitude = build_spin(_vary_spin(spec.spin, spins, count), bodies.moments, bodies.axes)
     momentum = np.array(np.broadcast_to(momentum, (count, 3)), dtype=float)

@@ -11,13 +11,13 @@ from typing import ClassVar
 import numpy as np
 
 from polhode.analysis.spin_motion import SpinMotion, spin_motion
-from polhode.analysis.spin_orbit import Resonance, overlap_of, overlap_threshold, resonances
+from polhode.analysis.spin_orbit import Resonance, libration_period, overlap_of, overlap_threshold, resonances
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.spin_orbit.table import SpinOrbitTable
 from polhode.motion._trajectory import Trajectory
-from polhode.reports.about import about_body, accuracy
+from polhode.reports.about import about_body, about_orbital_rests, accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport, make_placeholder
 from polhode.reports.length import Watch
@@ -74,6 +74,11 @@ class SpinOrbitReport(MotionReport):
         return self.threshold is not None and float(self.system.asphericity) >= self.threshold
 
     @property
+    def libration_period(self) -> float | None:
+        """Period of libration about the radius on a circular orbit [s]; None on others, and for a spin past it."""
+        return None if float(self.system.eccentricity) else libration_period(self.system, self.start)
+
+    @property
     def predictable_time(self) -> float | None:
         """Time in which an error of the samples' tolerance grows to one radian in a chaotic motion [s]."""
         return self.motion.predictable_time(TOLERANCE)
@@ -82,11 +87,18 @@ class SpinOrbitReport(MotionReport):
     def answers(self) -> list[Group | Table]:
         body = [] if self.body is None else [about_body(self.body)]
         missing = [] if body else [Group("", [Answer("mass", None), Answer("principal_moments", None)])]
-        return [*body, *missing, self._orbit(), self._resonances(), self._motion()]
+        return [*body, *missing, self._orbit(), self._resonances(), *self._rests(), self._motion()]
 
     def without_motion(self) -> list[Group | Table]:
         """Return the answers that need no trajectory."""
-        return [*([] if self.body is None else [about_body(self.body)]), self._orbit(), self._resonances()]
+        body = [] if self.body is None else [about_body(self.body)]
+        return [*body, self._orbit(), self._resonances(), *self._rests()]
+
+    def _rests(self) -> list[Table]:
+        """Return how the body can rest in space, with all its axes, on a circular orbit."""
+        if self.body is None or float(self.system.eccentricity) or not float(self.body.principal_moments[0]):
+            return []
+        return [about_orbital_rests(self.body.principal_moments, float(self.system.mean_motion))]
 
     def _orbit(self) -> Group:
         system, asphericity = self.system, float(self.system.asphericity)
@@ -154,6 +166,7 @@ class SpinOrbitReport(MotionReport):
             Answer("predictable_time", self.predictable_time, "s", "predictable for about", "",
                    _about(self.predictable_time)),
             Answer("libration", None if held is None else held._asdict(), "rad", "libration", "at periapsis", kept),
+            Answer("libration_period", self.libration_period, "s", "period of libration"),
             Answer("mean_rate", mean, "rad/s", "mean rotation", "",
                    f"{mean:.{digits}g} rad/s = {mean_ratio:.{digits}g} n"),
             Answer("mean_spin_ratio", mean_ratio, "", "", "turns per orbit"),
