@@ -99,6 +99,13 @@ allow_vibration = true
 [spin]
 temperature = "26.85 degC"
 """,
+    "coning": """
+[body]
+moments = ["3 kg*m^2", "3 kg*m^2", "5 kg*m^2"]
+[spin]
+nutation = "0.6 rad"
+precession = "2 rad/s"
+""",
     "precessing": """
 [system]
 kind = "lagrange-top"
