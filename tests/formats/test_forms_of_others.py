@@ -91,7 +91,7 @@ def test_each_has_what_it_needs():
     for name, form in form_registry.forms().items():
         assert form.name == name and form.ending.startswith(".") and form.title
         assert form.write or form.read
-        assert (form.read is None) == (form.begins is None)
+        assert (form.read is None) == (form.begins is None and form.named is None)
         assert form.holds if form.write else True
 
 
