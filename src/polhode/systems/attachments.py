@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import Any, Self
 
 import equinox as eqx
 import jax
@@ -13,6 +13,7 @@ import numpy as np
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, PolhodeError, shown
 from polhode.motion._layout import StateLayout, StatePart
+from polhode.motion.frame import BodyFrame
 from polhode.types import Array, ArrayLike, Float64, Real
 
 # what methods of attachments take
@@ -28,8 +29,20 @@ class AbstractAttachment(eqx.Module):
 
     Its methods are batched and written with ``jax.numpy``. They take the time t [s], () or one for each state (…), with
     vectors ``t[..., None]``; the attitude (…, 4), a unit quaternion wxyz, body → space, None where the state carries
-    none; Ω (…, 3) [rad/s, body axes]; and its own state (…, n), whose last axis has all its parts in order.
+    none; Ω (…, 3) [rad/s, body axes]; and its own state (…, n), whose last axis has all its parts in order. Body axes
+    are the axes in which the body is given, those of ``RigidBody.from_body``; positions count from their origin.
     """
+
+    def bound(self, frame: BodyFrame) -> Self:
+        """Return this on a body, with what it takes from the body filled in; itself by default.
+
+        Args:
+            frame: the axes of the body, and the mass properties along them with all mounts locked.
+
+        Raises:
+            InvalidInput: where it does not fit the body.
+        """
+        return self
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:
@@ -73,7 +86,7 @@ def checked_jumps(jumps: Real[ArrayLike, "jumps"]) -> Float64[Array, "jumps"]:
 
 
 def checked_attachments(
-    name: str, value: Any, kind: type[AbstractAttachment], trial: Callable[..., Any]
+    name: str, value: Any, kind: type[AbstractAttachment], frame: BodyFrame, trial: Callable[..., Any]
 ) -> tuple[Any, ...]:
     """Return a list of attachments.
 
@@ -81,6 +94,7 @@ def checked_attachments(
         name: of the argument.
         value: what the user gave for it.
         kind: the class that each is derived from.
+        frame: of the body.
         trial: evaluates all that an attachment offers at (attachment, t, attitude, angular_velocity, own), and returns
             the values by the name of the method, each with its shape behind the batch axes, (value, shape).
 
@@ -89,16 +103,17 @@ def checked_attachments(
     """
     if not isinstance(value, Iterable):
         raise InvalidInput(f"`{name}` must be a list; got {shown(value)}. Put it in brackets.")
-    attachments = tuple(value)
-    for k, attachment in enumerate(attachments):
+    attachments = []
+    for k, attachment in enumerate(value):
         if not isinstance(attachment, kind):
             raise InvalidInput(
                 f"`{name}` must be a list of polhode.systems.{name}; got {shown(attachment)}. "
                 f"Derive your own from {kind.__name__}."
             )
+        attachments.append(attachment.bound(frame))
         for batch in ((), (BATCH,)):
-            _check_shapes(f"{name}[{k}]", attachment, trial, batch)
-    return attachments
+            _check_shapes(f"{name}[{k}]", attachments[-1], trial, batch)
+    return tuple(attachments)
 
 
 def _check_shapes(name: str, attachment: AbstractAttachment, trial: Any, batch: tuple[int, ...]) -> None:

@@ -112,6 +112,7 @@ class TorquedGyrostat(AbstractRigidBody):
     moments: Float64[Array, "3"]
     mounts: tuple[AbstractMount, ...]
     torques: tuple[AbstractTorque, ...]
+    structure: None
 
     @known_numbers_only
     def __init__(
@@ -119,7 +120,8 @@ class TorquedGyrostat(AbstractRigidBody):
     ) -> None:
         moment = float(checked_number("rotor_moment", rotor_moment, above=0.0, unit="kg m²"))
         motor = float(checked_number("torque", torque, unit="N m"))
-        self.moments, self.mounts, self.torques = checked_moments(moments), (Wheel(axis, moment, motor),), ()
+        self.moments, self.structure = checked_moments(moments), None
+        self.mounts, self.torques = (Wheel(axis, moment, motor),), ()
 
     @property
     def carrier(self) -> Float64[Array, "3"]:

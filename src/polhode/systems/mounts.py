@@ -12,6 +12,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
+from polhode.motion.frame import BodyFrame
 from polhode.systems.attachments import (
     AbstractAttachment,
     Attitude,
@@ -102,7 +103,7 @@ class Wheel(AbstractMount):
     Its energy is h²/2J, and the power between rotor and body (u − c σ) σ.
 
     Args:
-        axis: (3,) a along the principal axes, normalised here.
+        axis: (3,) a along the body's axes, normalised here.
         moment: J about its axis [kg m²], positive.
         motor: u, the torque of the motor on the rotor [N m]: a number, or a function (t, attitude, angular_velocity,
             rate) of the time (…) [s], the attitude (…, 4), Ω (…, 3) and σ (…), batched and written with ``jax.numpy``;
@@ -210,7 +211,7 @@ class HeldWheel(AbstractMount):
     held rotors alone.
 
     Args:
-        axis: (3,) a along the principal axes, normalised here.
+        axis: (3,) a along the body's axes, normalised here.
         moment: J about its axis [kg m²], positive.
         rate: σ [rad/s].
 
@@ -326,8 +327,8 @@ class EnergySink(AbstractMount):
         return self.rate * jnp.cross(momentum, angular_velocity)
 
 
-def checked_mounts(mounts: Any) -> tuple[AbstractMount, ...]:
-    """Return a list of mounts.
+def checked_mounts(mounts: Any, frame: BodyFrame) -> tuple[AbstractMount, ...]:
+    """Return a list of mounts in a body.
 
     Raises:
         InvalidInput: for anything else, and for one whose methods fail or give wrong shapes.
@@ -342,7 +343,7 @@ def checked_mounts(mounts: Any) -> tuple[AbstractMount, ...]:
             "drift": (mount.drift(velocity, velocity), (3,)),
         }
 
-    return checked_attachments("mounts", mounts, AbstractMount, trial)
+    return checked_attachments("mounts", mounts, AbstractMount, frame, trial)
 
 
 def checked_direction(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:

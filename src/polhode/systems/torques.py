@@ -12,8 +12,11 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
+from polhode.motion.frame import BodyFrame
+from polhode.systems._symmetric import times
 from polhode.systems.attachments import (
     AbstractAttachment,
     Attitude,
@@ -27,6 +30,7 @@ from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
 from polhode.types import Array, ArrayLike, Float64, Real
 
+SAME = 1e-12  # relative, of an inertia that was turned to other axes and back
 NEEDED = "a torque is given the attitude and the state that it says it needs"
 
 Command = Callable[
@@ -51,11 +55,21 @@ class AbstractTorque(AbstractAttachment):
         """The angular velocity [rad/s] that it causes from rest; zero if it causes none."""
         return jnp.zeros(())
 
+    def force(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"] | None:  # fmt: skip
+        """Return the resultant force on the body (…, 3) [N, body axes]; None for a couple."""
+        return None
+
     @abc.abstractmethod
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
     ) -> Float64[Array, "*batch 3"]:  # fmt: skip
-        """Return τ (…, 3) [N m, body axes].
+        """Return τ (…, 3) about the origin of the body's axes [N m, body axes].
+
+        For a body from moments that origin is its centre of mass, for one ``from_body`` that of the given axes. A
+        couple is the same about any point; what has a resultant ``force`` is referred to the centre of mass by the
+        body.
 
         Args:
             t: one time (), or one for each state (…) [s]; with vectors write ``t[..., None]``.
@@ -174,21 +188,44 @@ class GravityGradient(AbstractTorque):
 
     Args:
         orbit: of the body's centre of mass about the attracting centre.
-        moments: (3,) principal moments of the body [kg m²].
+        moments: (3,) principal moments of the body [kg m²], or its inertia (3, 3) along the axes in which it is given;
+            left out, it takes those of the body that it is put on.
 
     Source: Hughes, *Spacecraft Attitude Dynamics* (1986), ch. 8.
     """
 
     orbit: KeplerOrbit
-    moments: Float64[Array, "3"]
+    moments: Float64[Array, "3"] | Float64[Array, "3 3"] | None
     circular: bool = eqx.field(static=True)
 
     @known_numbers_only
-    def __init__(self, orbit: KeplerOrbit, moments: Real[ArrayLike, "3"]) -> None:
+    def __init__(
+        self, orbit: KeplerOrbit, moments: Real[ArrayLike, "3"] | Real[ArrayLike, "3 3"] | None = None
+    ) -> None:
         if not isinstance(orbit, KeplerOrbit):
             raise InvalidInput(f"`orbit` must be a polhode.systems.KeplerOrbit; got {shown(orbit)}.")
-        self.orbit, self.moments = orbit, checked_moments(moments)
+        self.orbit = orbit
+        if moments is None or np.shape(moments) != (3, 3):
+            self.moments = None if moments is None else checked_moments(moments)
+        else:
+            inertia = Body.from_inertia(moments).inertia
+            diagonal = np.diagonal(inertia)
+            self.moments = jnp.asarray(diagonal if np.array_equal(np.diag(diagonal), inertia) else inertia)
         self.circular = float(orbit.eccentricity) == 0.0
+
+    def bound(self, frame: BodyFrame) -> GravityGradient:
+        principal = np.array_equal(frame.axes, np.eye(3))
+        own = np.asarray(frame.moments if principal else frame.inertia)
+        if self.moments is None:
+            return GravityGradient(self.orbit, own)
+        given = np.asarray(self.moments)
+        as_matrix = [np.diag(x) if x.ndim == 1 else x for x in (given, own)]
+        if not np.abs(as_matrix[0] - as_matrix[1]).max() <= SAME * np.abs(own).max():
+            raise InvalidInput(
+                f"`torques` has the gravity gradient on the moments {given.tolist()}, but the body's are "
+                f"{own.tolist()} kg m² along its axes. Give both the same, or leave them out here."
+            )
+        return self
 
     @property
     def needs_attitude(self) -> bool:
@@ -206,7 +243,13 @@ class GravityGradient(AbstractTorque):
         # (r·R̂) R̂ − r) dm, and ∫ r × dF = 3 GM/R³ R̂ × I R̂
         strength = (self.orbit.mean_motion**2 / self.orbit.distance_ratio(t) ** 3)[..., None]
         centre = _in_body(attitude, self.orbit.direction(t))  # its sign cancels
-        return 3.0 * strength * jnp.cross(centre, self.moments * centre)
+        return 3.0 * strength * jnp.cross(centre, times(self._inertia, centre))
+
+    @property
+    def _inertia(self) -> Array:
+        if self.moments is None:
+            raise InvalidInput("the gravity gradient has no moments yet; give `moments`, or put it on a body.")
+        return self.moments
 
     def relative_velocity(
         self, attitude: Float64[Array, "*#batch 4"], angular_velocity: Float64[Array, "*#batch 3"]
@@ -229,31 +272,29 @@ class GravityGradient(AbstractTorque):
         centre = _in_body(attitude, self.orbit.direction(t))
         normal = _in_body(attitude, jnp.array([0.0, 0.0, 1.0]))
         # H = ½ Ω·IΩ + V with V = (3/2) n² R̂·IR̂ but for a constant; less n ẑ·IΩ, with Ω = w + nẑ
-        squares = relative**2 + n**2 * (3.0 * centre**2 - normal**2)
-        return 0.5 * jnp.sum(self.moments * squares, axis=-1)
+        if (inertia := self._inertia).ndim == 1:
+            squares = relative**2 + n**2 * (3.0 * centre**2 - normal**2)
+            return 0.5 * jnp.sum(inertia * squares, axis=-1)
+        turning, pull, about = (jnp.sum(x * times(inertia, x), axis=-1) for x in (relative, centre, normal))
+        return 0.5 * (turning + n**2 * (3.0 * pull - about))
 
 
-def checked_torques(torques: Any, moments: Float64[Array, "3"]) -> tuple[AbstractTorque, ...]:
-    """Return a list of torques on a body of these moments.
+def checked_torques(torques: Any, frame: BodyFrame) -> tuple[AbstractTorque, ...]:
+    """Return a list of torques on a body.
 
     Raises:
         InvalidInput: for anything else, one whose methods fail, and a gravity gradient on other moments.
     """
 
     def trial(torque: AbstractTorque, t: Array, attitude: Array, velocity: Array, own: Array) -> dict[str, Any]:
-        return {
+        results = {
             "torque": (torque.torque(t, attitude, velocity, own), (3,)),
             "state_rate": (torque.state_rate(t, attitude, velocity, own), (torque.state_size,)),
         }
+        force = torque.force(t, attitude, velocity, own)
+        return results if force is None else results | {"force": (force, (3,))}
 
-    checked = checked_attachments("torques", torques, AbstractTorque, trial)
-    for torque in checked:
-        if isinstance(torque, GravityGradient) and not np.array_equal(torque.moments, moments):
-            raise InvalidInput(
-                f"`torques` has the gravity gradient on the moments {np.asarray(torque.moments).tolist()}, "
-                f"but the body's are {np.asarray(moments).tolist()} kg m². Give both the same."
-            )
-    return checked
+    return checked_attachments("torques", torques, AbstractTorque, frame, trial)
 
 
 def _in_body(attitude: Array, direction: Array) -> Array:
