@@ -64,6 +64,11 @@ class AbstractAttachment(eqx.Module):
         return jnp.zeros(0)
 
     @property
+    def names_all_jumps(self) -> bool:
+        """Whether ``jumps`` are all there are, so that nobody need look for more; not of a function of a user."""
+        return False
+
+    @property
     def needs_attitude(self) -> bool:
         """Whether it depends on how the body is turned; then states must carry the attitude."""
         return False

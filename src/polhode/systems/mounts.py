@@ -156,6 +156,10 @@ class Wheel(AbstractMount):
         return self.moment * jnp.outer(self.axis, jnp.asarray(self.axis))
 
     @property
+    def names_all_jumps(self) -> bool:
+        return not callable(self.motor)
+
+    @property
     def conserves_energy(self) -> bool:
         return self.motor is None and self.friction is None
 
@@ -228,6 +232,10 @@ class HeldWheel(AbstractMount):
         self.axis, self.moment = checked_direction("axis", axis), checked_number("moment", moment, 0.0, unit="kg m²")
         self.rate = checked_number("rate", rate, unit="rad/s")
 
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
+
     def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
         return jnp.broadcast_to(self.moment * self.rate * self.axis, (*own.shape[:-1], 3))
 
@@ -266,6 +274,10 @@ class SphericalSlug(AbstractMount):
     @property
     def conserves_energy(self) -> bool:
         return False
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
 
     def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
         return own
@@ -317,6 +329,10 @@ class EnergySink(AbstractMount):
     @property
     def conserves_energy(self) -> bool:
         return False
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
 
     def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
         return jnp.zeros((*own.shape[:-1], 3))

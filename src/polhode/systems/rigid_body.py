@@ -22,7 +22,7 @@ from polhode.systems.attachments import Time
 from polhode.systems.base import Balance, Vectors
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.mounts import AbstractMount, checked_mounts
-from polhode.systems.torques import AbstractTorque, GravityGradient, checked_torques
+from polhode.systems.torques import AbstractTorque, GravityGradient, checked_torques, torque_of
 from polhode.types import Array, ArrayLike, Float64, Real
 
 States = Float64[Array, "*#batch n"]
@@ -43,6 +43,10 @@ class AbstractRigidBody(AbstractPackedBody):
         """(J,) times [s] at which a mount or a torque starts, ends or jumps."""
         own = [jnp.ravel(jnp.asarray(x.jumps, dtype=float)) for x in chain(self.mounts, self.torques)]
         return jnp.concatenate([*own, jnp.zeros(0)])
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return all(attachment.names_all_jumps for attachment in chain(self.mounts, self.torques))
 
     # ------------------------------------------------------------------ motion
 
@@ -81,12 +85,22 @@ class AbstractRigidBody(AbstractPackedBody):
     def _torque(self, t: Array, body: BodyState, velocity: Array) -> Array:
         total = jnp.zeros_like(velocity)
         for torque, own in zip(self.torques, body.torques, strict=True):
-            total = total + torque.torque(t, body.attitude, velocity, own)
+            stored = self._stored(body, velocity) if torque.needs_stored else velocity
+            total = total + torque_of(torque, t, body.attitude, velocity, own, stored)
             force = torque.force(t, body.attitude, velocity, own)
             if force is not None and self.structure is not None:
                 # from the origin of the given axes to the centre of mass, τ − c × F
                 total = total - jnp.cross(self.structure.center_of_mass, force)
         return total
+
+    def _stored(self, body: BodyState, velocity: Array) -> Array:
+        """Return L − IΩ, what the mounts have of momentum because they turn against the body."""
+        stored = jnp.zeros_like(velocity)
+        for mount, own in zip(self.mounts, body.mounts, strict=True):
+            stored = stored + mount.momentum(own)
+            if (inertia := mount.inertia) is not None:
+                stored = stored - times(inertia, velocity)
+        return stored
 
     # ------------------------------------------------------------------ what is kept, and what is balanced
 
