@@ -1,3 +1,4 @@
+from .attachments import Argument as Argument
 from .base import AbstractLiePoissonSystem as AbstractLiePoissonSystem
 from .base import AbstractSystem as AbstractSystem
 from .base import Balance as Balance
@@ -48,7 +49,6 @@ from .spin_orbit import SpinOrbit as SpinOrbit
 from .toda import Toda as Toda
 from .torqued_body import TorquedBody as TorquedBody
 from .torques.base import AbstractTorque as AbstractTorque
-from .torques.base import Argument as Argument
 from .torques.drag import LinearDrag as LinearDrag
 from .torques.drag import QuadraticDrag as QuadraticDrag
 from .torques.earth_field import EarthDipoleField as EarthDipoleField

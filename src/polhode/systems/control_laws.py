@@ -15,10 +15,10 @@ from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame
-from polhode.systems.attachments import AbstractAttachment, Attitude, Own, Time, Velocity, checked_jumps
+from polhode.systems.attachments import AbstractAttachment, Argument, Attitude, Own, Time, Velocity, checked_jumps
 from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
-from polhode.systems.torques.base import NEEDED, Argument, in_body
+from polhode.systems.torques.base import NEEDED, in_body
 from polhode.types import Array, ArrayLike, Float64, Real
 
 TARGETS = ("inertial", "nadir")
@@ -29,16 +29,10 @@ LawFunction = Callable[..., Any]
 class AbstractControlLaw(AbstractAttachment):
     """A law that asks for a torque on the body, which wheels or an ideal actuator then give.
 
-    A new law gives ``wanted`` and, where it has a state of its own, ``state_parts`` and ``state_rate``.
-
-    Attributes:
-        name: as a spec gives it in ``law`` of ``[control]``; of a law of another package its entry point's name in the
-            group ``polhode.control``.
-        arguments: how a spec gives the arguments of the constructor, as of an ``AbstractTorque``.
+    A new law gives ``wanted`` and, where it has a state of its own, ``state_parts`` and ``state_rate``. A spec names it
+    by ``law`` of ``[control]``; that of another package registers its class in the entry-point group
+    ``polhode.control``.
     """
-
-    name: ClassVar[str] = ""
-    arguments: ClassVar[dict[str, Argument]] = {}
 
     @property
     def needs_attitude(self) -> bool:

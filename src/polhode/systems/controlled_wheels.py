@@ -176,8 +176,22 @@ class ControlledWheels(AbstractMount):
         law = jnp.zeros((*momenta.shape[:-1], self.law.state_size))
         return jnp.concatenate([momenta, law], axis=-1)
 
+    @property
+    def limited(self) -> bool:
+        return self.max_torque is not None
+
+    def load(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own, stored: Velocity
+    ) -> Float64[Array, "*batch"]:
+        if self.max_torque is None:
+            return jnp.zeros(angular_velocity.shape[:-1])
+        asked = jnp.abs(self.commanded(t, attitude, angular_velocity, own)) / self.max_torque
+        if self.max_rate is not None:
+            fast = jnp.abs(self.rates(angular_velocity, own)) / ((1.0 - TAPER) * self.max_rate)
+            asked = jnp.maximum(asked, fast)
+        return jnp.max(asked, axis=-1)
+
     def without_limits(self) -> Self:
-        """Return the same wheels with motors that give whatever they are asked for."""
         limits = lambda wheels: (wheels.max_torque, wheels.max_rate)  # noqa: E731
         return eqx.tree_at(limits, self, (None, None), is_leaf=lambda x: x is None)
 
@@ -232,3 +246,17 @@ class ControlTorque(AbstractTorque):
         own = jnp.zeros((*angular_velocity.shape[:-1], 0)) if actuator is None else actuator
         wanted = self.law.wanted(t, attitude, angular_velocity, own)
         return wanted if self.limit is None else jnp.clip(wanted, -self.limit, self.limit)
+
+    @property
+    def limited(self) -> bool:
+        return self.limit is not None
+
+    def load(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own, stored: Velocity
+    ) -> Float64[Array, "*batch"]:
+        if self.limit is None:
+            return jnp.zeros(angular_velocity.shape[:-1])
+        return jnp.max(jnp.abs(self.law.wanted(t, attitude, angular_velocity, own)) / self.limit, axis=-1)
+
+    def without_limits(self) -> Self:
+        return eqx.tree_at(lambda torque: torque.limit, self, None, is_leaf=lambda x: x is None)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import chain
 from typing import ClassVar
 
+import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
@@ -83,15 +84,51 @@ class AbstractRigidBody(AbstractPackedBody):
         return sum((mount.drift(body.momentum, velocity) for mount in self.mounts), jnp.zeros_like(velocity))
 
     def _torque(self, t: Array, body: BodyState, velocity: Array) -> Array:
-        total = jnp.zeros_like(velocity)
+        return sum(self._torques_apart(t, body, velocity), jnp.zeros_like(velocity))
+
+    def _torques_apart(self, t: Array, body: BodyState, velocity: Array) -> list[Array]:
+        each = []
         for torque, own in zip(self.torques, body.torques, strict=True):
             stored = self._stored(body, velocity) if torque.needs_stored else velocity
-            total = total + torque_of(torque, t, body.attitude, velocity, own, stored)
+            each.append(torque_of(torque, t, body.attitude, velocity, own, stored))
             force = torque.force(t, body.attitude, velocity, own)
             if force is not None and self.structure is not None:
                 # from the origin of the given axes to the centre of mass, τ − c × F
-                total = total - jnp.cross(self.structure.center_of_mass, force)
-        return total
+                each[-1] = each[-1] - jnp.cross(self.structure.center_of_mass, force)
+        return each
+
+    # ------------------------------------------------------------------ what is seen along the given axes
+
+    def as_given(self, state: States) -> BodyState:
+        """Return a packed state taken apart, attitude and momentum along the given axes."""
+        return self._as_given(self.parts(state))
+
+    def velocity(self, state: States) -> Float64[Array, "*batch 3"]:
+        """Return Ω (…, 3) [rad/s, given axes]."""
+        return self._velocity(self.as_given(state))
+
+    def packed_as_given(
+        self, attitude: Float64[Array, "*#batch 4"], velocity: Float64[Array, "*#batch 3"], state: States
+    ) -> Float64[Array, "*batch n"]:
+        """Return states with another attitude and Ω, along the given axes, whose mounts and torques are as they were."""
+        own = self.parts(state)
+        momentum = times(self.carrier, velocity)
+        for mount, values in zip(self.mounts, own.mounts, strict=True):
+            momentum = momentum + mount.momentum(values)
+        if self.structure is not None:
+            attitude = self.structure.turn.attitude(attitude)
+        front = [attitude, self._along_principal(momentum)]
+        return jnp.concatenate([*front, *own.mounts, *own.torques], axis=-1)
+
+    def stored(self, state: States) -> Float64[Array, "*batch 3"]:
+        """Return L − IΩ (…, 3), the momentum of what turns against the body [kg m²/s, given axes]."""
+        body = self.as_given(state)
+        return self._stored(body, self._velocity(body))
+
+    def torques_apart(self, t: Time, state: States) -> list[Float64[Array, "..."]]:
+        """Return each torque about the centre of mass (…, 3) [N m, given axes], in the order of ``torques``."""
+        body = self.as_given(state)
+        return self._torques_apart(jnp.asarray(t), body, self._velocity(body))
 
     def _stored(self, body: BodyState, velocity: Array) -> Array:
         """Return L − IΩ, what the mounts have of momentum because they turn against the body."""
@@ -285,6 +322,30 @@ class RigidBody(AbstractRigidBody):
                 f"[{', '.join(f'{x:.6g}' for x in left)}] kg m². `moments` are those of the whole body, its mounts "
                 "locked."
             )
+
+    @property
+    def limited(self) -> bool:
+        """Whether a mount or a torque has limits."""
+        return any(attachment.limited for attachment in chain(self.mounts, self.torques))
+
+    def without_limits(self) -> RigidBody:
+        """Return the same body, whose actuators give whatever they are asked for.
+
+        Where ``load`` stays below one along its motion, that is the motion of the limited body too, and rates of change
+        have no corners.
+        """
+        mounts = tuple(mount.without_limits() for mount in self.mounts)
+        torques = tuple(torque.without_limits() for torque in self.torques)
+        return eqx.tree_at(lambda body: (body.mounts, body.torques), self, (mounts, torques))
+
+    def load(self, t: Time, state: States) -> Float64[Array, "*batch"]:
+        """Return the largest of what actuators are asked for over their limits (…); above one a limit acts."""
+        body, t = self._as_given(self.parts(state)), jnp.asarray(t)
+        velocity = self._velocity(body)
+        stored, largest = self._stored(body, velocity), jnp.zeros(velocity.shape[:-1])
+        for attachment, own in zip((*self.mounts, *self.torques), (*body.mounts, *body.torques), strict=True):
+            largest = jnp.maximum(largest, attachment.load(t, body.attitude, velocity, own, stored))
+        return largest
 
     @classmethod
     def from_body(

@@ -1,9 +1,9 @@
-"""The base class of torques on a body, and how a spec gives their arguments."""
+"""The base class of torques on a body."""
 
 from __future__ import annotations
 
 import abc
-from typing import Any, ClassVar, NamedTuple
+from typing import Any
 
 import jax.numpy as jnp
 
@@ -22,37 +22,14 @@ from polhode.types import Array, Float64
 NEEDED = "a torque is given the attitude and the state that it says it needs"
 
 
-class Argument(NamedTuple):
-    """How a spec gives an argument of the constructor of a torque, mount or control law.
-
-    Attributes:
-        unit: in SI, as Pint reads it; "" for plain numbers, "text" for one of the ``choices``, "attitude" for one in any
-            of the forms that [spin] takes.
-        shape: () of one number, (3,) of three; each may come ``many`` times.
-        many: whether it is a list of such, or one.
-        choices: of a text.
-    """
-
-    unit: str = ""
-    shape: tuple[int, ...] = ()
-    many: bool = False
-    choices: tuple[str, ...] = ()
-
-
 class AbstractTorque(AbstractAttachment):
     """An external torque on a body; it may have a state of its own, as an actuator has.
 
     Its power τ·Ω enters the balance of the energy.
 
-    Attributes:
-        name: as a spec gives it in ``type`` of a ``[[torque]]``; of a torque of another package its entry point's name
-            in the group ``polhode.torques``. Empty for one that only Python makes.
-        arguments: how a spec gives the arguments of the constructor. Others it takes from what the spec says
-            elsewhere, by their names: ``orbit`` and ``field``.
+    A spec names it by the ``type`` of a ``[[torque]]``; that of another package registers its class in the entry-point
+    group ``polhode.torques``.
     """
-
-    name: ClassVar[str] = ""
-    arguments: ClassVar[dict[str, Argument]] = {}
 
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from typing import ClassVar, Literal, Self
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -10,10 +10,10 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.attachments import Attitude, Own, Time, Velocity
+from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
 from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.kepler_orbit import checked_number
-from polhode.systems.torques.base import NEEDED, AbstractTorque, Argument, in_body
+from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
 from polhode.systems.torques.earth_field import EarthDipoleField
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -142,6 +142,21 @@ class TorqueRods(AbstractTorque):
             wanted = self.gain * jnp.cross(stored, field) / jnp.sum(field**2, axis=-1, keepdims=True)
         moments = jnp.sum(wanted[..., None, :] * self.shares, axis=-1)
         return moments if self.limit is None else jnp.clip(moments, -self.limit, self.limit)
+
+    @property
+    def limited(self) -> bool:
+        return self.limit is not None
+
+    def load(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own, stored: Velocity
+    ) -> Float64[Array, "*batch"]:
+        if self.limit is None:
+            return jnp.zeros(angular_velocity.shape[:-1])
+        asked = self.without_limits().moments_of_rods(t, attitude, angular_velocity, stored)
+        return jnp.max(jnp.abs(asked) / self.limit, axis=-1)
+
+    def without_limits(self) -> Self:
+        return eqx.tree_at(lambda rods: rods.limit, self, None, is_leaf=lambda x: x is None)
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None,

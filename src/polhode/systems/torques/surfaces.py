@@ -11,11 +11,11 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.attachments import Attitude, Own, Time, Velocity
+from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
 from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
 from polhode.systems.mounts import checked_direction
-from polhode.systems.torques.base import NEEDED, AbstractTorque, Argument, in_body
+from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
 from polhode.systems.torques.earth_field import EARTH_ROTATION
 from polhode.systems.torques.magnetic import checked_directions
 from polhode.types import Array, ArrayLike, Float64, Real

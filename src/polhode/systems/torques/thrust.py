@@ -10,9 +10,9 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems.attachments import Attitude, Own, Time, Velocity
+from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
 from polhode.systems.free_rigid_body import checked_vector
-from polhode.systems.torques.base import NEEDED, AbstractTorque, Argument, in_body
+from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
 from polhode.types import Array, ArrayLike, Float64, Real
 
 FRAMES = ("body", "space")
