@@ -74,9 +74,9 @@ def linearize_loop(
         state: packed (n,), whose mounts and torques count.
 
     Returns:
-        None for a law without a target, or with a state of its own.
+        None for a law without a target, or with a state of its own, and with parts that move their mass.
     """
-    if law.target(jnp.zeros(())) is None or law.state_size:
+    if system.moving_parts or law.target(jnp.zeros(())) is None or law.state_size:
         return None
     values = _derivatives(system, law, jnp.asarray(float(time)), jnp.asarray(state))
     closed, asked, given, rest = (np.asarray(value) for value in values)

@@ -19,6 +19,7 @@ from .free_rigid_body import FreeRigidBody as FreeRigidBody
 from .gyrostat import Gyrostat as Gyrostat
 from .gyrostat import TorquedGyrostat as TorquedGyrostat
 from .heavy_top import HeavyTop as HeavyTop
+from .hinged_part import HingedPart as HingedPart
 from .kepler_orbit import KeplerOrbit as KeplerOrbit
 from .kirchhoff import Kirchhoff as Kirchhoff
 from .lattice import Bond as Bond
@@ -31,6 +32,7 @@ from .mounts import EnergySink as EnergySink
 from .mounts import HeldWheel as HeldWheel
 from .mounts import SphericalSlug as SphericalSlug
 from .mounts import Wheel as Wheel
+from .moving_parts import AbstractMovingPart as AbstractMovingPart
 from .point_vortices import PlaneVortices as PlaneVortices
 from .point_vortices import SphereVortices as SphereVortices
 from .rigid_body import AbstractRigidBody as AbstractRigidBody
@@ -44,8 +46,10 @@ from .rolling_dissipation import RollingDissipation as RollingDissipation
 from .rolling_dissipation import ViscousContourFriction as ViscousContourFriction
 from .sphere_fluid import SphereFluid as SphereFluid
 from .sphere_mhd import SphereMHD as SphereMHD
+from .spherical_pendulum import SphericalPendulum as SphericalPendulum
 from .spin_lattice import SpinLattice as SpinLattice
 from .spin_orbit import SpinOrbit as SpinOrbit
+from .sprung_mass import SprungMass as SprungMass
 from .toda import Toda as Toda
 from .torqued_body import TorquedBody as TorquedBody
 from .torques.base import AbstractTorque as AbstractTorque

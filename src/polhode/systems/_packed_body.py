@@ -15,10 +15,20 @@ from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn
-from polhode.motion._layout import ATTITUDE, MOMENTUM, StateLayout, StatePart
-from polhode.systems._symmetric import solve, times
+from polhode.motion._layout import (
+    ATTITUDE,
+    ENERGY,
+    MOMENTUM,
+    MOMENTUM_SPACE,
+    MOMENTUM_SQUARED,
+    Quantity,
+    StateLayout,
+    StatePart,
+)
+from polhode.systems._moving_masses import Arrangement, arrange, momenta, solve_symmetric
 from polhode.systems.base import AbstractSystem, as_finite_state, check_unit_attitude
-from polhode.systems.mounts import AbstractMount
+from polhode.systems.mounts import AbstractMount, AbstractMounted
+from polhode.systems.moving_parts import AbstractMovingPart
 from polhode.systems.torques import AbstractTorque
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -61,7 +71,7 @@ class AbstractPackedBody(AbstractSystem):
     """
 
     moments: eqx.AbstractVar[Float64[Array, "3"]]
-    mounts: eqx.AbstractVar[tuple[AbstractMount, ...]]
+    mounts: eqx.AbstractVar[tuple[AbstractMounted, ...]]
     torques: eqx.AbstractVar[tuple[AbstractTorque, ...]]
     structure: eqx.AbstractVar[Structure | None]
 
@@ -101,6 +111,11 @@ class AbstractPackedBody(AbstractSystem):
             named.append(part._replace(name=f"{part.name}_{seen[part.name]}") if often[part.name] > 1 else part)
         return tuple(named)
 
+    @property
+    def moving_parts(self) -> tuple[AbstractMovingPart, ...]:
+        """Those mounts that move their mass."""
+        return tuple(mount for mount in self.mounts if isinstance(mount, AbstractMovingPart))
+
     # ------------------------------------------------------------------ axes
 
     def _as_given(self, body: BodyState) -> BodyState:
@@ -122,6 +137,7 @@ class AbstractPackedBody(AbstractSystem):
         momentum: Real[ArrayLike, "*#batch 3"] | None = None,
         rates: Sequence[Real[ArrayLike, "..."] | None] | None = None,
         actuators: Sequence[Real[ArrayLike, "..."] | None] | None = None,
+        coordinates: Sequence[Real[ArrayLike, "..."] | None] | None = None,
     ) -> Float64[Array, "... n"]:  # fmt: skip
         """Return packed states (…, n), from what stands along the given axes; for a body from moments, the principal.
 
@@ -131,34 +147,88 @@ class AbstractPackedBody(AbstractSystem):
             angular_velocity: Ω (…, 3) of the body [rad/s, given axes]; this, ``momentum``, or neither for rest.
             momentum: L (…, 3) of the body with its mounts [kg m²/s, given axes].
             rates: of the mounts relative to the body, one for each mount in their order [rad/s], (…) for a rotor,
-                (…, 3) for a slug; None, or the whole left out, is rest in the body.
+                (…, 3) for a slug, (…, n) for a moving part; None, or the whole left out, is rest in the body.
             actuators: own states (…, n) of the torques, one for each torque in their order; None, or the whole left
                 out, is zero.
+            coordinates: q (…, n) of the mounts that move their mass, None for others; None, or the whole left out, is
+                where they rest.
 
         Raises:
-            InvalidInput: if both velocity and momentum are given, or rates or actuators that do not fit what there is.
+            InvalidInput: if both velocity and momentum are given, or lists that do not fit what there is.
         """
         if angular_velocity is not None and momentum is not None:
             raise InvalidInput("give `angular_velocity` or `momentum`, not both.")
         refuse_single_precision(attitude=attitude, angular_velocity=angular_velocity, momentum=momentum)
         values, acting = self._checked_rates(rates), self._checked_actuators(actuators)
+        places = self._checked_coordinates(coordinates)
         if attitude is None and self.needs_attitude:
             attitude = jnp.array([1.0, 0.0, 0.0, 0.0])
+        arrangement = self._arranged([jnp.zeros(mount.state_size) if q is None else q
+                                      for mount, q in zip(self.mounts, places, strict=True)])  # fmt: skip
         velocity = jnp.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
         if momentum is not None:
-            starts = zip(self.mounts, values, strict=True)
-            inside = sum(mount.momentum(mount.start(rate, jnp.zeros(3))) for mount, rate in starts)
-            velocity = solve(self._locked_inertia(), jnp.asarray(momentum, dtype=float) - inside)
-        own = [mount.start(rate, velocity) for mount, rate in zip(self.mounts, values, strict=True)]
-        total = times(self.carrier, velocity)
-        for mount, part in zip(self.mounts, own, strict=True):
-            total = total + mount.momentum(part)
+            # L = J Ω + what turns against the body
+            still = self._started(arrangement, values, places, jnp.zeros(3))[0]
+            units = [self._started(arrangement, values, places, unit)[0] - still for unit in jnp.eye(3)]
+            rows, right = [[unit[..., i] for unit in units] for i in range(3)], jnp.asarray(momentum, float) - still
+            velocity = jnp.stack(solve_symmetric(rows, [right[..., i] for i in range(3)]), axis=-1)
+        total, own = self._started(arrangement, values, places, velocity)
         front = [] if attitude is None else [rotation.normalize(jnp.asarray(attitude, dtype=float))]
         if self.structure is not None:
             front = [self.structure.turn.attitude(x) for x in front]
         parts = [*front, self._along_principal(total), *own, *acting]
         shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
         return jnp.concatenate([jnp.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
+
+    def _arranged(self, owns: Sequence[Array]) -> Arrangement | None:
+        """Return where the moving parts are; None without any. Of states (…, n), those of all mounts."""
+        pairs = [(x, own) for x, own in zip(self.mounts, owns, strict=True) if isinstance(x, AbstractMovingPart)]
+        if not pairs:
+            return None
+        assert self.structure is not None and self.structure.mass is not None, "moving parts are on a body with mass"
+        carrier = self.carrier
+        carrier = jnp.diag(carrier) if carrier.ndim == 1 else carrier
+        parts, states = zip(*pairs, strict=True)
+        return arrange(parts, states, carrier, self.structure.center_of_mass, self.structure.mass)
+
+    def _started(
+        self, arrangement: Arrangement | None, rates: list[Array], places: list[Array | None], velocity: Array
+    ) -> tuple[Array, list[Array]]:
+        """Return L (…, 3) and the own states of all mounts that move at rates in a body that turns with Ω (…, 3)."""
+        pairs = list(zip(self.mounts, rates, places, strict=True))
+        speeds = [rate[..., j] for mount, rate, _ in pairs if isinstance(mount, AbstractMovingPart)
+                  for j in range(mount.count)]  # fmt: skip
+        if arrangement is None:
+            carrier = self.carrier
+            total, canonical = carrier * velocity if carrier.ndim == 1 else velocity @ carrier, []
+        else:
+            total, canonical = momenta(arrangement, velocity, speeds)
+        queue, own = iter(canonical), []
+        for mount, rate, q in pairs:
+            if isinstance(mount, AbstractMovingPart):
+                further = mount.start_further(q, rate, velocity)
+                pieces = [q, *(next(queue)[..., None] for _ in range(mount.count)), further]
+                shape = np.broadcast_shapes(*(piece.shape[:-1] for piece in pieces))
+                pieces = [jnp.broadcast_to(piece, (*shape, piece.shape[-1])) for piece in pieces]
+                own.append(jnp.concatenate(pieces, axis=-1))
+            else:
+                assert isinstance(mount, AbstractMount)
+                own.append(mount.start(rate, velocity))
+            total = total + mount.momentum(own[-1])
+        return total, own
+
+    def _checked_coordinates(self, coordinates: Sequence[Array | None] | None) -> list[Array | None]:
+        per_mount = _one_each("coordinates", coordinates, "mounts", len(self.mounts))
+        places: list[Array | None] = []
+        for k, (mount, q) in enumerate(zip(self.mounts, per_mount, strict=True)):
+            moves = isinstance(mount, AbstractMovingPart)
+            if q is not None and not moves:
+                raise InvalidInput(
+                    f"`coordinates[{k}]` is for a {type(mount).__name__}, which does not move its mass; got {shown(q)}."
+                    " Give None for it."
+                )
+            places.append(_of_part(f"coordinates[{k}]", mount, q, mount.count) if moves else None)
+        return places
 
     def _checked_rates(self, rates: Sequence[Array | None] | None) -> list[Array]:
         per_mount = _one_each("rates", rates, "mounts", len(self.mounts))
@@ -168,7 +238,13 @@ class AbstractPackedBody(AbstractSystem):
                     f"`rates[{k}]` is for a {type(mount).__name__}, which has no rate of its own to start with; "
                     f"got {shown(rate)}. Give None for it."
                 )
-        return [jnp.zeros(()) if rate is None else jnp.asarray(rate, dtype=float) for rate in per_mount]
+        values = []
+        for k, (mount, rate) in enumerate(zip(self.mounts, per_mount, strict=True)):
+            if isinstance(mount, AbstractMovingPart):
+                values.append(_of_part(f"rates[{k}]", mount, rate, mount.rate_count))
+            else:
+                values.append(jnp.zeros(()) if rate is None else jnp.asarray(rate, dtype=float))
+        return values
 
     def _checked_actuators(self, actuators: Sequence[Array | None] | None) -> list[Array]:
         per_torque = _one_each("actuators", actuators, "torques", len(self.torques))
@@ -181,10 +257,6 @@ class AbstractPackedBody(AbstractSystem):
                     f"{type(torque).__name__}; got {own[-1].shape}."
                 )
         return own
-
-    def _locked_inertia(self) -> Array:
-        turning, carrier = [x for mount in self.mounts if (x := mount.inertia) is not None], self.carrier
-        return (jnp.diag(carrier) if carrier.ndim == 1 else carrier) + sum(turning) if turning else carrier
 
     def parts(self, state: Real[ArrayLike, "..."]) -> BodyState:
         """Take a packed state apart, along the principal axes.
@@ -222,6 +294,46 @@ class AbstractPackedBody(AbstractSystem):
         front = () if self.parts(state).attitude is None else (ATTITUDE,)
         return StateLayout((*front, MOMENTUM, *self.own_parts))
 
+    def scales(self, state: Float64[Array, "*batch n"]) -> Float64[Array, "n"]:
+        """Return one for the attitude, and for momenta their size, or that which torques and motors give from rest.
+
+        Other parts of the state have their own size, or one.
+        """
+        body = self.parts(state)
+        layout = StateLayout(self.own_parts)
+        behind = jnp.concatenate([*body.mounts, *body.torques, jnp.zeros((*body.momentum.shape[:-1], 0))], axis=-1)
+        sizes = {part.name: jnp.max(jnp.abs(layout.part(behind, part.name)), initial=0.0) for part in layout.parts}
+        momenta = [part.name for part in layout.parts if part.unit == MOMENTUM.unit]
+        largest = jnp.max(jnp.abs(body.momentum), initial=0.0)
+        for name in momenta:
+            largest = jnp.maximum(largest, sizes[name])
+        for mount in self.mounts:
+            largest = jnp.maximum(largest, mount.momentum_scale)
+        for torque in self.torques:
+            largest = jnp.maximum(largest, jnp.max(self.moments) * torque.rate)
+        scale = jnp.where(largest > 0, largest, jnp.max(self.moments))
+        scales = [jnp.ones(4)] if body.attitude is not None else []
+        scales.append(jnp.full(3, scale))
+        for part in layout.parts:
+            size = scale if part.name in momenta else jnp.where(sizes[part.name] > 0, sizes[part.name], 1.0)
+            scales.append(jnp.full(part.size, size))
+        return jnp.concatenate(scales)
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        return {
+            "energy": ENERGY,
+            "kinetic_energy": Quantity("J", "kinetic energy"),
+            "|L|²": MOMENTUM_SQUARED,
+            "momentum_space": MOMENTUM_SPACE,
+            "jacobi_integral": Quantity("J", "Jacobi integral in the orbit's frame"),
+        }
+
+    @property
+    def free_moments(self) -> Float64[Array, "3"] | None:
+        return None if self.mounts or self.torques else self.moments
+
+
 
 def _one_each(name: str, values: Any, things: str, count: int) -> list[Array | None]:
     if values is None:
@@ -233,3 +345,18 @@ def _one_each(name: str, values: Any, things: str, count: int) -> list[Array | N
         )
     refuse_single_precision(**{f"{name}[{k}]": value for k, value in enumerate(values)})
     return list(values)
+
+
+def _of_part(name: str, part: AbstractMovingPart, value: Any, count: int) -> Array:
+    """Return coordinates or rates (…, n) of a moving part; a number where it has one of them."""
+    if value is None:
+        return jnp.zeros(count)
+    numbers = jnp.asarray(value, dtype=float)
+    if count == 1 and numbers.shape[-1:] != (1,):
+        numbers = numbers[..., None]
+    if numbers.shape[-1:] != (count,):
+        raise InvalidInput(
+            f"`{name}` must have shape (…, {count}), one number for each coordinate of a {type(part).__name__}; "
+            f"got {numbers.shape}."
+        )
+    return numbers

@@ -136,14 +136,14 @@ def checked_jumps(jumps: Real[ArrayLike, "jumps"]) -> Float64[Array, "jumps"]:
 
 
 def checked_attachments(
-    name: str, value: Any, kind: type[AbstractAttachment], frame: BodyFrame, trial: Callable[..., Any]
+    name: str, value: Any, kinds: tuple[type[AbstractAttachment], ...], frame: BodyFrame, trial: Callable[..., Any]
 ) -> tuple[Any, ...]:
     """Return a list of attachments.
 
     Args:
         name: of the argument.
         value: what the user gave for it.
-        kind: the class that each is derived from.
+        kinds: the classes of which each is derived from one.
         frame: of the body.
         trial: evaluates all that an attachment offers at (attachment, t, attitude, angular_velocity, own), and returns
             the values by the name of the method, each with its shape behind the batch axes, (value, shape).
@@ -155,10 +155,10 @@ def checked_attachments(
         raise InvalidInput(f"`{name}` must be a list; got {shown(value)}. Put it in brackets.")
     attachments = []
     for k, attachment in enumerate(value):
-        if not isinstance(attachment, kind):
+        if not isinstance(attachment, kinds):
             raise InvalidInput(
                 f"`{name}` must be a list of polhode.systems.{name}; got {shown(attachment)}. "
-                f"Derive your own from {kind.__name__}."
+                f"Derive your own from {' or '.join(kind.__name__ for kind in kinds)}."
             )
         attachments.append(attachment.bound(frame))
         for batch in ((), (BATCH,)):

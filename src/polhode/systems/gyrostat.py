@@ -14,7 +14,7 @@ from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Flow
 from polhode.systems.free_rigid_body import axis_flow, checked_moments, checked_vector
 from polhode.systems.kepler_orbit import checked_number
-from polhode.systems.mounts import AbstractMount, Wheel
+from polhode.systems.mounts import AbstractMounted, Wheel
 from polhode.systems.rigid_body import AbstractRigidBody
 from polhode.systems.torques import AbstractTorque
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -110,7 +110,7 @@ class TorquedGyrostat(AbstractRigidBody):
     kind: ClassVar[str] = "gyrostat"
     title: ClassVar[str] = "Gyrostat with a driven rotor"
     moments: Float64[Array, "3"]
-    mounts: tuple[AbstractMount, ...]
+    mounts: tuple[AbstractMounted, ...]
     torques: tuple[AbstractTorque, ...]
     structure: None
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import abc
 from collections.abc import Callable
-from typing import Any
 
 import jax.numpy as jnp
 import numpy as np
@@ -12,14 +11,12 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
-from polhode.motion.frame import BodyFrame
 from polhode.systems.attachments import (
     AbstractAttachment,
     Attitude,
     Own,
     Time,
     Velocity,
-    checked_attachments,
     checked_jumps,
 )
 from polhode.systems.free_rigid_body import checked_vector
@@ -30,21 +27,12 @@ Batch = Float64[Array, "*batch"]
 Motor = Callable[[Batch, Float64[Array, "*batch 4"], Float64[Array, "*batch 3"], Batch], Batch]
 
 
-class AbstractMount(AbstractAttachment):
-    """A part that turns inside a body without moving its mass, as a rotor does.
-
-    A mount brings its own angular momentum p. The whole body's is L = K Ω + Σ p, where K is the inertia of the body
-    with all mounts locked, less what each mount turns by itself, its ``inertia``. The mount's reaction on the carrier
-    is in that sum: L changes by outer torques alone, so that what a rotor gains the carrier loses. The energy is
-    ½ Ω·KΩ + Σ ``energy``, and changes inside by the sum of ``power``.
-
-    A new mount gives ``momentum`` and, where it has a state of its own, ``state_parts``, ``state_rate``, ``start``,
-    ``inertia``, ``energy`` and ``power``. Where energy and power disagree, the drift of the energy says so.
-    """
+class AbstractMounted(AbstractAttachment):
+    """What is inside a body and has momentum and energy of its own: a mount, or a part that moves its mass."""
 
     @property
     def inertia(self) -> Float64[Array, "3 3"] | None:
-        """(3, 3) inertia that turns by the mount's own state instead of with the carrier [kg m²]; None if none does."""
+        """(3, 3) inertia that turns by its own state instead of with the carrier [kg m²]; None if none does."""
         return None
 
     @property
@@ -57,13 +45,31 @@ class AbstractMount(AbstractAttachment):
         """The momentum [kg m²/s] that it gives a body from rest, roughly; zero if none."""
         return jnp.zeros(())
 
-    @abc.abstractmethod
     def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
-        """Return p (…, 3) [kg m²/s, body axes]."""
+        """Return p (…, 3), its own angular momentum [kg m²/s, body axes]; zero by default."""
+        return jnp.zeros((*own.shape[:-1], 3))
 
     def energy(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch"]:
         """Return its own energy (…) [J]."""
         return jnp.zeros(own.shape[:-1])
+
+
+class AbstractMount(AbstractMounted):
+    """A part that turns inside a body without moving its mass, as a rotor does.
+
+    A mount brings its own angular momentum p. The whole body's is L = K Ω + Σ p, where K is the inertia of the body
+    with all mounts locked, less what each mount turns by itself, its ``inertia``. The mount's reaction on the carrier
+    is in that sum: L changes by outer torques alone, so that what a rotor gains the carrier loses. The energy is
+    ½ Ω·KΩ + Σ ``energy``, and changes inside by the sum of ``power``.
+
+    A new mount gives ``momentum`` and, where it has a state of its own, ``state_parts``, ``state_rate``, ``start``,
+    ``inertia``, ``energy`` and ``power``. Where energy and power disagree, the drift of the energy says so. What moves
+    its mass is an ``AbstractMovingPart``.
+    """
+
+    @abc.abstractmethod
+    def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
+        """Return p (…, 3) [kg m²/s, body axes]."""
 
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
@@ -341,25 +347,6 @@ class EnergySink(AbstractMount):
         self, momentum: Float64[Array, "*#batch 3"], angular_velocity: Float64[Array, "*#batch 3"]
     ) -> Float64[Array, "*batch 3"]:
         return self.rate * jnp.cross(momentum, angular_velocity)
-
-
-def checked_mounts(mounts: Any, frame: BodyFrame) -> tuple[AbstractMount, ...]:
-    """Return a list of mounts in a body.
-
-    Raises:
-        InvalidInput: for anything else, and for one whose methods fail or give wrong shapes.
-    """
-
-    def trial(mount: AbstractMount, t: Array, attitude: Array, velocity: Array, own: Array) -> dict[str, Any]:
-        return {
-            "momentum": (mount.momentum(own), (3,)),
-            "energy": (mount.energy(own), ()),
-            "state_rate": (mount.state_rate(t, attitude, velocity, own), (mount.state_size,)),
-            "power": (mount.power(t, attitude, velocity, own), ()),
-            "drift": (mount.drift(velocity, velocity), (3,)),
-        }
-
-    return checked_attachments("mounts", mounts, AbstractMount, frame, trial)
 
 
 def checked_direction(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:

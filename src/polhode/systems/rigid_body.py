@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import chain
-from typing import ClassVar
+from typing import Any, ClassVar, NamedTuple
 
-import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
@@ -15,28 +14,49 @@ from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn
-from polhode.motion._layout import ENERGY, MOMENTUM, MOMENTUM_SPACE, MOMENTUM_SQUARED, Quantity, StateLayout
 from polhode.motion.frame import BodyFrame
-from polhode.systems._packed_body import AbstractPackedBody, BodyState, Structure
-from polhode.systems._symmetric import solve, times
+from polhode.systems._moving_masses import Arrangement, pulls, shares, slopes, velocities
+from polhode.systems._packed_body import BodyState, Structure
+from polhode.systems._seen_body import AbstractSeenBody
+from polhode.systems._symmetric import solve
 from polhode.systems.attachments import Time
 from polhode.systems.base import Balance, Vectors
 from polhode.systems.free_rigid_body import checked_moments
-from polhode.systems.mounts import AbstractMount, checked_mounts
+from polhode.systems.mounts import AbstractMount, AbstractMounted
+from polhode.systems.moving_parts import AbstractMovingPart, checked_mounts
 from polhode.systems.torques import AbstractTorque, GravityGradient, checked_torques, torque_of
 from polhode.types import Array, ArrayLike, Float64, Real
 
 States = Float64[Array, "*#batch n"]
 
 
-class AbstractRigidBody(AbstractPackedBody):
+class Moment(NamedTuple):
+    """A state along the given axes, with its velocities.
+
+    Attributes:
+        body: the state.
+        velocity: Ω (…, 3).
+        arrangement: where the moving parts are; None without any.
+        rates: q̇_j (…) of all moving parts.
+        momentum: (…, 3), L less what mounts and spins have of their own.
+    """
+
+    body: BodyState
+    velocity: Array
+    arrangement: Arrangement | None
+    rates: list[Array]
+    momentum: Array
+
+
+class AbstractRigidBody(AbstractSeenBody):
     """A body with mounts and torques: L̇ = L × (Ω + Σ d) + Σ τ, dR/dt = R hat(Ω + Σ d), with KΩ = L − Σ p.
 
-    L is the whole angular momentum, p the momentum that a mount has of its own, d its drift (zero but for losses without
-    a state of their own), τ a torque, K the ``carrier`` inertia. Mounts act on the body through p and d alone, and so
-    never change R L. State: the attitude, L, the own states of mounts and of torques, as ``layout`` names them; the
-    attitude may be left out where nothing asks for it. Attitude and L of states are along the principal axes; what
-    attachments see and give, and what ``pack`` takes, is along the body's given axes.
+    L is the whole angular momentum, p the momentum that a mount has of its own, d its drift (zero but for losses
+    without a state of their own), τ a torque, K the ``carrier`` inertia. Moving parts change K and the centre of mass;
+    Ω and their rates then come from one mass matrix. What is inside never changes R L. State: the attitude, L, the own
+    states of mounts and of torques, as ``layout`` names them; the attitude may be left out where nothing asks for it.
+    Attitude and L of states are along the principal axes at rest; what attachments see and give, and what ``pack``
+    takes, is along the body's given axes.
     """
 
     @property
@@ -53,91 +73,118 @@ class AbstractRigidBody(AbstractPackedBody):
 
     def vector_field(self, t: Time, state: States) -> Float64[Array, "*batch n"]:
         own, t = self.parts(state), jnp.asarray(t)
-        body = self._as_given(own)
-        velocity = self._velocity(body)
-        turning = velocity + self._drift(body, velocity)
-        change = jnp.cross(body.momentum, turning) + self._torque(t, body, velocity)
-        turning, change = self._along_principal(turning), self._along_principal(change)
+        now = self._moment(self._as_given(own))
+        torque, loads = self._loads(t, now)
+        turning = now.velocity + self._drift(now)
+        change = self._along_principal(jnp.cross(now.body.momentum, turning) + torque)
+        turning = self._along_principal(turning)
         attitude = () if own.attitude is None else (rotation.quaternion_rate(own.attitude, turning),)
-        rates = [
-            attachment.state_rate(t, body.attitude, velocity, values)
-            for attachment, values in zip((*self.mounts, *self.torques), (*body.mounts, *body.torques), strict=True)
-        ]
+        rates = [*self._mount_rates(t, now, loads)]
+        for acting, values in zip(self.torques, now.body.torques, strict=True):
+            rates.append(acting.state_rate(t, now.body.attitude, now.velocity, values))
+        shape = change.shape[:-1]
+        rates = [jnp.broadcast_to(rate, (*shape, rate.shape[-1])) for rate in rates]
         return jnp.concatenate([*attitude, change, *rates], axis=-1)
 
     def external_torque(self, t: Time, state: States) -> Float64[Array, "*batch 3"]:
         """Return the sum of all torques about the centre of mass (…, 3) [N m, given axes]."""
-        body = self._as_given(self.parts(state))
-        return self._torque(jnp.asarray(t), body, self._velocity(body))
+        return self._loads(jnp.asarray(t), self._moment(self._as_given(self.parts(state))))[0]
 
-    def _velocity(self, body: BodyState) -> Array:
-        return solve(self.carrier, self._carried_momentum(body))
-
-    def _carried_momentum(self, body: BodyState) -> Array:
-        """Return KΩ, the momentum of the parts that turn with Ω."""
+    def _moment(self, body: BodyState) -> Moment:
+        """Return the velocities of a state along the given axes, and where its moving parts are."""
         momentum = body.momentum
         for mount, own in zip(self.mounts, body.mounts, strict=True):
             momentum = momentum - mount.momentum(own)
-        return momentum
+        arrangement = self._arranged(body.mounts)
+        if arrangement is None:
+            return Moment(body, solve(self.carrier, momentum), None, [], momentum)
+        canonical = [own[..., mount.count + j] for mount, own in self._moving(body) for j in range(mount.count)]
+        velocity, rates = velocities(arrangement, momentum, canonical)
+        return Moment(body, velocity, arrangement, rates, momentum)
 
-    def _drift(self, body: BodyState, velocity: Array) -> Array:
-        return sum((mount.drift(body.momentum, velocity) for mount in self.mounts), jnp.zeros_like(velocity))
+    def _moving(self, body: BodyState) -> list[tuple[AbstractMovingPart, Array]]:
+        pairs = zip(self.mounts, body.mounts, strict=True)
+        return [(mount, own) for mount, own in pairs if isinstance(mount, AbstractMovingPart)]
 
-    def _torque(self, t: Array, body: BodyState, velocity: Array) -> Array:
-        return sum(self._torques_apart(t, body, velocity), jnp.zeros_like(velocity))
+    def _drift(self, now: Moment) -> Array:
+        drifts = (x.drift(now.body.momentum, now.velocity) for x in self.mounts if isinstance(x, AbstractMount))
+        return sum(drifts, jnp.zeros_like(now.velocity))
 
-    def _torques_apart(self, t: Array, body: BodyState, velocity: Array) -> list[Array]:
+    def _loads(self, t: Array, now: Moment) -> tuple[Array, list[Array]]:
+        """Return the torque about the centre of mass (…, 3), and what forces from outside are along q (…)."""
+        total, loads = jnp.zeros_like(now.velocity), [jnp.zeros(now.velocity.shape[:-1]) for _ in now.rates]
+        for torque, along in self._torques_apart(t, now):
+            total = total + torque
+            loads = [load + more for load, more in zip(loads, along, strict=True)] if along else loads
+        return total, loads
+
+    def _torques_apart(self, t: Array, now: Moment) -> list[tuple[Array, list[Array]]]:
+        """Return of each torque its part of ``_loads``; nothing along q for a couple."""
         each = []
-        for torque, own in zip(self.torques, body.torques, strict=True):
-            stored = self._stored(body, velocity) if torque.needs_stored else velocity
-            each.append(torque_of(torque, t, body.attitude, velocity, own, stored))
-            force = torque.force(t, body.attitude, velocity, own)
+        for torque, own in zip(self.torques, now.body.torques, strict=True):
+            if now.arrangement is not None and isinstance(torque, GravityGradient):
+                each.append(self._gravity(torque, t, now))
+                continue
+            stored = self._stored(now) if torque.needs_stored else now.velocity
+            couple = torque_of(torque, t, now.body.attitude, now.velocity, own, stored)
+            force, along = torque.force(t, now.body.attitude, now.velocity, own), []
             if force is not None and self.structure is not None:
-                # from the origin of the given axes to the centre of mass, τ − c × F
-                each[-1] = each[-1] - jnp.cross(self.structure.center_of_mass, force)
+                # about the centre of mass, which is where it is now, τ − c × F
+                center = self.structure.center_of_mass
+                if now.arrangement is not None:
+                    center = center + now.arrangement.offset
+                    # the carrier's points move by −∂_j d where the centre of mass stays
+                    shifts = shares(self.moving_parts, now.arrangement, self._mass)
+                    along = [-jnp.sum(force * shift, axis=-1) for shift in shifts]
+                couple = couple - jnp.cross(center, force)
+            each.append((couple, along))
         return each
 
-    # ------------------------------------------------------------------ what is seen along the given axes
+    def _gravity(self, gravity: GravityGradient, t: Array, now: Moment) -> tuple[Array, list[Array]]:
+        """Return the gravity gradient on the body as it is now, and what it is along each q."""
+        assert now.arrangement is not None and now.body.attitude is not None, "gravity needs the attitude"
+        strength, centre = gravity.pull(t, now.body.attitude)
+        owns = [own for _, own in self._moving(now.body)]
+        inertia = self._momentary_inertia(now)
+        couple = jnp.cross(centre, jnp.sum(inertia * centre[..., None, :], axis=-1))
+        along = pulls(self.moving_parts, owns, now.arrangement, strength, centre)
+        return 3.0 * strength[..., None] * couple, along
 
-    def as_given(self, state: States) -> BodyState:
-        """Return a packed state taken apart, attitude and momentum along the given axes."""
-        return self._as_given(self.parts(state))
+    def _momentary_inertia(self, now: Moment) -> Array:
+        """Return the inertia (…, 3, 3) with all that turns by itself."""
+        if now.arrangement is None:
+            whole = self.inertia
+            return jnp.diag(whole) if whole.ndim == 1 else whole
+        inertia = now.arrangement.inertia
+        for mount, own in zip(self.mounts, now.body.mounts, strict=True):
+            moving = isinstance(mount, AbstractMovingPart)
+            turning = mount.spin_inertia(mount.coordinates_of(own)) if moving else mount.inertia
+            inertia = inertia if turning is None else inertia + turning
+        return inertia
 
-    def velocity(self, state: States) -> Float64[Array, "*batch 3"]:
-        """Return Ω (…, 3) [rad/s, given axes]."""
-        return self._velocity(self.as_given(state))
+    @property
+    def _mass(self) -> Array:
+        assert self.structure is not None and self.structure.mass is not None, "moving parts are on a body with mass"
+        return self.structure.mass
 
-    def packed_as_given(
-        self, attitude: Float64[Array, "*#batch 4"], velocity: Float64[Array, "*#batch 3"], state: States
-    ) -> Float64[Array, "*batch n"]:
-        """Return states with another attitude and Ω, along the given axes, whose mounts and torques are as they were."""
-        own = self.parts(state)
-        momentum = times(self.carrier, velocity)
-        for mount, values in zip(self.mounts, own.mounts, strict=True):
-            momentum = momentum + mount.momentum(values)
-        if self.structure is not None:
-            attitude = self.structure.turn.attitude(attitude)
-        front = [attitude, self._along_principal(momentum)]
-        return jnp.concatenate([*front, *own.mounts, *own.torques], axis=-1)
-
-    def stored(self, state: States) -> Float64[Array, "*batch 3"]:
-        """Return L − IΩ (…, 3), the momentum of what turns against the body [kg m²/s, given axes]."""
-        body = self.as_given(state)
-        return self._stored(body, self._velocity(body))
-
-    def torques_apart(self, t: Time, state: States) -> list[Float64[Array, "..."]]:
-        """Return each torque about the centre of mass (…, 3) [N m, given axes], in the order of ``torques``."""
-        body = self.as_given(state)
-        return self._torques_apart(jnp.asarray(t), body, self._velocity(body))
-
-    def _stored(self, body: BodyState, velocity: Array) -> Array:
-        """Return L − IΩ, what the mounts have of momentum because they turn against the body."""
-        stored = jnp.zeros_like(velocity)
+    def _mount_rates(self, t: Array, now: Moment, loads: list[Array]) -> list[Array]:
+        """Return how fast the own states of all mounts change."""
+        body, found = now.body, []
+        pairs = self._moving(body)
+        slope: list[Array] = []
+        if now.arrangement is not None:
+            parts, owns = zip(*pairs, strict=True)
+            slope = slopes(parts, owns, now.arrangement, now.velocity, now.rates, self._mass)
+        forces, rates = [a + b for a, b in zip(slope, loads, strict=True)], list(now.rates)
         for mount, own in zip(self.mounts, body.mounts, strict=True):
-            stored = stored + mount.momentum(own)
-            if (inertia := mount.inertia) is not None:
-                stored = stored - times(inertia, velocity)
-        return stored
+            if isinstance(mount, AbstractMovingPart):
+                rate, forced = (_taken(x, mount.count, now.velocity) for x in (rates, forces))
+                given = t, body.attitude, now.velocity, own, rate
+                found += [rate, forced + mount.applied(*given), mount.further_rate(*given)]
+            else:
+                assert isinstance(mount, AbstractMount)
+                found.append(mount.state_rate(t, body.attitude, now.velocity, own))
+        return found
 
     # ------------------------------------------------------------------ what is kept, and what is balanced
 
@@ -148,25 +195,35 @@ class AbstractRigidBody(AbstractPackedBody):
 
     def energy(self, state: Float64[Array, "*batch n"]) -> Float64[Array, "*batch"]:
         """Return ½ Ω·KΩ and the mounts' own energy (…) [J]."""
-        body = self._as_given(self.parts(state))
-        return self._energy(body, self._velocity(body))
+        return self._energy(self._moment(self._as_given(self.parts(state))))
 
     def power(self, t: Time, state: States) -> Float64[Array, "*batch"]:
         """Return the power of mounts and torques (…) [W]."""
-        body, t = self._as_given(self.parts(state)), jnp.asarray(t)
-        velocity = self._velocity(body)
-        outer = jnp.sum(self._torque(t, body, velocity) * velocity, axis=-1)
-        return outer + self._inner_power(t, body, velocity)
+        now, t = self._moment(self._as_given(self.parts(state))), jnp.asarray(t)
+        return self._outer_power(now, *self._loads(t, now)) + self._inner_power(t, now)
 
-    def _energy(self, body: BodyState, velocity: Array) -> Array:
-        own = [mount.energy(values) for mount, values in zip(self.mounts, body.mounts, strict=True)]
-        return sum(own, 0.5 * jnp.sum(self._carried_momentum(body) * velocity, axis=-1))
+    def _energy(self, now: Moment) -> Array:
+        own = [mount.energy(values) for mount, values in zip(self.mounts, now.body.mounts, strict=True)]
+        canonical = [values[..., part.count + j] for part, values in self._moving(now.body) for j in range(part.count)]
+        # ½ (L·Ω + π·q̇), less the momenta that have their energies of their own
+        own += [0.5 * momentum * rate for momentum, rate in zip(canonical, now.rates, strict=True)]
+        return sum(own, 0.5 * jnp.sum(now.momentum * now.velocity, axis=-1))
 
-    def _inner_power(self, t: Array, body: BodyState, velocity: Array) -> Array:
-        pairs = zip(self.mounts, body.mounts, strict=True)
-        power = sum((mount.power(t, body.attitude, velocity, own) for mount, own in pairs), 0.0)
+    def _outer_power(self, now: Moment, torque: Array, loads: list[Array]) -> Array:
+        return sum((a * b for a, b in zip(loads, now.rates, strict=True)), jnp.sum(torque * now.velocity, axis=-1))
+
+    def _inner_power(self, t: Array, now: Moment) -> Array:
+        body, rates = now.body, list(now.rates)
+        power: Any = 0.0
+        for mount, own in zip(self.mounts, body.mounts, strict=True):
+            if isinstance(mount, AbstractMovingPart):
+                given = t, body.attitude, now.velocity, own, _taken(rates, mount.count, now.velocity)
+                power = power + jnp.sum(mount.applied(*given) * given[-1], axis=-1) + mount.further_power(*given)
+            else:
+                assert isinstance(mount, AbstractMount)
+                power = power + mount.power(t, body.attitude, now.velocity, own)
         # the drift adds L × d to L̇, and Ω·(L × d) = −d·(L × Ω) to the power
-        return power - jnp.sum(self._drift(body, velocity) * jnp.cross(body.momentum, velocity), axis=-1)
+        return power - jnp.sum(self._drift(now) * jnp.cross(body.momentum, now.velocity), axis=-1)
 
     def invariants(self, state: Float64[Array, "*batch n"]) -> dict[str, Float64[Array, "..."]]:
         """Return |L|² and the momentum in space, where no torque acts, and energy, where nothing does work."""
@@ -185,86 +242,48 @@ class AbstractRigidBody(AbstractPackedBody):
 
         Under torques the energy is called kinetic, as the potential of what causes them is not in it.
         """
-        body, t = self._as_given(self.parts(state)), jnp.asarray(t)
-        velocity = self._velocity(body)
-        energy = self._energy(body, velocity)
-        inner = self._inner_power(t, body, velocity)
+        now, t = self._moment(self._as_given(self.parts(state))), jnp.asarray(t)
+        body, energy, inner = now.body, self._energy(now), self._inner_power(t, now)
         if not self.torques:
             return {} if self.conserves_energy else {"energy": Balance(energy, inner)}
-        torque = self._torque(t, body, velocity)
+        torque, loads = self._loads(t, now)
         balances = {
-            "kinetic_energy": Balance(energy, jnp.sum(torque * velocity, axis=-1) + inner),
+            "kinetic_energy": Balance(energy, self._outer_power(now, torque, loads) + inner),
             "|L|²": Balance(jnp.sum(body.momentum**2, axis=-1), 2.0 * jnp.sum(torque * body.momentum, axis=-1)),
         }
         gravity = [torque for torque in self.torques if isinstance(torque, GravityGradient)]
         if body.attitude is not None and len(gravity) == 1 and gravity[0].circular:
-            balances["jacobi_integral"] = self._jacobi_integral(gravity[0], t, body, body.attitude, torque)
+            rest = self._outer_power(now, torque, loads) + inner
+            balances["jacobi_integral"] = self._jacobi_integral(gravity[0], t, now, torque, rest)
         return balances
 
-    def _jacobi_integral(
-        self, gravity: GravityGradient, t: Array, body: BodyState, attitude: Array, torque: Array
-    ) -> Balance:
-        """Return H − n π_z: that of the body with its mounts locked, and what they add by turning.
+    def _jacobi_integral(self, gravity: GravityGradient, t: Array, now: Moment, torque: Array, power: Array) -> Balance:
+        """Return H − ν·L, with H = T + V and the orbit's ν.
 
-        With w = Ω − ν the velocity relative to the orbit's frame, a mount adds its energy less ν·p, and takes
-        ½ w·Sw − ½ ν·Sν = ½ (w − ν)·SΩ for the inertia S that it turns by itself.
+        V = ½ GM/R³ (3 R̂·JR̂ − tr J) is the work of gravity on the body as it is, but for a constant; it changes by
+        −τ·w − Q·q̇, with w = Ω − ν the velocity relative to the orbit's frame, and ν·L by ν·τ.
         """
-        velocity = self._velocity(body)
-        relative = gravity.relative_velocity(attitude, velocity)
-        orbital = velocity - relative
-        value = gravity.jacobi_integral(t, attitude, velocity)
-        for mount, own in zip(self.mounts, body.mounts, strict=True):
-            value = value + mount.energy(own) - jnp.sum(orbital * mount.momentum(own), axis=-1)
-            if mount.inertia is not None:
-                locked = times(mount.inertia, velocity)
-                value = value - 0.5 * jnp.sum((relative - orbital) * locked, axis=-1)
-        pull = gravity.torque(t, attitude, velocity)
-        rate = jnp.sum((torque - pull) * relative, axis=-1) + self._inner_power(t, body, velocity)
-        return Balance(value, rate - jnp.sum(pull * self._drift(body, velocity), axis=-1))
-
-    def scales(self, state: Float64[Array, "*batch n"]) -> Float64[Array, "n"]:
-        """Return one for the attitude, and for momenta their size, or that which torques and motors give from rest.
-
-        Other parts of the state have their own size, or one.
-        """
-        body = self.parts(state)
-        layout = StateLayout(self.own_parts)
-        behind = jnp.concatenate([*body.mounts, *body.torques, jnp.zeros((*body.momentum.shape[:-1], 0))], axis=-1)
-        sizes = {part.name: jnp.max(jnp.abs(layout.part(behind, part.name)), initial=0.0) for part in layout.parts}
-        momenta = [part.name for part in layout.parts if part.unit == MOMENTUM.unit]
-        largest = jnp.max(jnp.abs(body.momentum), initial=0.0)
-        for name in momenta:
-            largest = jnp.maximum(largest, sizes[name])
-        for mount in self.mounts:
-            largest = jnp.maximum(largest, mount.momentum_scale)
-        for torque in self.torques:
-            largest = jnp.maximum(largest, jnp.max(self.moments) * torque.rate)
-        scale = jnp.where(largest > 0, largest, jnp.max(self.moments))
-        scales = [jnp.ones(4)] if body.attitude is not None else []
-        scales.append(jnp.full(3, scale))
-        for part in layout.parts:
-            size = scale if part.name in momenta else jnp.where(sizes[part.name] > 0, sizes[part.name], 1.0)
-            scales.append(jnp.full(part.size, size))
-        return jnp.concatenate(scales)
+        attitude = now.body.attitude
+        assert attitude is not None, "gravity needs the attitude"
+        relative = gravity.relative_velocity(attitude, now.velocity)
+        orbital, inertia = now.velocity - relative, self._momentary_inertia(now)
+        strength, centre = gravity.pull(t, attitude)
+        pulled = 3.0 * jnp.sum(centre * jnp.sum(inertia * centre[..., None, :], axis=-1), axis=-1)
+        if now.arrangement is not None:
+            pulled = pulled - (jnp.trace(inertia, axis1=-2, axis2=-1) - jnp.sum(self.moments))
+        value = self._energy(now) + 0.5 * strength * pulled - jnp.sum(orbital * now.body.momentum, axis=-1)
+        if now.arrangement is None:
+            pull, loads = gravity.torque(t, attitude, now.velocity), []
+        else:
+            pull, loads = self._gravity(gravity, t, now)
+        rate = power - jnp.sum(torque * orbital, axis=-1) - jnp.sum(pull * relative, axis=-1)
+        rate = rate - sum((a * b for a, b in zip(loads, now.rates, strict=True)), 0.0)
+        return Balance(value, rate - jnp.sum(pull * self._drift(now), axis=-1))
 
     def vectors(self, state: Float64[Array, "*batch n"]) -> Vectors:
         body = self.parts(state)
-        velocity = self._along_principal(self._velocity(self._as_given(body)))
+        velocity = self._along_principal(self._moment(self._as_given(body)).velocity)
         return Vectors(body.attitude, body.momentum, velocity)
-
-    @property
-    def quantities(self) -> dict[str, Quantity]:
-        return {
-            "energy": ENERGY,
-            "kinetic_energy": Quantity("J", "kinetic energy"),
-            "|L|²": MOMENTUM_SQUARED,
-            "momentum_space": MOMENTUM_SPACE,
-            "jacobi_integral": Quantity("J", "Jacobi integral in the orbit's frame"),
-        }
-
-    @property
-    def free_moments(self) -> Float64[Array, "3"] | None:
-        return None if self.mounts or self.torques else self.moments
 
 
 class RigidBody(AbstractRigidBody):
@@ -298,7 +317,7 @@ class RigidBody(AbstractRigidBody):
 
     title: ClassVar[str] = "Rigid body"
     moments: Float64[Array, "3"]
-    mounts: tuple[AbstractMount, ...]
+    mounts: tuple[AbstractMounted, ...]
     torques: tuple[AbstractTorque, ...]
     structure: Structure | None
 
@@ -306,7 +325,7 @@ class RigidBody(AbstractRigidBody):
     def __init__(
         self,
         moments: Real[ArrayLike, "3"],
-        mounts: Sequence[AbstractMount] = (),
+        mounts: Sequence[AbstractMounted] = (),
         torques: Sequence[AbstractTorque] = (),
         structure: Structure | None = None,
     ) -> None:
@@ -323,33 +342,9 @@ class RigidBody(AbstractRigidBody):
                 "locked."
             )
 
-    @property
-    def limited(self) -> bool:
-        """Whether a mount or a torque has limits."""
-        return any(attachment.limited for attachment in chain(self.mounts, self.torques))
-
-    def without_limits(self) -> RigidBody:
-        """Return the same body, whose actuators give whatever they are asked for.
-
-        Where ``load`` stays below one along its motion, that is the motion of the limited body too, and rates of change
-        have no corners.
-        """
-        mounts = tuple(mount.without_limits() for mount in self.mounts)
-        torques = tuple(torque.without_limits() for torque in self.torques)
-        return eqx.tree_at(lambda body: (body.mounts, body.torques), self, (mounts, torques))
-
-    def load(self, t: Time, state: States) -> Float64[Array, "*batch"]:
-        """Return the largest of what actuators are asked for over their limits (…); above one a limit acts."""
-        body, t = self._as_given(self.parts(state)), jnp.asarray(t)
-        velocity = self._velocity(body)
-        stored, largest = self._stored(body, velocity), jnp.zeros(velocity.shape[:-1])
-        for attachment, own in zip((*self.mounts, *self.torques), (*body.mounts, *body.torques), strict=True):
-            largest = jnp.maximum(largest, attachment.load(t, body.attitude, velocity, own, stored))
-        return largest
-
     @classmethod
     def from_body(
-        cls, body: Body, mounts: Sequence[AbstractMount] = (), torques: Sequence[AbstractTorque] = ()
+        cls, body: Body, mounts: Sequence[AbstractMounted] = (), torques: Sequence[AbstractTorque] = ()
     ) -> RigidBody:
         """Return the body with mounts and torques that stand in its given axes.
 
@@ -387,3 +382,9 @@ class RigidBody(AbstractRigidBody):
             return BodyFrame(moments, np.eye(3), np.zeros(3), None)
         turn, center, mass = self.structure
         return BodyFrame(moments, np.asarray(turn.matrix), np.asarray(center), None if mass is None else float(mass))
+
+
+def _taken(values: list[Array], count: int, like: Array) -> Array:
+    """Take the next numbers (…) out of a list, and return them as (…, count)."""
+    taken = [values.pop(0) for _ in range(count)]
+    return jnp.stack(jnp.broadcast_arrays(*taken), axis=-1) if taken else jnp.zeros((*like.shape[:-1], 0))

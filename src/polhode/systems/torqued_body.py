@@ -10,7 +10,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.motion.frame import BodyFrame
 from polhode.systems.free_rigid_body import checked_moments
-from polhode.systems.mounts import AbstractMount
+from polhode.systems.mounts import AbstractMounted
 from polhode.systems.rigid_body import AbstractRigidBody
 from polhode.systems.torques import AbstractTorque, checked_torques
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -38,7 +38,7 @@ class TorquedBody(AbstractRigidBody):
 
     title: ClassVar[str] = "Body under torques"
     moments: Float64[Array, "3"]
-    mounts: tuple[AbstractMount, ...]
+    mounts: tuple[AbstractMounted, ...]
     torques: tuple[AbstractTorque, ...]
     structure: None
 

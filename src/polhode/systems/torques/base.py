@@ -96,7 +96,7 @@ def checked_torques(torques: Any, frame: BodyFrame) -> tuple[AbstractTorque, ...
         force = torque.force(t, attitude, velocity, own)
         return results if force is None else results | {"force": (force, (3,))}
 
-    return checked_attachments("torques", torques, AbstractTorque, frame, trial)
+    return checked_attachments("torques", torques, (AbstractTorque,), frame, trial)
 
 
 def in_body(

@@ -88,9 +88,15 @@ class GravityGradient(AbstractTorque):
         assert attitude is not None, NEEDED
         # GM/R³ = n² (a/r)³ with n² a³ = GM; the force on dm at r is expanded to first order in r/R, dF = GM/R³ (3
         # (r·R̂) R̂ − r) dm, and ∫ r × dF = 3 GM/R³ R̂ × I R̂
-        strength = (self.orbit.mean_motion**2 / self.orbit.distance_ratio(t) ** 3)[..., None]
-        centre = in_body(attitude, self.orbit.direction(t))  # its sign cancels
-        return 3.0 * strength * jnp.cross(centre, times(self._inertia, centre))
+        strength, centre = self.pull(t, attitude)
+        return 3.0 * strength[..., None] * jnp.cross(centre, times(self._inertia, centre))
+
+    def pull(
+        self, t: Time, attitude: Float64[Array, "*#batch 4"]
+    ) -> tuple[Float64[Array, "*#batch"], Float64[Array, "*batch 3"]]:
+        """Return GM/R³ (…) [1/s²] and the line to the attracting centre (…, 3) [body axes], of either sign."""
+        strength = self.orbit.mean_motion**2 / self.orbit.distance_ratio(t) ** 3
+        return strength, in_body(attitude, self.orbit.direction(t))
 
     @property
     def _inertia(self) -> Array:
