@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar
 
-import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
@@ -282,8 +281,7 @@ def make_report(spec: Spec[RigidBodyTable]) -> RigidBodyReport:
         InvalidInput: naming the table of what does not fit.
     """
     craft = build(spec)
-    trajectory, limits = _simulate(spec, craft)
-    history = follow(craft.system, craft.orbit, trajectory)
+    trajectory, history, limits = _simulate(spec, craft)
     loop = None
     if craft.law is not None:
         end = float(trajectory.times[-1]), np.asarray(trajectory.states)[-1]
@@ -302,8 +300,8 @@ def simulate_motion(spec: Spec[RigidBodyTable]) -> SpecMotion:
     return SpecMotion(_simulate(spec, build(spec))[0], None)
 
 
-def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, str]:
-    """Return the motion, and what its limits did.
+def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, History, str]:
+    """Return the motion, what is followed along it, and what its limits did.
 
     Rates of change with limits have corners, past which many small steps go. So the motion is computed without them
     first, and is the right one if no actuator is asked for more than its limit at samples so close that nothing of the
@@ -311,20 +309,20 @@ def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, str
     """
     assert spec.body is not None
     times = usual_times(craft, spec)
-    watch, limited, limits = Watch(spec.until, times), craft.system.limited, "none"
-    trajectory = None
-    if limited:
+    watch, limits = Watch(spec.until, times), "none"
+    if craft.system.limited:
         parts = max(1, math.ceil((FINEST - 1) / (len(times) - 1)))
         fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
         free = simulate(craft.system.without_limits(), craft.state, fine, progress=watch)
-        load = craft.system.load(jnp.asarray(free.times), jnp.asarray(free.states))
-        if float(jnp.max(load)) < CLOSE and len(fine) > EACH * free.statistics["steps"]:
-            trajectory, limits = _thin(free, parts), "not reached"
-        else:
-            limits = "acted" if float(jnp.max(load)) > 1.0 else "not reached"
-    if trajectory is None:
-        trajectory = simulate(craft.system, craft.state, times, progress=watch)
-    return replace(trajectory, source=craft.system, frame=spec.body.frame), limits
+        history = follow(craft.system, craft.orbit, free)
+        load = float(history.load.max())
+        if load < CLOSE and len(fine) > EACH * free.statistics["steps"]:
+            trajectory = replace(_thin(free, parts), source=craft.system, frame=spec.body.frame)
+            return trajectory, history.thin(parts), "not reached"
+        limits = "acted" if load > 1.0 else "not reached"
+    trajectory = simulate(craft.system, craft.state, times, progress=watch)
+    trajectory = replace(trajectory, source=craft.system, frame=spec.body.frame)
+    return trajectory, follow(craft.system, craft.orbit, trajectory), limits
 
 
 def _thin(trajectory: Trajectory, parts: int) -> Trajectory:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import equinox as eqx
+import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
@@ -187,7 +189,15 @@ def _start(spec: Spec[RigidBodyTable], orbit: KeplerOrbit | None) -> tuple[Array
     if relative and orbit is not None:
         if whole:
             raise InvalidInput("`orbit.relative` goes with an angular velocity; leave out `spin.momentum`, or relative.")
-        attitude = np.asarray(rotation.multiply(orbit.frame(0.0), attitude))
-        turning = rotation.rotate(rotation.conjugate(attitude), orbit.turning_rate(0.0) * orbit.normal)
-        return attitude, axes @ (along / moments) + np.asarray(turning), None
+        frame, turning = map(np.asarray, _frame(orbit))
+        attitude = rotation.multiply(frame, attitude)
+        turning = rotation.rotate(rotation.conjugate(attitude), turning)
+        return attitude, axes @ (along / moments) + turning, None
     return (attitude, None, axes @ along) if whole else (attitude, axes @ (along / moments), None)
+
+
+@eqx.filter_jit
+def _frame(orbit: KeplerOrbit) -> tuple[Array, Array]:
+    """Return the axes that look down at the start (4,), and their angular velocity (3,) in space."""
+    start = jnp.zeros(())
+    return orbit.frame(start), orbit.turning_rate(start) * orbit.normal
