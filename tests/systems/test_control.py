@@ -149,11 +149,8 @@ def test_what_the_linear_loop_says_is_how_small_errors_decay():
 def test_spin_up_by_wheels_keeps_the_momentum_in_space():
     law = RateControl((0.0, 0.0, 0.05), bandwidth=0.1)
     body = RigidBody.from_body(BODY, [ControlledWheels(AXES, MOMENT, law)])
-    run = ph.simulate(body, body.pack((1, 0, 0, 0), (0.0, 0.0, 0.0), rates=[1.0]), [0.0, 300.0])
-    # what of the momentum is across the spin goes round in the body, and leaves an error that the gain makes small
-    left = np.linalg.norm(run.momentum[0]) * 0.05 / (0.1 * BODY.principal_moments[0])
-    assert left < 1e-4
-    assert np.abs(np.asarray(body.velocity(run.states[-1])) - (0, 0, 0.05)).max() < 1e-4
+    run = ph.simulate(body, body.pack((1, 0, 0, 0), (0.0, 0.0, 0.0)), [0.0, 300.0])
+    assert np.abs(np.asarray(body.velocity(run.states[-1])) - (0, 0, 0.05)).max() < 1e-12
     assert run.drift["momentum_space"] < 1e-12
 
 
