@@ -144,11 +144,13 @@ class SystemTable(Strict):
         takes: the other tables that go with it.
         needs: those of them that are required.
         leans: whether [spin] may give spin, precession and nutation_rate.
+        beside: fields that a file gives as tables of their own at the top, not inside [system].
     """
 
     takes: ClassVar[tuple[str, ...]] = ("body", "spin", "time")
     needs: ClassVar[tuple[str, ...]] = ("body",)
     leans: ClassVar[bool] = False
+    beside: ClassVar[tuple[str, ...]] = ()
     kind: str
 
 

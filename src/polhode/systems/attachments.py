@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any, Self
+from typing import Any, ClassVar, NamedTuple, Self
 
 import equinox as eqx
 import jax
@@ -24,6 +24,23 @@ Own = Float64[Array, "*#batch {self.state_size}"]
 BATCH = 5  # copies of the trial; no vector has as many components
 
 
+class Argument(NamedTuple):
+    """How a spec gives an argument of the constructor of a torque, mount or control law.
+
+    Attributes:
+        unit: in SI, as Pint reads it; "" for plain numbers, "text" for one of the ``choices``, "attitude" for one in any
+            of the forms that [spin] takes.
+        shape: () of one number, (3,) of three.
+        many: whether it is a list of such, or one of them.
+        choices: of a text.
+    """
+
+    unit: str = ""
+    shape: tuple[int, ...] = ()
+    many: bool = False
+    choices: tuple[str, ...] = ()
+
+
 class AbstractAttachment(eqx.Module):
     """A mount or a torque.
 
@@ -31,7 +48,15 @@ class AbstractAttachment(eqx.Module):
     vectors ``t[..., None]``; the attitude (…, 4), a unit quaternion wxyz, body → space, None where the state carries
     none; Ω (…, 3) [rad/s, body axes]; and its own state (…, n), whose last axis has all its parts in order. Body axes
     are the axes in which the body is given, those of ``RigidBody.from_body``; positions count from their origin.
+
+    Attributes:
+        name: as a spec gives it; empty for what only Python makes. Of another package it is its entry point's.
+        arguments: how a spec gives the arguments of the constructor. Others it takes from what the spec says
+            elsewhere, by their names: ``orbit``, a ``KeplerOrbit``, and ``field``, an ``EarthDipoleField``.
     """
+
+    name: ClassVar[str] = ""
+    arguments: ClassVar[dict[str, Argument]] = {}
 
     def bound(self, frame: BodyFrame) -> Self:
         """Return this on a body, with what it takes from the body filled in; itself by default.
@@ -62,6 +87,31 @@ class AbstractAttachment(eqx.Module):
     def jumps(self) -> Float64[Array, "jumps"]:
         """(J,) times [s] at which it starts, ends or jumps; steps end there. None by default."""
         return jnp.zeros(0)
+
+    @property
+    def names_all_jumps(self) -> bool:
+        """Whether ``jumps`` are all there are, so that nobody need look for more; not of a function of a user."""
+        return False
+
+    @property
+    def limited(self) -> bool:
+        """Whether it has limits beyond which it no longer gives what is asked for."""
+        return False
+
+    def without_limits(self) -> Self:
+        """Return the same without limits; itself if it has none."""
+        return self
+
+    def load(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own, stored: Velocity
+    ) -> Float64[Array, "*batch"]:
+        """Return what is asked for over the limit (…), largest; above one a limit acts. Zero without limits.
+
+        Args:
+            t, attitude, angular_velocity, own: as everywhere.
+            stored: the momentum inside, L − IΩ (…, 3) [kg m²/s, body axes].
+        """
+        return jnp.zeros(angular_velocity.shape[:-1])
 
     @property
     def needs_attitude(self) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import ClassVar
+from typing import ClassVar, Self
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -12,7 +12,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
-from polhode.systems.attachments import Attitude, Time, Velocity, checked_jumps
+from polhode.systems.attachments import Attitude, Own, Time, Velocity, checked_jumps
 from polhode.systems.hinged_part import rotate_about, turn_tensor
 from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.mounts import checked_direction
@@ -124,6 +124,10 @@ class ControlMomentGyroscope(AbstractMovingPart):
         return callable(self.drive) or self.rotor.needs_attitude
 
     @property
+    def names_all_jumps(self) -> bool:
+        return not callable(self.drive) and self.rotor.names_all_jumps
+
+    @property
     def conserves_energy(self) -> bool:
         return self.is_lossless
 
@@ -131,6 +135,18 @@ class ControlMomentGyroscope(AbstractMovingPart):
     def momentum_scale(self) -> Float64[Array, ""]:
         held = self.rotor
         return jnp.abs(held.moment * held.rate) if isinstance(held, HeldWheel) else held.momentum_scale
+
+    @property
+    def limited(self) -> bool:
+        return self.rotor.limited
+
+    def without_limits(self) -> Self:
+        return eqx.tree_at(lambda gyroscope: gyroscope.rotor, self, self.rotor.without_limits())
+
+    def load(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own, stored: Velocity
+    ) -> Float64[Array, "*batch"]:
+        return self._turned_rotor(own).load(t, attitude, angular_velocity, own[..., 2:], stored)
 
     def spin_axis(self, q: Coordinates) -> Float64[Array, "*batch 3"]:
         """Return s(γ) (…, 3)."""

@@ -129,6 +129,10 @@ class SphericalSlug(AbstractMount):
         return self.moment * jnp.eye(3)
 
     @property
+    def names_all_jumps(self) -> bool:
+        return True
+
+    @property
     def conserves_energy(self) -> bool:
         return False
 
@@ -178,6 +182,10 @@ class EnergySink(AbstractMount):
         if not (np.ndim(rate) == 0 and np.isfinite(rate) and rate >= 0):
             raise InvalidInput(f"`rate` must be finite and not negative [s/(kg m²)]; got {shown(rate)}.")
         self.rate = jnp.asarray(float(rate))
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
 
     @property
     def conserves_energy(self) -> bool:

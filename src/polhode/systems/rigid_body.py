@@ -16,14 +16,15 @@ from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn
 from polhode.motion.frame import BodyFrame
 from polhode.systems._moving_masses import Arrangement, pulls, shares, slopes, velocities
-from polhode.systems._packed_body import AbstractPackedBody, BodyState, Structure
+from polhode.systems._packed_body import BodyState, Structure
+from polhode.systems._seen_body import AbstractSeenBody
 from polhode.systems._symmetric import solve
 from polhode.systems.attachments import Time
 from polhode.systems.base import Balance, Vectors
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.mounts import AbstractMount, AbstractMounted
 from polhode.systems.moving_parts import AbstractMovingPart, checked_mounts
-from polhode.systems.torques import AbstractTorque, GravityGradient, checked_torques
+from polhode.systems.torques import AbstractTorque, GravityGradient, checked_torques, torque_of
 from polhode.types import Array, ArrayLike, Float64, Real
 
 States = Float64[Array, "*#batch n"]
@@ -47,7 +48,7 @@ class Moment(NamedTuple):
     momentum: Array
 
 
-class AbstractRigidBody(AbstractPackedBody):
+class AbstractRigidBody(AbstractSeenBody):
     """A body with mounts and torques: L̇ = L × (Ω + Σ d) + Σ τ, dR/dt = R hat(Ω + Σ d), with KΩ = L − Σ p.
 
     L is the whole angular momentum, p the momentum that a mount has of its own, d its drift (zero but for losses
@@ -63,6 +64,10 @@ class AbstractRigidBody(AbstractPackedBody):
         """(J,) times [s] at which a mount or a torque starts, ends or jumps."""
         own = [jnp.ravel(jnp.asarray(x.jumps, dtype=float)) for x in chain(self.mounts, self.torques)]
         return jnp.concatenate([*own, jnp.zeros(0)])
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return all(attachment.names_all_jumps for attachment in chain(self.mounts, self.torques))
 
     # ------------------------------------------------------------------ motion
 
@@ -107,26 +112,33 @@ class AbstractRigidBody(AbstractPackedBody):
 
     def _loads(self, t: Array, now: Moment) -> tuple[Array, list[Array]]:
         """Return the torque about the centre of mass (…, 3), and what forces from outside are along q (…)."""
-        attitude, velocity = now.body.attitude, now.velocity
-        total, loads = jnp.zeros_like(velocity), [jnp.zeros(velocity.shape[:-1]) for _ in now.rates]
+        total, loads = jnp.zeros_like(now.velocity), [jnp.zeros(now.velocity.shape[:-1]) for _ in now.rates]
+        for torque, along in self._torques_apart(t, now):
+            total = total + torque
+            loads = [load + more for load, more in zip(loads, along, strict=True)] if along else loads
+        return total, loads
+
+    def _torques_apart(self, t: Array, now: Moment) -> list[tuple[Array, list[Array]]]:
+        """Return of each torque its part of ``_loads``; nothing along q for a couple."""
+        each = []
         for torque, own in zip(self.torques, now.body.torques, strict=True):
             if now.arrangement is not None and isinstance(torque, GravityGradient):
-                couple, pulls = self._gravity(torque, t, now)
-                total, loads = total + couple, [load + pull for load, pull in zip(loads, pulls, strict=True)]
+                each.append(self._gravity(torque, t, now))
                 continue
-            total = total + torque.torque(t, attitude, velocity, own)
-            force = torque.force(t, attitude, velocity, own)
-            if force is None or self.structure is None:
-                continue
-            # about the centre of mass, which is where it is now, τ − c × F
-            center = self.structure.center_of_mass
-            if now.arrangement is not None:
-                center = center + now.arrangement.offset
-                # the carrier's points move by −∂_j d where the centre of mass stays
-                shifts = shares(self.moving_parts, now.arrangement, self._mass)
-                loads = [load - jnp.sum(force * shift, axis=-1) for load, shift in zip(loads, shifts, strict=True)]
-            total = total - jnp.cross(center, force)
-        return total, loads
+            stored = self._stored(now) if torque.needs_stored else now.velocity
+            couple = torque_of(torque, t, now.body.attitude, now.velocity, own, stored)
+            force, along = torque.force(t, now.body.attitude, now.velocity, own), []
+            if force is not None and self.structure is not None:
+                # about the centre of mass, which is where it is now, τ − c × F
+                center = self.structure.center_of_mass
+                if now.arrangement is not None:
+                    center = center + now.arrangement.offset
+                    # the carrier's points move by −∂_j d where the centre of mass stays
+                    shifts = shares(self.moving_parts, now.arrangement, self._mass)
+                    along = [-jnp.sum(force * shift, axis=-1) for shift in shifts]
+                couple = couple - jnp.cross(center, force)
+            each.append((couple, along))
+        return each
 
     def _gravity(self, gravity: GravityGradient, t: Array, now: Moment) -> tuple[Array, list[Array]]:
         """Return the gravity gradient on the body as it is now, and what it is along each q."""

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Self
 
+import equinox as eqx
 import jax.numpy as jnp
 
 from polhode.arrays import known_numbers_only
@@ -98,6 +100,10 @@ class Wheel(AbstractMount):
         return self.moment * jnp.outer(self.axis, jnp.asarray(self.axis))
 
     @property
+    def names_all_jumps(self) -> bool:
+        return not callable(self.motor)
+
+    @property
     def conserves_energy(self) -> bool:
         return self.motor is None and self.friction is None and self.coulomb_friction is None
 
@@ -120,21 +126,43 @@ class Wheel(AbstractMount):
         """Return σ (…) relative to the body [rad/s]."""
         return self.part(own, "rotor_momentum") / self.moment - jnp.sum(angular_velocity * self.axis, axis=-1)
 
+    def _asked(self, t: Time, attitude: Attitude, angular_velocity: Velocity, rate: Array) -> Array:
+        motor = self.motor
+        if callable(motor):
+            assert attitude is not None, "a motor by a function needs the attitude"
+            motor = motor(t, attitude, angular_velocity, rate)
+        return jnp.broadcast_to(0.0 if motor is None else motor, rate.shape)
+
     def axial_torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
     ) -> Float64[Array, "*batch"]:
         """Return ḣ (…) [N m], the torque of motor and friction on the rotor."""
-        rate, motor = self.rate(angular_velocity, own), self.motor
-        if callable(motor):
-            assert attitude is not None, "a motor by a function needs the attitude"
-            motor = motor(t, attitude, angular_velocity, rate)
-        torque = jnp.broadcast_to(0.0 if motor is None else motor, rate.shape)
-        torque = self._limited(torque, rate)
+        rate = self.rate(angular_velocity, own)
+        torque = self._limited(self._asked(t, attitude, angular_velocity, rate), rate)
         if self.friction is not None:
             torque = torque - self.friction * rate
         if self.coulomb_friction is not None:
             torque = torque - self.coulomb_friction * jnp.tanh(rate / self.sliding_rate)
         return torque
+
+    @property
+    def limited(self) -> bool:
+        return self.max_torque is not None or self.max_rate is not None
+
+    def without_limits(self) -> Self:
+        limits = lambda wheel: (wheel.max_torque, wheel.max_rate)  # noqa: E731
+        return eqx.tree_at(limits, self, (None, None), is_leaf=lambda x: x is None)
+
+    def load(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own, stored: Velocity
+    ) -> Float64[Array, "*batch"]:
+        rate = self.rate(angular_velocity, own)
+        largest = jnp.zeros(rate.shape)
+        if self.max_torque is not None:
+            largest = jnp.abs(self._asked(t, attitude, angular_velocity, rate)) / self.max_torque
+        if self.max_rate is not None:
+            largest = jnp.maximum(largest, jnp.abs(rate) / ((1.0 - NEAR_LIMIT) * self.max_rate))
+        return largest
 
     def _limited(self, torque: Array, rate: Array) -> Array:
         """Return what the motor gives (…) of what it is told to give."""
@@ -184,6 +212,10 @@ class HeldWheel(AbstractMount):
     def __init__(self, axis: Real[ArrayLike, "3"], moment: float, rate: float) -> None:
         self.axis, self.moment = checked_direction("axis", axis), checked_number("moment", moment, 0.0, unit="kg m²")
         self.rate = checked_number("rate", rate, unit="rad/s")
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
 
     def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
         return jnp.broadcast_to(self.moment * self.rate * self.axis, (*own.shape[:-1], 3))
