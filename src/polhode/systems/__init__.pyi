@@ -16,6 +16,7 @@ from .double_bracket import DoubleBracket as DoubleBracket
 from .double_bracket_damping import DoubleBracketDamping as DoubleBracketDamping
 from .euler_disk import EulerDisk as EulerDisk
 from .free_rigid_body import FreeRigidBody as FreeRigidBody
+from .gyroscopes import ControlMomentGyroscope as ControlMomentGyroscope
 from .gyrostat import Gyrostat as Gyrostat
 from .gyrostat import TorquedGyrostat as TorquedGyrostat
 from .heavy_top import HeavyTop as HeavyTop
@@ -29,9 +30,7 @@ from .lie_poisson import LiePoisson as LiePoisson
 from .manakov import Manakov as Manakov
 from .mounts import AbstractMount as AbstractMount
 from .mounts import EnergySink as EnergySink
-from .mounts import HeldWheel as HeldWheel
 from .mounts import SphericalSlug as SphericalSlug
-from .mounts import Wheel as Wheel
 from .moving_parts import AbstractMovingPart as AbstractMovingPart
 from .point_vortices import PlaneVortices as PlaneVortices
 from .point_vortices import SphereVortices as SphereVortices
@@ -68,3 +67,5 @@ from .torques.thrust import Thruster as Thruster
 from .variations import Variations as Variations
 from .vlasov_poisson import VlasovPoisson as VlasovPoisson
 from .vlasov_poisson import quiet_start as quiet_start
+from .wheels import HeldWheel as HeldWheel
+from .wheels import Wheel as Wheel

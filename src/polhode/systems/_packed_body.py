@@ -185,11 +185,17 @@ class AbstractPackedBody(AbstractSystem):
         pairs = [(x, own) for x, own in zip(self.mounts, owns, strict=True) if isinstance(x, AbstractMovingPart)]
         if not pairs:
             return None
-        assert self.structure is not None and self.structure.mass is not None, "moving parts are on a body with mass"
         carrier = self.carrier
         carrier = jnp.diag(carrier) if carrier.ndim == 1 else carrier
         parts, states = zip(*pairs, strict=True)
-        return arrange(parts, states, carrier, self.structure.center_of_mass, self.structure.mass)
+        center = jnp.zeros(3) if self.structure is None else self.structure.center_of_mass
+        return arrange(parts, states, carrier, center, self._mass)
+
+    @property
+    def _mass(self) -> Array:
+        """The mass of all together; one where none is known, and no mass moves."""
+        known = self.structure is not None and self.structure.mass is not None
+        return self.structure.mass if known else jnp.ones(())
 
     def _started(
         self, arrangement: Arrangement | None, rates: list[Array], places: list[Array | None], velocity: Array

@@ -14,9 +14,10 @@ from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Flow
 from polhode.systems.free_rigid_body import axis_flow, checked_moments, checked_vector
 from polhode.systems.kepler_orbit import checked_number
-from polhode.systems.mounts import AbstractMounted, Wheel
+from polhode.systems.mounts import AbstractMounted
 from polhode.systems.rigid_body import AbstractRigidBody
 from polhode.systems.torques import AbstractTorque
+from polhode.systems.wheels import Wheel
 from polhode.types import Array, ArrayLike, Float64, Real
 
 

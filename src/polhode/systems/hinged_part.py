@@ -91,6 +91,10 @@ class HingedPart(AbstractMovingPart):
         return callable(self.motor)
 
     @property
+    def names_all_jumps(self) -> bool:
+        return not callable(self.motor)
+
+    @property
     def conserves_energy(self) -> bool:
         return self.is_lossless
 

@@ -34,6 +34,7 @@ class AbstractMovingPart(AbstractMounted):
 
     mass: eqx.AbstractVar[Float64[Array, ""]]
     carries_spin: ClassVar[bool] = False  # whether it has a momentum p, across all w_j
+    moves_mass: ClassVar[bool] = True  # whether its centre of mass moves
 
     @property
     @abc.abstractmethod
@@ -77,7 +78,7 @@ class AbstractMovingPart(AbstractMounted):
         return own[..., : self.count]
 
     def bound(self, frame: BodyFrame) -> Self:
-        if frame.mass is None:
+        if self.moves_mass and frame.mass is None:
             raise InvalidInput(
                 f"a {type(self).__name__} moves the centre of mass, and so needs the mass of the whole body. Use "
                 "`RigidBody.from_body` with a `Body` that has a `mass`."

@@ -162,11 +162,6 @@ class AbstractRigidBody(AbstractSeenBody):
             inertia = inertia if turning is None else inertia + turning
         return inertia
 
-    @property
-    def _mass(self) -> Array:
-        assert self.structure is not None and self.structure.mass is not None, "moving parts are on a body with mass"
-        return self.structure.mass
-
     def _mount_rates(self, t: Array, now: Moment, loads: list[Array]) -> list[Array]:
         """Return how fast the own states of all mounts change."""
         body, found = now.body, []

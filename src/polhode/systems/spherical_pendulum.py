@@ -72,6 +72,10 @@ class SphericalPendulum(AbstractMovingPart):
         return (StatePart("lean", 2, "1", "lean 2 tan(θ/2) of a pendulum"),)
 
     @property
+    def names_all_jumps(self) -> bool:
+        return True
+
+    @property
     def conserves_energy(self) -> bool:
         return self.is_lossless
 

@@ -107,6 +107,10 @@ class SprungMass(AbstractMovingPart):
         return (StatePart("displacement", len(self.directions), "m", "displacement of a sprung mass"),)
 
     @property
+    def names_all_jumps(self) -> bool:
+        return True
+
+    @property
     def conserves_energy(self) -> bool:
         return self.is_lossless
 

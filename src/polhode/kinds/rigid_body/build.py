@@ -18,10 +18,11 @@ from polhode.spec.named import LAWS, MOUNTS, TORQUES, find_part
 from polhode.systems.control_laws import AbstractControlLaw
 from polhode.systems.controlled_wheels import ControlledWheels, ControlTorque
 from polhode.systems.kepler_orbit import KeplerOrbit
-from polhode.systems.mounts import AbstractMount, HeldWheel, Wheel
+from polhode.systems.mounts import AbstractMount
 from polhode.systems.rigid_body import RigidBody
 from polhode.systems.torques.base import AbstractTorque
 from polhode.systems.torques.earth_field import EarthDipoleField
+from polhode.systems.wheels import HeldWheel, Wheel
 from polhode.types import Array, Float64
 
 EARTH_RADIUS = 6378.137e3  # m, at the equator, WGS 84, from which altitudes count

@@ -12,7 +12,7 @@ from polhode import rotation
 from polhode.motion._trajectory import Trajectory
 from polhode.systems.controlled_wheels import ControlledWheels
 from polhode.systems.kepler_orbit import KeplerOrbit
-from polhode.systems.mounts import HeldWheel, Wheel
+from polhode.systems.wheels import HeldWheel, Wheel
 from polhode.systems.rigid_body import RigidBody
 from polhode.types import Array, Float64
 
