@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import abc
 
 import jax.numpy as jnp
@@ -11,6 +13,7 @@ from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.systems.attachments import (
+    Argument,
     AbstractAttachment,
     Attitude,
     Own,
@@ -112,6 +115,12 @@ class SphericalSlug(AbstractMount):
     Source: Rahn & Barba, J. Guid. Control Dyn. 14 (1991) 724.
     """
 
+    name: ClassVar[str] = "slug"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "moment": Argument("kg*m^2"),
+        "damping": Argument("N*m*s"),
+    }
+
     moment: Float64[Array, ""]
     damping: Float64[Array, ""]
 
@@ -173,6 +182,11 @@ class EnergySink(AbstractMount):
 
     Source: Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175 (1996) 1.
     """
+
+    name: ClassVar[str] = "energy-sink"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "rate": Argument("s/(kg*m^2)"),
+    }
 
     rate: Float64[Array, ""]
 
