@@ -1,7 +1,7 @@
 """A spacecraft with wheels, gravity gradient, rods and a PD law in mpmath, its equations written once more.
 
-Nothing of polhode is used. State: quaternion of the given axes, Ω along them, momenta of the wheels; equations about the
-centre of mass with rotation matrices, steps by extrapolation of the midpoint rule.
+Nothing of polhode is used. State: quaternion of the given axes, Ω along them, momenta of the wheels; equations about
+the centre of mass with rotation matrices, steps by extrapolation of the midpoint rule.
 """
 
 import mpmath as mp

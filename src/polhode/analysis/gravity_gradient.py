@@ -51,9 +51,9 @@ def gravity_gradient_rest(moments: Real[ArrayLike, "3"], mean_motion: float) -> 
 
     Source: Hughes, *Spacecraft Attitude Dynamics* (1986), §9.2–9.3; DeBra & Delp, J. Astronaut. Sci. 8 (1961) 14.
 
-    >>> rest = gravity_gradient_rest((2500.0, 2530.0, 85.0), 2 * math.pi / 6052.4)  # much as GEOSAT
+    >>> rest = gravity_gradient_rest((2500.0, 2530.0, 85.0), 2 * math.pi / 6052.4)
     >>> rest.verdict, rest.region, round(2 * math.pi / rest.pitch, 1)
-    ('stable', 'Lagrange', 3557.2)
+    ('stable', 'Lagrange', 3576.6)
     """
     sizes = np.asarray(moments, dtype=float)
     if sizes.shape != (3,) or not np.isfinite(sizes).all() or not (sizes > 0).all():

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import BeforeValidator, create_model
 
 from polhode.errors import InvalidInput, shown
 from polhode.spec.fields import Attitude, Direction, Plain, mark_unit, one_of, quantity, three, three_rows
 from polhode.spec.models import Strict
-from polhode.systems.attachments import AbstractAttachment, Argument
+
+if TYPE_CHECKING:
+    from polhode.systems.attachments import AbstractAttachment, Argument
 
 FROM_ELSEWHERE = ("orbit", "field")
 TEXT, ATTITUDE = "text", "attitude"

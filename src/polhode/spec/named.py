@@ -9,11 +9,12 @@ from importlib import import_module
 from importlib.metadata import entry_points
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from polhode import systems
 from polhode.errors import InvalidInput, shown
-from polhode.systems.attachments import AbstractAttachment
+
+if TYPE_CHECKING:
+    from polhode.systems.attachments import AbstractAttachment
 
 
 NAMED = "name: ClassVar[str] = "  # in the file of a class that a spec may name
@@ -80,6 +81,7 @@ def _base(family: Family) -> type[AbstractAttachment]:
 
 @cache
 def _own(family: Family) -> dict[str, type[AbstractAttachment]]:
+    systems = import_module("polhode.systems")  # with JAX, which specs of other kinds do without
     base, found = _base(family), {}
     for module in pkgutil.walk_packages(systems.__path__, "polhode.systems."):
         source = find_spec(module.name)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 import abc
+from typing import ClassVar
 
 import jax.numpy as jnp
 import numpy as np
@@ -13,8 +12,8 @@ from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.systems.attachments import (
-    Argument,
     AbstractAttachment,
+    Argument,
     Attitude,
     Own,
     Time,

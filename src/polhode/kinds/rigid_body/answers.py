@@ -91,7 +91,8 @@ class RigidBodyReport(MotionReport):
         if error is None:
             return None
         if self.settling_time is None:
-            return f"The pointing error is {angle(float(error[-1]))} at the end and has not settled below {angle(self.within)}."
+            end = angle(float(error[-1]))
+            return f"The pointing error is {end} at the end and has not settled below {angle(self.within)}."
         after = "from the start" if self.settling_time == 0.0 else f"after {duration(self.settling_time)}"
         return f"It points within {angle(self.within)} {after}, and at the end within {angle(float(error[-1]))}."
 
@@ -244,9 +245,11 @@ class RigidBodyReport(MotionReport):
             answers += [
                 Answer(f"{name}.angular_velocity", seen.velocity[k], "rad/s", f"Ω at the {name}", "given axes"),
                 Answer(f"{name}.momentum", seen.momentum[k], "kg m²/s", "", "of all, given axes"),
-                Answer(f"{name}.momentum_norm", float(np.linalg.norm(seen.momentum[k])), "kg m²/s", f"|L| at the {name}"),
+                Answer(f"{name}.momentum_norm", float(np.linalg.norm(seen.momentum[k])), "kg m²/s",
+                       f"|L| at the {name}"),
                 Answer(f"{name}.stored_momentum", seen.stored[k], "kg m²/s", "", "inside, L − IΩ, given axes"),
-                Answer(f"{name}.energy", float(energy[k]), "J", f"kinetic energy at the {name}", "with the mounts' own"),
+                Answer(f"{name}.energy", float(energy[k]), "J", f"kinetic energy at the {name}",
+                       "with the mounts' own"),
             ]
         if self.trajectory.attitude is not None:
             answers.append(Answer("end.attitude", self._given_attitude(), "", "", "quaternion wxyz of the given axes"))

@@ -52,7 +52,8 @@ def draw_wheels(report: RigidBodyReport) -> Figure | None:
     if not seen.rates.shape[1]:
         return None
     figure, panels, times = _begin(report, 2)
-    for axes, values, name, unit in ((panels[0], seen.rates, "rate", "rad/s"), (panels[1], seen.motors, "torque", "N m")):
+    curves = (seen.rates, "rate", "rad/s"), (seen.motors, "torque", "N m")
+    for axes, (values, name, unit) in zip(panels, curves, strict=True):
         power = style.power_of_ten(values)
         for k, curve in enumerate(values.T):
             axes.plot(times, curve / 10.0**power, color=CURVES[k % len(CURVES)], lw=1.0, label=f"wheel {k + 1}")

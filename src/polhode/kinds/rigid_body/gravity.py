@@ -1,4 +1,4 @@
-"""What the gravity gradient alone does with a body on a circular orbit: the rest that it is near, and whether it stays."""
+"""What gravity's gradient alone does with a body on a circular orbit: which rest is near, and whether it stays."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def judge_gravity(spec: Spec[RigidBodyTable], craft: Craft, trajectory: Trajecto
     ])  # fmt: skip
     swings = f"within {angle(float(away.max()))} of it in this motion"
     if trapped:
-        said = f"The attitude at the start is near a rest that is stable, and by the Jacobi integral it can never leave it; {swings}."
+        said = f"The rest nearest to the start is stable, and by the Jacobi integral it can never leave it; {swings}."
     elif rest.region == "Lagrange":
         said = f"The rest nearest to the start is stable, but this motion has enough energy to leave it; {swings}."
     elif rest.region == "DeBra-Delp":
@@ -79,5 +79,5 @@ def judge_gravity(spec: Spec[RigidBodyTable], craft: Craft, trajectory: Trajecto
         said = f"The rest nearest to the start is {rest.verdict}; {swings}."
     notes = []
     if rest.region == "DeBra-Delp":
-        notes.append("in the DeBra–Delp region the Jacobi integral has no minimum, so that any loss of energy makes it leave.")
+        notes.append("in the DeBra–Delp region the Jacobi integral has no minimum: any loss of energy makes it leave.")
     return GravityAnswers(group, said, notes)

@@ -12,8 +12,8 @@ from polhode import rotation
 from polhode.motion._trajectory import Trajectory
 from polhode.systems.controlled_wheels import ControlledWheels
 from polhode.systems.kepler_orbit import KeplerOrbit
-from polhode.systems.wheels import HeldWheel, Wheel
 from polhode.systems.rigid_body import RigidBody
+from polhode.systems.wheels import HeldWheel, Wheel
 from polhode.types import Array, Float64
 
 
@@ -87,5 +87,6 @@ def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: 
     each = [jnp.linalg.norm(x, axis=-1)[..., None] for x in system.torques_apart(times, states)]
     return History(
         velocity, body.momentum, system.stored(states), pointing, nadir, jnp.concatenate([empty, *rates], axis=-1),
-        jnp.concatenate([empty, *motors], axis=-1), jnp.concatenate([empty, *each], axis=-1), system.load(times, states),
+        jnp.concatenate([empty, *motors], axis=-1), jnp.concatenate([empty, *each], axis=-1),
+        system.load(times, states),
     )  # fmt: skip
