@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import mpmath as mp
+import numpy as np
 
 DIGITS = 40
 LEVELS = 14
@@ -50,9 +51,10 @@ def plus(*matrices):
 
 
 def numbers(values):
-    if isinstance(values, (list, tuple)) or hasattr(values, "__len__"):
-        return [numbers(x) for x in values]
-    return mp.mpf(float(values))
+    """Return doubles, in lists, as they are."""
+    if isinstance(values, mp.mpf):
+        return values
+    return [numbers(x) for x in values] if np.ndim(values) else mp.mpf(float(values))
 
 
 ZERO = [mp.mpf(0)] * 3
@@ -60,7 +62,7 @@ ZERO = [mp.mpf(0)] * 3
 
 @dataclass
 class Piece:
-    """One rigid body of a part, seen from the hub: mass, place, velocity, acceleration without q̈, ∂r/∂q̇; and turning."""
+    """One rigid body of a part, seen from the hub: mass, place, velocity, acceleration but for q̈, ∂r/∂q; and turning."""
 
     mass: Any
     place: list
@@ -118,7 +120,8 @@ class HingedPart:
         angle, rate = state
         arm = self.turned(angle, self.arm)
         shift = cross(self.axis, arm)
-        piece = Piece(self.mass, add(self.hinge, arm), scale(rate, shift), scale(rate**2, cross(self.axis, shift)), [shift])
+        bias = scale(rate**2, cross(self.axis, shift))
+        piece = Piece(self.mass, add(self.hinge, arm), scale(rate, shift), bias, [shift])
         if self.inertia is not None:
             # columns of R I, then R (R I)ᵀ
             half = [self.turned(angle, [row[j] for row in self.inertia]) for j in range(3)]
@@ -212,6 +215,7 @@ class Hub:
     Attributes:
         push: (force, place) of t, along the hub's axes; None for none.
         orbit: mean motion of a circular orbit in the x-y plane from +x, whose gravity gradient acts on every body.
+        burn: ṁ, tank, nozzle, exhaust velocity and inertia of a kilogram in the tank: mass that leaves from t = 0 on.
     """
 
     mass: Any
@@ -221,6 +225,7 @@ class Hub:
     rest: list
     push: Any = None
     orbit: Any = None
+    burn: Any = None
 
     def __post_init__(self):
         self.mass, self.center, self.inertia = numbers(self.mass), numbers(self.center), numbers(self.inertia)
@@ -254,6 +259,11 @@ class Hub:
             start += part.count
         size = 6 + count
         matrix, right = mp.zeros(size), mp.zeros(size, 1)
+        if self.burn is not None:  # a body of negative mass, for what is no longer there
+            lost = numbers(self.burn[0]) * t
+            inertia = [scale(-lost, row) for row in numbers(self.burn[4])]
+            bodies.append((Piece(-lost, numbers(self.burn[1]), ZERO, ZERO, [], inertia, ZERO, ZERO, []), [None] * count))
+            self.add_flow(right, bodies, omega)
         for piece, where in bodies:
             self.add_body(matrix, right, piece, where, omega)
         self.add_loads(right, bodies, t, quaternion)
@@ -297,6 +307,23 @@ class Hub:
                 if piece.inertia is not None:
                     value += dot(angular[i], times(piece.inertia, angular[j]))
                 matrix[i, j] += value
+
+    def add_flow(self, right, bodies, omega):
+        """Add thrust, and what mass takes along: it vanishes from the tank, and leaves through the nozzle.
+
+        d/dt Σ m v = Σ m a − ṁ v_t is the thrust less ṁ v_n, and so about a point at rest for the moments. Velocities are
+        those against the centre of mass; Eke, NASA CR-1998-208246.
+        """
+        flow, tank, nozzle, exhaust, gyration = (numbers(x) for x in self.burn)
+        whole = sum(piece.mass for piece, _ in bodies)
+        drift = add(ZERO, *(scale(piece.mass / whole, add(cross(omega, piece.place), piece.speed)) for piece, _ in bodies))
+        at_nozzle, at_tank = (add(cross(omega, x), scale(-1, drift)) for x in (nozzle, tank))
+        thrust = scale(-flow, exhaust)
+        force = add(thrust, scale(-flow, at_nozzle), scale(flow, at_tank))
+        moment = add(cross(nozzle, add(thrust, scale(-flow, at_nozzle))), scale(flow, cross(tank, at_tank)),
+                     scale(flow, times(gyration, omega)))  # fmt: skip
+        for i, value in enumerate([*force, *moment]):
+            right[i] += value
 
     def add_loads(self, right, bodies, t, quaternion):
         if self.push is not None:

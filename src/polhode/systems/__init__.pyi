@@ -10,8 +10,8 @@ from .control_laws import AbstractControlLaw as AbstractControlLaw
 from .control_laws import QuaternionPD as QuaternionPD
 from .control_laws import RateControl as RateControl
 from .control_laws import UserLaw as UserLaw
-from .controlled_wheels import ControlledWheels as ControlledWheels
 from .controlled_wheels import ControlTorque as ControlTorque
+from .controlled_wheels import ControlledWheels as ControlledWheels
 from .double_bracket import DoubleBracket as DoubleBracket
 from .double_bracket_damping import DoubleBracketDamping as DoubleBracketDamping
 from .euler_disk import EulerDisk as EulerDisk
@@ -32,8 +32,10 @@ from .mounts import AbstractMount as AbstractMount
 from .mounts import EnergySink as EnergySink
 from .mounts import SphericalSlug as SphericalSlug
 from .moving_parts import AbstractMovingPart as AbstractMovingPart
+from .moving_parts import LockedPart as LockedPart
 from .point_vortices import PlaneVortices as PlaneVortices
 from .point_vortices import SphereVortices as SphereVortices
+from .propellant import Propellant as Propellant
 from .rigid_body import AbstractRigidBody as AbstractRigidBody
 from .rigid_body import RigidBody as RigidBody
 from .rolling_dissipation import AirLayer as AirLayer

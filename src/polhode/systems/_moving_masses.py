@@ -56,6 +56,7 @@ class Arrangement(NamedTuple):
         inertia: J (…, 3, 3) less what turns by a state of its own.
         columns: b_j (…, 3), one for each coordinate of all parts.
         masses: M_ij (…).
+        mass: M (…), of all that is left.
     """
 
     parts: list[Placed]
@@ -63,11 +64,21 @@ class Arrangement(NamedTuple):
     inertia: Array
     columns: Vectors
     masses: list[Vectors]
+    mass: Array
+
+
+class Burned(NamedTuple):
+    """What has left a tank: its mass (…), where it was (3,) from the origin, and κ (3, 3), None for a point."""
+
+    mass: Array
+    place: Array
+    inertia_per_mass: Array | None
 
 
 def arrange(
-    parts: Sequence[AbstractMovingPart], owns: Sequence[Array], carrier: Array, center: Array, mass: Array
-) -> Arrangement:
+    parts: Sequence[AbstractMovingPart], owns: Sequence[Array], carrier: Array, center: Array, mass: Array,
+    burned: Sequence[Burned] = (),
+) -> Arrangement:  # fmt: skip
     """Return where the parts are and what that makes of the inertia.
 
     Args:
@@ -75,17 +86,25 @@ def arrange(
         owns: their states (…, n).
         carrier: (3, 3) with all parts at rest.
         center: (3,) of mass with all parts at rest.
-        mass: of all together.
+        mass: of all together at first.
+        burned: what is no longer there.
     """
+    left = mass - sum((tank.mass for tank in burned), 0.0)
     placed = [_place(part, part.coordinates_of(own), center) for part, own in zip(parts, owns, strict=True)]
     inertia, offset = carrier, jnp.zeros(3)
     for part, at in zip(parts, placed, strict=True):
-        rest = _place(part, jnp.zeros(part.count), center)
-        inertia = inertia + part.mass * (_spread(at.place) - _spread(rest.place))
-        if at.tensor is not None and rest.tensor is not None:
-            inertia = inertia + (at.tensor - rest.tensor)
-        offset = offset + (part.mass / mass) * (at.place - rest.place)
-    inertia = inertia - mass * _spread(offset)
+        place, tensor = part.at_rest()
+        place = place - center
+        inertia = inertia + part.mass * (_spread(at.place) - _spread(place))
+        if at.tensor is not None and tensor is not None:
+            inertia = inertia + (at.tensor - tensor)
+        offset = offset + (part.mass / left)[..., None] * (at.place - place)
+    for tank in burned:
+        place = tank.place - center
+        lost = _spread(place) if tank.inertia_per_mass is None else _spread(place) + tank.inertia_per_mass
+        inertia = inertia - tank.mass[..., None, None] * lost
+        offset = offset - (tank.mass / left)[..., None] * place
+    inertia = inertia - jnp.asarray(left)[..., None, None] * _spread(offset)
     columns, impulses, owners = [], [], []
     for k, (part, at) in enumerate(zip(parts, placed, strict=True)):
         for j, shift in enumerate(at.shifts):
@@ -93,12 +112,12 @@ def arrange(
             columns.append(column + _turned(at.tensor, at.axes[j]) if at.axes else column)
             impulses.append(part.mass * shift)
             owners.append((k, j))
-    masses = [[_dot(a, b) * (-1.0 / mass) for b in impulses] for a in impulses]
+    masses = [[_dot(a, b) * (-1.0 / left) for b in impulses] for a in impulses]
     for i, (k, first) in enumerate(owners):
         for j, (other, second) in enumerate(owners):
             if k == other:
                 masses[i][j] = masses[i][j] + _own_mass(parts[k], placed[k], first, second)
-    return Arrangement(placed, offset, inertia, columns, masses)
+    return Arrangement(placed, offset, inertia, columns, masses, jnp.asarray(left))
 
 
 def _place(part: AbstractMovingPart, q: Array, center: Array) -> Placed:
@@ -136,7 +155,7 @@ def velocities(arrangement: Arrangement, momentum: Array, own: Vectors) -> tuple
 
 def slopes(
     parts: Sequence[AbstractMovingPart], owns: Sequence[Array], arrangement: Arrangement, velocity: Array,
-    rates: Vectors, mass: Array,
+    rates: Vectors,
 ) -> Vectors:  # fmt: skip
     """Return ∂(T − V)/∂q_j (…) at fixed Ω and q̇, with the spin momentum that a part may carry.
 
@@ -148,7 +167,7 @@ def slopes(
     own_rates = [[next(flat) for _ in at.shifts] for at in arrangement.parts]
     for part, at, speeds in zip(parts, arrangement.parts, own_rates, strict=True):
         for shift, rate in zip(at.shifts, speeds, strict=True):
-            drifting = drifting + (part.mass / mass) * shift * rate[..., None]
+            drifting = drifting + (part.mass / arrangement.mass * rate)[..., None] * shift
     found = []
     for part, at, speeds, own in zip(parts, arrangement.parts, own_rates, owns, strict=True):
         moving = jnp.cross(velocity, at.place) - drifting
@@ -181,10 +200,10 @@ def _slopes_of(part: AbstractMovingPart, own: Array, velocity: Array, rates: Vec
     return [jax.jvp(lagrangian, (q,), (unit,))[1] for unit in _units(q)]
 
 
-def shares(parts: Sequence[AbstractMovingPart], arrangement: Arrangement, mass: Array) -> Vectors:
+def shares(parts: Sequence[AbstractMovingPart], arrangement: Arrangement) -> Vectors:
     """Return ∂_j d (…, 3), how the centre of mass moves with each coordinate."""
     pairs = zip(parts, arrangement.parts, strict=True)
-    return [(part.mass / mass) * shift for part, at in pairs for shift in at.shifts]
+    return [(part.mass / arrangement.mass)[..., None] * shift for part, at in pairs for shift in at.shifts]
 
 
 def pulls(
@@ -208,6 +227,23 @@ def pulls(
                 pull = pull + 3.0 * strength * _dot(at.axes[j], couple)
             found.append(pull)
     return found
+
+
+def flux(
+    parts: Sequence[AbstractMovingPart], arrangement: Arrangement, velocity: Array, rates: Vectors, place: Array
+) -> tuple[Array, Array, Vectors]:
+    """Return w (…, 3) of a point of the carrier about the centre of mass, (r − c) × w, and w·∂w/∂q̇_j (…).
+
+    They are what a kilogram there has of velocity, momentum and canonical momentum, and takes along where it leaves.
+
+    Args:
+        place: r (3,), from the centre of mass at rest.
+    """
+    moved, arm = shares(parts, arrangement), place - arrangement.offset
+    speed = jnp.cross(velocity, arm)
+    for shift, rate in zip(moved, rates, strict=True):
+        speed = speed - shift * rate[..., None]
+    return speed, jnp.cross(arm, speed), [-_dot(speed, shift) for shift in moved]
 
 
 def solve_symmetric(matrix: list[Vectors], right: Vectors) -> Vectors:

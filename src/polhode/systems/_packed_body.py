@@ -25,10 +25,11 @@ from polhode.motion._layout import (
     StateLayout,
     StatePart,
 )
-from polhode.systems._moving_masses import Arrangement, arrange, momenta, solve_symmetric
+from polhode.systems._moving_masses import Arrangement, Burned, arrange, momenta, solve_symmetric
 from polhode.systems.base import AbstractSystem, as_finite_state, check_unit_attitude
 from polhode.systems.mounts import AbstractMount, AbstractMounted
 from polhode.systems.moving_parts import AbstractMovingPart
+from polhode.systems.propellant import Propellant
 from polhode.systems.torques import AbstractTorque
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -116,6 +117,11 @@ class AbstractPackedBody(AbstractSystem):
         """Those mounts that move their mass."""
         return tuple(mount for mount in self.mounts if isinstance(mount, AbstractMovingPart))
 
+    @property
+    def tanks(self) -> tuple[Propellant, ...]:
+        """Those mounts whose mass leaves the body."""
+        return tuple(mount for mount in self.mounts if isinstance(mount, Propellant))
+
     # ------------------------------------------------------------------ axes
 
     def _as_given(self, body: BodyState) -> BodyState:
@@ -163,7 +169,7 @@ class AbstractPackedBody(AbstractSystem):
         places = self._checked_coordinates(coordinates)
         if attitude is None and self.needs_attitude:
             attitude = jnp.array([1.0, 0.0, 0.0, 0.0])
-        arrangement = self._arranged([jnp.zeros(mount.state_size) if q is None else q
+        arrangement = self._arranged([mount.start(jnp.zeros(()), jnp.zeros(3)) if isinstance(mount, AbstractMount) else q
                                       for mount, q in zip(self.mounts, places, strict=True)])  # fmt: skip
         velocity = jnp.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
         if momentum is not None:
@@ -181,15 +187,18 @@ class AbstractPackedBody(AbstractSystem):
         return jnp.concatenate([jnp.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
 
     def _arranged(self, owns: Sequence[Array]) -> Arrangement | None:
-        """Return where the moving parts are; None without any. Of states (…, n), those of all mounts."""
-        pairs = [(x, own) for x, own in zip(self.mounts, owns, strict=True) if isinstance(x, AbstractMovingPart)]
-        if not pairs:
+        """Return where the moving parts are and what is burned; None without any. Of states (…, n) of all mounts."""
+        pairs = list(zip(self.mounts, owns, strict=True))
+        parts = [mount for mount, _ in pairs if isinstance(mount, AbstractMovingPart)]
+        states = [own for mount, own in pairs if isinstance(mount, AbstractMovingPart)]
+        burned = [Burned(mount.full - own[..., 0], mount.place, mount.inertia_per_mass)
+                  for mount, own in pairs if isinstance(mount, Propellant)]  # fmt: skip
+        if not (parts or burned):
             return None
         carrier = self.carrier
         carrier = jnp.diag(carrier) if carrier.ndim == 1 else carrier
-        parts, states = zip(*pairs, strict=True)
         center = jnp.zeros(3) if self.structure is None else self.structure.center_of_mass
-        return arrange(parts, states, carrier, center, self._mass)
+        return arrange(parts, states, carrier, center, self._mass, burned)
 
     @property
     def _mass(self) -> Array:
@@ -303,7 +312,7 @@ class AbstractPackedBody(AbstractSystem):
     def scales(self, state: Float64[Array, "*batch n"]) -> Float64[Array, "n"]:
         """Return one for the attitude, and for momenta their size, or that which torques and motors give from rest.
 
-        Other parts of the state have their own size, or one.
+        Other parts of the state have their own size, or one; displacements at rest that of the body.
         """
         body = self.parts(state)
         layout = StateLayout(self.own_parts)
@@ -317,11 +326,18 @@ class AbstractPackedBody(AbstractSystem):
             largest = jnp.maximum(largest, mount.momentum_scale)
         for torque in self.torques:
             largest = jnp.maximum(largest, jnp.max(self.moments) * torque.rate)
+        for mount, own in zip(self.mounts, body.mounts, strict=True):
+            if isinstance(mount, AbstractMovingPart):  # what springs give a body from rest
+                energy = jnp.max(jnp.abs(mount.potential(mount.coordinates_of(own))), initial=0.0)
+                largest = jnp.maximum(largest, jnp.sqrt(2.0 * energy * jnp.max(self.moments)))
         scale = jnp.where(largest > 0, largest, jnp.max(self.moments))
         scales = [jnp.ones(4)] if body.attitude is not None else []
         scales.append(jnp.full(3, scale))
+        length = jnp.sqrt(jnp.max(self.moments) / self._mass)
+        natural = {"m": length, "kg m s-1": scale / length}
         for part in layout.parts:
-            size = scale if part.name in momenta else jnp.where(sizes[part.name] > 0, sizes[part.name], 1.0)
+            usual = natural.get(part.unit, 1.0)
+            size = scale if part.name in momenta else jnp.where(sizes[part.name] > 0, sizes[part.name], usual)
             scales.append(jnp.full(part.size, size))
         return jnp.concatenate(scales)
 

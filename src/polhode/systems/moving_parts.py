@@ -7,13 +7,15 @@ from typing import Any, ClassVar, Self
 
 import equinox as eqx
 import jax.numpy as jnp
+import numpy as np
 
-from polhode.errors import InvalidInput
+from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame
 from polhode.systems.attachments import Attitude, Time, Velocity, checked_attachments
 from polhode.systems.mounts import AbstractMount, AbstractMounted
-from polhode.types import Array, Float64
+from polhode.types import Array, ArrayLike, Float64, Real
 
 MOMENTUM_UNITS = {"m": "kg m s-1", "rad": "kg m2 s-1", "1": "kg m2 s-1"}
 Coordinates = Float64[Array, "*batch {self.count}"]
@@ -89,6 +91,10 @@ class AbstractMovingPart(AbstractMounted):
     def position(self, q: Coordinates) -> Float64[Array, "*batch 3"]:
         """Return its centre of mass (…, 3) [m, body axes]."""
 
+    def at_rest(self) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"] | None]:
+        """Return the position (3,) and the ``tensor`` (3, 3) with which the body's mass properties are given."""
+        return self.position(jnp.zeros(self.count)), self.tensor(jnp.zeros(self.count))
+
     def tensor(self, q: Coordinates) -> Float64[Array, "*batch 3 3"] | None:
         """Return its inertia about its centre of mass (…, 3, 3) [kg m², body axes]; None for a point."""
         return None
@@ -138,6 +144,60 @@ class AbstractMovingPart(AbstractMounted):
     ) -> Float64[Array, "*batch {self.further_count}"]:
         """Return the rest of its own state at the start, of q, all rates that ``pack`` got for it, and Ω."""
         return jnp.zeros((*q.shape[:-1], self.further_count))
+
+
+class LockedPart(AbstractMovingPart):
+    """A moving part that is held at a place, as a panel before it is deployed; it has no state of its own.
+
+    At rest it is the same as no part at all. A wheel is locked by leaving it out: it then turns with the body.
+
+    Args:
+        part: that is held.
+        coordinates: q (n,) of it.
+
+    Raises:
+        InvalidInput: for what is not a moving part, one that has more than q and π, or coordinates that do not fit.
+
+    >>> from polhode.systems import HingedPart
+    >>> folded = LockedPart(HingedPart((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (2.0, 0.0, 0.0), mass=3.0), np.pi / 2)
+    >>> [round(float(x), 9) for x in folded.position(jnp.zeros(0))]
+    [1.0, 1.0, 0.0]
+    """
+
+    part: AbstractMovingPart
+    held_at: Float64[Array, "n"]
+    mass: Float64[Array, ""]
+
+    @known_numbers_only
+    def __init__(self, part: AbstractMovingPart, coordinates: Real[ArrayLike, "..."]) -> None:
+        if not isinstance(part, AbstractMovingPart) or part.further_count:
+            raise InvalidInput(f"`part` must be a moving part with coordinates alone; got {shown(part)}. Leave out a "
+                               "wheel that is locked, and put a `Wheel` in place of a gyroscope.")  # fmt: skip
+        refuse_single_precision(coordinates=coordinates)
+        held = np.atleast_1d(np.asarray(coordinates, dtype=float))
+        if held.shape != (part.count,) or not np.isfinite(held).all():
+            raise InvalidInput(f"`coordinates` must be {part.count} finite numbers; got {shown(coordinates)}.")
+        self.part, self.held_at, self.mass = part, jnp.asarray(held), part.mass
+
+    @property
+    def coordinates(self) -> tuple[StatePart, ...]:
+        return ()
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
+
+    def _held(self, q: Array) -> Array:
+        return jnp.broadcast_to(self.held_at, (*q.shape[:-1], self.part.count))
+
+    def position(self, q: Coordinates) -> Float64[Array, "*batch 3"]:
+        return self.part.position(self._held(q))
+
+    def tensor(self, q: Coordinates) -> Float64[Array, "*batch 3 3"] | None:
+        return self.part.tensor(self._held(q))
+
+    def at_rest(self) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"] | None]:
+        return self.part.at_rest()
 
 
 def checked_mounts(mounts: Any, frame: BodyFrame) -> tuple[AbstractMounted, ...]:

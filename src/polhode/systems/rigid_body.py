@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import chain
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import jax.numpy as jnp
 import numpy as np
@@ -15,40 +14,20 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn
 from polhode.motion.frame import BodyFrame
-from polhode.systems._moving_masses import Arrangement, pulls, shares, slopes, velocities
-from polhode.systems._packed_body import BodyState, Structure
-from polhode.systems._seen_body import AbstractSeenBody
-from polhode.systems._symmetric import solve
+from polhode.systems._packed_body import Structure
+from polhode.systems._rigid_motion import AbstractRigidMotion, Moment, take_rates
 from polhode.systems.attachments import Time
 from polhode.systems.base import Balance, Vectors
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.mounts import AbstractMount, AbstractMounted
 from polhode.systems.moving_parts import AbstractMovingPart, checked_mounts
-from polhode.systems.torques import AbstractTorque, GravityGradient, checked_torques, torque_of
+from polhode.systems.torques import AbstractTorque, GravityGradient, checked_torques
 from polhode.types import Array, ArrayLike, Float64, Real
 
 States = Float64[Array, "*#batch n"]
 
 
-class Moment(NamedTuple):
-    """A state along the given axes, with its velocities.
-
-    Attributes:
-        body: the state.
-        velocity: Ω (…, 3).
-        arrangement: where the moving parts are; None without any.
-        rates: q̇_j (…) of all moving parts.
-        momentum: (…, 3), L less what mounts and spins have of their own.
-    """
-
-    body: BodyState
-    velocity: Array
-    arrangement: Arrangement | None
-    rates: list[Array]
-    momentum: Array
-
-
-class AbstractRigidBody(AbstractSeenBody):
+class AbstractRigidBody(AbstractRigidMotion):
     """A body with mounts and torques: L̇ = L × (Ω + Σ d) + Σ τ, dR/dt = R hat(Ω + Σ d), with KΩ = L − Σ p.
 
     L is the whole angular momentum, p the momentum that a mount has of its own, d its drift (zero but for losses
@@ -59,134 +38,17 @@ class AbstractRigidBody(AbstractSeenBody):
     takes, is along the body's given axes.
     """
 
-    @property
-    def jumps(self) -> Float64[Array, "jumps"]:
-        """(J,) times [s] at which a mount or a torque starts, ends or jumps."""
-        own = [jnp.ravel(jnp.asarray(x.jumps, dtype=float)) for x in chain(self.mounts, self.torques)]
-        return jnp.concatenate([*own, jnp.zeros(0)])
-
-    @property
-    def names_all_jumps(self) -> bool:
-        return all(attachment.names_all_jumps for attachment in chain(self.mounts, self.torques))
-
-    # ------------------------------------------------------------------ motion
-
-    def vector_field(self, t: Time, state: States) -> Float64[Array, "*batch n"]:
-        own, t = self.parts(state), jnp.asarray(t)
-        now = self._moment(self._as_given(own))
-        torque, loads = self._loads(t, now)
-        turning = now.velocity + self._drift(now)
-        change = self._along_principal(jnp.cross(now.body.momentum, turning) + torque)
-        turning = self._along_principal(turning)
-        attitude = () if own.attitude is None else (rotation.quaternion_rate(own.attitude, turning),)
-        rates = [*self._mount_rates(t, now, loads)]
-        for acting, values in zip(self.torques, now.body.torques, strict=True):
-            rates.append(acting.state_rate(t, now.body.attitude, now.velocity, values))
-        shape = change.shape[:-1]
-        rates = [jnp.broadcast_to(rate, (*shape, rate.shape[-1])) for rate in rates]
-        return jnp.concatenate([*attitude, change, *rates], axis=-1)
-
-    def external_torque(self, t: Time, state: States) -> Float64[Array, "*batch 3"]:
-        """Return the sum of all torques about the centre of mass (…, 3) [N m, given axes]."""
-        return self._loads(jnp.asarray(t), self._moment(self._as_given(self.parts(state))))[0]
-
-    def _moment(self, body: BodyState) -> Moment:
-        """Return the velocities of a state along the given axes, and where its moving parts are."""
-        momentum = body.momentum
-        for mount, own in zip(self.mounts, body.mounts, strict=True):
-            momentum = momentum - mount.momentum(own)
-        arrangement = self._arranged(body.mounts)
-        if arrangement is None:
-            return Moment(body, solve(self.carrier, momentum), None, [], momentum)
-        canonical = [own[..., mount.count + j] for mount, own in self._moving(body) for j in range(mount.count)]
-        velocity, rates = velocities(arrangement, momentum, canonical)
-        return Moment(body, velocity, arrangement, rates, momentum)
-
-    def _moving(self, body: BodyState) -> list[tuple[AbstractMovingPart, Array]]:
-        pairs = zip(self.mounts, body.mounts, strict=True)
-        return [(mount, own) for mount, own in pairs if isinstance(mount, AbstractMovingPart)]
-
-    def _drift(self, now: Moment) -> Array:
-        drifts = (x.drift(now.body.momentum, now.velocity) for x in self.mounts if isinstance(x, AbstractMount))
-        return sum(drifts, jnp.zeros_like(now.velocity))
-
-    def _loads(self, t: Array, now: Moment) -> tuple[Array, list[Array]]:
-        """Return the torque about the centre of mass (…, 3), and what forces from outside are along q (…)."""
-        total, loads = jnp.zeros_like(now.velocity), [jnp.zeros(now.velocity.shape[:-1]) for _ in now.rates]
-        for torque, along in self._torques_apart(t, now):
-            total = total + torque
-            loads = [load + more for load, more in zip(loads, along, strict=True)] if along else loads
-        return total, loads
-
-    def _torques_apart(self, t: Array, now: Moment) -> list[tuple[Array, list[Array]]]:
-        """Return of each torque its part of ``_loads``; nothing along q for a couple."""
-        each = []
-        for torque, own in zip(self.torques, now.body.torques, strict=True):
-            if now.arrangement is not None and isinstance(torque, GravityGradient):
-                each.append(self._gravity(torque, t, now))
-                continue
-            stored = self._stored(now) if torque.needs_stored else now.velocity
-            couple = torque_of(torque, t, now.body.attitude, now.velocity, own, stored)
-            force, along = torque.force(t, now.body.attitude, now.velocity, own), []
-            if force is not None and self.structure is not None:
-                # about the centre of mass, which is where it is now, τ − c × F
-                center = self.structure.center_of_mass
-                if now.arrangement is not None:
-                    center = center + now.arrangement.offset
-                    # the carrier's points move by −∂_j d where the centre of mass stays
-                    shifts = shares(self.moving_parts, now.arrangement, self._mass)
-                    along = [-jnp.sum(force * shift, axis=-1) for shift in shifts]
-                couple = couple - jnp.cross(center, force)
-            each.append((couple, along))
-        return each
-
-    def _gravity(self, gravity: GravityGradient, t: Array, now: Moment) -> tuple[Array, list[Array]]:
-        """Return the gravity gradient on the body as it is now, and what it is along each q."""
-        assert now.arrangement is not None and now.body.attitude is not None, "gravity needs the attitude"
-        strength, centre = gravity.pull(t, now.body.attitude)
-        owns = [own for _, own in self._moving(now.body)]
-        inertia = self._momentary_inertia(now)
-        couple = jnp.cross(centre, jnp.sum(inertia * centre[..., None, :], axis=-1))
-        along = pulls(self.moving_parts, owns, now.arrangement, strength, centre)
-        return 3.0 * strength[..., None] * couple, along
-
-    def _momentary_inertia(self, now: Moment) -> Array:
-        """Return the inertia (…, 3, 3) with all that turns by itself."""
-        if now.arrangement is None:
-            whole = self.inertia
-            return jnp.diag(whole) if whole.ndim == 1 else whole
-        inertia = now.arrangement.inertia
-        for mount, own in zip(self.mounts, now.body.mounts, strict=True):
-            moving = isinstance(mount, AbstractMovingPart)
-            turning = mount.spin_inertia(mount.coordinates_of(own)) if moving else mount.inertia
-            inertia = inertia if turning is None else inertia + turning
-        return inertia
-
-    def _mount_rates(self, t: Array, now: Moment, loads: list[Array]) -> list[Array]:
-        """Return how fast the own states of all mounts change."""
-        body, found = now.body, []
-        pairs = self._moving(body)
-        slope: list[Array] = []
-        if now.arrangement is not None:
-            parts, owns = zip(*pairs, strict=True)
-            slope = slopes(parts, owns, now.arrangement, now.velocity, now.rates, self._mass)
-        forces, rates = [a + b for a, b in zip(slope, loads, strict=True)], list(now.rates)
-        for mount, own in zip(self.mounts, body.mounts, strict=True):
-            if isinstance(mount, AbstractMovingPart):
-                rate, forced = (_taken(x, mount.count, now.velocity) for x in (rates, forces))
-                given = t, body.attitude, now.velocity, own, rate
-                found += [rate, forced + mount.applied(*given), mount.further_rate(*given)]
-            else:
-                assert isinstance(mount, AbstractMount)
-                found.append(mount.state_rate(t, body.attitude, now.velocity, own))
-        return found
-
     # ------------------------------------------------------------------ what is kept, and what is balanced
 
     @property
     def conserves_energy(self) -> bool:
         """Whether nothing inside or outside does work."""
-        return not self.torques and all(mount.conserves_energy for mount in self.mounts)
+        return not self._is_acted_on and all(mount.conserves_energy for mount in self.mounts)
+
+    @property
+    def _is_acted_on(self) -> bool:
+        """Whether anything from outside changes R L."""
+        return bool(self.torques or self.tanks)
 
     def energy(self, state: Float64[Array, "*batch n"]) -> Float64[Array, "*batch"]:
         """Return ½ Ω·KΩ and the mounts' own energy (…) [J]."""
@@ -212,17 +74,19 @@ class AbstractRigidBody(AbstractSeenBody):
         power: Any = 0.0
         for mount, own in zip(self.mounts, body.mounts, strict=True):
             if isinstance(mount, AbstractMovingPart):
-                given = t, body.attitude, now.velocity, own, _taken(rates, mount.count, now.velocity)
+                given = t, body.attitude, now.velocity, own, take_rates(rates, mount.count, now.velocity)
                 power = power + jnp.sum(mount.applied(*given) * given[-1], axis=-1) + mount.further_power(*given)
             else:
                 assert isinstance(mount, AbstractMount)
                 power = power + mount.power(t, body.attitude, now.velocity, own)
+        for tank in self.tanks:
+            power = power + self._power_of_flow(tank, t, now)
         # the drift adds L × d to L̇, and Ω·(L × d) = −d·(L × Ω) to the power
         return power - jnp.sum(self._drift(now) * jnp.cross(body.momentum, now.velocity), axis=-1)
 
     def invariants(self, state: Float64[Array, "*batch n"]) -> dict[str, Float64[Array, "..."]]:
         """Return |L|² and the momentum in space, where no torque acts, and energy, where nothing does work."""
-        if self.torques:
+        if self._is_acted_on:
             return {}
         body = self.parts(state)
         values = {"energy": self.energy(state)} if self.conserves_energy else {}
@@ -239,7 +103,7 @@ class AbstractRigidBody(AbstractSeenBody):
         """
         now, t = self._moment(self._as_given(self.parts(state))), jnp.asarray(t)
         body, energy, inner = now.body, self._energy(now), self._inner_power(t, now)
-        if not self.torques:
+        if not self._is_acted_on:
             return {} if self.conserves_energy else {"energy": Balance(energy, inner)}
         torque, loads = self._loads(t, now)
         balances = {
@@ -247,7 +111,7 @@ class AbstractRigidBody(AbstractSeenBody):
             "|L|²": Balance(jnp.sum(body.momentum**2, axis=-1), 2.0 * jnp.sum(torque * body.momentum, axis=-1)),
         }
         gravity = [torque for torque in self.torques if isinstance(torque, GravityGradient)]
-        if body.attitude is not None and len(gravity) == 1 and gravity[0].circular:
+        if body.attitude is not None and len(gravity) == 1 and gravity[0].circular and not self.tanks:
             rest = self._outer_power(now, torque, loads) + inner
             balances["jacobi_integral"] = self._jacobi_integral(gravity[0], t, now, torque, rest)
         return balances
@@ -378,9 +242,3 @@ class RigidBody(AbstractRigidBody):
             return BodyFrame(moments, np.eye(3), np.zeros(3), None)
         turn, center, mass = self.structure
         return BodyFrame(moments, np.asarray(turn.matrix), np.asarray(center), None if mass is None else float(mass))
-
-
-def _taken(values: list[Array], count: int, like: Array) -> Array:
-    """Take the next numbers (…) out of a list, and return them as (…, count)."""
-    taken = [values.pop(0) for _ in range(count)]
-    return jnp.stack(jnp.broadcast_arrays(*taken), axis=-1) if taken else jnp.zeros((*like.shape[:-1], 0))
