@@ -145,7 +145,7 @@ def arguments(system, method):
     values["places"] = 3.0 + RNG.normal(size=(3, 2)) if flat else unit(RNG.normal(size=(3, 3)))
     names = list(inspect.signature(method).parameters)
     if method.__name__ == "pack":  # angular velocity or momentum; mounts at rest
-        names = [name for name in names if name not in ("momentum", "rates", "actuators")]
+        names = [name for name in names if name not in ("momentum", "rates", "actuators", "coordinates")]
     return [None if name == "disk" else values[name] for name in names]
 
 

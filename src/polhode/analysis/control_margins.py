@@ -178,4 +178,6 @@ def _roots(function: Any, frequencies: Array) -> list[float]:
     # a jump of a phase by a turn is no root: there the values are far from zero on both sides
     near = [k for k in found if min(abs(values[k]), abs(values[k + 1])) < 0.5]
     at = lambda w: float(function(np.array([w]))[0])  # noqa: E731
-    return [float(brentq(at, frequencies[k], frequencies[k + 1], xtol=1e-14 * frequencies[k])) for k in near]
+    find: Any = brentq
+    between = ((float(frequencies[k]), float(frequencies[k + 1])) for k in near)
+    return [float(find(at, low, high, xtol=1e-14 * low)) for low, high in between]

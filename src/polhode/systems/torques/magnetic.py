@@ -221,7 +221,7 @@ def checked_directions(name: str, value: Real[ArrayLike, "count 3"]) -> Float64[
         rows = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
         rows = np.zeros(0)
-    if rows.ndim != 2 or rows.shape[1] != 3 or not len(rows) or not np.isfinite(rows).all():
+    if rows.ndim != 2 or rows.shape[-1] != 3 or not len(rows) or not np.isfinite(rows).all():
         raise InvalidInput(f"`{name}` must be a list of directions (n, 3), finite; got {shown(value)}.")
     norms = np.linalg.norm(rows, axis=-1, keepdims=True)
     if not (norms > 0).all():
