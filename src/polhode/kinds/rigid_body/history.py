@@ -67,8 +67,8 @@ def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: 
     body = system.as_given(states)
     assert body.attitude is not None or not system.needs_attitude
     velocity = system.velocity(states)
-    laws = (part.law for part in (*system.mounts, *system.torques) if isinstance(part, ControlledWheels | ControlTorque))
-    law = next(laws, None)
+    parts = (*system.mounts, *system.torques)
+    law = next((part.law for part in parts if isinstance(part, ControlledWheels | ControlTorque)), None)
     target = None if law is None else law.target(times)
     from_target = lambda aim: None if aim is None else rotation.angle_between(aim, body.attitude)  # noqa: E731
     pointing, nadir = from_target(target), from_target(None if orbit is None else orbit.frame(times))
