@@ -17,7 +17,7 @@ import numpy as np
 
 import polhode as ph
 from polhode import rotation
-from polhode.systems import GravityGradient, HingedPart, KeplerOrbit, RigidBody, SphericalPendulum, SprungMass, Wheel
+from polhode.systems import GravityGradient, HingedPart, KeplerOrbit, RigidBody, SphericalPendulum, SprungMass, Thruster, Wheel
 
 UNTIL, SAMPLES = 6000.0, 61
 STEP = 0.05  # s, of Basilisk's RKF78
@@ -65,6 +65,10 @@ def basilisk(add: Callable[..., Any]) -> np.ndarray:
     recorder = craft.scStateOutMsg.recorder(macros.sec2nano(UNTIL / (SAMPLES - 1)))
     sim.AddModelToTask("task", recorder)
     sim.InitializeSimulation()
+    for when, switch in getattr(kept[0], "switches", []):  # at whole steps
+        sim.ConfigureStopTime(macros.sec2nano(when))
+        sim.ExecuteSimulation()
+        switch()
     sim.ConfigureStopTime(macros.sec2nano(UNTIL))
     sim.ExecuteSimulation()
     kept.clear()
@@ -131,6 +135,33 @@ def gravity() -> tuple[RigidBody, Any, Callable[..., Any]]:
         return factory, effector
 
     return body, body.pack((1.0, 0.0, 0.0, 0.0), VELOCITY), add
+
+
+class Pulses:
+    """A jet of Basilisk that is switched between two runs: as a force at the hub's origin, and its torque about it."""
+
+    def __init__(self, sim: Any, craft: Any, task: str, jet: Thruster) -> None:
+        from Basilisk.simulation import extForceTorque
+
+        self.effector = extForceTorque.ExtForceTorque()
+        craft.addDynamicEffector(self.effector)
+        sim.AddModelToTask(task, self.effector)
+        force = np.asarray(jet.thrust)
+        torque, column = np.cross(np.asarray(jet.position), force), lambda x: x.reshape(3, 1).tolist()
+
+        def put(size: float) -> None:
+            self.effector.extForce_B, self.effector.extTorquePntB_B = column(size * force), column(size * torque)
+
+        put(0.0)
+        pairs = zip(jet.begins.tolist(), jet.ends.tolist(), strict=True)
+        self.switches = [one for begin, end in pairs for one in ((begin, lambda: put(1.0)), (end, lambda: put(0.0)))]
+
+
+def pulses() -> tuple[RigidBody, Any, Callable[..., Any]]:
+    """Pulses of a jet off the centre of mass."""
+    jet = Thruster([500.0, 2000.0, 4000.0], [0.5, 20.0, 1.0], (0.3, -0.2, 0.1), (0.5, 0.4, -0.3))
+    body = RigidBody.from_body(whole([]), torques=[jet])
+    return body, body.pack((1.0, 0.0, 0.0, 0.0), VELOCITY), lambda sim, craft, task: Pulses(sim, craft, task, jet)
 
 
 def slosh() -> tuple[RigidBody, Any, Callable[..., Any]]:
@@ -220,7 +251,7 @@ def main() -> None:
     """Print the table."""
     times = np.linspace(0.0, UNTIL, SAMPLES)
     print("| case | largest angle, rad | CPU s of polhode | CPU s of Basilisk |\n|---|---|---|---|")
-    for case in (wheels, gravity, slosh, pendulum, panels):
+    for case in (wheels, gravity, pulses, slosh, pendulum, panels):
         body, start, add = case()
         begun = time.process_time()
         found = ph.simulate(body, start, times)

@@ -108,6 +108,8 @@ NO_ARRAYS = {
     "RationalCertificate.check_by_z3", "RationalCertificate.as_json", "RationalCertificate.json",
     "RationalCertificate.write_proof", "find_certificate", "rational.numbers.exact_number",
     "rational.numbers.exact_numbers", "rational.numbers.read_short", "rational.numbers.read_double",
+    "surfaces.Plates", "control_margins.linearize_loop", "control_margins.loop_margins", "gravity_gradient.gravity_gradient_rest",
+    "gravity_gradient.nearest_rest", "gravity_gradient.escape_energy",
     "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""
@@ -142,8 +144,11 @@ CALLED_BY_OTHERS = {
     "systems.base.as_finite_state", "systems.base.check_unit_attitude", "systems.base.components",
     "systems.point_vortices.rounds_of_pairs",
     "systems.spin_lattice.add_damping", "systems.base.join_state", "systems.base.attitude_change",
-    "systems.attachments.checked_attachments", "systems.mounts.checked_direction", "systems.mounts.checked_mounts",
-    "systems.torques.checked_torques", "systems.free_rigid_body.checked_vector",
+    "systems.attachments.checked_attachments", "systems.mounts.checked_direction", "systems.moving_parts.checked_mounts",
+    "systems.torques.base.checked_torques", "systems.torques.base.torque_of", "systems.torques.base.in_body",
+    "systems.torques.magnetic.checked_directions", "systems.torques.magnetic.checked_limits",
+    "systems.torques.surfaces.make_plates", "systems.control_laws.checked_gain",
+    "systems.free_rigid_body.checked_vector",
     "systems.free_rigid_body.axis_flow", "systems.free_rigid_body.axis_flows",
     "systems.free_rigid_body.checked_moments",
     "systems.kepler_orbit.ratio_from_eccentric", "systems.kepler_orbit.true_from_eccentric",

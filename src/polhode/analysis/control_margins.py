@@ -17,7 +17,7 @@ from polhode.systems.torques.base import in_body
 from polhode.types import Array, Float64
 
 DECADES, POINTS = 5.0, 4001  # of frequencies that are searched, about the fastest eigenvalue
-NEGLIGIBLE = 1e-9  # of the largest entry of a matrix
+STEP = 1e-3  # of differences of fourth order: what they leave out is of the size of its fourth power
 
 
 class LinearLoop(NamedTuple):
@@ -78,48 +78,51 @@ def linearize_loop(
     """
     if system.moving_parts or law.target(jnp.zeros(())) is None or law.state_size:
         return None
-    values = _derivatives(system, law, jnp.asarray(float(time)), jnp.asarray(state))
-    closed, asked, given, rest = (np.asarray(value) for value in values)
-    return LinearLoop(closed - given @ asked, given, asked, rest)
+    where, at = jnp.asarray(float(time)), jnp.asarray(state)
+    carrier = np.asarray(system.carrier)
+    given = np.concatenate([np.zeros((3, 3)), np.linalg.inv(np.diag(carrier) if carrier.ndim == 1 else carrier)])
+    scale = np.repeat([STEP, STEP * _pace(law)], 3)  # of a turn, and of a rate
+    steps = np.concatenate([k * np.diag(scale) for k in (-2.0, -1.0, 1.0, 2.0)] + [np.zeros((1, 6))])
+    rates, asked = (np.asarray(x) for x in _rates(system, law, where, at, jnp.asarray(steps)))
+    closed, wanted = _slope(rates, scale), _slope(asked, scale)
+    return LinearLoop(closed - given @ wanted, given, wanted, rates[-1, 3:])
+
+
+def _pace(law: AbstractControlLaw) -> float:
+    """Return a rate [rad/s] of the size of those at which the law works."""
+    stiffness, damping = getattr(law, "gain", None), getattr(law, "rate_gain", None)
+    if stiffness is None or damping is None:
+        return 1.0
+    return float(np.abs(stiffness).max() / np.abs(damping).max())
+
+
+def _slope(values: Array, scale: Array) -> Array:
+    """Return the derivative (n, 6) by differences of fourth order, of values (25, n) at two steps to either side."""
+    low, less, more, high = np.split(values[:-1], 4)
+    return ((low - high) / 12.0 + 2.0 * (more - less) / 3.0).T / scale
 
 
 @eqx.filter_jit
-def _derivatives(system: RigidBody, law: AbstractControlLaw, time: Array, state: Array) -> tuple[Array, ...]:
-    body, no_state = system.as_given(state), jnp.zeros(0)
+def _rates(
+    system: RigidBody, law: AbstractControlLaw, time: Array, state: Array, near: Array
+) -> tuple[Array, Array]:
+    """Return ẋ (…, 6) and the torque asked for (…, 3) at x (…, 6) near the target."""
     target, turning = law.target(time), law.target_rate(time)
-    assert target is not None and turning is not None and body.attitude is not None
-
-    def place(x: Array) -> tuple[Array, Array]:
-        small = jnp.concatenate([jnp.ones(1), 0.5 * x[:3]])
-        attitude = rotation.multiply(target, small / jnp.linalg.norm(small))
-        return attitude, in_body(attitude, turning) + x[3:]
-
-    def rate(x: Array) -> Array:
-        attitude, velocity = place(x)
-        packed = system.packed_as_given(attitude, velocity, state)
-        change = system.vector_field(time, packed)
-        # ẇ = Ω̇ − d/dt Rᵀ ω_t along the motion
-        _, acceleration = jax.jvp(system.velocity, (packed,), (change,))
-        turn = jnp.concatenate([change[:4]])
-
-        def aim(t: Array, packed_attitude: Array) -> Array:
-            moved = system.as_given(jnp.concatenate([packed_attitude, packed[4:]])).attitude
-            wanted = law.target_rate(t)
-            assert moved is not None and wanted is not None
-            return in_body(moved, wanted)
-
-        _, moving = jax.jvp(aim, (time, packed[:4]), (jnp.ones(()), turn))
-        return jnp.concatenate([x[3:], acceleration - moving])
-
-    def asked(x: Array) -> Array:
-        attitude, velocity = place(x)
-        return law.wanted(time, attitude, velocity, no_state)
-
-    still = jnp.zeros(6)
-    carrier = system.carrier
-    matrix = jnp.diag(carrier) if carrier.ndim == 1 else carrier
-    given = jnp.concatenate([jnp.zeros((3, 3)), jnp.linalg.inv(matrix)])
-    return jax.jacfwd(rate)(still), jax.jacfwd(asked)(still), given, rate(still)[3:]
+    assert target is not None and turning is not None
+    small = jnp.concatenate([jnp.ones((*near.shape[:-1], 1)), 0.5 * near[..., :3]], axis=-1)
+    attitude = rotation.multiply(target, small / jnp.linalg.norm(small, axis=-1, keepdims=True))
+    aim = in_body(attitude, turning)
+    velocity = aim + near[..., 3:]
+    packed = system.packed_as_given(attitude, velocity, jnp.broadcast_to(state, (*near.shape[:-1], state.size)))
+    change = system.vector_field(time, packed)
+    # Ω is an affine function of the momenta, whose rates are those of the state
+    moved = jnp.concatenate([packed[..., :4], packed[..., 4:] + change[..., 4:]], axis=-1)
+    acceleration = system.velocity(moved) - system.velocity(packed)
+    # ẇ = Ω̇ − d/dt Rᵀω_t = Ω̇ − Rᵀ ω̇_t + Ω × Rᵀω_t
+    _, faster = jax.jvp(law.target_rate, (time,), (jnp.ones(()),))
+    relative = acceleration - in_body(attitude, faster) + jnp.cross(velocity, aim)
+    asked = law.wanted(time, attitude, velocity, jnp.zeros((*near.shape[:-1], 0)))
+    return jnp.concatenate([near[..., 3:], relative], axis=-1), asked
 
 
 def loop_margins(loop: LinearLoop) -> list[Margins]:
@@ -131,11 +134,11 @@ def loop_margins(loop: LinearLoop) -> list[Margins]:
     Source: Franklin, Powell & Emami-Naeini, *Feedback Control of Dynamic Systems*, §6.4; Skogestad & Postlethwaite,
     *Multivariable Feedback Control*, §9.2.
 
-    >>> plant = np.zeros((6, 6)); plant[:3, 3:] = np.eye(3)
-    >>> law = -np.concatenate([np.eye(3), 1.4 * np.eye(3)], axis=1)
-    >>> one = loop_margins(LinearLoop(plant, np.concatenate([np.zeros((3, 3)), np.eye(3)]), law, np.zeros(3)))[0]
-    >>> round(one.crossover, 4), round(math.degrees(one.phase), 2), one.gain_up, one.gain_down
-    (1.5678, 65.51, inf, 0.0)
+    >>> zero, one = np.zeros((3, 3)), np.eye(3)
+    >>> plant, law = np.block([[zero, one], [zero, zero]]), -np.concatenate([one, 1.4 * one], axis=1)
+    >>> about_x = loop_margins(LinearLoop(plant, np.concatenate([zero, one]), law, np.zeros(3)))[0]
+    >>> round(about_x.crossover, 4), round(math.degrees(about_x.phase), 2), about_x.gain_up, about_x.gain_down
+    (1.5428, 65.16, inf, 0.0)
     """
     return [_margins(loop, k) for k in range(3)]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import permutations
 from typing import NamedTuple
 
 import numpy as np
@@ -50,9 +51,9 @@ def gravity_gradient_rest(moments: Real[ArrayLike, "3"], mean_motion: float) -> 
 
     Source: Hughes, *Spacecraft Attitude Dynamics* (1986), §9.2–9.3; DeBra & Delp, J. Astronaut. Sci. 8 (1961) 14.
 
-    >>> rest = gravity_gradient_rest((2500.0, 2530.0, 85.0), 2 * math.pi / 6052.4)  # much as GEOSAT
+    >>> rest = gravity_gradient_rest((2500.0, 2530.0, 85.0), 2 * math.pi / 6052.4)
     >>> rest.verdict, rest.region, round(2 * math.pi / rest.pitch, 1)
-    ('stable', 'Lagrange', 3557.2)
+    ('stable', 'Lagrange', 3576.6)
     """
     sizes = np.asarray(moments, dtype=float)
     if sizes.shape != (3,) or not np.isfinite(sizes).all() or not (sizes > 0).all():
@@ -83,28 +84,63 @@ def _two(rates: tuple[float, ...] | None) -> tuple[float, float] | None:
     return None if rates is None else (rates[0], rates[1])
 
 
-def nearest_rest(
-    axes: Real[ArrayLike, "3 3"], moments: Real[ArrayLike, "3"]
-) -> tuple[Float64[Array, "3"], float]:
-    """Return the moments about roll, pitch and yaw of the rest nearest to a body, and the angle to it [rad].
+class NearestRest(NamedTuple):
+    """The rest nearest to an attitude.
+
+    Attributes:
+        moments: (3,) about roll, pitch and yaw there [kg m²].
+        turn: (3, 3) the principal axes by columns in the orbit's, one along each.
+        angle: to it [rad].
+    """
+
+    moments: Float64[Array, "3"]
+    turn: Float64[Array, "3 3"]
+    angle: float
+
+
+def nearest_rest(axes: Real[ArrayLike, "3 3"], moments: Real[ArrayLike, "3"]) -> NearestRest:
+    """Return the rest nearest to a body.
 
     Args:
         axes: (3, 3) principal axes by columns in the orbit's, which look ahead, against the normal, and down.
         moments: (3,) about them [kg m²].
-    """
-    from itertools import permutations
 
-    matrix = np.asarray(axes, dtype=float)
-    best: tuple[float, tuple[int, ...]] = (-math.inf, (0, 1, 2))
+    >>> nearest_rest(np.eye(3)[[1, 0, 2]] * [1.0, 1.0, -1.0], (1.0, 2.0, 3.0)).moments.tolist()
+    [2.0, 1.0, 3.0]
+    """
+    matrix, best = np.asarray(axes, dtype=float), None
     for order in permutations(range(3)):
-        # the rotation from the nearest signs has the trace Σ |cosines|, or less by twice the least if it is improper
-        chosen = [matrix[row, column] for row, column in enumerate(order)]
-        signs = np.where(np.asarray(chosen) < 0, -1.0, 1.0)
+        chosen = matrix[range(3), list(order)]
+        signs = np.where(chosen < 0, -1.0, 1.0)
         turn = np.zeros((3, 3))
         turn[range(3), list(order)] = signs
-        trace = float(np.abs(chosen).sum())
-        if np.linalg.det(turn) * np.linalg.det(matrix) < 0:
-            trace -= 2.0 * float(np.abs(chosen).min())
-        best = max(best, (trace, order))
-    trace, order = best
-    return np.asarray(moments, dtype=float)[list(order)], float(np.arccos(np.clip(0.5 * (trace - 1.0), -1.0, 1.0)))
+        if np.linalg.det(turn) < 0:  # the sign that costs least makes it a rotation
+            weakest = int(np.argmin(np.abs(chosen)))
+            turn[weakest, order[weakest]] *= -1.0
+        trace = float(np.sum(turn * matrix))
+        if best is None or trace > best[0]:
+            best = trace, turn, order
+    assert best is not None
+    trace, turn, order = best
+    return NearestRest(
+        np.asarray(moments, dtype=float)[list(order)], turn, float(np.arccos(np.clip(0.5 * (trace - 1.0), -1.0, 1.0)))
+    )
+
+
+@known_numbers_only
+def escape_energy(moments: Real[ArrayLike, "3"], mean_motion: float) -> float:
+    """Return the Jacobi integral [J] below which a body on a circular orbit cannot leave the rest that it is near.
+
+    It is ½ w·Iw + ½ n² (3 R̂·IR̂ − ẑ·Iẑ), whose second part has its least values, at the four attitudes with the largest
+    moment across the orbit and the least one down, ½ n² (3 I1 − I3). Its next critical values are those with two axes
+    exchanged; below the lower of them, what a motion can reach falls apart into four pieces, one about each rest.
+
+    Args:
+        moments: (3,) principal moments [kg m²].
+        mean_motion: n [rad/s].
+
+    Source: Hughes, *Spacecraft Attitude Dynamics* (1986), §9.3; Likins & Roberson, J. Astronaut. Sci. 13 (1966) 87.
+    """
+    first, second, third = np.sort(np.asarray(moments, dtype=float)).tolist()
+    lowest = 3.0 * first - third
+    return 0.5 * float(mean_motion) ** 2 * (lowest + min(third - second, 3.0 * (second - first)))

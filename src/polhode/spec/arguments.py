@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import BeforeValidator, create_model
 
 from polhode.errors import InvalidInput, shown
-from polhode.spec.fields import Attitude, Direction, Plain, mark_unit, one_of, quantity, three
+from polhode.spec.fields import Attitude, Direction, Plain, mark_unit, one_of, quantity, three, three_rows
 from polhode.spec.models import Strict
-from polhode.systems.attachments import AbstractAttachment, Argument
+
+if TYPE_CHECKING:
+    from polhode.systems.attachments import AbstractAttachment, Argument
 
 FROM_ELSEWHERE = ("orbit", "field")
 TEXT, ATTITUDE = "text", "attitude"
@@ -60,7 +62,7 @@ def make_model(
 
 def needs(part: type[AbstractAttachment], what: str) -> bool:
     """Return whether the constructor of a part asks for what the spec says elsewhere, and has no default for it."""
-    parameter = _parameters(part).get(what)
+    parameter = None if what in part.arguments else _parameters(part).get(what)
     return parameter is not None and parameter.default is inspect.Parameter.empty
 
 
@@ -76,7 +78,8 @@ def make_part(part: type[AbstractAttachment], values: Mapping[str, Any], elsewhe
         InvalidInput: for values that it refuses.
     """
     given = {name: value for name, value in values.items() if value is not None}
-    more = {name: value for name, value in elsewhere.items() if name in _parameters(part) and value is not None}
+    more = {name: value for name, value in elsewhere.items()
+            if name in _parameters(part) and name not in part.arguments and value is not None}  # fmt: skip
     return part(**given, **more)
 
 
@@ -92,6 +95,9 @@ def _field(argument: Argument) -> Any:
         return Annotated[Literal[argument.choices], one_of(*argument.choices)]
     if argument.unit == ATTITUDE:
         return Attitude
+    if argument.shape == (3, 3):
+        row = _vector(argument.unit)
+        return Annotated[tuple[row, row, row], three_rows]
     if argument.shape == (3,):
         one = _vector(argument.unit)
         return list[one] if argument.many else one

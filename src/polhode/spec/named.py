@@ -7,11 +7,17 @@ import pkgutil
 from functools import cache
 from importlib import import_module
 from importlib.metadata import entry_points
-from typing import Any, NamedTuple
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from polhode import systems
 from polhode.errors import InvalidInput, shown
-from polhode.systems.attachments import AbstractAttachment
+
+if TYPE_CHECKING:
+    from polhode.systems.attachments import AbstractAttachment
+
+
+NAMED = "name: ClassVar[str] = "  # in the file of a class that a spec may name
 
 
 class Family(NamedTuple):
@@ -21,18 +27,16 @@ class Family(NamedTuple):
         word: for one of it, in messages.
         base: module and class that all derive from.
         group: of entry points.
-        files: how the modules of ``polhode.systems`` that hold our own begin.
     """
 
     word: str
     base: tuple[str, str]
     group: str
-    files: str
 
 
-TORQUES = Family("torque", ("polhode.systems.torques.base", "AbstractTorque"), "polhode.torques", "torques")
-MOUNTS = Family("mount", ("polhode.systems.mounts", "AbstractMount"), "polhode.mounts", "mounts")
-LAWS = Family("control law", ("polhode.systems.control_laws", "AbstractControlLaw"), "polhode.control", "control_laws")
+TORQUES = Family("torque", ("polhode.systems.torques.base", "AbstractTorque"), "polhode.torques")
+MOUNTS = Family("mount", ("polhode.systems.mounts", "AbstractMounted"), "polhode.mounts")
+LAWS = Family("control law", ("polhode.systems.control_laws", "AbstractControlLaw"), "polhode.control")
 
 
 def part_names(family: Family) -> list[str]:
@@ -77,12 +81,15 @@ def _base(family: Family) -> type[AbstractAttachment]:
 
 @cache
 def _own(family: Family) -> dict[str, type[AbstractAttachment]]:
+    systems = import_module("polhode.systems")  # with JAX, which specs of other kinds do without
     base, found = _base(family), {}
     for module in pkgutil.walk_packages(systems.__path__, "polhode.systems."):
-        if module.name.removeprefix("polhode.systems.").startswith(family.files):
-            things = vars(import_module(module.name)).values()
-            found |= {thing.name: thing for thing in things
-                      if isinstance(thing, type) and issubclass(thing, base) and thing.name}  # fmt: skip
+        source = find_spec(module.name)
+        if source is None or source.origin is None or NAMED not in Path(source.origin).read_text("utf-8"):
+            continue  # most systems are none of these, and cost time to import
+        things = vars(import_module(module.name)).values()
+        found |= {thing.name: thing for thing in things
+                  if isinstance(thing, type) and issubclass(thing, base) and thing.name}  # fmt: skip
     return found
 
 

@@ -28,9 +28,9 @@ class Argument(NamedTuple):
     """How a spec gives an argument of the constructor of a torque, mount or control law.
 
     Attributes:
-        unit: in SI, as Pint reads it; "" for plain numbers, "text" for one of the ``choices``, "attitude" for one in any
-            of the forms that [spin] takes.
-        shape: () of one number, (3,) of three.
+        unit: in SI, as Pint reads it; "" for plain numbers, "text" for one of the ``choices``, "attitude" for one in
+            any of the forms that [spin] takes.
+        shape: () of one number, (3,) of three, (3, 3) of three rows.
         many: whether it is a list of such, or one of them.
         choices: of a text.
     """

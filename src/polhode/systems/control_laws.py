@@ -123,14 +123,15 @@ class QuaternionPD(AbstractControlLaw):
         self.rate_gain = None if rate_gain is None else checked_gain("rate_gain", rate_gain, "N m s/rad")
         self.bandwidth = None if bandwidth is None else checked_number("bandwidth", bandwidth, 0.0, unit="rad/s")
         self.damping = checked_number("damping", 0.7 if damping is None else damping, above=0.0)
-        self.attitude = rotation.normalize(jnp.asarray(attitude, dtype=float))
+        self.attitude = jnp.asarray(rotation.normalize(np.asarray(attitude, dtype=float)))
         self.orbit, self.sign = orbit if target == "nadir" else None, jnp.ones(())
 
     def bound(self, frame: BodyFrame) -> QuaternionPD:
         if self.bandwidth is None:
             return self
-        inertia, known = jnp.asarray(frame.inertia), lambda law: (law.gain, law.rate_gain)
-        gains = self.bandwidth**2 * inertia, 2.0 * self.damping * self.bandwidth * inertia
+        inertia, known = np.asarray(frame.inertia), lambda law: (law.gain, law.rate_gain)
+        bandwidth, damping = float(self.bandwidth), float(self.damping)
+        gains = jnp.asarray(bandwidth**2 * inertia), jnp.asarray(2.0 * damping * bandwidth * inertia)
         return eqx.tree_at(known, self, gains, is_leaf=lambda x: x is None)
 
     @property
@@ -148,7 +149,7 @@ class QuaternionPD(AbstractControlLaw):
         return self.orbit.turning_rate(t)[..., None] * self.orbit.normal
 
     def started(self, t: float, attitude: Real[ArrayLike, "4"]) -> QuaternionPD:
-        same = float(jnp.sum(self.target(jnp.asarray(float(t))) * jnp.asarray(attitude)))
+        same = float(np.sum(np.asarray(_target(self, jnp.asarray(float(t)))) * np.asarray(attitude)))
         return eqx.tree_at(lambda law: law.sign, self, jnp.asarray(-1.0 if same < 0.0 else 1.0))
 
     def wanted(
@@ -201,7 +202,7 @@ class RateControl(AbstractControlLaw):
     def bound(self, frame: BodyFrame) -> RateControl:
         if self.bandwidth is None:
             return self
-        gain = self.bandwidth * jnp.asarray(frame.inertia)
+        gain = jnp.asarray(float(self.bandwidth) * np.asarray(frame.inertia))
         return eqx.tree_at(lambda law: law.rate_gain, self, gain, is_leaf=lambda x: x is None)
 
     @property
@@ -280,6 +281,11 @@ class UserLaw(AbstractControlLaw):
         if self.own_rate is None:
             return jnp.zeros_like(own)
         return self.own_rate(t, attitude, angular_velocity, own)
+
+
+@eqx.filter_jit
+def _target(law: QuaternionPD, t: Array) -> Array:
+    return law.target(t)
 
 
 def checked_gain(name: str, value: Real[ArrayLike, "..."], unit: str) -> Float64[Array, "3 3"]:

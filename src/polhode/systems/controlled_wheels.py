@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Self
 
 import equinox as eqx
@@ -85,8 +84,8 @@ class ControlledWheels(AbstractMount):
         self.shares = jnp.asarray(np.linalg.pinv(matrix))  # A has the axes as columns, its pseudo-inverse is this
         if np.linalg.svd(matrix, compute_uv=False).tolist()[-1] <= SPANS or count < 3:
             raise InvalidInput(
-                f"`axes` {shown(matrix.round(6).tolist())} lie in a plane, so that no wheel turns the body about what is "
-                "across. Control about all axes needs three wheels or more, not in one plane."
+                f"`axes` {shown(matrix.round(6).tolist())} lie in a plane, so that no wheel turns the body about what "
+                "is across. Control about all axes needs three wheels or more, not in one plane."
             )
 
     def bound(self, frame: BodyFrame) -> Self:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -11,7 +12,7 @@ from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.motion._layout import StatePart
-from polhode.systems.attachments import Attitude, Time, Velocity, checked_jumps
+from polhode.systems.attachments import Argument, Attitude, Time, Velocity, checked_jumps
 from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.mounts import checked_direction
@@ -45,6 +46,18 @@ class HingedPart(AbstractMovingPart):
     Source: Allard, Schaub & Piggott, "General Hinged Rigid-Body Dynamics Approximating First-Order Spacecraft Solar
     Panel Flexing", J. Spacecr. Rockets 55 (2018) 1291.
     """
+
+    name: ClassVar[str] = "hinged-part"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "hinge": Argument("m", (3,)),
+        "axis": Argument("", (3,)),
+        "center": Argument("m", (3,)),
+        "mass": Argument("kg"),
+        "inertia": Argument("kg*m^2", (3, 3)),
+        "stiffness": Argument("N*m/rad"),
+        "damping": Argument("N*m*s"),
+        "motor": Argument("N*m"),
+    }
 
     hinge: Float64[Array, "3"]
     axis: Float64[Array, "3"]

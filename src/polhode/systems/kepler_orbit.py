@@ -25,8 +25,8 @@ SERIES = tuple((-1.0) ** (k + 1) / math.factorial(2 * k + 1) for k in range(1, S
 class KeplerOrbit(eqx.Module):
     """Two bodies under gravity: E − e sin E = M, r/a = 1 − e cos E, M = n t + M0.
 
-    In space the orbit lies in the x-y plane, runs towards +y at the periapsis on +x, and has its normal along +z, unless
-    it is turned by Rz(node) Rx(inclination) Rz(periapsis).
+    In space the orbit lies in the x-y plane, runs towards +y at the periapsis on +x, and has its normal along +z,
+    unless it is turned by Rz(node) Rx(inclination) Rz(periapsis).
 
     Args:
         mean_motion: n [rad/s], positive.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import abc
+from typing import ClassVar
 
 import jax.numpy as jnp
 import numpy as np
@@ -12,6 +13,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.systems.attachments import (
     AbstractAttachment,
+    Argument,
     Attitude,
     Own,
     Time,
@@ -112,6 +114,12 @@ class SphericalSlug(AbstractMount):
     Source: Rahn & Barba, J. Guid. Control Dyn. 14 (1991) 724.
     """
 
+    name: ClassVar[str] = "slug"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "moment": Argument("kg*m^2"),
+        "damping": Argument("N*m*s"),
+    }
+
     moment: Float64[Array, ""]
     damping: Float64[Array, ""]
 
@@ -173,6 +181,11 @@ class EnergySink(AbstractMount):
 
     Source: Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175 (1996) 1.
     """
+
+    name: ClassVar[str] = "energy-sink"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "rate": Argument("s/(kg*m^2)"),
+    }
 
     rate: Float64[Array, ""]
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
@@ -9,7 +11,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
-from polhode.systems.attachments import Attitude, Time, Velocity
+from polhode.systems.attachments import Argument, Attitude, Time, Velocity
 from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.mounts import checked_direction
@@ -40,6 +42,16 @@ class SphericalPendulum(AbstractMovingPart):
     Source: Dodge, *The New "Dynamic Behavior of Liquids in Moving Containers"* (2000), ch. 3; Abramson (ed.), *The
     Dynamic Behavior of Liquids in Moving Containers*, NASA SP-106 (1966), ch. 6.
     """
+
+    name: ClassVar[str] = "pendulum"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "pivot": Argument("m", (3,)),
+        "arm": Argument("m", (3,)),
+        "mass": Argument("kg"),
+        "stiffness": Argument("N*m/rad"),
+        "damping": Argument("N*m*s"),
+        "leaning": Argument("", (3,)),
+    }
 
     pivot: Float64[Array, "3"]
     arm: Float64[Array, "3"]

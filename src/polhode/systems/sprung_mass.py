@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
@@ -9,7 +11,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
-from polhode.systems.attachments import Attitude, Time, Velocity
+from polhode.systems.attachments import Argument, Attitude, Time, Velocity
 from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.mounts import checked_direction
@@ -48,6 +50,15 @@ class SprungMass(AbstractMovingPart):
     >>> craft.layout(craft.pack()).names
     ('momentum', 'displacement', 'displacement_momentum')
     """
+
+    name: ClassVar[str] = "sprung-mass"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "position": Argument("m", (3,)),
+        "directions": Argument("", (3,), many=True),
+        "mass": Argument("kg"),
+        "stiffness": Argument("N/m", many=True),
+        "damping": Argument("N*s/m", many=True),
+    }
 
     place: Float64[Array, "3"]
     directions: Float64[Array, "n 3"]

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from collections.abc import Callable
+from functools import partial
+from typing import Any, NamedTuple
 
+import equinox as eqx
+import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
@@ -67,16 +71,16 @@ def build(spec: Spec[RigidBodyTable]) -> Craft:
         mounts.append(_controlled(controlled, law))
         rates.append(np.array([wheel.rate for wheel in controlled]))
     for place, wheel in others:
-        mounts.append(_named(f"wheel[{place}]", lambda wheel=wheel: _wheel(wheel)))
+        mounts.append(_named(f"wheel[{place}]", partial(_wheel, wheel)))
         rates.append(np.array(wheel.rate) if mounts[-1].state_size else None)
     for k, chosen in enumerate(table.mount):
         part = find_part(MOUNTS, chosen.type)
-        mounts.append(_named(f"mount[{k}]", lambda: make_part(part, chosen.values, elsewhere)))
+        mounts.append(_named(f"mount[{k}]", partial(make_part, part, chosen.values, elsewhere)))
         rates.append(None)
     torques: list[AbstractTorque] = []
     for k, chosen in enumerate(table.torque):
         part = find_part(TORQUES, chosen.type)
-        torques.append(_named(f"torque[{k}]", lambda: make_part(part, chosen.values, elsewhere)))
+        torques.append(_named(f"torque[{k}]", partial(make_part, part, chosen.values, elsewhere)))
     if table.control is not None and table.control.by == "torque" and law is not None:
         torques.append(_named("control", lambda: ControlTorque(law, table.control.limit)))
     system = RigidBody.from_body(spec.body, mounts, torques)
@@ -143,7 +147,7 @@ def _sort(table: RigidBodyTable) -> tuple[list[WheelTable], list[tuple[int, Whee
 
 def _law(table: ControlTable, elsewhere: dict[str, object]) -> AbstractControlLaw:
     part = find_part(LAWS, table.type)
-    return _named("control", lambda: make_part(part, table.values, elsewhere))
+    return _named("control", partial(make_part, part, table.values, elsewhere))
 
 
 def _controlled(wheels: list[WheelTable], law: AbstractControlLaw) -> ControlledWheels:
@@ -162,7 +166,7 @@ def _wheel(wheel: WheelTable) -> AbstractMount:
     return Wheel(wheel.axis, wheel.moment, motor=wheel.torque, friction=wheel.friction)
 
 
-def _named(place: str, make):  # noqa: ANN001, ANN202
+def _named(place: str, make: Callable[[], Any]) -> Any:
     """Return what is made, and put the place in the spec before what it refuses."""
     try:
         return make()
@@ -187,8 +191,16 @@ def _start(spec: Spec[RigidBodyTable], orbit: KeplerOrbit | None) -> tuple[Array
     relative = spec.system.orbit is not None and spec.system.orbit.relative
     if relative and orbit is not None:
         if whole:
-            raise InvalidInput("`orbit.relative` goes with an angular velocity; leave out `spin.momentum`, or relative.")
-        attitude = np.asarray(rotation.multiply(orbit.frame(0.0), attitude))
-        turning = rotation.rotate(rotation.conjugate(attitude), orbit.turning_rate(0.0) * orbit.normal)
-        return attitude, axes @ (along / moments) + np.asarray(turning), None
+            raise InvalidInput("`orbit.relative` goes with an angular velocity; leave out `spin.momentum` or it.")
+        frame, turning = map(np.asarray, _frame(orbit))
+        attitude = rotation.multiply(frame, attitude)
+        turning = rotation.rotate(rotation.conjugate(attitude), turning)
+        return attitude, axes @ (along / moments) + turning, None
     return (attitude, None, axes @ along) if whole else (attitude, axes @ (along / moments), None)
+
+
+@eqx.filter_jit
+def _frame(orbit: KeplerOrbit) -> tuple[Array, Array]:
+    """Return the axes that look down at the start (4,), and their angular velocity (3,) in space."""
+    start = jnp.zeros(())
+    return orbit.frame(start), orbit.turning_rate(start) * orbit.normal

@@ -12,8 +12,8 @@ from polhode import rotation
 from polhode.motion._trajectory import Trajectory
 from polhode.systems.controlled_wheels import ControlledWheels
 from polhode.systems.kepler_orbit import KeplerOrbit
-from polhode.systems.wheels import HeldWheel, Wheel
 from polhode.systems.rigid_body import RigidBody
+from polhode.systems.wheels import HeldWheel, Wheel
 from polhode.types import Array, Float64
 
 
@@ -29,7 +29,7 @@ class History(NamedTuple):
         rates: of the wheels against the body (T, wheels) [rad/s].
         motors: their torques (T, wheels) [N m], friction left out.
         torques: size of each torque from outside (T, torques) [N m], about the centre of mass.
-        load: what actuators are asked for over their limits (T,).
+        load: what actuators are asked for over their limits, at these samples or closer ones.
     """
 
     velocity: Float64[Array, "time 3"]
@@ -40,7 +40,12 @@ class History(NamedTuple):
     rates: Float64[Array, "time wheels"]
     motors: Float64[Array, "time wheels"]
     torques: Float64[Array, "time torques"]
-    load: Float64[Array, "time"]
+    load: Float64[Array, "samples"]
+
+    def thin(self, parts: int) -> History:
+        """Return every so many-th sample; of ``load`` all, as it is looked at between them."""
+        kept = {name: value for name, value in self._asdict().items() if value is not None}
+        return self._replace(**{name: value[::parts] for name, value in kept.items() if name != "load"})
 
     @property
     def power(self) -> Float64[Array, "time"]:
@@ -82,5 +87,6 @@ def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: 
     each = [jnp.linalg.norm(x, axis=-1)[..., None] for x in system.torques_apart(times, states)]
     return History(
         velocity, body.momentum, system.stored(states), pointing, nadir, jnp.concatenate([empty, *rates], axis=-1),
-        jnp.concatenate([empty, *motors], axis=-1), jnp.concatenate([empty, *each], axis=-1), system.load(times, states),
+        jnp.concatenate([empty, *motors], axis=-1), jnp.concatenate([empty, *each], axis=-1),
+        system.load(times, states),
     )  # fmt: skip

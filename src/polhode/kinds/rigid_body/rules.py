@@ -62,7 +62,8 @@ def _part_rules(
 def _control_rules(control: dict[str, Any], system: dict[str, Any]) -> Iterator[Mistake]:
     by = control.get("by", "wheels")
     if control.get("target") == "nadir" and "orbit" not in system:
-        yield ("system", "control", "target"), 'nadir is along an orbit; give one, like altitude = "500 km" under [orbit]'
+        text = 'nadir is along an orbit; give one, like altitude = "500 km" under [orbit]'
+        yield ("system", "control", "target"), text
     if by == "wheels":
         if "limit" in control:
             yield ("system", "control", "limit"), 'goes with by = "torque"; wheels have max_torque'

@@ -138,8 +138,12 @@ def settle(checked: Any) -> RigidBodyTable:
     given = set(checked.model_fields_set)
     values: dict[str, Any] = {name: getattr(checked, name) for name in RigidBodyTable.model_fields}
     for key in LISTS:
-        values[key] = [Chosen.model_construct(type=entry.type, values=_set(entry, ("type",))) for entry in values[key]]
-    if (law := values["control"]) is not None:
+        known = [entry for entry in values[key] if not isinstance(entry, Unknown)]
+        values[key] = [Chosen.model_construct(type=entry.type, values=_set(entry, ("type",))) for entry in known]
+    law = values["control"]
+    if isinstance(law, Unknown):
+        values["control"] = None
+    elif law is not None:
         own = {name: getattr(law, name) for name in ControlBase.model_fields}
         rest = _set(law, ("law", *ControlBase.model_fields))
         values["control"] = ControlTable.model_construct(type=law.law, values=rest, **own)

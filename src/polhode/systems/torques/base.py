@@ -72,8 +72,9 @@ class AbstractTorque(AbstractAttachment):
 
 
 def torque_of(
-    torque: AbstractTorque, t: Array, attitude: Attitude, angular_velocity: Array, own: Array, stored: Array
-) -> Array:
+    torque: AbstractTorque, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*batch n"],
+    stored: Velocity,
+) -> Float64[Array, "*batch 3"]:  # fmt: skip
     """Return τ (…, 3) of a torque, with the momentum ``stored`` inside, L − IΩ (…, 3), where it asks for that."""
     if not torque.needs_stored:
         return torque.torque(t, attitude, angular_velocity, own)

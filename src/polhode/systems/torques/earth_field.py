@@ -25,8 +25,8 @@ class EarthDipoleField(eqx.Module):
 
     This is −∇V of the first degree of the IGRF: V = a (a/r)² g·r̂. Space has its z axis along the Earth's axis of
     rotation, northward, so that the orbit's ``inclination`` and ``node`` are those against the equator. The Earth turns
-    about z; its meridian of Greenwich is at the angle ``greenwich`` from space x at t = 0. The dipole is about nine tenths
-    of the field at the ground; higher degrees are left out.
+    about z; its meridian of Greenwich is at the angle ``greenwich`` from space x at t = 0. The dipole is about nine
+    tenths of the field at the ground; higher degrees are left out.
 
     Args:
         orbit: of the body, with its semi-major axis.

@@ -34,7 +34,7 @@ class Thruster(AbstractTorque):
 
     >>> jet = Thruster(at=[10.0, 20.0], lasting=0.5, force=(0.0, 0.0, 2.0), position=(0.1, 0.0, 0.0))
     >>> jet.torque(10.25, None, jnp.zeros(3)).tolist(), jet.torque(10.5, None, jnp.zeros(3)).tolist()
-    ([0.0, -0.2, 0.0], [0.0, -0.0, 0.0])
+    ([0.0, -0.2, 0.0], [0.0, 0.0, 0.0])
     >>> jet.jumps.tolist()
     [10.0, 10.5, 20.0, 20.5]
     """
