@@ -312,8 +312,8 @@ class Hub:
     def add_flow(self, right, bodies, omega):
         """Add thrust, and what mass takes along: it vanishes from the tank, and leaves through the nozzle.
 
-        d/dt Σ m v = Σ m a − ṁ v_t is the thrust less ṁ v_n, and so about a point at rest for the moments. Velocities are
-        those against the centre of mass; Eke, NASA CR-1998-208246.
+        d/dt Σ m v = Σ m a − ṁ v_t is the thrust less ṁ v_n, and so about a point at rest for the moments. Velocities
+        are those against the centre of mass; Eke, NASA CR-1998-208246.
         """
         flow, tank, nozzle, exhaust, gyration = (numbers(x) for x in self.burn)
         whole = sum(piece.mass for piece, _ in bodies)

@@ -198,8 +198,10 @@ class RigidBody(AbstractRigidBody):
             carrier = jnp.diag(carrier) if carrier.ndim == 1 else carrier
             mass, carrier = leave_hub(parts, carrier, jnp.asarray(frame.center_of_mass), self._mass)
             if not float(mass) > 0.0:
-                raise InvalidInput(f"`mounts` must be parts of the body; they have {float(self._mass - mass):g} kg of its "
-                                   f"{float(self._mass):g} kg. Give the mass of all together.")  # fmt: skip
+                raise InvalidInput(
+                    f"`mounts` must be parts of the body; they have {float(self._mass - mass):g} kg of its "
+                    f"{float(self._mass):g} kg. Give the mass of all together."
+                )
         carrier = np.asarray(carrier)
         left = np.linalg.eigvalsh(carrier) if carrier.ndim == 2 else carrier
         if not left.min() > 0:
