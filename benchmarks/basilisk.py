@@ -17,7 +17,16 @@ import numpy as np
 
 import polhode as ph
 from polhode import rotation
-from polhode.systems import GravityGradient, HingedPart, KeplerOrbit, RigidBody, SphericalPendulum, SprungMass, Thruster, Wheel
+from polhode.systems import (
+    GravityGradient,
+    HingedPart,
+    KeplerOrbit,
+    RigidBody,
+    SphericalPendulum,
+    SprungMass,
+    Thruster,
+    Wheel,
+)
 
 UNTIL, SAMPLES = 6000.0, 61
 STEP = 0.05  # s, of Basilisk's RKF78
@@ -36,7 +45,8 @@ def whole(parts: list[tuple[float, np.ndarray, np.ndarray]]) -> ph.Body:
     """Return the body of the hub and parts of a mass, a place and an inertia."""
     mass = MASS + sum(m for m, _, _ in parts)
     center = (MASS * CENTER + sum((m * r for m, r, _ in parts), np.zeros(3))) / mass
-    about = INERTIA + MASS * spread(CENTER) + sum((inertia + m * spread(r) for m, r, inertia in parts), np.zeros((3, 3)))
+    added = (inertia + m * spread(r) for m, r, inertia in parts)
+    about = INERTIA + MASS * spread(CENTER) + sum(added, np.zeros((3, 3)))
     return ph.Body(mass, center, about - mass * spread(center))
 
 
@@ -192,15 +202,13 @@ def slosh() -> tuple[RigidBody, Any, Callable[..., Any]]:
 
 def pendulum() -> tuple[RigidBody, Any, Callable[..., Any]]:
     """A pendulum, whose angles Basilisk takes as φ about its third and θ about the turned second direction."""
-    pivot, length, mass, damping = np.array([0.1, 0.0, 0.5]), 0.8, 20.0, 0.05
+    pivot, length, mass, damping = np.array([0.1, 0.0, 0.5]), 0.8, 20.0, 0.5
     rest = np.array([1.0, 0.0, 0.0])
-    phi, theta = 0.3, -0.2
-    lean = np.array([np.cos(phi) * np.cos(theta), np.sin(phi) * np.cos(theta), -np.sin(theta)])
+    phi_rate, theta_rate = 4e-3, -3e-3
     part = SphericalPendulum(pivot, length * rest, mass, 0.0, damping * length**2, leaning=(0.0, 1.0, 0.0))
     body = RigidBody.from_body(whole([(mass, pivot + length * rest, np.zeros((3, 3)))]), [part])
-    # 2 tan(θ/2) along the two directions across the arm
-    across = np.asarray(part.across) / length
-    start = 2.0 * across @ lean / (1.0 + lean @ rest)
+    # ṅ at rest, along the two directions across the arm
+    start = np.asarray(part.across) / length @ np.array([0.0, phi_rate, -theta_rate])
 
     def add(sim: Any, craft: Any, task: str) -> Any:
         from Basilisk.simulation import sphericalPendulum
@@ -208,13 +216,12 @@ def pendulum() -> tuple[RigidBody, Any, Callable[..., Any]]:
         swing = sphericalPendulum.SphericalPendulum()
         swing.pendulumRadius, swing.massInit, swing.d = length, mass, pivot.reshape(3, 1).tolist()
         swing.D = (damping * np.eye(3)).tolist()
-        swing.phiDotInit = swing.thetaDotInit = 0.0
+        swing.phiDotInit, swing.thetaDotInit = phi_rate, theta_rate
         swing.pHat_01, swing.pHat_02, swing.pHat_03 = ([[float(x)] for x in row] for row in np.eye(3))
         craft.addStateEffector(swing)
-        swing.phiInit, swing.thetaInit = phi, theta
         return swing
 
-    return body, body.pack((1.0, 0.0, 0.0, 0.0), VELOCITY, coordinates=[start]), add
+    return body, body.pack((1.0, 0.0, 0.0, 0.0), VELOCITY, rates=[start]), add
 
 
 def panels() -> tuple[RigidBody, Any, Callable[..., Any]]:

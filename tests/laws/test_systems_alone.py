@@ -5,6 +5,7 @@ import inspect
 import numpy as np
 import pytest
 
+import polhode
 from polhode import systems
 from polhode.systems.base import AbstractLiePoissonSystem, components
 from specimens import SYSTEMS
@@ -44,15 +45,28 @@ CONTROL = [
     systems.SolarPressure((1.0, 2.0, 3.0), **PLATES, specular=0.3, diffuse=0.2, pressure=1.0),
     systems.AerodynamicDrag(WAY, 1e-8, **PLATES),
 ]
+SLOSH = systems.SprungMass((0.1, 0.2, 0.1), [(1.0, 0.0, 0.0), (0.0, 1.0, 1.0)], 0.3, 2.0, 0.1)
+PANEL = systems.HingedPart(
+    (0.2, 0.0, 0.0), (0.0, 1.0, 0.0), (0.5, 0.0, 0.1), 0.2, np.diag([0.02, 0.03, 0.04]), 1.0, 0.1,
+    motor=lambda t, attitude, velocity, angle, rate: 0.1 * t + attitude[..., 1] - rate,
+)  # fmt: skip
+PENDULUM = systems.SphericalPendulum((0.0, 0.1, 0.2), (0.0, 0.1, -0.3), 0.2, 0.4, 0.05)
+GYROSCOPE = systems.ControlMomentGyroscope((0.0, 0.0, 1.0), systems.Wheel((1.0, 0.0, 0.0), 0.02, motor),
+                                           (0.05, 0.03, 0.04), 0.1, friction=0.2)  # fmt: skip
+LOCKED = systems.LockedPart(PANEL, 0.4)
+FUEL = systems.Propellant((0.0, 0.1, 0.0), 0.5, (0.0, 0.0, -0.7), lambda t: 0.01 * t, (0.0, 0.0, -3.0))
+CRAFT = polhode.Body(12.0, (0.01, 0.02, -0.03), np.diag(MOMENTS))
 SPECIMENS = [
+    SLOSH, PANEL, PENDULUM, GYROSCOPE, LOCKED, FUEL,
     *{type(system): system for system in reversed(SYSTEMS)}.values(), DISK, systems.SpinOrbit(0.89, 0.4), ORBIT, *LAWS,
     systems.LinearDrag((0.1, 0.2, 0.3)), systems.QuadraticDrag(0.05), systems.GravityGradient(ORBIT, MOMENTS),
-    ROTOR, HELD, SLUG, SINK, LAGGED, systems.RigidBody(MOMENTS, [ROTOR, HELD, SLUG, SINK], [GRAVITY, LAGGED]),
+    ROTOR, HELD, SLUG, SINK, LAGGED, systems.RigidBody.from_body(
+        CRAFT, [ROTOR, HELD, SLUG, SINK, SLOSH, PANEL, PENDULUM, GYROSCOPE, LOCKED, FUEL], [GRAVITY, LAGGED]),
     systems.TorquedBody(MOMENTS, [systems.LinearDrag(0.3), systems.GravityGradient(ORBIT, MOMENTS)]),
     systems.TorquedGyrostat(MOMENTS, (1.0, 2.0, 3.0), 0.3, 0.1), systems.Variations(systems.FreeRigidBody(MOMENTS), 2),
     *CONTROL, systems.RigidBody(MOMENTS, [WHEELS], [systems.TorqueRods(FIELD, 1e7, "dump", limit=1e5)]),
 ]  # fmt: skip
-NOT_MOVING = {systems.AbstractControlLaw, systems.Argument,
+NOT_MOVING = {systems.AbstractControlLaw, systems.Argument, systems.AbstractMovingPart,
               systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque, systems.AbstractMount,
               systems.AbstractRigidBody, systems.RollingDissipation, systems.Balance, systems.RotorInBody,
               systems.Bond, systems.Lattice, systems.exchange_matrix, systems.quiet_start,
@@ -86,6 +100,10 @@ LEFT_OUT = {
     "without_limits": "returns a system",
     "as_given": "takes a state apart, and is called by the others",
     "torques_apart": "returns a list, whose sum is tested by external_torque",
+    "at_rest": "takes nothing, and is called by the equations of motion",
+    "Propellant.start": "takes no rate, and is tested in tests/systems/test_moving_parts.py",
+    "from_beam": "refuses traced numbers, see test_refused_when_traced",
+    "RigidBody.from_body": "takes a body, whose numbers are known",
     "layout": "says what numbers mean, and returns none",
     "part": "takes the name of a part of a state",
     "parts": "takes a state apart, and is called by the others",
@@ -140,6 +158,10 @@ def arguments(system, method):
         values["own"] = values["actuator"] = RNG.normal(size=(3, system.state_size))
         values["rate"] = RNG.normal(size=(3, 3) if system in (SLUG, WHEELS) else 3)
         values["stored"] = RNG.normal(size=(3, 3))
+    if isinstance(system, systems.AbstractMovingPart):
+        values["q"] = 0.3 * RNG.normal(size=(3, system.count))
+        count = system.rate_count if method.__name__ == "start_further" else system.count
+        values["rate"] = RNG.normal(size=(3, count))
     if isinstance(system, AbstractLiePoissonSystem):
         values["point"] = points(system)
     flat = isinstance(system, systems.PlaneVortices)
@@ -151,7 +173,7 @@ def arguments(system, method):
 
 
 VORTICES = (systems.SphereVortices, systems.PlaneVortices)
-ATTACHED = (systems.AbstractMount, systems.AbstractTorque, systems.AbstractControlLaw)
+ATTACHED = (systems.AbstractMount, systems.AbstractMovingPart, systems.AbstractTorque, systems.AbstractControlLaw)
 NO_STATE = (systems.KeplerOrbit, systems.EarthDipoleField, systems.RollingDissipation, *ATTACHED)
 
 

@@ -62,7 +62,7 @@ ZERO = [mp.mpf(0)] * 3
 
 @dataclass
 class Piece:
-    """One rigid body of a part, seen from the hub: mass, place, velocity, acceleration but for q̈, ∂r/∂q; and turning."""
+    """A rigid body of a part, seen from the hub: mass, place, velocity, acceleration but for q̈, ∂r/∂q; and turning."""
 
     mass: Any
     place: list
@@ -262,7 +262,8 @@ class Hub:
         if self.burn is not None:  # a body of negative mass, for what is no longer there
             lost = numbers(self.burn[0]) * t
             inertia = [scale(-lost, row) for row in numbers(self.burn[4])]
-            bodies.append((Piece(-lost, numbers(self.burn[1]), ZERO, ZERO, [], inertia, ZERO, ZERO, []), [None] * count))
+            gone = Piece(-lost, numbers(self.burn[1]), ZERO, ZERO, [], inertia, ZERO, ZERO, [])
+            bodies.append((gone, [None] * count))
             self.add_flow(right, bodies, omega)
         for piece, where in bodies:
             self.add_body(matrix, right, piece, where, omega)
@@ -311,12 +312,13 @@ class Hub:
     def add_flow(self, right, bodies, omega):
         """Add thrust, and what mass takes along: it vanishes from the tank, and leaves through the nozzle.
 
-        d/dt Σ m v = Σ m a − ṁ v_t is the thrust less ṁ v_n, and so about a point at rest for the moments. Velocities are
-        those against the centre of mass; Eke, NASA CR-1998-208246.
+        d/dt Σ m v = Σ m a − ṁ v_t is the thrust less ṁ v_n, and so about a point at rest for the moments. Velocities
+        are those against the centre of mass; Eke, NASA CR-1998-208246.
         """
         flow, tank, nozzle, exhaust, gyration = (numbers(x) for x in self.burn)
         whole = sum(piece.mass for piece, _ in bodies)
-        drift = add(ZERO, *(scale(piece.mass / whole, add(cross(omega, piece.place), piece.speed)) for piece, _ in bodies))
+        speeds = [scale(piece.mass / whole, add(cross(omega, piece.place), piece.speed)) for piece, _ in bodies]
+        drift = add(ZERO, *speeds)
         at_nozzle, at_tank = (add(cross(omega, x), scale(-1, drift)) for x in (nozzle, tank))
         thrust = scale(-flow, exhaust)
         force = add(thrust, scale(-flow, at_nozzle), scale(flow, at_tank))

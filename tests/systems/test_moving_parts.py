@@ -74,7 +74,8 @@ def test_what_is_stored_is_what_the_laws_give(name):
     """Over a tenth of a second in 25 digits, as two seconds take minutes."""
     body, start, hub, own = cases.make(name)
     with mp.workdps(25):
-        end = np.array([float(x) for x in laws.integrate(hub.rates, own, 0, mp.mpf("0.1"), 2 if name != "gyroscope" else 3, 8)])
+        steps = 3 if name == "gyroscope" else 2
+        end = np.array([float(x) for x in laws.integrate(hub.rates, own, 0, mp.mpf("0.1"), steps, 8)])
     found = ph.simulate(body, start, [0.0, 0.1]).along("given")
     assert np.abs(found.attitude[-1] - end[:4]).max() < AGREES
     assert np.abs(found.angular_velocity[-1] - end[4:7]).max() < AGREES
@@ -85,7 +86,8 @@ class WithoutCentre(RigidBody):
 
     def _arranged(self, owns):
         right = super()._arranged(owns)
-        shifts = [part.mass * shift for part, at in zip(self.moving_parts, right.parts, strict=True) for shift in at.shifts]
+        pairs = zip(self.moving_parts, right.parts, strict=True)
+        shifts = [part.mass * shift for part, at in pairs for shift in at.shifts]
         masses = [[m + jnp.sum(a * b, axis=-1) / right.mass for m, b in zip(row, shifts, strict=True)]
                   for row, a in zip(right.masses, shifts, strict=True)]  # fmt: skip
         return right._replace(masses=masses)
@@ -146,13 +148,6 @@ def test_with_everything_at_once_every_balance_holds():
     assert set(worst) == {"kinetic_energy", "|L|²", "jacobi_integral"} and max(worst.values()) < BALANCE
 
 
-class Perpetual(SprungMass):
-    """A broken specimen: its damper costs more than it takes."""
-
-    def applied(self, t, attitude, angular_velocity, own, rate):
-        return super().applied(t, attitude, angular_velocity, own, rate + 1e-6 * own[..., : self.count])
-
-
 def test_power_is_that_of_the_damper_alone():
     """−c |q̇|² with the momentum in space kept, and with a wrong slope of the energy both would tell."""
     slosh = SprungMass((0.1, 0.4, 0.3), (0, 1, 0), 3.0, 4.0, 0.5)
@@ -162,7 +157,7 @@ def test_power_is_that_of_the_damper_alone():
     found = ph.simulate(body, start, np.linspace(0.0, 60.0, 7), Taylor)
     assert found.drift["momentum_space"] < KEPT and found.drift["energy"] < KEPT
     assert found.received["energy"][-1] < -0.1
-    assert found.outcome.successful and set(found.invariants) == {"|L|²", "momentum_space"}
+    assert str(found.outcome) == "successful" and set(found.invariants) == {"|L|²", "momentum_space"}
 
 
 class Tilted(SprungMass):
@@ -243,9 +238,10 @@ def test_a_burn_ends_where_it_says_or_where_the_tank_is_empty():
     pulse = Propellant((0.0, 0.0, 0.0), 2.0, nozzle, 1e-3, thrust, at=500.0, lasting=0.02)
     craft = RigidBody.from_body(body, [pulse])
     found = ph.simulate(craft, craft.pack(), [0.0, 1000.0]).along("given")
-    # ΔL = r × F Δt with F = −ṁ u, but for what the jet damps, of some 1e-9 of it
-    wanted = 0.02 * np.cross(nozzle, -1e-3 * thrust)
-    assert np.abs(found.momentum[-1] - wanted).max() < 1e-8 * np.linalg.norm(wanted)
+    # ΔL = r × F Δt with F = −ṁ u, less ∫ ṁ r² Ω dt that the jet damps
+    damped = 0.5 * 1e-3 * (nozzle @ nozzle) / 8.0 * 0.02
+    wanted = 0.02 * np.cross(nozzle, -1e-3 * thrust) * (1.0 - damped)
+    assert damped > 1e-6 and np.abs(found.momentum[-1] - wanted).max() < 3e-12 * np.linalg.norm(wanted)
     assert found.part("propellant_mass")[-1] == pytest.approx(2.0 - 2e-5, abs=1e-15)
     always = RigidBody.from_body(body, [Propellant((0.0, 0.0, 0.0), 2.0, nozzle, 0.01)])
     ended = ph.simulate(always, always.pack(angular_velocity=(0.0, 0.0, 0.1)), [0.0, 1000.0])

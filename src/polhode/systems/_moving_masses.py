@@ -131,6 +131,20 @@ def _own_mass(part: AbstractMovingPart, at: Placed, i: int, j: int) -> Array:
     return moved + _dot(at.axes[i], _turned(at.tensor, at.axes[j])) if at.axes else moved
 
 
+def leave_hub(
+    parts: Sequence[AbstractMovingPart], carrier: Array, center: Array, mass: Array
+) -> tuple[Array, Array]:
+    """Return mass () and inertia (3, 3) about its own centre of what is left of a body without its parts at rest."""
+    left, first, about = jnp.asarray(mass), jnp.zeros(3), carrier
+    for part in parts:
+        place, tensor = part.at_rest()
+        place = place - center
+        left, first, about = left - part.mass, first - part.mass * place, about - part.mass * _spread(place)
+        about = about if tensor is None else about - tensor
+    safe = jnp.where(left > 0.0, left, 1.0)
+    return left, about - safe * _spread(first / safe)
+
+
 def momenta(arrangement: Arrangement, velocity: Array, rates: Vectors) -> tuple[Array, Vectors]:
     """Return L (…, 3) of carrier and parts, and π_j (…), of Ω (…, 3) and q̇_j (…)."""
     angular = jnp.sum(arrangement.inertia * velocity[..., None, :], axis=-1)

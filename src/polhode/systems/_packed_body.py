@@ -169,8 +169,10 @@ class AbstractPackedBody(AbstractSystem):
         places = self._checked_coordinates(coordinates)
         if attitude is None and self.needs_attitude:
             attitude = jnp.array([1.0, 0.0, 0.0, 0.0])
-        arrangement = self._arranged([mount.start(jnp.zeros(()), jnp.zeros(3)) if isinstance(mount, AbstractMount) else q
-                                      for mount, q in zip(self.mounts, places, strict=True)])  # fmt: skip
+        resting = [mount.start(jnp.zeros(()), jnp.zeros(3)) if isinstance(mount, AbstractMount) else None
+                   for mount in self.mounts]  # fmt: skip
+        pairs = zip(resting, places, strict=True)
+        arrangement = self._arranged([q if own is None else own for own, q in pairs])
         velocity = jnp.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
         if momentum is not None:
             # L = J Ω + what turns against the body

@@ -14,6 +14,7 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn
 from polhode.motion.frame import BodyFrame
+from polhode.systems._moving_masses import leave_hub
 from polhode.systems._packed_body import Structure
 from polhode.systems._rigid_motion import AbstractRigidMotion, Moment, take_rates
 from polhode.systems.attachments import Time
@@ -192,11 +193,20 @@ class RigidBody(AbstractRigidBody):
         frame = self._frame()
         self.mounts = checked_mounts(mounts, frame)
         self.torques = checked_torques(torques, frame)
-        carrier = np.asarray(self.carrier)
+        carrier = self.carrier
+        if parts := self.moving_parts:
+            carrier = jnp.diag(carrier) if carrier.ndim == 1 else carrier
+            mass, carrier = leave_hub(parts, carrier, jnp.asarray(frame.center_of_mass), self._mass)
+            if not float(mass) > 0.0:
+                raise InvalidInput(
+                    f"`mounts` must be parts of the body; they have {float(self._mass - mass):g} kg of its "
+                    f"{float(self._mass):g} kg. Give the mass of all together."
+                )
+        carrier = np.asarray(carrier)
         left = np.linalg.eigvalsh(carrier) if carrier.ndim == 2 else carrier
         if not left.min() > 0:
             raise InvalidInput(
-                f"`mounts` must be parts of the body; without what they turn by themselves it is left with moments "
+                f"`mounts` must be parts of the body; without what moves or turns by itself it is left with moments "
                 f"[{', '.join(f'{x:.6g}' for x in left)}] kg m². `moments` are those of the whole body, its mounts "
                 "locked."
             )
