@@ -85,6 +85,20 @@ def test_a_smooth_pulse_is_found():
     assert got == pytest.approx(0.5 * 0.3 * np.sqrt(2.0 * np.pi), rel=1e-9)
 
 
+def test_what_switches_as_often_as_times_are_tried_is_seen():
+    """At equal trials, 1 ms apart, it was always off, and nothing was known of it."""
+
+    class Modulated(AbstractTorque):
+        def torque(self, t, attitude, angular_velocity, actuator=None):
+            phase = jnp.mod(1000.0 * t, 1.0)
+            on = jnp.where((phase >= 0.1) & (phase < 0.2), 0.5, 0.0)
+            return on[..., None] * jnp.array([0.0, 0.0, 1.0]) + 0.0 * angular_velocity
+
+    system = RigidBody(MOMENTS, torques=[Modulated()])
+    with pytest.warns(UserWarning, match="switch at least"):
+        find_undeclared_jumps(system, system.pack(), np.array([0.0, 131.072]))
+
+
 def test_what_shows_only_along_the_motion_is_found_there():
     """A brake that acts for 20 s, on a body that another pulse sets turning: at the start it is nothing."""
 

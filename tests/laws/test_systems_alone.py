@@ -5,6 +5,7 @@ import inspect
 import numpy as np
 import pytest
 
+import polhode
 from polhode import systems
 from polhode.systems.base import AbstractLiePoissonSystem, components
 from specimens import SYSTEMS
@@ -12,7 +13,7 @@ from transformed import check_alone
 
 RNG = np.random.default_rng(4)
 MOMENTS = (1.0, 2.0, 2.5)
-ORBIT = systems.KeplerOrbit(0.7, 0.3, 0.4)
+ORBIT = systems.KeplerOrbit(0.7, 0.3, 0.4, inclination=1.1, node=0.7, periapsis=0.3, semi_major_axis=2.0)
 DISK = systems.EulerDisk(0.4, 0.04, 0.01, dissipation=[systems.AirLayer(1.8e-4)])
 LAWS = [
     systems.AirLayer(1.8e-4), systems.BoundaryLayer(1e-9), systems.ViscousContourFriction(1e-7),
@@ -29,14 +30,44 @@ SINK = systems.EnergySink(0.1)
 LAGGED = systems.LaggedTorque(lambda t, attitude, velocity: t[..., None] * velocity + attitude[..., 1:], 0.7)
 HELD = systems.HeldWheel((0.0, 1.0, 1.0), 0.1, 5.0)
 GRAVITY = systems.GravityGradient(systems.KeplerOrbit(0.7, 0.0, 0.4), MOMENTS)
+WAY = systems.KeplerOrbit.from_semi_major_axis(7e6, 3.986004418e14, 0.05, 0.4, inclination=1.1, node=0.7, periapsis=0.3)
+FIELD = systems.EarthDipoleField(WAY, 0.3)
+PLATES = {"areas": [1.0, 2.0], "normals": np.eye(3)[:2], "positions": np.eye(3)[1:]}
+POINTING = systems.QuaternionPD(0.3, (0.2, 0.3, 0.4), target="nadir", orbit=WAY)
+STEADYING = systems.RateControl((0.1, 0.2, 0.3), 0.5)
+OWN_LAW = systems.UserLaw(lambda t, q, w, own: q[..., 1:] - w + own, lambda t, q, w, own: w - 0.1 * own, 3)
+WHEELS = systems.ControlledWheels(np.eye(3), 0.01, OWN_LAW, max_torque=0.9, max_rate=300.0, friction=0.1)
+CONTROL = [
+    FIELD, POINTING, STEADYING, OWN_LAW, WHEELS, systems.ControlTorque(POINTING, 0.4),
+    systems.Thruster([0.6, 1.1], 0.4, (1.0, 2.0, 3.0), (0.1, 0.2, 0.3)),
+    systems.ConstantTorque((0.1, 0.2, 0.3), "space"), systems.MagneticDipole(FIELD, (1e3, 2e3, 3e3)),
+    systems.TorqueRods(FIELD, 1e7, "dump", limit=1e5), systems.EddyCurrents(FIELD, 1e9),
+    systems.SolarPressure((1.0, 2.0, 3.0), **PLATES, specular=0.3, diffuse=0.2, pressure=1.0),
+    systems.AerodynamicDrag(WAY, 1e-8, **PLATES),
+]
+SLOSH = systems.SprungMass((0.1, 0.2, 0.1), [(1.0, 0.0, 0.0), (0.0, 1.0, 1.0)], 0.3, 2.0, 0.1)
+PANEL = systems.HingedPart(
+    (0.2, 0.0, 0.0), (0.0, 1.0, 0.0), (0.5, 0.0, 0.1), 0.2, np.diag([0.02, 0.03, 0.04]), 1.0, 0.1,
+    motor=lambda t, attitude, velocity, angle, rate: 0.1 * t + attitude[..., 1] - rate,
+)  # fmt: skip
+PENDULUM = systems.SphericalPendulum((0.0, 0.1, 0.2), (0.0, 0.1, -0.3), 0.2, 0.4, 0.05)
+GYROSCOPE = systems.ControlMomentGyroscope((0.0, 0.0, 1.0), systems.Wheel((1.0, 0.0, 0.0), 0.02, motor),
+                                           (0.05, 0.03, 0.04), 0.1, friction=0.2)  # fmt: skip
+LOCKED = systems.LockedPart(PANEL, 0.4)
+FUEL = systems.Propellant((0.0, 0.1, 0.0), 0.5, (0.0, 0.0, -0.7), lambda t: 0.01 * t, (0.0, 0.0, -3.0))
+CRAFT = polhode.Body(12.0, (0.01, 0.02, -0.03), np.diag(MOMENTS))
 SPECIMENS = [
+    SLOSH, PANEL, PENDULUM, GYROSCOPE, LOCKED, FUEL,
     *{type(system): system for system in reversed(SYSTEMS)}.values(), DISK, systems.SpinOrbit(0.89, 0.4), ORBIT, *LAWS,
     systems.LinearDrag((0.1, 0.2, 0.3)), systems.QuadraticDrag(0.05), systems.GravityGradient(ORBIT, MOMENTS),
-    ROTOR, HELD, SLUG, SINK, LAGGED, systems.RigidBody(MOMENTS, [ROTOR, HELD, SLUG, SINK], [GRAVITY, LAGGED]),
+    ROTOR, HELD, SLUG, SINK, LAGGED, systems.RigidBody.from_body(
+        CRAFT, [ROTOR, HELD, SLUG, SINK, SLOSH, PANEL, PENDULUM, GYROSCOPE, LOCKED, FUEL], [GRAVITY, LAGGED]),
     systems.TorquedBody(MOMENTS, [systems.LinearDrag(0.3), systems.GravityGradient(ORBIT, MOMENTS)]),
     systems.TorquedGyrostat(MOMENTS, (1.0, 2.0, 3.0), 0.3, 0.1), systems.Variations(systems.FreeRigidBody(MOMENTS), 2),
+    *CONTROL, systems.RigidBody(MOMENTS, [WHEELS], [systems.TorqueRods(FIELD, 1e7, "dump", limit=1e5)]),
 ]  # fmt: skip
-NOT_MOVING = {systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque, systems.AbstractMount,
+NOT_MOVING = {systems.AbstractControlLaw, systems.Argument, systems.AbstractMovingPart,
+              systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque, systems.AbstractMount,
               systems.AbstractRigidBody, systems.RollingDissipation, systems.Balance, systems.RotorInBody,
               systems.Bond, systems.Lattice, systems.exchange_matrix, systems.quiet_start,
               systems.rotor_in_body}  # fmt: skip
@@ -63,6 +94,16 @@ LEFT_OUT = {
     "vortex": "refuses traced numbers, see test_refused_when_traced",
     "SphereFluid.cost": "takes whole numbers, and is tested in tests/systems/test_sphere_fluid.py",
     "Variations.scales": "are infinite for changes",
+    "bound": "takes the axes of a body, whose numbers are known",
+    "started": "chooses a sign by numbers that are known",
+    "check_size": "refuses an orbit of unknown size",
+    "without_limits": "returns a system",
+    "as_given": "takes a state apart, and is called by the others",
+    "torques_apart": "returns a list, whose sum is tested by external_torque",
+    "at_rest": "takes nothing, and is called by the equations of motion",
+    "Propellant.start": "takes no rate, and is tested in tests/systems/test_moving_parts.py",
+    "from_beam": "refuses traced numbers, see test_refused_when_traced",
+    "RigidBody.from_body": "takes a body, whose numbers are known",
     "layout": "says what numbers mean, and returns none",
     "part": "takes the name of a part of a state",
     "parts": "takes a state apart, and is called by the others",
@@ -70,7 +111,9 @@ LEFT_OUT = {
 }
 DISK_START = np.array([0.4, 0.3, 0.2, 0.01, 0.02, 0.1, 6.0, 1.0])
 AT_ONCE = systems.FreeRigidBody
-BATCH_OF_TIMES_ONLY = ("vector_field", "balances", "generator", "torque", "jacobi_integral", "relative_velocity")
+BATCH_OF_TIMES_ONLY = ("vector_field", "balances", "generator", "torque", "jacobi_integral", "relative_velocity",
+                       "force", "forces", "load", "wanted", "commanded", "motor_torques", "state_rate", "power",
+                       "moments_of_rods", "packed_as_given", "rates")  # fmt: skip
 
 
 def unit(rows):
@@ -113,20 +156,25 @@ def arguments(system, method):
     values |= {name: RNG.normal(size=(3, 3)) for name in ("angular_velocity", "velocity", "momentum")}
     if isinstance(system, ATTACHED):
         values["own"] = values["actuator"] = RNG.normal(size=(3, system.state_size))
-        values["rate"] = RNG.normal(size=(3, 3) if system is SLUG else 3)
+        values["rate"] = RNG.normal(size=(3, 3) if system in (SLUG, WHEELS) else 3)
+        values["stored"] = RNG.normal(size=(3, 3))
+    if isinstance(system, systems.AbstractMovingPart):
+        values["q"] = 0.3 * RNG.normal(size=(3, system.count))
+        count = system.rate_count if method.__name__ == "start_further" else system.count
+        values["rate"] = RNG.normal(size=(3, count))
     if isinstance(system, AbstractLiePoissonSystem):
         values["point"] = points(system)
     flat = isinstance(system, systems.PlaneVortices)
     values["places"] = 3.0 + RNG.normal(size=(3, 2)) if flat else unit(RNG.normal(size=(3, 3)))
     names = list(inspect.signature(method).parameters)
     if method.__name__ == "pack":  # angular velocity or momentum; mounts at rest
-        names = [name for name in names if name not in ("momentum", "rates", "actuators")]
+        names = [name for name in names if name not in ("momentum", "rates", "actuators", "coordinates")]
     return [None if name == "disk" else values[name] for name in names]
 
 
 VORTICES = (systems.SphereVortices, systems.PlaneVortices)
-ATTACHED = (systems.AbstractMount, systems.AbstractTorque)
-NO_STATE = (systems.KeplerOrbit, systems.RollingDissipation, *ATTACHED)
+ATTACHED = (systems.AbstractMount, systems.AbstractMovingPart, systems.AbstractTorque, systems.AbstractControlLaw)
+NO_STATE = (systems.KeplerOrbit, systems.EarthDipoleField, systems.RollingDissipation, *ATTACHED)
 
 
 def methods():

@@ -239,6 +239,66 @@ def spinning_equilibria(
     return tuple(_judge_spin(A, C, n, s, case, axis) for case, axis in axes)
 
 
+@dataclass(frozen=True)
+class NearestRest:
+    """The rest nearest to an attitude.
+
+    Attributes:
+        equilibrium: what it is.
+        turn: (3, 3) the principal axes by columns in the orbit's frame, one along each axis.
+        angle: to it [rad].
+    """
+
+    equilibrium: OrbitalEquilibrium
+    turn: Float64[np.ndarray, "3 3"]
+    angle: float
+
+
+def nearest_rest(axes: Real[ArrayLike, "3 3"], moments: Real[ArrayLike, "3"], mean_motion: float) -> NearestRest:
+    """Return the rest nearest to a body on a circular orbit.
+
+    Args:
+        axes: (3, 3) principal axes by columns in the orbit's frame, which looks ahead, against the normal, and down.
+        moments: (3,) about them [kg m²].
+        mean_motion: n [rad/s].
+
+    >>> near = nearest_rest(np.eye(3)[[1, 0, 2]] * [1.0, 1.0, -1.0], (1.0, 2.0, 2.5), 0.001)
+    >>> near.equilibrium.roll, near.equilibrium.pitch, near.equilibrium.yaw, near.equilibrium.region
+    (2, 1, 3, 'unstable')
+    """
+    matrix, rests = np.asarray(axes, dtype=float), []
+    for equilibrium in orbital_equilibria(moments, mean_motion):
+        order = [equilibrium.roll - 1, equilibrium.pitch - 1, equilibrium.yaw - 1]
+        chosen = matrix[range(3), order]
+        turn = np.zeros((3, 3))
+        turn[range(3), order] = np.where(chosen < 0, -1.0, 1.0)
+        if np.linalg.det(turn) < 0:  # the sign that costs least makes it a rotation
+            weakest = int(np.argmin(np.abs(chosen)))
+            turn[weakest, order[weakest]] *= -1.0
+        rests.append((float(np.sum(turn * matrix)), turn, equilibrium))
+    trace, turn, equilibrium = max(rests, key=lambda rest: rest[0])
+    return NearestRest(equilibrium, turn, math.acos(min(1.0, max(-1.0, 0.5 * (trace - 1.0)))))
+
+
+@known_numbers_only
+def escape_energy(moments: Real[ArrayLike, "3"], mean_motion: float) -> float:
+    """Return the Jacobi integral [J] below which a body on a circular orbit cannot leave the rest that it is near.
+
+    It is ½ w·Iw + ½ n² (3 R̂·IR̂ − ẑ·Iẑ), whose second part has its least values, at the four attitudes with the largest
+    moment across the orbit and the least one down, ½ n² (3 I1 − I3). Its next critical values are those with two axes
+    exchanged; below the lower of them, what a motion can reach falls apart into four pieces, one about each rest.
+
+    Args:
+        moments: (3,) principal moments [kg m²].
+        mean_motion: n [rad/s].
+
+    Source: Hughes, *Spacecraft Attitude Dynamics* (1986), §9.3; Likins & Roberson, J. Astronaut. Sci. 13 (1966) 87.
+    """
+    first, second, third = np.sort(np.asarray(moments, dtype=float)).tolist()
+    lowest = 3.0 * first - third
+    return 0.5 * float(mean_motion) ** 2 * (lowest + min(third - second, 3.0 * (second - first)))
+
+
 def _judge_spin(
     A: float, C: float, n: float, s: float, case: str, axis: Float64[np.ndarray, "3"]
 ) -> SpinningEquilibrium:

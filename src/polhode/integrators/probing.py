@@ -1,10 +1,10 @@
 """Finds times at which rates of change jump or start, by trying many times, as step control cannot see them.
 
 Steps of a body that hardly moves are as long as the samples are apart, and none of their stages need lie in a pulse.
-So rates that depend on time by themselves are evaluated at many times, at a fixed state. Where they stay, and then
-change, is a place at which a step has to end: a jump is bisected to a rounding of its time, and a smooth pulse gets
-places at its beginning, inside and at its end. What passes between two trials is not found; ``jumps`` of the system
-names it.
+So rates that depend on time by themselves are evaluated at many times, partly random, at a fixed state. Where they
+stay, and then change, is a place at which a step has to end: a jump is bisected to a rounding of its time, and a smooth
+pulse gets places at its beginning, inside and at its end. What passes between two trials is not found; ``jumps`` of the
+system names it.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ INSIDE = len(INNER)  # cells between trials that it must have for them
 MOST = 1 << 14  # beginnings and ends at which steps are made to end; of more a warning tells
 COPIES = 8  # of a batch that are tried: the first by all trials, the others by as many together
 BISECTIONS = 60
+SHIFT = 0.25  # of the time between two trials, by which each is moved at most
 REMEMBERED = 256  # systems
 FURTHER = "further_jumps"  # the field of those that a system does not name itself
 
@@ -97,6 +98,8 @@ def find_undeclared_jumps(
 
     Warns where there are more than steps can be made to end at.
     """
+    if system.names_all_jumps:
+        return np.zeros(0)
     copies = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))
     ends = np.asarray(times, dtype=float)[[0, -1]]
     chosen = _choose_copies(len(copies))
@@ -113,6 +116,8 @@ def jumps_along(
         states: (batch…, T, …), of which up to eight copies count, each up to its end.
         times: (T,) [s], in one direction.
     """
+    if system.names_all_jumps:
+        return np.zeros(0)
     own = np.shape(states)[np.ndim(states) - system.state_axes :]
     copies, jumps = np.reshape(states, (-1, len(times), *own)), []
     for k, trials in _choose_copies(len(copies)):
@@ -155,6 +160,9 @@ def _changes(
     spans = len(times) - 1
     each = int(np.clip(min(NUMBERS // max(np.size(states[0]), 1), trials) // spans, 2, TRIALS))
     tried = np.linspace(times[:-1], times[1:], each + 1, axis=-1)
+    # at random places, as what switches at the rate of equal trials would look the same at all of them
+    shifts = np.random.default_rng(0).uniform(-SHIFT, SHIFT, (spans, each - 1))
+    tried[:, 1:-1] += shifts * (np.diff(times)[:, None] / each)
     rates, which = _Rates(system, np.asarray(states)), np.repeat(np.arange(spans), each)
     values = rates(np.ravel(tried), np.repeat(np.arange(spans), each + 1)).reshape(spans, each + 1, -1)
     low, high = np.ravel(tried[:, :-1]), np.ravel(tried[:, 1:])

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
+from pydantic import BaseModel
 
 from polhode.analysis._mechanics import Mechanics
 from polhode.bodies.body import Body
@@ -167,6 +168,14 @@ class AbstractKind(abc.ABC, Generic[TableT]):
     def example(self) -> str:
         """The folder's ``example.toml``: a short spec of this kind."""
         return self._file("example.toml")
+
+    def model_of(self, raw: dict[str, Any]) -> type[BaseModel]:
+        """Return the model that checks a raw [system], with what stands beside it; ``table`` unless overridden."""
+        return self.table
+
+    def settle(self, checked: Any) -> TableT:
+        """Return what a spec keeps of the object of ``model_of``; itself unless overridden."""
+        return checked
 
     @abc.abstractmethod
     def report(self, spec: Spec[TableT]) -> SystemReport:

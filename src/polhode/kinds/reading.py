@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import difflib
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
 from polhode.formats.molecule import FORMS
 from polhode.formats.paths import as_path
 from polhode.kinds.base import AbstractKind, Spec
-from polhode.kinds.registry import default_kind, find_kind, kind_names
+from polhode.kinds.registry import default_kind, find_kind, kind_names, kinds_with_table
 from polhode.reports.base import SystemReport
 from polhode.reports.report import with_inputs
 from polhode.spec.assembly import PartsRefused
@@ -65,15 +65,17 @@ def build_spec(tables: dict[str, Any], path: Path) -> Spec:
     table = dict(name_parts(tables))
     raw, kind, faults = _read_system(table.pop("system", default_kind().name))
     mistakes, model = [], None
+    raw, misplaced = _join_tables_beside(kind, raw, table)
     mistakes += find_broken_rules(table, _rules_of_kind(kind, table | {"system": raw}))
     system, wrong = (None, []) if kind is None else _system(kind, raw)
-    mistakes += faults + wrong
+    mistakes += misplaced + faults + wrong
     try:
         model = SpecFile.model_validate(table)
     except ValidationError as error:
         mistakes += list_mistakes(error)
     if kind is not None:
-        beyond = [*beyond_reach(system, ("system",), kind.reach), *beyond_reach(model, (), kind.reach)]
+        beyond = [*_as_written(kind, beyond_reach(system, ("system",), kind.reach)),
+                  *beyond_reach(model, (), kind.reach)]  # fmt: skip
         locations = {location for location, _ in mistakes}
         mistakes += [mistake for mistake in beyond if mistake[0] not in locations]
     built, unphysical = _build_body(table.get("body"), path, mistakes)
@@ -117,6 +119,12 @@ def _report_on_file(path: Path) -> SystemReport:
         raise type(error)(f"{path}: {error}") from None
 
 
+def model_of_tables(kind: AbstractKind, tables: dict[str, Any]) -> type[BaseModel]:
+    """Return the model of a kind's table [system], with what a file gives beside it."""
+    raw, _, _ = _read_system(tables.get("system", kind.name))
+    return kind.model_of(_join_tables_beside(kind, raw, dict(tables))[0])
+
+
 def kind_of_tables(tables: dict[str, Any], path: Path) -> AbstractKind:
     """Return the kind that a file's tables name.
 
@@ -154,14 +162,41 @@ def _rules_of_kind(kind: AbstractKind | None, tables: dict[str, Any]) -> Iterato
     """Yield which tables are missing or too many, and what the kind's own keys break."""
     yield from table_rules(tables, "" if kind is None else kind.name, None if kind is None else kind.table)
     if kind is not None:
-        yield from kind.rules(tables)
+        yield from _as_written(kind, kind.rules(tables))
 
 
 def _system(kind: AbstractKind, raw: dict[str, Any]) -> tuple[SystemTable | None, list[Mistake]]:
+    model = kind.model_of(raw)
     try:
-        return kind.table.model_validate(raw), []
+        return kind.settle(model.model_validate(raw)), []
     except ValidationError as error:
-        return None, list_mistakes(error, kind.table, ("system",))
+        return None, list(_as_written(kind, list_mistakes(error, model, ("system",))))
+
+
+def _join_tables_beside(
+    kind: AbstractKind | None, raw: Any, table: dict[str, Any]
+) -> tuple[Any, list[Mistake]]:
+    """Move a kind's own tables from the top of a file into its [system], and return that, and what is misplaced."""
+    beside = () if kind is None else kind.table.beside
+    wrong: list[Mistake] = []
+    for key in [key for key in table if key not in SpecFile.model_fields and key not in beside]:
+        if kinds := kinds_with_table(key):
+            which = " or ".join(f'"{name}"' for name in kinds)
+            wrong.append(((key,), f"goes with another system; write system = {which} at the top, or leave it out"))
+            table.pop(key)
+    if not isinstance(raw, dict):
+        return raw, wrong
+    for key in [key for key in beside if key in raw]:
+        wrong.append((("system", key), f"stands at the top of the file and not in [system]; write it as [{key}]"))
+    kept = {key: value for key, value in raw.items() if key not in beside}
+    return kept | {key: table.pop(key) for key in beside if key in table}, wrong
+
+
+def _as_written(kind: AbstractKind, mistakes: Iterable[Mistake]) -> Iterator[Mistake]:
+    """Yield mistakes at the places that their tables have in the file."""
+    for location, text in mistakes:
+        moved = location[:1] == ("system",) and location[1:2] and location[1] in kind.table.beside
+        yield (location[1:] if moved else location), text
 
 
 def _build_body(

@@ -75,6 +75,11 @@ def closed_form_kinds() -> list[str]:
     return sorted(kind.name for kind in _importable() if kind.in_closed_form)
 
 
+def kinds_with_table(key: str) -> list[str]:
+    """Return the names of the kinds whose specs have a table of this name at the top."""
+    return sorted(kind.name for kind in _importable() if key in kind.table.beside)
+
+
 def known_figures() -> set[str]:
     """Return the names of the figures of all kinds that can be imported."""
     return {name for kind in _importable() for name in kind.figure_names}

@@ -18,7 +18,7 @@ LARGEST = sys.float_info.max
 UNIT = "unit"  # attribute of what reads quantities
 
 
-def _in(unit: str) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any]]:
+def mark_unit(unit: str) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any]]:
     """Attach to a validator the SI unit of the numbers that it returns, "" for plain ones; see ``spec.keys``."""
 
     def mark(read: Callable[[Any], Any]) -> Callable[[Any], Any]:
@@ -29,7 +29,7 @@ def _in(unit: str) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any]]:
 
 
 def _reader(unit: str, positive: bool = False) -> BeforeValidator:
-    @_in(unit)
+    @mark_unit(unit)
     def read(value: Any) -> float:
         number = parse_quantity(value, unit)
         if positive and not number > 0:
@@ -89,7 +89,8 @@ def _digits(value: Any) -> int:
     return int(number)
 
 
-def _three(unit: str) -> BeforeValidator:
+def three(unit: str) -> BeforeValidator:
+    """Return a check for three quantities in a list; its message has an example."""
     example = find_example(unit)
 
     def check(value: Any) -> Any:
@@ -128,7 +129,7 @@ def is_number(value: Any) -> bool:
     return type(value) in (int, float) and -LARGEST <= value <= LARGEST
 
 
-@_in("")
+@mark_unit("")
 def _attitude(value: Any) -> tuple[float, ...]:
     """Return the quaternion (4,) of an attitude in any of its three forms."""
     if isinstance(value, dict):
@@ -168,7 +169,7 @@ def _by_axis_and_angle(table: dict[str, Any]) -> tuple[float, ...]:
     return tuple(rotation.from_rotation_vector(angle * axis / np.linalg.norm(axis)).tolist())
 
 
-@_in("")
+@mark_unit("")
 def _direction(value: Any) -> tuple[float, ...]:
     good = isinstance(value, list) and len(value) == 3 and all(map(is_number, value))
     if not good or not any(value):
@@ -176,7 +177,7 @@ def _direction(value: Any) -> tuple[float, ...]:
     return tuple(float(x) for x in value)
 
 
-@_in("")
+@mark_unit("")
 def _plain(value: Any) -> float:
     if not is_number(value):
         raise ValueError(f"must be a plain finite number, without unit or quotes; got {shown(value)}")
@@ -212,7 +213,7 @@ def _racket_tilt(value: float) -> float:
     return value
 
 
-@_in("Hz")
+@mark_unit("Hz")
 def _rotational_constant(value: Any) -> float:
     number = parse_spectroscopic(value)
     if not number > 0:
@@ -220,7 +221,7 @@ def _rotational_constant(value: Any) -> float:
     return number
 
 
-@_in("Hz")
+@mark_unit("Hz")
 def _spectroscopic(value: Any) -> float:
     return parse_spectroscopic(value)
 
@@ -234,7 +235,7 @@ def _constants(value: Any) -> Any:
     return value
 
 
-@_in("rad/s")
+@mark_unit("rad/s")
 def _precession(value: Any) -> float | str:
     if isinstance(value, str) and value in ("slow", "fast"):
         return value
@@ -244,6 +245,12 @@ def _precession(value: Any) -> float | str:
         return parse_quantity(value, "rad/s")
     except ValueError as error:
         raise ValueError(f'{error}; or "slow" or "fast", for steady precession') from None
+
+
+def _friction(value: float) -> float:
+    if value < 0:
+        raise ValueError(f"must not be negative; got {value:g} N m s. Friction is given without a sign")
+    return value
 
 
 def _lean(value: float) -> float:
@@ -309,26 +316,29 @@ Outline = Annotated[list[Corner], Field(min_length=3), BeforeValidator(_outline)
 Joints = dict[str, Annotated[tuple[float, str], BeforeValidator(_joint)]]
 Sides = Annotated[StrictInt, Field(ge=3, le=10_000)]
 Digits = Annotated[int, BeforeValidator(_digits)]
-Lengths = Annotated[tuple[Length, Length, Length], _three("m")]
-Position = Annotated[tuple[Coordinate, Coordinate, Coordinate], _three("m")]
-Moments = Annotated[tuple[NotNegative, NotNegative, NotNegative], _three("kg*m^2")]
-InertiaRow = Annotated[tuple[Moment, Moment, Moment], _three("kg*m^2")]
-Inertia = Annotated[tuple[InertiaRow, InertiaRow, InertiaRow], BeforeValidator(_rows)]
+Lengths = Annotated[tuple[Length, Length, Length], three("m")]
+Position = Annotated[tuple[Coordinate, Coordinate, Coordinate], three("m")]
+Moments = Annotated[tuple[NotNegative, NotNegative, NotNegative], three("kg*m^2")]
+InertiaRow = Annotated[tuple[Moment, Moment, Moment], three("kg*m^2")]
+three_rows = BeforeValidator(_rows)
+Inertia = Annotated[tuple[InertiaRow, InertiaRow, InertiaRow], three_rows]
 RotationalConstant = Annotated[float, BeforeValidator(_rotational_constant)]
-RotationalConstants = Annotated[tuple[RotationalConstant, RotationalConstant, RotationalConstant], _three("1/m")]
+RotationalConstants = Annotated[tuple[RotationalConstant, RotationalConstant, RotationalConstant], three("1/m")]
 SpectroscopicConstant = Annotated[float, BeforeValidator(_spectroscopic)]
 RotorConstants = Annotated[tuple[RotationalConstant, ...], BeforeValidator(_constants)]  # one or three
 DipoleComponent = Annotated[float, _reader("C*m")]
-Dipole = Annotated[tuple[DipoleComponent, DipoleComponent, DipoleComponent], _three("C*m")]
+Dipole = Annotated[tuple[DipoleComponent, DipoleComponent, DipoleComponent], three("C*m")]
 Temperature = Annotated[float, _reader("K", positive=True)]
-Momentum = Annotated[tuple[MomentumComponent, MomentumComponent, MomentumComponent], _three("kg*m^2/s")]
-Rates = Annotated[tuple[Rate, Rate, Rate], _three("rad/s")]
+Momentum = Annotated[tuple[MomentumComponent, MomentumComponent, MomentumComponent], three("kg*m^2/s")]
+Rates = Annotated[tuple[Rate, Rate, Rate], three("rad/s")]
 MeshUnit = Annotated[float, BeforeValidator(_mesh_unit)]
 Attitude = Annotated[tuple[float, float, float, float], BeforeValidator(_attitude)]
 Flag = StrictBool
 Direction = Annotated[tuple[float, float, float], BeforeValidator(_direction)]
 Acceleration = Annotated[float, _reader("m/s^2", positive=True)]
 Torque = Annotated[float, _reader("N*m")]
+PositiveTorque = Annotated[float, _reader("N*m", positive=True)]
+BearingFriction = Annotated[float, _reader("N*m*s"), AfterValidator(_friction)]
 LinearDragCoefficient = Annotated[float, _reader("N*m*s", positive=True)]
 QuadraticDragCoefficient = Annotated[float, _reader("N*m*s^2", positive=True)]
 PositiveMoment = Annotated[float, _reader("kg*m^2", positive=True)]
@@ -349,7 +359,7 @@ Viscosity = Annotated[float, _reader("Pa*s", positive=True)]
 Speed = Annotated[float, _reader("m/s")]
 Energy = Annotated[float, _reader("J")]
 MagneticFlux = Annotated[float, _reader("T")]
-MagneticField = Annotated[tuple[MagneticFlux, MagneticFlux, MagneticFlux], _three("T")]
+MagneticField = Annotated[tuple[MagneticFlux, MagneticFlux, MagneticFlux], three("T")]
 Latitude = Annotated[Angle, AfterValidator(_latitude)]
 Circulation = Annotated[float, _reader("m^2/s"), AfterValidator(not_zero)]
-Velocity = Annotated[tuple[Speed, Speed, Speed], _three("m/s")]
+Velocity = Annotated[tuple[Speed, Speed, Speed], three("m/s")]

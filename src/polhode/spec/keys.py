@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import difflib
 import types
+from collections.abc import Sequence
 from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin
 
 from pydantic import BaseModel
@@ -12,6 +13,7 @@ from pydantic import BaseModel
 from polhode.errors import shown
 from polhode.spec.fields import UNIT
 from polhode.spec.models import SpecFile
+from polhode.spec.rules import list_words
 
 TOP = ("body", "spin", "time", "system")
 
@@ -28,20 +30,23 @@ class Number(NamedTuple):
     length: int = 0
 
 
-def number_at(key: str, system: type[BaseModel]) -> Number:
+def number_at(key: str, system: type[BaseModel], beside: Sequence[str] = ()) -> Number:
     """Return unit and length of the numbers at a key of a spec.
 
     Args:
         key: names and places with dots between; places in lists count from 1.
         system: model of the table [system].
+        beside: fields of it that a spec gives as tables at the top.
 
     Raises:
         ValueError: in words, where there is no such key, or no number at it.
     """
     first, *rest = _names(key)
-    if first not in TOP or not rest:
-        raise ValueError(f"must begin with body., spin., time. or system.; got {shown(key)}")
-    at: Any = system if first == "system" else SpecFile.model_fields[first].annotation
+    if first not in (*TOP, *beside) or not rest:
+        known = list_words([f"{name}." for name in (*TOP, *beside)], "or")
+        raise ValueError(f"must begin with {known}; got {shown(key)}")
+    of_system = system.model_fields[first].annotation if first in beside else system
+    at: Any = of_system if first == "system" or first in beside else SpecFile.model_fields[first].annotation
     marks: list[Any] = []
     for part in rest:
         at, marks = _inside(at, part, key)

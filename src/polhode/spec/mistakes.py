@@ -6,7 +6,7 @@ import difflib
 import itertools
 import re
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
@@ -71,9 +71,15 @@ def _word_mistake(mistake: Any, root: type[BaseModel]) -> str:
 
 
 def _model_at(location: Location, model: type[BaseModel]) -> type[BaseModel]:
+    inside: Any = model
     for part in location:
         if isinstance(part, str):
-            model = _model_in(model.model_fields[part].annotation) or model
+            inside = model.model_fields[part].annotation
+        else:  # a place of a list, whose entries may have models of their own
+            entries = next(filter(lambda of: get_origin(of) is tuple, (inside, *get_args(inside))), None)
+            each = get_args(entries)
+            inside = each[part] if len(each) > part and Ellipsis not in each else inside
+        model = _model_in(inside) or model
     return model
 
 

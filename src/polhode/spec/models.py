@@ -208,12 +208,14 @@ class SystemTable(Strict):
         needs: those of them that are required.
         leans: whether [spin] may give spin, precession and nutation_rate.
         cones: whether [spin] may give two of spin, precession and nutation, as of a free symmetric body.
+        beside: fields that a file gives as tables of their own at the top, not inside [system].
     """
 
     takes: ClassVar[tuple[str, ...]] = ("body", "spin", "time")
     needs: ClassVar[tuple[str, ...]] = ("body",)
     leans: ClassVar[bool] = False
     cones: ClassVar[bool] = False
+    beside: ClassVar[tuple[str, ...]] = ()
     kind: str
 
 

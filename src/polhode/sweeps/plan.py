@@ -13,7 +13,7 @@ from pydantic import Field, StrictInt, ValidationError
 from polhode.errors import InvalidInput, shown
 from polhode.formats.opening import record_files
 from polhode.kinds.base import AbstractKind
-from polhode.kinds.reading import SWEEP, kind_of_tables
+from polhode.kinds.reading import SWEEP, kind_of_tables, model_of_tables
 from polhode.spec.fields import Duration, Flag, one_of
 from polhode.spec.keys import number_at
 from polhode.spec.mistakes import as_message, list_mistakes
@@ -113,11 +113,11 @@ def read_plan(path: str | Path) -> Plan:
     except ValidationError as error:
         raise InvalidInput(*as_message(path, list_mistakes(error, SweepTable, (SWEEP,)))) from None
     mistakes: list[Mistake] = []
-    inputs, units = {}, {}
+    inputs, units, model = {}, {}, model_of_tables(kind, tables)
     with record_files() as read:
         for key, value in table.inputs.items():
             try:
-                reader = Reader(number_at(key, kind.table))
+                reader = Reader(number_at(key, model, kind.table.beside))
                 inputs[key] = read_distribution(value, reader, path.parent)
                 units[key] = reader.unit or ""
             except ValueError as error:

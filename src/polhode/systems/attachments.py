@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import Any, ClassVar, NamedTuple
 
 import equinox as eqx
 import jax
@@ -13,7 +13,8 @@ import numpy as np
 from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, PolhodeError, shown
 from polhode.motion._layout import StateLayout, StatePart
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.motion.frame import BodyFrame
+from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 # what methods of attachments take
 Time = Real[ArrayLike, "*#batch"]
@@ -23,13 +24,50 @@ Own = Float64[Array, "*#batch {self.state_size}"]
 BATCH = 5  # copies of the trial; no vector has as many components
 
 
+class Argument(NamedTuple):
+    """How a spec gives an argument of the constructor of a torque, mount or control law.
+
+    Attributes:
+        unit: in SI, as Pint reads it; "" for plain numbers, "text" for one of the ``choices``, "attitude" for one in
+            any of the forms that [spin] takes.
+        shape: () of one number, (3,) of three, (3, 3) of three rows.
+        many: whether it is a list of such, or one of them.
+        choices: of a text.
+    """
+
+    unit: str = ""
+    shape: tuple[int, ...] = ()
+    many: bool = False
+    choices: tuple[str, ...] = ()
+
+
 class AbstractAttachment(eqx.Module):
     """A mount or a torque.
 
     Its methods are batched and written with ``jax.numpy``. They take the time t [s], () or one for each state (…), with
     vectors ``t[..., None]``; the attitude (…, 4), a unit quaternion wxyz, body → space, None where the state carries
-    none; Ω (…, 3) [rad/s, body axes]; and its own state (…, n), whose last axis has all its parts in order.
+    none; Ω (…, 3) [rad/s, body axes]; and its own state (…, n), whose last axis has all its parts in order. Body axes
+    are the axes in which the body is given, those of ``RigidBody.from_body``; positions count from their origin.
+
+    Attributes:
+        name: as a spec gives it; empty for what only Python makes. Of another package it is its entry point's.
+        arguments: how a spec gives the arguments of the constructor. Others it takes from what the spec says
+            elsewhere, by their names: ``orbit``, a ``KeplerOrbit``, and ``field``, an ``EarthDipoleField``.
     """
+
+    name: ClassVar[str] = ""
+    arguments: ClassVar[dict[str, Argument]] = {}
+
+    def bound(self, frame: BodyFrame) -> Self:
+        """Return this on a body, with what it takes from the body filled in; itself by default.
+
+        Args:
+            frame: the axes of the body, and the mass properties along them with all mounts locked.
+
+        Raises:
+            InvalidInput: where it does not fit the body.
+        """
+        return self
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:
@@ -49,6 +87,31 @@ class AbstractAttachment(eqx.Module):
     def jumps(self) -> Float64[Array, "jumps"]:
         """(J,) times [s] at which it starts, ends or jumps; steps end there. None by default."""
         return jnp.zeros(0)
+
+    @property
+    def names_all_jumps(self) -> bool:
+        """Whether ``jumps`` are all there are, so that nobody need look for more; not of a function of a user."""
+        return False
+
+    @property
+    def limited(self) -> bool:
+        """Whether it has limits beyond which it no longer gives what is asked for."""
+        return False
+
+    def without_limits(self) -> Self:
+        """Return the same without limits; itself if it has none."""
+        return self
+
+    def load(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own, stored: Velocity
+    ) -> Float64[Array, "*batch"]:
+        """Return what is asked for over the limit (…), largest; above one a limit acts. Zero without limits.
+
+        Args:
+            t, attitude, angular_velocity, own: as everywhere.
+            stored: the momentum inside, L − IΩ (…, 3) [kg m²/s, body axes].
+        """
+        return jnp.zeros(angular_velocity.shape[:-1])
 
     @property
     def needs_attitude(self) -> bool:
@@ -73,14 +136,15 @@ def checked_jumps(jumps: Real[ArrayLike, "jumps"]) -> Float64[Array, "jumps"]:
 
 
 def checked_attachments(
-    name: str, value: Any, kind: type[AbstractAttachment], trial: Callable[..., Any]
+    name: str, value: Any, kinds: tuple[type[AbstractAttachment], ...], frame: BodyFrame, trial: Callable[..., Any]
 ) -> tuple[Any, ...]:
     """Return a list of attachments.
 
     Args:
         name: of the argument.
         value: what the user gave for it.
-        kind: the class that each is derived from.
+        kinds: the classes of which each is derived from one.
+        frame: of the body.
         trial: evaluates all that an attachment offers at (attachment, t, attitude, angular_velocity, own), and returns
             the values by the name of the method, each with its shape behind the batch axes, (value, shape).
 
@@ -89,16 +153,17 @@ def checked_attachments(
     """
     if not isinstance(value, Iterable):
         raise InvalidInput(f"`{name}` must be a list; got {shown(value)}. Put it in brackets.")
-    attachments = tuple(value)
-    for k, attachment in enumerate(attachments):
-        if not isinstance(attachment, kind):
+    attachments = []
+    for k, attachment in enumerate(value):
+        if not isinstance(attachment, kinds):
             raise InvalidInput(
                 f"`{name}` must be a list of polhode.systems.{name}; got {shown(attachment)}. "
-                f"Derive your own from {kind.__name__}."
+                f"Derive your own from {' or '.join(kind.__name__ for kind in kinds)}."
             )
+        attachments.append(attachment.bound(frame))
         for batch in ((), (BATCH,)):
-            _check_shapes(f"{name}[{k}]", attachment, trial, batch)
-    return attachments
+            _check_shapes(f"{name}[{k}]", attachments[-1], trial, batch)
+    return tuple(attachments)
 
 
 def _check_shapes(name: str, attachment: AbstractAttachment, trial: Any, batch: tuple[int, ...]) -> None:

@@ -145,6 +145,11 @@ class AbstractSystem(HashableModule):
         """
         return np.zeros(0)  # of NumPy, as JAX makes an operation of it each time
 
+    @property
+    def names_all_jumps(self) -> bool:
+        """Whether ``jumps`` are all there are, so that ``simulate`` need not look for more."""
+        return False
+
     def layout(self, state: Double[Array, "..."]) -> StateLayout:
         """Return the layout of packed states like this one."""
         return StateLayout()

@@ -14,9 +14,10 @@ from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Flow
 from polhode.systems.free_rigid_body import axis_flow, checked_moments, checked_vector
 from polhode.systems.kepler_orbit import checked_number
-from polhode.systems.mounts import AbstractMount, Wheel
+from polhode.systems.mounts import AbstractMounted
 from polhode.systems.rigid_body import AbstractRigidBody
 from polhode.systems.torques import AbstractTorque
+from polhode.systems.wheels import Wheel
 from polhode.types import Array, ArrayLike, Float64, Real
 
 
@@ -110,8 +111,9 @@ class TorquedGyrostat(AbstractRigidBody):
     kind: ClassVar[str] = "gyrostat"
     title: ClassVar[str] = "Gyrostat with a driven rotor"
     moments: Float64[Array, "3"]
-    mounts: tuple[AbstractMount, ...]
+    mounts: tuple[AbstractMounted, ...]
     torques: tuple[AbstractTorque, ...]
+    structure: None
 
     @known_numbers_only
     def __init__(
@@ -119,7 +121,8 @@ class TorquedGyrostat(AbstractRigidBody):
     ) -> None:
         moment = float(checked_number("rotor_moment", rotor_moment, above=0.0, unit="kg m²"))
         motor = float(checked_number("torque", torque, unit="N m"))
-        self.moments, self.mounts, self.torques = checked_moments(moments), (Wheel(axis, moment, motor),), ()
+        self.moments, self.structure = checked_moments(moments), None
+        self.mounts, self.torques = (Wheel(axis, moment, motor),), ()
 
     @property
     def carrier(self) -> Float64[Array, "3"]:

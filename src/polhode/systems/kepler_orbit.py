@@ -1,4 +1,4 @@
-"""Kepler's orbit: direction and distance of the attracting centre, seen from the body that goes round it."""
+"""Kepler's orbit: where the body that goes round is, and how its orbit lies in space."""
 
 from __future__ import annotations
 
@@ -9,12 +9,14 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode import rotation
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 TURN = 2.0 * math.pi
 NEWTON_STEPS = 6  # from the start below five come within three roundings for any e < 1
+DOWNWARD = np.array([0.5, -0.5, -0.5, 0.5])  # quaternion of the axes θ̂, −n̂ and −r̂, seen along r̂, θ̂ and n̂
 SERIES_TERMS = 9  # of E − sin E up to one radian, to rounding
 # E − sin E = Σ ± E^(2k+1)/(2k+1)!, k = 1, 2, …
 SERIES = tuple((-1.0) ** (k + 1) / math.factorial(2 * k + 1) for k in range(1, SERIES_TERMS + 1))
@@ -23,12 +25,17 @@ SERIES = tuple((-1.0) ** (k + 1) / math.factorial(2 * k + 1) for k in range(1, S
 class KeplerOrbit(eqx.Module):
     """Two bodies under gravity: E − e sin E = M, r/a = 1 − e cos E, M = n t + M0.
 
-    In space the orbit lies in the x-y plane, runs towards +y at the periapsis on +x, and has its normal along +z.
+    In space the orbit lies in the x-y plane, runs towards +y at the periapsis on +x, and has its normal along +z,
+    unless it is turned by Rz(node) Rx(inclination) Rz(periapsis).
 
     Args:
         mean_motion: n [rad/s], positive.
         eccentricity: 0 ≤ e < 1.
         mean_anomaly: M0 at t = 0 [rad].
+        inclination: of the orbit against the x-y plane [rad].
+        node: from x to where the orbit goes up through that plane [rad].
+        periapsis: from the node to the periapsis, along the orbit [rad].
+        semi_major_axis: a [m], which positions, fields and drag need; None where it is not known.
 
     Raises:
         InvalidInput: outside these ranges.
@@ -43,9 +50,14 @@ class KeplerOrbit(eqx.Module):
     mean_motion: Float64[Array, ""]
     eccentricity: Float64[Array, ""]
     mean_anomaly_at_start: Float64[Array, ""]
+    plane: Float64[Array, "4"] | None
+    semi_major_axis: Float64[Array, ""] | None
 
     @known_numbers_only
-    def __init__(self, mean_motion: float, eccentricity: float, mean_anomaly: float = 0.0) -> None:
+    def __init__(
+        self, mean_motion: float, eccentricity: float, mean_anomaly: float = 0.0, inclination: float = 0.0,
+        node: float = 0.0, periapsis: float = 0.0, semi_major_axis: float | None = None,
+    ) -> None:  # fmt: skip
         self.mean_motion = checked_number("mean_motion", mean_motion, above=0.0, unit="rad/s")
         self.eccentricity = checked_number("eccentricity", eccentricity, least=0.0)
         if not self.eccentricity < 1.0:
@@ -53,12 +65,20 @@ class KeplerOrbit(eqx.Module):
                 f"`eccentricity` must be below 1; got {shown(eccentricity)}. Only ellipses come round again."
             )
         self.mean_anomaly_at_start = checked_number("mean_anomaly", mean_anomaly, unit="rad")
+        angles = {"inclination": inclination, "node": node, "periapsis": periapsis}
+        turns = [float(checked_number(name, angle, unit="rad")) for name, angle in angles.items()]
+        inclined, ascending, along = turns
+        lies = rotation.from_euler_angles(np.array([ascending, inclined, along]), "ZXZ")
+        self.plane = jnp.asarray(lies) if any(turns) else None
+        size = semi_major_axis
+        self.semi_major_axis = None if size is None else checked_number("semi_major_axis", size, above=0.0, unit="m")
 
     @classmethod
     @known_numbers_only
     def from_semi_major_axis(
-        cls, semi_major_axis: float, gravitational_parameter: float, eccentricity: float, mean_anomaly: float = 0.0
-    ) -> KeplerOrbit:
+        cls, semi_major_axis: float, gravitational_parameter: float, eccentricity: float, mean_anomaly: float = 0.0,
+        inclination: float = 0.0, node: float = 0.0, periapsis: float = 0.0,
+    ) -> KeplerOrbit:  # fmt: skip
         """Return the orbit with n² a³ = GM.
 
         Args:
@@ -66,10 +86,28 @@ class KeplerOrbit(eqx.Module):
             gravitational_parameter: GM of both bodies together [m³/s²].
             eccentricity: 0 ≤ e < 1.
             mean_anomaly: M0 at t = 0 [rad].
+            inclination, node, periapsis: how the orbit lies in space [rad].
         """
         a = checked_number("semi_major_axis", semi_major_axis, above=0.0, unit="m")
         gm = checked_number("gravitational_parameter", gravitational_parameter, above=0.0, unit="m³/s²")
-        return cls(float(jnp.sqrt(gm / a) / a), eccentricity, mean_anomaly)
+        rate = float(jnp.sqrt(gm / a) / a)
+        return cls(rate, eccentricity, mean_anomaly, inclination, node, periapsis, float(a))
+
+    def check_size(self, what: str) -> None:
+        """Refuse what needs the size of the orbit, where that is not known.
+
+        Raises:
+            InvalidInput: naming what needs it.
+        """
+        if self.semi_major_axis is None:
+            raise InvalidInput(
+                f"{what} needs the size of the orbit; give `semi_major_axis`, as by `KeplerOrbit.from_semi_major_axis`."
+            )
+
+    @property
+    def normal(self) -> Float64[Array, "3"]:
+        """(3,) unit vector of the orbit's angular momentum, in space."""
+        return self._in_space(jnp.array([0.0, 0.0, 1.0]))
 
     @property
     def rate_at_periapsis(self) -> Float64[Array, ""]:
@@ -111,7 +149,56 @@ class KeplerOrbit(eqx.Module):
         ratio = (1.0 - e) + 2.0 * e * sine * sine
         x = ((1.0 - e) - 2.0 * sine * sine) / ratio
         y = 2.0 * jnp.sqrt((1.0 - e) * (1.0 + e)) * sine * cosine / ratio
-        return jnp.stack([x, y, jnp.zeros_like(x)], axis=-1)
+        return self._in_space(jnp.stack([x, y, jnp.zeros_like(x)], axis=-1))
+
+    def position(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape 3"]:
+        """Return where the body is (…, 3) from the attracting centre [m, space axes].
+
+        Raises:
+            InvalidInput: where the semi-major axis is not known.
+        """
+        self.check_size("`position`")
+        assert self.semi_major_axis is not None
+        return (self.semi_major_axis * self.distance_ratio(t))[..., None] * self.direction(t)
+
+    def velocity(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape 3"]:
+        """Return how fast it moves (…, 3) [m/s, space axes]: n a (−sin E, √(1−e²) cos E)/(1 − e cos E) in its plane.
+
+        Raises:
+            InvalidInput: where the semi-major axis is not known.
+        """
+        self.check_size("`velocity`")
+        assert self.semi_major_axis is not None
+        within, _ = _reduce_anomaly(self.mean_anomaly(t))
+        e, E = self.eccentricity, solve_kepler(within, self.eccentricity)
+        speed = self.mean_motion * self.semi_major_axis / ratio_from_eccentric(E, e)
+        x, y = -speed * jnp.sin(E), speed * jnp.sqrt((1.0 - e) * (1.0 + e)) * jnp.cos(E)
+        return self._in_space(jnp.stack([x, y, jnp.zeros_like(x)], axis=-1))
+
+    def turning_rate(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
+        """Return ḟ = n √(1−e²)/(r/a)² (…) [rad/s], Kepler's second law."""
+        e = self.eccentricity
+        return self.mean_motion * jnp.sqrt((1.0 - e) * (1.0 + e)) / self.distance_ratio(t) ** 2
+
+    def frame(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape 4"]:
+        """Return the attitude (…, 4) of the axes that look down: z to the centre, y against the normal, x ahead.
+
+        Its sign does not jump: after one turn of the orbit it is the other one.
+
+        Source: Wertz (ed.), *Spacecraft Attitude Determination and Control* (1978), §2.3, "roll, pitch and yaw".
+        """
+        within, turns = _reduce_anomaly(self.mean_anomaly(t))
+        E, e = solve_kepler(within, self.eccentricity), self.eccentricity
+        half, root = 0.5 * (E + turns), jnp.sqrt(ratio_from_eccentric(E, e))
+        # cos f/2 and sin f/2, from tan f/2 = √((1+e)/(1−e)) tan E/2
+        cosine, sine = jnp.sqrt(1.0 - e) * jnp.cos(half) / root, jnp.sqrt(1.0 + e) * jnp.sin(half) / root
+        still = jnp.zeros_like(cosine)
+        turned = rotation.multiply(jnp.stack([cosine, still, still, sine], axis=-1), DOWNWARD)
+        return turned if self.plane is None else rotation.multiply(self.plane, turned)
+
+    def _in_space(self, vector: Array) -> Array:
+        """Return vectors (…, 3) of the orbit's own axes along those of space."""
+        return vector if self.plane is None else rotation.rotate(self.plane, vector)
 
 
 def ratio_from_eccentric(

@@ -2,166 +2,92 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
-from itertools import chain
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
-import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only
+from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
-from polhode.motion._layout import (
-    ATTITUDE,
-    ENERGY,
-    MOMENTUM,
-    MOMENTUM_SPACE,
-    MOMENTUM_SQUARED,
-    Quantity,
-    StateLayout,
-    StatePart,
-)
+from polhode.motion._axes import Turn
+from polhode.motion.frame import BodyFrame
+from polhode.systems._moving_masses import leave_hub
+from polhode.systems._packed_body import Structure
+from polhode.systems._rigid_motion import AbstractRigidMotion, Moment, take_rates
 from polhode.systems.attachments import Time
-from polhode.systems.base import AbstractSystem, Balance, Vectors, as_finite_state, check_unit_attitude
+from polhode.systems.base import Balance, Vectors
 from polhode.systems.free_rigid_body import checked_moments
-from polhode.systems.mounts import AbstractMount, checked_mounts
+from polhode.systems.mounts import AbstractMount, AbstractMounted
+from polhode.systems.moving_parts import AbstractMovingPart, checked_mounts
 from polhode.systems.torques import AbstractTorque, GravityGradient, checked_torques
 from polhode.types import Array, ArrayLike, Float64, Real
 
 States = Float64[Array, "*#batch n"]
 
 
-class BodyState(NamedTuple):
-    """A packed state taken apart.
-
-    Attributes:
-        attitude: (…, 4) or None.
-        momentum: L (…, 3) of body and mounts.
-        mounts: the own states (…, n) of the mounts, in their order.
-        torques: those of the torques.
-    """
-
-    attitude: Float64[Array, "*batch 4"] | None
-    momentum: Float64[Array, "*batch 3"]
-    mounts: tuple[Float64[Array, "*batch n"], ...]
-    torques: tuple[Float64[Array, "*batch n"], ...]
-
-
-class AbstractRigidBody(AbstractSystem):
+class AbstractRigidBody(AbstractRigidMotion):
     """A body with mounts and torques: L̇ = L × (Ω + Σ d) + Σ τ, dR/dt = R hat(Ω + Σ d), with KΩ = L − Σ p.
 
-    L is the whole angular momentum along the principal axes, p the momentum that a mount has of its own, d its drift
-    (zero but for losses without a state of their own), τ a torque, K the ``carrier`` inertia. Mounts act on the body
-    through p and d alone, and so never change R L. State: the attitude, L, the own states of mounts and of torques, as
-    ``layout`` names them; the attitude may be left out where nothing asks for it.
+    L is the whole angular momentum, p the momentum that a mount has of its own, d its drift (zero but for losses
+    without a state of their own), τ a torque, K the ``carrier`` inertia. Moving parts change K and the centre of mass;
+    Ω and their rates then come from one mass matrix. What is inside never changes R L. State: the attitude, L, the own
+    states of mounts and of torques, as ``layout`` names them; the attitude may be left out where nothing asks for it.
+    Attitude and L of states are along the principal axes at rest; what attachments see and give, and what ``pack``
+    takes, is along the body's given axes.
     """
-
-    moments: eqx.AbstractVar[Float64[Array, "3"]]
-    mounts: eqx.AbstractVar[tuple[AbstractMount, ...]]
-    torques: eqx.AbstractVar[tuple[AbstractTorque, ...]]
-
-    @property
-    def carrier(self) -> Float64[Array, "3"] | Float64[Array, "3 3"]:
-        """K [kg m²], the inertia of what turns with Ω: (3,) of the principal axes, or (3, 3)."""
-        turning = self._turning_inertia()
-        return jnp.diag(self.moments) - sum(turning) if turning else self.moments
-
-    def _turning_inertia(self) -> list[Array]:
-        return [inertia for mount in self.mounts if (inertia := mount.inertia) is not None]
-
-    @property
-    def needs_attitude(self) -> bool:
-        """Whether a mount or a torque depends on how the body is turned."""
-        return any(attachment.needs_attitude for attachment in chain(self.mounts, self.torques))
-
-    @property
-    def jumps(self) -> Float64[Array, "jumps"]:
-        """(J,) times [s] at which a mount or a torque starts, ends or jumps."""
-        own = [jnp.ravel(jnp.asarray(x.jumps, dtype=float)) for x in chain(self.mounts, self.torques)]
-        return jnp.concatenate([*own, jnp.zeros(0)])
-
-    @property
-    def own_parts(self) -> tuple[StatePart, ...]:
-        """The parts of the state behind the momentum: of the mounts, then of the torques; equal names are counted."""
-        parts = [part for attachment in chain(self.mounts, self.torques) for part in attachment.state_parts]
-        often, seen = Counter(part.name for part in parts), Counter[str]()
-        named = []
-        for part in parts:
-            seen[part.name] += 1
-            named.append(part._replace(name=f"{part.name}_{seen[part.name]}") if often[part.name] > 1 else part)
-        return tuple(named)
-
-    # ------------------------------------------------------------------ motion
-
-    def vector_field(self, t: Time, state: States) -> Float64[Array, "*batch n"]:
-        body, t = self.parts(state), jnp.asarray(t)
-        velocity = self._velocity(body)
-        turning = velocity + self._drift(body, velocity)
-        change = jnp.cross(body.momentum, turning) + self._torque(t, body, velocity)
-        attitude = () if body.attitude is None else (rotation.quaternion_rate(body.attitude, turning),)
-        own = [
-            attachment.state_rate(t, body.attitude, velocity, values)
-            for attachment, values in zip((*self.mounts, *self.torques), (*body.mounts, *body.torques), strict=True)
-        ]
-        return jnp.concatenate([*attitude, change, *own], axis=-1)
-
-    def external_torque(self, t: Time, state: States) -> Float64[Array, "*batch 3"]:
-        """Return the sum of all torques (…, 3) [N m, body axes]."""
-        body = self.parts(state)
-        return self._torque(jnp.asarray(t), body, self._velocity(body))
-
-    def _velocity(self, body: BodyState) -> Array:
-        return _solve(self.carrier, self._carried_momentum(body))
-
-    def _carried_momentum(self, body: BodyState) -> Array:
-        """Return KΩ, the momentum of the parts that turn with Ω."""
-        momentum = body.momentum
-        for mount, own in zip(self.mounts, body.mounts, strict=True):
-            momentum = momentum - mount.momentum(own)
-        return momentum
-
-    def _drift(self, body: BodyState, velocity: Array) -> Array:
-        return sum((mount.drift(body.momentum, velocity) for mount in self.mounts), jnp.zeros_like(velocity))
-
-    def _torque(self, t: Array, body: BodyState, velocity: Array) -> Array:
-        torques = zip(self.torques, body.torques, strict=True)
-        return sum((x.torque(t, body.attitude, velocity, own) for x, own in torques), jnp.zeros_like(velocity))
 
     # ------------------------------------------------------------------ what is kept, and what is balanced
 
     @property
     def conserves_energy(self) -> bool:
         """Whether nothing inside or outside does work."""
-        return not self.torques and all(mount.conserves_energy for mount in self.mounts)
+        return not self._is_acted_on and all(mount.conserves_energy for mount in self.mounts)
+
+    @property
+    def _is_acted_on(self) -> bool:
+        """Whether anything from outside changes R L."""
+        return bool(self.torques or self.tanks)
 
     def energy(self, state: Float64[Array, "*batch n"]) -> Float64[Array, "*batch"]:
         """Return ½ Ω·KΩ and the mounts' own energy (…) [J]."""
-        body = self.parts(state)
-        return self._energy(body, self._velocity(body))
+        return self._energy(self._moment(self._as_given(self.parts(state))))
 
     def power(self, t: Time, state: States) -> Float64[Array, "*batch"]:
         """Return the power of mounts and torques (…) [W]."""
-        body, t = self.parts(state), jnp.asarray(t)
-        velocity = self._velocity(body)
-        outer = jnp.sum(self._torque(t, body, velocity) * velocity, axis=-1)
-        return outer + self._inner_power(t, body, velocity)
+        now, t = self._moment(self._as_given(self.parts(state))), jnp.asarray(t)
+        return self._outer_power(now, *self._loads(t, now)) + self._inner_power(t, now)
 
-    def _energy(self, body: BodyState, velocity: Array) -> Array:
-        own = [mount.energy(values) for mount, values in zip(self.mounts, body.mounts, strict=True)]
-        return sum(own, 0.5 * jnp.sum(self._carried_momentum(body) * velocity, axis=-1))
+    def _energy(self, now: Moment) -> Array:
+        own = [mount.energy(values) for mount, values in zip(self.mounts, now.body.mounts, strict=True)]
+        canonical = [values[..., part.count + j] for part, values in self._moving(now.body) for j in range(part.count)]
+        # ½ (L·Ω + π·q̇), less the momenta that have their energies of their own
+        own += [0.5 * momentum * rate for momentum, rate in zip(canonical, now.rates, strict=True)]
+        return sum(own, 0.5 * jnp.sum(now.momentum * now.velocity, axis=-1))
 
-    def _inner_power(self, t: Array, body: BodyState, velocity: Array) -> Array:
-        pairs = zip(self.mounts, body.mounts, strict=True)
-        power = sum((mount.power(t, body.attitude, velocity, own) for mount, own in pairs), 0.0)
+    def _outer_power(self, now: Moment, torque: Array, loads: list[Array]) -> Array:
+        return sum((a * b for a, b in zip(loads, now.rates, strict=True)), jnp.sum(torque * now.velocity, axis=-1))
+
+    def _inner_power(self, t: Array, now: Moment) -> Array:
+        body, rates = now.body, list(now.rates)
+        power: Any = 0.0
+        for mount, own in zip(self.mounts, body.mounts, strict=True):
+            if isinstance(mount, AbstractMovingPart):
+                given = t, body.attitude, now.velocity, own, take_rates(rates, mount.count, now.velocity)
+                power = power + jnp.sum(mount.applied(*given) * given[-1], axis=-1) + mount.further_power(*given)
+            else:
+                assert isinstance(mount, AbstractMount)
+                power = power + mount.power(t, body.attitude, now.velocity, own)
+        for tank in self.tanks:
+            power = power + self._power_of_flow(tank, t, now)
         # the drift adds L × d to L̇, and Ω·(L × d) = −d·(L × Ω) to the power
-        return power - jnp.sum(self._drift(body, velocity) * jnp.cross(body.momentum, velocity), axis=-1)
+        return power - jnp.sum(self._drift(now) * jnp.cross(body.momentum, now.velocity), axis=-1)
 
     def invariants(self, state: Float64[Array, "*batch n"]) -> dict[str, Float64[Array, "..."]]:
         """Return |L|² and the momentum in space, where no torque acts, and energy, where nothing does work."""
-        if self.torques:
+        if self._is_acted_on:
             return {}
         body = self.parts(state)
         values = {"energy": self.energy(state)} if self.conserves_energy else {}
@@ -176,191 +102,48 @@ class AbstractRigidBody(AbstractSystem):
 
         Under torques the energy is called kinetic, as the potential of what causes them is not in it.
         """
-        body, t = self.parts(state), jnp.asarray(t)
-        velocity = self._velocity(body)
-        energy = self._energy(body, velocity)
-        inner = self._inner_power(t, body, velocity)
-        if not self.torques:
+        now, t = self._moment(self._as_given(self.parts(state))), jnp.asarray(t)
+        body, energy, inner = now.body, self._energy(now), self._inner_power(t, now)
+        if not self._is_acted_on:
             return {} if self.conserves_energy else {"energy": Balance(energy, inner)}
-        torque = self._torque(t, body, velocity)
+        torque, loads = self._loads(t, now)
         balances = {
-            "kinetic_energy": Balance(energy, jnp.sum(torque * velocity, axis=-1) + inner),
+            "kinetic_energy": Balance(energy, self._outer_power(now, torque, loads) + inner),
             "|L|²": Balance(jnp.sum(body.momentum**2, axis=-1), 2.0 * jnp.sum(torque * body.momentum, axis=-1)),
         }
         gravity = [torque for torque in self.torques if isinstance(torque, GravityGradient)]
-        if body.attitude is not None and len(gravity) == 1 and gravity[0].circular:
-            balances["jacobi_integral"] = self._jacobi_integral(gravity[0], t, body, body.attitude, torque)
+        if body.attitude is not None and len(gravity) == 1 and gravity[0].circular and not self.tanks:
+            rest = self._outer_power(now, torque, loads) + inner
+            balances["jacobi_integral"] = self._jacobi_integral(gravity[0], t, now, torque, rest)
         return balances
 
-    def _jacobi_integral(
-        self, gravity: GravityGradient, t: Array, body: BodyState, attitude: Array, torque: Array
-    ) -> Balance:
-        """Return H − n π_z: that of the body with its mounts locked, and what they add by turning.
+    def _jacobi_integral(self, gravity: GravityGradient, t: Array, now: Moment, torque: Array, power: Array) -> Balance:
+        """Return H − ν·L, with H = T + V and the orbit's ν.
 
-        With w = Ω − ν the velocity relative to the orbit's frame, a mount adds its energy less ν·p, and takes
-        ½ w·Sw − ½ ν·Sν = ½ (w − ν)·SΩ for the inertia S that it turns by itself.
+        V = ½ GM/R³ (3 R̂·JR̂ − tr J) is the work of gravity on the body as it is, but for a constant; it changes by
+        −τ·w − Q·q̇, with w = Ω − ν the velocity relative to the orbit's frame, and ν·L by ν·τ.
         """
-        velocity = self._velocity(body)
-        relative = gravity.relative_velocity(attitude, velocity)
-        orbital = velocity - relative
-        value = gravity.jacobi_integral(t, attitude, velocity)
-        for mount, own in zip(self.mounts, body.mounts, strict=True):
-            value = value + mount.energy(own) - jnp.sum(orbital * mount.momentum(own), axis=-1)
-            if mount.inertia is not None:
-                locked = _times(mount.inertia, velocity)
-                value = value - 0.5 * jnp.sum((relative - orbital) * locked, axis=-1)
-        pull = gravity.torque(t, attitude, velocity)
-        rate = jnp.sum((torque - pull) * relative, axis=-1) + self._inner_power(t, body, velocity)
-        return Balance(value, rate - jnp.sum(pull * self._drift(body, velocity), axis=-1))
-
-    # ------------------------------------------------------------------ packed states
-
-    def pack(
-        self, attitude: Real[ArrayLike, "*#batch 4"] | None = None,
-        angular_velocity: Real[ArrayLike, "*#batch 3"] | None = None,
-        momentum: Real[ArrayLike, "*#batch 3"] | None = None,
-        rates: Sequence[Real[ArrayLike, "..."] | None] | None = None,
-        actuators: Sequence[Real[ArrayLike, "..."] | None] | None = None,
-    ) -> Float64[Array, "... n"]:  # fmt: skip
-        """Return packed states (…, n).
-
-        Args:
-            attitude: (…, 4) unit quaternion wxyz, body → space; left out, the state has none, or the identity where a
-                mount or a torque needs it.
-            angular_velocity: Ω (…, 3) of the body [rad/s, body axes]; this, ``momentum``, or neither for rest.
-            momentum: L (…, 3) of the body with its mounts [kg m²/s, body axes].
-            rates: of the mounts relative to the body, one for each mount in their order [rad/s], (…) for a rotor,
-                (…, 3) for a slug; None, or the whole left out, is rest in the body.
-            actuators: own states (…, n) of the torques, one for each torque in their order; None, or the whole left
-                out, is zero.
-
-        Raises:
-            InvalidInput: if both velocity and momentum are given, or rates or actuators that do not fit what there is.
-        """
-        if angular_velocity is not None and momentum is not None:
-            raise InvalidInput("give `angular_velocity` or `momentum`, not both.")
-        refuse_single_precision(attitude=attitude, angular_velocity=angular_velocity, momentum=momentum)
-        values, acting = self._checked_rates(rates), self._checked_actuators(actuators)
-        if attitude is None and self.needs_attitude:
-            attitude = jnp.array([1.0, 0.0, 0.0, 0.0])
-        velocity = jnp.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
-        if momentum is not None:
-            starts = zip(self.mounts, values, strict=True)
-            inside = sum(mount.momentum(mount.start(rate, jnp.zeros(3))) for mount, rate in starts)
-            velocity = _solve(self._locked_inertia(), jnp.asarray(momentum, dtype=float) - inside)
-        own = [mount.start(rate, velocity) for mount, rate in zip(self.mounts, values, strict=True)]
-        total = _times(self.carrier, velocity)
-        for mount, part in zip(self.mounts, own, strict=True):
-            total = total + mount.momentum(part)
-        front = [] if attitude is None else [rotation.normalize(jnp.asarray(attitude, dtype=float))]
-        parts = [*front, total, *own, *acting]
-        shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
-        return jnp.concatenate([jnp.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
-
-    def _checked_rates(self, rates: Sequence[Array | None] | None) -> list[Array]:
-        per_mount = _one_each("rates", rates, "mounts", len(self.mounts))
-        for k, (mount, rate) in enumerate(zip(self.mounts, per_mount, strict=True)):
-            if rate is not None and not mount.state_size:
-                raise InvalidInput(
-                    f"`rates[{k}]` is for a {type(mount).__name__}, which has no rate of its own to start with; "
-                    f"got {shown(rate)}. Give None for it."
-                )
-        return [jnp.zeros(()) if rate is None else jnp.asarray(rate, dtype=float) for rate in per_mount]
-
-    def _checked_actuators(self, actuators: Sequence[Array | None] | None) -> list[Array]:
-        per_torque = _one_each("actuators", actuators, "torques", len(self.torques))
-        own = []
-        for k, (torque, part) in enumerate(zip(self.torques, per_torque, strict=True)):
-            own.append(jnp.zeros(torque.state_size) if part is None else jnp.asarray(part, dtype=float))
-            if own[-1].shape[-1:] != (torque.state_size,):
-                raise InvalidInput(
-                    f"`actuators[{k}]` must have shape (…, {torque.state_size}), the own state of a "
-                    f"{type(torque).__name__}; got {own[-1].shape}."
-                )
-        return own
-
-    def _locked_inertia(self) -> Array:
-        turning, carrier = self._turning_inertia(), self.carrier
-        return (jnp.diag(carrier) if carrier.ndim == 1 else carrier) + sum(turning) if turning else carrier
-
-    def parts(self, state: Real[ArrayLike, "..."]) -> BodyState:
-        """Take a packed state apart.
-
-        Raises:
-            InvalidInput: for a wrong last axis.
-        """
-        refuse_single_precision(state=state)
-        sizes = [attachment.state_size for attachment in chain(self.mounts, self.torques)]
-        shape, bare = jnp.shape(state), 3 + sum(sizes)
-        carries = shape[-1:] == (4 + bare,)
-        if not (carries or (shape[-1:] == (bare,) and not self.needs_attitude)):
-            shorter = "" if self.needs_attitude else f"(…, {bare}), or "
-            raise InvalidInput(
-                f"`state` of {type(self).__name__} must have shape {shorter}(…, {4 + bare}) with the attitude in "
-                f"front; got {shape}. Make it by `state(attitude, angular_velocity)`."
-            )
-        ends = np.cumsum([4] * carries + [3, *sizes]).tolist()
-        split = [state[..., start:end] for start, end in zip([0, *ends[:-1]], ends, strict=True)]
-        attitude = split.pop(0) if carries else None
-        momentum, *own = split
-        return BodyState(attitude, momentum, tuple(own[: len(self.mounts)]), tuple(own[len(self.mounts) :]))
-
-    @known_numbers_only
-    def check_state(self, state: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
-        """Return states as an array.
-
-        Raises:
-            InvalidInput: for wrong shapes, values that are not finite, an attitude that is not a unit quaternion.
-        """
-        state = as_finite_state(state, float)
-        return state if self.parts(state).attitude is None else check_unit_attitude(state)
-
-    def layout(self, state: Float64[Array, "*batch n"]) -> StateLayout:
-        front = () if self.parts(state).attitude is None else (ATTITUDE,)
-        return StateLayout((*front, MOMENTUM, *self.own_parts))
-
-    def scales(self, state: Float64[Array, "*batch n"]) -> Float64[Array, "n"]:
-        """Return one for the attitude, and for momenta their size, or that which torques and motors give from rest.
-
-        Other parts of the state have their own size, or one.
-        """
-        body = self.parts(state)
-        layout = StateLayout(self.own_parts)
-        behind = jnp.concatenate([*body.mounts, *body.torques, jnp.zeros((*body.momentum.shape[:-1], 0))], axis=-1)
-        sizes = {part.name: jnp.max(jnp.abs(layout.part(behind, part.name)), initial=0.0) for part in layout.parts}
-        momenta = [part.name for part in layout.parts if part.unit == MOMENTUM.unit]
-        largest = jnp.max(jnp.abs(body.momentum), initial=0.0)
-        for name in momenta:
-            largest = jnp.maximum(largest, sizes[name])
-        for mount in self.mounts:
-            largest = jnp.maximum(largest, mount.momentum_scale)
-        for torque in self.torques:
-            largest = jnp.maximum(largest, jnp.max(self.moments) * torque.rate)
-        scale = jnp.where(largest > 0, largest, jnp.max(self.moments))
-        scales = [jnp.ones(4)] if body.attitude is not None else []
-        scales.append(jnp.full(3, scale))
-        for part in layout.parts:
-            size = scale if part.name in momenta else jnp.where(sizes[part.name] > 0, sizes[part.name], 1.0)
-            scales.append(jnp.full(part.size, size))
-        return jnp.concatenate(scales)
+        attitude = now.body.attitude
+        assert attitude is not None, "gravity needs the attitude"
+        relative = gravity.relative_velocity(attitude, now.velocity)
+        orbital, inertia = now.velocity - relative, self._momentary_inertia(now)
+        strength, centre = gravity.pull(t, attitude)
+        pulled = 3.0 * jnp.sum(centre * jnp.sum(inertia * centre[..., None, :], axis=-1), axis=-1)
+        if now.arrangement is not None:
+            pulled = pulled - (jnp.trace(inertia, axis1=-2, axis2=-1) - jnp.sum(self.moments))
+        value = self._energy(now) + 0.5 * strength * pulled - jnp.sum(orbital * now.body.momentum, axis=-1)
+        if now.arrangement is None:
+            pull, loads = gravity.torque(t, attitude, now.velocity), []
+        else:
+            pull, loads = self._gravity(gravity, t, now)
+        rate = power - jnp.sum(torque * orbital, axis=-1) - jnp.sum(pull * relative, axis=-1)
+        rate = rate - sum((a * b for a, b in zip(loads, now.rates, strict=True)), 0.0)
+        return Balance(value, rate - jnp.sum(pull * self._drift(now), axis=-1))
 
     def vectors(self, state: Float64[Array, "*batch n"]) -> Vectors:
         body = self.parts(state)
-        return Vectors(body.attitude, body.momentum, self._velocity(body))
-
-    @property
-    def quantities(self) -> dict[str, Quantity]:
-        return {
-            "energy": ENERGY,
-            "kinetic_energy": Quantity("J", "kinetic energy"),
-            "|L|²": MOMENTUM_SQUARED,
-            "momentum_space": MOMENTUM_SPACE,
-            "jacobi_integral": Quantity("J", "Jacobi integral in the orbit's frame"),
-        }
-
-    @property
-    def free_moments(self) -> Float64[Array, "3"] | None:
-        return None if self.mounts or self.torques else self.moments
+        velocity = self._along_principal(self._moment(self._as_given(body)).velocity)
+        return Vectors(body.attitude, body.momentum, velocity)
 
 
 class RigidBody(AbstractRigidBody):
@@ -369,10 +152,14 @@ class RigidBody(AbstractRigidBody):
     With nothing it is the free body, with a ``HeldWheel`` a gyrostat, with an ``EnergySink`` the double bracket. As
     Lie–Poisson systems, with exact flows and verdicts, these are ``FreeRigidBody``, ``Gyrostat`` and ``DoubleBracket``.
 
+    ``RigidBody(moments, …)`` stands along its principal axes with the centre of mass as origin, ``from_body`` along the
+    axes in which a body is given.
+
     Args:
         moments: (3,) principal moments of the whole body, its mounts locked [kg m²], positive.
         mounts: what is inside, such as ``Wheel``; any number, on any axes.
         torques: what acts on it, such as ``LinearDrag``; any number.
+        structure: the given axes, as ``from_body`` makes them; None for the principal ones.
 
     Raises:
         InvalidInput: for moments that are not positive, rotors that leave the body none, what is not a mount or a
@@ -390,52 +177,78 @@ class RigidBody(AbstractRigidBody):
 
     title: ClassVar[str] = "Rigid body"
     moments: Float64[Array, "3"]
-    mounts: tuple[AbstractMount, ...]
+    mounts: tuple[AbstractMounted, ...]
     torques: tuple[AbstractTorque, ...]
+    structure: Structure | None
 
     @known_numbers_only
     def __init__(
         self,
         moments: Real[ArrayLike, "3"],
-        mounts: Sequence[AbstractMount] = (),
+        mounts: Sequence[AbstractMounted] = (),
         torques: Sequence[AbstractTorque] = (),
+        structure: Structure | None = None,
     ) -> None:
-        self.moments = checked_moments(moments)
-        self.mounts = checked_mounts(mounts)
-        self.torques = checked_torques(torques, self.moments)
-        carrier = np.asarray(self.carrier)
+        self.moments, self.structure = checked_moments(moments), structure
+        frame = self._frame()
+        self.mounts = checked_mounts(mounts, frame)
+        self.torques = checked_torques(torques, frame)
+        carrier = self.carrier
+        if parts := self.moving_parts:
+            carrier = jnp.diag(carrier) if carrier.ndim == 1 else carrier
+            mass, carrier = leave_hub(parts, carrier, jnp.asarray(frame.center_of_mass), self._mass)
+            if not float(mass) > 0.0:
+                raise InvalidInput(
+                    f"`mounts` must be parts of the body; they have {float(self._mass - mass):g} kg of its "
+                    f"{float(self._mass):g} kg. Give the mass of all together."
+                )
+        carrier = np.asarray(carrier)
         left = np.linalg.eigvalsh(carrier) if carrier.ndim == 2 else carrier
         if not left.min() > 0:
             raise InvalidInput(
-                f"`mounts` must be parts of the body; without what they turn by themselves it is left with moments "
+                f"`mounts` must be parts of the body; without what moves or turns by itself it is left with moments "
                 f"[{', '.join(f'{x:.6g}' for x in left)}] kg m². `moments` are those of the whole body, its mounts "
                 "locked."
             )
 
+    @classmethod
+    def from_body(
+        cls, body: Body, mounts: Sequence[AbstractMounted] = (), torques: Sequence[AbstractTorque] = ()
+    ) -> RigidBody:
+        """Return the body with mounts and torques that stand in its given axes.
 
-def _one_each(name: str, values: Any, things: str, count: int) -> list[Array | None]:
-    if values is None:
-        return [None] * count
-    if not isinstance(values, Sequence | np.ndarray) or len(values) != count:
-        raise InvalidInput(
-            f"`{name}` must be a list with one entry for each of the {count} {things}, None where there is nothing to "
-            f"say; got {shown(values)}."
-        )
-    refuse_single_precision(**{f"{name}[{k}]": value for k, value in enumerate(values)})
-    return list(values)
+        Axes of mounts, vectors of torques, their positions from the origin of these axes, and what functions of the
+        user get and give are along the given axes, as is what ``pack`` takes. States and trajectories are along the
+        principal axes, as everywhere; ``trajectory.along("given")`` turns them. A torque with a resultant ``force`` is
+        referred to the centre of mass.
 
+        Args:
+            body: all together, its mounts locked.
+            mounts: what is inside.
+            torques: what acts on it.
 
-def _times(inertia: Array, vector: Array) -> Array:
-    """Return the product of a symmetric inertia (3, 3), or the diagonal (3,) of one, and vectors (…, 3)."""
-    return inertia * vector if inertia.ndim == 1 else vector @ inertia
+        Raises:
+            InvalidInput: as the class does, and for a thin rod, which has no moment about itself.
 
+        >>> import polhode as ph
+        >>> craft = RigidBody.from_body(ph.shapes.box(12.0, (0.1, 0.2, 0.3)))  # whose moments descend along x, y, z
+        >>> start = craft.pack(angular_velocity=(0.0, 0.0, 2.0))
+        >>> [round(float(x), 9) for x in start]  # about z, the axis of least moment
+        [0.1, 0.0, 0.0]
+        """
+        if not isinstance(body, Body):
+            raise InvalidInput(f"`body` must be a polhode.Body; got {shown(body)}. Make one from moments by "
+                               "`RigidBody(moments, mounts, torques)`.")  # fmt: skip
+        plain = Turn.to(np.asarray(body.principal_axes))  # by NumPy: JAX would compile each operation of it
+        turn = Turn(jnp.asarray(plain.matrix), jnp.asarray(plain.quaternion))
+        mass = None if body.mass is None else jnp.asarray(body.mass)
+        structure = Structure(turn, jnp.asarray(body.center_of_mass), mass)
+        return cls(body.principal_moments, mounts, torques, structure)
 
-def _solve(inertia: Array, vector: Array) -> Array:
-    """Solve I x = b for x by Cramer's rule, I symmetric (3, 3) or its diagonal (3,), b (…, 3)."""
-    if inertia.ndim == 1:
-        return vector / inertia
-    size = jnp.max(jnp.abs(inertia))  # so that products of three neither overflow nor vanish
-    a, b, c = inertia / size
-    # I⁻¹ = adj I/det I: its columns are cross products of the rows, and det I = a·(b × c)
-    adjugate = jnp.stack([jnp.cross(b, c), jnp.cross(c, a), jnp.cross(a, b)])
-    return (vector @ adjugate) / jnp.dot(a, adjugate[0]) / size
+    def _frame(self) -> BodyFrame:
+        """Return the axes in which attachments stand, and the mass properties along them."""
+        moments = np.asarray(self.moments)
+        if self.structure is None:
+            return BodyFrame(moments, np.eye(3), np.zeros(3), None)
+        turn, center, mass = self.structure
+        return BodyFrame(moments, np.asarray(turn.matrix), np.asarray(center), None if mass is None else float(mass))

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import ClassVar
 
+import numpy as np
+
 from polhode.arrays import known_numbers_only
+from polhode.motion.frame import BodyFrame
 from polhode.systems.free_rigid_body import checked_moments
-from polhode.systems.mounts import AbstractMount
+from polhode.systems.mounts import AbstractMounted
 from polhode.systems.rigid_body import AbstractRigidBody
 from polhode.systems.torques import AbstractTorque, checked_torques
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -35,10 +38,12 @@ class TorquedBody(AbstractRigidBody):
 
     title: ClassVar[str] = "Body under torques"
     moments: Float64[Array, "3"]
-    mounts: tuple[AbstractMount, ...]
+    mounts: tuple[AbstractMounted, ...]
     torques: tuple[AbstractTorque, ...]
+    structure: None
 
     @known_numbers_only
     def __init__(self, moments: Real[ArrayLike, "3"], torques: Sequence[AbstractTorque]) -> None:
-        self.moments, self.mounts = checked_moments(moments), ()
-        self.torques = checked_torques(torques, self.moments)
+        self.moments, self.mounts, self.structure = checked_moments(moments), (), None
+        frame = BodyFrame(np.asarray(self.moments), np.eye(3), np.zeros(3), None)
+        self.torques = checked_torques(torques, frame)

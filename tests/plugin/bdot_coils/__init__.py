@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar
 
 import jax.numpy as jnp
 
 import polhode as ph
-from polhode.systems import AbstractTorque
+from polhode.systems import AbstractTorque, Argument
 
 
 class BDotCoils(AbstractTorque):
@@ -17,6 +17,8 @@ class BDotCoils(AbstractTorque):
 
     Source: Stickler & Alfriend, J. Spacecraft and Rockets 13 (1976) 282.
     """
+
+    arguments: ClassVar[dict[str, Argument]] = {"gain": Argument("A*m^2*s/T"), "field": Argument("T", (3,))}
 
     gain: float  # k [A m² s/T]
     field: tuple[float, float, float]  # B, constant in space [T]

@@ -1,0 +1,340 @@
+"""The answers about a rigid body with wheels, mounts and torques."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, ClassVar
+
+import numpy as np
+
+from polhode import rotation
+from polhode.analysis._mechanics import Mechanics
+from polhode.analysis.control_margins import LinearLoop, Margins, linearize_loop, loop_margins
+from polhode.bodies.body import Body
+from polhode.kinds.base import Spec, SpecMotion
+from polhode.kinds.rigid_body.build import Craft, build, usual_times
+from polhode.kinds.rigid_body.gravity import GravityAnswers, judge_gravity
+from polhode.kinds.rigid_body.history import History, follow
+from polhode.kinds.rigid_body.table import RigidBodyTable
+from polhode.motion._trajectory import Trajectory
+from polhode.reports.about import about_body, accuracy
+from polhode.reports.answer import Answer, Group, Table
+from polhode.reports.base import MotionReport
+from polhode.reports.length import Watch
+from polhode.reports.wording import angle, duration, number, vector
+from polhode.simulation import simulate
+from polhode.types import Array, Float64
+
+WITHIN = math.radians(1.0)  # of the target: the usual pointing error below which a body has settled
+FINEST, EACH = 4001, 8  # samples at which limits are looked at: at least so many, and so many a step
+CLOSE = 0.999  # of a limit, from which it may act between samples
+
+
+@dataclass(frozen=True)
+class RigidBodyReport(MotionReport):
+    """A rigid body with what is in and on it.
+
+    Attributes:
+        craft: the system with its start.
+        trajectory: the motion.
+        history: what is followed over time.
+        loop: the motion about the target to first order; None without one.
+        gravity: about rests under gravity's gradient; None unless it acts alone on a circular orbit.
+        limits: "none", "not reached", or "acted".
+    """
+
+    kind: ClassVar[str] = "rigid-body"
+    spec: Spec[RigidBodyTable]
+    craft: Craft
+    trajectory: Trajectory
+    history: History
+    loop: LinearLoop | None
+    gravity: GravityAnswers | None
+    limits: str
+
+    @property
+    def body(self) -> Body:
+        assert self.spec.body is not None
+        return self.spec.body
+
+    @property
+    def within(self) -> float:
+        control = self.spec.system.control
+        return WITHIN if control is None or control.within is None else control.within
+
+    @cached_property
+    def settling_time(self) -> float | None:
+        """From when on the pointing error stays below ``within`` [s], at a sample; None where it does not."""
+        error, times = self.history.pointing, np.asarray(self.trajectory.times)
+        if error is None or error[-1] > self.within:
+            return None
+        away = np.flatnonzero(error > self.within)
+        return float(times[away[-1] + 1] - times[0]) if len(away) else 0.0
+
+    @property
+    def mechanics(self) -> Mechanics | None:
+        return None
+
+    @property
+    def summary(self) -> str:
+        said = [self._control_summary(), self._wheel_summary(), None if self.gravity is None else self.gravity.summary]
+        if words := " ".join(filter(None, said)):
+            return words
+        first, last = (float(np.linalg.norm(self.history.velocity[k])) for k in (0, -1))
+        span = duration(float(np.ptp(self.trajectory.times)))
+        return f"The body turns at {number(first, 'rad/s')} at the start and {number(last, 'rad/s')} after {span}."
+
+    def _control_summary(self) -> str | None:
+        error = self.history.pointing
+        if error is None:
+            return None
+        if self.settling_time is None:
+            end = angle(float(error[-1]))
+            return f"The pointing error is {end} at the end and has not settled below {angle(self.within)}."
+        after = "from the start" if self.settling_time == 0.0 else f"after {duration(self.settling_time)}"
+        return f"It points within {angle(self.within)} {after}, and at the end within {angle(float(error[-1]))}."
+
+    def _wheel_summary(self) -> str | None:
+        rates = self.history.rates
+        if not rates.shape[1]:
+            return None
+        fastest = float(np.abs(rates).max())
+        acts = {"acted": " A limit of the actuators acts.", "not reached": " No limit of the actuators is reached."}
+        return f"The fastest wheel turns at {number(fastest, 'rad/s')}.{acts.get(self.limits, '')}"
+
+    @property
+    def notes(self) -> list[str]:
+        notes = [*self.spec.remarks]
+        if self.loop is not None and self.limits == "acted":
+            notes.append("eigenvalues and margins are those without limits.")
+        if self.gravity is not None:
+            notes += self.gravity.notes
+        return notes
+
+    @property
+    def answers(self) -> list[Group | Table]:
+        found: list[Group | Table] = [about_body(self.body, "all mounts locked")]
+        if self.craft.orbit is not None:
+            found.append(self._orbit())
+        if self.history.rates.shape[1]:
+            found.append(self._wheels())
+        if self.history.torques.shape[1]:
+            found.append(self._torques())
+        if self.craft.law is not None:
+            found.append(self._control())
+        if self.loop is not None:
+            found += [self._modes(self.loop), self._margins(self.loop)]
+        if self.gravity is not None:
+            found.append(self.gravity.group)
+        return [*found, self._motion()]
+
+    def _orbit(self) -> Group:
+        orbit = self.craft.orbit
+        assert orbit is not None and orbit.semi_major_axis is not None
+        return Group("Orbit", [
+            Answer("orbit.period", float(orbit.period), "s", "period"),
+            Answer("orbit.semi_major_axis", float(orbit.semi_major_axis), "m", "semi-major axis"),
+            Answer("orbit.eccentricity", float(orbit.eccentricity), "", "eccentricity"),
+            Answer("orbit.mean_motion", float(orbit.mean_motion), "rad/s", "mean motion"),
+        ])  # fmt: skip
+
+    def _wheels(self) -> Table:
+        rates, motors, rows = self.history.rates, self.history.motors, []
+        for k, wheel in enumerate(self.craft.wheel_tables):
+            fastest, strongest = float(np.abs(rates[:, k]).max()), float(np.abs(motors[:, k]).max())
+            rows.append({
+                "axis": np.asarray(wheel.axis) / np.linalg.norm(wheel.axis), "rate_start": rates[0, k],
+                "rate_end": rates[-1, k], "rate_largest": fastest, "torque_largest": strongest,
+                "rate_margin": None if wheel.max_rate is None else 1.0 - fastest / wheel.max_rate,
+                "torque_margin": None if wheel.max_torque is None else 1.0 - strongest / wheel.max_torque,
+            })  # fmt: skip
+        units = {"axis": "direction, given axes", "rate_start": "rad/s", "rate_end": "rad/s", "rate_largest": "rad/s",
+                 "torque_largest": "N m", "rate_margin": "of max_rate that is left",
+                 "torque_margin": "of max_torque that is left"}  # fmt: skip
+        share = lambda value: "–" if value is None else f"{100.0 * value:.3g} %"  # noqa: E731
+        return Table("wheels", "Wheels, against the body", {
+            "axis": lambda row: vector(row["axis"], digits=3),
+            "rate at the end": lambda row: number(row["rate_end"], "rad/s") or "–",
+            "largest": lambda row: number(row["rate_largest"], "rad/s") or "–",
+            "torque, largest": lambda row: number(row["torque_largest"], "N m") or "–",
+            "left of rate": lambda row: share(row["rate_margin"]),
+            "of torque": lambda row: share(row["torque_margin"]),
+        }, rows, units)  # fmt: skip
+
+    def _torques(self) -> Table:
+        names = [chosen.type for chosen in self.spec.system.torque]
+        names += ["control"] * (self.history.torques.shape[1] - len(names))
+        rows = [
+            {"type": name, "largest": float(values.max()), "mean": float(values.mean())}
+            for name, values in zip(names, self.history.torques.T, strict=True)
+        ]
+        cell = lambda key: lambda row: number(row[key], "N m") or "–"  # noqa: E731
+        columns = {"torque": lambda row: row["type"], "largest": cell("largest"), "mean": cell("mean")}
+        return Table("torques", "Torques about the centre of mass, at the samples", columns, rows,
+                     {"largest": "N m", "mean": "N m"})  # fmt: skip
+
+    def _control(self) -> Group:
+        error, times = self.history.pointing, np.asarray(self.trajectory.times)
+        control = self.spec.system.control
+        assert control is not None
+        load = float(self.history.load.max())
+        answers = [
+            Answer("control.law", control.type, "", "law"),
+            Answer("control.by", control.by, "", "by"),
+            Answer("control.limits", self.limits, "", "limits"),
+            Answer("control.load", None if self.limits == "none" else load, "", "largest demand over the limit"),
+        ]
+        if error is not None:
+            late = error[times >= times[0] + 0.9 * np.ptp(times)]
+            answers += [
+                Answer("control.pointing_error.start", float(error[0]), "rad", "pointing error at the start"),
+                Answer("control.pointing_error.end", float(error[-1]), "rad", "at the end"),
+                Answer("control.pointing_error.late", float(late.max()), "rad", "largest in the last tenth"),
+                Answer("control.within", self.within, "rad"),
+                Answer("control.settling_time", self.settling_time, "s", f"settled below {angle(self.within)} after",
+                       "from when on the error stays below `within`, at a sample"),
+            ]  # fmt: skip
+        if self.history.rates.shape[1]:
+            power = self.history.power
+            used = float(np.sum(0.5 * (power[1:] + power[:-1]) * np.diff(times)))
+            answers += [
+                Answer("control.power.largest", float(power.max()), "W", "power of the motors, largest",
+                       "sum of |torque × rate|, none given back"),
+                Answer("control.power.used", used, "J", "energy that they use", "trapezoidal sum over the samples"),
+            ]  # fmt: skip
+        return Group("Control", answers)
+
+    def _modes(self, loop: LinearLoop) -> Table:
+        rows = []
+        for value in loop.eigenvalues:
+            if value.imag >= 0.0:
+                size = abs(value)
+                rows.append({"real": float(value.real), "imaginary": float(value.imag), "frequency": float(size),
+                             "damping": float(-value.real / size) if size else 0.0})  # fmt: skip
+        units = {"real": "1/s", "imaginary": "rad/s", "frequency": "rad/s", "damping": "of critical"}
+        columns = {
+            "eigenvalue": lambda row: f"{row['real']:.5g} ± {row['imaginary']:.5g} i /s" if row["imaginary"] else (
+                f"{row['real']:.5g} /s"),
+            "frequency": lambda row: number(row["frequency"], "rad/s") or "–",
+            "damping": lambda row: f"{row['damping']:.4g}",
+        }  # fmt: skip
+        title = "Closed loop about the target, to first order, with the momentum stored at the end"
+        return Table("closed_loop", title, columns, rows, units)
+
+    def _margins(self, loop: LinearLoop) -> Table:
+        rows = [{"axis": name, **found._asdict()} for name, found in zip("xyz", loop_margins(loop), strict=True)]
+        units: dict[str, str] = dict(zip(Margins._fields, ("rad/s", "rad", "s", "factor", "factor"), strict=True))
+        columns = {
+            "axis": lambda row: row["axis"],
+            "crossover": lambda row: number(row["crossover"], "rad/s") or "–",
+            "phase margin": lambda row: angle(row["phase"]) or "–",
+            "delay margin": lambda row: duration(row["delay"]) or "–",
+            "gain may fall to": lambda row: f"× {row['gain_down']:.4g}",
+            "grow to": lambda row: f"× {row['gain_up']:.4g}" if math.isfinite(row["gain_up"]) else "any",
+        }
+        return Table("margins", "Margins of the loop about each given axis, the others closed", columns, rows, units,
+                     key="axis")  # fmt: skip
+
+    def _motion(self) -> Group:
+        seen, energy = self.history, self._energy()
+        ends = (("start", 0), ("end", -1))
+        answers = [Answer("end.time", float(self.trajectory.times[-1]), "s", "time")]
+        for name, k in ends:
+            answers += [
+                Answer(f"{name}.angular_velocity", seen.velocity[k], "rad/s", f"Ω at the {name}", "given axes"),
+                Answer(f"{name}.momentum", seen.momentum[k], "kg m²/s", "", "of all, given axes"),
+                Answer(f"{name}.momentum_norm", float(np.linalg.norm(seen.momentum[k])), "kg m²/s",
+                       f"|L| at the {name}"),
+                Answer(f"{name}.stored_momentum", seen.stored[k], "kg m²/s", "", "inside, L − IΩ, given axes"),
+                Answer(f"{name}.energy", float(energy[k]), "J", f"kinetic energy at the {name}",
+                       "with the mounts' own"),
+            ]
+        if self.trajectory.attitude is not None:
+            answers.append(Answer("end.attitude", self._given_attitude(), "", "", "quaternion wxyz of the given axes"))
+        answers.append(Answer("work", self._work(), "J", "work of torques and motors", "until the end"))
+        if seen.from_nadir is not None:
+            answers += [
+                Answer("from_nadir.start", float(seen.from_nadir[0]), "rad", "given axes from nadir axes at the start"),
+                Answer("from_nadir.largest", float(seen.from_nadir.max()), "rad", "largest"),
+            ]
+        return Group("Motion", [*answers, *accuracy(self.trajectory, "drift of what is kept or balanced")])
+
+    def _energy(self) -> Array:
+        for kept in (self.trajectory.balances, self.trajectory.invariants):
+            for name in ("kinetic_energy", "energy"):
+                if name in kept:
+                    return np.asarray(kept[name])
+        return np.full(len(self.trajectory.times), math.nan)
+
+    def _work(self) -> float:
+        received: Any = self.trajectory.received
+        return float(next((received[x][-1] for x in ("kinetic_energy", "energy") if x in received), 0.0))
+
+    def _given_attitude(self) -> Float64[Array, "4"]:
+        back = rotation.conjugate(rotation.from_matrix(np.asarray(self.body.principal_axes)))
+        return rotation.multiply(np.asarray(self.trajectory.attitude)[-1], back)
+
+
+def make_report(spec: Spec[RigidBodyTable]) -> RigidBodyReport:
+    """Return the report on a rigid body with what is in and on it.
+
+    Raises:
+        InvalidInput: naming the table of what does not fit.
+    """
+    craft = build(spec)
+    trajectory, history, limits = _simulate(spec, craft)
+    loop = None
+    if craft.law is not None:
+        end = float(trajectory.times[-1]), np.asarray(trajectory.states)[-1]
+        loop = linearize_loop(craft.system.without_limits(), craft.law, *end)
+    return RigidBodyReport(
+        spec, craft, trajectory, history, loop, judge_gravity(spec, craft, trajectory), limits
+    )  # fmt: skip
+
+
+def simulate_motion(spec: Spec[RigidBodyTable]) -> SpecMotion:
+    """Return the motion alone.
+
+    Raises:
+        InvalidInput: naming the table of what does not fit.
+    """
+    return SpecMotion(_simulate(spec, build(spec))[0], None)
+
+
+def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, History, str]:
+    """Return the motion, what is followed along it, and what its limits did.
+
+    Rates of change with limits have corners, past which many small steps go. So the motion is computed without them
+    first, and is the right one if no actuator is asked for more than its limit at samples so close that nothing of the
+    motion is between them.
+    """
+    assert spec.body is not None
+    times = usual_times(craft, spec)
+    watch, limits = Watch(spec.until, times), "none"
+    if craft.system.limited:
+        parts = max(1, math.ceil((FINEST - 1) / (len(times) - 1)))
+        fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
+        free = simulate(craft.system.without_limits(), craft.state, fine, progress=watch)
+        history = follow(craft.system, craft.orbit, free.times, free.states)
+        load = float(history.load.max())
+        if load < CLOSE and len(fine) > EACH * free.statistics["steps"]:
+            trajectory = replace(_thin(free, parts), source=craft.system, frame=spec.body.frame)
+            return trajectory, history.thin(parts), "not reached"
+        limits = "acted" if load > 1.0 else "not reached"
+    trajectory = simulate(craft.system, craft.state, times, progress=watch)
+    trajectory = replace(trajectory, source=craft.system, frame=spec.body.frame)
+    return trajectory, follow(craft.system, craft.orbit, trajectory.times, trajectory.states), limits
+
+
+def _thin(trajectory: Trajectory, parts: int) -> Trajectory:
+    """Return every so many-th sample."""
+    of_samples = ("times", "states", "attitude", "momentum", "angular_velocity")
+    kept: dict[str, Any] = {}
+    for name in of_samples:
+        value = getattr(trajectory, name)
+        kept[name] = None if value is None else value[::parts]
+    for name in ("invariants", "balances", "received"):
+        kept[name] = {key: np.asarray(value)[::parts] for key, value in getattr(trajectory, name).items()}
+    return replace(trajectory, **kept)

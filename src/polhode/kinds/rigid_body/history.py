@@ -1,0 +1,95 @@
+"""What a report follows over time: rates, pointing error, wheels, torques and power."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+
+from polhode import rotation
+from polhode.systems.controlled_wheels import ControlledWheels, ControlTorque
+from polhode.systems.kepler_orbit import KeplerOrbit
+from polhode.systems.rigid_body import RigidBody
+from polhode.systems.wheels import HeldWheel, Wheel
+from polhode.types import Array, Float64
+
+
+class History(NamedTuple):
+    """Numbers at the samples of a motion.
+
+    Attributes:
+        velocity: Ω (T, 3) [rad/s, given axes].
+        momentum: L (T, 3) of all [kg m²/s, given axes].
+        stored: L − IΩ (T, 3) inside [kg m²/s, given axes].
+        pointing: angle from the target (T,) [rad]; None without one.
+        from_nadir: angle of the body's axes from those that look down (T,) [rad]; None without an orbit.
+        rates: of the wheels against the body (T, wheels) [rad/s].
+        motors: their torques (T, wheels) [N m], friction left out.
+        torques: size of each torque from outside (T, torques) [N m], about the centre of mass.
+        load: what actuators are asked for over their limits, at these samples or closer ones.
+    """
+
+    velocity: Float64[Array, "time 3"]
+    momentum: Float64[Array, "time 3"]
+    stored: Float64[Array, "time 3"]
+    pointing: Float64[Array, "time"] | None
+    from_nadir: Float64[Array, "time"] | None
+    rates: Float64[Array, "time wheels"]
+    motors: Float64[Array, "time wheels"]
+    torques: Float64[Array, "time torques"]
+    load: Float64[Array, "samples"]
+
+    def thin(self, parts: int) -> History:
+        """Return every so many-th sample; of ``load`` all, as it is looked at between them."""
+        kept = {name: value for name, value in self._asdict().items() if value is not None}
+        return self._replace(**{name: value[::parts] for name, value in kept.items() if name != "load"})
+
+    @property
+    def power(self) -> Float64[Array, "time"]:
+        """(T,) mechanical power of all motors, none of it given back: Σ |u σ| [W]."""
+        return np.sum(np.abs(self.rates * self.motors), axis=-1)
+
+
+def follow(
+    system: RigidBody, orbit: KeplerOrbit | None, times: Float64[Array, "time"], states: Float64[Array, "time n"]
+) -> History:
+    """Return the history of a motion, of its samples."""
+    found = _follow(system, orbit, jnp.asarray(times), jnp.asarray(states))
+    seen: dict[str, Any] = {name: None if value is None else np.asarray(value) for name, value in found.items()}
+    return History(**seen)
+
+
+@eqx.filter_jit
+def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: Array) -> dict[str, Any]:
+    # what is along the principal axes is turned here, with `structure`, once for all
+    body = system.as_given(states)
+    assert body.attitude is not None or not system.needs_attitude
+    velocity = system.velocity(states)
+    parts = (*system.mounts, *system.torques)
+    law = next((part.law for part in parts if isinstance(part, ControlledWheels | ControlTorque)), None)
+    target = None if law is None else law.target(times)
+    from_target = lambda aim: None if aim is None else rotation.angle_between(aim, body.attitude)  # noqa: E731
+    pointing, nadir = from_target(target), from_target(None if orbit is None else orbit.frame(times))
+    rates, motors = [], []
+    for mount, own in zip(system.mounts, body.mounts, strict=True):
+        if isinstance(mount, ControlledWheels):
+            rates.append(mount.rates(velocity, own))
+            motors.append(mount.motor_torques(times, body.attitude, velocity, own))
+        elif isinstance(mount, Wheel):
+            rate = mount.rate(velocity, own)
+            rates.append(rate[..., None])
+            friction = 0.0 if mount.friction is None else mount.friction * rate
+            motors.append((mount.axial_torque(times, body.attitude, velocity, own) + friction)[..., None])
+        elif isinstance(mount, HeldWheel):
+            rates.append(jnp.full((*times.shape, 1), mount.rate))
+            motors.append(jnp.zeros((*times.shape, 1)))
+    empty = jnp.zeros((*times.shape, 0))
+    each = [jnp.linalg.norm(x, axis=-1)[..., None] for x in system.torques_apart(times, states)]
+    return {
+        "velocity": velocity, "momentum": body.momentum, "stored": system.stored(states), "pointing": pointing,
+        "from_nadir": nadir, "rates": jnp.concatenate([empty, *rates], axis=-1),
+        "motors": jnp.concatenate([empty, *motors], axis=-1), "torques": jnp.concatenate([empty, *each], axis=-1),
+        "load": system.load(times, states),
+    }  # fmt: skip

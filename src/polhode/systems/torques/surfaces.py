@@ -1,0 +1,237 @@
+"""Pressure on the outside of a body: of sunlight, and of thin air."""
+
+from __future__ import annotations
+
+import abc
+from typing import Any, ClassVar
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.errors import InvalidInput, shown
+from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
+from polhode.systems.free_rigid_body import checked_vector
+from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
+from polhode.systems.mounts import checked_direction
+from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
+from polhode.systems.torques.earth_field import EARTH_ROTATION
+from polhode.systems.torques.magnetic import checked_directions
+from polhode.types import Array, ArrayLike, Float64, Real
+
+SUNLIGHT = 4.5391e-6
+"""Pressure of sunlight at one astronomical unit [N/m²]: 1360.8 W/m² over the speed of light.
+
+Source: Kopp & Lean, Geophys. Res. Lett. 38 (2011) L01706.
+"""
+PLATES: dict[str, Argument] = {
+    "areas": Argument("m^2", many=True),
+    "normals": Argument("", (3,), many=True),
+    "positions": Argument("m", (3,), many=True),
+    "box": Argument("m", (3,)),
+    "center": Argument("m", (3,)),
+}
+
+
+class Plates(eqx.Module):
+    """Flat plates that see what comes from outside on one side, the side of their normal.
+
+    Attributes:
+        areas: (n,) [m²].
+        normals: (n, 3) outward unit vectors [body axes].
+        positions: (n, 3) of their centres [m, body axes].
+    """
+
+    areas: Float64[Array, "n"]
+    normals: Float64[Array, "n 3"]
+    positions: Float64[Array, "n 3"]
+
+
+class AbstractSurfaceTorque(AbstractTorque):
+    """Forces on plates, of which none shades another; a box is six plates.
+
+    Each plate's force acts at its centre and depends on the cosine c between its normal and where the stream comes
+    from; turned away it has none.
+    """
+
+    plates: eqx.AbstractVar[Plates]
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
+
+    @property
+    def needs_attitude(self) -> bool:
+        return True
+
+    @abc.abstractmethod
+    def forces(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity
+    ) -> Float64[Array, "*batch n 3"]:  # fmt: skip
+        """Return the force on each plate (…, n, 3) [N, body axes]."""
+
+    def force(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+        return jnp.sum(self.forces(t, attitude, angular_velocity), axis=-2)
+
+    def torque(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+        each = jnp.cross(self.plates.positions, self.forces(t, attitude, angular_velocity))
+        return jnp.sum(each, axis=-2)
+
+
+class SolarPressure(AbstractSurfaceTorque):
+    """F = −P A c [(1 − s) u + 2 (s c + d/3) n] on each plate, c = n·u > 0, u the direction of the Sun.
+
+    s of the light is reflected as by a mirror, d scattered evenly, and the rest absorbed. There is no shadow of the
+    Earth, and the direction of the Sun stays in space.
+
+    Args:
+        sun: direction from the body to the Sun (3,) [space axes].
+        areas: (n,) of plates [m²], or one; with ``normals`` and ``positions``, or a ``box`` instead of the three.
+        normals: (n, 3) outward [body axes].
+        positions: (n, 3) of their centres [m, body axes].
+        specular: s, from 0 to 1.
+        diffuse: d, from 0 to 1 − s.
+        box: (3,) edges of a box along the body's axes [m], whose six faces are the plates.
+        center: (3,) of the box [m, body axes].
+        pressure: P [N/m²], at one astronomical unit by default.
+
+    Raises:
+        InvalidInput: for plates that are not complete, or reflectivities that together exceed one.
+
+    Source: Markley & Crassidis, *Fundamentals of Spacecraft Attitude Determination and Control* (2014), eq. 3.167.
+    """
+
+    name: ClassVar[str] = "solar-pressure"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "sun": Argument("", (3,)), **PLATES, "specular": Argument(), "diffuse": Argument(),
+        "pressure": Argument("N/m^2"),
+    }  # fmt: skip
+
+    plates: Plates
+    sun: Float64[Array, "3"]
+    specular: Float64[Array, ""]
+    diffuse: Float64[Array, ""]
+    pressure: Float64[Array, ""]
+
+    @known_numbers_only
+    def __init__(
+        self, sun: Real[ArrayLike, "3"], areas: Real[ArrayLike, "..."] | None = None,
+        normals: Real[ArrayLike, "n 3"] | None = None, positions: Real[ArrayLike, "n 3"] | None = None,
+        specular: float = 0.0, diffuse: float = 0.0, box: Real[ArrayLike, "3"] | None = None,
+        center: Real[ArrayLike, "3"] | None = None, pressure: float = SUNLIGHT,
+    ) -> None:  # fmt: skip
+        self.sun, self.plates = checked_direction("sun", sun), make_plates(areas, normals, positions, box, center)
+        self.specular = checked_number("specular", specular, least=0.0)
+        self.diffuse = checked_number("diffuse", diffuse, least=0.0)
+        self.pressure = checked_number("pressure", pressure, least=0.0, unit="N/m²")
+        if float(self.specular + self.diffuse) > 1.0:
+            raise InvalidInput(
+                f"`specular` and `diffuse` are parts of the light and together at most 1; got {shown(specular)} and "
+                f"{shown(diffuse)}."
+            )
+
+    def forces(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity
+    ) -> Float64[Array, "*batch n 3"]:  # fmt: skip
+        assert attitude is not None, NEEDED
+        sun, normals = in_body(attitude, self.sun)[..., None, :], self.plates.normals
+        cosine = jnp.maximum(jnp.sum(normals * sun, axis=-1, keepdims=True), 0.0)
+        share = (1.0 - self.specular) * sun + 2.0 * (self.specular * cosine + self.diffuse / 3.0) * normals
+        return -self.pressure * self.plates.areas[:, None] * cosine * share
+
+
+class AerodynamicDrag(AbstractSurfaceTorque):
+    """F = −½ ρ C A c |v|² v̂ on each plate, c = n·v̂ > 0, v the velocity of the body through the air.
+
+    The air turns with the Earth and has the given density everywhere on the orbit. The body's own turning is slow
+    against v and left out.
+
+    Args:
+        orbit: of the body, with its semi-major axis.
+        density: ρ [kg/m³].
+        areas, normals, positions, box, center: as of ``SolarPressure``.
+        coefficient: C of drag, 2.2 by default.
+
+    Raises:
+        InvalidInput: for plates that are not complete, or an orbit of unknown size.
+
+    Source: Markley & Crassidis (2014), eqs. 3.160–3.162.
+    """
+
+    name: ClassVar[str] = "aerodynamic-drag"
+    arguments: ClassVar[dict[str, Argument]] = {"density": Argument("kg/m^3"), **PLATES, "coefficient": Argument()}
+
+    plates: Plates
+    orbit: KeplerOrbit
+    density: Float64[Array, ""]
+    coefficient: Float64[Array, ""]
+
+    @known_numbers_only
+    def __init__(
+        self, orbit: KeplerOrbit, density: float, areas: Real[ArrayLike, "..."] | None = None,
+        normals: Real[ArrayLike, "n 3"] | None = None, positions: Real[ArrayLike, "n 3"] | None = None,
+        box: Real[ArrayLike, "3"] | None = None, center: Real[ArrayLike, "3"] | None = None, coefficient: float = 2.2,
+    ) -> None:  # fmt: skip
+        orbit.check_size("aerodynamic drag")
+        self.orbit, self.plates = orbit, make_plates(areas, normals, positions, box, center)
+        self.density = checked_number("density", density, least=0.0, unit="kg/m³")
+        self.coefficient = checked_number("coefficient", coefficient, least=0.0)
+
+    def forces(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity
+    ) -> Float64[Array, "*batch n 3"]:  # fmt: skip
+        assert attitude is not None, NEEDED
+        place, velocity = self.orbit.position(t), self.orbit.velocity(t)
+        through = velocity - jnp.cross(jnp.array([0.0, 0.0, EARTH_ROTATION]), place)
+        stream = in_body(attitude, through)[..., None, :]
+        # ½ ρ C A (n·v̂) |v|² v̂ = ½ ρ C A (n·v) v
+        facing = jnp.maximum(jnp.sum(self.plates.normals * stream, axis=-1, keepdims=True), 0.0)
+        return -0.5 * self.density * self.coefficient * self.plates.areas[:, None] * facing * stream
+
+
+def make_plates(areas: Any, normals: Any, positions: Any, box: Any, center: Any) -> Plates:
+    """Return plates, given one by one or as the faces of a box.
+
+    Args:
+        areas, normals, positions, box, center: as of ``SolarPressure``; None where left out.
+
+    Raises:
+        InvalidInput: unless there are areas, normals and positions of equal number, or a box alone.
+    """
+    refuse_single_precision(areas=areas, normals=normals, positions=positions, box=box, center=center)
+    single = (areas, normals, positions)
+    if (box is None) == all(x is None for x in single) or (box is None and any(x is None for x in single)):
+        raise InvalidInput(
+            "plates are given by `areas`, `normals` and `positions` together, or as the faces of a `box`; got "
+            + (", ".join(name for name, x in zip(("areas", "normals", "positions", "box"), (*single, box), strict=True)
+                         if x is not None) or "none of these") + "."
+        )  # fmt: skip
+    if box is not None:
+        return _faces(np.asarray(checked_vector("box", box)), center)
+    if center is not None:
+        raise InvalidInput("`center` goes with a `box`; plates have `positions`.")
+    outward = checked_directions("normals", normals)
+    sizes = np.atleast_1d(np.asarray(areas, dtype=float))
+    places = np.atleast_2d(np.asarray(positions, dtype=float))
+    if sizes.shape != (len(outward),) or places.shape != outward.shape:
+        raise InvalidInput(
+            f"plates need as many `areas` and `positions` as `normals`; got {len(sizes)}, {len(places)} and "
+            f"{len(outward)}."
+        )
+    if not (np.isfinite(places).all() and np.isfinite(sizes).all() and (sizes > 0).all()):
+        raise InvalidInput(f"`areas` must be positive and all `positions` finite; got {shown(sizes.tolist())} m².")
+    return Plates(jnp.asarray(sizes), outward, jnp.asarray(places))
+
+
+def _faces(box: np.ndarray, center: Any) -> Plates:
+    if not (box > 0).all():
+        raise InvalidInput(f"`box` must have three positive edges [m]; got {shown(box.tolist())}.")
+    middle = np.zeros(3) if center is None else np.asarray(checked_vector("center", center))
+    normals = np.concatenate([np.eye(3), -np.eye(3)])
+    areas = np.prod(box) / box
+    return Plates(jnp.asarray(np.tile(areas, 2)), jnp.asarray(normals), jnp.asarray(middle + 0.5 * box * normals))

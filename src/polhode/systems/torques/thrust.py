@@ -1,0 +1,157 @@
+"""Torques of given size: thrusters that fire at given times, and what pushes all the time."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.errors import InvalidInput, shown
+from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
+from polhode.systems.free_rigid_body import checked_vector
+from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
+from polhode.types import Array, ArrayLike, Float64, Real
+
+FRAMES = ("body", "space")
+
+
+class Thruster(AbstractTorque):
+    """A thruster that fires one or more pulses: F while it fires, and r × F about the origin of the body's axes.
+
+    Its pulses begin and end at ``jumps``, so that steps end there and no pulse is missed, however short it is.
+
+    Args:
+        at: (P,) times [s] at which it begins to fire, or one.
+        lasting: (P,) how long each pulse lasts [s], or one for all, positive.
+        force: F (3,) on the body [N, body axes], opposite to the jet.
+        position: r (3,) of the nozzle [m, body axes].
+
+    Raises:
+        InvalidInput: for pulses that last no time or overlap, or values that are not finite.
+
+    >>> jet = Thruster(at=[10.0, 20.0], lasting=0.5, force=(0.0, 0.0, 2.0), position=(0.1, 0.0, 0.0))
+    >>> jet.torque(10.25, None, jnp.zeros(3)).tolist(), jet.torque(10.5, None, jnp.zeros(3)).tolist()
+    ([0.0, -0.2, 0.0], [0.0, 0.0, 0.0])
+    >>> jet.jumps.tolist()
+    [10.0, 10.5, 20.0, 20.5]
+    """
+
+    name: ClassVar[str] = "thruster"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "at": Argument("s", many=True),
+        "lasting": Argument("s", many=True),
+        "force": Argument("N", (3,)),
+        "position": Argument("m", (3,)),
+    }
+
+    begins: Float64[Array, "pulses"]
+    ends: Float64[Array, "pulses"]
+    thrust: Float64[Array, "3"]
+    position: Float64[Array, "3"]
+
+    @known_numbers_only
+    def __init__(
+        self, at: Real[ArrayLike, "..."], lasting: Real[ArrayLike, "..."], force: Real[ArrayLike, "3"],
+        position: Real[ArrayLike, "3"],
+    ) -> None:  # fmt: skip
+        refuse_single_precision(at=at, lasting=lasting)
+        begins = _as_list("at", at)
+        spans = _as_list("lasting", lasting)
+        if len(spans) not in (1, len(begins)):
+            raise InvalidInput(
+                f"`lasting` must be one time or one for each of the {len(begins)} pulses; got {len(spans)}."
+            )
+        if not (spans > 0).all():
+            raise InvalidInput(f"`lasting` must be positive [s]; got {shown(spans.min())}. Leave out what never fires.")
+        order = np.argsort(begins)
+        begins, ends = begins[order], (begins + spans)[order]
+        if not (ends > begins).all():
+            raise InvalidInput(
+                f"`lasting` {shown(spans.min())} s is less than a rounding of the time {shown(begins.max())} s. Count "
+                "the time from nearer to the pulse."
+            )
+        if over := np.flatnonzero(begins[1:] < ends[:-1]).tolist():
+            raise InvalidInput(
+                f"`at` has a pulse that begins at {begins[over[0] + 1]:g} s, before the one from {begins[over[0]]:g} s "
+                f"ends at {ends[over[0]]:g} s. A thruster fires one pulse at a time: make them one, or two thrusters."
+            )
+        self.begins, self.ends = jnp.asarray(begins), jnp.asarray(ends)
+        self.thrust, self.position = checked_vector("force", force), checked_vector("position", position)
+
+    @property
+    def jumps(self) -> Float64[Array, "jumps"]:
+        return jnp.ravel(jnp.stack([self.begins, self.ends], axis=-1))
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
+
+    def force(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+        time = jnp.asarray(t)[..., None]
+        # each pulse adds one from its beginning, and takes it back at its end
+        firing = jnp.sum(jnp.where(time >= self.begins, 1.0, 0.0) - jnp.where(time >= self.ends, 1.0, 0.0), axis=-1)
+        return firing[..., None] * self.thrust + jnp.zeros_like(angular_velocity)
+
+    def torque(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+        return jnp.cross(self.position, self.force(t, attitude, angular_velocity))
+
+
+class ConstantTorque(AbstractTorque):
+    """A couple that stays the same, as of a leak or a constant thrust, along the body or in space.
+
+    Args:
+        torque: (3,) [N m].
+        frame: "body", if it turns with the body, or "space".
+
+    Raises:
+        InvalidInput: for another frame, or what is not a vector.
+    """
+
+    name: ClassVar[str] = "constant"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "torque": Argument("N*m", (3,)),
+        "frame": Argument("text", choices=FRAMES),
+    }
+
+    vector: Float64[Array, "3"]
+    frame: str = eqx.field(static=True)
+
+    @known_numbers_only
+    def __init__(self, torque: Real[ArrayLike, "3"], frame: str = "body") -> None:
+        if frame not in FRAMES:
+            raise InvalidInput(f'`frame` must be "body" or "space"; got {shown(frame)}.')
+        self.vector, self.frame = checked_vector("torque", torque), frame
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
+
+    @property
+    def needs_attitude(self) -> bool:
+        return self.frame == "space"
+
+    def torque(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+        if self.frame == "body":
+            return self.vector + jnp.zeros_like(angular_velocity)
+        assert attitude is not None, NEEDED
+        return in_body(attitude, self.vector)
+
+
+def _as_list(name: str, value: Real[ArrayLike, "..."]) -> np.ndarray:
+    """Return finite times (P,) of one or a list."""
+    try:
+        times = np.atleast_1d(np.asarray(value, dtype=float))
+    except (TypeError, ValueError):
+        times = np.zeros(0)
+    if times.ndim != 1 or not times.size or not np.isfinite(times).all():
+        raise InvalidInput(f"`{name}` must be a finite time [s], or a list of such; got {shown(value)}.")
+    return times

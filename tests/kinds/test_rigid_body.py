@@ -1,0 +1,172 @@
+"""The kind of rigid bodies with wheels, torques, mounts and control: specs, refusals, answers, sweeps."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode.errors import InvalidInput
+from polhode.kinds.reading import build_spec, read_spec
+from polhode.spec.keys import number_at
+from polhode.sweeps.plan import read_plan
+
+BODY = '[body]\nmoments = ["85 kg*m^2", "2500 kg*m^2", "2530 kg*m^2"]\n'
+GRAVITY = '[[torque]]\ntype = "gravity-gradient"\n'
+ORBIT = '[orbit]\nperiod = "6052.4 s"\n'
+HEAD = 'system = "rigid-body"\n'
+SPIN = '[spin]\nrate = "0.0595 deg/s"\nabout = "z"\n'
+END = '[time]\nuntil = "30000 s"\nsamples = 301\n'
+LONGEST_LIBRATION = math.radians(7.0)
+EXAMPLES = Path(__file__).parents[2] / "examples"
+DOUBLE = 1e-12
+
+
+def spec(tmp_path, text):
+    path = tmp_path / "craft.toml"
+    path.write_text(text, "utf-8")
+    return read_spec(path)
+
+
+def test_ten_lines_say_that_a_satellite_stays_under_gravity(tmp_path):
+    found = spec(tmp_path, HEAD + BODY + SPIN + ORBIT + GRAVITY + END).report()
+    values = found.values()["gravity"]
+    assert values["verdict"] == "stable" and values["region"] == "Lagrange" and values["stays"] is True
+    n = 2 * math.pi / 6052.4
+    # pitch about the normal, by hand: n √(3 (I_roll − I_yaw)/I_pitch)
+    assert values["pitch_period"] == pytest.approx(2 * math.pi / (n * math.sqrt(3 * (2500 - 85) / 2530)), rel=1e-12)
+    assert values["from_rest"]["largest"] < LONGEST_LIBRATION
+    assert "can never leave it" in found.summary
+    assert max(found.trajectory.drift.values()) < DOUBLE
+    turned = spec(tmp_path, HEAD + BODY.replace('"85 kg*m^2", "2500 kg*m^2"', '"2500 kg*m^2", "85 kg*m^2"') + SPIN
+                  + ORBIT + GRAVITY + END).report()  # fmt: skip
+    assert turned.values()["gravity"]["verdict"] == "unstable"
+
+
+def test_another_packages_torque_is_named_by_its_entry_point(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(str(Path(__file__).parents[1] / "plugin"))
+    from polhode.spec import named
+
+    named._others.cache_clear()
+    text = HEAD + '[body]\nmoments = ["2 kg*m^2", "2 kg*m^2", "2 kg*m^2"]\n' + (
+        '[spin]\nangular_velocity = ["0.3 rad/s", "0 rad/s", "0.4 rad/s"]\n'
+        '[[torque]]\ntype = "bdot-coils"\ngain = "4e7 A*m^2*s/T"\nfield = ["30 uT", "0 T", "0 T"]\n'
+        '[time]\nuntil = "100 s"\nsamples = 11\n'
+    )  # fmt: skip
+    found = spec(tmp_path, text).report()
+    rate = 4e7 * 3e-5**2 / 2.0
+    assert np.linalg.norm(found.history.velocity[-1]) == pytest.approx(math.hypot(0.3, 0.4 * math.exp(-100 * rate)))
+    with pytest.raises(InvalidInput, match="did you mean bdot-coils"):
+        spec(tmp_path, text.replace("bdot-coils", "bdot-coil"))
+    named._others.cache_clear()
+
+
+def test_pulses_of_a_thruster_in_a_spec(tmp_path):
+    text = HEAD + BODY + (
+        '[[torque]]\ntype = "thruster"\nat = ["500 s", "700 s"]\nlasting = "20 ms"\nforce = ["0 N", "5 N", "0 N"]\n'
+        'position = ["0.1 m", "0 m", "0 m"]\n[time]\nuntil = "1000 s"\nsamples = 2\n'
+    )  # fmt: skip
+    found = spec(tmp_path, text).report()
+    assert found.history.momentum[-1] == pytest.approx([0.0, 0.0, 0.1 * 5.0 * 0.04], rel=1e-12, abs=1e-14)
+
+
+def test_the_example_of_a_cubesat_points_down(tmp_path):
+    text = (EXAMPLES / "cubesat_6u.toml").read_text("utf-8").replace('until = "95 min"', 'until = "10 min"')
+    found = spec(tmp_path, text.replace("samples = 1141", "samples = 121")).report()
+    values = found.values()
+    assert values["control"]["limits"] == "not reached" and values["control"]["load"] < 1.0
+    assert 100 < values["control"]["settling_time"] < 300
+    assert values["control"]["pointing_error"]["end"] < math.radians(0.1)
+    assert all(row["phase"] > math.radians(60) for row in values["margins"].values())
+    assert all(0.79 < row["damping"] < 0.81 for row in values["closed_loop"])
+    assert max(found.trajectory.drift.values()) < 1e-11
+    # an asked torque beyond the limit is cut off, and that is said
+    weak = spec(tmp_path, text.replace("3 mN*m", "0.03 mN*m").replace("samples = 1141", "samples = 121")).report()
+    assert weak.values()["control"]["limits"] == "acted" and "limit of the actuators acts" in weak.summary
+    assert all(row["torque_margin"] >= -1e-12 for row in weak.values()["wheels"])
+
+
+@pytest.mark.parametrize(
+    "changed, place, said",
+    [
+        ('[[torque]]\ntype = "gravity-grad"\n', "torque[0].type", "did you mean gravity-gradient"),
+        (GRAVITY + "strength = 3\n", "torque[0].strength", "unknown key"),
+        ('[[torque]]\ntype = "constant"\ntorque = ["1 N", "0 N*m", "0 N*m"]\n', "torque[0].torque[0]", "N*m"),
+        ('[[torque]]\ntype = "constant"\n', "torque[0].torque", "is missing"),
+        ('[[torque]]\ntype = "constant"\ntorque = ["1 N*m", "0 N*m", "0 N*m"]\nframe = "sun"\n', "torque[0].frame",
+         "must be one of"),
+        ('[torque]\ntype = "gravity-gradient"\n', "torque", "two brackets"),
+        (GRAVITY, "torque[0].type", "acts on an orbit; give one"),
+        (ORBIT + 'altitude = "500 km"\n', "orbit", "exactly one of period, semi_major_axis and altitude"),
+        ('[control]\nlaw = "quaternion-pd"\nbandwidth = "0.1 rad/s"\n', "control", "works by wheels, and there"),
+        ('[control]\nlaw = "pid"\n', "control.law", "names no control law"),
+        ('[control]\nlaw = "quaternion-pd"\nby = "torque"\ntarget = "nadir"\nbandwidth = "0.1 rad/s"\n',
+         "control.target", "along an orbit"),
+        ('[[wheel]]\naxis = [0, 0, 1]\nmoment = "1 kg*m^2"\nmax_torque = "1 N*m"\n', "wheel[0]", "controlled wheel"),
+        ('[[wheel]]\naxis = [0, 0, 0]\nmoment = "1 kg*m^2"\n', "wheel[0].axis", "not all zero"),
+        ('[[wheel]]\naxis = [0, 0, 1]\nmoment = "1 kg*m^2"\nspeed = "1 rpm"\n', "wheel[0].speed", "unknown key"),
+        ('[[mount]]\ntype = "slug"\nmoment = "1 kg*m^2"\n', "mount[0].damping", "is missing"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_refused_at_its_place(tmp_path, changed, place, said):
+    with pytest.raises(InvalidInput) as caught:
+        spec(tmp_path, HEAD + BODY + changed)
+    message = str(caught.value)
+    assert f"  {place}: " in message and said in message, message
+
+
+def test_refusals_of_the_system_name_the_table(tmp_path):
+    with pytest.raises(InvalidInput, match=r"wheel\[0\]|`mounts`"):
+        spec(tmp_path, HEAD + BODY + '[[wheel]]\naxis = [0, 0, 1]\nmoment = "1e4 kg*m^2"\n').report()
+    with pytest.raises(InvalidInput, match=r"torque\[0\]: `lasting`"):
+        text = '[[torque]]\ntype = "thruster"\nat = "5 s"\nlasting = "0 s"\nforce = ["0 N", "5 N", "0 N"]\n'
+        spec(tmp_path, HEAD + BODY + text + 'position = ["0.1 m", "0 m", "0 m"]\n').report()
+
+
+def test_a_spec_of_another_kind_says_where_the_tables_go(tmp_path):
+    with pytest.raises(InvalidInput) as caught:
+        spec(tmp_path, BODY + SPIN + ORBIT)
+    assert 'orbit: goes with another system; write system = "rigid-body" at the top' in str(caught.value)
+    with pytest.raises(InvalidInput, match=r"stands at the top of the file"):
+        spec(tmp_path, '[system]\nkind = "rigid-body"\norbit = { period = "1 h" }\n' + BODY)
+
+
+def test_numbers_of_its_tables_can_be_swept(tmp_path):
+    found = spec(tmp_path, HEAD + BODY + ORBIT + GRAVITY)
+    model = found.kind.model_of({"kind": "rigid-body", "torque": [{"type": "linear-drag"}, {"type": "constant"}]})
+    beside = found.kind.table.beside
+    assert number_at("wheel.1.moment", model, beside).unit == "kg*m^2"
+    assert number_at("torque.1.coefficient", model, beside).unit == "N*m*s"
+    assert number_at("torque.2.torque.3", model, beside).unit == "N*m"
+    assert number_at("orbit.inclination", model, beside).unit == "rad"
+    with pytest.raises(ValueError, match=r"must begin with body\., spin\., time\., system\., wheel\., torque\."):
+        number_at("wheels.1", model, beside)
+    plan = read_plan(EXAMPLES / "cubesat_6u.toml")
+    assert "control.bandwidth" in plan.design.inputs
+
+
+def test_free_wheels_friction_and_a_motor(tmp_path):
+    text = HEAD + BODY + (
+        '[spin]\nangular_velocity = ["0 rad/s", "0 rad/s", "0.01 rad/s"]\n'
+        '[[wheel]]\naxis = [0, 0, 2]\nmoment = "0.1 kg*m^2"\nrate = "100 rad/s"\nfriction = "0.01 N*m*s"\n'
+        '[[wheel]]\naxis = [1, 0, 0]\nmoment = "0.1 kg*m^2"\ntorque = "0.02 N*m"\n'
+        '[[wheel]]\naxis = [0, 1, 0]\nmoment = "0.1 kg*m^2"\nrate = "5 rad/s"\ndrive = "constant-rate"\n'
+        '[time]\nuntil = "20 s"\nsamples = 5\n'
+    )  # fmt: skip
+    found = spec(tmp_path, text).report()
+    assert found.trajectory.drift["momentum_space"] < 1e-12
+    rates = found.history.rates[-1]
+    # against friction c the rate relative to the body falls with c (1/J + 1/(I − J)), nearly
+    assert rates[0] == pytest.approx(100 * math.exp(-0.01 * 20 * (1 / 0.1 + 1 / 2529.9)), rel=1e-3)
+    assert rates[2] == 5.0
+    assert [row["rate_largest"] > 0 for row in found.values()["wheels"]] == [True] * 3
+
+
+def test_specs_in_memory_are_the_same_as_files(tmp_path):
+    tables = {"system": "rigid-body", "body": {"moments": ["1 kg*m^2"] * 3}, "wheel": [
+        {"axis": [0, 0, 1], "moment": "0.1 kg*m^2", "rate": "10 rad/s"}]}  # fmt: skip
+    before = repr(tables)
+    found = build_spec(tables, tmp_path / "x.toml")
+    assert repr(tables) == before and found.system.wheel[0].rate == 10.0
+    assert ph.report(found).kind == "rigid-body"
