@@ -59,7 +59,11 @@ height = "1 cm"
 cut = true
 [[body.part]]
 mass = "1 kg"
-inertia = [["3 kg*m^2", "0 kg*m^2", "0 kg*m^2"], ["0 kg*m^2", "3 kg*m^2", "0 kg*m^2"], ["0 kg*m^2", "0 kg*m^2", "3 kg*m^2"]]
+inertia = [
+  ["3 kg*m^2", "0 kg*m^2", "0 kg*m^2"],
+  ["0 kg*m^2", "3 kg*m^2", "0 kg*m^2"],
+  ["0 kg*m^2", "0 kg*m^2", "3 kg*m^2"],
+]
 about = ["1 cm", "0 cm", "0 cm"]
 center_of_mass = ["0 cm", "0 cm", "0 cm"]
 attitude = {axis = [1, 0, 1], angle = "20 deg"}

@@ -55,7 +55,8 @@ def judge_gravity(spec: Spec[RigidBodyTable], craft: Craft, trajectory: Trajecto
     period = lambda rate: None if not rate else 2.0 * math.pi / rate  # noqa: E731
     slower, faster = rest.roll_yaw_rates or (None, None)
     group = Group("Rest under gravity's gradient", [
-        Answer("gravity.moments", moments[[rest.roll - 1, rest.pitch - 1, rest.yaw - 1]], "kg m²", "moments about roll, pitch and yaw", "ahead, across, down"),
+        Answer("gravity.moments", moments[[rest.roll - 1, rest.pitch - 1, rest.yaw - 1]], "kg m²",
+               "moments about roll, pitch and yaw", "ahead, across, down"),
         Answer("gravity.verdict", verdict, "", "verdict"),
         Answer("gravity.region", rest.region, "", "region"),
         Answer("gravity.rate", rest.growth, "1/s", "rate of growth" if rest.growth else ""),
