@@ -61,7 +61,7 @@ height = "1 cm"
 cut = true
 [[body.part]]
 mass = "1 kg"
-inertia = [["3 kg*m^2", "0 kg*m^2", "0 kg*m^2"], ["0 kg*m^2", "3 kg*m^2", "0 kg*m^2"], ["0 kg*m^2", "0 kg*m^2", "3 kg*m^2"]]
+inertia = [["3 J*s^2", "0 J*s^2", "0 J*s^2"], ["0 J*s^2", "3 J*s^2", "0 J*s^2"], ["0 J*s^2", "0 J*s^2", "3 J*s^2"]]
 about = ["1 cm", "0 cm", "0 cm"]
 center_of_mass = ["0 cm", "0 cm", "0 cm"]
 attitude = [0.5, 0.5, 0.5, 0.5]
