@@ -157,7 +157,7 @@ def test_importing_polhode_imports_nothing_heavy():
 def test_a_lack_of_memory_is_one_message(spec, capsys, monkeypatch):
     from polhode.cli import body
 
-    def lacks(path, json):
+    def lacks(path, json, about):
         np.empty(2**58)
 
     monkeypatch.setattr(body, "run_body", lacks)

@@ -20,6 +20,8 @@ EXTRA = {
     "inertia": """
 body.inertia = [["3 J*s^2", "1 J*s^2", "0 J*s^2"], ["1 J*s^2", "3 J*s^2", "0 J*s^2"], ["0 J*s^2", "0 J*s^2", "3 J*s^2"]]
 body.mass = "2 kg"
+body.about = ["1 m", "0 m", "0 m"]
+body.center_of_mass = ["1 m", "0 m", "0.1 m"]
 [spin]
 momentum = ["1 J*s", "2 J*s", "0 J*s"]
 attitude = [0.5, 0.5, 0.5, 0.5]
@@ -32,7 +34,7 @@ spice_id = -999
 """,
     "shapes": """
 [body]
-parts = [
+part = [
   {shape = "torus", mass = "1 kg", major_radius = "2 m", minor_radius = "1 m"},
   {shape = "ellipsoid", mass = "1 kg", semi_axes = ["1 m", "2 m", "3 m"], axis = "-y"},
   {shape = "sphere", mass = "1 kg", radius = "2 m", inner_radius = "1 m", at = ["1 m", "0 m", "0 m"]},
@@ -59,14 +61,11 @@ height = "1 cm"
 cut = true
 [[body.part]]
 mass = "1 kg"
-inertia = [
-  ["3 kg*m^2", "0 kg*m^2", "0 kg*m^2"],
-  ["0 kg*m^2", "3 kg*m^2", "0 kg*m^2"],
-  ["0 kg*m^2", "0 kg*m^2", "3 kg*m^2"],
-]
+inertia = [["3 J*s^2", "0 J*s^2", "0 J*s^2"], ["0 J*s^2", "3 J*s^2", "0 J*s^2"], ["0 J*s^2", "0 J*s^2", "3 J*s^2"]]
 about = ["1 cm", "0 cm", "0 cm"]
 center_of_mass = ["0 cm", "0 cm", "0 cm"]
-attitude = {axis = [1, 0, 1], angle = "20 deg"}
+attitude = [0.5, 0.5, 0.5, 0.5]
+rounding = "6 digits"
 [[body.part]]
 mesh = "t_handle.stl"
 mesh_unit = "mm"
@@ -75,8 +74,9 @@ at = ["1 m", "0 m", "0 m"]
 [[body.part]]
 shape = "box"
 size = ["1 m", "2 m", "3 m"]
-shell = true
-mass = "2 kg"
+thickness = "1 mm"
+density = "2 kg/m^3"
+attitude = {axis = [1, 0, 1], angle = "20 deg"}
 [[body.part]]
 shape = "prism"
 outline = [["0 m", "0 m"], ["1 m", "0 m"], ["0 m", "1 m"]]

@@ -98,7 +98,7 @@ MOMENTS = 'moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"]'
 
 
 @pytest.mark.parametrize(("body", "words"), [
-    (f'look = "book"\n{MOMENTS}', 'look = "book" goes with parts, not with moments'),
+    (f'look = "book"\n{MOMENTS}', 'look = "book" goes with part, not with moments'),
     (f'look = "earth"\nparts = [{BOX}]', 'look = "earth" goes with moments, not with part'),
     (f'look = "phone"\nparts = [{BOX}, {BOX}]', "paints one part, a box; got 2 parts"),
     (f'look = "teapot"\nparts = [{BOX}]', 'must be one of "book"'),

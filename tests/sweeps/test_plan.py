@@ -202,7 +202,7 @@ def test_keys_of_every_form():
     assert tables == {"body": {"moments": ["1", "2", "3"]}, "system": "heavy-top"}
     with pytest.raises(ValueError, match="place 4 of a list of 3"):
         with_value(tables, "body.moments.4", 5)
-    with pytest.raises(ValueError, match="has no list or table at parts"):
+    with pytest.raises(ValueError, match="has no list or table at part"):
         with_value(tables, "body.parts.1.mass", 5)
 
 

@@ -11,7 +11,7 @@ from polhode.errors import InvalidInput
 from polhode.types import Float64, Integer
 
 TOUCHING = 1e-6  # of the mesh's extent: contact, and what single-precision files make of it, is not a crossing
-LEAF = 20_000  # pairs of boxes compared at once; smaller sets cost calls, larger ones needless comparisons
+LEAF = 150_000  # pairs of boxes compared at once; smaller sets cost calls, larger ones needless comparisons
 UNSURE = 1e-13  # of the extent, squared: rounding of products of two coordinates
 NEAR = 1e-9  # of the extent: points closer to a triangle than this are asked carefully
 SAMPLES = 64  # faces of one piece asked whether they lie inside another

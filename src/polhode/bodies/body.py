@@ -338,9 +338,7 @@ def check_is_body(body: Any) -> None:
         )
 
 
-def combine(
-    bodies: Sequence[Body | MassProperties], cut: Sequence[Body | MassProperties] = ()
-) -> Body:
+def combine(bodies: Sequence[Body | MassProperties], cut: Sequence[Body | MassProperties] = ()) -> Body:
     """Return several bodies as one rigid body: J = Σ J_k + m_k (|d_k|² 1 − d_k d_kᵀ), d_k from the common centre.
 
     Args:

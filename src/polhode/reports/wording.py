@@ -22,13 +22,13 @@ KEPT = {"momentum_norm": "|L|", "momentum_space": "L in space"}
 RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def number(value: float | None, unit: str = "") -> str | None:
+def number(value: float | None, unit: str = "", digits: int = 8) -> str | None:
     """Return a number with its unit; None where it is not defined, which is None or NaN.
 
     >>> number(0.5, "J"), number(float("inf")), number(float("nan"))
     ('0.5 J', 'infinite', None)
     """
-    return _unless_infinite(value, lambda x: f"{x:.8g} {unit}".rstrip())
+    return _unless_infinite(value, lambda x: f"{x:.{digits}g} {unit}".rstrip())
 
 
 def write_count(count: int, thing: str) -> str:

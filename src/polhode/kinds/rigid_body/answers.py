@@ -156,9 +156,9 @@ class RigidBodyReport(MotionReport):
         share = lambda value: "–" if value is None else f"{100.0 * value:.3g} %"  # noqa: E731
         return Table("wheels", "Wheels, against the body", {
             "axis": lambda row: vector(row["axis"], digits=3),
-            "rate at the end": lambda row: number(row["rate_end"], "rad/s") or "–",
-            "largest": lambda row: number(row["rate_largest"], "rad/s") or "–",
-            "torque, largest": lambda row: number(row["torque_largest"], "N m") or "–",
+            "rate at the end": lambda row: number(row["rate_end"], "rad/s", digits=4) or "–",
+            "largest": lambda row: number(row["rate_largest"], "rad/s", digits=4) or "–",
+            "torque, largest": lambda row: number(row["torque_largest"], "N m", digits=4) or "–",
             "left of rate": lambda row: share(row["rate_margin"]),
             "of torque": lambda row: share(row["torque_margin"]),
         }, rows, units)  # fmt: skip
@@ -170,7 +170,7 @@ class RigidBodyReport(MotionReport):
             {"type": name, "largest": float(values.max()), "mean": float(values.mean())}
             for name, values in zip(names, self.history.torques.T, strict=True)
         ]
-        cell = lambda key: lambda row: number(row[key], "N m") or "–"  # noqa: E731
+        cell = lambda key: lambda row: number(row[key], "N m", digits=4) or "–"  # noqa: E731
         columns = {"torque": lambda row: row["type"], "largest": cell("largest"), "mean": cell("mean")}
         return Table("torques", "Torques about the centre of mass, at the samples", columns, rows,
                      {"largest": "N m", "mean": "N m"})  # fmt: skip
