@@ -24,6 +24,8 @@ def find_broken_rules(system: dict[str, Any]) -> Iterator[Mistake]:
             'needs damping, like 0.01, damping_time, like "30 min", or loss_rate, like "2 mW"; or linear_drag, like '
             '"0.01 N*m*s", or quadratic_drag'
         )
+        if "orbital_period" in system:
+            text += "; without any, gravity's gradient is a [[torque]] of the kind that takes [orbit]"
         yield ("system",), f"{text}; got {list_words(outer)}"
     elif "eccentricity" in system and "orbital_period" not in system:
         yield ("system", "eccentricity"), 'goes with orbital_period; give it like "90 min", or leave eccentricity out'
