@@ -171,8 +171,8 @@ class AbstractPackedBody(AbstractSystem):
             attitude = jnp.array([1.0, 0.0, 0.0, 0.0])
         resting = [mount.start(jnp.zeros(()), jnp.zeros(3)) if isinstance(mount, AbstractMount) else None
                    for mount in self.mounts]  # fmt: skip
-        pairs = zip(resting, places, strict=True)
-        arrangement = self._arranged([q if own is None else own for own, q in pairs])
+        both: Any = zip(resting, places, strict=True)
+        arrangement = self._arranged([q if own is None else own for own, q in both])
         velocity = jnp.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
         if momentum is not None:
             # L = J Ω + what turns against the body
@@ -205,8 +205,8 @@ class AbstractPackedBody(AbstractSystem):
     @property
     def _mass(self) -> Array:
         """The mass of all together; one where none is known, and no mass moves."""
-        known = self.structure is not None and self.structure.mass is not None
-        return self.structure.mass if known else jnp.ones(())
+        mass = None if self.structure is None else self.structure.mass
+        return jnp.ones(()) if mass is None else mass
 
     def _started(
         self, arrangement: Arrangement | None, rates: list[Array], places: list[Array | None], velocity: Array
@@ -223,6 +223,7 @@ class AbstractPackedBody(AbstractSystem):
         queue, own = iter(canonical), []
         for mount, rate, q in pairs:
             if isinstance(mount, AbstractMovingPart):
+                assert q is not None, "moving parts have coordinates"
                 further = mount.start_further(q, rate, velocity)
                 pieces = [q, *(next(queue)[..., None] for _ in range(mount.count)), further]
                 shape = np.broadcast_shapes(*(piece.shape[:-1] for piece in pieces))
