@@ -17,7 +17,16 @@ import numpy as np
 
 import polhode as ph
 from polhode import rotation
-from polhode.systems import GravityGradient, HingedPart, KeplerOrbit, RigidBody, SphericalPendulum, SprungMass, Thruster, Wheel
+from polhode.systems import (
+    GravityGradient,
+    HingedPart,
+    KeplerOrbit,
+    RigidBody,
+    SphericalPendulum,
+    SprungMass,
+    Thruster,
+    Wheel,
+)
 
 UNTIL, SAMPLES = 6000.0, 61
 STEP = 0.05  # s, of Basilisk's RKF78
@@ -36,7 +45,8 @@ def whole(parts: list[tuple[float, np.ndarray, np.ndarray]]) -> ph.Body:
     """Return the body of the hub and parts of a mass, a place and an inertia."""
     mass = MASS + sum(m for m, _, _ in parts)
     center = (MASS * CENTER + sum((m * r for m, r, _ in parts), np.zeros(3))) / mass
-    about = INERTIA + MASS * spread(CENTER) + sum((inertia + m * spread(r) for m, r, inertia in parts), np.zeros((3, 3)))
+    added = (inertia + m * spread(r) for m, r, inertia in parts)
+    about = INERTIA + MASS * spread(CENTER) + sum(added, np.zeros((3, 3)))
     return ph.Body(mass, center, about - mass * spread(center))
 
 

@@ -21,7 +21,9 @@ if TYPE_CHECKING:
 
     Array = np.ndarray[Any, Any] | jax.Array
     ArrayOrFloat = Any
+    from typing import Self as Self
 else:
+    Self = Any  # which beartype takes on methods of classes alone that it decorates itself
     Array = Any
     """An array of any shape and type of number.
 

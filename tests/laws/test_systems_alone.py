@@ -66,7 +66,8 @@ SPECIMENS = [
     systems.TorquedGyrostat(MOMENTS, (1.0, 2.0, 3.0), 0.3, 0.1), systems.Variations(systems.FreeRigidBody(MOMENTS), 2),
     *CONTROL, systems.RigidBody(MOMENTS, [WHEELS], [systems.TorqueRods(FIELD, 1e7, "dump", limit=1e5)]),
 ]  # fmt: skip
-NOT_MOVING = {systems.AbstractControlLaw, systems.Argument, systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque, systems.AbstractMount, systems.AbstractMovingPart,
+NOT_MOVING = {systems.AbstractControlLaw, systems.Argument, systems.AbstractMovingPart,
+              systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque, systems.AbstractMount,
               systems.AbstractRigidBody, systems.RollingDissipation, systems.Balance, systems.RotorInBody,
               systems.Bond, systems.Lattice, systems.exchange_matrix, systems.quiet_start,
               systems.rotor_in_body}  # fmt: skip

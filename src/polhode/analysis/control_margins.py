@@ -14,7 +14,7 @@ from polhode import rotation
 from polhode.systems.control_laws import AbstractControlLaw
 from polhode.systems.rigid_body import RigidBody
 from polhode.systems.torques.base import in_body
-from polhode.types import Array, Float64
+from polhode.types import Array, Complex128, Float64
 
 DECADES, POINTS = 5.0, 4001  # of frequencies that are searched, about the fastest eigenvalue
 STEP = 1e-3  # of differences of fourth order: what they leave out is of the size of its fourth power
@@ -36,7 +36,7 @@ class LinearLoop(NamedTuple):
     rest: Float64[Array, "3"]
 
     @property
-    def eigenvalues(self) -> Float64[Array, "6"]:
+    def eigenvalues(self) -> Complex128[Array, "6"]:
         """(6,) of the closed loop, complex [1/s], slowest decay first."""
         values = np.linalg.eigvals(self.plant + self.input @ self.law)
         return values[np.argsort(-values.real, kind="stable")]
@@ -178,4 +178,6 @@ def _roots(function: Any, frequencies: Array) -> list[float]:
     # a jump of a phase by a turn is no root: there the values are far from zero on both sides
     near = [k for k in found if min(abs(values[k]), abs(values[k + 1])) < 0.5]
     at = lambda w: float(function(np.array([w]))[0])  # noqa: E731
-    return [float(brentq(at, frequencies[k], frequencies[k + 1], xtol=1e-14 * frequencies[k])) for k in near]
+    find: Any = brentq
+    between = ((float(frequencies[k]), float(frequencies[k + 1])) for k in near)
+    return [float(find(at, low, high, xtol=1e-14 * low)) for low, high in between]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from itertools import permutations
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -64,7 +64,7 @@ def gravity_gradient_rest(moments: Real[ArrayLike, "3"], mean_motion: float) -> 
     kr, ky = (pitch - yaw) / roll, (pitch - roll) / yaw
     middle, last = 1.0 + 3.0 * kr + kr * ky, 4.0 * kr * ky
     inside = middle**2 - 4.0 * last
-    across = np.roots([1.0, middle, last])  # λ² in n²
+    across: Any = np.roots([1.0, middle, last])  # λ² in n²
     exponents = np.concatenate([np.sqrt(across.astype(complex)), [np.sqrt(complex(-in_plane))]])
     growth = float(np.abs(exponents.real).max()) * n
     decided = min(abs(in_plane), abs(last), abs(inside)) > NEAR

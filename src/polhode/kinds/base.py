@@ -170,7 +170,7 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         return self._file("example.toml")
 
     def model_of(self, raw: dict[str, Any]) -> type[BaseModel]:
-        """Return the model that checks a raw table [system], with what stands beside it; ``table`` unless overridden."""
+        """Return the model that checks a raw [system], with what stands beside it; ``table`` unless overridden."""
         return self.table
 
     def settle(self, checked: Any) -> TableT:

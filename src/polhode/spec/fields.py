@@ -211,6 +211,12 @@ def _precession(value: Any) -> float | str:
         raise ValueError(f'{error}; or "slow" or "fast", for steady precession') from None
 
 
+def _friction(value: float) -> float:
+    if value < 0:
+        raise ValueError(f"must not be negative; got {value:g} N m s. Friction is given without a sign")
+    return value
+
+
 def _lean(value: float) -> float:
     if not 0.0 <= value <= math.pi * (1.0 + 1e-15):
         raise ValueError(f"must lie from 0 to 180 deg; got {_in_degrees(value)}. Check it")
@@ -289,6 +295,8 @@ Flag = StrictBool
 Direction = Annotated[tuple[float, float, float], BeforeValidator(_direction)]
 Acceleration = Annotated[float, _reader("m/s^2", positive=True)]
 Torque = Annotated[float, _reader("N*m")]
+PositiveTorque = Annotated[float, _reader("N*m", positive=True)]
+BearingFriction = Annotated[float, _reader("N*m*s"), AfterValidator(_friction)]
 LinearDragCoefficient = Annotated[float, _reader("N*m*s", positive=True)]
 QuadraticDragCoefficient = Annotated[float, _reader("N*m*s^2", positive=True)]
 PositiveMoment = Annotated[float, _reader("kg*m^2", positive=True)]

@@ -10,8 +10,8 @@ from .control_laws import AbstractControlLaw as AbstractControlLaw
 from .control_laws import QuaternionPD as QuaternionPD
 from .control_laws import RateControl as RateControl
 from .control_laws import UserLaw as UserLaw
-from .controlled_wheels import ControlTorque as ControlTorque
 from .controlled_wheels import ControlledWheels as ControlledWheels
+from .controlled_wheels import ControlTorque as ControlTorque
 from .double_bracket import DoubleBracket as DoubleBracket
 from .double_bracket_damping import DoubleBracketDamping as DoubleBracketDamping
 from .euler_disk import EulerDisk as EulerDisk

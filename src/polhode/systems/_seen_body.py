@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import abc
 from itertools import chain
-from typing import Any, Self
+from typing import Any
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -13,7 +13,7 @@ from polhode.systems._moving_masses import momenta
 from polhode.systems._packed_body import AbstractPackedBody, BodyState
 from polhode.systems._symmetric import times
 from polhode.systems.attachments import Time
-from polhode.types import Array, Float64
+from polhode.types import Array, Float64, Self
 
 States = Float64[Array, "*#batch n"]
 

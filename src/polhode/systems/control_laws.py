@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import abc
 from collections.abc import Callable
-from typing import Any, ClassVar, Literal, Self
+from typing import Any, ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -19,7 +19,7 @@ from polhode.systems.attachments import AbstractAttachment, Argument, Attitude, 
 from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
 from polhode.systems.torques.base import NEEDED, in_body
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 TARGETS = ("inertial", "nadir")
 SYMMETRIC = 1e-12  # of a matrix of gains, relative
@@ -108,7 +108,7 @@ class QuaternionPD(AbstractControlLaw):
     def __init__(
         self, gain: Real[ArrayLike, "..."] | None = None, rate_gain: Real[ArrayLike, "..."] | None = None,
         bandwidth: float | None = None, damping: float | None = None,
-        target: Literal["inertial", "nadir"] = "inertial", attitude: Real[ArrayLike, "4"] = (1.0, 0.0, 0.0, 0.0),
+        target: str = "inertial", attitude: Real[ArrayLike, "4"] = (1.0, 0.0, 0.0, 0.0),
         orbit: KeplerOrbit | None = None,
     ) -> None:  # fmt: skip
         if target not in TARGETS:
@@ -246,7 +246,7 @@ class UserLaw(AbstractControlLaw):
 
     @known_numbers_only
     def __init__(
-        self, command: LawFunction, state_rate: LawFunction | None = None, state_size: int = 0,
+        self, command: Any, state_rate: Any = None, state_size: int = 0,
         jumps: Real[ArrayLike, "jumps"] = (),
     ) -> None:  # fmt: skip
         for name, function in (("command", command), ("state_rate", state_rate)):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Self
+from typing import Any
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -17,7 +17,7 @@ from polhode.systems.control_laws import AbstractControlLaw
 from polhode.systems.mounts import AbstractMount
 from polhode.systems.torques.base import AbstractTorque
 from polhode.systems.torques.magnetic import checked_directions, checked_limits
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 TAPER = 0.02  # of the largest rate: the part below it over which a motor's torque falls to zero
 SPANS = 1e-9  # of the largest singular value, above which wheels give a torque along a direction
@@ -56,7 +56,7 @@ class ControlledWheels(AbstractMount):
 
     @known_numbers_only
     def __init__(
-        self, axes: Real[ArrayLike, "wheels 3"], moments: Real[ArrayLike, "*wheels"], law: AbstractControlLaw,
+        self, axes: Real[ArrayLike, "wheels 3"], moments: Real[ArrayLike, "*wheels"], law: Any,
         max_torque: Real[ArrayLike, "*wheels"] | None = None, max_rate: Real[ArrayLike, "*wheels"] | None = None,
         friction: Real[ArrayLike, "*wheels"] = 0.0,
     ) -> None:  # fmt: skip
@@ -210,7 +210,7 @@ class ControlTorque(AbstractTorque):
     limit: Float64[Array, "*axes"] | None
 
     @known_numbers_only
-    def __init__(self, law: AbstractControlLaw, limit: Real[ArrayLike, "*axes"] | None = None) -> None:
+    def __init__(self, law: Any, limit: Real[ArrayLike, "*axes"] | None = None) -> None:
         if not isinstance(law, AbstractControlLaw):
             raise InvalidInput(f"`law` must be a control law, such as polhode.systems.QuaternionPD; got {shown(law)}.")
         self.law, self.limit = law, None if limit is None else checked_limits("limit", limit, 3, "N m")

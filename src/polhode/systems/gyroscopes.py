@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import ClassVar, Self
+from typing import ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -18,7 +18,7 @@ from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.mounts import checked_direction
 from polhode.systems.moving_parts import AbstractMovingPart, Coordinates
 from polhode.systems.wheels import HeldWheel, Wheel
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 Batch = Float64[Array, "*batch"]
 Drive = Callable[[Batch, Float64[Array, "*batch 4"], Float64[Array, "*batch 3"], Batch, Batch], Batch]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import abc
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -15,7 +15,7 @@ from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame
 from polhode.systems.attachments import Attitude, Time, Velocity, checked_attachments
 from polhode.systems.mounts import AbstractMount, AbstractMounted
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 MOMENTUM_UNITS = {"m": "kg m s-1", "rad": "kg m2 s-1", "1": "kg m2 s-1"}
 Coordinates = Float64[Array, "*batch {self.count}"]

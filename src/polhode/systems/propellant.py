@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Self
 
 import jax.numpy as jnp
 import numpy as np
@@ -17,7 +16,7 @@ from polhode.systems.attachments import Attitude, Own, Time, Velocity, checked_j
 from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.mounts import AbstractMount
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 Flow = Callable[[Float64[Array, "*batch"]], Float64[Array, "*batch"]]
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Self
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -13,7 +12,7 @@ from polhode.motion._layout import StatePart
 from polhode.systems.attachments import Attitude, Own, Time, Velocity, checked_jumps
 from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.mounts import AbstractMount, checked_direction
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 Batch = Float64[Array, "*batch"]
 Motor = Callable[[Batch, Float64[Array, "*batch 4"], Float64[Array, "*batch 3"], Batch], Batch]

@@ -225,7 +225,7 @@ class RigidBodyReport(MotionReport):
 
     def _margins(self, loop: LinearLoop) -> Table:
         rows = [{"axis": name, **found._asdict()} for name, found in zip("xyz", loop_margins(loop), strict=True)]
-        units = dict(zip(Margins._fields, ("rad/s", "rad", "s", "factor", "factor"), strict=True))
+        units: dict[str, str] = dict(zip(Margins._fields, ("rad/s", "rad", "s", "factor", "factor"), strict=True))
         columns = {
             "axis": lambda row: row["axis"],
             "crossover": lambda row: number(row["crossover"], "rad/s") or "–",
@@ -317,7 +317,7 @@ def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, His
         parts = max(1, math.ceil((FINEST - 1) / (len(times) - 1)))
         fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
         free = simulate(craft.system.without_limits(), craft.state, fine, progress=watch)
-        history = follow(craft.system, craft.orbit, free)
+        history = follow(craft.system, craft.orbit, free.times, free.states)
         load = float(history.load.max())
         if load < CLOSE and len(fine) > EACH * free.statistics["steps"]:
             trajectory = replace(_thin(free, parts), source=craft.system, frame=spec.body.frame)
@@ -325,7 +325,7 @@ def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, His
         limits = "acted" if load > 1.0 else "not reached"
     trajectory = simulate(craft.system, craft.state, times, progress=watch)
     trajectory = replace(trajectory, source=craft.system, frame=spec.body.frame)
-    return trajectory, follow(craft.system, craft.orbit, trajectory), limits
+    return trajectory, follow(craft.system, craft.orbit, trajectory.times, trajectory.states), limits
 
 
 def _thin(trajectory: Trajectory, parts: int) -> Trajectory:

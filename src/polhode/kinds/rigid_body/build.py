@@ -82,7 +82,7 @@ def build(spec: Spec[RigidBodyTable]) -> Craft:
         part = find_part(TORQUES, chosen.type)
         torques.append(_named(f"torque[{k}]", partial(make_part, part, chosen.values, elsewhere)))
     if table.control is not None and table.control.by == "torque" and law is not None:
-        torques.append(_named("control", lambda: ControlTorque(law, table.control.limit)))
+        torques.append(_named("control", partial(ControlTorque, law, table.control.limit)))
     system = RigidBody.from_body(spec.body, mounts, torques)
     state = system.pack(attitude, velocity, momentum, rates)
     wheels = next((mount for mount in system.mounts if isinstance(mount, ControlledWheels)), None)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.motion._trajectory import Trajectory
-from polhode.systems.controlled_wheels import ControlledWheels
+from polhode.systems.controlled_wheels import ControlledWheels, ControlTorque
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.rigid_body import RigidBody
 from polhode.systems.wheels import HeldWheel, Wheel
@@ -53,23 +52,26 @@ class History(NamedTuple):
         return np.sum(np.abs(self.rates * self.motors), axis=-1)
 
 
-def follow(system: RigidBody, orbit: KeplerOrbit | None, trajectory: Trajectory) -> History:
-    """Return the history of a motion."""
-    found = _follow(system, orbit, jnp.asarray(trajectory.times), jnp.asarray(trajectory.states))
-    return History(*(None if value is None else np.asarray(value) for value in found))
+def follow(
+    system: RigidBody, orbit: KeplerOrbit | None, times: Float64[Array, "time"], states: Float64[Array, "time n"]
+) -> History:
+    """Return the history of a motion, of its samples."""
+    found = _follow(system, orbit, jnp.asarray(times), jnp.asarray(states))
+    seen: dict[str, Any] = {name: None if value is None else np.asarray(value) for name, value in found.items()}
+    return History(**seen)
 
 
 @eqx.filter_jit
-def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: Array) -> History:
+def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: Array) -> dict[str, Any]:
     # what is along the principal axes is turned here, with `structure`, once for all
     body = system.as_given(states)
     assert body.attitude is not None or not system.needs_attitude
     velocity = system.velocity(states)
-    law = next((part.law for part in (*system.mounts, *system.torques) if hasattr(part, "law")
-                and not isinstance(part.law, str)), None)  # fmt: skip
+    parts = (*system.mounts, *system.torques)
+    law = next((part.law for part in parts if isinstance(part, ControlledWheels | ControlTorque)), None)
     target = None if law is None else law.target(times)
-    pointing = None if target is None else rotation.angle_between(target, body.attitude)
-    nadir = None if orbit is None else rotation.angle_between(orbit.frame(times), body.attitude)
+    from_target = lambda aim: None if aim is None else rotation.angle_between(aim, body.attitude)  # noqa: E731
+    pointing, nadir = from_target(target), from_target(None if orbit is None else orbit.frame(times))
     rates, motors = [], []
     for mount, own in zip(system.mounts, body.mounts, strict=True):
         if isinstance(mount, ControlledWheels):
@@ -85,8 +87,9 @@ def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: 
             motors.append(jnp.zeros((*times.shape, 1)))
     empty = jnp.zeros((*times.shape, 0))
     each = [jnp.linalg.norm(x, axis=-1)[..., None] for x in system.torques_apart(times, states)]
-    return History(
-        velocity, body.momentum, system.stored(states), pointing, nadir, jnp.concatenate([empty, *rates], axis=-1),
-        jnp.concatenate([empty, *motors], axis=-1), jnp.concatenate([empty, *each], axis=-1),
-        system.load(times, states),
-    )  # fmt: skip
+    return {
+        "velocity": velocity, "momentum": body.momentum, "stored": system.stored(states), "pointing": pointing,
+        "from_nadir": nadir, "rates": jnp.concatenate([empty, *rates], axis=-1),
+        "motors": jnp.concatenate([empty, *motors], axis=-1), "torques": jnp.concatenate([empty, *each], axis=-1),
+        "load": system.load(times, states),
+    }  # fmt: skip

@@ -20,7 +20,7 @@ class RigidBodyPanel(KindPanel):
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
         """Return Ω, the pointing error, and the rates of the wheels over time."""
         orbit = next((x.orbit for x in trajectory.source.torques if getattr(x, "orbit", None) is not None), None)
-        seen = follow(trajectory.source, orbit, samples)
+        seen = follow(trajectory.source, orbit, samples.times, samples.states)
         plots = [{"title": "angular velocity, given axes", "unit": "rad/s",
                   "series": [_series(name, seen.velocity[:, k]) for k, name in enumerate("xyz")]}]  # fmt: skip
         if seen.pointing is not None:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, create_model
+from pydantic import BaseModel, ConfigDict, Field, create_model
 
 from polhode.errors import InvalidInput
 from polhode.spec.arguments import Chosen, make_model
 from polhode.spec.fields import (
     Angle,
+    BearingFriction,
     Direction,
     Duration,
     Eccentricity,
@@ -19,10 +20,10 @@ from polhode.spec.fields import (
     Length,
     PositiveMoment,
     PositiveRate,
+    PositiveTorque,
     Rate,
     Torque,
     one_of,
-    quantity,
 )
 from polhode.spec.models import Strict, SystemTable
 from polhode.spec.named import LAWS, MOUNTS, TORQUES, Family, find_part
@@ -31,13 +32,6 @@ DRIVES = ("controlled", "free", "constant-rate", "motor")
 ACTUATORS = ("wheels", "torque")
 LISTS = {"torque": TORQUES, "mount": MOUNTS}
 EARTH = 3.986004418e14  # m³/s², of the Earth; IERS Conventions (2010), table 1.1
-TORQUE, FRICTION = quantity("N*m", positive=True), quantity("N*m*s")
-
-
-def _not_negative(value: float) -> float:
-    if value < 0:
-        raise ValueError(f"must not be negative; got {value:g} N m s. Friction is given without a sign")
-    return value
 
 
 class WheelTable(Strict):
@@ -59,8 +53,8 @@ class WheelTable(Strict):
     rate: Rate = 0.0
     drive: Annotated[Literal["controlled", "free", "constant-rate", "motor"], one_of(*DRIVES)] | None = None
     torque: Torque | None = None
-    friction: Annotated[FRICTION, AfterValidator(_not_negative)] = 0.0
-    max_torque: TORQUE | None = None
+    friction: BearingFriction = 0.0
+    max_torque: PositiveTorque | None = None
     max_rate: PositiveRate | None = None
 
 
@@ -95,7 +89,7 @@ class ControlBase(Strict):
     """
 
     by: Annotated[Literal["wheels", "torque"], one_of(*ACTUATORS)] = "wheels"
-    limit: TORQUE | None = None
+    limit: PositiveTorque | None = None
     within: Annotated[Angle, Field(gt=0)] | None = None
 
 

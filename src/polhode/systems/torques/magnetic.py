@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal, Self
+from typing import ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -15,7 +15,7 @@ from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
 from polhode.systems.torques.earth_field import EarthDipoleField
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 LAWS = ("b-dot", "dump")
 
@@ -100,7 +100,7 @@ class TorqueRods(AbstractTorque):
 
     @known_numbers_only
     def __init__(
-        self, field: EarthDipoleField, gain: float, law: Literal["b-dot", "dump"] = "b-dot",
+        self, field: EarthDipoleField, gain: float, law: str = "b-dot",
         limit: Real[ArrayLike, "*rods"] | None = None, axes: Real[ArrayLike, "rods 3"] | None = None,
     ) -> None:  # fmt: skip
         if law not in LAWS:
@@ -221,7 +221,7 @@ def checked_directions(name: str, value: Real[ArrayLike, "count 3"]) -> Float64[
         rows = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
         rows = np.zeros(0)
-    if rows.ndim != 2 or rows.shape[1] != 3 or not len(rows) or not np.isfinite(rows).all():
+    if rows.ndim != 2 or rows.shape[-1] != 3 or not len(rows) or not np.isfinite(rows).all():
         raise InvalidInput(f"`{name}` must be a list of directions (n, 3), finite; got {shown(value)}.")
     norms = np.linalg.norm(rows, axis=-1, keepdims=True)
     if not (norms > 0).all():

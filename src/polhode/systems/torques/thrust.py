@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from typing import ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -124,7 +124,7 @@ class ConstantTorque(AbstractTorque):
     frame: str = eqx.field(static=True)
 
     @known_numbers_only
-    def __init__(self, torque: Real[ArrayLike, "3"], frame: Literal["body", "space"] = "body") -> None:
+    def __init__(self, torque: Real[ArrayLike, "3"], frame: str = "body") -> None:
         if frame not in FRAMES:
             raise InvalidInput(f'`frame` must be "body" or "space"; got {shown(frame)}.')
         self.vector, self.frame = checked_vector("torque", torque), frame
