@@ -169,10 +169,7 @@ class AbstractPackedBody(AbstractSystem):
         places = self._checked_coordinates(coordinates)
         if attitude is None and self.needs_attitude:
             attitude = jnp.array([1.0, 0.0, 0.0, 0.0])
-        resting = [mount.start(jnp.zeros(()), jnp.zeros(3)) if isinstance(mount, AbstractMount) else None
-                   for mount in self.mounts]  # fmt: skip
-        both: Any = zip(resting, places, strict=True)
-        arrangement = self._arranged([q if own is None else own for own, q in both])
+        arrangement = self._arranged([_at_start(x, q) for x, q in zip(self.mounts, places, strict=True)])
         velocity = jnp.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
         if momentum is not None:
             # L = J Ω + what turns against the body
@@ -385,3 +382,11 @@ def _of_part(name: str, part: AbstractMovingPart, value: Any, count: int) -> Arr
             f"got {numbers.shape}."
         )
     return numbers
+
+
+def _at_start(mount: AbstractMounted, q: Array | None) -> Array:
+    """Return an own state (…, n) of which only what changes the mass properties counts."""
+    if isinstance(mount, AbstractMount):
+        return mount.start(jnp.zeros(()), jnp.zeros(3))
+    assert q is not None, "moving parts have coordinates"
+    return jnp.concatenate([q, jnp.zeros((*q.shape[:-1], mount.state_size - q.shape[-1]))], axis=-1)
