@@ -169,10 +169,7 @@ class AbstractPackedBody(AbstractSystem):
         places = self._checked_coordinates(coordinates)
         if attitude is None and self.needs_attitude:
             attitude = jnp.array([1.0, 0.0, 0.0, 0.0])
-        resting = [mount.start(jnp.zeros(()), jnp.zeros(3)) if isinstance(mount, AbstractMount) else None
-                   for mount in self.mounts]  # fmt: skip
-        pairs = zip(resting, places, strict=True)
-        arrangement = self._arranged([q if own is None else own for own, q in pairs])
+        arrangement = self._arranged([_at_start(x, q) for x, q in zip(self.mounts, places, strict=True)])
         velocity = jnp.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
         if momentum is not None:
             # L = J Ω + what turns against the body
@@ -205,8 +202,8 @@ class AbstractPackedBody(AbstractSystem):
     @property
     def _mass(self) -> Array:
         """The mass of all together; one where none is known, and no mass moves."""
-        known = self.structure is not None and self.structure.mass is not None
-        return self.structure.mass if known else jnp.ones(())
+        mass = None if self.structure is None else self.structure.mass
+        return jnp.ones(()) if mass is None else mass
 
     def _started(
         self, arrangement: Arrangement | None, rates: list[Array], places: list[Array | None], velocity: Array
@@ -223,6 +220,7 @@ class AbstractPackedBody(AbstractSystem):
         queue, own = iter(canonical), []
         for mount, rate, q in pairs:
             if isinstance(mount, AbstractMovingPart):
+                assert q is not None, "moving parts have coordinates"
                 further = mount.start_further(q, rate, velocity)
                 pieces = [q, *(next(queue)[..., None] for _ in range(mount.count)), further]
                 shape = np.broadcast_shapes(*(piece.shape[:-1] for piece in pieces))
@@ -384,3 +382,11 @@ def _of_part(name: str, part: AbstractMovingPart, value: Any, count: int) -> Arr
             f"got {numbers.shape}."
         )
     return numbers
+
+
+def _at_start(mount: AbstractMounted, q: Array | None) -> Array:
+    """Return an own state (…, n) of which only what changes the mass properties counts."""
+    if isinstance(mount, AbstractMount):
+        return mount.start(jnp.zeros(()), jnp.zeros(3))
+    assert q is not None, "moving parts have coordinates"
+    return jnp.concatenate([q, jnp.zeros((*q.shape[:-1], mount.state_size - q.shape[-1]))], axis=-1)

@@ -107,7 +107,8 @@ class AbstractRigidMotion(AbstractSeenBody):
 
     def _loads(self, t: Array, now: Moment) -> tuple[Array, list[Array]]:
         """Return the torque about the centre of mass (…, 3), and what forces from outside are along q (…)."""
-        total, loads = jnp.zeros_like(now.velocity), [jnp.zeros(now.velocity.shape[:-1]) for _ in now.rates]
+        total: Array = jnp.zeros_like(now.velocity)
+        loads: list[Array] = [jnp.zeros(now.velocity.shape[:-1]) for _ in now.rates]
         for torque, along in self._torques_apart(t, now):
             total = total + torque
             loads = [load + more for load, more in zip(loads, along, strict=True)] if along else loads

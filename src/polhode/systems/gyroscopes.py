@@ -90,7 +90,8 @@ class ControlMomentGyroscope(AbstractMovingPart):
                 )
         third = jnp.cross(self.gimbal_axis, rotor.axis)
         triples = ((about_spin, rotor.axis), (across, third), (self.moment, self.gimbal_axis))
-        self.tensor_at_rest = sum((moment * jnp.outer(axis, axis) for moment, axis in triples), jnp.zeros((3, 3)))
+        tensors = [moment * jnp.outer(axis, jnp.asarray(axis)) for moment, axis in triples]
+        self.tensor_at_rest = sum(tensors, jnp.zeros((3, 3)))
         if gimbal_torque is not None and gimbal_rate is not None:
             raise InvalidInput("give `gimbal_torque` or `gimbal_rate`, not both.")
         if (gimbal_rate is None) != (bandwidth is None):

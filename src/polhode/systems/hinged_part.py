@@ -148,7 +148,7 @@ def turn_tensor(
     """Return R I Rᵀ of the turn about an axis by an angle (…, 1)."""
     x, y, z = axis
     hat = jnp.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    outer = jnp.outer(axis, axis)
+    outer = jnp.outer(axis, jnp.asarray(axis))
     sine, cosine = jnp.sin(angle)[..., None], jnp.cos(angle)[..., None]
     turn = outer + cosine * (jnp.eye(3) - outer) + sine * hat
     return turn @ tensor @ jnp.swapaxes(turn, -1, -2)

@@ -164,7 +164,7 @@ class LockedPart(AbstractMovingPart):
     [1.0, 1.0, 0.0]
     """
 
-    part: AbstractMovingPart
+    held: AbstractMovingPart
     held_at: Float64[Array, "n"]
     mass: Float64[Array, ""]
 
@@ -177,7 +177,7 @@ class LockedPart(AbstractMovingPart):
         held = np.atleast_1d(np.asarray(coordinates, dtype=float))
         if held.shape != (part.count,) or not np.isfinite(held).all():
             raise InvalidInput(f"`coordinates` must be {part.count} finite numbers; got {shown(coordinates)}.")
-        self.part, self.held_at, self.mass = part, jnp.asarray(held), part.mass
+        self.held, self.held_at, self.mass = part, jnp.asarray(held), part.mass
 
     @property
     def coordinates(self) -> tuple[StatePart, ...]:
@@ -188,16 +188,16 @@ class LockedPart(AbstractMovingPart):
         return True
 
     def _held(self, q: Array) -> Array:
-        return jnp.broadcast_to(self.held_at, (*q.shape[:-1], self.part.count))
+        return jnp.broadcast_to(self.held_at, (*q.shape[:-1], self.held.count))
 
     def position(self, q: Coordinates) -> Float64[Array, "*batch 3"]:
-        return self.part.position(self._held(q))
+        return self.held.position(self._held(q))
 
     def tensor(self, q: Coordinates) -> Float64[Array, "*batch 3 3"] | None:
-        return self.part.tensor(self._held(q))
+        return self.held.tensor(self._held(q))
 
     def at_rest(self) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"] | None]:
-        return self.part.at_rest()
+        return self.held.at_rest()
 
 
 def checked_mounts(mounts: Any, frame: BodyFrame) -> tuple[AbstractMounted, ...]:
