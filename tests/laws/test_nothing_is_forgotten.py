@@ -101,7 +101,7 @@ NO_ARRAYS = {
     "GyroLog", "estimation.flight.free_flights", "estimation.flight.Window", "FittedThrow", "ModelScore", "ThrowFit",
     "estimation.flight.find_flights", "estimation.rest.rest_stretches",
     "estimation.pendulum.fit_pendulum", "OrbitalEquilibrium", "OrbitalEquilibrium.libration_period",
-    "SpinningEquilibrium",
+    "SpinningEquilibrium", "NearestRest",
     "AttitudeFit", "Tumbling", "TumblingInterval",
     "ChandlerFit", "ChandlerFit.term", "ChandlerFit.amplitude", "ChandlerProcess", "ChandlerWindows",
     "PoleSpectrum", "PolarExcitation", "EulerPeriod",

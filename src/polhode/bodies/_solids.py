@@ -292,7 +292,7 @@ def _inner_radius(inner: Any, outer: float) -> float:
     return float(number)
 
 
-def numbers(name: str, value: Any) -> Array:
+def numbers(name: str, value: Any) -> Float64[Array, "*shape"]:
     """Return real numbers as float64."""
     if value is None:
         raise InvalidInput(f"`{name}` must be given as a number; got None.")

@@ -13,7 +13,7 @@ from scipy.stats import chi2
 
 from polhode.errors import InvalidInput, shown
 from polhode.estimation._estimate import Estimate
-from polhode.types import Array
+from polhode.types import Array, Float64
 
 ENTRIES = ("Jxx", "Jyy", "Jzz", "Jxy", "Jxz", "Jyz")
 SAME = 1e-9  # sine of an angle between axes below which they are one
@@ -22,7 +22,7 @@ STEP = 1e-6  # relative, of central differences
 PLAUSIBLE = 1e-3  # probability of a misfit, below which a place of the centre is excluded
 
 
-def unit_vector(axis: Sequence[float]) -> Array:
+def unit_vector(axis: Sequence[float]) -> Float64[Array, "3"]:
     """Return an axis with length one.
 
     Raises:
@@ -69,7 +69,9 @@ def propagate(swings: Sequence[Any], mass: Any, gravity: Any, moment: Callable[.
     return Estimate(tuple(f"swing {k + 1}" for k in range(len(swings))), moments(), parts @ parts.T, freedom)
 
 
-def combine_moments(moments: Estimate, axes: Array) -> tuple[Array, Estimate, float, int]:
+def combine_moments(
+    moments: Estimate, axes: Float64[Array, "n 3"]
+) -> tuple[Float64[Array, "k 3"], Estimate, float, int]:
     """Return the different axes (k, 3), the moment about each, the misfit χ² and how many moments it is left of."""
     different: list[Array] = []
     of = np.zeros(len(axes), dtype=int)
@@ -84,7 +86,9 @@ def combine_moments(moments: Estimate, axes: Array) -> tuple[Array, Estimate, fl
     return np.stack(different), combined, misfit, len(axes) - len(different)
 
 
-def fit_tensor(axes: Array, moments: Estimate) -> tuple[Estimate, Estimate, Array, float, int] | None:
+def fit_tensor(
+    axes: Float64[Array, "n 3"], moments: Estimate
+) -> tuple[Estimate, Estimate, Float64[Array, "3 3"], float, int] | None:
     """Return tensor, principal moments and axes, misfit and its freedom; None where the axes do not determine them.
 
     Each axis gives n·Jn. Errors of the principal moments are those of e·Je with fixed e, which is their first order.

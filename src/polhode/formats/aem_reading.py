@@ -9,7 +9,8 @@ import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.aem_attitudes import Meaning, attitudes
-from polhode.formats.aem_segments import Segment, read_segments, refuse
+from polhode.formats.aem_segments import Segment, WrittenInXml, read_segments, refuse
+from polhode.formats.aem_xml import read_xml_segments
 from polhode.formats.epochs import shortest, since
 from polhode.formats.labels import AttitudeLabels, Recording, is_in_spacecraft, plain
 from polhode.motion._layout import ATTITUDE, StateLayout
@@ -40,7 +41,10 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
         FormatError: naming the line, if it is no AEM or leaves open what it means.
     """
     path = Path(path)
-    segments = read_segments(path)
+    try:
+        segments = read_segments(path)
+    except WrittenInXml:
+        segments = read_xml_segments(path)
     if segment is not None:
         if not 0 <= segment < len(segments):
             raise InvalidInput(f"`segment` must be from 0 to {len(segments) - 1} in {path}; got {segment}.")

@@ -111,19 +111,22 @@ def refuse(path: Path, number: int | None, what: str) -> NoReturn:
     raise FormatError(f"{path}, line {number}: {what}." if number else f"{path}: {what}.")
 
 
+class WrittenInXml(Exception):
+    """The file begins as XML does."""
+
+
 def read_segments(path: Path) -> list[Segment]:
-    """Return the segments of the file.
+    """Return the segments of a file in keyword = value form.
 
     Raises:
         InvalidInput: if the file is missing.
         FormatError: naming the line, if it is no AEM.
+        WrittenInXml: if it is XML, which ``aem_xml`` reads.
     """
     lines = _lines(path)
     number, first = next(lines, (None, ""))
     if first.startswith("<"):
-        from polhode.formats.aem_xml import read_xml_segments
-
-        return read_xml_segments(path)
+        raise WrittenInXml
     if "=" not in first or first.split("=")[0].strip() != "CCSDS_AEM_VERS":
         refuse(path, number,
             f"an AEM begins with CCSDS_AEM_VERS = 2.0; got {shown(first[:60])}. "

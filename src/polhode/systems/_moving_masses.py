@@ -26,7 +26,7 @@ import jax
 import jax.numpy as jnp
 
 from polhode.systems.moving_parts import AbstractMovingPart
-from polhode.types import Array
+from polhode.types import Array, Float64
 
 Vectors = list[Array]
 
@@ -133,7 +133,7 @@ def _own_mass(part: AbstractMovingPart, at: Placed, i: int, j: int) -> Array:
 
 def leave_hub(
     parts: Sequence[AbstractMovingPart], carrier: Array, center: Array, mass: Array
-) -> tuple[Array, Array]:
+) -> tuple[Float64[Array, ""], Float64[Array, "3 3"]]:
     """Return mass () and inertia (3, 3) about its own centre of what is left of a body without its parts at rest."""
     left, first, about = jnp.asarray(mass), jnp.zeros(3), carrier
     for part in parts:
@@ -145,7 +145,9 @@ def leave_hub(
     return left, about - safe * _spread(first / safe)
 
 
-def momenta(arrangement: Arrangement, velocity: Array, rates: Vectors) -> tuple[Array, Vectors]:
+def momenta(
+    arrangement: Arrangement, velocity: Array, rates: Vectors
+) -> tuple[Float64[Array, "... 3"], Vectors]:
     """Return L (…, 3) of carrier and parts, and π_j (…), of Ω (…, 3) and q̇_j (…)."""
     angular = jnp.sum(arrangement.inertia * velocity[..., None, :], axis=-1)
     for column, rate in zip(arrangement.columns, rates, strict=True):
@@ -156,7 +158,9 @@ def momenta(arrangement: Arrangement, velocity: Array, rates: Vectors) -> tuple[
     return angular, own
 
 
-def velocities(arrangement: Arrangement, momentum: Array, own: Vectors) -> tuple[Array, Vectors]:
+def velocities(
+    arrangement: Arrangement, momentum: Array, own: Vectors
+) -> tuple[Float64[Array, "... 3"], Vectors]:
     """Return Ω (…, 3) and q̇_j (…) of L (…, 3) and π_j (…)."""
     rows = [[arrangement.inertia[..., i, j] for j in range(3)] for i in range(3)]
     for i, row in enumerate(rows):
@@ -245,7 +249,7 @@ def pulls(
 
 def flux(
     parts: Sequence[AbstractMovingPart], arrangement: Arrangement, velocity: Array, rates: Vectors, place: Array
-) -> tuple[Array, Array, Vectors]:
+) -> tuple[Float64[Array, "... 3"], Float64[Array, "... 3"], Vectors]:
     """Return w (…, 3) of a point of the carrier about the centre of mass, (r − c) × w, and w·∂w/∂q̇_j (…).
 
     They are what a kilogram there has of velocity, momentum and canonical momentum, and takes along where it leaves.

@@ -202,7 +202,7 @@ class AbstractRigidMotion(AbstractSeenBody):
         return found
 
 
-def take_rates(values: list[Array], count: int, like: Array) -> Array:
+def take_rates(values: list[Array], count: int, like: Array) -> Float64[Array, "... n"]:
     """Take the next numbers (…) out of a list, and return them as (…, count)."""
     taken = [values.pop(0) for _ in range(count)]
     return jnp.stack(jnp.broadcast_arrays(*taken), axis=-1) if taken else jnp.zeros((*like.shape[:-1], 0))
