@@ -23,7 +23,7 @@ from polhode.reports.about import about_body, accuracy
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
 from polhode.reports.length import Watch
-from polhode.reports.wording import angle, duration, number, vector
+from polhode.reports.wording import angle, degrees, duration, number, vector
 from polhode.simulation import simulate
 from polhode.types import Array, Float64
 
@@ -84,17 +84,17 @@ class RigidBodyReport(MotionReport):
             return words
         first, last = (float(np.linalg.norm(self.history.velocity[k])) for k in (0, -1))
         span = duration(float(np.ptp(self.trajectory.times)))
-        return f"The body turns at {number(first, 'rad/s')} at the start and {number(last, 'rad/s')} after {span}."
+        return f"The body turns at {number(first, 'rad/s', digits=4)} at the start and {number(last, 'rad/s', digits=4)} after {span}."
 
     def _control_summary(self) -> str | None:
         error = self.history.pointing
         if error is None:
             return None
         if self.settling_time is None:
-            end = angle(float(error[-1]))
-            return f"The pointing error is {end} at the end and has not settled below {angle(self.within)}."
+            end = degrees(float(error[-1]), 4)
+            return f"The pointing error is {end} at the end and has not settled below {degrees(self.within, 4)}."
         after = "from the start" if self.settling_time == 0.0 else f"after {duration(self.settling_time)}"
-        return f"It points within {angle(self.within)} {after}, and at the end within {angle(float(error[-1]))}."
+        return f"It points within {degrees(self.within, 4)} {after}, and at the end within {degrees(float(error[-1]), 4)}."
 
     def _wheel_summary(self) -> str | None:
         rates = self.history.rates
@@ -102,7 +102,7 @@ class RigidBodyReport(MotionReport):
             return None
         fastest = float(np.abs(rates).max())
         acts = {"acted": " A limit of the actuators acts.", "not reached": " No limit of the actuators is reached."}
-        return f"The fastest wheel turns at {number(fastest, 'rad/s')}.{acts.get(self.limits, '')}"
+        return f"The fastest wheel turns at {number(fastest, 'rad/s', digits=4)}.{acts.get(self.limits, '')}"
 
     @property
     def notes(self) -> list[str]:

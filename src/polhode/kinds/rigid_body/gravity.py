@@ -15,7 +15,7 @@ from polhode.kinds.rigid_body.build import Craft
 from polhode.kinds.rigid_body.table import RigidBodyTable
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
-from polhode.reports.wording import angle
+from polhode.reports.wording import degrees
 from polhode.systems.torques.gravity import GravityGradient
 
 SURE = 1e-9  # of the height to escape over: nearer to it, rounding could decide
@@ -70,7 +70,7 @@ def judge_gravity(spec: Spec[RigidBodyTable], craft: Craft, trajectory: Trajecto
         Answer("gravity.stays", trapped, "", "stays for ever", "by the Jacobi integral",
                "yes, by the Jacobi integral" if trapped else "not proved"),
     ])  # fmt: skip
-    swings = f"within {angle(float(away.max()))} of it in this motion"
+    swings = f"within {degrees(float(away.max()), 4)} of it in this motion"
     if trapped:
         said = f"The rest nearest to the start is stable, and by the Jacobi integral it can never leave it; {swings}."
     elif rest.region == LAGRANGE:
