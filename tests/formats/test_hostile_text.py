@@ -1,10 +1,12 @@
 """Meshes, molecules, robots, tables and messages that were made to mislead, to wait or to fill the memory."""
 
 import base64
+import io
 import json
 import os
 import re
 import struct
+import zipfile
 
 import numpy as np
 import pytest
@@ -188,11 +190,29 @@ def test_gltf_in_one_file_is_read(saved):
     assert vertices.tolist() == [[0, 0, 0], [0, 1, 0], [1, 0, 0]] and faces.tolist() == [[0, 2, 1]]
 
 
-@pytest.mark.parametrize("ending", ["dae", "3mf", "zae", "3dxml", "xaml", "zip", "dxf", "svg"])
+LAUGHS = '<!DOCTYPE a [<!ENTITY a "aaaaaaaaaa">' + "".join(
+    f'<!ENTITY {chr(98 + k)} "{f"&{chr(97 + k)};" * 10}">' for k in range(12)) + "]><a>&m;</a>"  # fmt: skip
+"""Entities that expand to ten million million letters."""
+
+
+@pytest.mark.parametrize("ending", ["zae", "3dxml", "xaml", "zip", "dxf", "svg"])
 def test_what_unpacks_or_expands_is_refused_unread(saved, ending):
-    lol = '<!DOCTYPE a [<!ENTITY a "aaaaaaaaaa">' + "".join(
-        f'<!ENTITY {chr(98 + k)} "{f"&{chr(97 + k)};" * 10}">' for k in range(12)) + "]><a>&m;</a>"  # fmt: skip
-    assert "must end in one of stl, obj" in refused(mesh, saved(f"mesh.{ending}", lol))
+    assert "must end in one of stl, obj" in refused(mesh, saved(f"mesh.{ending}", LAUGHS))
+
+
+@pytest.mark.parametrize(
+    ("encoding", "words"), [("utf-8", "declares a document type"), ("utf-16", "must be written in UTF-8")]
+)
+def test_entities_of_dae_and_3mf_are_refused_unread(saved, encoding, words):
+    for library in ("lxml", "networkx", "collada"):
+        pytest.importorskip(library)
+    model = LAUGHS.encode(encoding)
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w") as file:
+        file.writestr("3D/3dmodel.model", model)
+    assert words in refused(mesh, saved("mesh.dae", model))
+    assert words in refused(mesh, saved("mesh.3mf", archive.getvalue()))
+    assert "no archive" in refused(mesh, saved("text.3mf", LAUGHS))
 
 
 def test_repair_of_a_heap_of_corners(saved):
@@ -260,7 +280,8 @@ ROBOT = (
 @pytest.mark.parametrize("number", ["2_5", "１", "0x10", "1e400", "inf", "nan", "2.5f", "1e-400", "2,5", ""])
 def test_urdf_numbers(saved, number):
     message = refused(formats.read_urdf_inertial, saved("robot.urdf", ROBOT.replace('"2.5"', f'"{number}"')))
-    assert "izz of <inertia> must be finite numbers in decimal digits" in message
+    said = "must be finite numbers in decimal digits" if number else "must be one number"
+    assert f"izz of <inertia> {said}" in message
 
 
 @pytest.mark.parametrize(("old", "new", "words"), [

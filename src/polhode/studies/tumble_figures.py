@@ -77,8 +77,8 @@ def spectrum(light: LightCurve, motion: Tumbling) -> Figure:
     for k in range(min(NAMED, len(scaled))):
         words = order_words(int(lines.precession_order[k]), int(lines.rotation_order[k]))
         axes.annotate(words.replace("P_φ", r"$P_\phi$").replace("P_ψ", r"$P_\psi$"),
-                      (scaled[k], 1e3 * lines.amplitude[k]), (0, 3), textcoords="offset points", rotation=90,
-                      fontsize=style.FONT - 1.5, ha="center", va="bottom", color=style.DARK)  # fmt: skip
+                      (float(scaled[k]), 1e3 * float(lines.amplitude[k])), (0, 3), textcoords="offset points",
+                      rotation=90, fontsize=style.FONT - 1.5, ha="center", va="bottom", color=style.DARK)  # fmt: skip
     axes.set_ylim(0.0, 1.4 * top)
     axes.set_xlim(0.0, 1.12 * float(scaled.max()))
     axes.set_xlabel(r"frequency  [$1/P_\phi$]")

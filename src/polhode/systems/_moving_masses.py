@@ -112,7 +112,7 @@ def arrange(
             columns.append(column + _turned(at.tensor, at.axes[j]) if at.axes else column)
             impulses.append(part.mass * shift)
             owners.append((k, j))
-    masses = [[_dot(a, b) * (-1.0 / left) for b in impulses] for a in impulses]
+    masses: list[Vectors] = [[_dot(a, b) * (-1.0 / left) for b in impulses] for a in impulses]
     for i, (k, first) in enumerate(owners):
         for j, (other, second) in enumerate(owners):
             if k == other:

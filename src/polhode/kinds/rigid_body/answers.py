@@ -84,7 +84,8 @@ class RigidBodyReport(MotionReport):
             return words
         first, last = (float(np.linalg.norm(self.history.velocity[k])) for k in (0, -1))
         span = duration(float(np.ptp(self.trajectory.times)))
-        return f"The body turns at {number(first, 'rad/s', digits=4)} at the start and {number(last, 'rad/s', digits=4)} after {span}."
+        before, after = (number(speed, "rad/s", digits=4) for speed in (first, last))
+        return f"The body turns at {before} at the start and {after} after {span}."
 
     def _control_summary(self) -> str | None:
         error = self.history.pointing
@@ -94,7 +95,8 @@ class RigidBodyReport(MotionReport):
             end = degrees(float(error[-1]), 4)
             return f"The pointing error is {end} at the end and has not settled below {degrees(self.within, 4)}."
         after = "from the start" if self.settling_time == 0.0 else f"after {duration(self.settling_time)}"
-        return f"It points within {degrees(self.within, 4)} {after}, and at the end within {degrees(float(error[-1]), 4)}."
+        end = degrees(float(error[-1]), 4)
+        return f"It points within {degrees(self.within, 4)} {after}, and at the end within {end}."
 
     def _wheel_summary(self) -> str | None:
         rates = self.history.rates
