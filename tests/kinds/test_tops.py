@@ -215,6 +215,15 @@ def test_a_level_gyroscope_goes_round_in_the_known_time_and_in_no_other(read):
     assert 1e4 < tilted.as_json_dict()["steady_precession"]["fast"] < 1e5  # p/(I1 cos θ), and real
 
 
+ROTOR = """
+[system]
+kind = "gyrostat"
+rotor_axis = [0.0, 0.0, 1.0]
+rotor_moment = "0.02 kg*m^2"
+rotor_rate = "3000 rpm"
+"""
+
+
 def test_other_bodies_have_no_vertical(read):
-    with pytest.raises(InvalidInput, match="spin gives the rates of a top's Euler angles, which the system free-body"):
-        read('moments = ["1 kg*m^2", "1 kg*m^2", "1 kg*m^2"]', "", '[spin]\nspin = "1 rpm"')
+    with pytest.raises(InvalidInput, match="spin gives the rates of a top's Euler angles, which the system gyrostat"):
+        read('moments = ["1 kg*m^2", "1 kg*m^2", "1 kg*m^2"]', ROTOR, '[spin]\nspin = "1 rpm"')
