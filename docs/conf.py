@@ -103,9 +103,15 @@ def ask_for_words(app, doctree):
             logger.warning("%s: a picture has no alt text", picture.get("uri"), location=picture)
 
 
+def skip_fields(app, what, name, member, skip, options):
+    """Leave out the fields of named tuples, which the text of their class describes under "Attributes"."""
+    return True if type(member).__name__ == "_tuplegetter" else None
+
+
 def setup(app):
     app.add_directive("files", FilesOfRooms)
     app.connect("autodoc-process-docstring", escape_marks)
+    app.connect("autodoc-skip-member", skip_fields)
     app.connect("builder-inited", draw_figures)
     app.connect("doctree-read", ask_for_words)
     app.connect("build-finished", write_live_pages)

@@ -86,7 +86,7 @@ def test_every_field_of_a_spec_counts(case, monkeypatch):
     spec = read_spec(case / "case.toml")
     others = {"name": "b", "system": 1, "body": None, "spin": None, "until": 3.5, "samples": 7,
               "labels": AttitudeLabels("b"), "source": None, "folder": Path("elsewhere"), "instants": (0.0, 2.0),
-              "kind": find_kind("gyrostat")}  # fmt: skip
+              "kind": find_kind("gyrostat"), "body_notes": ("rounded",)}  # fmt: skip
     assert others.keys() == {field.name for field in dataclasses.fields(Spec)}
     digests = {kept._digest(dataclasses.replace(spec, **{name: value})) for name, value in others.items()}
     assert len(digests | {kept._digest(spec)}) == len(others) + 1
