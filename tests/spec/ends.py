@@ -66,6 +66,9 @@ def keys_of(kind):
     """Yield the keys of all tables that specs of a kind may have."""
     table = find_kind(kind).table
     yield from _keys(kind, table, ("system",), (table,))
+    for name in table.beside:  # tables of their own at the top of a file
+        at, marks = bare(table.model_fields[name].annotation, table.model_fields[name].metadata)
+        yield from _of_annotation(kind, at, marks, (name,), ())
     for name in SPECS:
         if name in table.takes or name == "export":
             model = bare(SpecFile.model_fields[name].annotation)[0]
@@ -74,7 +77,7 @@ def keys_of(kind):
 
 def _keys(kind, model, path, above):
     for name, field in model.model_fields.items():
-        if name != "kind":
+        if name != "kind" and name not in getattr(model, "beside", ()):
             at, marks = bare(field.annotation, field.metadata)
             yield from _of_annotation(kind, at, marks, (*path, name), above)
 

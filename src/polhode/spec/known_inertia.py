@@ -28,8 +28,11 @@ def build_known(table: BodyTable | PartTable) -> BuiltBody:
     inertia = given
     if table.about is not None and table.mass is not None:
         # J about a point is J about the centre of mass and m (|d|² 1 − d dᵀ)
-        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
+        with np.errstate(over="ignore", invalid="ignore"):
             inertia = given - table.mass * point_inertia(center - np.asarray(table.about))
+        if not np.isfinite(inertia).all():
+            away = ", ".join(f"{x:g}" for x in table.about)
+            raise InvalidInput(f"`about` at ({away}) m gives moments beyond the range of numbers. Check its unit.")
     if not np.isfinite(inertia).all() or np.abs(inertia - inertia.T).max() > ASYMMETRY * np.abs(inertia).max():
         return BuiltBody(Body(table.mass, center, inertia))
     inertia = 0.5 * inertia + 0.5 * inertia.T
