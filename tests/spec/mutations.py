@@ -201,6 +201,54 @@ section_orbits = 2
 [time]
 until = "30 d"
 """,
+    "craft on an orbit": """
+[system]
+kind = "rigid-body"
+[body]
+moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"]
+[spin]
+angular_velocity = ["0.1 rad/s", "0.02 rad/s", "0 rad/s"]
+[orbit]
+semi_major_axis = "7e6 m"
+gravitational_parameter = "4e14 m^3/s^2"
+eccentricity = 0.1
+inclination = "51 deg"
+node = "10 deg"
+periapsis = "20 deg"
+mean_anomaly = "5 deg"
+greenwich = "3 deg"
+[[wheel]]
+axis = [1, 0, 0]
+moment = "1e-3 kg*m^2"
+rate = "10 rad/s"
+torque = "1e-4 N*m"
+friction = "1e-6 N*m*s"
+[[torque]]
+type = "gravity-gradient"
+[time]
+until = "20 s"
+samples = 5
+""",
+    "craft that points": """
+[system]
+kind = "rigid-body"
+[body]
+moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"]
+[spin]
+angular_velocity = ["0.01 rad/s", "0.02 rad/s", "0 rad/s"]
+[orbit]
+period = "90 min"
+[control]
+law = "quaternion-pd"
+target = "nadir"
+bandwidth = "0.1 rad/s"
+by = "torque"
+limit = "0.1 N*m"
+within = "1 deg"
+[time]
+until = "20 s"
+samples = 5
+""",
 }  # fmt: skip
 NUMBERS = [
     "0", "-0.0", "1", "-1", "3", "1e-300", "1e-160", "1e-20", "1e-6", "1e6", "1e20", "1e160", "1e300", "1e308",

@@ -62,7 +62,8 @@ def attitudes(
         ValueError: in words, with the index of the row as second argument, for what is not a rotation.
     """
     family, _, rates = meaning.kind.partition("/")
-    lengths = np.linalg.norm(columns[:, :4], axis=-1)
+    with np.errstate(over="ignore"):  # an infinite length is refused
+        lengths = np.linalg.norm(columns[:, :4], axis=-1)
     if family == "SPIN":
         return _of_spin_axis(rates, columns)
     if family == "QUATERNION":

@@ -40,7 +40,7 @@ def make_attitude(
     """
     if mapping.sequence:
         return rotation.from_euler_angles(values * IN_RADIANS[angle_unit], mapping.sequence), None
-    with np.errstate(over="ignore"):  # an infinite length is not one
+    with np.errstate(over="ignore"):  # an infinite length is refused
         if mapping.mrp:
             return from_modified_rodrigues(values), None
         if mapping.matrix:
@@ -83,7 +83,8 @@ def restore_scalars(vectors: Float64[Array, "rows 3"]) -> Quaternions:
 
 def _from_quaternions(path: Path, table: PlainTable, values: Array, letters: str) -> tuple[Array, float]:
     attitude = values[:, [letters.index(letter) for letter in "wxyz"]]
-    lengths = np.linalg.norm(attitude, axis=-1)
+    with np.errstate(over="ignore"):  # an infinite length is refused
+        lengths = np.linalg.norm(attitude, axis=-1)
     off = np.abs(lengths - 1.0)
     if not off.max() <= FAR_FROM_UNIT:
         row = int(np.argmax(~(off <= FAR_FROM_UNIT)))
@@ -95,7 +96,8 @@ def _from_quaternions(path: Path, table: PlainTable, values: Array, letters: str
 
 
 def _from_vectors(path: Path, table: PlainTable, values: Array) -> tuple[Array, float]:
-    lengths = np.linalg.norm(values, axis=-1)
+    with np.errstate(over="ignore"):  # an infinite length is refused
+        lengths = np.linalg.norm(values, axis=-1)
     over = np.maximum(lengths - 1.0, 0.0)
     if not over.max() <= FAR_FROM_UNIT:
         row = int(np.argmax(~(over <= FAR_FROM_UNIT)))
