@@ -21,6 +21,8 @@ def lines(turn):
 
 def test_digits_of_rounding_are_not_shown():
     still, report = lines(0.0)
+    noise = next(key for key in still if key.startswith("noise"))  # of samples this far apart: an upper bound
+    assert 0.0 < float(still.pop(noise).split()[0]) < 1e-7
     assert set(still.values()) <= {"0", "less than 3e-16 rad"} and "to rounding" in report.summary
     tiny, report = lines(1e-18)
     assert "e-18" not in " ".join(tiny.values()) and "3.0e-16 rad: to rounding" in report.summary
