@@ -186,11 +186,12 @@ def _read_form(form: Form, path: Path, kernels: Kernels) -> Trajectory:
         if isinstance(error, PolhodeError):
             raise
         raise FormatError(f"{path}: cannot be read as {kind_in_words(form.name)} ({error}). Check the file.") from error
-    check_recorded(path, trajectory.times, trajectory.attitude, trajectory.angular_velocity)
     times = np.asarray(trajectory.times)
-    if not form.is_own and not (len(times) and (np.diff(times) >= 0.0).all()):
-        why = "holds no samples" if not len(times) else "has times that fall"
-        raise FormatError(f"{path}: {why}. Check the file.")
+    if not form.is_own and not len(times):
+        raise FormatError(f"{path}: holds no samples. Check the file.")
+    check_recorded(path, trajectory.times, trajectory.attitude, trajectory.angular_velocity)
+    if not form.is_own and not (np.diff(times) >= 0.0).all():
+        raise FormatError(f"{path}: has times that fall. Check the file.")
     return trajectory
 
 
