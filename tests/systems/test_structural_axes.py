@@ -123,6 +123,6 @@ def test_gravity_takes_the_inertia_of_the_body_or_checks_its_own():
         GravityGradient(ORBIT).torque(0.0, jnp.array([1.0, 0.0, 0.0, 0.0]), jnp.zeros(3))
 
 
-def test_what_is_not_a_body_is_refused():
+def test_what_is_not_a_body_is_refused(any_type):
     with pytest.raises(InvalidInput, match=r"`body` must be a polhode\.Body"):
         RigidBody.from_body((1.0, 2.0, 3.0))  # type: ignore[arg-type]
