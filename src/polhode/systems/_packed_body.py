@@ -258,7 +258,7 @@ class AbstractPackedBody(AbstractSystem):
             if isinstance(mount, AbstractMovingPart):
                 values.append(_of_part(f"rates[{k}]", mount, rate, mount.rate_count))
             else:
-                values.append(jnp.zeros(()) if rate is None else jnp.asarray(rate, dtype=float))
+                values.append(np.zeros(()) if rate is None else jnp.asarray(rate, dtype=float))
         return values
 
     def _checked_actuators(self, actuators: Sequence[Array | None] | None) -> list[Array]:
@@ -387,6 +387,6 @@ def _of_part(name: str, part: AbstractMovingPart, value: Any, count: int) -> Arr
 def _at_start(mount: AbstractMounted, q: Array | None) -> Array:
     """Return an own state (…, n) of which only what changes the mass properties counts."""
     if isinstance(mount, AbstractMount):
-        return mount.start(jnp.zeros(()), jnp.zeros(3))
+        return mount.start(np.zeros(()), jnp.zeros(3))
     assert q is not None, "moving parts have coordinates"
     return jnp.concatenate([q, jnp.zeros((*q.shape[:-1], mount.state_size - q.shape[-1]))], axis=-1)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode.arrays import is_traced, known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
@@ -141,6 +141,6 @@ class Propellant(AbstractMount):
     def start(
         self, rate: Real[ArrayLike, "..."], angular_velocity: Float64[Array, "*batch 3"]
     ) -> Float64[Array, "... {self.state_size}"]:
-        if np.ndim(rate) or rate != 0.0:
+        if is_traced(rate) or np.ndim(rate) or rate != 0.0:  # a traced one cannot be seen to be zero
             raise InvalidInput(f"`rates` has {shown(rate)} for a Propellant, which does not turn. Give None for it.")
         return jnp.broadcast_to(self.full, (*angular_velocity.shape[:-1], 1))
