@@ -145,7 +145,8 @@ def test_figures_show_the_path_or_samples_alone(report, tmp_path):
     ("system", "words"),
     [
         ("", ["system: needs damping, like 0.01,", "or linear_drag, like", "or quadratic_drag; got none"]),
-        ('orbital_period = "90 min"', ["needs damping, like 0.01", "of the kind that takes [orbit]; got orbital_period"]),
+        ('orbital_period = "90 min"',
+         ["needs damping, like 0.01", "of the kind that takes [orbit]; got orbital_period"]),
         ('damping = 0.1\nlinear_drag = "1 N*m*s"\norbital_period = "90 min"',
          ["1 mistake", "system.damping: is for losses inside", "goes without linear_drag and orbital_period"]),
         ('linear_drag = "1 N*m*s"\neccentricity = 0.1', ["1 mistake", "system.eccentricity: goes with orbital_period"]),
