@@ -47,7 +47,7 @@ def test_every_kind_that_moves_is_named_by_a_system_or_motion():
     named = {one.kind for one in sources()}
     kinds = [registry.find_kind(name) for name in registry.kind_names()]
     moving = {kind.name for kind in kinds if kind.has_motion and type(kind).__module__.startswith("polhode.")}
-    assert named == moving - {"rigid-body"}  # its figures show wheels and targets, which the spec alone names
+    assert named == moving
 
 
 @pytest.mark.parametrize("base", sources(), ids=lambda one: one.__name__)

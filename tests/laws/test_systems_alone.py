@@ -111,9 +111,9 @@ LEFT_OUT = {
 }
 DISK_START = np.array([0.4, 0.3, 0.2, 0.01, 0.02, 0.1, 6.0, 1.0])
 AT_ONCE = systems.FreeRigidBody
-BATCH_OF_TIMES_ONLY = ("vector_field", "balances", "generator", "torque", "jacobi_integral", "relative_velocity",
+BATCH_OF_TIMES_ONLY = ("vector_field", "balances", "generator", "torque", "relative_velocity",
                        "force", "forces", "load", "wanted", "commanded", "motor_torques", "state_rate", "power",
-                       "moments_of_rods", "packed_as_given", "rates")  # fmt: skip
+                       "moments_of_rods", "packed_as_given", "rotor_rates")  # fmt: skip
 
 
 def unit(rows):

@@ -105,7 +105,7 @@ def test_limits_cut_off_each_motor_and_no_wheel_exceeds_its_rate():
     system, start = craft(rods=False, max_torque=2e-5, max_rate=62.0)
     run = ph.simulate(system, start, np.linspace(0.0, 300.0, 301), estimate_error=False)
     own, velocity = run.layout.part(run.states, "wheel_momentum"), np.asarray(system.velocity(run.states))
-    rates = np.asarray(system.mounts[0].rates(velocity, own))
+    rates = np.asarray(system.mounts[0].rotor_rates(velocity, own))
     assert np.abs(rates).max() <= 62.0
     assert np.abs(rates).max() > 0.98 * 62.0  # it does come near
     assert float(np.max(np.asarray(system.load(run.times, run.states)))) > 1.0
@@ -189,10 +189,10 @@ def test_control_goes_the_shorter_way_from_either_sign():
         (lambda: UserLaw(3.0), "must be a function"),
         (lambda: UserLaw(lambda *x: 0, None, 2), "with `state_rate`"),
         (lambda: ControlledWheels(AXES[:2], MOMENT, RateControl(bandwidth=1.0)), "lie in a plane"),
-        (lambda: ControlledWheels(AXES, -1.0, RateControl(bandwidth=1.0)), "`moments` must be one positive number"),
+        (lambda: ControlledWheels(AXES, -1.0, RateControl(bandwidth=1.0)), "`moments` must be one finite number ab"),
         (lambda: ControlledWheels(AXES, 1.0, RateControl(bandwidth=1.0), max_rate=3.0), "needs `max_torque`"),
         (lambda: ControlledWheels(AXES, 1.0, "pd"), "must be a control law"),
-        (lambda: ControlTorque(RateControl(bandwidth=1.0), limit=0.0), "`limit` must be one positive"),
+        (lambda: ControlTorque(RateControl(bandwidth=1.0), limit=0.0), "`limit` must be one finite number above 0"),
     ],
 )
 def test_what_is_wrong_is_refused_in_words(make, said):

@@ -215,12 +215,12 @@ def align_clocks(a: AttitudeHistory, b: AttitudeHistory) -> ClockOffset:
     a, b = (_sort_by_time(one) for one in (a, b))
     speed = max(a.speed, b.speed)
     if b.exact is not None and a.exact is None:
-        found = find_clock_offset(_moving(b), np.asarray(a.times), np.asarray(a.attitude), speed)
+        found = find_clock_offset(_make_moving(b), np.asarray(a.times), np.asarray(a.attitude), speed)
         return found._replace(offset=-found.offset)
-    return find_clock_offset(_moving(a), np.asarray(b.times), np.asarray(b.attitude), speed)
+    return find_clock_offset(_make_moving(a), np.asarray(b.times), np.asarray(b.attitude), speed)
 
 
-def _moving(history: AttitudeHistory) -> Moving:
+def _make_moving(history: AttitudeHistory) -> Moving:
     first, last = float(history.times[0]), float(history.times[-1])
     if history.exact is not None:
         return Moving(history.exact, first, last, False)

@@ -175,7 +175,7 @@ def _roots(function: Any, frequencies: Array) -> list[float]:
 
     values = function(frequencies)
     found = np.flatnonzero(np.isfinite(values[:-1] * values[1:]) & (values[:-1] * values[1:] < 0.0))
-    # a jump of a phase by a turn is no root: there the values are far from zero on both sides
+    # where a phase jumps by a whole turn its sign changes without a root, from values far from zero
     near = [k for k in found if min(abs(values[k]), abs(values[k + 1])) < 0.5]
     at = lambda w: float(function(np.array([w]))[0])  # noqa: E731
     find: Any = brentq

@@ -28,8 +28,8 @@ from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.rotation import hat
 from polhode.special.elliptic import complete_k
+from polhode.systems._checks import checked_number
 from polhode.systems.free_rigid_body import checked_moments
-from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.lie_poisson import LiePoisson
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -90,7 +90,7 @@ class OrbitalEquilibrium:
             InvalidInput: for an equilibrium that has no libration in pitch, or an amplitude that is not below π/2.
         """
         if self.pitch_rate is None:
-            raise InvalidInput("there is no libration in pitch about this attitude: neighbours leave it.")
+            raise InvalidInput("this attitude has no libration in pitch: the body leaves it when turned by a little.")
         if not 0.0 <= amplitude < 0.5 * math.pi:
             raise InvalidInput(f"`amplitude` must be from 0 to below π/2; got {shown(amplitude)} rad.")
         return 4.0 * float(complete_k(math.cos(amplitude) ** 2)) / self.pitch_rate
@@ -328,7 +328,7 @@ def _rest(moments: Array, mean_motion: float, attitude: Array) -> Array:
 
 
 def _roots(middle: float, last: float) -> tuple[float, float] | None:
-    """Return the squares of frequencies, −x of x² + middle x + last = 0, ascending; None where one is no frequency."""
+    """Return the squares of frequencies, −x of x² + middle x + last = 0, ascending; None if no frequency has one."""
     root = middle**2 - 4.0 * last
     if last < 0.0 or middle < 0.0 or root < 0.0:
         return None

@@ -217,7 +217,7 @@ def _moment(swing: Swing, mass: float, gravity: float, value: dict[int, float], 
         far = swing.rig.distance
         distance = abs((center or 0.0) - swing.rig.place) if far is None else get(far)
         leverage = mass * distance + (0.0 if jig is None else jig_mass * get(jig.distance))
-        whole = gravity * leverage * (_undamped(swing, get(swing.period)) / (4.0 * _mean_quarter(swing))) ** 2
+        whole = gravity * leverage * (_undamped_period(swing, get(swing.period)) / (4.0 * _mean_quarter(swing))) ** 2
         if jig is not None and jig.period is not None:
             per_quarter = get(jig.period) / (4.0 * quarter_period(jig.amplitude))
             alone = gravity * jig_mass * get(jig.distance) * per_quarter**2
@@ -226,7 +226,7 @@ def _moment(swing: Swing, mass: float, gravity: float, value: dict[int, float], 
         return whole - alone - mass * distance**2
     rig, whole_mass = swing.rig, mass + jig_mass
     sizes = get(rig.length), get(rig.upper), get(rig.lower)
-    period = _undamped(swing, get(swing.period))
+    period = _undamped_period(swing, get(swing.period))
     angles, weights = _amplitudes(swing)
     whole = sum(w * filament_moment(period, whole_mass, *sizes, angle, gravity)
                 for angle, w in zip(angles, weights, strict=True))  # fmt: skip
@@ -253,7 +253,7 @@ def _mean_quarter(swing: Swing) -> float:
     return float(sum(w * quarter_period(float(angle)) for angle, w in zip(angles, weights, strict=True)))
 
 
-def _undamped(swing: Swing, period: float) -> float:
+def _undamped_period(swing: Swing, period: float) -> float:
     """Return the period without linear drag, T/√(1 + (Λ/2π)²), Λ the logarithmic decrement of a period."""
     if swing.last_amplitude is None:
         return period

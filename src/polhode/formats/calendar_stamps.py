@@ -86,7 +86,7 @@ def read_calendar(path: Path, form: TableForm, clock: ClockColumns, decimal: str
     return _read_instants(path, form, clock, rows)
 
 
-def _filled(rows: Rows) -> Iterator[tuple[int, int, tuple[str, ...]]]:
+def _stamped_rows(rows: Rows) -> Iterator[tuple[int, int, tuple[str, ...]]]:
     """Yield the rows that have a stamp, with their index and line."""
     for k, (line, row) in enumerate(rows):
         if not any(text.lower() in MISSING for text in row):
@@ -101,7 +101,7 @@ def _wrong(path: Path, form: TableForm, clock: ClockColumns, line: int, what: ob
 
 def _read_times_of_day(path: Path, form: TableForm, clock: ClockColumns, rows: Rows) -> Clock:
     times, days, before = np.full(len(rows), np.nan), 0, None
-    for k, line, row in _filled(rows):
+    for k, line, row in _stamped_rows(rows):
         try:
             seconds = read_time_of_day(row[0])
         except ValueError as error:
@@ -117,7 +117,7 @@ def _read_sums(path: Path, form: TableForm, clock: ClockColumns, rows: Rows) -> 
     """Return times that are sums of columns, counted from the first of them, which is kept exactly."""
     scales = [IN_DECIMAL_SECONDS[unit] for unit in clock.units]
     times, begin = np.full(len(rows), np.nan), None
-    for k, line, row in _filled(rows):
+    for k, line, row in _stamped_rows(rows):
         try:
             total = sum((exact_number(text) * scale for text, scale in zip(row, scales, strict=True)), Decimal(0))
         except ValueError as error:
@@ -129,11 +129,11 @@ def _read_sums(path: Path, form: TableForm, clock: ClockColumns, rows: Rows) -> 
 
 def _read_instants(path: Path, form: TableForm, clock: ClockColumns, rows: Rows) -> Clock:
     kind = clock.units[0]
-    system = _system(path, form, clock, next((row for _, _, row in _filled(rows)), ()))
+    system = _system(path, form, clock, next((row for _, _, row in _stamped_rows(rows)), ()))
     whole, rest = np.zeros(len(rows), dtype=np.int64), np.zeros(len(rows), dtype=np.int64)
     there = np.zeros(len(rows), dtype=bool)
     digits = 0
-    for k, line, row in _filled(rows):
+    for k, line, row in _stamped_rows(rows):
         try:
             if kind == DATE:
                 text, zoned = read_date(row[0])

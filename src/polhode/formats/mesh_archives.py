@@ -55,15 +55,14 @@ def check_archive(path: Path, ending: str, content: bytes, unit: float) -> None:
 def _unpack(path: Path, content: bytes) -> list[bytes]:
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            sizes = [one.file_size for one in archive.infolist()]
-            if sum(sizes) > UNPACKED:
-                raise FormatError(f"{path}: unpacks to {sum(sizes)} bytes, and may have {UNPACKED}. Export it smaller.")
+            size = sum(one.file_size for one in archive.infolist())
             names = [one for one in archive.namelist() if one.lower().endswith((".model", ".rels", ".xml"))]
-            return [archive.read(name) for name in names]
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, OSError, EOFError, ValueError) as error:
-        if isinstance(error, FormatError):
-            raise
+            texts = [archive.read(name) for name in names] if size <= UNPACKED else []
+    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, OSError, EOFError, ValueError):
         raise FormatError(f"{path}: cannot be read as a mesh: it is no archive, as 3MF is. Export it again.") from None
+    if size > UNPACKED:
+        raise FormatError(f"{path}: unpacks to {size} bytes, and may have {UNPACKED}. Export it smaller.")
+    return texts
 
 
 def _unit_of(path: Path, ending: str, texts: list[bytes]) -> float | None:

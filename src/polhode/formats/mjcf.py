@@ -108,7 +108,7 @@ def read_mjcf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> 
     waiting = [(tops[0]._replace(joints=[]), Frame(), True)]
     while waiting:
         node, outer, outermost = waiting.pop()
-        frame = Frame() if outermost else outer.then(_moved(node, positions))
+        frame = Frame() if outermost else outer.then(_placed_by_joints(node, positions))
         if node.inertial is not None:
             links.append((frame, node.inertial))
         waiting += [(child, frame, False) for child in node.children]
@@ -122,7 +122,7 @@ def _all_of(top: _Node) -> list[_Node]:
     return found
 
 
-def _moved(node: _Node, positions: dict[str, float]) -> Frame:
+def _placed_by_joints(node: _Node, positions: dict[str, float]) -> Frame:
     """Return where a body stands in its parent: each joint turns it about its anchor or moves it along its axis."""
     frame = node.frame
     for motion, anchor in node.joints:
@@ -171,9 +171,10 @@ class _Reader:
 
     def tops(self) -> list[_Node]:
         """Return the outermost bodies, each with those on it."""
-        return [node for world in self.root.findall("worldbody") for node in self._children(world, Frame(), "main")]
+        worlds = self.root.findall("worldbody")
+        return [node for world in worlds for node in self._read_children(world, Frame(), "main")]
 
-    def _children(self, element: ET.Element, frame: Frame, kind: str) -> list[_Node]:
+    def _read_children(self, element: ET.Element, frame: Frame, kind: str) -> list[_Node]:
         """Return the bodies in an element; a <frame> only places what is in it."""
         found = []
         for inner in element:
@@ -181,7 +182,7 @@ class _Reader:
                 found.append(self._body(inner, frame, inner.get("childclass", kind)))
             elif inner.tag == "frame":
                 within = frame.then(self._frame(f"{self.path}: a <frame>", inner))
-                found += self._children(inner, within, inner.get("childclass", kind))
+                found += self._read_children(inner, within, inner.get("childclass", kind))
         return found
 
     def _body(self, element: ET.Element, outer: Frame, kind: str) -> _Node:
@@ -197,7 +198,7 @@ class _Reader:
                 "compiled model from MuJoCo, by mj_saveLastXML with inertias, or add it."
             )
         own = None if inertial is None else self._inertial(where, inertial)
-        return _Node(name, frame, joints, own, self._children(element, Frame(), kind))
+        return _Node(name, frame, joints, own, self._read_children(element, Frame(), kind))
 
     def _inertial(self, where: str, element: ET.Element) -> Body | MassProperties | None:
         where = f"{where}: its <inertial>"

@@ -50,7 +50,7 @@ def read_sdf_inertial(path: str | Path, link: str | None = None, digits: int | N
     Source: Open Robotics, *SDFormat specification* 1.11, link, inertial and pose.
     """
     path = Path(path)
-    links = _named(path, _model(path), "link")
+    links = _elements_by_name(path, _model(path), "link")
     have = ", ".join(list(links)[:NAMED]) or "none"
     if link is None:
         if len(links) != 1:
@@ -86,7 +86,7 @@ def read_sdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> B
     path = Path(path)
     model = _model(path)
     poses = _Poses(path, model)
-    links, joints = _named(path, model, "link"), _named(path, model, "joint")
+    links, joints = _elements_by_name(path, model, "link"), _elements_by_name(path, model, "joint")
     motions = {name: _motion(path, name, element, poses) for name, element in joints.items()}
     positions = find_positions(path, pose, list(motions.values()))
     on: dict[str, tuple[str, str]] = {}
@@ -125,7 +125,7 @@ def _model(path: Path) -> ET.Element:
     return model
 
 
-def _named(path: Path, model: ET.Element, tag: str) -> dict[str, ET.Element]:
+def _elements_by_name(path: Path, model: ET.Element, tag: str) -> dict[str, ET.Element]:
     elements = model.findall(tag)
     found = {element.get("name", ""): element for element in elements}
     if len(found) != len(elements):
@@ -158,7 +158,7 @@ class _Poses:
     def __init__(self, path: Path, model: ET.Element) -> None:
         self.path = path
         self.elements = {(tag, name): element for tag in ("link", "joint", "frame")
-                         for name, element in _named(path, model, tag).items()}  # fmt: skip
+                         for name, element in _elements_by_name(path, model, tag).items()}  # fmt: skip
 
     def of(self, name: str, above: tuple[str, ...] = ()) -> Frame:
         """Return where an element stands in the model."""

@@ -50,7 +50,7 @@ def make_model(
     for argument, parameter in parameters.items():
         needed = parameter.default is inspect.Parameter.empty
         if argument in part.arguments:
-            kind = _field(part.arguments[argument])
+            kind = _field_type(part.arguments[argument])
             fields[argument] = (kind, ...) if needed else (kind | None, None)
         elif needed and argument not in FROM_ELSEWHERE:
             raise InvalidInput(
@@ -89,23 +89,23 @@ def _parameters(part: type[AbstractAttachment]) -> dict[str, inspect.Parameter]:
     return own
 
 
-def _field(argument: Argument) -> Any:
+def _field_type(argument: Argument) -> Any:
     """Return the type of a field for an argument."""
     if argument.unit == TEXT:
         return Annotated[Literal[argument.choices], one_of(*argument.choices)]
     if argument.unit == ATTITUDE:
         return Attitude
     if argument.shape == (3, 3):
-        row = _vector(argument.unit)
+        row = _vector_type(argument.unit)
         return Annotated[tuple[row, row, row], three_rows]
     if argument.shape == (3,):
-        one = _vector(argument.unit)
+        one = _vector_type(argument.unit)
         return list[one] if argument.many else one
     number = quantity(argument.unit) if argument.unit else Plain
     return _one_or_many(argument.unit, number) if argument.many else number
 
 
-def _vector(unit: str) -> Any:
+def _vector_type(unit: str) -> Any:
     if not unit:
         return Direction
     number = quantity(unit)

@@ -247,14 +247,13 @@ class AbstractPackedBody(AbstractSystem):
 
     def _checked_rates(self, rates: Sequence[Array | None] | None) -> list[Array]:
         per_mount = _one_each("rates", rates, "mounts", len(self.mounts))
+        values = []
         for k, (mount, rate) in enumerate(zip(self.mounts, per_mount, strict=True)):
             if rate is not None and not mount.state_size:
                 raise InvalidInput(
                     f"`rates[{k}]` is for a {type(mount).__name__}, which has no rate of its own to start with; "
                     f"got {shown(rate)}. Give None for it."
                 )
-        values = []
-        for k, (mount, rate) in enumerate(zip(self.mounts, per_mount, strict=True)):
             if isinstance(mount, AbstractMovingPart):
                 values.append(_of_part(f"rates[{k}]", mount, rate, mount.rate_count))
             else:
@@ -287,7 +286,7 @@ class AbstractPackedBody(AbstractSystem):
             shorter = "" if self.needs_attitude else f"(…, {bare}), or "
             raise InvalidInput(
                 f"`state` of {type(self).__name__} must have shape {shorter}(…, {4 + bare}) with the attitude in "
-                f"front; got {shape}. Make it by `state(attitude, angular_velocity)`."
+                f"front; got {shape}. Make it by `pack(attitude, angular_velocity)`."
             )
         ends = np.cumsum([4] * carries + [3, *sizes]).tolist()
         split = [state[..., start:end] for start, end in zip([0, *ends[:-1]], ends, strict=True)]

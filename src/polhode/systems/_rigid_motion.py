@@ -93,11 +93,12 @@ class AbstractRigidMotion(AbstractSeenBody):
         arrangement = self._arranged(body.mounts)
         if arrangement is None:
             return Moment(body, solve(self.carrier, momentum), None, [], momentum)
-        canonical = [own[..., mount.count + j] for mount, own in self._moving(body) for j in range(mount.count)]
+        moving = self._parts_with_states(body)
+        canonical = [own[..., mount.count + j] for mount, own in moving for j in range(mount.count)]
         velocity, rates = velocities(arrangement, momentum, canonical)
         return Moment(body, velocity, arrangement, rates, momentum)
 
-    def _moving(self, body: BodyState) -> list[tuple[AbstractMovingPart, Array]]:
+    def _parts_with_states(self, body: BodyState) -> list[tuple[AbstractMovingPart, Array]]:
         pairs = zip(self.mounts, body.mounts, strict=True)
         return [(mount, own) for mount, own in pairs if isinstance(mount, AbstractMovingPart)]
 
@@ -164,7 +165,7 @@ class AbstractRigidMotion(AbstractSeenBody):
         """Return the gravity gradient on the body as it is now, and what it is along each q."""
         assert now.arrangement is not None and now.body.attitude is not None, "gravity needs the attitude"
         strength, centre = gravity.pull(t, now.body.attitude)
-        owns = [own for _, own in self._moving(now.body)]
+        owns = [own for _, own in self._parts_with_states(now.body)]
         inertia = self._momentary_inertia(now)
         couple = jnp.cross(centre, jnp.sum(inertia * centre[..., None, :], axis=-1))
         along = pulls(self.moving_parts, owns, now.arrangement, strength, centre)
@@ -185,7 +186,7 @@ class AbstractRigidMotion(AbstractSeenBody):
     def _mount_rates(self, t: Array, now: Moment, loads: list[Array]) -> list[Array]:
         """Return how fast the own states of all mounts change."""
         body, found = now.body, []
-        pairs = self._moving(body)
+        pairs = self._parts_with_states(body)
         slope: list[Array] = []
         if now.arrangement is not None:
             parts, owns = [part for part, _ in pairs], [own for _, own in pairs]

@@ -15,9 +15,9 @@ from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame
+from polhode.systems._checks import checked_number, checked_vector
 from polhode.systems.attachments import AbstractAttachment, Argument, Attitude, Own, Time, Velocity, checked_jumps
-from polhode.systems.free_rigid_body import checked_vector
-from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
+from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.torques.base import NEEDED, in_body
 from polhode.types import Array, ArrayLike, Float64, Real, Self
 
@@ -61,6 +61,41 @@ class AbstractControlLaw(AbstractAttachment):
     def started(self, t: float, attitude: Real[ArrayLike, "4"]) -> Self:
         """Return this law for a motion that begins so, as the shorter way to a target depends on it."""
         return self
+
+
+class AbstractLawActuator(AbstractAttachment):
+    """What gives the torque that a law asks for: it jumps, and needs the attitude, where its law does."""
+
+    law: eqx.AbstractVar[AbstractControlLaw]
+
+    def bound(self, frame: BodyFrame) -> Self:
+        return eqx.tree_at(lambda one: one.law, self, self.law.bound(frame))
+
+    @property
+    def jumps(self) -> Float64[Array, "jumps"]:
+        return self.law.jumps
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return self.law.names_all_jumps
+
+    @property
+    def needs_attitude(self) -> bool:
+        return self.law.needs_attitude
+
+
+def checked_law(law: Any) -> AbstractControlLaw:
+    """Return a control law.
+
+    Raises:
+        InvalidInput: for anything else.
+    """
+    if not isinstance(law, AbstractControlLaw):
+        raise InvalidInput(
+            f"`law` must be a control law, such as polhode.systems.QuaternionPD; got {shown(law)}. For a function of "
+            "your own give UserLaw(function)."
+        )
+    return law
 
 
 class QuaternionPD(AbstractControlLaw):

@@ -8,22 +8,21 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
-from polhode.motion.frame import BodyFrame
+from polhode.systems._checks import checked_directions, checked_numbers
 from polhode.systems.attachments import Attitude, Own, Time, Velocity
-from polhode.systems.control_laws import AbstractControlLaw
+from polhode.systems.control_laws import AbstractControlLaw, AbstractLawActuator, checked_law
 from polhode.systems.mounts import AbstractMount
 from polhode.systems.torques.base import AbstractTorque
-from polhode.systems.torques.magnetic import checked_directions, checked_limits
 from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 TAPER = 0.02  # of the largest rate: the part below it over which a motor's torque falls to zero
 SPANS = 1e-9  # of the largest singular value, above which wheels give a torque along a direction
 
 
-class ControlledWheels(AbstractMount):
+class ControlledWheels(AbstractLawActuator, AbstractMount):
     """Wheels whose motors together give the body the torque that a law asks for.
 
     The body is to have τ, so the motors have to give the rotors −τ: u = −A⁺ τ with the wheels' axes as columns of A and
@@ -60,26 +59,18 @@ class ControlledWheels(AbstractMount):
         max_torque: Real[ArrayLike, "*wheels"] | None = None, max_rate: Real[ArrayLike, "*wheels"] | None = None,
         friction: Real[ArrayLike, "*wheels"] = 0.0,
     ) -> None:  # fmt: skip
-        if not isinstance(law, AbstractControlLaw):
-            raise InvalidInput(
-                f"`law` must be a control law, such as polhode.systems.QuaternionPD; got {shown(law)}. For a function "
-                "of your own give UserLaw(function)."
-            )
-        self.axes, self.law = checked_directions("axes", axes), law
+        self.axes, self.law = checked_directions("axes", axes), checked_law(law)
         count = len(self.axes)
-        self.moments = jnp.broadcast_to(checked_limits("moments", moments, count, "kg m²"), count)
-        self.max_torque = None if max_torque is None else checked_limits("max_torque", max_torque, count, "N m")
-        self.max_rate = None if max_rate is None else checked_limits("max_rate", max_rate, count, "rad/s")
+        self.moments = jnp.broadcast_to(checked_numbers("moments", moments, count, 0.0, unit="kg m²"), count)
+        limits = {"max_torque": (max_torque, "N m"), "max_rate": (max_rate, "rad/s")}
+        self.max_torque, self.max_rate = (
+            None if limit is None else checked_numbers(name, limit, count, above=0.0, unit=unit)
+            for name, (limit, unit) in limits.items()
+        )
         if max_rate is not None and max_torque is None:
             raise InvalidInput("`max_rate` needs `max_torque`, the torque that falls to zero towards it.")
-        refuse_single_precision(friction=friction)
-        friction = np.asarray(friction, dtype=float)
-        if friction.shape not in ((), (1,), (count,)) or not (np.isfinite(friction).all() and (friction >= 0).all()):
-            raise InvalidInput(
-                f"`friction` must be one number not below zero [N m s], or one for each of {count}; got "
-                f"{shown(friction.tolist())}."
-            )
-        self.friction = jnp.broadcast_to(jnp.asarray(friction), count)
+        resistance = checked_numbers("friction", friction, count, least=0.0, unit="N m s")
+        self.friction = jnp.broadcast_to(resistance, count)
         matrix = np.asarray(self.axes)
         self.shares = jnp.asarray(np.linalg.pinv(matrix))  # A has the axes as columns, its pseudo-inverse is this
         if np.linalg.svd(matrix, compute_uv=False).tolist()[-1] <= SPANS or count < 3:
@@ -87,21 +78,6 @@ class ControlledWheels(AbstractMount):
                 f"`axes` {shown(matrix.round(6).tolist())} lie in a plane, so that no wheel turns the body about what "
                 "is across. Control about all axes needs three wheels or more, not in one plane."
             )
-
-    def bound(self, frame: BodyFrame) -> Self:
-        return eqx.tree_at(lambda wheels: wheels.law, self, self.law.bound(frame))
-
-    @property
-    def jumps(self) -> Float64[Array, "jumps"]:
-        return self.law.jumps
-
-    @property
-    def names_all_jumps(self) -> bool:
-        return self.law.names_all_jumps
-
-    @property
-    def needs_attitude(self) -> bool:
-        return self.law.needs_attitude
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:
@@ -125,10 +101,9 @@ class ControlledWheels(AbstractMount):
     def energy(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch"]:
         return 0.5 * jnp.sum(self._momenta(own) ** 2 / self.moments, axis=-1)
 
-    def rates(
+    def rotor_rates(
         self, angular_velocity: Float64[Array, "*#batch 3"], own: Float64[Array, "*#batch {self.state_size}"]
     ) -> Float64[Array, "*batch wheels"]:
-        """Return σ (…, wheels) of each against the body [rad/s]."""
         return self._momenta(own) / self.moments - angular_velocity @ self.axes.T
 
     def commanded(
@@ -141,13 +116,12 @@ class ControlledWheels(AbstractMount):
     def motor_torques(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
     ) -> Float64[Array, "*batch wheels"]:
-        """Return what each motor gives its rotor (…, wheels) [N m], within its limits and without friction."""
         asked = self.commanded(t, attitude, angular_velocity, own)
         if self.max_torque is None:
             return asked
         least, most = -self.max_torque, self.max_torque
         if self.max_rate is not None:
-            room = self.rates(angular_velocity, own) / self.max_rate
+            room = self.rotor_rates(angular_velocity, own) / self.max_rate
             most = most * jnp.clip((1.0 - room) / TAPER, 0.0, 1.0)
             least = least * jnp.clip((1.0 + room) / TAPER, 0.0, 1.0)
         return jnp.clip(asked, least, most)
@@ -160,13 +134,13 @@ class ControlledWheels(AbstractMount):
         return jnp.concatenate([turning, law], axis=-1)
 
     def _on_rotors(self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own) -> Array:
-        dragged = self.friction * self.rates(angular_velocity, own)
+        dragged = self.friction * self.rotor_rates(angular_velocity, own)
         return self.motor_torques(t, attitude, angular_velocity, own) - dragged
 
     def power(self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own) -> Float64[Array, "*batch"]:
         # each torque works by ω = σ + a·Ω on its rotor and by −a·Ω on the body
         torques = self._on_rotors(t, attitude, angular_velocity, own)
-        return jnp.sum(torques * self.rates(angular_velocity, own), axis=-1)
+        return jnp.sum(torques * self.rotor_rates(angular_velocity, own), axis=-1)
 
     def start(
         self, rate: Real[ArrayLike, "..."], angular_velocity: Float64[Array, "*batch 3"]
@@ -186,7 +160,7 @@ class ControlledWheels(AbstractMount):
             return jnp.zeros(angular_velocity.shape[:-1])
         asked = jnp.abs(self.commanded(t, attitude, angular_velocity, own)) / self.max_torque
         if self.max_rate is not None:
-            fast = jnp.abs(self.rates(angular_velocity, own)) / ((1.0 - TAPER) * self.max_rate)
+            fast = jnp.abs(self.rotor_rates(angular_velocity, own)) / ((1.0 - TAPER) * self.max_rate)
             asked = jnp.maximum(asked, fast)
         return jnp.max(asked, axis=-1)
 
@@ -195,7 +169,7 @@ class ControlledWheels(AbstractMount):
         return eqx.tree_at(limits, self, (None, None), is_leaf=lambda x: x is None)
 
 
-class ControlTorque(AbstractTorque):
+class ControlTorque(AbstractLawActuator, AbstractTorque):
     """A couple from outside that a law asks for, as thrusters give on the average, up to a limit about each axis.
 
     Args:
@@ -211,24 +185,8 @@ class ControlTorque(AbstractTorque):
 
     @known_numbers_only
     def __init__(self, law: Any, limit: Real[ArrayLike, "*axes"] | None = None) -> None:
-        if not isinstance(law, AbstractControlLaw):
-            raise InvalidInput(f"`law` must be a control law, such as polhode.systems.QuaternionPD; got {shown(law)}.")
-        self.law, self.limit = law, None if limit is None else checked_limits("limit", limit, 3, "N m")
-
-    def bound(self, frame: BodyFrame) -> Self:
-        return eqx.tree_at(lambda torque: torque.law, self, self.law.bound(frame))
-
-    @property
-    def jumps(self) -> Float64[Array, "jumps"]:
-        return self.law.jumps
-
-    @property
-    def names_all_jumps(self) -> bool:
-        return self.law.names_all_jumps
-
-    @property
-    def needs_attitude(self) -> bool:
-        return self.law.needs_attitude
+        self.law = checked_law(law)
+        self.limit = None if limit is None else checked_numbers("limit", limit, 3, above=0.0, unit="N m")
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:

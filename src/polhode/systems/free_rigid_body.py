@@ -88,22 +88,6 @@ def axis_flow(
     return flow
 
 
-def checked_vector(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
-    """Return three finite numbers as an array.
-
-    Raises:
-        InvalidInput: otherwise.
-    """
-    refuse_single_precision(**{name: value})
-    try:
-        vector = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        vector = np.full(1, np.nan)
-    if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise InvalidInput(f"`{name}` must be three finite numbers along the principal axes; got {shown(value)}.")
-    return jnp.asarray(vector)
-
-
 def checked_moments(moments: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
     """Return three positive finite moments as an array.
 

@@ -12,10 +12,9 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
+from polhode.systems._checks import checked_direction, checked_number
 from polhode.systems.attachments import Attitude, Own, Time, Velocity, checked_jumps
 from polhode.systems.hinged_part import rotate_about, turn_tensor
-from polhode.systems.kepler_orbit import checked_number
-from polhode.systems.mounts import checked_direction
 from polhode.systems.moving_parts import AbstractMovingPart, Coordinates
 from polhode.systems.wheels import HeldWheel, Wheel
 from polhode.types import Array, ArrayLike, Float64, Real, Self

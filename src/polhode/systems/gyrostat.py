@@ -11,9 +11,9 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
+from polhode.systems._checks import checked_number, checked_vector
 from polhode.systems.base import AbstractLiePoissonSystem, Flow
-from polhode.systems.free_rigid_body import axis_flow, checked_moments, checked_vector
-from polhode.systems.kepler_orbit import checked_number
+from polhode.systems.free_rigid_body import axis_flow, checked_moments
 from polhode.systems.mounts import AbstractMounted
 from polhode.systems.rigid_body import AbstractRigidBody
 from polhode.systems.torques import AbstractTorque

@@ -12,10 +12,8 @@ from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.motion._layout import StatePart
+from polhode.systems._checks import checked_direction, checked_number, checked_vector
 from polhode.systems.attachments import Argument, Attitude, Time, Velocity, checked_jumps
-from polhode.systems.free_rigid_body import checked_vector
-from polhode.systems.kepler_orbit import checked_number
-from polhode.systems.mounts import checked_direction
 from polhode.systems.moving_parts import AbstractMovingPart, Coordinates
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -10,8 +10,9 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.systems._checks import checked_number
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 TURN = 2.0 * math.pi
@@ -270,25 +271,3 @@ def _reduce_anomaly(mean_anomaly: Array) -> tuple[Array, Array]:
 def _whole_turns(mean_anomaly: Float64[ArrayOrFloat, "*shape"]) -> Float64[Array, "*shape"]:
     """Return the whole turns [rad] nearest to M."""
     return TURN * jnp.round(mean_anomaly / TURN)
-
-
-def checked_number(
-    name: str, value: float, above: float | None = None, least: float | None = None, unit: str = ""
-) -> Float64[Array, ""]:
-    """Return a finite number as an array.
-
-    Raises:
-        InvalidInput: for anything else, or one out of range.
-    """
-    rule = "a finite number" + (f" above {above:g}" if above is not None else "")
-    rule += f" not below {least:g}" if least is not None else ""
-    refuse_single_precision(**{name: value})
-    try:
-        number = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        number = np.asarray(math.nan)
-    good = number.shape == () and math.isfinite(number)
-    if not (good and (above is None or number > above) and (least is None or number >= least)):
-        unit = f" [{unit}]" if unit else ""
-        raise InvalidInput(f"`{name}` must be {rule}{unit}; got {shown(value)}. Check its size and sign.")
-    return jnp.asarray(number)

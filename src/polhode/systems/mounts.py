@@ -11,6 +11,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
+from polhode.systems._checks import checked_number
 from polhode.systems.attachments import (
     AbstractAttachment,
     Argument,
@@ -19,8 +20,6 @@ from polhode.systems.attachments import (
     Time,
     Velocity,
 )
-from polhode.systems.free_rigid_body import checked_vector
-from polhode.systems.kepler_orbit import checked_number
 from polhode.types import Array, ArrayLike, Float64, Real
 
 
@@ -49,6 +48,18 @@ class AbstractMounted(AbstractAttachment):
     def energy(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch"]:
         """Return its own energy (…) [J]."""
         return jnp.zeros(own.shape[:-1])
+
+    def rotor_rates(
+        self, angular_velocity: Float64[Array, "*#batch 3"], own: Float64[Array, "*#batch {self.state_size}"]
+    ) -> Float64[Array, "*batch rotors"]:
+        """Return how fast its rotors turn against the body (…, rotors) [rad/s]; no rotors by default."""
+        return jnp.zeros((*jnp.broadcast_shapes(angular_velocity.shape[:-1], own.shape[:-1]), 0))
+
+    def motor_torques(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
+    ) -> Float64[Array, "*batch rotors"]:
+        """Return what each motor gives its rotor (…, rotors) [N m], within its limits and without friction."""
+        return jnp.zeros_like(self.rotor_rates(angular_velocity, own))
 
 
 class AbstractMount(AbstractMounted):
@@ -211,16 +222,3 @@ class EnergySink(AbstractMount):
         self, momentum: Float64[Array, "*#batch 3"], angular_velocity: Float64[Array, "*#batch 3"]
     ) -> Float64[Array, "*batch 3"]:
         return self.rate * jnp.cross(momentum, angular_velocity)
-
-
-def checked_direction(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
-    """Return a unit vector along a direction of any length.
-
-    Raises:
-        InvalidInput: for what is not three finite numbers, or has no direction.
-    """
-    direction = np.asarray(checked_vector(name, value))
-    if not (largest := np.abs(direction).max()) > 0:
-        raise InvalidInput(f"`{name}` must be a direction (3,); got (0, 0, 0).")
-    direction = np.ldexp(direction, -np.frexp(largest)[1])  # squares of extreme lengths overflow
-    return jnp.asarray(direction / np.linalg.norm(direction))

@@ -12,9 +12,8 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame
+from polhode.systems._checks import checked_number, checked_vector
 from polhode.systems.attachments import Attitude, Own, Time, Velocity, checked_jumps
-from polhode.systems.free_rigid_body import checked_vector
-from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.mounts import AbstractMount
 from polhode.types import Array, ArrayLike, Float64, Real, Self
 

@@ -62,7 +62,8 @@ class AbstractRigidBody(AbstractRigidMotion):
 
     def _energy(self, now: Moment) -> Array:
         own = [mount.energy(values) for mount, values in zip(self.mounts, now.body.mounts, strict=True)]
-        canonical = [values[..., part.count + j] for part, values in self._moving(now.body) for j in range(part.count)]
+        moving = self._parts_with_states(now.body)
+        canonical = [values[..., part.count + j] for part, values in moving for j in range(part.count)]
         # ½ (L·Ω + π·q̇), less the momenta that have their energies of their own
         own += [0.5 * momentum * rate for momentum, rate in zip(canonical, now.rates, strict=True)]
         return sum(own, 0.5 * jnp.sum(now.momentum * now.velocity, axis=-1))
@@ -175,6 +176,7 @@ class RigidBody(AbstractRigidBody):
     -0.4
     """
 
+    kind: ClassVar[str] = "rigid-body"
     title: ClassVar[str] = "Rigid body"
     moments: Float64[Array, "3"]
     mounts: tuple[AbstractMounted, ...]

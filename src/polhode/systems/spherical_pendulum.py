@@ -11,10 +11,8 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
+from polhode.systems._checks import checked_direction, checked_number, checked_vector
 from polhode.systems.attachments import Argument, Attitude, Time, Velocity
-from polhode.systems.free_rigid_body import checked_vector
-from polhode.systems.kepler_orbit import checked_number
-from polhode.systems.mounts import checked_direction
 from polhode.systems.moving_parts import AbstractMovingPart, Coordinates
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -11,8 +11,9 @@ from polhode.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import Quantity, StateLayout, StatePart
+from polhode.systems._checks import checked_number
 from polhode.systems.base import AbstractSystem, Balance, as_finite_state
-from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
+from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.types import Array, ArrayLike, Float64, Real
 
 LAYOUT = StateLayout((

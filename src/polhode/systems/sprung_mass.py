@@ -8,13 +8,17 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
+from polhode.systems._checks import (
+    checked_direction,
+    checked_directions,
+    checked_number,
+    checked_numbers,
+    checked_vector,
+)
 from polhode.systems.attachments import Argument, Attitude, Time, Velocity
-from polhode.systems.free_rigid_body import checked_vector
-from polhode.systems.kepler_orbit import checked_number
-from polhode.systems.mounts import checked_direction
 from polhode.systems.moving_parts import AbstractMovingPart, Coordinates
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -73,10 +77,10 @@ class SprungMass(AbstractMovingPart):
         stiffness: Real[ArrayLike, "..."], damping: Real[ArrayLike, "..."] = 0.0,
     ) -> None:  # fmt: skip
         self.place, self.mass = checked_vector("position", position), checked_number("mass", mass, 0.0, unit="kg")
-        self.directions = _checked_directions(directions)
+        self.directions = _checked_axes(directions)
         count = len(self.directions)
-        self.stiffness = _checked_numbers("stiffness", stiffness, count, "N/m")
-        self.damping = _checked_numbers("damping", damping, count, "N s/m")
+        self.stiffness = jnp.broadcast_to(checked_numbers("stiffness", stiffness, count, least=0.0, unit="N/m"), count)
+        self.damping = jnp.broadcast_to(checked_numbers("damping", damping, count, least=0.0, unit="N s/m"), count)
         self.is_lossless = not np.any(np.asarray(self.damping))
 
     @classmethod
@@ -138,29 +142,10 @@ class SprungMass(AbstractMovingPart):
         return -self.damping * rate
 
 
-def _checked_directions(directions: Real[ArrayLike, "..."]) -> Float64[Array, "n 3"]:
-    refuse_single_precision(directions=directions)
-    try:
-        rows = np.atleast_2d(np.asarray(directions, dtype=float))
-    except (TypeError, ValueError):
-        rows = np.zeros((0, 0))
-    if rows.ndim != 2 or rows.shape[-1] != 3 or not 1 <= len(rows) <= 3:
-        raise InvalidInput(f"`directions` must be one to three directions (3,) or (n, 3); got {shown(directions)}.")
-    unit = np.stack([np.asarray(checked_direction("directions", row)) for row in rows])
-    if np.abs(unit @ unit.T - np.eye(len(unit))).max() > ORTHOGONAL:
-        raise InvalidInput(f"`directions` must be perpendicular to each other; got {shown(directions)}.")
-    return jnp.asarray(unit)
-
-
-def _checked_numbers(name: str, value: Real[ArrayLike, "..."], count: int, unit: str) -> Float64[Array, "n"]:
-    refuse_single_precision(**{name: value})
-    try:
-        numbers = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        numbers = np.asarray(np.nan)
-    if numbers.shape not in ((), (count,)) or not (np.isfinite(numbers).all() and (numbers >= 0.0).all()):
+def _checked_axes(directions: Real[ArrayLike, "..."]) -> Float64[Array, "n 3"]:
+    rows = checked_directions("directions", [directions] if np.ndim(directions) == 1 else directions)
+    if len(rows) > 3 or np.abs(rows @ rows.T - np.eye(len(rows))).max() > ORTHOGONAL:
         raise InvalidInput(
-            f"`{name}` must be one number, or one for each of the {count} directions, finite and not negative "
-            f"[{unit}]; got {shown(value)}."
+            f"`directions` must be one to three that are perpendicular to each other; got {shown(directions)}."
         )
-    return jnp.asarray(np.broadcast_to(numbers, (count,)))
+    return rows

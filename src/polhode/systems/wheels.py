@@ -9,9 +9,9 @@ import jax.numpy as jnp
 
 from polhode.arrays import known_numbers_only
 from polhode.motion._layout import StatePart
+from polhode.systems._checks import checked_direction, checked_number
 from polhode.systems.attachments import Attitude, Own, Time, Velocity, checked_jumps
-from polhode.systems.kepler_orbit import checked_number
-from polhode.systems.mounts import AbstractMount, checked_direction
+from polhode.systems.mounts import AbstractMount
 from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 Batch = Float64[Array, "*batch"]
@@ -137,12 +137,23 @@ class Wheel(AbstractMount):
     ) -> Float64[Array, "*batch"]:
         """Return ḣ (…) [N m], the torque of motor and friction on the rotor."""
         rate = self.rate(angular_velocity, own)
-        torque = self._limited(self._asked(t, attitude, angular_velocity, rate), rate)
+        torque = self.motor_torques(t, attitude, angular_velocity, own)[..., 0]
         if self.friction is not None:
             torque = torque - self.friction * rate
         if self.coulomb_friction is not None:
             torque = torque - self.coulomb_friction * jnp.tanh(rate / self.sliding_rate)
         return torque
+
+    def rotor_rates(
+        self, angular_velocity: Float64[Array, "*#batch 3"], own: Float64[Array, "*#batch 1"]
+    ) -> Float64[Array, "*batch 1"]:
+        return self.rate(angular_velocity, own)[..., None]
+
+    def motor_torques(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
+    ) -> Float64[Array, "*batch 1"]:
+        rate = self.rate(angular_velocity, own)
+        return self._limited(self._asked(t, attitude, angular_velocity, rate), rate)[..., None]
 
     @property
     def limited(self) -> bool:
@@ -218,3 +229,9 @@ class HeldWheel(AbstractMount):
 
     def momentum(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch 3"]:
         return jnp.broadcast_to(self.moment * self.rate * self.axis, (*own.shape[:-1], 3))
+
+    def rotor_rates(
+        self, angular_velocity: Float64[Array, "*#batch 3"], own: Float64[Array, "*#batch {self.state_size}"]
+    ) -> Float64[Array, "*batch 1"]:
+        shape = jnp.broadcast_shapes(angular_velocity.shape[:-1], own.shape[:-1])
+        return jnp.broadcast_to(self.rate, (*shape, 1))

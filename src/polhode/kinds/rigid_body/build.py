@@ -60,29 +60,29 @@ def build(spec: Spec[RigidBodyTable]) -> Craft:
     table = spec.system
     assert spec.body is not None
     orbit = None if table.orbit is None else make_orbit(table.orbit)
-    elsewhere = {"orbit": orbit, "field": None if orbit is None else _field(orbit, table.orbit)}
-    controlled, others = _sort(table)
-    law = None if table.control is None else _law(table.control, elsewhere)
+    elsewhere = {"orbit": orbit, "field": None if orbit is None else _make_field(orbit, table.orbit)}
+    controlled, others = _sort_wheels(table)
+    law = None if table.control is None else _make_law(table.control, elsewhere)
     attitude, velocity, momentum = _start(spec, orbit)
     law = None if law is None else law.started(0.0, attitude)
     mounts: list[AbstractMount] = []
     rates: list[Array | None] = []
     if controlled and law is not None:
-        mounts.append(_controlled(controlled, law))
+        mounts.append(_make_controlled_wheels(controlled, law))
         rates.append(np.array([wheel.rate for wheel in controlled]))
     for place, wheel in others:
-        mounts.append(_named(f"wheel[{place}]", partial(_wheel, wheel)))
+        mounts.append(_make_at(f"wheel[{place}]", partial(_make_wheel, wheel)))
         rates.append(np.array(wheel.rate) if mounts[-1].state_size else None)
     for k, chosen in enumerate(table.mount):
         part = find_part(MOUNTS, chosen.type)
-        mounts.append(_named(f"mount[{k}]", partial(make_part, part, chosen.values, elsewhere)))
+        mounts.append(_make_at(f"mount[{k}]", partial(make_part, part, chosen.values, elsewhere)))
         rates.append(None)
     torques: list[AbstractTorque] = []
     for k, chosen in enumerate(table.torque):
         part = find_part(TORQUES, chosen.type)
-        torques.append(_named(f"torque[{k}]", partial(make_part, part, chosen.values, elsewhere)))
+        torques.append(_make_at(f"torque[{k}]", partial(make_part, part, chosen.values, elsewhere)))
     if table.control is not None and table.control.by == "torque" and law is not None:
-        torques.append(_named("control", partial(ControlTorque, law, table.control.limit)))
+        torques.append(_make_at("control", partial(ControlTorque, law, table.control.limit)))
     system = RigidBody.from_body(spec.body, mounts, torques)
     state = system.pack(attitude, velocity, momentum, rates)
     wheels = next((mount for mount in system.mounts if isinstance(mount, ControlledWheels)), None)
@@ -126,14 +126,14 @@ def usual_times(craft: Craft, spec: Spec[RigidBodyTable]) -> Float64[Array, "tim
     return np.linspace(0.0, span, spec.samples)
 
 
-def _field(orbit: KeplerOrbit, table: OrbitTable | None) -> EarthDipoleField | None:
+def _make_field(orbit: KeplerOrbit, table: OrbitTable | None) -> EarthDipoleField | None:
     """Return the Earth's field; None about another body, which has another one."""
     if table is None or table.gravitational_parameter != EARTH:
         return None
     return EarthDipoleField(orbit, table.greenwich)
 
 
-def _sort(table: RigidBodyTable) -> tuple[list[WheelTable], list[tuple[int, WheelTable]]]:
+def _sort_wheels(table: RigidBodyTable) -> tuple[list[WheelTable], list[tuple[int, WheelTable]]]:
     """Return the wheels under control, and the others with their places."""
     by_wheels = table.control is not None and table.control.by == "wheels"
     controlled, others = [], []
@@ -145,28 +145,28 @@ def _sort(table: RigidBodyTable) -> tuple[list[WheelTable], list[tuple[int, Whee
     return controlled, others
 
 
-def _law(table: ControlTable, elsewhere: dict[str, object]) -> AbstractControlLaw:
+def _make_law(table: ControlTable, elsewhere: dict[str, object]) -> AbstractControlLaw:
     part = find_part(LAWS, table.type)
-    return _named("control", partial(make_part, part, table.values, elsewhere))
+    return _make_at("control", partial(make_part, part, table.values, elsewhere))
 
 
-def _controlled(wheels: list[WheelTable], law: AbstractControlLaw) -> ControlledWheels:
+def _make_controlled_wheels(wheels: list[WheelTable], law: AbstractControlLaw) -> ControlledWheels:
     limits = {}
     for key in ("max_torque", "max_rate"):
         values = [getattr(wheel, key) for wheel in wheels]
         limits[key] = None if None in values else np.array(values)
     axes, moments = np.array([wheel.axis for wheel in wheels]), np.array([wheel.moment for wheel in wheels])
     friction = np.array([wheel.friction for wheel in wheels])
-    return _named("wheel", lambda: ControlledWheels(axes, moments, law, **limits, friction=friction))
+    return _make_at("wheel", lambda: ControlledWheels(axes, moments, law, **limits, friction=friction))
 
 
-def _wheel(wheel: WheelTable) -> AbstractMount:
+def _make_wheel(wheel: WheelTable) -> AbstractMount:
     if wheel.drive == "constant-rate":
         return HeldWheel(wheel.axis, wheel.moment, wheel.rate)
     return Wheel(wheel.axis, wheel.moment, motor=wheel.torque, friction=wheel.friction)
 
 
-def _named(place: str, make: Callable[[], Any]) -> Any:
+def _make_at(place: str, make: Callable[[], Any]) -> Any:
     """Return what is made, and put the place in the spec before what it refuses."""
     try:
         return make()

@@ -9,10 +9,9 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.systems.controlled_wheels import ControlledWheels, ControlTorque
+from polhode.systems.control_laws import AbstractLawActuator
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.rigid_body import RigidBody
-from polhode.systems.wheels import HeldWheel, Wheel
 from polhode.types import Array, Float64
 
 
@@ -68,23 +67,13 @@ def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: 
     assert body.attitude is not None or not system.needs_attitude
     velocity = system.velocity(states)
     parts = (*system.mounts, *system.torques)
-    law = next((part.law for part in parts if isinstance(part, ControlledWheels | ControlTorque)), None)
+    law = next((part.law for part in parts if isinstance(part, AbstractLawActuator)), None)
     target = None if law is None else law.target(times)
     from_target = lambda aim: None if aim is None else rotation.angle_between(aim, body.attitude)  # noqa: E731
     pointing, nadir = from_target(target), from_target(None if orbit is None else orbit.frame(times))
-    rates, motors = [], []
-    for mount, own in zip(system.mounts, body.mounts, strict=True):
-        if isinstance(mount, ControlledWheels):
-            rates.append(mount.rates(velocity, own))
-            motors.append(mount.motor_torques(times, body.attitude, velocity, own))
-        elif isinstance(mount, Wheel):
-            rate = mount.rate(velocity, own)
-            rates.append(rate[..., None])
-            friction = 0.0 if mount.friction is None else mount.friction * rate
-            motors.append((mount.axial_torque(times, body.attitude, velocity, own) + friction)[..., None])
-        elif isinstance(mount, HeldWheel):
-            rates.append(jnp.full((*times.shape, 1), mount.rate))
-            motors.append(jnp.zeros((*times.shape, 1)))
+    owned = list(zip(system.mounts, body.mounts, strict=True))
+    rates = [mount.rotor_rates(velocity, own) for mount, own in owned]
+    motors = [mount.motor_torques(times, body.attitude, velocity, own) for mount, own in owned]
     empty = jnp.zeros((*times.shape, 0))
     each = [jnp.linalg.norm(x, axis=-1)[..., None] for x in system.torques_apart(times, states)]
     return {

@@ -71,6 +71,18 @@ class AbstractTorque(AbstractAttachment):
         """
 
 
+class AbstractEnvironmentTorque(AbstractTorque):
+    """A torque by what surrounds the body: it depends on how the body is turned, and never jumps."""
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
+
+    @property
+    def needs_attitude(self) -> bool:
+        return True
+
+
 def torque_of(
     torque: AbstractTorque, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*batch n"],
     stored: Velocity,

@@ -9,8 +9,8 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.systems._checks import checked_number
 from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
-from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.torques.base import AbstractTorque
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -7,8 +7,8 @@ import jax.numpy as jnp
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.systems.free_rigid_body import checked_vector
-from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
+from polhode.systems._checks import checked_number, checked_vector
+from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.types import Array, ArrayLike, Float64, Real
 
 IGRF_2020 = (-1450.9e-9, 4652.5e-9, -29404.8e-9)

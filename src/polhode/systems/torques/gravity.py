@@ -16,13 +16,13 @@ from polhode.systems._symmetric import times
 from polhode.systems.attachments import Attitude, Own, Time, Velocity
 from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.kepler_orbit import KeplerOrbit
-from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
+from polhode.systems.torques.base import NEEDED, AbstractEnvironmentTorque, in_body
 from polhode.types import Array, ArrayLike, Float64, Real
 
 SAME = 1e-12  # relative, of an inertia that was turned to other axes and back
 
 
-class GravityGradient(AbstractTorque):
+class GravityGradient(AbstractEnvironmentTorque):
     """τ = 3 (GM/R³) R̂ × I R̂, with R̂ the direction of the attracting centre in body axes and GM/R³ = n² (a/r)³.
 
     The first term in the body's size over R. The orbit is not moved by it.
@@ -71,14 +71,6 @@ class GravityGradient(AbstractTorque):
         return self
 
     @property
-    def names_all_jumps(self) -> bool:
-        return True
-
-    @property
-    def needs_attitude(self) -> bool:
-        return True
-
-    @property
     def rate(self) -> Float64[Array, ""]:
         return self.orbit.mean_motion
 
@@ -109,24 +101,3 @@ class GravityGradient(AbstractTorque):
     ) -> Float64[Array, "*batch 3"]:
         """Return the angular velocity (…, 3) against the frame that turns with mean motion [rad/s, body axes]."""
         return angular_velocity - self.orbit.mean_motion * in_body(attitude, self.orbit.normal)
-
-    def jacobi_integral(
-        self, t: Real[ArrayLike, "*#batch"], attitude: Float64[Array, "*#batch 4"],
-        angular_velocity: Float64[Array, "*#batch 3"],
-    ) -> Float64[Array, "*batch"]:  # fmt: skip
-        """Return ½ w·Iw + (3/2) n² R̂·IR̂ − ½ n² ẑ·Iẑ (…) [J], which a circular orbit conserves.
-
-        It is H − n π_z of the inertial motion; w is the velocity relative to the orbit's frame and ẑ its normal.
-
-        Source: Hughes, *Spacecraft Attitude Dynamics*, ch. 9.
-        """
-        n = self.orbit.mean_motion
-        relative = self.relative_velocity(attitude, angular_velocity)
-        centre = in_body(attitude, self.orbit.direction(t))
-        normal = in_body(attitude, self.orbit.normal)
-        # H = ½ Ω·IΩ + V with V = (3/2) n² R̂·IR̂ but for a constant; less n ẑ·IΩ, with Ω = w + nẑ
-        if (inertia := self._inertia).ndim == 1:
-            squares = relative**2 + n**2 * (3.0 * centre**2 - normal**2)
-            return 0.5 * jnp.sum(inertia * squares, axis=-1)
-        turning, pull, about = (jnp.sum(x * times(inertia, x), axis=-1) for x in (relative, centre, normal))
-        return 0.5 * (turning + n**2 * (3.0 * pull - about))

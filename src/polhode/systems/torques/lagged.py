@@ -7,8 +7,8 @@ from collections.abc import Callable
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
+from polhode.systems._checks import checked_number
 from polhode.systems.attachments import Attitude, Own, Time, Velocity, checked_jumps
-from polhode.systems.kepler_orbit import checked_number
 from polhode.systems.torques.base import NEEDED, AbstractTorque
 from polhode.types import Array, ArrayLike, Float64, Real
 

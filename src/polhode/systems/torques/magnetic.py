@@ -8,19 +8,18 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.systems._checks import checked_directions, checked_number, checked_numbers, checked_vector
 from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
-from polhode.systems.free_rigid_body import checked_vector
-from polhode.systems.kepler_orbit import checked_number
-from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
+from polhode.systems.torques.base import NEEDED, AbstractEnvironmentTorque, in_body
 from polhode.systems.torques.earth_field import EarthDipoleField
 from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 LAWS = ("b-dot", "dump")
 
 
-class MagneticDipole(AbstractTorque):
+class MagneticDipole(AbstractEnvironmentTorque):
     """τ = m × B of a moment fixed in the body, as of a permanent magnet or what is left of currents.
 
     Args:
@@ -39,14 +38,6 @@ class MagneticDipole(AbstractTorque):
         self.field, self.moment = _checked_field(field), checked_vector("moment", moment)
 
     @property
-    def names_all_jumps(self) -> bool:
-        return True
-
-    @property
-    def needs_attitude(self) -> bool:
-        return True
-
-    @property
     def rate(self) -> Float64[Array, ""]:
         return self.field.orbit.mean_motion
 
@@ -57,7 +48,7 @@ class MagneticDipole(AbstractTorque):
         return jnp.cross(self.moment, in_body(attitude, self.field.field(t)))
 
 
-class TorqueRods(AbstractTorque):
+class TorqueRods(AbstractEnvironmentTorque):
     """τ = m × B of rods whose moment follows a law: "b-dot" stops tumbling, "dump" takes momentum out of wheels.
 
     b-dot: m = −k Ḃ, with Ḃ = Rᵀ dB/dt − Ω × B the exact rate of the field along the body: that which it has in space
@@ -109,15 +100,7 @@ class TorqueRods(AbstractTorque):
         self.gain = checked_number("gain", gain, above=0.0, unit="A m² s/T" if law == "b-dot" else "1/s")
         self.axes = checked_directions("axes", np.eye(3) if axes is None else axes)
         self.shares = jnp.asarray(np.linalg.pinv(np.asarray(self.axes)).T)
-        self.limit = None if limit is None else checked_limits("limit", limit, len(self.axes), "A m²")
-
-    @property
-    def names_all_jumps(self) -> bool:
-        return True
-
-    @property
-    def needs_attitude(self) -> bool:
-        return True
+        self.limit = None if limit is None else checked_numbers("limit", limit, len(self.axes), above=0.0, unit="A m²")
 
     @property
     def needs_stored(self) -> bool:
@@ -169,7 +152,7 @@ class TorqueRods(AbstractTorque):
         return jnp.cross(moment, in_body(attitude, self.field.field(t)))
 
 
-class EddyCurrents(AbstractTorque):
+class EddyCurrents(AbstractEnvironmentTorque):
     """τ = −k Ḃ × B of currents that the field drives in conducting parts of a body that turns in it.
 
     Ḃ = Rᵀ dB/dt − Ω × B is the field's rate along the body. Of a thin spherical shell of radius r, thickness d and
@@ -193,14 +176,6 @@ class EddyCurrents(AbstractTorque):
         self.field = _checked_field(field)
         self.coefficient = checked_number("coefficient", coefficient, least=0.0, unit="N m s/T²")
 
-    @property
-    def names_all_jumps(self) -> bool:
-        return True
-
-    @property
-    def needs_attitude(self) -> bool:
-        return True
-
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
     ) -> Float64[Array, "*batch 3"]:  # fmt: skip
@@ -208,41 +183,6 @@ class EddyCurrents(AbstractTorque):
         field = in_body(attitude, self.field.field(t))
         change = in_body(attitude, self.field.field_rate(t)) - jnp.cross(angular_velocity, field)
         return -self.coefficient * jnp.cross(change, field)
-
-
-def checked_directions(name: str, value: Real[ArrayLike, "count 3"]) -> Float64[Array, "count 3"]:
-    """Return directions (count, 3) of unit length.
-
-    Raises:
-        InvalidInput: for what is not a list of directions.
-    """
-    refuse_single_precision(**{name: value})
-    try:
-        rows = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        rows = np.zeros(0)
-    if rows.ndim != 2 or rows.shape[-1] != 3 or not len(rows) or not np.isfinite(rows).all():
-        raise InvalidInput(f"`{name}` must be a list of directions (n, 3), finite; got {shown(value)}.")
-    norms = np.linalg.norm(rows, axis=-1, keepdims=True)
-    if not (norms > 0).all():
-        raise InvalidInput(f"`{name}` has a direction of no length: {shown(rows.tolist())}. Leave it out.")
-    return jnp.asarray(rows / norms)
-
-
-def checked_limits(name: str, value: Real[ArrayLike, "*count"], count: int, unit: str) -> Float64[Array, "*count"]:
-    """Return a positive limit, one for all or (count,) for each.
-
-    Raises:
-        InvalidInput: for another number of them, or one that is not positive.
-    """
-    refuse_single_precision(**{name: value})
-    limits = np.asarray(value, dtype=float)
-    limits = limits.reshape(()) if limits.size == 1 else limits
-    if limits.shape not in ((), (count,)) or not (np.isfinite(limits).all() and (limits > 0).all()):
-        raise InvalidInput(
-            f"`{name}` must be one positive number [{unit}], or one for each of {count}; got {shown(value)}."
-        )
-    return jnp.asarray(limits)
 
 
 def _checked_field(field: EarthDipoleField) -> EarthDipoleField:

@@ -11,13 +11,11 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.systems._checks import checked_direction, checked_directions, checked_number, checked_vector
 from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
-from polhode.systems.free_rigid_body import checked_vector
-from polhode.systems.kepler_orbit import KeplerOrbit, checked_number
-from polhode.systems.mounts import checked_direction
-from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
+from polhode.systems.kepler_orbit import KeplerOrbit
+from polhode.systems.torques.base import NEEDED, AbstractEnvironmentTorque, in_body
 from polhode.systems.torques.earth_field import EARTH_ROTATION
-from polhode.systems.torques.magnetic import checked_directions
 from polhode.types import Array, ArrayLike, Float64, Real
 
 SUNLIGHT = 4.5391e-6
@@ -48,7 +46,7 @@ class Plates(eqx.Module):
     positions: Float64[Array, "n 3"]
 
 
-class AbstractSurfaceTorque(AbstractTorque):
+class AbstractSurfaceTorque(AbstractEnvironmentTorque):
     """Forces on plates, of which none shades another; a box is six plates.
 
     Each plate's force acts at its centre and depends on the cosine c between its normal and where the stream comes
@@ -56,14 +54,6 @@ class AbstractSurfaceTorque(AbstractTorque):
     """
 
     plates: eqx.AbstractVar[Plates]
-
-    @property
-    def names_all_jumps(self) -> bool:
-        return True
-
-    @property
-    def needs_attitude(self) -> bool:
-        return True
 
     @abc.abstractmethod
     def forces(

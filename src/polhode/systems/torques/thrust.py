@@ -10,8 +10,8 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.systems._checks import checked_vector
 from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
-from polhode.systems.free_rigid_body import checked_vector
 from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -1,0 +1,104 @@
+"""Checks of the numbers, vectors and directions that systems are made from."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.arrays import refuse_single_precision
+from polhode.errors import InvalidInput, shown
+from polhode.types import Array, ArrayLike, Float64, Real
+
+
+def checked_number(
+    name: str, value: float, above: float | None = None, least: float | None = None, unit: str = ""
+) -> Float64[Array, ""]:
+    """Return a finite number as an array.
+
+    Raises:
+        InvalidInput: for anything else, or one out of range.
+    """
+    refuse_single_precision(**{name: value})
+    number = _as_floats(value)
+    if number.shape != () or not _in_range(number, above, least):
+        rule = f"a finite number{_range(above, least, unit)}"
+        raise InvalidInput(f"`{name}` must be {rule}; got {shown(value)}. Check its size and sign.")
+    return jnp.asarray(number)
+
+
+def checked_numbers(
+    name: str, value: Real[ArrayLike, "*count"], count: int,
+    above: float | None = None, least: float | None = None, unit: str = "",
+) -> Float64[Array, "*count"]:  # fmt: skip
+    """Return finite numbers as an array: () of one for all, or (count,) of one for each.
+
+    Raises:
+        InvalidInput: for another number of them, or one out of range.
+    """
+    refuse_single_precision(**{name: value})
+    numbers = _as_floats(value)
+    numbers = numbers.reshape(()) if numbers.size == 1 else numbers
+    if numbers.shape not in ((), (count,)) or not _in_range(numbers, above, least):
+        rule = f"one finite number{_range(above, least, unit)}, or one for each of {count}"
+        raise InvalidInput(f"`{name}` must be {rule}; got {shown(value)}. Check their number, sizes and signs.")
+    return jnp.asarray(numbers)
+
+
+def checked_vector(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
+    """Return three finite numbers as an array.
+
+    Raises:
+        InvalidInput: otherwise.
+    """
+    refuse_single_precision(**{name: value})
+    vector = _as_floats(value)
+    if vector.shape != (3,) or not np.isfinite(vector).all():
+        raise InvalidInput(f"`{name}` must be three finite numbers; got {shown(value)}.")
+    return jnp.asarray(vector)
+
+
+def checked_direction(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
+    """Return a unit vector along a direction of any length.
+
+    Raises:
+        InvalidInput: for what is not three finite numbers, or has no direction.
+    """
+    direction = np.asarray(checked_vector(name, value))
+    if not (largest := np.abs(direction).max()) > 0:
+        raise InvalidInput(f"`{name}` must be a direction (3,); got (0, 0, 0).")
+    direction = np.ldexp(direction, -np.frexp(largest)[1])  # squares of extreme lengths overflow
+    return jnp.asarray(direction / np.linalg.norm(direction))
+
+
+def checked_directions(name: str, value: Real[ArrayLike, "count 3"]) -> Float64[Array, "count 3"]:
+    """Return unit vectors along directions of any length.
+
+    Raises:
+        InvalidInput: for what is not a list of directions.
+    """
+    refuse_single_precision(**{name: value})
+    rows = _as_floats(value)
+    if rows.ndim != 2 or rows.shape[-1] != 3 or not len(rows):
+        raise InvalidInput(f"`{name}` must be a list of directions (n, 3); got {shown(value)}.")
+    return jnp.asarray(np.stack([np.asarray(checked_direction(f"{name}[{k}]", row)) for k, row in enumerate(rows)]))
+
+
+def _as_floats(value: Any) -> np.ndarray:
+    """Return an array; of a value that is none of numbers, one that no check lets through."""
+    try:
+        return np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        return np.full((1, 1, 1, 1), math.nan)
+
+
+def _in_range(numbers: np.ndarray, above: float | None, least: float | None) -> bool:
+    low = (above is None or (numbers > above).all()) and (least is None or (numbers >= least).all())
+    return bool(np.isfinite(numbers).all() and low)
+
+
+def _range(above: float | None, least: float | None, unit: str) -> str:
+    words = (f" above {above:g}" if above is not None else "") + (f" not below {least:g}" if least is not None else "")
+    return words + (f" [{unit}]" if unit else "")
