@@ -8,6 +8,7 @@ are dropped from memory once a worker has grown large. Most time goes into compi
 without optimization. The sweeps, and what is compared with the oracle, compile as a user's program does.
 """
 
+import collections
 import contextlib
 import ctypes
 import gc
@@ -89,9 +90,12 @@ def pytest_runtest_setup(item):
 def pytest_collection_modifyitems(items):
     """Give every test a time limit: one that stands still fails instead of stopping the run.
 
-    Tests that need what this system lacks are skipped.
+    Tests that need what this system lacks are skipped; single cases that take long are told from the others.
     """
+    cases = collections.Counter()
     for item in items:
+        if is_long(item, cases):
+            item.add_marker(pytest.mark.long)
         if lacking := missing(item.function) if hasattr(item, "function") else ():
             item.add_marker(pytest.mark.skip(reason=f"this system has no {', '.join(lacking)}"))
         slow = item.get_closest_marker("sweep")
@@ -99,6 +103,15 @@ def pytest_collection_modifyitems(items):
         limit = MAX_SECONDS_OF_A_SWEEP if slow else MAX_SECONDS_IN_A_BROWSER if in_browser else MAX_SECONDS
         if item.get_closest_marker("timeout") is None:
             item.add_marker(pytest.mark.timeout(limit))
+
+
+def is_long(item, cases):
+    """Return whether this case of a test with parameters takes long; its function counts the cases before it."""
+    place, _, own = item.nodeid.partition("[")
+    cases[place] += 1
+    named = (name for mark in item.iter_markers("long_cases") for name in mark.args)
+    first = [mark.args[0] for mark in item.iter_markers("long_after")]
+    return any(own == f"{name}]" for name in named) or any(cases[place] > count for count in first)
 
 
 @pytest.fixture(autouse=True)

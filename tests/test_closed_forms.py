@@ -18,6 +18,7 @@ def momentum_at(moments, momentum, t):
     return ph.FreeMotion(moments, momentum=momentum).momentum(t)
 
 
+@pytest.mark.long_cases("axes0", "axes1")
 @pytest.mark.parametrize("axes", [(0, None, None), (None, 1, None), (None, None, 0), (0, 1, None), (0, 1, 0)])
 def test_vmap_over_any_axis_is_a_batch(axes):
     moments = MOMENTS + np.arange(4)[:, None] if axes[0] == 0 else MOMENTS
@@ -47,6 +48,7 @@ def test_a_compiled_loop_calls_it_at_every_turn():
     assert np.abs(np.asarray(total) - momentum_at(MOMENTS, MOMENTUM, times).sum(axis=0)).max() < 300 * SAME
 
 
+@pytest.mark.long
 def test_large_batches_in_flight_at_once():
     """JAX dispatches asynchronously; a callback that waited for JAX itself would stand still."""
     momentum = MOMENTUM * np.linspace(0.9, 1.1, 100_000)[:, None]
@@ -58,6 +60,7 @@ def test_large_batches_in_flight_at_once():
     assert np.abs(found[0] - wanted).max() < 10 * SAME
 
 
+@pytest.mark.long
 def test_both_ways_agree_on_one_component():
     """The smallest thing that can be compiled alone, with its derivative by time."""
     rate = lambda t: jax.value_and_grad(lambda t: momentum_at(MOMENTS, jnp.asarray(MOMENTUM), t)[0])(t)  # noqa: E731

@@ -154,6 +154,7 @@ def test_public_names_are_there():
         ph.nothing_of_the_kind  # noqa: B018
 
 
+@pytest.mark.long_cases("report on a free body")
 @pytest.mark.parametrize(
     ("code", "heavy"),
     [

@@ -83,6 +83,7 @@ def lacking_on_windows(tree):
         yield from sorted(MODULES_ON_POSIX_ALONE.intersection(names))
 
 
+@pytest.mark.long
 def test_sources_ask_before_they_use_what_windows_lacks():
     assert list(lacking_on_windows(ast.parse("import fcntl\nos.fork()"))) == ["fcntl", 'hasattr(os, "fork")']
     for path in sorted((ROOT / "src").rglob("*.py")):
@@ -133,6 +134,7 @@ for command in COMMANDS:
 """
 
 
+@pytest.mark.long
 def test_commands_work_without_what_windows_lacks(tmp_path):
     commands = [["new", "t_handle"], ["report", "t_handle.toml", "--html"], ["export", "t_handle.toml", "--to", "aem"],
                 ["import", "t_handle.aem"], ["compare", "t_handle.toml", "t_handle.aem"]]  # fmt: skip

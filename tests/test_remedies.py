@@ -128,6 +128,7 @@ def wrong_options(texts: Iterator[Text] | tuple[Text, ...]) -> list[str]:
     return found
 
 
+@pytest.mark.long
 def test_options_that_messages_name_are_there():
     """Of `polhode fit` on a C-kernel the remedy was --sclk, which it has not; a note advised --unit-acceleration."""
     assert wrong_options(catalogue()) == []
@@ -197,6 +198,7 @@ def all_names() -> frozenset[str]:
     return frozenset().union(*(names_in(path.relative_to(ROOT).as_posix()) for path in ROOT.rglob("*.py")))
 
 
+@pytest.mark.long
 def test_what_stands_in_backticks_is_a_name():
     every, wrong = set().union(*keys().values()), []
     for text in catalogue():

@@ -26,6 +26,7 @@ START = np.concatenate([[1.0, 0, 0, 0], MOMENTUM])
 TIMES = np.linspace(0.0, 5.0, 11)
 
 
+@pytest.mark.long
 def test_against_the_exact_motion():
     found = ph.simulate(body, START, TIMES)
     motion = ph.FreeMotion(MOMENTS, momentum=MOMENTUM)
@@ -36,6 +37,7 @@ def test_against_the_exact_motion():
     assert isinstance(found.states, np.ndarray)
 
 
+@pytest.mark.long
 def test_a_batch_is_its_members():
     many = np.stack([START, np.concatenate([[0.5, 0.5, 0.5, 0.5], [2.0, -1.0, 0.4]])]).reshape(2, 1, 7)
     both = ph.simulate(body, many, TIMES, step=0.02)
@@ -57,6 +59,7 @@ def test_defaults_go_with_the_system():
     assert orbit_solver(line, None, None).coordinates == "exp"
 
 
+@pytest.mark.long
 def test_steps_fit_between_uneven_samples_and_are_counted():
     found = ph.simulate(body, START, [0.0, 0.1, 0.35, 1.0], LieMidpoint, step=0.1)
     assert found.statistics["steps"] == 1 + 3 + 7
@@ -92,6 +95,7 @@ def test_equilibria_stay():
     assert np.abs(ph.simulate(well, near, TIMES, LieMidpoint, step=0.1).states - near).max() < 1e-14
 
 
+@pytest.mark.long
 def test_a_long_step_draws_a_warning():
     with pytest.warns(UserWarning, match="turns the fastest rotation by"):
         ph.simulate(body, START, np.array([0.0, 10.0]), step=2.0)
@@ -101,6 +105,7 @@ def test_a_long_step_draws_a_warning():
         ph.simulate(body, START, TIMES, step=2.0)  # samples are nearer than that
 
 
+@pytest.mark.long
 @pytest.mark.filterwarnings("ignore:a step of")
 def test_a_step_that_does_not_converge_says_so():
     with pytest.raises(NotConverged, match="shorter `step`"):
@@ -110,12 +115,14 @@ def test_a_step_that_does_not_converge_says_so():
     assert not np.isfinite(found.states[-1]).any()
 
 
+@pytest.mark.long
 def test_progress_is_shown_on_standard_error(capfd):
     ph.simulate(body, START, np.linspace(0.0, 1.0, 50), step=0.01, progress=True)
     out, err = capfd.readouterr()
     assert "100.00%" in err and not out
 
 
+@pytest.mark.long
 def test_as_dataset_and_netcdf(tmp_path):
     found = ph.simulate(body, START, TIMES)
     dataset = ph.as_dataset(found)
@@ -167,6 +174,7 @@ def test_bad_input(call, words):
         call()
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("copies", [(), (3,)])
 def test_a_trajectory_goes_on_to_the_same_bits(copies, tmp_path):
     """Through a file where there is one copy; without its memory the same steps end in other roundings."""

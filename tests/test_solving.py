@@ -64,6 +64,7 @@ def exactly_weighed(momentum):
     return np.sum(ph.FreeMotion(MOMENTS, momentum=momentum).momentum(TIMES) * WEIGHTS)
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("method", [Splitting, pytest.param(LieMidpoint, marks=pytest.mark.sweep), ADAPTIVE])
 def test_solve_is_simulate(method):
     """With a step or a tolerance, and with the default step of every copy of a batch."""
@@ -77,6 +78,7 @@ def test_solve_is_simulate(method):
         assert np.abs(found.end_state - found.saved[:, -1]).max() < SAME * np.abs(found.saved).max()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("method", first(2, METHODS))
 def test_derivatives_of_either_mode_are_those_of_the_closed_form(method):
     """Under jit of vmap."""
@@ -130,6 +132,7 @@ def test_derivatives_by_default_steps_and_second_ones():
         jax.eval_shape(jax.hessian(twice), start)
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize(("method", "every"), [(Splitting, 3), (ADAPTIVE, 2)])
 def test_every_nth_is_that_of_the_whole(method, every):
     whole, thin = solved(START, method), solved(START, method, save=every)
@@ -153,6 +156,7 @@ def test_a_function_of_the_states_is_that_of_saved_states(method):
     assert (found.saved["above"] == (whole[..., 1] > 0.0)).all() and found.received == {}
 
 
+@pytest.mark.long
 def test_a_fold_keeps_one_value_however_many_times_there_are():
     largest = ph.Fold(lambda value, t, L: jnp.maximum(value, L), jnp.full(3, -jnp.inf))
     few = solved(START, save=largest)
@@ -168,6 +172,7 @@ def test_a_fold_keeps_one_value_however_many_times_there_are():
     assert np.abs(slopes - wanted).max() < CLOSE
 
 
+@pytest.mark.long
 def test_every_copy_of_a_batch_ends_at_its_own_event():
     times = np.linspace(0.0, 1.7, 18)
     starts = np.array([[[1.0, 1.0], [1.0, 2.0], [0.3, 0.1], [1.0, 1.3]]])  # ground, ceiling, ground sooner, none
@@ -207,6 +212,7 @@ def test_derivatives_of_the_time_of_an_event():
         assert max(np.abs(found[k] - wanted[k]).max() for k in range(2)) < CLOSE
 
 
+@pytest.mark.long
 @pytest.mark.filterwarnings("ignore:a step of")
 def test_status_of_copies_of_equal_steps():
     states, times = np.array([0.1 * START, 20.0 * START]), [0.0, 10.0, 20.0]
@@ -218,6 +224,7 @@ def test_status_of_copies_of_equal_steps():
     assert np.abs(plain.end_state[0] - found.ends.state[0]).max() < SAME
 
 
+@pytest.mark.long
 def test_uneven_times_and_backwards():
     times = np.array([0.0, 0.05, 0.35, 1.0])
     found = ph.solve(BODY, START, times, MuntheKaas, step=STEP)
@@ -278,6 +285,7 @@ def body_in_three_parts():
     return BODY, np.stack([START, 3.0 * START]), None, {}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("given", first(1, [body_in_three_parts, fluid_in_three_parts]))
 def test_a_run_goes_on_from_what_was_saved_to_the_same_bits(given, tmp_path):
     system, state, method, more = given()

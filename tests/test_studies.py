@@ -26,6 +26,7 @@ def said_by(capsys, *arguments):
     return json.loads(capsys.readouterr().out)
 
 
+@pytest.mark.long
 def test_a_tumbler_is_that_of_the_command(capsys):
     found = ph.tumble("apophis", friction=Friction(340.0))
     said = said_by(capsys, "tumble", "apophis", "--diameter", "340 m")
@@ -65,6 +66,7 @@ def test_mistakes_name_the_argument(given, words, monkeypatch):
         ph.tumble(**given)
 
 
+@pytest.mark.long
 def test_a_report_on_a_spec_is_that_of_the_command(capsys, tmp_path):
     spec = EXAMPLES / "t_handle.toml"
     found = ph.report(spec)
@@ -80,6 +82,7 @@ def test_a_report_on_a_spec_is_that_of_the_command(capsys, tmp_path):
         found.figure("tilt")
 
 
+@pytest.mark.long
 def test_a_fit_is_that_of_the_command(capsys):
     found = ph.fit(EXAMPLES / "phone_throw.csv", moment="I3 = 1.2e-4 kg m^2")
     said = said_by(capsys, "fit", EXAMPLES / "phone_throw.csv", "--moment", "I3 = 1.2e-4 kg m^2")
@@ -129,6 +132,7 @@ def by_files_history(spec):
     return ph.analysis.AttitudeHistory("samples", np.asarray(moved.times), np.asarray(moved.attitude))
 
 
+@pytest.mark.long
 def test_levels_and_lines_are_those_of_the_commands(capsys, tmp_path):
     water = EXAMPLES / "water_spectrum.toml"
     for found, arguments in ((ph.levels(water, j_max=3), ("levels", water, "--j-max", 3)),
@@ -146,6 +150,7 @@ def test_levels_and_lines_are_those_of_the_commands(capsys, tmp_path):
         ph.spectrum(water, dipole=(1.0, 2.0))
 
 
+@pytest.mark.long
 def test_nothing_is_saved_over_what_was_read(tmp_path):
     for name in ("t_handle.toml", "t_handle.stl", "phone_throw.csv", "water.xyz"):
         shutil.copy(EXAMPLES / name, tmp_path / name)
@@ -225,6 +230,7 @@ def test_a_spec_of_another_body_is_told(tmp_path):
                    ph.compare(tmp_path / "one.nc", tmp_path / "one.nc", spec=tmp_path / "one.toml").notes)  # fmt: skip
 
 
+@pytest.mark.long_cases("report")
 @pytest.mark.parametrize("command", ["body", "report"])
 def test_every_json_has_the_same_keys(command, capsys, tmp_path):
     (tmp_path / "box.toml").write_text(

@@ -172,6 +172,7 @@ def without_shape(annotation):
                for node in ast.walk(annotation))  # fmt: skip
 
 
+@pytest.mark.long
 def test_annotations_can_be_read_at_run_time():
     """jaxtyping takes one that it cannot read for `Any`, without a word."""
     idle = []

@@ -100,6 +100,7 @@ def test_bad_input():
         lie.polynomial_casimirs(lie.from_structure_constants(irrational), 2)
 
 
+@pytest.mark.long
 def test_su4_ends_soon_as_its_equations_fall_apart():
     """As one matrix of 11,554 × 3,060 it took minutes, in one call that no signal gets through."""
     assert [c.degree for c in lie.polynomial_casimirs(lie.SU(4), 4)] == [2, 3, 4]
@@ -131,6 +132,7 @@ def square(x):
     return 2.0 * x[1] * x[3] - x[2] ** 2
 
 
+@pytest.mark.long
 def test_an_algebra_of_ones_own_finds_its_casimirs_or_takes_those_given():
     assert lie.from_structure_constants(ENGEL).casimir_names == ("x4", "2 x2 x4 − x3²")
     last = lie.polynomial_casimirs(lie.from_structure_constants(ENGEL), 1)
@@ -178,6 +180,7 @@ def test_without_flint_or_simple_fractions_none_are_watched(monkeypatch):
     assert lie.from_structure_constants(3.0 * ENGEL, casimirs=[square]).casimir_names == ("C1",)
 
 
+@pytest.mark.long
 def test_a_basis_that_depends_over_the_complex_numbers_acts_as_it_should():
     """B and iB: group elements were read off over the complex numbers, with half of each component."""
     basis = np.concatenate([lie.SL(2).basis, 1j * lie.SL(2).basis])

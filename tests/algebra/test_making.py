@@ -109,6 +109,7 @@ def test_weights_that_are_refused(weights):
         lie.Power(lie.SO3(), 3, weights)
 
 
+@pytest.mark.long
 def test_weights_are_the_strengths_of_vortices():
     """Unit vectors whose weights are Γ move as μ = Γx of the vortices do; with other weights they do not."""
     strengths = np.array([1.0, -0.7, 0.4])
@@ -133,6 +134,7 @@ def test_wrong_shapes_are_named():
         lie.SL(2).cayley(np.zeros((2, 2)))
 
 
+@pytest.mark.long
 def test_single_precision_set_on_purpose_is_refused():
     run = subprocess.run(
         [sys.executable, "-c", "import polhode.algebra"], env=os.environ | {"JAX_ENABLE_X64": "0"},

@@ -232,6 +232,7 @@ def test_vortex_rings_on_both_sides_of_their_threshold(n, critical):
 
 # ---------------------------------------------------------------------- scales
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", first(1, [1e200, 1e-200, 1e152, 1e-152]))
 def test_sizes_far_from_one(size):
     for axis, verdict in enumerate(("stable", "unstable", "stable")):

@@ -17,6 +17,7 @@ def spin(along_x, along_z):
     return ph.systems.LiePoisson(SO3, lambda m: -0.5 * m[2] ** 2 - along_x * m[0] - along_z * m[2])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("across", first(1, [0.3, 0.05, 0.8]))
 def test_folds_lie_on_the_astroid(across):
     """Stoner & Wohlfarth, Phil. Trans. R. Soc. A 240 (1948) 599: |h_x|^⅔ + |h_z|^⅔ = 1."""
@@ -49,6 +50,7 @@ def test_a_rotor_makes_the_middle_axis_stable_by_a_pitchfork():
             assert np.abs(branch.points[:, 1] - 2.0 * branch.values).max() < 1e-9
 
 
+@pytest.mark.long
 def test_a_top_falls_asleep_by_a_hamiltonian_hopf_bifurcation():
     """An upright top is unstable above mgl = (I3 ω)²/(4 I1); its circle of rests that lean is one branch."""
     make = lambda mgl: ph.systems.HeavyTop((1.0, 1.0, 0.5), mgl)  # noqa: E731
@@ -58,6 +60,7 @@ def test_a_top_falls_asleep_by_a_hamiltonian_hopf_bifurcation():
     assert np.abs(one.point - [0.0, 0.0, 2.0, 0.0, 0.0, 1.0]).max() < 1e-9 and len(found.branches) == 3
 
 
+@pytest.mark.long
 def test_branches_that_cross_and_fold():
     """On the circle x = cos θ, y = sin θ rests lie at θ = 0, π and where b = 1 − .9 sin θ − 1/cos θ."""
     def make(b):

@@ -19,6 +19,7 @@ def test_angles_to_axes():
     assert analysis.angle_to_axis((3.0, 0.0, -4.0), 0) == pytest.approx(math.atan2(4.0, 3.0), rel=1e-15)
 
 
+@pytest.mark.long
 def test_drag_leaves_one_e_th():
     """Linear drag about a principal axis: Ω = Ω0 exp(−t/T); a quadratic one is as strong only at first."""
     body = systems.TorquedBody((1.0, 2.0, 3.0), [systems.LinearDrag(0.5)])
@@ -32,6 +33,7 @@ def test_drag_leaves_one_e_th():
         analysis.drag_time_constant(1.0, 2.0)
 
 
+@pytest.mark.long
 def test_a_body_has_settled_by_its_time():
     """From 1e-3 off the least axis it leaves, turns over and approaches the major one, to 6e-6 of a radian or so."""
     moments, momentum = np.array([1.0, 2.0, 3.0]), 2.0 * np.array([1.0, 1e-3, 0.0])

@@ -16,6 +16,7 @@ DISK = systems.EulerDisk(M, A)
 LOSING = systems.EulerDisk(M, A, dissipation=[systems.AirLayer(1.8e-4), systems.ViscousContourFriction(2e-6)])
 
 
+@pytest.mark.long
 def test_the_state_has_the_rates_that_were_asked_for():
     """φ̇ = ω2/sin θ, and what is printed on the face turns by ψ̇ + φ̇ = ω3 + φ̇ (1 − cos θ)."""
     state = DISK.state(0.3, 0.7, 11.0, 2.0, 0.4)
@@ -57,6 +58,7 @@ def test_times_of_rolling():
     assert analysis.rolling_period(DISK, state) == pytest.approx(float(swing), rel=1e-14)
 
 
+@pytest.mark.long
 def test_each_law_takes_what_its_formula_says():
     tilt, rate = mpmath.mpf("0.1"), mpmath.mpf("80")
     state = LOSING.state(0.1, 0.0, 80.0, 0.0)
@@ -80,6 +82,7 @@ def test_exponents_of_one_law_satisfy_its_balance():
         assert precession == pytest.approx(tilt * by_tilt, abs=1e-15)
 
 
+@pytest.mark.long
 def test_turns_are_counted_by_the_contact():
     start = DISK.rolling_state(0.2)
     turn = 2.0 * np.pi / float(DISK.precession(start))
@@ -100,6 +103,7 @@ def test_turns_are_counted_by_the_contact():
         analysis.rolling_path(DISK, start, 0.0, 5)
 
 
+@pytest.mark.long
 def test_a_motion_that_ends_early_is_filled():
     """Falling over, it lies flat long before the times are over; all samples then lie before that."""
     start = DISK.state(0.05, -0.5, 0.0, 0.0)

@@ -36,6 +36,7 @@ def test_a_free_body_is_where_elliptic_functions_say(momentum):
     assert found.exact and all(holds(found, truth)), found
 
 
+@pytest.mark.long
 def test_a_top_is_where_elliptic_functions_say():
     moments, weight, momentum, t = (1.0, 1.0, 0.5), 0.75, (0.3, 0.2, 1.5), 4.0
     top = ph.systems.HeavyTop(moments, weight)
@@ -103,6 +104,7 @@ def test_what_rests_is_where_it_was():
     assert (found.states == 0.0).all() and found.radii.max() < 1e-15
 
 
+@pytest.mark.long
 def test_complex_states_and_other_directions_of_time():
     system = ph.systems.LiePoisson(ph.algebra.SU(2), lambda m: jnp.real(1j * (m[..., 0, 0] - m[..., 1, 1])))
     start = np.asarray(ph.algebra.SU(2).from_dual_vector(np.array([0.3, 0.4, 0.5])))

@@ -30,6 +30,7 @@ def test_symmetric_bodies_have_closed_forms(tilt):
     assert flat_spin_time((1.0, 1.0, 2.0), L, 0.01) == pytest.approx(oblate, rel=1e-9)
 
 
+@pytest.mark.long_cases("L0", "L1")
 @pytest.mark.parametrize("L", [LONG, SHORT, np.array([0.2, 0.9, 0.6])])
 def test_it_is_the_integral_over_the_energy(L):
     """∫ dE/(α⟨|L × Ω|²⟩), the means by quadrature over the angle φ about the encircled axis, dt = dφ/φ̇."""
@@ -70,6 +71,7 @@ def test_means_of_products_of_jacobi_functions(m):
     assert [float(each[0]) for each in found] == pytest.approx([float(cs), float(sd), float(cd)], rel=2e-14)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("L", first(1, [LONG, SHORT, np.array([1.0, 1e-3, 2e-3])]))
 def test_motions_with_weak_losses_take_that_long(L):
     rate, body = 1e-3, (1.0, 2.0, 3.0)

@@ -72,6 +72,7 @@ def test_changes_about_the_middle_axis_grow_at_the_known_rate():
     assert abs(np.abs(np.linalg.eigvals(M)).max() - np.exp(3.0**-0.5 * T)) < 1e-12
 
 
+@pytest.mark.long
 def test_derivatives_of_complex_states():
     """A spin of su(2) in matrices, whose precession about z turns changes as it turns the spin."""
     system = ph.systems.LiePoisson(ph.algebra.SU(2), lambda m: jnp.real(1j * (m[..., 0, 0] - m[..., 1, 1])))

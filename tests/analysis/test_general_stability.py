@@ -14,6 +14,7 @@ BESIDE = 1e-8  # relative distance from a threshold at which the verdict must al
 RATE = 1e-9
 
 
+@pytest.mark.long_cases("moments2")
 @pytest.mark.parametrize(
     "moments",
     [(1.0, 2.0, 3.0), (3.0, 1.0, 2.0), (1.0, 1.0, 2.0), (1.0, 2.0, 2.0), (2.0, 2.0, 2.0), (1.0, 1.000001, 2.0)],
@@ -31,6 +32,7 @@ def sleeping(spin, I1=1.0, I3=0.5, weight=1.0):
     return ph.stability(top, np.array([0, 0, I3 * spin, 0, 0, 1.0]), [lambda point: point[2]])
 
 
+@pytest.mark.long
 def test_sleeping_top_at_its_threshold():
     threshold = 2.0 * np.sqrt(1.0 * 1.0) / 0.5
     assert sleeping(threshold * (1 + BESIDE)).verdict == "stable"
@@ -48,6 +50,7 @@ def test_sleeping_top_without_its_integral_is_undecided():
     assert found.verdict == "undecided" and "gyroscopic" in found.certificate
 
 
+@pytest.mark.long
 def test_hanging_body_is_stable_and_turned_over_it_is_not():
     for sign, verdict in ((-1.0, "stable"), (1.0, "unstable")):
         body = systems.BodyInPotential((1.0, 2.0, 3.0), lambda up: 0.7 * up[2])
@@ -62,6 +65,7 @@ def pair(anisotropy):
     return systems.LiePoisson(lie.Power(lie.SO3(), 2), energy, {"Sz": lambda s: s[0, 2] + s[1, 2]})
 
 
+@pytest.mark.long
 def test_spin_pair_on_both_sides_of_its_thresholds():
     down = np.array([[0, 0, 1.0], [0, 0, -1.0]])
     assert ph.stability(pair(1.0 + BESIDE), down).verdict == "stable"
@@ -129,6 +133,7 @@ def test_four_dimensional_body_at_a_threshold():
     assert ph.stability(*case(high * (1 + BESIDE))).verdict == "stable"
 
 
+@pytest.mark.long
 def test_relative_equilibrium_of_a_symmetric_top():
     """Steady precession at angle θ: mgl = Ω (I3 ω3 − I1 Ω cos θ), stable by reduction of the turn about the axis."""
     I1, I3, weight, theta = 1.0, 0.5, 1.0, np.radians(60)
@@ -155,6 +160,7 @@ def test_constants_algebra_finds_its_own_casimirs():
     assert "x1² + x2² + x3²" in found[0].certificate
 
 
+@pytest.mark.long
 def test_equilibria_of_the_free_body_are_the_axes():
     found = ph.find_equilibria(systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.3, 1.8, 1.5]))
     size = np.linalg.norm([0.3, 1.8, 1.5])

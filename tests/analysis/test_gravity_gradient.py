@@ -25,6 +25,7 @@ def imaginary(stability, n):
     return np.sort(spectrum.imag[(spectrum.imag > 1e-6) & (np.abs(spectrum.real) < 1e-6)])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("moments", BODIES)
 def test_rates_are_those_of_the_differentiated_equations(moments):
     """The closed forms against exponents of the Lie–Poisson equations, which JAX differentiates."""
@@ -90,6 +91,7 @@ def test_a_spin_that_circulates_has_no_libration():
         libration_period(SpinOrbit(1.3, 0.1, 1.0), (0.2, 1.0))
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize(("transverse", "axial", "spin"), SPINS)
 def test_spinning_rests_by_the_differentiated_equations(transverse, axial, spin):
     n = 0.0011
@@ -101,6 +103,7 @@ def test_spinning_rests_by_the_differentiated_equations(transverse, axial, spin)
             np.testing.assert_allclose(imaginary(verdict, n), np.sort(rest.rates) / n, rtol=1e-6)
 
 
+@pytest.mark.long
 def test_their_axes_rest_in_an_integrated_motion():
     """Each axis stays within 1e-9 over an orbit, of a start that only it and the spin determine."""
     A, C, n, s = 1.0, 1.8, 1.0, 0.3

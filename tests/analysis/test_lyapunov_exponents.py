@@ -36,6 +36,7 @@ PUBLISHED = (0.905630, 0.0, -14.572297)
 """Sprott, *Chaos and Time-Series Analysis* (2003), appendix A.5.1."""
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("branched", first(1, [False, True]))
 def test_published_exponents(branched):
     """Also of one that is moved by steps of diffrax; the sum is the divergence, the same everywhere."""
@@ -45,6 +46,7 @@ def test_published_exponents(branched):
     assert found.growth.shape == (len(found.times), 3) and (found.growth[-1] == found.exponents).all()
 
 
+@pytest.mark.long
 def test_of_linear_rates_they_are_the_real_parts_of_eigenvalues():
     found = lyapunov(Sink(), [1.0, 1.0, 1.0], (0.0, 200.0))
     assert np.abs(found.exponents - (-0.3, -0.3, -1.0)).max() < 0.01 and not found.is_chaotic
@@ -52,6 +54,7 @@ def test_of_linear_rates_they_are_the_real_parts_of_eigenvalues():
     assert abs(backwards.exponents[0] - 1.0) < 0.1
 
 
+@pytest.mark.long
 def test_of_a_hamiltonian_system_they_come_in_pairs():
     top = ph.systems.HeavyTop((1.0, 2.0, 3.0), 1.0, (0.0, 0.6, 0.8))
     found = lyapunov(top, [0.5, 1.0, 2.0, 0.0, 0.0, 1.0], (0.0, 3000.0))
@@ -60,6 +63,7 @@ def test_of_a_hamiltonian_system_they_come_in_pairs():
     assert (np.abs(found.exponents[1:-1]) < found.errors[1:-1]).all()
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize(
     ("system", "state"),
     [
@@ -73,6 +77,7 @@ def test_regular_motion_is_not_told_from_zero(system, state):
         assert not found.is_chaotic and (np.abs(found.exponents) < found.errors).all()
 
 
+@pytest.mark.long
 def test_a_chain_whose_ends_are_free_comes_to_rest_by_the_gaps_of_its_spectrum():
     """Particles of Toda's chain fly apart with the eigenvalues of L (Moser 1975); couplings vanish as e^−gap t."""
     system, start = ph.systems.Toda(3), np.array([0.5, -0.2, 0.3, 0.8, 1.2])

@@ -42,6 +42,7 @@ def test_closed_form_of_one_plane():
         np.testing.assert_allclose(np.sort_complex(found[0, 2, k] ** 2), [square, square], atol=1e-15)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("size", "planes"), first(1, [(4, {"p14": 1.0, "p23": 0.4}), (5, {"p15": 1.0, "p24": -0.8})]))
 def test_all_exponents_are_those_of_the_linearised_motion(size, planes):
     body = Manakov(np.linspace(1.0, 4.0, size) ** 1.2)
@@ -59,6 +60,7 @@ def test_all_exponents_are_those_of_the_linearised_motion(size, planes):
         assert np.abs(whole - value).min() < 1e-8
 
 
+@pytest.mark.long_cases("0.96-stable")
 @pytest.mark.parametrize(("ratio", "verdict"), [(0.96, "stable"), (0.95, "unstable")])
 def test_a_rotation_in_the_inner_plane_holds_the_outer(ratio, verdict):
     M = rotations(4, p14=1.0, p23=ratio)

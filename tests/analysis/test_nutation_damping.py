@@ -55,6 +55,7 @@ def slug_loss(J, c, felt, nutation):
     return c * felt**2 * lag**2 / (1.0 + lag**2)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("spins", "rubs"),
     [((0.0, 6.0), (0.02, 1e-9)), ((0.0, 6.0), (1e-9, 0.005)), ((0.0, 6.0), (0.02, 0.002)), ((2.0, -7.0), (0.02, 4e-3))],
@@ -72,6 +73,7 @@ def test_dampers_on_both_sides(spins, rubs):
     assert expected.stable == (slope < 0.0)
 
 
+@pytest.mark.long
 def test_the_wrong_rate_would_be_seen():
     """With the spin in place of the felt rate λ₀ − ω a rotor's damper would calm, and the motion says it raises."""
     A, C, spins, c, J = 10.0, (8.0, 4.0), (0.0, 6.0), 0.005, 0.01
@@ -135,6 +137,7 @@ def test_a_light_mass_on_a_spring(A, C, frequency):
     assert mode.real == pytest.approx(-1.0 / time, rel=1e-3)
 
 
+@pytest.mark.long
 def test_a_mass_on_a_spring():
     A, C, frequency = 8.0, 12.0, 2.4
     w, mass, radius, damping = 4.0, 0.01, 0.8, 0.1

@@ -64,6 +64,7 @@ def twisted(mu, along, rest):
 BESIDE = {"branch point": (splitting, 1, 1e-5), "period doubling": (twisted, 2, 1e-8), "torus": (shedding, 2, 1e-8)}
 
 
+@pytest.mark.long
 def test_a_cycle_grows_as_it_should():
     """r² = μ, with the multiplier e^(−2 μ T)."""
     found = continue_periodic(lambda mu: Cycle(mu, growing), (0.1, 0.3), [0.31, 0.0], 3.1)
@@ -74,6 +75,7 @@ def test_a_cycle_grows_as_it_should():
         assert np.abs(np.sort(motion.multipliers.real) - [np.exp(-2.0 * value * np.pi), 1.0]).max() < EXACT
 
 
+@pytest.mark.long
 def test_a_branch_goes_round_its_fold():
     """f = μ + r² − r⁴: cycles on r² = ½ ± ½ √(1 + 4 μ), which meet at μ = −¼."""
     outer = np.sqrt(0.5 + 0.5 * np.sqrt(0.6))
@@ -84,6 +86,7 @@ def test_a_branch_goes_round_its_fold():
     assert abs(np.sum(found.motions[-1].state ** 2) - (0.5 - 0.5 * np.sqrt(0.6))) < EXACT and found.values[-1] == -0.1
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", first(1, BESIDE))
 def test_bifurcations_are_found_where_they_are(kind):
     beside, count, near = BESIDE[kind]
@@ -92,12 +95,14 @@ def test_bifurcations_are_found_where_they_are(kind):
     assert found.verdicts[0] == "spectrally stable" and found.verdicts[-1] == "unstable"
 
 
+@pytest.mark.long
 def test_a_branch_that_is_not_halved_is_seen(monkeypatch):
     monkeypatch.setattr(periodic_branches, "HALVINGS", 3)
     with pytest.raises(AssertionError):
         test_bifurcations_are_found_where_they_are("torus")
 
 
+@pytest.mark.long
 def test_the_free_body_at_held_energy_and_momentum():
     """Periods of the closed form, of the same |L| and energy all along."""
     make = lambda third: systems.FreeRigidBody((1.0, 2.0, third))  # noqa: E731
@@ -142,6 +147,7 @@ def test_a_motion_of_one_value_alone_is_refused():
         continue_periodic(make, (1.0, 1.1), [0.3, 0.0, 2.0, 0.6, 0.0, 0.8], 3.0)
 
 
+@pytest.mark.long
 def test_no_system_outside_of_the_range_is_asked_for_at_its_beginning():
     def make(mu):
         if mu < 0.1:

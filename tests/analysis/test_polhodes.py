@@ -50,6 +50,7 @@ def test_levels_of_a_gyrostat(rotor):
     assert gaps.min(axis=1).max() < ON_LEVEL
 
 
+@pytest.mark.long
 def test_saddles_separate():
     assert saddle_energies(MOMENTS, np.zeros(3), 2.0) == pytest.approx([1.0], rel=1e-12)
     rotor = np.array([0.1, 0.2, 0.4])

@@ -47,6 +47,7 @@ def test_exponents_stand_beside_what_they_were_compared_with():
         assert found.reason.all_negative == (verdict == "stable")
 
 
+@pytest.mark.long
 def test_what_is_left_open_says_by_how_much():
     system, point, options, _ = UNDECIDED["a balance of gyroscopes"]
     found = ph.stability(system, point, **options).reason
@@ -61,6 +62,7 @@ def test_what_is_left_open_says_by_how_much():
     assert isinstance(found, reasons.NoCombination) and found.allowed < found.residual == pytest.approx(1.0)
 
 
+@pytest.mark.long
 def test_a_leaf_s_own_extremum_has_its_dimension_and_neighbours():
     """The leaf of se(3)* through Π = e3, P = 0 is the sphere of Π's, of dimension 2, and singular."""
     found = ph.stability(fluid, np.eye(6)[2])
@@ -72,6 +74,7 @@ def test_a_leaf_s_own_extremum_has_its_dimension_and_neighbours():
         borel(), np.random.default_rng(1).normal(size=5)))  # fmt: skip
 
 
+@pytest.mark.long
 def test_restrictions_name_what_they_leave_out():
     top = systems.BodyInPotential((1.0, 1.0, 0.5), lambda up: up[2])
     tilted = np.array([0.0, 0.0, 0.0, 0.0, 0.0, -1.0])
@@ -106,6 +109,7 @@ def test_of_a_circle_and_a_sphere_of_rests():
     assert isinstance(first_method(np.zeros((0, 0))).reason, reasons.LeafIsPoint)
 
 
+@pytest.mark.long
 def test_words_for_people_have_no_formula_and_say_which_extremum():
     least, middle, largest = (found.words for found in analysis.axis_stability((1.0, 2.0, 3.0), 2.5))
     assert "energy is at its greatest" in least and "internal loss" in least

@@ -59,6 +59,7 @@ def test_thresholds_of_upright_motion():
         assert ph.stability(thin, thin.rolling_state(UPRIGHT, side * spin, 0.0)).verdict == wanted
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("thickness", first(1, [0.2, 0.0, 1.0]))
 def test_energy_and_spectrum_agree(thickness):
     """Verdicts of the energy on the integrals' level, and exponents of the field, on many steady motions."""

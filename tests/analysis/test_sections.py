@@ -38,6 +38,7 @@ def test_zeros_close_together_and_many():
     assert (few.times == found.times[:7]).all() and few.states.shape == (7, 3)
 
 
+@pytest.mark.long
 def test_a_chaotic_top_is_that_of_close_samples():
     top = systems.HeavyTop((1.0, 2.0, 3.5), 1.3, (0.6, 0.0, 0.8))
     start = top.pack(attitude=(1.0, 0.0, 0.0, 0.0), angular_velocity=(0.3, 1.0, 0.1))

@@ -49,6 +49,7 @@ def false_verdicts(name, seeds, places=PLACES):
     return counts, [text for text in wrong if text]
 
 
+@pytest.mark.long
 def test_a_few_where_nothing_moves_on_the_leaf():
     """Each of these ended in "cannot reshape array of size 0 into shape (0)"."""
     counts, wrong = false_verdicts("Heisenberg", range(1, 4))
@@ -65,6 +66,7 @@ def test_many_points_of_every_kind(name):
     assert sum(n for (place, verdict), n in counts.items() if verdict == "undecided") < 0.6 * 3 * SWEEP
 
 
+@pytest.mark.long
 def test_a_leaf_of_one_point_says_so():
     """Lyapunov's stability is proved on the leaf, and for all neighbours where the group is compact."""
     weights = jnp.arange(1.0, 4.0)

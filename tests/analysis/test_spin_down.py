@@ -40,6 +40,7 @@ CASES = [
 ]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("law", "coefficient", "exponent", "decades"), only(CASES[:1], CASES), ids=[case[0].__name__ for case in CASES]
 )
@@ -109,6 +110,7 @@ def test_drilling_alone_has_no_end():
         spin_down(disk, start)
 
 
+@pytest.mark.long
 def test_foretold_ends_are_those_of_the_literature():
     """Thin uniform disk, one law at a time, to first order in the tilt."""
     m, a, g, tilt = MASS, RADIUS, GRAVITY, 1e-4

@@ -16,6 +16,7 @@ MEAN = 1e-10  # of θ̇/n by weighted means over thousands of orbits
 SEEN = 2e-3  # relative, by which the largest of thousands of samples falls short of the amplitude
 
 
+@pytest.mark.long
 def test_a_pendulum_that_turns_over():
     """On a circle φ = 2(θ − nt) is a pendulum of frequency n ω0; beyond its separatrix <φ̇> = π k n ω0/K(1/k)."""
     n, asphericity = 2.5e-6, 0.3
@@ -38,6 +39,7 @@ def test_a_pendulum_that_swings():
     assert found is not None and found.amplitude == pytest.approx(math.asin(0.2 / 0.3), rel=SEEN)
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize(("order", "middle"), first(2, [(0.5, 90.0), (1.0, 0.0), (1.5, 0.0), (2.0, 0.0)]))
 def test_each_resonance_holds_a_spin_about_its_stable_angle(order, middle):
     """H(1/2) alone is negative, its spins across the periapsis; published by Goldreich & Peale (1966)."""
@@ -80,6 +82,7 @@ def test_verdicts_on_growth_made_by_hand():
     assert [_verdict(line + x) for x in (late, 12.0)] == ["undecided"] * 2
 
 
+@pytest.mark.long
 def test_no_chaos_where_there_is_none():
     """At the pendulum's upper rest neighbours part exponentially for ever; it is not chaotic."""
     found = spin_motion(SpinOrbit(0.3, 0.0), [0.5 * np.pi, 1.0], 1000)

@@ -52,6 +52,7 @@ def test_the_map_has_order_six():
     assert np.abs(slopes - 6.0).max() < 0.6 and errors[-1] > 1e-11
 
 
+@pytest.mark.long
 def test_the_map_keeps_area_in_chaos_too():
     rng = np.random.default_rng(4)
     states = np.stack([rng.uniform(-np.pi, np.pi, 40), rng.uniform(0.0, 3.0, 40)], axis=-1)
@@ -87,6 +88,7 @@ def fixed_point(system):
     return [0.0, rate]
 
 
+@pytest.mark.long
 def test_hyperion_tumbles_in_its_plane():
     """Wisdom, Peale & Mignard (1984): for ω0 = 0.89, e = 0.1 one large chaotic zone, its exponent about 0.1 n."""
     chaotic = np.array([[np.pi / 2, 1.0], [0.8, 0.5], [0.0, 1.5]])

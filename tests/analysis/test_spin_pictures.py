@@ -9,6 +9,7 @@ from polhode.errors import InvalidInput
 from polhode.systems import Bond, Lattice, SpinLattice, exchange_matrix
 
 
+@pytest.mark.long
 def test_lines_lie_on_the_dispersion_and_the_sum_rule_holds():
     """With chirality, so that a wrong sign of q or ω would show."""
     count = 16

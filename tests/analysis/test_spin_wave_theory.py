@@ -42,6 +42,7 @@ def spiral(count=6):
     return np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=-1)[:, None, None, None]
 
 
+@pytest.mark.long
 def test_chiral_spiral():
     """tan(pitch) = D/J; the three modes of a cell of six are those of the turning frame at k + n·60°."""
     d = np.tan(np.pi / 3)

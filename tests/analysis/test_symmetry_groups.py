@@ -56,6 +56,7 @@ def test_rings_beyond_grow_as_boatto_and_cabral_say(count, colatitude):
     assert found.rate == pytest.approx(growth(count, colatitude), rel=1e-9)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("count", "bound"), sparing((4, 1.0 / 3.0), (5, 0.5), (6, 0.8)))
 def test_thresholds_of_rings(count, bound):
     system = vortices(count)
@@ -64,12 +65,14 @@ def test_thresholds_of_rings(count, bound):
     assert (found.below.verdict, found.above.verdict) == ("stable", "unstable")
 
 
+@pytest.mark.long
 def test_without_momentum_all_turns_are_divided_out():
     found = stability(vortices(4), TETRAHEDRON, MOMENTUM)
     assert (found.verdict, found.restriction) == ("stable", "up to the flows of J1, J2, J3")
     assert stability(vortices(4), ring(4, np.pi / 2), MOMENTUM).rate == pytest.approx(0.5 / np.pi, rel=1e-9)
 
 
+@pytest.mark.long
 def test_a_tilted_ring_is_the_same():
     turn = np.asarray(ph.rotation.as_matrix(ph.rotation.normalize(np.array([1.0, 0.3, -0.4, 0.2]))))
     found = stability(vortices(4), ring(4, 0.9) @ turn.T, MOMENTUM)

@@ -36,6 +36,7 @@ def test_a_free_body_does_not_lean():
         systems.HeavyTop((1.0, 1.0, 0.5), 1.0).leaning(np.nan)
 
 
+@pytest.mark.long
 def test_the_period_is_that_of_a_small_swing():
     """Simulated from 1e-4 rad off hanging, across the axis of largest moment, it is back after one period."""
     top = systems.HeavyTop((1.0, 2.0, 1.5), 3.0, (0.0, 0.0, 1.0))
@@ -81,6 +82,7 @@ def test_steady_rates_keep_the_tilt():
         assert analysis.steady_precession_of(standing) is None
 
 
+@pytest.mark.long
 def test_a_motion_is_the_same_top_as_a_system():
     """Along the given axes of a body too: splitting follows the closed form."""
     cone = ph.shapes.cone(0.1, 0.03, 0.05).placed((0.6, 0.8, 0.0, 0.0))

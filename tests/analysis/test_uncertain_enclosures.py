@@ -29,6 +29,7 @@ def test_numbers_between_two_systems_are_held(monkeypatch, broken):
         assert radius < 1.1 * np.ptp(ends)  # and no more than twice the half of it
 
 
+@pytest.mark.long
 def test_starts_and_numbers_of_a_top_are_held():
     moments = np.array([1.3, 1.3, 0.7])
     one, other = ph.systems.HeavyTop(moments, 1.0), ph.systems.HeavyTop(moments * (1.0 + 1e-5), 1.0 - 2e-5)

@@ -12,6 +12,7 @@ from polhode.systems import FreeRigidBody, SphereFluid, SphereMHD
 JET = {(3, 0): math.sqrt(4.0 * math.pi)}  # √7 P₃ of the sine of latitude
 
 
+@pytest.mark.long_cases("1-0.0758683-0.0760157614")
 @pytest.mark.parametrize(("order", "of_32", "exact"), [(1, 0.0758683, 0.0760157614), (2, 0.2582766, 0.2589748314)])
 def test_a_jet_has_the_published_growth(order, of_32, exact):
     fluid = SphereFluid(32)
@@ -19,6 +20,7 @@ def test_a_jet_has_the_published_growth(order, of_32, exact):
     assert rate == pytest.approx(of_32, abs=1e-7) and 0.0 < exact - rate < 1.0 / 32**2
 
 
+@pytest.mark.long
 def test_a_field_that_vanishes_changes_nothing_and_a_strong_one_holds():
     fluid, magnetic = SphereFluid(12), SphereMHD(12)
     alone = zonal_growth(fluid, fluid.from_harmonics(JET), 2)
@@ -27,6 +29,7 @@ def test_a_field_that_vanishes_changes_nothing_and_a_strong_one_holds():
     assert abs(held.rate) < 0.2 * alone.rate
 
 
+@pytest.mark.long_cases("1")
 @pytest.mark.parametrize("order", [1, 2])
 def test_planetary_waves_go_round_westward(order):
     """Of a fluid at rest on a rotating sphere c = −2Ω/(l(l + 1)); waves that are not zonal do not count."""

@@ -228,6 +228,7 @@ def test_the_least_known_case_by_hand():
     assert [second[k][k] for k in range(3)] == [Fraction(1, 3), Fraction(1, 12), 4 * square]
 
 
+@pytest.mark.long
 def test_whoever_has_only_the_plain_data_can_check_them():
     """From the JSON alone: polynomials, weights and squares, with other code than the package's."""
     import json

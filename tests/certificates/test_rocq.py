@@ -25,6 +25,7 @@ SPEC.loader.exec_module(written)
 with_prover = pytest.mark.skipif(shutil.which("coqc") is None, reason="no coqc here")
 
 
+@pytest.mark.long_cases("so4_two_planes")
 @pytest.mark.parametrize("name", written.CASES)
 def test_files_are_what_the_package_writes(name):
     assert (FOLDER / f"{name}.v").read_text("utf-8") == written.texts([name])[f"{name}.v"]
@@ -95,6 +96,7 @@ def test_an_altered_certificate_is_not_written(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.long
 def test_a_report_writes_its_proofs(tmp_path, capsys):
     spec = str(ROOT / "examples" / "t_handle.toml")
     with pytest.raises(SystemExit) as ended:
@@ -105,6 +107,7 @@ def test_a_report_writes_its_proofs(tmp_path, capsys):
     assert "checks a proof by" in capsys.readouterr().out.replace("\n", " ")
 
 
+@pytest.mark.long
 def test_a_report_is_written_with_its_proofs_or_not_at_all(tmp_path):
     spec = tmp_path / "case.toml"
     moments = '["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]'

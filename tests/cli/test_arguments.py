@@ -65,6 +65,7 @@ def test_hostile_arguments(folder, capfd, arguments, words):
     assert sorted(path.name for path in folder.iterdir()) == ["case.toml", "pipe"]
 
 
+@pytest.mark.long_cases("body case.toml-2>&-", "body case.toml-<&-", "body none.toml-2>&-")
 @pytest.mark.parametrize("closed", [">&-", "2>&-", "<&-", ">&- 2>&- <&-"])
 @pytest.mark.parametrize("arguments", ["body case.toml", "body none.toml"])
 def test_streams_that_are_closed(folder, arguments, closed):

@@ -30,6 +30,7 @@ def spec(tmp_path, monkeypatch):
     return write
 
 
+@pytest.mark.long
 def test_json_is_one_object_with_every_key(spec, capsys, tmp_path):
     code, out, _ = run(["report", spec(), "--json"], capsys)
     values = json.loads(out, parse_constant=lambda name: pytest.fail(name))
@@ -43,6 +44,7 @@ def test_json_is_one_object_with_every_key(spec, capsys, tmp_path):
     assert len(values["files"]) == 5 and not (tmp_path / "case" / "page.html").exists()  # nobody asked for a page
 
 
+@pytest.mark.long
 def test_report_and_body_for_people(spec, capsys):
     code, out, _ = run(["report", spec()], capsys)
     assert code == 0

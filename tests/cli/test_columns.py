@@ -108,6 +108,7 @@ def test_rates_alone_are_imported(files, capsys, motion):
     assert read_dataset("phone_imported.nc").invariants["energy"] == pytest.approx(energy, rel=1e-12)
 
 
+@pytest.mark.long_cases("pair0")
 @pytest.mark.parametrize("pair", [["box.toml", "simulator.csv"], ["simulator.csv", "own.csv"]])
 def test_compare_takes_options_for_the_tables_among_both(files, capsys, pair):
     found = values_of(["compare", *pair, *SIMULATOR], capsys)

@@ -116,6 +116,7 @@ def test_every_kind_of_file_agrees_with_the_spec_that_it_is_from(files, capsys, 
     assert all((files / name).is_file() for name in found["files"])
 
 
+@pytest.mark.long
 def test_a_known_turn_and_rate_come_back(files, capsys):
     for other in ("box.toml", "box.bc", "box.aem"):
         found = values_of(["compare", "turned.aem", other, "--spec", "box.toml"], capsys)
@@ -214,6 +215,7 @@ def test_import_says_what_is_there_and_writes_it(files, capsys, name):
     assert code == 0 and "largest gap" in out and (files / "again.nc").is_file()
 
 
+@pytest.mark.long
 def test_import_with_moments_has_momentum_and_energy(files, capsys):
     found = values_of(["import", "box.bc", "--spec", "box.toml"], capsys)
     assert set(found["drift"]) == {"energy", "momentum_norm", "momentum_space"} and not found["notes"]
@@ -243,6 +245,7 @@ def test_import_of_a_top_has_what_its_own_dataset_has(tmp_path, monkeypatch, cap
     assert "a top's invariants" in run(["import", "top.bc", "--spec", "top.toml"], capsys)[1]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("system", first(1, [GYROSTAT, '[system]\nkind = "damped-body"\ndamping = 0.01\n']))
 def test_import_leaves_out_momentum_that_it_does_not_know(files, capsys, system):
     (files / "other.toml").write_text(BOX + system)
@@ -253,6 +256,7 @@ def test_import_leaves_out_momentum_that_it_does_not_know(files, capsys, system)
     assert values_of(["compare", "box_imported.nc", "box.toml"], capsys)["angle"]["largest"] <= EXACT
 
 
+@pytest.mark.long
 def test_datasets_of_a_free_body_have_their_moments(files, capsys):
     """Both along principal axes, whose moments they hold; a gyrostat's momentum is not its moments' alone."""
     found = values_of(["compare", "own.nc", "own.csv"], capsys)
@@ -338,6 +342,7 @@ REFUSED = [
 ]
 
 
+@pytest.mark.long_cases("arguments9-neither of a free body nor of a top")
 @pytest.mark.parametrize(("arguments", "words"), REFUSED)
 def test_what_is_not_what_it_claims_is_one_error(files, capsys, arguments, words):
     (files / "noise.bin").write_bytes(bytes(range(256)))
@@ -390,6 +395,7 @@ def logs(tmp_path, monkeypatch):
     return tmp_path
 
 
+@pytest.mark.long
 def test_clocks_that_nothing_says_are_one_are_refused_until_told(logs, capsys):
     """A log by the clock of a computer that booted 68 s before was compared with the motion's 68th second: 119°."""
     code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS], capsys)
@@ -417,6 +423,7 @@ def test_clocks_that_nothing_says_are_one_are_refused_until_told(logs, capsys):
         assert code == 2 and "--offset must be between 1e-30 and 1e30 in size" in err and err.count("\n") == 1
 
 
+@pytest.mark.long
 def test_what_is_assumed_of_clocks_is_said(files, capsys):
     found = values_of(["compare", "box.toml", "own.csv"], capsys)
     assert found["clocks"].startswith("assumed to be one: both begin at 0 s")
@@ -425,6 +432,7 @@ def test_what_is_assumed_of_clocks_is_said(files, capsys):
     assert told["times"] == values_of(["compare", "box.bc", "late.aem"], capsys)["times"]
 
 
+@pytest.mark.long
 def test_nanoseconds_since_1970_lose_nothing(logs, capsys):
     """Nineteen digits: as doubles they are 2.4e-7 s apart, which at 1 rad/s is 1e-7 rad and said nothing of it."""
     code, _, err = run(["compare", "free.toml", "unix.csv", *COLUMNS], capsys)

@@ -56,6 +56,7 @@ def filled(tmp_path_factory):
     return run(PROGRAM, cache), cache
 
 
+@pytest.mark.long
 def test_what_is_compiled_is_kept_even_a_solver_with_checks(filled):
     said, cache = filled
     files = kept(cache)
@@ -64,6 +65,7 @@ def test_what_is_compiled_is_kept_even_a_solver_with_checks(filled):
     assert run(PROGRAM, cache) == said and kept(cache) == files  # all of it was found
 
 
+@pytest.mark.long
 def test_what_is_broken_or_cannot_be_written_is_compiled_again_in_silence(filled, tmp_path):
     said, cache = filled
     shutil.copytree(cache, tmp_path / "good")
@@ -74,16 +76,19 @@ def test_what_is_broken_or_cannot_be_written_is_compiled_again_in_silence(filled
     assert run(PROGRAM, tmp_path / "file") == said
 
 
+@pytest.mark.long
 def test_a_folder_that_the_user_chose_is_left_as_it_is(tmp_path):
     run(PROGRAM, tmp_path / "cache", JAX_COMPILATION_CACHE_DIR=str(tmp_path / "chosen"))
     assert (tmp_path / "chosen").is_dir() and not kept(tmp_path / "cache")
 
 
+@pytest.mark.long
 def test_importing_the_library_switches_nothing_on(tmp_path):
     run(IMPORT, tmp_path)
     assert not kept(tmp_path)
 
 
+@pytest.mark.long
 def test_the_compiler_knows_the_flags_and_the_users_own_win(tmp_path):
     own = "--xla_cpu_enable_fast_math=false"
     assert "emitters" in run(FLAGS, tmp_path)
@@ -105,6 +110,7 @@ print(parse_quantity("60 rpm", "rad/s"), parse_quantity("3 cpm", "rad/s"), parse
 """
 
 
+@pytest.mark.long
 def test_the_table_of_units_is_kept_and_a_damaged_one_is_read_again(tmp_path):
     said = run(UNITS, tmp_path)
     assert said.split() == ["6.283185307179586", "0.3141592653589793", "1.2000000000000002e-06"]
@@ -117,6 +123,7 @@ def test_the_table_of_units_is_kept_and_a_damaged_one_is_read_again(tmp_path):
         assert run(UNITS, tmp_path) == said
 
 
+@pytest.mark.long
 def test_a_cache_that_cannot_be_written_changes_nothing(tmp_path):
     (tmp_path / "file").write_text("")
     assert run(UNITS, tmp_path, POLHODE_UNITS_CACHE=str(tmp_path / "file")) == run(UNITS, tmp_path)

@@ -22,6 +22,7 @@ def test_all_are_listed(capsys):
     assert "Next: polhode derive clebsch" in out
 
 
+@pytest.mark.long
 def test_a_page_is_printed_or_written(capsys, tmp_path, monkeypatch):
     code, out, err = run(["derive", "clebsch"], capsys)
     assert code == 0 and not err and out.startswith("Clebsch's case\n==============\n") and "✓" in out

@@ -42,6 +42,7 @@ def log(path, moments, rates, noise=1e-3, seed=1, axes=None):
 COLUMNS = ("--time", "t_s", "--gyro", "gx,gy,gz", "--unit", "rad/s")
 
 
+@pytest.mark.long
 def test_the_example_gives_the_ratios_it_was_made_with(run, tmp_path):
     said = run("fit", EXAMPLE, "--out", tmp_path / "fit.nc", "--figures", tmp_path / "figures", "--json",
                "--moment", "I3 = 3.3e-4 kg*m^2")  # fmt: skip
@@ -68,12 +69,14 @@ def test_the_example_says_that_it_is_synthetic():
     assert "SYNTHETIC" in EXAMPLE.read_text().splitlines()[0]
 
 
+@pytest.mark.long
 def test_the_text_says_ratios_regime_and_model(run):
     said = run("fit", EXAMPLE, "--no-drag", "--no-gain", "--window", "1.2,1.9").out
     said = " ".join(said.split())
     assert "I1/I3" in said and "as given" in said and "chosen" in said and "axis of the largest moment" in said
 
 
+@pytest.mark.long
 def test_two_throws_with_decimal_commas_are_fitted_together(run, tmp_path):
     moments = (0.4, 0.7, 1.0)
     paths = [log(tmp_path / "a.csv", moments, (2.0, 9.0, 3.0)),
@@ -85,6 +88,7 @@ def test_two_throws_with_decimal_commas_are_fitted_together(run, tmp_path):
         assert abs(found["ratios"][name]["value"] - true) < 4 * found["ratios"][name]["standard_error"] < 0.01
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("moments, rates", [((1.0, 1.0, 1.0), (2.0, 9.0, 3.0)), ((0.4, 0.7, 1.0), (0.0, 0.0, 9.0))])
 def test_a_sphere_and_a_steady_spin_give_no_number(run, tmp_path, moments, rates):
     path = log(tmp_path / "a.csv", moments, rates)
@@ -105,6 +109,7 @@ def test_degrees_that_are_called_radians_give_no_number(run, tmp_path):
     assert found["ratios"] is None and "deg/s" in found["degenerate"] and found["models"] == []
 
 
+@pytest.mark.long
 def test_an_added_weight_gives_the_moments(run, tmp_path):
     """The body alone, and with a point of 20 g at r: inertia μ (|r|² − r rᵀ) more, about the common centre of mass."""
     moments, place, mass, weight = np.array([1e-4, 3e-4, 3.6e-4]), np.array([0.05, 0.03, 0.02]), 0.15, 0.02
@@ -121,6 +126,7 @@ def test_an_added_weight_gives_the_moments(run, tmp_path):
     assert "belong together" in run("fit", alone, *COLUMNS, *given[:4], code="2").err
 
 
+@pytest.mark.long
 def test_a_log_of_attitudes(run, tmp_path):
     times = np.arange(0.0, 2.0, 0.01)
     attitude = ph.FreeMotion((0.2, 0.8, 1.0), angular_velocity=(1.0, 5.0, 1.0)).attitude(times)
@@ -153,6 +159,7 @@ def flown(path, rates, moments=TRUE, seconds=0.8):
     return path
 
 
+@pytest.mark.long
 def test_all_throws_of_a_log_are_used_and_what_is_left_out_is_listed(run, tmp_path):
     path = flown(tmp_path / "a.csv", [(1.0, 9.0, 1.0), (9.0, 2.0, 2.0), (3.0, 5.0, 5.0)], [TRUE, TRUE, (0.7, 0.3, 0.9)])
     found = json.loads(run("fit", path, "--no-drag", "--no-gain", "--json").out)

@@ -42,6 +42,7 @@ def test_levels_of_a_spec_and_of_atoms(run):
     assert spec["levels"] == atoms["levels"] and (atoms["name"], spec["name"]) == ("water", "water")
 
 
+@pytest.mark.long
 def test_lines_between_frequencies(run):
     """Three lines of formaldehyde as measured [MHz], and their intensities in the CDMS."""
     path = EXAMPLES / "formaldehyde.toml"
@@ -92,6 +93,7 @@ def test_too_many_lines_are_refused_before_they_are_computed(run):
         check_summable(SpecRotor(Rotor((27e9, 14e9, 9e9), dipole=(1e-30, 1e-30, 1e-30)), 10.0, 206))
 
 
+@pytest.mark.long
 def test_the_strongest_lines(run):
     """--most keeps the strongest; what is colder is weaker in what is hot."""
     path = EXAMPLES / "sulfur_dioxide.toml"
@@ -192,6 +194,7 @@ def test_a_symmetric_top_is_fitted_by_the_plain_command(run, tmp_path):
         assert any("A is kept as the spec says" in note for note in found["notes"]) == kept
 
 
+@pytest.mark.long
 def test_lines_and_constants_for_other_programs(run, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     said = run("export", EXAMPLES / "formaldehyde.toml", "--to", "cat", "--to", "par").out
@@ -203,6 +206,7 @@ def test_lines_and_constants_for_other_programs(run, tmp_path, monkeypatch):
     assert read_par(tmp_path / "formaldehyde.par").value[0] == pytest.approx(281970.5780043, rel=1e-14)
 
 
+@pytest.mark.long
 def test_mistakes_of_fits_and_exports(run, measured, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     path = EXAMPLES / "sulfur_dioxide.toml"
@@ -219,6 +223,7 @@ def test_mistakes_of_fits_and_exports(run, measured, tmp_path, monkeypatch):
     assert not (tmp_path / "euler_disk.cat").exists()
 
 
+@pytest.mark.long
 def test_a_molecule_is_exported_as_netcdf(tmp_path, capsys):
     spec = Path(__file__).parents[2] / "examples" / "water_spectrum.toml"
     with pytest.raises(SystemExit, match="0"):

@@ -37,6 +37,7 @@ def run(tmp_path, monkeypatch, capsys):
     return call
 
 
+@pytest.mark.long
 def test_text_and_figures(run, tmp_path):
     code, said, errors = run()
     assert code == 0, errors
@@ -68,6 +69,7 @@ def test_a_dry_run_writes_nothing(run, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["case.toml"]
 
 
+@pytest.mark.long
 def test_sensitivities(run, tmp_path):
     spec = SPEC.replace("samples = 200", "samples = 64\nsensitivity = true").replace('"0.8 g*cm^2"', '"1 g*cm^2"')
     (tmp_path / "case.toml").write_text(spec)
@@ -90,6 +92,7 @@ def test_mistakes(run, arguments, words):
     assert code == 2 and words in errors and "Traceback" not in errors and not said
 
 
+@pytest.mark.long
 def test_a_molecule_has_answers_and_no_motion(run, tmp_path):
     (tmp_path / "case.toml").write_text("""[system]
 kind = "quantum-rotor"

@@ -69,6 +69,7 @@ def test_messages_hold_nothing_that_a_terminal_obeys(spec, capfd, arguments):
     assert code == 2 and out == "" and err and "\x1b" not in err and "Traceback" not in err
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("encoding", first(2, ENCODINGS))
 def test_every_encoding_holds_the_output(spec, encoding):
     done = in_process(["body", spec], encoding)
@@ -77,6 +78,7 @@ def test_every_encoding_holds_the_output(spec, encoding):
     assert text.startswith(PRINTED) and re.search(r"kg m(²|\^2)", text)
 
 
+@pytest.mark.long
 def test_json_is_ascii_in_every_encoding(spec):
     done = in_process(["body", spec, "--json"], "ascii")
     assert done.returncode == 0 and json.loads(done.stdout.decode("ascii"))["name"].endswith("Ω人")

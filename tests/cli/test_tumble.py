@@ -54,6 +54,7 @@ def test_a_known_tumbler_has_errors_and_a_source(run):
     assert "Science 270" in text
 
 
+@pytest.mark.long
 def test_light_curve_spec_and_figures_are_written(run, tmp_path):
     told = json.loads(run("krylov", "--out", tmp_path / "k.csv", "--figures", tmp_path / "f", "--json").out)
     assert {path.name for path in (tmp_path / "f").iterdir()} == {"polhode.png", "light_curve.png", "spectrum.png"}

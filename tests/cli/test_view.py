@@ -39,6 +39,7 @@ def test_page_is_named_after_the_spec_and_opened(run, tmp_path, monkeypatch):
     assert code == 0 and "no browser was found" in err
 
 
+@pytest.mark.long
 def test_report_puts_it_beside_the_figures(run, tmp_path):
     code, out, _ = run("report", "case.toml", "--html", "--json")
     files = json.loads(out)["files"]
@@ -46,6 +47,7 @@ def test_report_puts_it_beside_the_figures(run, tmp_path):
     assert "a body" in (tmp_path / "case" / "page.html").read_text("utf-8")
 
 
+@pytest.mark.long
 def test_it_is_all_or_nothing(run, tmp_path):
     (tmp_path / "taken" / "page.html").mkdir(parents=True)
     code, _, err = run("report", "case.toml", "--html", "--out", "taken")
@@ -60,6 +62,7 @@ def test_places_that_cannot_be_written(run, tmp_path, out):
     assert [path.name for path in tmp_path.iterdir()] == ["case.toml"]
 
 
+@pytest.mark.long
 def test_page_of_a_free_body_needs_no_jax(tmp_path):
     text = (
         "import sys, polhode as ph; m = ph.FreeMotion((1, 2, 3), momentum=(0.3, 1.8, 1.5));"

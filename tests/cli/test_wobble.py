@@ -33,6 +33,7 @@ def written(path, times, x, y):
     return path
 
 
+@pytest.mark.long
 def test_numbers_data_and_figures(run, series, tmp_path):
     times, _, _, path = series
     said = run("wobble", path, "--json", "--out", tmp_path / "w.nc", "--figures", tmp_path / "figures")
@@ -56,6 +57,7 @@ def test_numbers_data_and_figures(run, series, tmp_path):
     assert "Windows of 8 years" in text and "fluid core" in text and "1966-01-" in text
 
 
+@pytest.mark.long_cases("options5-the window must be from 4 years", "options6-the window must be from 4 years")
 @pytest.mark.parametrize(("options", "words"), [
     (("--from", "2000-01-01", "--to", "1976-01-01"), "--from must be before --to"),
     (("--from", "1976-01-32"), "--from must be a day like 1976-01-01"),

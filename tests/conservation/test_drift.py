@@ -104,6 +104,7 @@ def test_a_drift_of_the_energy_is_caught():
     assert trend(run("body", MuntheKaas, 4, FEW)) > TREND
 
 
+@pytest.mark.long_cases("four-IsospectralMidpoint-2", "pair-SphericalMidpoint-2")
 @pytest.mark.parametrize("case", one_of_each(CASES, QUICK), ids=names)
 def test_casimirs_and_energy(case):
     check(*case, 2_000 if case[0] == "top" else FEW)
@@ -115,6 +116,7 @@ def test_casimirs_and_energy_over_a_million_steps_or_a_fifth(case):
     check(*case, *((FIFTH, CASIMIR / 2) if case in COSTLY else (MANY,)))
 
 
+@pytest.mark.long_cases("pair-SphericalMidpoint-2", "top-Splitting-6")
 @pytest.mark.parametrize(
     "case",
     one_of_each([case for case in CASES if case[1] in SYMMETRIC], [*QUICK[:1], *QUICK[-2:], ("top", Splitting, 6)]),
@@ -129,6 +131,7 @@ def test_symmetric_methods_run_back(case):
     assert np.abs(back.states[-1] - STARTS[name]).max() < 1e-13
 
 
+@pytest.mark.long
 def test_explicit_runge_kutta_methods_do_not_run_back():
     times = np.linspace(0.0, 10.0, 11)
     there = ph.simulate(body, STARTS["body"], times, MuntheKaas, step=0.1, order=4)

@@ -95,6 +95,7 @@ def quick_or_in_the_sweep(case):
     return pytest.param(*case, id=name, marks=() if (system, method, order) in QUICK else pytest.mark.sweep)
 
 
+@pytest.mark.long_cases("toda-Splitting-6-", "fish-MuntheKaas-2-", "four-IsospectralMidpoint-2-")
 @pytest.mark.parametrize(
     ("name", "method", "order", "more", "steps"), list(map(quick_or_in_the_sweep, CASES)),
 )  # fmt: skip
@@ -105,6 +106,7 @@ def test_order(name, method, order, more, steps):
     assert slopes[-1] == pytest.approx(order, abs=SLOPE), (errors, slopes)
 
 
+@pytest.mark.long
 def test_a_wrong_coefficient_of_kicks_and_drifts_loses_the_order(monkeypatch):
     kicks, drifts = composition.NYSTROM[6]
     wrong = (kicks[0] + 1e-4, kicks[1] - 1e-4, *kicks[2:-2], kicks[1] - 1e-4, kicks[0] + 1e-4)
@@ -115,6 +117,7 @@ def test_a_wrong_coefficient_of_kicks_and_drifts_loses_the_order(monkeypatch):
     assert np.log2(errors[-2] / errors[-1]) < 4.0
 
 
+@pytest.mark.long
 def test_a_method_with_a_wrong_weight_loses_its_order():
     class Lame(MuntheKaas):
         def change(self, t, h, state):

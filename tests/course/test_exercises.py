@@ -12,7 +12,7 @@ import pytest
 from polhode.course.exercises import Chapter, Choice, Exercise, chapter_names, evaluate, read_chapter
 
 COURSE = Path(__file__).parents[2] / "learn"
-SEEDS = 200
+SEEDS, MANY = 20, 200
 PLACE = re.compile(r"\{[A-Za-z]\w*\}")
 EXERCISES = [(chapter, one) for chapter in chapter_names() for one in read_chapter(chapter).exercises]
 SPECIMEN = {
@@ -45,6 +45,12 @@ def faults_of(exercise, seeds):
 @pytest.mark.parametrize(("chapter", "exercise"), EXERCISES, ids=lambda v: v if isinstance(v, str) else v.name)
 def test_answer_agrees_with_a_second_way_and_mistakes_are_told_apart(chapter, exercise):
     assert faults_of(exercise, range(SEEDS)) == []
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize(("chapter", "exercise"), EXERCISES, ids=lambda v: v if isinstance(v, str) else v.name)
+def test_so_it_is_with_many_numbers(chapter, exercise):
+    assert faults_of(exercise, range(SEEDS, MANY)) == []
 
 
 def test_each_chapter_has_its_exercises():

@@ -41,6 +41,7 @@ def test_lines_in_red_noise():
     assert fit.inflation < 1.1
 
 
+@pytest.mark.long
 def test_errors_that_take_the_noise_for_white_are_too_small():
     """Red noise of a memory of 100 d is 2.5 times as large at the wobble's rate as white noise of its size."""
     fits = [fit_chandler(*lines(rng(seed))) for seed in range(9)]
@@ -82,6 +83,7 @@ def test_noise_alone_has_no_wobble():
         fit_chandler(times, m.real, -m.imag)
 
 
+@pytest.mark.long
 def test_a_wobble_that_is_kicked():
     series = kicked(rng(6), 40.0)
     fit, found = fit_chandler(*series), fit_chandler_process(*series)
@@ -97,6 +99,7 @@ def test_a_wobble_that_is_kicked():
     assert 0.2 * AMPLITUDE < turned.mean() < 3 * AMPLITUDE and found.noise < 10 * MAS
 
 
+@pytest.mark.long
 def test_the_likelihood_is_that_of_a_dense_covariance():
     """Restricted likelihood by another way: real Gaussian numbers orthogonal to the annual term, by SciPy."""
     count, step, rate = 12, PERIOD, 1.001 * RATE
@@ -152,6 +155,7 @@ def test_excitation_drives_the_pole_again():
     assert np.abs(wrong.psi - psi(wrong.times)).max() > 10 * MAS
 
 
+@pytest.mark.long
 def test_covariance_of_the_excitation():
     times, noise = 10 * DAY * np.arange(4000.0), MAS * white(rng(10), 4000)
     found = polar_excitation(times, noise.real, -noise.imag, PERIOD, 100.0, noise=MAS)
@@ -193,6 +197,7 @@ def earth():
     return read_polar_motion()
 
 
+@pytest.mark.long_cases("37665-61312-432.6-122")
 @pytest.mark.parametrize(("first", "last", "period", "amplitude"), [
     (37665, 61312, 432.6, 122), (42778, 51544, 433.0, 172)])  # fmt: skip
 def test_the_earth(earth, first, last, period, amplitude):
@@ -206,6 +211,7 @@ def test_the_earth(earth, first, last, period, amplitude):
         fit_chandler(earth.days[inside] * DAY, earth.x[inside], -earth.y[inside])
 
 
+@pytest.mark.long
 def test_the_seasons_and_q_of_the_earth(earth):
     inside = earth.days < 61312
     series = earth.days[inside] * DAY, earth.x[inside], earth.y[inside]

@@ -76,6 +76,7 @@ def test_nothing_above_a_limit_means_nothing_on_any_axis():
     assert saturation([clean_log(t, w)]) is None
 
 
+@pytest.mark.long
 def test_whole_degrees_lose_no_sample_of_a_fit():
     """58 of 1000 samples were left, and the body "turned by 0.39 rad only"."""
     t, w = motion((1.0, 6.0, 0.6), 500)

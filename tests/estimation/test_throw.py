@@ -61,6 +61,7 @@ def test_rates_and_their_derivatives(forces):
     assert np.allclose(slopes, changes, atol=1e-3, rtol=1e-4)
 
 
+@pytest.mark.long
 def test_a_throw_with_all_that_goes_wrong():
     log, axes = made(3, "long", "book", gain=0.0)
     fit = fit_throw(log, WHOLE, gain=False)
@@ -109,6 +110,7 @@ def test_equal_moments_are_told():
     assert fit.axes_error.standard_error[0] > 10 * fit.axes_error.standard_error[1]
 
 
+@pytest.mark.long
 def test_throws_of_one_body_are_fitted_together():
     axes = Rotation.random(rng=1).as_matrix()
     logs = [clean_log(*throw(np.random.default_rng(k), PHONE, SPINS[s], axes=axes, **CALM)[:2])
@@ -164,6 +166,7 @@ def test_the_flight_is_found_without_accelerometer():
     assert abs(found.start - 1.0) < 0.06 and abs(found.end - 1.7) < 0.06
 
 
+@pytest.mark.long
 def test_attitudes_tell_the_same():
     field = euler(PHONE, 0.0)
 
@@ -187,6 +190,7 @@ def test_attitudes_tell_the_same():
     assert estimation.fit_attitude(t, still.as_quat(scalar_first=True)).degenerate
 
 
+@pytest.mark.long
 def test_absolute_moments():
     scale, mass, weight, place = 4e-4, 0.2, 0.02, np.array([0.05, 0.03, 0.01])
     axes = Rotation.random(rng=6).as_matrix()
@@ -269,6 +273,7 @@ def rested(seed, moved=0.0, **how):
     return clean_log(times, rates), [[Window(-0.001, 0.6)]]
 
 
+@pytest.mark.long
 def test_rests_tell_the_bias():
     log, window = rested(3, bias=0.2)
     fit = fit_throw(log, window)
@@ -299,6 +304,7 @@ def test_a_wheel_that_turns_in_the_body_is_noticed(body, spin, wheel):
     assert fit.regimes == [None] and "polhode" not in throw_figures(fit)
 
 
+@pytest.mark.long
 def test_a_small_wheel_does_not_hide_in_drag_and_gains():
     """Air was taken for a wheel of 4 % of the momentum: .464 ± .006 and .682 ± .006."""
     body = (0.5, 0.75, 1.0)
@@ -322,6 +328,7 @@ def test_errors_are_told_for_a_wheel_that_nothing_shows(seed):
     assert "assumed that no wheel turns" in " ".join(ThrowReport(fit, [], [], [], None).notes)
 
 
+@pytest.mark.long_cases("shape1")
 @pytest.mark.parametrize("shape", [(0.9, 0.02), (0.1, 0.4)])
 def test_the_last_least_squares_ends_in_numbers_from_a_wrong_place(shape):
     """Whole steps ran to moments of 15 000, or to a singular matrix."""
@@ -345,6 +352,7 @@ def test_noisy_rates_all_around_are_not_called_a_steady_spin():
     assert "principal axis" in explain_undetermined([rates[:1]], None)
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("seed, body, spin, trouble", [
     (8, "racket", "middle", {}), ([12, 8], "racket", "long", {}), ([12, 4], "book", "middle", {"across": 0.01}),
 ])  # fmt: skip
@@ -368,6 +376,7 @@ def test_rates_in_degrees_called_radians_are_no_result():
     assert nothing_said(fit_throw(clean_log(times, finer), WHOLE), "beyond what gyros can tell")
 
 
+@pytest.mark.long
 def test_what_no_body_does_is_no_result():
     rng = np.random.default_rng(2)
     t = np.arange(0, 0.8, 0.01)

@@ -95,6 +95,7 @@ def test_derivatives_in_a_larger_draw(announce):
     check(20, 6, announce)
 
 
+@pytest.mark.long_cases("0")
 @pytest.mark.parametrize("leading", [0, 1, 2])
 def test_derivatives_beside_an_axis_are_those_on_it_or_none(leading):
     momenta = np.zeros((6, 3))
@@ -144,6 +145,7 @@ def by_jax():
         return arguments, [np.asarray(x) for x in forward], [np.asarray(x) for x in backward]
 
 
+@pytest.mark.long
 def test_forward_and_reverse_mode_agree(by_jax):
     _, forward, backward = by_jax
     for a, b in zip(forward, backward, strict=True):
@@ -188,6 +190,7 @@ def test_vmap_of_grad_where_formulas_divide_by_zero():
             assert np.isfinite(np.asarray(part)).all()
 
 
+@pytest.mark.long
 def test_epoch_and_time_are_opposite():
     with jax.enable_x64(True):
         arguments = (jnp.asarray(MOMENTS), jnp.asarray(MOMENTUM), jnp.array([1.0, 0, 0, 0]), jnp.asarray(TIME))
@@ -218,6 +221,7 @@ def test_third_derivatives_are_refused():
         jax.eval_shape(jax.grad(jax.grad(jax.grad(body))), TIME)
 
 
+@pytest.mark.long
 def test_a_motion_passes_through_jit_and_vmap():
     with jax.enable_x64(True):
         many = jax.vmap(lambda momentum: ph.FreeMotion(jnp.asarray(MOMENTS), momentum=momentum))(jnp.eye(3) + 0.1)
@@ -246,6 +250,7 @@ def numbers_of(*x):
     return mp.sqrt(m), period, rate, rate * period, angle
 
 
+@pytest.mark.long_cases("short axis")
 @pytest.mark.parametrize("momentum", [
     (0.3, 1.8, 1.5), (1.5, 0.4, 0.2), (1e-5, -2e-5, 1.0), (1e-3, 1.0, 1.001e-3), (1.0, 1e-7, 0.0)
 ], ids=["short axis", "long axis", "beside an axis", "near the saddle", "beside the long axis"])  # fmt: skip

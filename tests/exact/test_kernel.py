@@ -29,6 +29,7 @@ def states(case):
     return attitude[0], momentum[0]
 
 
+@pytest.mark.long
 def test_states_are_exact_in_every_family(announce):
     worst = {}
     for case in draw(PER_FAMILY, 5):
@@ -148,6 +149,7 @@ def test_what_python_cannot_divide_goes_to_numba(monkeypatch):
     assert (found[0] == wanted[0]).all() and (found[1] == wanted[1]).all()
 
 
+@pytest.mark.long
 def test_a_process_that_has_used_it_may_fork():
     code = """
 import multiprocessing, numpy as np, polhode as ph

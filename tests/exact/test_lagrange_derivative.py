@@ -113,11 +113,13 @@ def drawn():
     return cases, jacobians([*cases, *standing_tops()])
 
 
+@pytest.mark.long
 def test_derivatives_in_every_family(announce):
     cases = list(drawn_tops(1, 7, LATE))
     check(cases, jacobians(cases)[0], announce)
 
 
+@pytest.mark.long
 def test_derivatives_agree_with_the_oracle(drawn, announce):
     check(drawn[0], drawn[1][0][: len(drawn[0])], announce)
 
@@ -174,6 +176,7 @@ def test_reverse_mode_agrees_with_forward_mode(drawn):
         assert error_of(case, reverse, forward) < SAME, case
 
 
+@pytest.mark.long
 def test_reverse_mode_under_vmap_and_jit_agrees_with_forward_mode(drawn):
     cases, found = drawn
     with jax.enable_x64(True):

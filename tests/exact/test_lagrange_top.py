@@ -191,6 +191,7 @@ def test_the_given_quaternion_comes_out_at_the_epoch_normalised_with_its_sign():
         assert np.abs(momentum - [1, 2, 3]).max() < 4e-15
 
 
+@pytest.mark.long
 def test_tops_and_times_broadcast():
     rng = np.random.default_rng(1)
     mgl, momentum, times = rng.normal(size=3), rng.normal(size=(3, 3)), np.linspace(0, 9, 5)

@@ -151,6 +151,7 @@ near(motion, plain, 1e-13, "a value that differs where it is traced")
 """
 
 
+@pytest.mark.long
 def test_a_broken_specimen_is_caught():
     with pytest.raises(AssertionError, match="differs where it is traced"):
         run_limited(HEAD.format(kind="FreeMotion", names=[], numbers=[], where="host") + BROKEN, LONG_ENOUGH)

@@ -29,6 +29,7 @@ WHOLLY = ("generic", "wide_ratio", "cusp", "fast_loop", "spherical_pendulum", "p
 LEFT = ("steady", "sleeping", "hanging", "separatrix", "weightless_special")
 
 
+@pytest.mark.long
 def test_states_are_exact_in_every_family(announce):
     worst = {}
     for case in draw_tops(PER_FAMILY, 8):
@@ -44,6 +45,7 @@ STARTS = [((0.0, 0.0, 2.5), 1.0), ((0.3, -0.5, 1.5), 0.4), ((2.0, 1.0, 0.0), 1.0
           ((0.0, 0.0, 5.0), 0.0), ((0.0, 0.0, 0.0), 2.0)]  # fmt: skip
 
 
+@pytest.mark.long_cases("momentum0-1.0")
 @pytest.mark.parametrize(("momentum", "lean"), STARTS)
 def test_long_runs_go_through_it_and_agree(momentum, lean, monkeypatch):
     """By threads, in blocks that are not full, with the epoch's rest, for times of any shape, on either side of mgl."""
@@ -103,6 +105,7 @@ def check_many(per_family, seed, left, announce):
     assert taken["near_separatrix"] > 0
 
 
+@pytest.mark.long
 def test_many_tops_are_exact_in_every_family(left, announce):
     """Set-up too, of all tops at once; those that the kernel leaves to NumPy stand among them."""
     check_many(PER_FAMILY_OF_MANY, 8, left, announce)
@@ -175,6 +178,7 @@ def many_tops(rng, count):
     return moments, mgl, momentum, attitude
 
 
+@pytest.mark.long
 def test_many_tops_agree_with_numpy(monkeypatch):
     """With epochs, by several threads, in blocks that are not full; also at several times each."""
     rng = np.random.default_rng(3)

@@ -209,6 +209,7 @@ def test_a_traced_spin_makes_a_traced_top():
     assert [part.shape for part in found] == [(4,), (3,)]
 
 
+@pytest.mark.long
 def test_it_is_what_the_report_says(tmp_path):
     spec = tmp_path / "top.toml"
     spec.write_text("""

@@ -34,6 +34,7 @@ samples = 50
 """
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("command", "numbers"), first(1, [(CK, [signal.SIGINT, signal.SIGKILL]), (CSV, [signal.SIGTERM, signal.SIGHUP])])
 )
@@ -67,6 +68,7 @@ def test_a_long_run_can_be_stopped(tmp_path, command):
     assert [path.name for path in tmp_path.iterdir()] == ["long.toml"]
 
 
+@pytest.mark.long
 def test_a_run_without_end_is_refused(tmp_path):
     prepare(tmp_path / "a")
     (tmp_path / "a" / "case.toml").write_text(LONG.format(until="1e6 year"), "utf-8")
@@ -83,6 +85,7 @@ def run(folder, *command, **more):
     return done.returncode, out, err
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("command", [("body", "case.toml"), ("body", "case.toml", "--json")], ids=["people", "json"])
 def test_output_that_nobody_reads_ends_quietly(tmp_path, command):
     read, write = os.pipe()
@@ -92,12 +95,14 @@ def test_output_that_nobody_reads_ends_quietly(tmp_path, command):
     assert code == 1 and err == b""
 
 
+@pytest.mark.long
 def test_output_that_cannot_be_written_is_one_message(tmp_path):
     with open("/dev/full", "wb") as full:  # noqa: PTH123
         code, _, err = run(prepare(tmp_path / "a"), "body", "case.toml", stdout=full)
     assert code == 2 and err.decode().count("\n") == 1 and b"No space left on device" in err
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("encoding", first(1, ["ascii", "cp1252"]))
 def test_terminals_with_few_letters(tmp_path, encoding):
     folder = prepare(tmp_path / "a")

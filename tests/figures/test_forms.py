@@ -41,6 +41,7 @@ def run(arguments, capsys):
     return stopped.value.code or 0, out, err
 
 
+@pytest.mark.long
 def test_all_forms_of_all_figures_are_what_they_say(spec, tmp_path):
     read = read_spec(spec)
     report = read.report()
@@ -110,6 +111,7 @@ def test_small_curves_are_enlarged_by_powers_of_ten():
     assert style.magnify("axis 2", 5) == "axis 2 × 10$^{5}$" and style.magnify("axis 2", 0) == "axis 2"
 
 
+@pytest.mark.long_cases("inertia_ellipsoid")
 @pytest.mark.parametrize("name", ["momentum_sphere", "inertia_ellipsoid", "components", "herpolhode"])
 def test_a_motion_is_drawn_without_a_spec(name):
     draw = getattr(ph.figures, name)

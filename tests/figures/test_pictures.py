@@ -157,6 +157,7 @@ def precessing():
     return read_spec(EXAMPLES / "precessing_top.toml").report()
 
 
+@pytest.mark.long
 def test_the_cones_of_steady_precession(precessing):
     """By hand: Ω = p e_z + (w3 − p cos θ) e3, on both cones at all times, the angles adding up to the tilt."""
     path, tilt, p = sample_axis(take_top(precessing.trajectory)), np.radians(30.0), precessing.steady.slow

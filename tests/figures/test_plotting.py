@@ -22,6 +22,7 @@ def labels(figure):
     return [axes.get_ylabel() for axes in figure.axes], [axes.get_title() for axes in figure.axes]
 
 
+@pytest.mark.long_cases("moved1")
 @pytest.mark.parametrize("moved", [FREE, TOP, FREE.sample(TIMES), TOP.sample(TIMES)])
 def test_a_motion_plots_what_its_kind_has_for_it(moved):
     ylabels, titles = labels(moved.plot())
@@ -108,6 +109,7 @@ def test_notebooks_show_a_figure_without_pyplot():
     assert isinstance(FREE.plot(), Figure)
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("any_type")
 def test_what_cannot_be_drawn_is_refused_in_words():
     several = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((2, 3)))

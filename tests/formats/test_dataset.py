@@ -84,6 +84,7 @@ def test_a_copy_that_ended_is_not_written_to_be_refused_later(tmp_path, ending):
     assert not path.exists()
 
 
+@pytest.mark.long
 def test_motions_with_states_of_their_own(tmp_path):
     """A spin in an orbit has named parts and energy that comes and goes, matrices have states of two axes."""
     moon, turning = ph.systems.SpinOrbit(0.5, 0.1), np.array([0.5, 1.2])
@@ -203,6 +204,7 @@ def test_a_store_that_is_not_what_was_written_is_refused(tmp_path, monkeypatch):
     assert np.array_equal(formats.read_dataset(tmp_path / "motion.zarr").times, TIMES)
 
 
+@pytest.mark.long_cases("nc")
 @pytest.mark.parametrize("form", WAYS)
 def test_complex_states_come_back(form, tmp_path):
     fluid = ph.systems.SphereFluid(4, 0.5)

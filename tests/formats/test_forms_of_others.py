@@ -42,6 +42,7 @@ def run(capsys, *arguments):
     return end.value.code or 0, out, err
 
 
+@pytest.mark.long
 def test_it_is_exported_imported_compared_and_fitted(folder, capsys):
     code, out, _ = run(capsys, "export", "box.toml", "--to", "qlog")
     assert code == 0 and "box.qlog: 31 samples, attitudes of the given axes; every digit" in out

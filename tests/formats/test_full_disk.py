@@ -83,6 +83,7 @@ def largest(found):
     return max(len(data) for data in found.values())
 
 
+@pytest.mark.long_cases("a.png")
 @pytest.mark.parametrize("name", WRITERS)
 def test_a_file_that_may_not_grow(tmp_path, name):
     write = WRITERS[name]
@@ -95,6 +96,7 @@ def test_a_file_that_may_not_grow(tmp_path, name):
         assert contents(tmp_path) == before and not list(tmp_path.glob(".polhode-*")), size
 
 
+@pytest.mark.long_cases("a.png")
 @pytest.mark.parametrize("name", WRITERS)
 def test_a_disk_that_is_full(tmp_path, name):
     write, disk = WRITERS[name], tmp_path / "disk"

@@ -49,6 +49,7 @@ def test_the_only_table_of_an_archive_may_have_any_name(tmp_path):
         read_gyro_log(path)
 
 
+@pytest.mark.long
 def test_the_command_takes_an_archive(tmp_path, capsys):
     path = packed(tmp_path, {"Gyroscope.csv": sensor_logger(RATES)})
     with pytest.raises(SystemExit, match="2"):

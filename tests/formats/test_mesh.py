@@ -191,6 +191,7 @@ HOLES = 1e-5
 """A hole of six triangles closed flat, of a ball of 20,480: the cap has less than that of its volume."""
 
 
+@pytest.mark.long
 def test_repair_says_what_it_did(tmp_path):
     """A ball without the triangles about one corner, some of the others turned and one there twice."""
     mesh = trimesh.creation.icosphere(subdivisions=5)
@@ -217,6 +218,7 @@ def test_large_holes_stay_open(tmp_path):
         ph.Body.from_mesh(read.vertices, read.faces, density=1.0)
 
 
+@pytest.mark.long
 def test_repair_of_many_pieces_is_quick(tmp_path):
     """42 balls of 1280 triangles, in each other's boxes: their nesting was asked by solid angles, for half a minute."""
     balls = []

@@ -36,6 +36,7 @@ def run(folder, seed, count, names):
     assert all(number == count for number in found["read"].values()) and found["read"]
 
 
+@pytest.mark.long
 def test_damaged_files(tmp_path):
     run(tmp_path, 0, 8, [])
 
@@ -76,6 +77,7 @@ def test_the_worker_sees_what_is_wrong(tmp_path, read, words):
     assert (said is None) if words is None else (words in said)
 
 
+@pytest.mark.long
 def test_the_worker_does_not_outlive_a_hang(tmp_path):
     """What never ends is killed by its own clock; the test sees how the process ended."""
     lines = ["import pathlib, sys", "sys.path.insert(0, sys.argv[1])", "import reader_fuzz", "def hang(path):",

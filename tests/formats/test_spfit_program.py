@@ -105,6 +105,7 @@ def test_a_least_and_largest_k_of_zero_are_a_linear_molecule(read):
     assert read(other).rotor().constants == pytest.approx(rotor.constants)
 
 
+@pytest.mark.long
 def test_a_linear_molecules_catalogue_has_j_alone(tmp_path):
     """Format 101, as the program writes HCP, whose first line is 39951.9 MHz."""
     lines = Rotor((np.inf, 19975.99422e6, 19975.99422e6), dipole=(1.3e-30, 0.0, 0.0)).lines(2, 300.0)

@@ -320,6 +320,7 @@ sys.exit(len(wrong))
 """
 
 
+@pytest.mark.long_cases("locked")
 @pytest.mark.parametrize("how", ["locked", "unlocked"])
 def test_threads_take_turns(tmp_path, how):
     command = [sys.executable, "-c", THREADS, how]

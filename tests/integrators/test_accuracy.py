@@ -37,6 +37,7 @@ def check(found: Any, exact: Any = EXACT) -> None:
     assert error / FACTOR <= estimate <= FACTOR * error or max(error, estimate) < ROUNDING, (estimate, error)
 
 
+@pytest.mark.long_cases("None-more0")
 @pytest.mark.parametrize(
     ("method", "more"),
     [
@@ -91,6 +92,7 @@ class Shaken(systems.FreeRigidBody):
         return False
 
 
+@pytest.mark.long
 def test_a_chaotic_motion_says_that_it_is_lost():
     shaken: Any = Shaken
     momentum = START[4:]
@@ -109,6 +111,7 @@ def test_tolerance_chooses_the_step(tolerance):
     assert error_of(found) < 2.0 * tolerance
 
 
+@pytest.mark.long
 def test_a_tolerance_that_rounding_does_not_let_through():
     with pytest.raises(NotConverged, match="`tolerance` 3e-16 could not be met"):
         ph.simulate(body, START, SPARSE, order=6, tolerance=3e-16)
@@ -130,6 +133,7 @@ def test_no_estimate_is_none():
     assert EXACT.sample(SPARSE).error_estimate is None
 
 
+@pytest.mark.long
 def test_estimate_and_tolerance_compile_nothing_more():
     run: Any = equal_steps._go_one
     compiled = run._cached
@@ -175,6 +179,7 @@ def errors_over_estimates(system: Any, momenta: Any, times: Any, method: Any) ->
 any_function: Any = systems.LiePoisson(ph.algebra.SO3(), lambda L: 0.5 * jnp.sum(L**2 / np.array(MOMENTS), axis=-1))
 
 
+@pytest.mark.long_cases("LieMidpoint")
 @pytest.mark.parametrize("method", [None, LieMidpoint])
 def test_the_estimate_holds_near_a_separatrix(method):
     """Rounding grows there to all of the error; divided as truncation it made the median 214, the worst 2,840."""
@@ -220,6 +225,7 @@ LEFT_THE_SADDLE = [
 ]
 
 
+@pytest.mark.long_cases("system1-method1-start1-13")
 @pytest.mark.parametrize(("system", "method", "start", "count"), LEFT_THE_SADDLE)
 def test_runs_that_are_at_the_same_saddle_by_chance_do_not_vouch_for_each_other(system, method, start, count):
     start, times = np.array(start), np.linspace(0.0, 60.0, count)

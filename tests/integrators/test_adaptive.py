@@ -100,6 +100,7 @@ def test_an_event_ends_the_motion_however_late_the_last_time_is(last, stepper):
     assert found.error_estimate < CLOSE if stepper is None else found.error_estimate is None
 
 
+@pytest.mark.long
 def test_implicit_methods_go_the_same_way():
     times = np.linspace(0.0, 2.0, 3)
     found = ph.simulate(Driven(), [1.0, 0.0], times, diffrax.Kvaerno5(), tolerance=1e-7)

@@ -56,6 +56,7 @@ def test_spins_and_tops_move_as_alone():
     check_copies(top, states, step=0.05)
 
 
+@pytest.mark.long
 def test_a_copy_that_fails_leaves_the_others():
     states, times = np.array([0.1 * SLOW, 20.0 * SLOW]), [0.0, 10.0, 20.0]
     with pytest.raises(NotConverged, match="in 1 of 2 copies, first 1"), pytest.warns(UserWarning, match="a step of"):
@@ -81,6 +82,7 @@ def test_more_copies_than_a_block():
     assert (more.states == found.states[0, :BLOCK]).all(), "blocks are one compiled function"
 
 
+@pytest.mark.long
 def test_the_exponential_of_a_copy_is_its_own():
     line = lie.SL(2)
     x = line.from_vector(jnp.array([[0.1, 0.2, 0.3], [40.0, 50.0, 60.0]]))

@@ -49,6 +49,7 @@ def run(start=START, times=TIMES, method=None, every=1, **more):
     return sample_motion(Pendulum(), method, jnp.asarray(start), times, times[::every], None, TOLERANCE, **more)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("method", first(1, [diffrax.Dopri8, diffrax.Tsit5, diffrax.Heun]))
 def test_a_motion_is_that_of_diffrax_and_takes_no_more_steps(method):
     method = method()
@@ -75,6 +76,7 @@ def test_backwards_in_time_it_comes_back():
     assert np.abs(back.saved[-1] - START).max() < 1e-9
 
 
+@pytest.mark.long
 def test_every_third_sample_is_one_of_all():
     assert np.array_equal(run(every=3).saved, run().saved[::3])
 
@@ -97,6 +99,7 @@ def test_a_run_that_is_left_and_entered_again_is_the_same():
     assert advanced(begun, 4).status == embedded.RUNNING and advanced(begun, 4).steps == 4
 
 
+@pytest.mark.long
 def test_complex_states_and_nests_are_integrated():
     times = jnp.asarray(TIMES)
     problem = embedded.Problem(
@@ -110,6 +113,7 @@ def test_complex_states_and_nests_are_integrated():
     assert np.abs(run.saved[1] - np.exp(0.5j) * np.asarray(start["z"])).max() < 1e-11
 
 
+@pytest.mark.long
 def test_the_time_of_an_event_moves_with_what_it_depends_on():
     """z̈ = −g from height z with speed v reaches the ground at T = (v + √(v² + 2gz))/g."""
     times = jnp.linspace(0.0, 9.0, 4)

@@ -30,6 +30,7 @@ def point_of(algebra, size=1.0):
 AT_ONCE = ("SU(3)", "SO(3,1)")
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("algebra", [pytest.param(a, id=a.name, marks=[] if a.name in AT_ONCE else [pytest.mark.sweep])
                                      for a in ALGEBRAS])  # fmt: skip
 def test_a_step_solves_its_equation(algebra):
@@ -85,6 +86,7 @@ def test_long_steps_go_by_linear_systems():
     assert not bool(fixed_point(by_products, state, jnp.max(jnp.abs(state))).converged)
 
 
+@pytest.mark.long
 def test_a_step_without_a_solution_in_reach_is_an_error():
     system = quadratic(lie.SU(3))
     state = point_of(system.algebra, 30.0)
@@ -92,6 +94,7 @@ def test_a_step_without_a_solution_in_reach_is_an_error():
         ph.simulate(system, state, [0.0, 5.0], IsospectralMidpoint, step=5.0, order=2)
 
 
+@pytest.mark.long
 def test_every_copy_ends_by_its_own_scale():
     system, h = quadratic(lie.SU(3)), 0.02
     states = jnp.stack([point_of(system.algebra, size) for size in (1e-9, 1.0, 20.0, 0.0)])
@@ -104,6 +107,7 @@ def test_every_copy_ends_by_its_own_scale():
         assert np.abs(change - one.state).max() <= 4e-16 * np.abs(one.state).max()
 
 
+@pytest.mark.long
 def test_a_fixed_point_with_one_size_for_all_would_stop_too_early():
     """What the tolerance is for: 1e-9 beside 1, and slower than that, keeps less than half of its digits."""
     target, share = jnp.array([[1e-9], [1.0]]), jnp.array([[0.5], [0.01]])
@@ -113,6 +117,7 @@ def test_a_fixed_point_with_one_size_for_all_would_stop_too_early():
     assert errors[0] < 1e-14 and errors[1] > 1e-9
 
 
+@pytest.mark.long
 def test_hints_save_iterations_and_change_nothing():
     system, h, count = quadratic(lie.SU(3)), 0.05, 30
 

@@ -42,6 +42,7 @@ def gained(system: Any, rate: float, times: Any, **more: Any) -> Any:
     return found.momentum[-1, 2] - found.momentum[0, 2], found
 
 
+@pytest.mark.long_cases("two samples-500.0-20.0-0.0", "two samples-500.3-0.02-0.0")
 @pytest.mark.parametrize("rate", [0.0, 1e-3])
 @pytest.mark.parametrize(("start", "width"), [(500.0, 20.0), (500.3, 0.02)])
 @pytest.mark.parametrize("times", [SPAN, np.linspace(0.0, 1000.0, 1001)], ids=["two samples", "a sample a second"])
@@ -51,6 +52,7 @@ def test_a_pulse_nobody_named_is_found(start, width, rate, times):
     assert got == pytest.approx(0.5 * width, rel=1e-9) and found.error_estimate < 1e-8
 
 
+@pytest.mark.long
 def test_a_pulse_narrower_than_any_trial_is_seen_once_it_is_named():
     start, width = 123.456, 1e-6
     got, _ = gained(RigidBody(MOMENTS, torques=[Pulse(start, width, 0.5)]), 1e-3, SPAN)
@@ -60,6 +62,7 @@ def test_a_pulse_narrower_than_any_trial_is_seen_once_it_is_named():
     assert got == pytest.approx(0.5e-6, rel=1e-7) and found.error_estimate < 1e-12
 
 
+@pytest.mark.long_cases("Dopri8-True", "Kvaerno5-True", "Kvaerno5-False")
 @pytest.mark.parametrize("named", [True, False])
 @pytest.mark.parametrize("method", [None, diffrax.Kvaerno5()], ids=["Dopri8", "Kvaerno5"])
 def test_backwards_and_by_implicit_steps(named, method):
@@ -68,6 +71,7 @@ def test_backwards_and_by_implicit_steps(named, method):
     assert got == pytest.approx(-1.0, rel=1e-7)
 
 
+@pytest.mark.long
 def test_jumps_on_samples_and_beside_the_run_do_no_harm():
     torques = [Pulse(5.0, 5.0, 0.5, True), Pulse(-3.0, 1.0, 1.0, True), Pulse(10.0, 7.0, 1.0, True)]
     got, found = gained(RigidBody(MOMENTS, torques=torques), 0.1, np.linspace(0.0, 10.0, 11))
@@ -99,6 +103,7 @@ def test_what_switches_as_often_as_times_are_tried_is_seen():
         find_undeclared_jumps(system, system.pack(), np.array([0.0, 131.072]))
 
 
+@pytest.mark.long
 def test_what_shows_only_along_the_motion_is_found_there():
     """A brake that acts for 20 s, on a body that another pulse sets turning: at the start it is nothing."""
 
@@ -115,6 +120,7 @@ def on(t):
     return jnp.where((t >= 400.0) & (t < 400.001), 2.0, 0.0)
 
 
+@pytest.mark.long_after(1)
 def test_a_motor_names_its_jumps(stepper):
     wheel = Wheel((0.0, 0.0, 1.0), 0.1, motor=lambda t, *more: on(t), jumps=[400.0, 400.001])
     system = RigidBody(MOMENTS, mounts=[wheel])
@@ -122,6 +128,7 @@ def test_a_motor_names_its_jumps(stepper):
     assert found.angular_velocity[-1, 2] == pytest.approx(-0.002 / 2.9, rel=1e-6)
 
 
+@pytest.mark.long
 def test_an_actuator_names_its_jumps():
     command = lambda t, attitude, velocity: on(t)[..., None] * jnp.array([0.0, 0.0, 1.0]) + 0.0 * velocity  # noqa: E731
     system = RigidBody(MOMENTS, torques=[LaggedTorque(command, 0.5, jumps=[400.0, 400.001])])
@@ -143,6 +150,7 @@ def test_derivatives_of_reverse_mode_by_the_width():
     assert float(jax.grad(last)(1.0, 1e-3)) == pytest.approx(0.5, rel=1e-6)
 
 
+@pytest.mark.long
 def test_transformations():
     """ΔL = τ × width by ``solve`` under jit and vmap, with the derivative by the width."""
     widths, rates = jnp.array([0.02, 1.0, 1e-4]), jnp.array([0.0, 1e-3, 0.1])
@@ -151,6 +159,7 @@ def test_transformations():
     assert float(jax.jacfwd(last)(1.0, 1e-3)) == pytest.approx(0.5, rel=1e-6)
 
 
+@pytest.mark.long
 def test_a_batch(stepper):
     system = RigidBody(MOMENTS, torques=[Pulse(500.3, 0.02, 0.5)])
     many = system.pack(angular_velocity=jnp.array([[0.0, 0.0, 0.0], [0.0, 0.0, 0.1]]))
@@ -176,6 +185,7 @@ class Turned(systems.FreeRigidBody):
         return False
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("method", [LieMidpoint, MuntheKaas])
 def test_methods_along_the_orbit_stop_at_jumps(method):
     """A ball's momentum is turned by rate × width, −0.8 rad, to the method's own error."""
@@ -209,6 +219,7 @@ class Brake(AbstractTorque):
         return -jnp.where((t >= 633.3) & (t < 633.315), 3.0, 0.0)[..., None] * angular_velocity
 
 
+@pytest.mark.long_cases("by adaptive steps")
 def test_a_pulse_that_only_another_copy_feels_is_found(stepper):
     """The first copy rests, and was the only one that was tried: 3.0 stayed 3.0, told 0.0."""
     system = RigidBody(MOMENTS, torques=[Brake()])
@@ -234,6 +245,7 @@ def test_it_is_said_where_rates_switch_too_often():
         find_undeclared_jumps(system, system.pack(angular_velocity=(0.0, 0.0, 0.0)), np.array([0.0, 100.0]))
 
 
+@pytest.mark.long
 def test_a_pulse_that_nobody_met_leaves_a_doubt():
     """The estimate was exactly 0.0, which would say that the motion is exact."""
     _, found = gained(RigidBody(MOMENTS, torques=[Pulse(123.456, 1e-6, 0.5)]), 0.0, SPAN)

@@ -119,6 +119,7 @@ def midpoint_rule(momentum, moments, h, steps):
     return now
 
 
+@pytest.mark.long
 def test_a_gradient_is_that_of_differences_in_forty_digits():
     """By momentum and moments, of Lie's midpoint rule of order 2, which on so(3) is the implicit midpoint rule."""
     h, steps, weights = 0.125, 24, RNG.normal(size=3)

@@ -27,6 +27,7 @@ def exact(moments, momentum, times=TIMES):
     return ph.FreeMotion(moments, momentum=momentum, epoch=times[0]).momentum(times)
 
 
+@pytest.mark.long
 def test_values_are_those_of_the_motion_compiled_or_not():
     for solve in (moved, jax.jit(moved)):
         assert np.abs(solve(MOMENTS, START) - exact(MOMENTS, START)).max() < 2e-15
@@ -35,6 +36,7 @@ def test_values_are_those_of_the_motion_compiled_or_not():
     assert np.abs(found.end_state - exact(MOMENTS, START)[-1]).max() < 2e-15
 
 
+@pytest.mark.long_cases("jacfwd-moments")
 @pytest.mark.parametrize("by", [0, 1], ids=["moments", "start"])
 @pytest.mark.parametrize("mode", [jax.jacfwd, jax.jacrev])
 def test_derivatives_are_those_of_the_closed_form(by, mode):
@@ -42,6 +44,7 @@ def test_derivatives_are_those_of_the_closed_form(by, mode):
     assert np.abs(found - wanted).max() < 1e-12
 
 
+@pytest.mark.long
 def test_derivatives_by_every_time():
     """By the first time as well, from which the motion begins."""
     found = jax.jacrev(lambda times: moved(MOMENTS, START, times))(TIMES)
@@ -49,6 +52,7 @@ def test_derivatives_by_every_time():
     assert np.abs(found - wanted).max() < 1e-12 and np.abs(found[0]).max() == 0.0
 
 
+@pytest.mark.long_cases("[0.0, 0.0, 3.0]")
 @pytest.mark.parametrize("momentum", [[0.0, 0.0, 3.0], [0.0, 2.0, 0.0], [1e-13, 2.0, 0.0]], ids=str)
 def test_derivatives_where_nothing_moves(momentum):
     """There the motion's own series ends at once, and no step is too long for it; tangents turn or grow."""
@@ -72,6 +76,7 @@ def test_forward_derivatives_of_forward_ones():
     assert jax.eval_shape(along(along(weigh)), START).shape == ()
 
 
+@pytest.mark.long
 def test_batches_are_their_copies():
     starts, moments = jnp.stack([START, 3.0 * START]), jnp.stack([MOMENTS, MOMENTS[::-1]])
     for k, (m, x) in enumerate(zip(moments, starts, strict=True)):
@@ -89,6 +94,7 @@ def test_what_is_saved_may_be_less_or_a_function():
     assert sizes.shape == (6,) and largest == sizes.max()
 
 
+@pytest.mark.long
 def test_what_balances_received_is_integrated_and_differentiated():
     """A body that is braked loses what its drag takes: T and what it received differ by a constant, at any drag."""
 
@@ -105,6 +111,7 @@ def test_what_balances_received_is_integrated_and_differentiated():
     assert received[-1] < -0.1 and np.ptp(constant) < 1e-15 and slopes[-1] < -0.1 and np.abs(none).max() < 1e-14
 
 
+@pytest.mark.long
 def test_complex_states():
     system = systems.LiePoisson(ph.algebra.SU(2), lambda m: jnp.real(1j * (m[..., 0, 0] - m[..., 1, 1])))
     of = ph.algebra.SU(2).from_dual_vector
@@ -135,6 +142,7 @@ class Growing(systems.AbstractSystem):
         return {}
 
 
+@pytest.mark.long
 def test_what_runs_away_says_so():
     found = jax.jit(lambda r: ph.solve(Growing(r), jnp.ones(1), jnp.array([0.0, 0.5, 1.5]), Taylor))(jnp.asarray(1.0))
     assert found.status == Status.NOT_CONVERGED and np.isnan(found.end)
@@ -199,6 +207,7 @@ def test_gradients_come_back_along_the_motion(backs):
     assert backs == [True]
 
 
+@pytest.mark.long
 def test_gradients_of_a_batch_whose_system_all_share(backs):
     starts = jnp.stack([START, 3.0 * START, jnp.array([0.0, 0.0, 2.0])])  # the last one stands still
     loss = lambda m, x: jnp.sum(jnp.sin(moved(m, x)[..., -1, :]))  # noqa: E731
@@ -209,6 +218,7 @@ def test_gradients_of_a_batch_whose_system_all_share(backs):
     assert np.abs(each[1].ravel() - found[3:]).max() < 1e-13 * np.abs(wanted).max()
 
 
+@pytest.mark.long
 def test_gradients_of_what_is_received_and_by_times(backs):
     def loss(drag, times):
         body = eqx.tree_at(lambda b: b.torques[0].coefficient, BRAKED, drag * jnp.ones(3))
@@ -219,6 +229,7 @@ def test_gradients_of_what_is_received_and_by_times(backs):
     assert np.abs(found - wanted).max() < 1e-12 * np.abs(wanted).max() and backs == [True]
 
 
+@pytest.mark.long_cases("tangents")
 @pytest.mark.parametrize(("drag", "taken"), [(5.0, [True]), (2e4, [False])], ids=["parts", "tangents"])
 def test_what_has_lost_its_past_finds_it_again_or_goes_ahead(backs, drag, taken):
     """Against time, damping makes of a rounding whatever it likes: the way back is compared with the way ahead."""
@@ -275,6 +286,7 @@ def test_a_change_that_comes_from_nothing():
     assert 0.1 < np.abs(wanted).max() and np.abs(found - wanted).max() < 1e-8
 
 
+@pytest.mark.long
 def test_changes_of_a_batch_whose_system_all_share():
     starts, way = jnp.stack([START, 3.0 * START]), jnp.array([0.3, -0.2, 0.1])
     found = jax.jvp(lambda m: moved(m, starts), (MOMENTS,), (way,))[1]

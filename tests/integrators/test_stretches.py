@@ -20,6 +20,7 @@ def run(times, step, states=START):
     return ph.simulate(BODY, states, times, step=step, estimate_error=False).states
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("states", first(1, [START * np.array([[1.0], [0.5], [2.0]]), START]), ids=["three", "one"])
 def test_stretches_join_into_the_whole_run(monkeypatch, states):
     many, few = np.linspace(0.0, 10.0, 101), np.linspace(0.0, 10.0, 3)
@@ -41,6 +42,7 @@ def test_stretches_cover_every_interval_once():
     assert len(found) > 20
 
 
+@pytest.mark.long
 def test_an_interrupt_ends_a_long_run_soon():
     code = (
         "import os, signal, threading, numpy as np, polhode as ph\n"

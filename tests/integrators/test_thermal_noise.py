@@ -42,6 +42,7 @@ def test_bias_is_of_second_order():
         assert abs(mean_along_field(16384, step, 200.0, 2) - expected - bias) < 0.0016
 
 
+@pytest.mark.long
 def test_lengths_are_exact_and_sampling_and_batches_change_nothing():
     system = SpinLattice(Lattice([[1.0]], shape=(6,)), 1.5, [Bond(0, 0, (1,), 1.0)])
     start = system.aligned(np.random.default_rng(1).normal(size=(3, 6, 1, 1, 1, 3)))

@@ -32,6 +32,7 @@ def mean_of_step(h, fields=FIELDS):
     return np.einsum("n,nij->ij", weights, moved)
 
 
+@pytest.mark.long
 def test_means_are_of_weak_order_two():
     """E dL = (A + ½ Σ A_k²) L dt for a constant field: the mean of a step is off by h³, though they do not commute."""
     generator = cross(ALONG) + 0.5 * sum(cross(x) @ cross(x) for x in FIELDS)
@@ -41,6 +42,7 @@ def test_means_are_of_weak_order_two():
     assert np.abs(without - expm(0.1 * generator)).max() > 50 * errors[2]
 
 
+@pytest.mark.long
 def test_casimirs_stay_and_the_energy_does_not():
     fluid = SphereFluid(6, 0.4)
     rng = np.random.default_rng(3)
@@ -53,6 +55,7 @@ def test_casimirs_stay_and_the_energy_does_not():
     assert abs(energies[-1] / energies[0] - 1.0) > 0.01
 
 
+@pytest.mark.long
 def test_sampling_and_batches_change_nothing_and_attitudes_follow():
     body = FreeRigidBody((1.0, 2.0, 3.0))
     start = np.array([[1.0, 0.0, 0.0, 0.0, 0.2, 1.0, 0.4], [1.0, 0.0, 0.0, 0.0, 0.9, 0.1, -0.4]])

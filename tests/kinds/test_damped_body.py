@@ -53,6 +53,7 @@ def test_a_rod_goes_flat_as_the_closed_form_says(report):
     assert [note for note in values["notes"] if "Explorer 1" not in note] == []
 
 
+@pytest.mark.long
 def test_verdicts_and_rates_inside_a_triaxial_body(report):
     """About axis k the exponents are those of ẋ = a y − d x, ẏ = −b x − e y with a, b of Euler's equations."""
     found = report(TRIAXIAL, "damping = 0.03", 'rate = "2 rad/s"\nabout = 1\ntilt = "3 deg"')
@@ -169,6 +170,7 @@ def test_bad_specs_are_refused_with_code_2(tmp_path, capsys, system, words):
     assert not [word for word in words if word not in said], said
 
 
+@pytest.mark.long
 def test_losses_may_be_given_by_time_or_power(report):
     spin = 'rate = "3 rad/s"\nabout = 1\ntilt = "5 deg"'
     by_time = report(TRIAXIAL, 'damping_time = "40 s"', spin, "samples = 400").as_json_dict()
@@ -187,6 +189,7 @@ def test_a_thin_rod_is_refused(report):
         report('parts = [{ shape = "rod", mass = "1 kg", length = "1 m" }]', "damping = 0.1")
 
 
+@pytest.mark.long
 def test_stiff_losses_are_announced(report, monkeypatch, capsys):
     """They ran for over 100 s without a word: steps are as short as the fastest loss is quick, with nothing to lose."""
     monkeypatch.setattr(length, "WATCHED", 0.02)

@@ -43,6 +43,7 @@ def report(spec):
     return spec.report()
 
 
+@pytest.mark.long_after(1)
 def test_a_kind_is_as_it_must_be(kind):
     check_kind(kind)
     if kind.name in OWN:
@@ -66,6 +67,10 @@ def bent_kind(kind, **bent):
     return type("BentKind", (type(kind),), {"__module__": type(kind).__module__, **bent})()
 
 
+@pytest.mark.long_cases(
+    "free-body-bent6-`has_attitude` says whether", "spin-orbit-bent9-none makes",
+    "heavy-top-bent8-`motion` gives the motion of the report, to the bit",
+)  # fmt: skip
 @pytest.mark.parametrize(
     ("name", "bent", "words"),
     [
@@ -114,6 +119,7 @@ def test_what_is_no_kind_is_refused(monkeypatch):
         check_kind("free-body")
 
 
+@pytest.mark.long
 def test_no_kind_is_named_outside_its_folder():
     """Nothing else in the package knows one, but the systems that say which they are of: a third party's is as good."""
     home = Path(registry.__file__).parents[1]

@@ -34,6 +34,7 @@ def report_on(regime):
     return free_body_report(ph.Body.from_moments(*moments, mass=2.0), momentum, IDENTITY)
 
 
+@pytest.mark.long_cases("separatrix")
 @pytest.mark.parametrize("regime", only({"rest", "separatrix"}, REGIMES))
 def test_every_regime_is_reported_and_drawn(regime, tmp_path):
     report = report_on(regime)

@@ -105,6 +105,7 @@ def test_the_motors_work_is_what_body_and_rotor_gained(spec):
     )
 
 
+@pytest.mark.long
 def test_momentum_in_a_spec_is_that_of_all(spec):
     total = INERTIA @ START + 0.4 * 3.0 * AXIS
     momentum = ", ".join(f'"{x!r} kg*m^2/s"' for x in total.tolist())
@@ -113,6 +114,7 @@ def test_momentum_in_a_spec_is_that_of_all(spec):
     assert report.axes @ report.trajectory.angular_velocity[0] == pytest.approx(START, abs=1e-14)
 
 
+@pytest.mark.long
 def test_symmetric_carriers_nutate_at_the_rate_known_by_hand(spec):
     """I1 = I2: Π turns about axis 3 at ((I3 − I1) Ω3 + h)/I1 in the body, the axis about L at |L|/I1 in space."""
     turning = 'angular_velocity = ["0.2 rad/s", "0 rad/s", "0.4 rad/s"]'
@@ -130,6 +132,7 @@ def test_symmetric_carriers_nutate_at_the_rate_known_by_hand(spec):
     assert free["momentum_norm"] == pytest.approx(values["momentum_norm"], rel=1e-14)
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("gap", [0.0, 0.01, pytest.param(0.4, marks=pytest.mark.sweep)])
 def test_every_steady_rotation_has_its_nutation_symmetric_or_not(gap):
     """Against the linearised equations on the tangent plane, by their eigenvalues, and by a motion close to each."""
@@ -154,6 +157,7 @@ def test_every_steady_rotation_has_its_nutation_symmetric_or_not(gap):
     assert len(steady_rotations(gyrostat, 2.0)) == (3 if gap == 0.0 else 6)
 
 
+@pytest.mark.long
 def test_a_report_has_the_mean_rates_of_its_motion_where_two_moments_nearly_agree(spec):
     nearly = 'moments = ["1.99 kg*m^2", "2 kg*m^2", "3 kg*m^2"]'
     turning = 'angular_velocity = ["0.01 rad/s", "0 rad/s", "0.4 rad/s"]'
@@ -173,6 +177,7 @@ def by_polynomial(moments, rotor, norm):
     return np.array([rotor / (1.0 - x * np.asarray(moments)) for x in real]) / norm
 
 
+@pytest.mark.long
 def test_steady_rotations_are_all_and_none_but_the_roots_of_a_polynomial():
     moments, counts = np.array([1.0, 2.0, 2.6]), set()
     for rotor in ([0.05, 0.1, 0.08], [0.3, 0.2, 0.1], [0.9, -0.8, 1.5]):
@@ -191,6 +196,7 @@ def test_steady_rotations_are_all_and_none_but_the_roots_of_a_polynomial():
     assert counts == {2, 4, 6}
 
 
+@pytest.mark.long
 def test_carriers_of_revolution_have_poles_and_maybe_a_circle():
     moments = np.array([2.0, 2.0, 3.0])
     for rotor, circle in ((0.0, True), (0.49, True), (0.51, False), (-0.49, True)):
@@ -214,6 +220,7 @@ def test_only_gyrostats_have_steady_rotations():
             steady_rotations(system, norm)
 
 
+@pytest.mark.long
 def test_a_drum_makes_the_axis_of_least_inertia_the_lowest_in_energy():
     """Of the example: without the drum losses leave the axis, with it they return to it."""
     moments, norm = np.array([130.8, 472.338, 474.858]), 764.8
@@ -251,6 +258,7 @@ def test_at_rest_and_spun_up_from_rest(spec, tmp_path):
     json.dumps(up.as_json_dict(), allow_nan=False)
 
 
+@pytest.mark.long
 def test_figures_show_motion_and_equilibria(spec, tmp_path):
     report = report_on(spec(TILTED, f'{ROTOR}\nrotor_drive = "constant-rate"', SPIN))
     from polhode.kinds.gyrostat.figures import draw_gyrostat_motion, draw_gyrostat_sphere
@@ -285,6 +293,7 @@ def test_bad_specs_are_refused_with_code_2(spec, capsys, system, words):
     assert not [word for word in words if word not in said], said
 
 
+@pytest.mark.long
 def test_a_flat_body_has_no_room_for_a_rotor_across_it(spec):
     """A lamina's I3 = I1 + I2 leaves nothing along axis 3; a disk about axis 2 has something there."""
     flat = 'moments = ["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]'

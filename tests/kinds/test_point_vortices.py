@@ -41,6 +41,7 @@ def test_a_ring_on_a_sphere_of_any_size(spec):
     assert values["closest"]["distance"] == pytest.approx(4.0 * math.sin(angle) * math.sin(math.pi / 5.0), rel=1e-9)
 
 
+@pytest.mark.long
 def test_a_pair_goes_round_its_centre(spec):
     turned = '\npositions = [["3 m", "0.5 m"], ["4 m", "-0.5 m"]]'
     found = spec(strengths(1, 2) + turned).report()
@@ -59,6 +60,7 @@ def test_opposite_vortices_move_straight(spec):
     np.testing.assert_allclose(found.positions[-1, 0], [3.0 / (4.0 * math.pi), 1.0], atol=1e-12)
 
 
+@pytest.mark.long_cases("0.4-unstable")
 @pytest.mark.parametrize(("middle", "verdict"), [(0.4, "unstable"), (0.6, "stable")])
 def test_eight_need_half_a_ninth(spec, middle, verdict):
     """(n² − 8n + 8)/16 is 1/2 for n = 8: Cabral & Schmidt, SIAM J. Math. Anal. 31 (2000) 231."""
@@ -68,6 +70,7 @@ def test_eight_need_half_a_ninth(spec, middle, verdict):
     assert found.verdict.verdict == verdict
 
 
+@pytest.mark.long
 def test_figures_of_each_surface(spec, tmp_path):
     for k, places in enumerate(('ring_radius = "1 m"', 'coordinates = [["80 deg", "0 deg"], ["-60 deg", "45 deg"]]')):
         (tmp_path / str(k)).mkdir()

@@ -90,6 +90,7 @@ def test_steps_are_turns_of_classical_motion():
 RUNAWAY = (EXAMPLES / "sulfur_dioxide.toml").read_text().replace('"2.5904328 MHz"', '"{}"')
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("large", ["2.5904328 GHz", "1e3 GHz"])
 def test_a_distortion_constant_in_another_unit_is_said(spec_of, large):
     """Levels far below the ground state had infinite intensities, which ended in a traceback inside the spectrum."""
@@ -126,6 +127,7 @@ def test_weights_about_an_axis_that_no_symmetry_has_are_noted(spec_of, tmp_path,
     assert len(notes) == (said is not None) and (said is None or said in notes[0])
 
 
+@pytest.mark.long
 def test_symmetric_and_linear_molecules(spec_of):
     """Nothing of polhodes is said where they are circles; a linear molecule has one constant."""
     linear = spec_of('[system]\nkind = "quantum-rotor"\nconstants = ["57.635968 GHz"]\n').report()
@@ -137,6 +139,7 @@ def test_symmetric_and_linear_molecules(spec_of):
         assert words in spec_of(text).report().summary
 
 
+@pytest.mark.long
 def test_a_flip(spec_of):
     """Answers in seconds of constants in Hz: a rate of 4π(J + ½)√((A − B)(B − C))."""
     system = '[system]\nkind = "quantum-rotor"\nconstants = ["27 GHz", "14 GHz", "9 GHz"]\nj_max = 2\nj = 25\n'

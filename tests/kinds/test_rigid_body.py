@@ -29,6 +29,7 @@ def spec(tmp_path, text):
     return read_spec(path)
 
 
+@pytest.mark.long
 def test_ten_lines_say_that_a_satellite_stays_under_gravity(tmp_path):
     found = spec(tmp_path, HEAD + BODY + SPIN + ORBIT + GRAVITY + END).report()
     values = found.values()["gravity"]
@@ -44,6 +45,7 @@ def test_ten_lines_say_that_a_satellite_stays_under_gravity(tmp_path):
     assert turned.values()["gravity"]["verdict"] == "unstable"
 
 
+@pytest.mark.long
 def test_another_packages_torque_is_named_by_its_entry_point(tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(str(Path(__file__).parents[1] / "plugin"))
     from polhode.spec import named
@@ -62,6 +64,7 @@ def test_another_packages_torque_is_named_by_its_entry_point(tmp_path, monkeypat
     named._others.cache_clear()
 
 
+@pytest.mark.long
 def test_pulses_of_a_thruster_in_a_spec(tmp_path):
     text = HEAD + BODY + (
         '[[torque]]\ntype = "thruster"\nat = ["500 s", "700 s"]\nlasting = "20 ms"\nforce = ["0 N", "5 N", "0 N"]\n'
@@ -71,6 +74,7 @@ def test_pulses_of_a_thruster_in_a_spec(tmp_path):
     assert found.history.momentum[-1] == pytest.approx([0.0, 0.0, 0.1 * 5.0 * 0.04], rel=1e-12, abs=1e-14)
 
 
+@pytest.mark.long
 def test_the_example_of_a_cubesat_points_down(tmp_path):
     text = (EXAMPLES / "cubesat_6u.toml").read_text("utf-8").replace('until = "95 min"', 'until = "10 min"')
     found = spec(tmp_path, text.replace("samples = 1141", "samples = 121")).report()
@@ -146,6 +150,7 @@ def test_numbers_of_its_tables_can_be_swept(tmp_path):
     assert "control.bandwidth" in plan.design.inputs
 
 
+@pytest.mark.long
 def test_free_wheels_friction_and_a_motor(tmp_path):
     text = HEAD + BODY + (
         '[spin]\nangular_velocity = ["0 rad/s", "0 rad/s", "0.01 rad/s"]\n'
@@ -163,6 +168,7 @@ def test_free_wheels_friction_and_a_motor(tmp_path):
     assert [row["rate_largest"] > 0 for row in found.values()["wheels"]] == [True] * 3
 
 
+@pytest.mark.long
 def test_specs_in_memory_are_the_same_as_files(tmp_path):
     tables = {"system": "rigid-body", "body": {"moments": ["1 kg*m^2"] * 3}, "wheel": [
         {"axis": [0, 0, 1], "moment": "0.1 kg*m^2", "rate": "10 rad/s"}]}  # fmt: skip

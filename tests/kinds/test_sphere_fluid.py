@@ -40,6 +40,7 @@ def test_a_planetary_wave_turns_as_rossby_and_haurwitz_say(spec):
     assert values["spectrum"][4]["start"] == pytest.approx(values["energy"], rel=1e-12)
 
 
+@pytest.mark.long
 def test_random_starts_have_their_vorticity_and_vortices_their_circulation(spec):
     report = spec('resolution = 6\nradius = "2 m"\nrandom = {degrees = [2, 4], vorticity = "3 rad/s"}', "1 ms").report()
     assert report.as_json_dict()["vorticity"] == pytest.approx(3.0, rel=1e-12)

@@ -34,6 +34,7 @@ def spec(tmp_path):
     return make
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("branch", "speed"), first(1, [("eastward", 0.6835801927), ("westward", -0.4419135261)]))
 def test_an_exact_wave_goes_round_as_it_should(spec, branch, speed):
     report = spec(f'resolution = 6\nrotation = "1.3 rad/s"\n{WAVE}, branch = "{branch}"}}').report()
@@ -61,6 +62,7 @@ def test_a_wave_grows_as_linear_theory_says(spec):
     assert [other["run"] for other in others] == [None, None]
 
 
+@pytest.mark.long
 def test_a_run_goes_on_from_its_file(spec, tmp_path):
     span, text = "0.5 s", f"resolution = 6\n{RANDOM}"
     whole, half = spec(text, "1 s", 5).report(), spec(text, span, 3).report()

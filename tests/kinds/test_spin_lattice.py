@@ -44,6 +44,7 @@ def test_waves_of_a_ferromagnetic_chain(spec):
     assert report.trajectory.invariants["energy"][0] / 8 == pytest.approx(values["energy"]["start"], rel=1e-12)
 
 
+@pytest.mark.long
 def test_damping_turns_a_spin_into_the_field(spec):
     """S_z/s = tanh(λBt + artanh cos θ₀) of free spins: their exchange does nothing while all are alike."""
     text = CHAIN + '\nfield = ["0 T", "0 T", "5 T"]\ndamping = 0.3\ndirections = [[1, 0, 0]]'
@@ -79,6 +80,7 @@ def test_skyrmions_grow_from_disorder(spec):
     assert any("skyrmions" in note for note in report.notes)
 
 
+@pytest.mark.long
 def test_opposed_neighbours_need_two_sites(spec):
     text = 'vectors = [[2]]\nbasis = [[0], [1]]\ncells = [4]\ndirections = [[0, 0, 1], [0, 0, -1]]\n'
     bonds = '{ sites = [1, 2], cell = [0], exchange = "-1 meV" }, { sites = [2, 1], cell = [1], exchange = "-1 meV" }'

@@ -73,6 +73,7 @@ def test_shape_from_a_body_and_orbit_from_its_size(report):
     assert "pendulum" in words and "1:1" in words and "3:2" not in words
 
 
+@pytest.mark.long
 def test_chaos_is_said_with_how_long_it_can_be_followed(report):
     text = MERCURY.replace("0.0257", "0.89").replace("0.2056", "0.1").replace("10 deg", "90 deg")
     text = text.replace("1.5", "1.0").replace("200", "30")  # compiled once with the kind's own example

@@ -141,6 +141,7 @@ def test_moments_that_are_equal_but_for_rounding(read):
 TOLD = '[spin]\nspin = "40 rev/s"\nprecession = "{}"\n[time]\nuntil = "0.2 s"\nsamples = 50'
 
 
+@pytest.mark.long_cases("slow")
 @pytest.mark.parametrize("which", ["slow", "fast"])
 def test_steady_precession_is_steady(read, which):
     """To rounding of the exact motion, and as well as splitting follows it."""
@@ -198,6 +199,7 @@ def test_a_level_axis_has_one_steady_precession(read):
         read(CONE, lagrange('lean = "90 deg"'), TOLD.format("fast")).report()
 
 
+@pytest.mark.long
 def test_a_level_gyroscope_goes_round_in_the_known_time_and_in_no_other(read):
     """A disk of 170 g and 5.5 cm on a stand 10.5 cm from it, at 45 turns a second: T = 2π ½ m R² ψ̇/(m g l) = 2.60950 s.
 

@@ -24,6 +24,7 @@ def spec(tmp_path):
     return make
 
 
+@pytest.mark.long
 def test_landau_damping(spec):
     text = "wavenumber = 0.5\namplitude = 0.01\nmodes = 1\nvelocities = 64\nparticles_per_velocity = 16"
     report = spec(text).report()
@@ -45,6 +46,7 @@ def test_two_streams(spec):
     assert report.fit.growth == pytest.approx(0.2258442550, rel=0.005) and report.fit.error < 0.002
 
 
+@pytest.mark.long
 def test_strong_waves_are_not_measured_by_linear_theory(spec):
     text = "wavenumber = 0.5\namplitude = 0.5\nmodes = 2\nvelocities = 64\nparticles_per_velocity = 16"
     report = spec(text, "10 s", 101).report()
@@ -54,6 +56,7 @@ def test_strong_waves_are_not_measured_by_linear_theory(spec):
     assert np.log(peaks[:2]) == pytest.approx([-0.813, -1.425], abs=0.25)
 
 
+@pytest.mark.long
 def test_the_wave_that_grows_fastest():
     assert fastest_growing_wave(two_stream(2.4), 0.2).growth == pytest.approx(0.2258442550, rel=1e-9)
     assert fastest_growing_wave(two_stream(2.4), 0.2).frequency == 0.0
@@ -110,11 +113,13 @@ def test_a_beam_too_cold_for_its_velocities(spec):
         spec(GOOD + "\nbeams = [{spread = 0.01}]\nfastest = 9.0").report()
 
 
+@pytest.mark.long
 def test_beams_are_kept_in_the_answers(spec):
     report = spec(GOOD + "\nvelocities = 16\nparticles_per_velocity = 4\nbeams = [{drift = 1.0}]", "1 s", 5).report()
     assert report.beams == (Beam(1.0, 1.0, 1.0),) and report.as_json_dict()["beams"][0]["drift"] == 1.0
 
 
+@pytest.mark.long
 def test_particles_that_span_no_area_are_drawn_as_points(spec):
     """Qhull refuses what lies on one line, as electrons of one velocity do, and the report ended in its words."""
     text = "wavenumber = 0.5\namplitude = 0.01\nmodes = 1\nvelocities = 8\nparticles_per_velocity = 8"

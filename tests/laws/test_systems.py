@@ -30,6 +30,7 @@ def some_at_once(systems):
             for system in systems]  # fmt: skip
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("system", some_at_once(SYSTEMS), ids=named)
 def test_laws(system):
     check_system(system)
@@ -85,6 +86,7 @@ OTHERS = [
 ]
 
 
+@pytest.mark.long_cases("SpinOrbit-list")
 @pytest.mark.parametrize(("system", "states"), first(2, OTHERS), ids=lambda x: type(x).__name__)
 def test_what_is_no_lie_poisson_system_is_checked_at_states_that_are_given(system, states):
     check_system(system, states=states)

@@ -23,6 +23,7 @@ VALUES = {
 }
 
 
+@pytest.mark.long_cases("solve")
 @pytest.mark.parametrize("name", [pytest.param(n, marks=[] if n in ("contact_point", "solve") else [pytest.mark.sweep])
                                   for n in VALUES])  # fmt: skip
 def test_value_alone(name):

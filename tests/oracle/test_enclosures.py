@@ -103,6 +103,7 @@ def test_states_of_bodies_hold_those_of_integrated_equations(name):
         check_state(found.state("2.7"), integrated_state(*given, Fraction("2.7")))
 
 
+@pytest.mark.long_cases("separatrix")
 @pytest.mark.parametrize("name", TOPS)
 def test_states_of_tops_hold_those_of_integrated_equations(name):
     motion, given = top(name)
@@ -154,6 +155,7 @@ def test_a_wrong_formula_is_seen(monkeypatch):
             check(name)
 
 
+@pytest.mark.long
 def test_a_wrong_cap_is_seen(monkeypatch):
     """Quadratures tell a complete integral that misses a part in 1e55."""
     right = elliptic_balls.Periodic.complete
@@ -232,10 +234,12 @@ def check_top_cases(cases):
     return regimes
 
 
+@pytest.mark.long
 def test_doubles_of_bodies_lie_by_their_enclosures():
     assert len(check_free_cases(draw(4, seed=29))) >= 6
 
 
+@pytest.mark.long
 def test_doubles_of_tops_lie_by_their_enclosures():
     assert len(check_top_cases(draw_tops(3, seed=31))) >= 9
 

@@ -65,6 +65,7 @@ def test_answers_beside_a_principal_axis(leading, beside, exponent):
         assert motion.encircled_axis == leading
 
 
+@pytest.mark.long
 def test_one_such_body_does_not_fail_a_batch():
     momentum = np.array([[0.0, 1e-156, 1.0], [0.3, 1.8, 1.5], [5e-324, 1.0, 0.0]])
     attitude, found = ph.FreeMotion((1.0, 2.0, 3.0), momentum=momentum).state(1.0)

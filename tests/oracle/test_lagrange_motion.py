@@ -122,6 +122,7 @@ def check(engine: str, count: int, seed: int, announce) -> None:
     assert not {family: sizes for family, sizes in worst.items() if not max(sizes) <= WORST_ERROR}
 
 
+@pytest.mark.long_cases("numpy", "jax", "jax-vmap")
 @pytest.mark.parametrize("engine", first(4, ["numpy", "kernel", "jax", "jax-vmap", "compiled"]))
 def test_states_are_exact_in_every_family(engine, announce):
     assert len(drawn(SUITE_PER_FAMILY, 1)) >= 200
@@ -141,6 +142,7 @@ def test_the_bound_rejects_a_slightly_wrong_phase():
     assert worst_per_family(cases, (ph.rotation.multiply(off, attitudes), momenta))["generic"].attitude > WORST_ERROR
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("count", [3, pytest.param(MIXED_PER_FAMILY, marks=pytest.mark.sweep)])
 def test_a_mixed_batch_equals_its_tops_one_by_one(count):
     """By Numba and by Python, to the bit."""

@@ -41,6 +41,7 @@ def short_tops(count: int, seed: int, most_turn: float) -> list[TopCase]:
     return cases
 
 
+@pytest.mark.long
 def test_legendre_form_agrees_with_integrated_equations():
     check_by_series(short_tops(1, 7, MOST_TURN))
 
@@ -50,6 +51,7 @@ def test_legendre_form_agrees_with_integrated_equations_in_a_larger_draw():
     check_by_series(short_tops(6, 8, MOST_TURN_OF_THE_SWEEP))
 
 
+@pytest.mark.long
 def test_methods_tell_a_wrong_equation():
     """The two methods do not agree by accident: a weight off by one part in 1e30 parts them."""
     wrong = TOP._replace(mgl=exact(TOP.mgl) * (1 + fmpq(1, 10**30)))

@@ -45,6 +45,7 @@ def test_legendre_form_agrees_with_integrated_equations(family):
         assert distance(reference, integrated) < AGREEMENT, case
 
 
+@pytest.mark.long
 def test_a_whole_passage_between_the_saddles_agrees():
     moments, momentum, time = (1, 2, 3), (1e-12, 1.8, -1.5e-12), 75.0  # λt = 39: from one saddle to the other
     reference = reference_state(moments, momentum, time)

@@ -225,6 +225,7 @@ def error_of_bracket(sources):
     return max(errors)
 
 
+@pytest.mark.long
 def test_the_rate_along_the_motion_is_the_bracket():
     """dF/dt by differences of F alone, and {F, H} by SymPy at the same places."""
     start, pairs = [0.9, 0.5, -1.2], brackets()
@@ -310,12 +311,14 @@ CHECKS = {
 }  # fmt: skip
 
 
+@pytest.mark.long_cases("inertia", "poinsot", "axes", "disk", "quanta")
 @pytest.mark.parametrize("panel", CHECKS)
 def test_the_numbers_of_a_panel_are_polhodes(panel):
     error_of, tolerance, *_ = CHECKS[panel]
     assert error_of(None) < tolerance
 
 
+@pytest.mark.long_cases("gyroscope", "inertia", "poinsot", "axes", "bracket", "disk", "quanta")
 @pytest.mark.parametrize("panel", CHECKS)
 def test_a_wrong_formula_is_seen(panel, tmp_path):
     error_of, _, file, right, wrong = CHECKS[panel]

@@ -39,6 +39,7 @@ def test_signs_of_the_minus_bracket():
     assert np.asarray(plus(L)) == pytest.approx(-np.asarray(field(L)))
 
 
+@pytest.mark.long_cases("SU(3)")
 @pytest.mark.parametrize("algebra", only(AT_ONCE, SMALL), ids=lambda a: a.name)
 def test_bracket_field_tensor_and_time_derivative_agree(algebra):
     F, G = functions(algebra)
@@ -66,6 +67,7 @@ def test_bracket_field_tensor_and_time_derivative_agree(algebra):
         assert np.asarray(again) == pytest.approx(np.asarray(values), rel=EXACT, abs=EXACT)
 
 
+@pytest.mark.long_cases("SU(3)")
 @pytest.mark.parametrize("algebra", only(AT_ONCE, SMALL), ids=lambda a: a.name)
 def test_form_on_hamiltonian_fields_is_the_bracket(algebra):
     F, G = functions(algebra)
@@ -102,6 +104,7 @@ def test_restricted_bracket_inverts_the_form(algebra):
     assert not inner @ form == pytest.approx(np.eye(len(form)), abs=0.1)
 
 
+@pytest.mark.long
 def test_orbit_dimensions():
     assert poisson.orbit_dimension(lie.SO3(), np.array([[0.0, 0, 0], [1e-9, 0, 0], [1, 2, 3]])).tolist() == [0, 2, 2]
     assert poisson.orbit_dimension(lie.SE3(), point_of(lie.SE3())) == 4

@@ -40,6 +40,7 @@ def test_momentum_maps_and_the_lifted_action():
         poisson.reduce(ATTITUDE, space, side="up")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("momentum", first(1, [[0.3, 1.8, 1.5], [0.9, 1.6, 0.3]]))
 def test_attitude_and_phases_come_back(momentum):
     motion = ph.FreeMotion(MOMENTS, momentum=momentum, attitude=rotation.normalize((0.5, 0.1, -0.7, 0.2)))

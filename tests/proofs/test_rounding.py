@@ -95,6 +95,7 @@ def test_the_order_of_operations_of_squares():
         assert same(ROCQ["numpy_two_square"](Fraction(x)), dd.two_square(np.float64(x))), x
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("module, two_sum, two_square", [(dd, "numpy_two_sum", "numpy_two_square"),
                                                         (kernel, "kernel_two_sum", None)])  # fmt: skip
 def test_the_order_of_operations_on_pairs(module, two_sum, two_square):

@@ -20,6 +20,7 @@ SPEC.loader.exec_module(tables)
 EXPORTED = {name: algebra for algebras in tables.FILES.values() for name, algebra in algebras.items()}
 
 
+@pytest.mark.long
 def test_the_files_are_what_the_code_gives():
     for file, text in tables.file_texts().items():
         assert (PROOFS / file).read_text("utf-8") == text, f"{file}: run python proofs/export_tables.py"

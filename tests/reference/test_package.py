@@ -59,6 +59,7 @@ def installed(tmp_path_factory):
     return folder
 
 
+@pytest.mark.long
 def test_what_is_packed_can_be_imported_and_has_the_tables(installed):
     (installed / "ask.mjs").write_text(ASK)
     done = subprocess.run([NODE, "ask.mjs"], cwd=installed, capture_output=True, text=True, timeout=60, check=False)

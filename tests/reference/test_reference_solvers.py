@@ -93,6 +93,7 @@ def answers(request):
     return states
 
 
+@pytest.mark.long_cases("c-free-4")
 @pytest.mark.parametrize("count", [IN_SUITE, pytest.param(IN_SWEEP, marks=pytest.mark.sweep)])
 @pytest.mark.parametrize("motion", MOTIONS)
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -107,6 +108,7 @@ def test_every_family_soon_and_late(answers, language, motion, count):
             assert error[:, part].max() < limit, (givens[worst[0]], times[worst[0], part][worst[1]])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_extremes(answers, language):
     times = [EXTREME_TIMES] * len(EXTREMES)

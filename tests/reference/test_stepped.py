@@ -67,6 +67,7 @@ def worst(answer, wanted):
     return max(miss(column(answer, name), np.asarray(values)) for name, values in pairs)
 
 
+@pytest.mark.long_cases("top")
 @pytest.mark.parametrize("name", CASES)
 def test_states_are_those_of_polhode(name, solved, simulated):
     assert worst(solved[name], simulated[name]) < SAME
@@ -161,6 +162,7 @@ def test_what_has_a_closed_form_is_that():
         assert miss(column(answer, "momentum"), np.asarray(momentum)) < EXACT
 
 
+@pytest.mark.long
 def test_invariants_hold_over_200_turns():
     given = [("HeavyTop", TOP), ("HeavyTop", KOVALEVSKAYA), ("Gyrostat", GYROSTAT)]
     given += [("EulerDisk", {**DISK, "start": CASES["thin disk"].given["start"]})]
@@ -225,6 +227,7 @@ def test_a_state_does_not_depend_on_what_was_asked_before():
     assert answers[1]["steps"] > 2 * 16 * 2048 / 2  # far enough for places to be dropped
 
 
+@pytest.mark.long
 def test_a_time_too_far_is_refused_and_reached_by_asking_again():
     far = 17_000.0
     (answer,) = in_javascript([asked("Gyrostat", GYROSTAT, [far], tries=1)])

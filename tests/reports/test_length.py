@@ -58,6 +58,7 @@ ENDLESS = {
 }
 
 
+@pytest.mark.long_cases("moments far apart")
 @pytest.mark.parametrize("name", first(4, ENDLESS))
 def test_runs_without_end_are_ended_soon(tmp_path, monkeypatch, name):
     monkeypatch.setattr(length, "WATCHED", 0.1)
@@ -123,6 +124,7 @@ def test_runs_without_end_and_without_progress_are_told_in_numbers(monkeypatch):
         looked(monkeypatch, 1.0, [0.0, 0.0])
 
 
+@pytest.mark.long
 def test_a_step_given_in_the_spec_is_watched_too(tmp_path, monkeypatch):
     monkeypatch.setattr(length, "WATCHED", 0.1)
     with pytest.raises(InvalidInput, match=r"would take about .* A longer `system\.step` takes less"):
@@ -151,6 +153,7 @@ def test_what_cannot_be_counted_is_said_in_finite_numbers(steps):
     assert "inf" not in said and "nan" not in said
 
 
+@pytest.mark.long
 def test_adaptive_steps_are_bounded(monkeypatch):
     monkeypatch.setattr(adaptive, "MOST_STEPS", 40)
     system, start, times = SpinOrbit(0.5, 0.1), np.array([0.3, 1.1]), np.linspace(0.0, 400.0, 11)

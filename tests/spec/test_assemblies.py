@@ -334,6 +334,7 @@ def test_center_of_mass_beside_inertia(read):
         read(PLATE.replace("[body]", '[body]\ncenter_of_mass = ["0 m", "0 m", "0 m"]'))
 
 
+@pytest.mark.long
 def test_a_sweep_of_a_part_s_numbers(tmp_path, capsys):
     text = PLATE + """
 [spin]

@@ -58,6 +58,7 @@ def reported(folder, text, *options):
     return faults_of(outcome, text)
 
 
+@pytest.mark.long
 def test_every_number_has_a_spec_that_it_is_drawn_in(hosts, any_type):
     """A new key is drawn too, or this says which spec of ``mutations.EXTRA`` it must be added to."""
     numbers = [(key, host) for kind in KINDS for key, host in hosts(kind) if key.form in ("number", "whole")
@@ -68,6 +69,7 @@ def test_every_number_has_a_spec_that_it_is_drawn_in(hosts, any_type):
     assert not missing and len(reached) > 120
 
 
+@pytest.mark.long
 def test_specs_are_read_or_refused(hosts, folder, any_type):
     chance = random.Random(27)
     path = folder / "case.toml"
@@ -84,6 +86,7 @@ def test_specs_are_read_or_refused(hosts, folder, any_type):
     assert 0.3 * READ < refused < 0.95 * READ
 
 
+@pytest.mark.long
 def test_reports_are_made_or_refused(hosts, folder, any_type, monkeypatch):
     monkeypatch.setattr(Report, "draw", lambda *_: [])
     chance = random.Random(1)

@@ -88,6 +88,7 @@ def test_a_temperature_is_three_halves_kt(read, given, kelvin):
     assert any("Quantum theory counts" in note for note in report.notes) == (kelvin < 1.0)
 
 
+@pytest.mark.long
 def test_other_kinds_say_it_too(read):
     system = '[system]\nkind = "damped-body"\ndamping = 0.1'
     report = read(TAKEN, '[spin]\ntemperature = "300 K"\n[time]\nuntil = "1 ps"\nsamples = 5', system).report()

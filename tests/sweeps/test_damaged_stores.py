@@ -138,6 +138,7 @@ def test_a_pipe_in_the_place_of_a_chunk_is_called_what_it_is(made, tmp_path):
         run(sweep, store)
 
 
+@pytest.mark.long
 def test_each_way_of_damage(made, tmp_path):
     same, refused = check_many(made, tmp_path, [(way, 1, k % 2 == 1) for k, way in enumerate(damage.WAYS)])
     assert same + refused >= 25 and same > refused > 3

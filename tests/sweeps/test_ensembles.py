@@ -58,6 +58,7 @@ def evaluator(tmp_path, case, outputs, times=""):
     return Evaluator(read_plan(path))
 
 
+@pytest.mark.long_cases("directions", "parts", "heat")
 @pytest.mark.parametrize("case", only(("directions", "about middle", "parts", "heat"), CASES))
 def test_as_the_report_on_each(tmp_path, case):
     found = evaluator(tmp_path, case, [*NUMBERS, "states.attitude", "states.momentum", "states.angular_velocity"],
@@ -90,6 +91,7 @@ STARTS = ('spin = "1500 rpm"\nprecession = "slow"', 'spin = "1500 rpm"', "preces
 CASES_OF_TOPS = [*((LEANS[0], start) for start in STARTS), *((lean, STARTS[1]) for lean in LEANS)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("lean", "start"), first(3, CASES_OF_TOPS))
 def test_tops_as_the_report_on_each(tmp_path, lean, start):
     names = json.dumps([*TOP_NUMBERS, "states.attitude", "states.momentum", "states.angular_velocity"])

@@ -179,6 +179,7 @@ def stopped(sweep, store):
     return begun
 
 
+@pytest.mark.long
 def test_a_sweep_does_not_go_on_from_another_run(tmp_path):
     """On main the second half went on from the other file, without a word."""
     sweep, file = made("fluid", tmp_path)
@@ -192,6 +193,7 @@ def test_a_sweep_does_not_go_on_from_another_run(tmp_path):
     ph.sweep(tmp_path / "case.toml", tmp_path / "a.zarr", workers=1)
 
 
+@pytest.mark.long
 def test_a_file_that_changes_while_the_sweep_runs(tmp_path):
     sweep, file = made("fluid", tmp_path)
     begun = sweep.begin(tmp_path / "a.zarr")
@@ -238,6 +240,7 @@ def test_versions_and_sources_count(monkeypatch, tmp_path):
     assert len({before, other, program.program_digest("a_kind_of_others")}) == 3
 
 
+@pytest.mark.long
 def test_every_library_that_computes_is_told(tmp_path):
     """Every library that the rooms of numbers and files import, but those that draw, ask or say."""
     top = Path(ph.__file__).parent

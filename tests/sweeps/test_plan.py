@@ -179,6 +179,7 @@ times = ["0.1 s"]
 """
 
 
+@pytest.mark.long
 def test_what_a_kind_cannot_do_at_once_is_computed_one_by_one(tmp_path):
     """A top's answers and states, some of its starts refused: those are the numbers of its own report."""
     found = Evaluator(plan(tmp_path, STARTS, TOP))

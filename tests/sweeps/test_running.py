@@ -56,6 +56,7 @@ def mark_of(store, number):
     return store / ".sweep" / "chunks" / f"{number:09d}.mark"
 
 
+@pytest.mark.long
 def test_xarray_reads_it_with_units(spec, tmp_path):
     report = ph.sweep(spec, tmp_path / "a.zarr")
     found = xarray.open_zarr(tmp_path / "a.zarr")
@@ -78,6 +79,7 @@ def test_xarray_reads_it_with_units(spec, tmp_path):
     assert coning["probability"] == share and coning["high"] - coning["low"] == pytest.approx(2.0 * error, rel=0.05)
 
 
+@pytest.mark.long
 def test_the_same_again_after_a_stop(spec, tmp_path):
     """Marks are taken away as if a process had been killed between data and mark; the rest is computed alike."""
     ph.sweep(spec, tmp_path / "a.zarr")
@@ -94,6 +96,7 @@ def test_the_same_again_after_a_stop(spec, tmp_path):
     assert files(tmp_path / "a.zarr") == files(tmp_path / "b.zarr")
 
 
+@pytest.mark.long
 def test_other_chunks_hold_the_same_samples(spec, tmp_path):
     ph.sweep(spec, tmp_path / "a.zarr")
     spec.write_text(SPEC.replace("chunk = 64", "chunk = 17"))
@@ -101,6 +104,7 @@ def test_other_chunks_hold_the_same_samples(spec, tmp_path):
     assert xarray.open_zarr(tmp_path / "a.zarr").equals(xarray.open_zarr(tmp_path / "b.zarr").chunk())
 
 
+@pytest.mark.long
 def test_statistics_alone_say_the_same(spec, tmp_path):
     whole = ph.sweep(spec, tmp_path / "a.zarr").as_json_dict()
     spec.write_text(SPEC.replace("chunk", 'keep = "statistics"\nchunk'))
@@ -126,6 +130,7 @@ def test_summaries_of_parts_are_those_of_the_whole():
         assert abs((known < quantile).mean() - level) < 1.0 / 256
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize(
     ("change", "words"),
     [
@@ -143,6 +148,7 @@ def test_stores_of_other_sweeps_are_kept(spec, tmp_path, change, words):
     assert files(tmp_path / "a.zarr") == before
 
 
+@pytest.mark.long
 def test_another_mesh_is_another_sweep(spec, tmp_path):
     mesh = Path(__file__).parents[2] / "examples" / "t_handle.stl"
     (tmp_path / "body.stl").write_bytes(mesh.read_bytes())
@@ -155,6 +161,7 @@ def test_another_mesh_is_another_sweep(spec, tmp_path):
         ph.sweep(spec, tmp_path / "a.zarr")
 
 
+@pytest.mark.long
 def test_a_motion_does_not_replace_a_sweep(spec, tmp_path, capsys, monkeypatch):
     """Both are written to case.zarr where no name is given; on main the samples were gone, with exit code 0."""
     spec.write_text(SPEC.replace("about = 2", 'about = 2\nrate = "60 rpm"'))
@@ -178,6 +185,7 @@ def test_other_folders_are_kept(spec, tmp_path):
     assert (tmp_path / "mine" / "thesis.txt").read_text() == "all of it"
 
 
+@pytest.mark.long
 def test_one_process_at_a_time(spec, tmp_path):
     sweep = Sweep.of(read_plan(spec))
     store = sweep.begin(tmp_path / "a.zarr")
@@ -198,6 +206,7 @@ def lose_values(store):
     (store / "states.attitude" / "1.0.0").unlink()
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("damage", [damage_mark, damage_values, lose_values])
 def test_what_is_damaged_is_computed_again(spec, tmp_path, damage):
     ph.sweep(spec, tmp_path / "a.zarr")
@@ -231,6 +240,7 @@ def test_a_cluster_without_workers_is_told(spec, tmp_path, monkeypatch):
             sweep.run(sweep.begin(tmp_path / "a.zarr"), 1, cluster.scheduler_address)
 
 
+@pytest.mark.long
 def test_a_full_disk_keeps_what_is_finished(spec, tmp_path):
     """Room ends by a limit on the size of files, below a chunk of attitudes."""
     spec.write_text(SPEC.replace("samples = 300", "samples = 3000").replace("chunk = 64", "chunk = 600"))

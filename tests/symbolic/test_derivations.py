@@ -36,6 +36,7 @@ def euler(sign=1):
     return {L1: sign * (1 / I3 - 1 / I2) * L2 * L3, L2: (1 / I1 - 1 / I3) * L3 * L1, L3: (1 / I2 - 1 / I1) * L1 * L2}
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("name", [pytest.param(n, marks=[] if n in QUICK else [pytest.mark.sweep])
                                   for n in derivation_names()])  # fmt: skip
 def test_holds_in_every_form(name):

@@ -59,6 +59,7 @@ def test_clebsch_in_symbols():
     assert polynomial_integrals(SymbolicSystem(BRACKET, H + a1 * X[3] ** 2), 2) == []
 
 
+@pytest.mark.long
 def test_brun_has_the_integral_of_the_system():
     body = BrunBody((1.0, 2.0, 4.0), 1.3)
     (F,) = polynomial_integrals(body, 2)
@@ -68,6 +69,7 @@ def test_brun_has_the_integral_of_the_system():
     assert span_of([F, H, sum(v**2 for v in X[3:])], published)
 
 
+@pytest.mark.long
 def test_kovalevskaya_at_degree_four():
     for moments, mgl, axis in (
         ((2.0, 2.0, 1.0), 1.0, (1.0, 0.0, 0.0)),
@@ -104,6 +106,7 @@ def test_goryachev_and_chaplygin_is_none():
     assert polynomial_integrals(HeavyTop((4.0, 4.0, 1.0), 1.0, (1.0, 0.0, 0.0)), 3) == []
 
 
+@pytest.mark.long
 def test_integrals_of_symmetry():
     assert polynomial_integrals(HeavyTop((1.0, 1.0, 0.4), 1.0), 4) == [X[2]]
     assert polynomial_integrals(Gyrostat((2.0, 2.0, 3.0), (0.0, 0.0, 0.3)), 2) == [X[2]]
@@ -112,6 +115,7 @@ def test_integrals_of_symmetry():
     assert polynomial_integrals(Gyrostat((2.0, 2.0, 2.0), (0.0, 0.0, 0.3)), 1) == []
 
 
+@pytest.mark.long
 def test_manakov_in_four_dimensions():
     body = Manakov((1.0, 2.0, 3.0, 4.5))
     (F,) = polynomial_integrals(body, 2)

@@ -38,6 +38,7 @@ def test_the_font_is_small_and_has_its_licence():
     assert "symbolic/assets/LICENSE.math.txt" in (ROOT / "pyproject.toml").read_text("utf-8")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", [pytest.param(n, marks=[] if n in QUICK else [pytest.mark.sweep])
                                   for n in derivation_names()])  # fmt: skip
 def test_derivations_use_signs_that_the_font_has(name):

@@ -45,6 +45,7 @@ def test_free_body_is_stable_iff_its_moment_is_strictly_extremal(axis):
     assert instability(BODY, spin) == between
 
 
+@pytest.mark.long
 def test_free_body_agrees_with_verdicts():
     found = second_variation(BODY, (0, S, 0), SO3_.casimirs(2))
     unstable = instability(BODY, (0, S, 0))
@@ -55,6 +56,7 @@ def test_free_body_agrees_with_verdicts():
         assert (verdict == "unstable") == bool(unstable.subs(place))
 
 
+@pytest.mark.long
 def test_the_sleeping_top_has_the_published_condition():
     sleeping = top((I1, I1, I3))
     point = (0, 0, S, 0, 0, 1)

@@ -83,6 +83,7 @@ def bent_body():
     return bent.to_system({I1: 1, "I2": 2.0, "I3": "3", k: 0.1}, {"size": L1**2 + L2**2 + L3**2})
 
 
+@pytest.mark.long
 def test_a_symbolic_hamiltonian_runs():
     """Against the same system written for JAX."""
     running, inertia = bent_body(), jnp.array([1.0, 2.0, 3.0])
@@ -107,6 +108,7 @@ def test_other_values_compile_nothing_again():
     assert len(traced) == 1
 
 
+@pytest.mark.long
 def test_it_is_simulated():
     """A free body from symbols against the closed form, and one with a quartic term by what it conserves."""
     times = np.linspace(0.0, 3.0, 4)
@@ -139,6 +141,7 @@ def test_matrix_algebras_run():
     assert np.allclose(field, [float(e.subs(place)) for e in system.equations.values()], rtol=1e-13)
 
 
+@pytest.mark.long
 def test_the_sphere_has_the_published_form():
     """ω = −area/|L| for the minus bracket (Marsden & Ratiu §14.4), and + for the other."""
     for sign in (-1, 1):

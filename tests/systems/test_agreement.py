@@ -108,6 +108,7 @@ def body(kind: Any) -> Any:
     return kind(MOMENTS)
 
 
+@pytest.mark.long_cases("DrivenTruly-NoneType-str", "OwnField-LieMidpoint-str", "OwnField-Splitting-str")
 @pytest.mark.parametrize(
     ("system", "method", "words"),
     [
@@ -136,6 +137,7 @@ def test_what_agrees_at_the_start_alone_is_refused():
         ph.simulate(body(Distorted), np.array([0.0, 1.0, 1.5]), TIMES)
 
 
+@pytest.mark.long
 def test_a_field_of_its_own_goes_the_adaptive_way():
     found = ph.simulate(body(OwnField), MOMENTUM, [0.0, 20.0])
     assert np.abs(found.states[-1] - driven_end(0.3, (0.0, 0.0, 1.0), np.cos, 20.0)).max() < 1e-9
@@ -188,6 +190,7 @@ def check_order(system, state, method, order, end):
     assert np.log2(errors[-2] / errors[-1]) == pytest.approx(order, abs=SLOPE), errors
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("method", "order"),
     [

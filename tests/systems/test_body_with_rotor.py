@@ -45,6 +45,7 @@ def test_it_moves_like_a_body_put_together_of_mounts():
     assert rotation.angle_between(one, other).max() < 1e-9
 
 
+@pytest.mark.long
 def test_of_a_carrier_of_revolution_the_rates_are_seen_in_the_motion():
     gyrostat, velocity = systems.Gyrostat((2.0, 2.0, 3.0), (0.0, 0.0, 0.5)), np.array([0.3, 0.0, 1.0])
     rates = analysis.symmetric_rates(gyrostat, velocity)

@@ -61,6 +61,7 @@ def without_friction(law):
     return RigidBody.from_body(BODY, [ControlledWheels(AXES, MOMENT, law)])
 
 
+@pytest.mark.long
 def test_wheels_gravity_rods_and_law_against_40_digits():
     mp.mp.dps = 40
     span = 120
@@ -87,6 +88,7 @@ def test_wheels_gravity_rods_and_law_against_40_digits():
     assert np.abs(np.asarray(off.states[-1]) - np.asarray(run.states[-1])).max() > 1e-6
 
 
+@pytest.mark.long
 def test_wheels_give_the_body_what_the_law_asks():
     system, start = craft(rods=False, gravity=False)
     wheels, body = system.mounts[0], system.as_given(start)
@@ -101,6 +103,7 @@ def test_wheels_give_the_body_what_the_law_asks():
     assert abs(null @ axes).max() < 1e-15 and abs(motors @ null) < 1e-16
 
 
+@pytest.mark.long
 def test_limits_cut_off_each_motor_and_no_wheel_exceeds_its_rate():
     system, start = craft(rods=False, max_torque=2e-5, max_rate=62.0)
     run = ph.simulate(system, start, np.linspace(0.0, 300.0, 301), estimate_error=False)
@@ -114,6 +117,7 @@ def test_limits_cut_off_each_motor_and_no_wheel_exceeds_its_rate():
     assert not free.limited and system.limited
 
 
+@pytest.mark.long
 def test_eigenvalues_and_margins_of_a_plain_loop_are_those_of_the_textbook():
     inertia, frequency, damping = 2.0, 0.3, 0.6
     law = QuaternionPD(inertia * frequency**2, 2 * damping * frequency * inertia)
@@ -130,6 +134,7 @@ def test_eigenvalues_and_margins_of_a_plain_loop_are_those_of_the_textbook():
         assert (margins.gain_up, margins.gain_down) == (math.inf, 0.0)
 
 
+@pytest.mark.long
 def test_what_the_linear_loop_says_is_how_small_errors_decay():
     # wheels against whose friction the law works are no longer at the rate at which they are held here
     system = without_friction(QuaternionPD(STIFF, DAMP, attitude=LEAN))
@@ -146,6 +151,7 @@ def test_what_the_linear_loop_says_is_how_small_errors_decay():
     assert np.abs(found - moved[:3]).max() < 1e-5 * small
 
 
+@pytest.mark.long
 def test_spin_up_by_wheels_keeps_the_momentum_in_space():
     law = RateControl((0.0, 0.0, 0.05), bandwidth=0.1)
     body = RigidBody.from_body(BODY, [ControlledWheels(AXES, MOMENT, law)])
@@ -154,6 +160,7 @@ def test_spin_up_by_wheels_keeps_the_momentum_in_space():
     assert run.drift["momentum_space"] < 1e-12
 
 
+@pytest.mark.long
 def test_a_law_of_the_user_with_its_own_state():
     # a PI law about one axis on a ball against a constant couple: ω → 0, and the integral holds the couple
     law = UserLaw(lambda t, q, w, own: -2.0 * w - own, lambda t, q, w, own: 1.5 * w, 3)
@@ -168,6 +175,7 @@ def test_a_law_of_the_user_with_its_own_state():
     assert early.angular_velocity[-1, 0] == pytest.approx(wanted, rel=1e-12)
 
 
+@pytest.mark.long
 def test_control_goes_the_shorter_way_from_either_sign():
     for sign in (1.0, -1.0):
         law = QuaternionPD(1.0, 2.0)
@@ -201,6 +209,7 @@ def test_what_is_wrong_is_refused_in_words(make, said):
     assert said in str(caught.value)
 
 
+@pytest.mark.long
 def test_one_wheel_among_others_may_run_free():
     system = RigidBody.from_body(
         BODY, [ControlledWheels(AXES, MOMENT, RateControl(bandwidth=0.05)), Wheel((0, 0, 1), 1e-4)]

@@ -33,6 +33,7 @@ def test_of_a_body_it_is_the_double_bracket():
     assert ours.generator(0.0, point) == pytest.approx(np.asarray(body.generator(0.0, point)), abs=1e-15)
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("name", first(2, SYSTEMS))
 def test_the_energy_falls_as_told_and_the_orbit_stays(name):
     metric = None if name != "so(4)" else np.diag(np.arange(1.0, 7.0)) + 0.1
@@ -56,6 +57,7 @@ def test_a_damping_of_the_wrong_sign_is_seen():
     assert float(system.balances(0.0, start_of(system))["energy"].rate) > 0.0
 
 
+@pytest.mark.long
 def test_most_starts_end_where_the_energy_is_least():
     """A body about its axis of largest moment; two ferromagnetic spins parallel along the easy axis."""
     body = DoubleBracketDamping(FreeRigidBody(MOMENTS), 0.5)

@@ -87,6 +87,7 @@ def test_a_broken_disk_is_caught():
         assert max(missed(broken, state)[0] for state in random_states(4)) > 30 * ROUNDING
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("disk", first(1, [slowed_thick, slowed]), ids=["thick", "thin"])
 def test_kinematics_and_power(disk):
     states = random_states(20)
@@ -121,6 +122,7 @@ def test_the_sum_of_laws_takes_the_sum():
     assert abs(float(slowed.power(state) / sum(parts)) - 1) < 1e-14
 
 
+@pytest.mark.long
 def test_energy_and_linear_integrals_are_kept():
     found = ph.simulate(thin, WOBBLING, np.linspace(0.0, 10.0, SAMPLES))
     assert found.outcome.event is None and np.ptp(found.states[:, 0]) > 0.15

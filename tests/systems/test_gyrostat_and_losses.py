@@ -44,6 +44,7 @@ def test_a_rotor_steadies_the_middle_axis():
         assert ph.stability(Gyrostat(MOMENTS, (0.0, h, 0.0)), np.array([0.0, p, 0.0])).verdict == verdict, h
 
 
+@pytest.mark.long
 def test_a_motor_turns_the_rotor_and_the_balance_closes():
     system = TorquedGyrostat(MOMENTS, (0.0, 0.0, 2.0), rotor_moment=0.1, torque=0.01)
     found = ph.simulate(system, np.append(START, 0.05), np.linspace(0.0, 100.0, 51), step=0.5)
@@ -61,6 +62,7 @@ def test_a_motor_at_rest_leaves_the_gyrostat():
     assert np.abs(found.states[:, :7] - same.states).max() < 1e-9
 
 
+@pytest.mark.long
 def test_losses_inside_end_at_the_major_axis():
     """Explorer 1: spun about its axis of least inertia, it ends in a flat spin; |L| stays."""
     found = ph.simulate(DoubleBracket(MOMENTS, 0.2), [1, 0, 0, 0, 1.0, 0.01, 0.02], np.linspace(0, 400, 41), step=0.05)

@@ -70,6 +70,7 @@ def check_drift(trajectory, name, steps, bound=DRIFT):
     assert name in trajectory.drift and max(trajectory.drift.values()) <= bound, trajectory.drift
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", only(["Kovalevskaya's integral"], INTEGRABLE))
 def test_all_invariants_over_many_steps(name):
     check_drift(run(name, 10_000), name, 10_000)
@@ -104,6 +105,7 @@ def test_brun_and_clebsch():
     assert max(kept.drift.values()) < 1e-12
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("moments", "tilt", "spin"),
     first(1, [
@@ -216,6 +218,7 @@ def test_bad_input(make, words):
 CASES = [((1.0, 2.0, 3.0), (0.0, 0.0, 1.0)), ((3.0, 1.0, 2.0), (0.0, 0.0, 1.0)), ((1.0, 1.0, 0.5), (0.0, 0.0, 1.0))]
 
 
+@pytest.mark.long_cases("moments1-axis1")
 @pytest.mark.parametrize(("moments", "axis"), CASES)
 def test_energy_casimir_and_spectrum_agree_on_standing_tops(moments, axis):
     """Against eigenvalues of the linearised equations written out by hand, for spins from none to fast."""

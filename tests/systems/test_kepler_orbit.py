@@ -40,6 +40,7 @@ def test_keplers_equation_is_solved_to_rounding(e):
     assert (np.asarray(solve_kepler(-jnp.array(ANOMALIES), jnp.asarray(e))) == -found).all()
 
 
+@pytest.mark.long_cases("0.0")
 @pytest.mark.parametrize("e", [0.0, 0.3, 0.99, 0.999999])
 def test_anomalies_distance_and_direction_agree_with_mpmath(e):
     orbit = KeplerOrbit(1.0, e)
@@ -57,6 +58,7 @@ def test_anomalies_distance_and_direction_agree_with_mpmath(e):
     assert not way[:, 2].any()
 
 
+@pytest.mark.long
 def test_anomalies_grow_through_apoapsis_and_repeat():
     orbit = KeplerOrbit(0.5, 0.7, mean_anomaly=1.0)
     times = np.linspace(-40.0, 40.0, 4001)
@@ -66,6 +68,7 @@ def test_anomalies_grow_through_apoapsis_and_repeat():
     assert float(KeplerOrbit(2.0, 0.4, 0.3).mean_anomaly(0.0)) == 0.3
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("e", first(1, [0.2, 0.0, 0.9]))
 def test_it_falls_as_gravity_says(e):
     """r'' = −r/r³ with n = a = 1, by differentiating the position twice: derivatives and mechanics in one."""
@@ -80,6 +83,7 @@ def test_it_falls_as_gravity_says(e):
         assert abs(np.cross(r, v)[2] - np.sqrt(1 - e**2)) < DERIVATIVE
 
 
+@pytest.mark.long
 def test_derivatives_by_eccentricity_are_those_of_differences_and_finite_at_periapsis():
     for e, M in ((0.3, 1.2), (0.95, 0.02), (0.95, 3.0)):
         slope = float(jax.grad(solve_kepler, argnums=1)(M, e))

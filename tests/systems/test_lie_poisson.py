@@ -62,6 +62,7 @@ def test_parameters_are_data(made):
     assert counts == [1, 0]
 
 
+@pytest.mark.long
 def test_one_function_is_compiled_once_and_closures_each():
     function = as_closure((1.0, 2.0, 3.0))
     before = compiled()

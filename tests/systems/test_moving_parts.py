@@ -45,6 +45,7 @@ def followed(name, kind=RigidBody):
     return off, found
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["slosh", "gyroscope", "all", "burn"])
 def test_they_move_as_bodies_of_their_own(name):
     off, found = followed(name)
@@ -101,6 +102,7 @@ class WithoutOffset(RigidBody):
         return right._replace(offset=0.0 * right.offset)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["slosh", "panel", "pendulum", "burn"])
 @pytest.mark.parametrize("kind", [WithoutCentre, WithoutOffset])
 def test_without_the_motion_of_the_centre_of_mass_they_are_found_out(name, kind):
@@ -115,6 +117,7 @@ class Deaf(ControlMomentGyroscope):
     carries_spin = False
 
 
+@pytest.mark.long
 def test_a_gimbal_that_does_not_feel_its_rotor_is_found_out():
     gyroscope = Deaf((0.0, 0.0, 1.0), Wheel((1.0, 0.0, 0.0), 0.1), (0.25, 0.17, 0.2))
     body = RigidBody((5.0, 8.0, 10.6), [gyroscope])
@@ -143,11 +146,13 @@ def everything(**more):
     return EVERYTHING.pack(cases.ATTITUDE, cases.VELOCITY, rates=RATES, coordinates=PLACES, **more)
 
 
+@pytest.mark.long
 def test_with_everything_at_once_every_balance_holds():
     worst = worst_balance(EVERYTHING, 0.8, everything())
     assert set(worst) == {"kinetic_energy", "|L|²", "jacobi_integral"} and max(worst.values()) < BALANCE
 
 
+@pytest.mark.long
 def test_power_is_that_of_the_damper_alone():
     """−c |q̇|² with the momentum in space kept, and with a wrong slope of the energy both would tell."""
     slosh = SprungMass((0.1, 0.4, 0.3), (0, 1, 0), 3.0, 4.0, 0.5)
@@ -173,6 +178,7 @@ def test_a_spring_whose_energy_is_another_is_found_out():
     assert worst_balance(body, 0.0, state)["energy"] > 1e-9
 
 
+@pytest.mark.long
 def test_states_are_packed_from_velocity_or_momentum():
     state = everything()
     momentum = np.asarray(EVERYTHING.vectors(state).momentum) @ cases.BODY.principal_axes.T
@@ -220,6 +226,7 @@ def test_a_heavy_beam_shakes_its_root_as_its_first_mode_does():
     assert float(beam.damping[0]) == pytest.approx(0.02 * np.sqrt(wanted[0]) * float(beam.mass), rel=1e-14)
 
 
+@pytest.mark.long
 def test_a_jet_damps_the_nutation_and_a_spin_about_the_jet_stays():
     """From a point at the centre: L_t = L_t(0) exp(−ṁ l² t/A) across, and L_z where the nozzle is on the axis."""
     body = ph.Body(50.0, (0.0, 0.0, 0.0), np.diag([8.0, 8.0, 5.0]))
@@ -232,6 +239,7 @@ def test_a_jet_damps_the_nutation_and_a_spin_about_the_jet_stays():
     assert np.abs(found.part("propellant_mass") - (20.0 - 0.1 * times)).max() < KEPT
 
 
+@pytest.mark.long
 def test_a_burn_ends_where_it_says_or_where_the_tank_is_empty():
     thrust, nozzle = np.array([0.0, 0.0, -2000.0]), np.array([0.1, 0.0, -1.0])
     body = ph.Body(50.0, (0.0, 0.0, 0.0), np.diag([8.0, 8.0, 5.0]))
@@ -248,6 +256,7 @@ def test_a_burn_ends_where_it_says_or_where_the_tank_is_empty():
     assert ended.times[-1] == pytest.approx(200.0, rel=1e-12) and "tank empty" in str(ended.outcome)
 
 
+@pytest.mark.long
 def test_a_gyroscope_gives_the_torque_of_its_turning_momentum():
     """A body of great inertia hardly turns, and feels −h γ̇ g × s; a servo of great bandwidth follows its rate."""
     gyroscope = ControlMomentGyroscope((0, 0, 1), HeldWheel((1, 0, 0), 0.1, 100.0), (0.2, 0.1, 0.15),
@@ -317,6 +326,7 @@ def test_bad_input(call, words):
         call()
 
 
+@pytest.mark.long
 def test_a_part_of_ones_own():
     """A bead on a ring in the body, which only says where it is."""
 

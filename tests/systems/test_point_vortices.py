@@ -55,6 +55,7 @@ def sphere_by_hand(strengths, x):
     return rate
 
 
+@pytest.mark.long
 def test_fields_are_those_of_books():
     x = np.asarray(SPHERE.positions(ON_SPHERE))
     np.testing.assert_allclose(SPHERE.positions(SPHERE.vector_field(0.0, ON_SPHERE)), sphere_by_hand(STRENGTHS, x),
@@ -95,6 +96,7 @@ def test_two_vortices_of_a_plane_in_one_step(strengths):
     np.testing.assert_allclose(np.asarray(pair.positions(end)) @ [1.0, 1j], wanted, atol=1e-14)
 
 
+@pytest.mark.long_cases("series-None")
 @pytest.mark.parametrize("tolerance", [None, 1e-8])
 @pytest.mark.parametrize("method", [None, diffrax.Dopri8()], ids=["series", "Dopri8"])
 def test_vortices_of_a_superfluid_turn_as_large_ones_do(method, tolerance):
@@ -113,6 +115,7 @@ def end_of(system, start, method, step, order):
     return np.asarray(ph.solve(system, start, (0.0, 2.0), method, step=step, order=order).saved[-1])
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize(("system", "start"), [(SPHERE, ON_SPHERE), (PLANE, IN_PLANE)], ids=["sphere", "plane"])
 def test_against_a_general_integrator_and_order_two(system, start):
     wanted = solve_ivp(lambda t, y: np.asarray(system.vector_field(t, jnp.asarray(y.reshape(5, 3)))).ravel(),
@@ -124,6 +127,7 @@ def test_against_a_general_integrator_and_order_two(system, start):
     np.testing.assert_allclose(end_of(system, start, Splitting, 0.05, 6), wanted, atol=1e-7)
 
 
+@pytest.mark.long_cases("sphere")
 @pytest.mark.parametrize(("system", "start"), [(SPHERE, ON_SPHERE), (PLANE, IN_PLANE)], ids=["sphere", "plane"])
 def test_moments_are_kept_to_rounding(system, start):
     motion = ph.solve(system, start, (0.0, 10.0, 20.0), Splitting, step=0.1, order=2).saved
@@ -132,6 +136,7 @@ def test_moments_are_kept_to_rounding(system, start):
         assert drift < (0.05 if name == "energy" else 5e-14), name
 
 
+@pytest.mark.long
 def test_error_is_far_below_that_of_the_spherical_midpoint():
     vortices = SphereVortices(np.abs(STRENGTHS))
     start = vortices.pack(PLACES)
@@ -149,6 +154,7 @@ def test_turning_rates():
         vortex_turn(SPHERE, ON_SPHERE)
 
 
+@pytest.mark.long
 def test_stream_functions_move_a_vortex_of_no_strength():
     """x × ∇ψ, and ∇ψ turned, against the field of one more vortex, so weak that it moves no other."""
     tiny, place = 1e-9, jnp.array([0.4, -0.3])
@@ -163,6 +169,7 @@ def test_stream_functions_move_a_vortex_of_no_strength():
     np.testing.assert_allclose(sphere.vector_field(0.0, more)[-1] / tiny, jnp.cross(north, gradient), atol=1e-8)
 
 
+@pytest.mark.long
 def test_turns_about_any_axis_and_centre():
     turned = np.linalg.qr(np.random.default_rng(4).normal(size=(3, 3)))[0]
     turned *= np.sign(np.linalg.det(turned))
@@ -177,6 +184,7 @@ def test_turns_about_any_axis_and_centre():
     np.testing.assert_allclose(found.center, [11.0 / 3.0, -1.0 / 6.0], atol=1e-14)
 
 
+@pytest.mark.long
 def test_vortices_that_move_straight_or_rest():
     opposite = PlaneVortices((1.0, -1.0))
     found = vortex_turn(opposite, opposite.pack([[0.0, 0.5], [0.0, -0.5]]))
@@ -190,6 +198,7 @@ def test_vortices_that_move_straight_or_rest():
     assert vortex_stability(poles, poles.pack([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])).verdict == "stable"
 
 
+@pytest.mark.long
 def test_growth_against_closed_forms_and_published_numbers():
     ring, polygon = SphereVortices(np.ones(5)), PlaneVortices(np.ones(8))
     found = vortex_stability(ring, ring.ring(1.0))
@@ -202,6 +211,7 @@ def test_growth_against_closed_forms_and_published_numbers():
     assert not np.abs(polygon_exponents(7, 1.3).real).max() > 0.0
 
 
+@pytest.mark.long
 def test_a_square_is_proved_stable_below_its_threshold():
     square = SphereVortices(np.ones(4))
     found = stability_threshold(lambda c: vortex_stability(square, square.ring(np.arccos(np.sqrt(c)))), 0.3, 0.4, 1e-3)
@@ -246,6 +256,7 @@ class HalfTheEnergy(PlaneVortices):
         return 0.5 * super().energy(point)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("broken", "law"), first(1, [(HalfTheEnergy, "velocity"), (Backwards, "add up")]))
 def test_broken_vortices_are_caught(broken, law):
     with pytest.raises(LawBroken, match=law):

@@ -31,6 +31,7 @@ def simulated(state, **more):
     return ph.simulate(system, state, TIMES, step=0.05, order=2, estimate_error=False, **more)
 
 
+@pytest.mark.long
 def test_many_copies_have_one_entry():
     state = directions(COUNT)
     found = simulated(state)
@@ -44,6 +45,7 @@ def test_many_copies_have_one_entry():
     assert drifts(found.drift).count("|L|²") == 1
 
 
+@pytest.mark.long
 def test_batches_of_copies_and_their_drift():
     found = simulated(directions(2, 4))
     assert found.invariants["|L|²"].shape == (2, 3, 4) and found.drift["|L|²"].shape == (2, 4)
@@ -51,6 +53,7 @@ def test_batches_of_copies_and_their_drift():
     assert found.between(0.0, 0.02).invariants["|L|²"].shape == (2, 1, 4)
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("count", [2, 3])
 def test_copies_in_files(tmp_path, count):
     """Three copies are not the components of a vector."""
@@ -63,6 +66,7 @@ def test_copies_in_files(tmp_path, count):
     assert (table.invariants["|L|²_1"] == found.invariants["|L|²"][:, 1]).all()
 
 
+@pytest.mark.long
 def test_names_of_powers_of_powers_and_of_sums():
     power = lie.Power(lie.Power(lie.SO3(), 2), 3)
     mu = directions(5, 3, 2)

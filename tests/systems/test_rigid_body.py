@@ -108,6 +108,7 @@ class WithoutReaction(Wheel):
         return jnp.zeros((*own.shape[:-1], 3))
 
 
+@pytest.mark.long
 def test_a_rotor_without_reaction_is_found_out():
     rotors = [ROTORS[0], WithoutReaction(SECOND, 0.1, 0.03, friction=0.02)]
     body = RigidBody(MOMENTS, rotors)
@@ -226,6 +227,7 @@ def start_of_everything():
     return EVERYTHING.pack(ATTITUDE, VELOCITY, rates=[*RATES, None, (0.1, -0.2, 0.3), None])
 
 
+@pytest.mark.long
 def test_with_everything_on_at_once_energy_changes_by_the_sum_of_powers():
     state = start_of_everything()
     worst = worst_balance(EVERYTHING, 0.8, state)

@@ -33,6 +33,7 @@ def test_harmonics_are_eigenvectors_of_the_laplacian(n):
             assert off < 2e-15 * n * (n - 1)
 
 
+@pytest.mark.long
 def test_the_inverse_laplacian_is_one():
     sphere, rng = QuantizedSphere(17), np.random.default_rng(0)
     W = sphere.project(jnp.asarray(rng.normal(size=(2, 17, 17)) + 1j * rng.normal(size=(2, 17, 17))))
@@ -96,6 +97,7 @@ def _complex_tensor(sphere, degree, order):
     return matrix
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("n", [9, pytest.param(24, marks=pytest.mark.sweep)])
 def test_rossby_haurwitz_waves_turn_rigidly(n):
     """W = (a + 2Ω) X₃ + Y turns at a/2 − (a + 2Ω)/(l(l+1)), at any amplitude."""
@@ -166,6 +168,7 @@ def drifts(n, steps, rotation=0.0):
     return fluid, run, step
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("n", "steps"), [(12, 60), pytest.param(48, 1000, marks=pytest.mark.sweep)])
 def test_spectrum_and_angular_momentum_stay(n, steps):
     fluid, run, _ = drifts(n, steps)
@@ -191,6 +194,7 @@ def test_on_a_rotating_sphere_the_momentum_turns():
     assert run.drift["L3"] < 1e-14 and run.drift["L1² + L2²"] < 1e-3
 
 
+@pytest.mark.long
 def test_a_trace_does_not_reach_the_stream_function():
     """The midpoint's W̃ has a trace; if the Laplacian took it up, L would drift and the spectrum would not show it."""
     fluid, state = flow(12)
@@ -208,6 +212,7 @@ def test_energies_add_up_and_maps_show_the_function():
     assert fluid.on_grid(single, theta, phi) == pytest.approx(exact, abs=1e-13)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("samples", [2, pytest.param(21, marks=pytest.mark.sweep)])
 def test_memory_is_what_was_said_beforehand(samples):
     n = 16
@@ -240,6 +245,7 @@ def test_what_is_refused(call, said):
         call()
 
 
+@pytest.mark.long
 def test_energy_moves_between_degrees_as_the_transfer_says():
     """Against differences of the spectrum over a short time, both ways."""
     fluid = SphereFluid(9, 0.7)

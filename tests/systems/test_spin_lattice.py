@@ -59,6 +59,7 @@ def test_energy_and_classes_of_bonds(shape, cell, periodic):
     assert len(listed) == len(bonds) and set(listed) == bonds
 
 
+@pytest.mark.long_cases("Splitting")
 @pytest.mark.parametrize("method", [Splitting, SphericalMidpoint])
 def test_total_spin_and_lengths_stay(method):
     system = cubic(4)
@@ -70,6 +71,7 @@ def test_total_spin_and_lengths_stay(method):
     assert abs(float(system.energy(last) - system.energy(start))) < 0.3
 
 
+@pytest.mark.long
 def test_cone_is_exact_and_both_methods_have_order_two():
     """A ferromagnet's cone of any angle turns by −2JS cosθ (1 − cos k), k = 2π/4."""
     place, tilt, spin = np.arange(8), 0.8, 1.0
@@ -131,6 +133,7 @@ def test_dipoles_equal_the_direct_sum():
     assert abs(float(system.energy(spins)) + 0.5 * np.sum(direct * flat)) < 1e-13
 
 
+@pytest.mark.long
 def test_dipoles_of_a_cube_and_a_chain():
     cube = cubic(5, periodic=False, bonds=False, dipolar=1.0)
     assert abs(float(cube.energy(cube.aligned((1.0, 2.0, 3.0))))) < 1e-12
@@ -139,6 +142,7 @@ def test_dipoles_of_a_cube_and_a_chain():
     assert np.abs(middle - [4 * 1.2020569031595942 - 2 / 1000.5**2, 0, 0]).max() < 1e-8
 
 
+@pytest.mark.long
 def test_damping_in_closed_form():
     """S_z/s = tanh(λBt), azimuth −Bt; the energy falls by what the power says."""
     damping, field, spin, span = 0.2, 1.3, 1.5, 4.0
@@ -173,6 +177,7 @@ class OneBondShort(SpinLattice):
         return dict(list(super().flows.items())[1:])
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize(("broken", "law"), [(WrongSign, "velocity"), (OneBondShort, "flows")])
 def test_broken_lattices_are_found(broken, law):
     system = broken(Lattice([[1.0]], shape=(2,), periodic=False), 1.0, [Bond(0, 0, (1,), 1.0)], field=(0, 0, 0.5))
@@ -217,6 +222,7 @@ def test_derivative_by_the_field():
     assert abs(slope - quotient) < 1e-8 * max(1.0, abs(slope))
 
 
+@pytest.mark.long
 def test_verdicts_take_the_total_spin_by_components():
     """Alike spins are at the least or the greatest energy of those with this total spin."""
     for exchange in (1.0, -1.0):

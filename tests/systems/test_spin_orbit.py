@@ -54,6 +54,7 @@ def test_the_energy_changes_as_the_orbit_demands():
     assert (dataset["rate"].values == found.states[..., 1]).all() and dataset["angle"].attrs["units"] == "rad"
 
 
+@pytest.mark.long_cases("1.0-True")
 @pytest.mark.parametrize(("factor", "kept"), [(1.0, True), (1.0 + 1e-9, False)])
 def test_the_rate_of_the_energy_is_its_derivative_along_the_motion(factor, kept):
     system, t, state = SpinOrbit(0.89, 0.4), jnp.asarray(0.7), jnp.array([0.5, 1.3])

@@ -34,6 +34,7 @@ def by_qr(state, t):
         return (np.array([float(M[i, i]) for i in range(N)]), np.array([float(abs(M[i, i + 1])) for i in range(N - 1)]))
 
 
+@pytest.mark.long_cases("0.7")
 @pytest.mark.parametrize("t", [0.7, -2.0, 20.0])
 def test_exact_motion_is_that_of_qr_factors(t):
     found = np.asarray(LATTICE.exact(START, t))
@@ -59,6 +60,7 @@ def test_newtons_equations_of_particles():
     np.testing.assert_allclose(LATTICE.exact(flaschka(np.concatenate([q, p])), 3.0), flaschka(y), atol=1e-11)
 
 
+@pytest.mark.long
 def test_signs_of_a_stay_and_batches():
     flipped = START * np.concatenate([np.ones(N), [1.0, -1.0, 1.0, -1.0]])
     times = np.array([0.5, 4.0])
@@ -84,6 +86,7 @@ def test_splitting_has_its_order(order):
     assert abs(np.log2(errors[0] / errors[1]) - order) < 0.25
 
 
+@pytest.mark.long
 def test_traces_are_in_involution_and_the_casimir_is_one():
     L = np.asarray(LATTICE.matrix(START))
     powers = [np.linalg.matrix_power(L, k) for k in range(N)]
@@ -130,6 +133,7 @@ def test_broken_algebras_are_caught(broken):
         check_algebra(broken(3))
 
 
+@pytest.mark.long
 def test_a_broken_lattice_is_caught():
     with pytest.raises(LawBroken, match="first trace"):
         check_system(NotInvolutive(3))

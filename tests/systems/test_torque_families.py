@@ -91,6 +91,7 @@ def test_the_rate_of_the_field_is_its_derivative(t):
     assert np.abs(np.asarray(ORBIT.velocity(t)) - velocity).max() < SAME * np.abs(velocity).max()
 
 
+@pytest.mark.long
 def test_axes_that_look_down():
     for t in (*TIMES, 40000.0):
         axes = np.asarray(rotation.as_matrix(ORBIT.frame(t)))
@@ -108,6 +109,7 @@ def test_axes_that_look_down():
     assert np.sum(frames[1:] * frames[:-1], axis=1).min() > 0.99  # of either sign, but never jumping
 
 
+@pytest.mark.long
 def test_dipole_and_eddy_currents_by_hand():
     t = 1234.5
     field = np.asarray(rotation.rotate(rotation.conjugate(ATTITUDE), np.asarray(FIELD.field(t))))
@@ -142,6 +144,7 @@ def test_rods_take_momentum_out_across_the_field():
     assert np.abs(np.asarray(skewed.torque(jnp.asarray(t), ATTITUDE, SPIN, stored=stored)) - found).max() < 1e-17
 
 
+@pytest.mark.long
 def test_sunlight_on_a_plate_and_a_box():
     sun = np.array([1.0, 2.0, -0.5])
     toward = np.asarray(rotation.rotate(rotation.conjugate(ATTITUDE), sun / np.linalg.norm(sun)))
@@ -174,6 +177,7 @@ def test_drag_against_the_air_that_turns_with_the_earth():
     assert np.abs(found + 0.5 * 1e-12 * 2.0 * shadow * speed * along).max() < 1e-12 * np.abs(found).max()
 
 
+@pytest.mark.long
 def test_pulses_change_the_momentum_by_torque_times_time_however_short():
     body = ph.shapes.box(10.0, (0.2, 0.3, 0.4)).placed(np.eye(3), (0.05, 0.0, 0.0))
     jet = Thruster(at=[500.0, 700.0], lasting=[0.02, 20.0], force=(0.0, 0.0, 2.5), position=(0.1, 0.2, 0.0))

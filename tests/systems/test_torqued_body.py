@@ -98,6 +98,7 @@ def test_balances_change_at_their_rates():
         assert all(value < 1e-14 for value in worst.values()) == kept, worst
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("at_rest", first(1, [False, True]))
 def test_energy_and_momentum_follow_the_torques(at_rest):
     orbit = KeplerOrbit(0.7, 0.3, mean_anomaly=0.4)
@@ -190,6 +191,7 @@ def test_roll_and_yaw_librate_with_the_textbook_frequencies():
     assert np.abs(found / exact - 1.0).max() < 10 * LIBRATION
 
 
+@pytest.mark.long
 def test_states_without_and_with_attitude():
     body = TorquedBody(MOMENTS, [LinearDrag(0.1)])
     bare = body.vector_field(0.0, np.array([[[0.3, 1.8, 1.5]], [[1.0, 0.0, 0.2]]]))
@@ -227,6 +229,7 @@ def test_bad_input(call, words):
         call()
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("eccentricity", [0.0, 0.3, 0.8])
 def test_gravity_gradient_against_steps_in_the_true_anomaly(eccentricity):
     """Which needs no equation of Kepler's: dt = (r/a)² df / (n √(1 − e²)), r/a = (1 − e²) / (1 + e cos f)."""

@@ -62,6 +62,7 @@ def test_derivatives_go_through_it(coils):
         assert jax.grad(energy)(GAIN) == pytest.approx(-2.0 * FIELD**2 / MOMENT * seconds * across, rel=1e-12)
 
 
+@pytest.mark.long
 def test_laws_of_systems_hold_and_a_broken_specimen_is_refused(coils):
     class Entangled(coils):
         """Lets each spacecraft of a batch feel the field of all."""

@@ -37,6 +37,7 @@ def test_joules_are_of_bodies(system, unit):
     assert (found.unit if found else "") == unit
 
 
+@pytest.mark.long
 def test_vortices_and_fluids_count_in_rates_squared():
     """Twice as strong, all goes twice as fast, and the energy is four times as much: (m²/s)² and (rad/s)²."""
     for make, places in ((PlaneVortices, np.array(PLACES)[:, :2]), (SphereVortices, np.array(PLACES))):

@@ -26,6 +26,7 @@ def test_changes_are_the_derivative_of_the_motion():
     assert found.error_estimate < 1e-12 and found.invariants["energy"].shape == (2,)
 
 
+@pytest.mark.long
 def test_the_motion_itself_keeps_what_it_conserves_and_nearly_its_steps():
     """Changes had no size, and with them the way back onto energy and Casimirs was lost."""
     times = np.linspace(0.0, 3e3, 11)
@@ -36,6 +37,7 @@ def test_the_motion_itself_keeps_what_it_conserves_and_nearly_its_steps():
     assert max(found.drift.values()) < 2e-15 and steps_alone <= steps < 1.3 * steps_alone
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("method", [Taylor, diffrax.Dopri8()], ids=["series", "Dopri8"])
 @pytest.mark.parametrize("momentum", first(1, [[0.0, 2.0, 0.0], [0.0, 0.0, 3.0]]), ids=["unstable", "stable"])
 def test_changes_move_where_the_motion_stands_still(method, momentum):

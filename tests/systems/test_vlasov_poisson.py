@@ -90,6 +90,7 @@ def test_a_quiet_start_has_the_density_asked_for():
         assert abs(float(jnp.sum(1.0 / state[:, 2])) / (4.0 * np.pi) - 1.0) < 1e-14
 
 
+@pytest.mark.long
 def test_landau_damping_follows_its_curve():
     system, wave, times = VlasovPoisson(4.0 * np.pi, 1, 1024), plasma_wave(MAXWELLIAN, 0.5), np.linspace(0, 25, 251)
     field, motion = first_field(system, quiet_start(system, maxwellian, 64, 0.01), times, 0.1)
@@ -101,6 +102,7 @@ def test_landau_damping_follows_its_curve():
     assert np.ptp(np.asarray(system.energy(motion))) < 1e-5
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize(("order", "steps"), [(2, (0.1, 0.05)), (4, (0.2, 0.1))])
 def test_orders(order, steps):
     system = VlasovPoisson(4.0 * np.pi, 2, 64)
@@ -173,6 +175,7 @@ class SlowDrift(VlasovPoisson):
         return super()._drift(0.999 * time, state)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("broken", "law"), first(1, [(Attracted, "velocity"), (SlowDrift, "add up")]))
 def test_broken_plasmas_are_caught(broken, law):
     with pytest.raises(LawBroken, match=law):

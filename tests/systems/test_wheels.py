@@ -20,6 +20,7 @@ def rate_of(wheel, rate):
     return found.part("rotor_momentum") / OWN - found.angular_velocity[:, 2]
 
 
+@pytest.mark.long
 def test_dry_friction_stops_a_wheel_as_a_hyperbolic_sine():
     """σ̇ = −(f/PAIR) tanh(σ/σ₀): sinh(σ/σ₀) falls exponentially."""
     got = rate_of(Wheel((0, 0, 1), OWN, coulomb_friction=0.01, sliding_rate=0.5), 2.0)
@@ -27,6 +28,7 @@ def test_dry_friction_stops_a_wheel_as_a_hyperbolic_sine():
     assert np.abs(got - wanted).max() < SERIES * 2.0 * 10
 
 
+@pytest.mark.long
 def test_a_motor_gives_no_more_than_it_can():
     got = rate_of(Wheel((0, 0, 1), OWN, lambda t, *more: 0.3 + 0.0 * t, max_torque=0.02), 1.0)
     assert np.abs(got - (1.0 + 0.02 * TIMES / PAIR)).max() < STEPPED * 10
@@ -34,6 +36,7 @@ def test_a_motor_gives_no_more_than_it_can():
     assert wheel.limited and not wheel.without_limits().limited
 
 
+@pytest.mark.long
 def test_a_wheel_stays_below_its_largest_rate():
     """Up to 0.99 σ_max at full torque, then by exponentials towards σ_max; braking is not limited."""
     top, torque = 5.0, 0.05

@@ -46,6 +46,7 @@ def of_arrays(field, start, t=0.4):
     return np.asarray(coefficients(OwnField(field), np.array(start), np.float64(t), np.float64(1.0), ORDER))
 
 
+@pytest.mark.long_cases("products", "functions")
 @pytest.mark.parametrize("name", FIELDS)
 def test_coefficients_are_those_of_power_series(name):
     field, other = FIELDS[name]
@@ -58,6 +59,7 @@ def test_powers_of_zero_are_products():
     assert (found[:5].T == [[0.0, 1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.25]]).all()
 
 
+@pytest.mark.long
 def test_a_wrong_rule_is_noticed(monkeypatch):
     right = array_rules._product
 
@@ -70,6 +72,7 @@ def test_a_wrong_rule_is_noticed(monkeypatch):
     assert np.abs(of_arrays(anew, START) / by_flint(other, START, 0.4, ORDER) - 1.0).max() > 1e-12
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("make", first(1, [systems.SphereFluid, systems.SphereMHD]))
 def test_fluids_move_as_by_the_midpoint_and_keep_more(make):
     system = make(7, 0.3)
@@ -85,6 +88,7 @@ def test_fluids_move_as_by_the_midpoint_and_keep_more(make):
     assert found.drift["energy"] < 4e-15 and max(exact.values()) < 4e-15
 
 
+@pytest.mark.long
 def test_a_batch_has_the_bits_of_each_and_goes_backwards():
     fluid = systems.SphereFluid(5)
     states = np.stack([fluid.from_harmonics({(2, 1): x, (3, 2): 1.0}) for x in (0.3, 0.9)])
@@ -116,6 +120,7 @@ class Branching(systems.SphereFluid):
         return super().vector_field(t, state) * jnp.maximum(jnp.real(state[0, 1]), 0.5)
 
 
+@pytest.mark.long
 def test_branches_are_refused_by_name():
     fluid = Branching(5)
     state = fluid.from_harmonics({(2, 1): 0.3, (3, 2): 1.0})

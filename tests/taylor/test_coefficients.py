@@ -204,6 +204,7 @@ def loops(y):
     return total, rest, jax.lax.fori_loop(0, 3, lambda k, c: c * y[1], y[2]), jnp.linalg.norm(y) ** 2
 
 
+@pytest.mark.long_cases("moved", "complex_parts")
 @pytest.mark.parametrize("function", [moved, complex_parts, loops])
 def test_tracing_gives_the_function(function):
     """Values of the tape at numbers, against JAX."""

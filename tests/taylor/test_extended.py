@@ -26,6 +26,7 @@ def top_at(last, method=EXTENDED):
     return np.abs(found.states[:, :7] - np.concatenate(exact, axis=1)).max(), found.error_estimate
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("last", [200.0, pytest.param(2e3, marks=pytest.mark.sweep)])
 def test_a_top_is_exact_after_hundreds_of_turns(last):
     error, said = top_at(last)
@@ -49,6 +50,7 @@ def test_a_moment_off_in_its_last_digit_is_seen(monkeypatch):
     assert error > 20.0 * EPS > 2.0 * said
 
 
+@pytest.mark.long
 def test_free_bodies_and_copies_agree_with_closed_forms():
     moments, momenta = (1.0, 2.0, 3.0), np.array([[0.3, 1.8, 1.5], [0.9, 1.6, 0.3], [1e-3, 2.0, 2e-3]])
     found = ph.simulate(systems.FreeRigidBody(moments), momenta, np.array([0.0, 300.0, 1500.0]), EXTENDED)
@@ -67,6 +69,7 @@ class Kepler(systems.AbstractSystem):
         return {}
 
 
+@pytest.mark.long
 def test_powers_keep_their_digits():
     """After 160 orbits of e = .5 a planet is where it was; 2π is no double, so that it is off by its way since."""
     start = np.array([0.5, 0.0, 0.0, 3.0**0.5])
@@ -104,6 +107,7 @@ class Pendulum(systems.AbstractSystem):
         return {}
 
 
+@pytest.mark.long
 def test_what_has_no_such_series_is_refused():
     start, times = np.array([0.1, 0.2]), np.array([0.0, 1.0])
     with pytest.raises(NoSeries, match=r"'sine', which has no recurrence.*Give `precision` \"double\""):

@@ -92,6 +92,7 @@ def by(monkeypatch):
     return lambda use: monkeypatch.setattr("polhode.taylor.flight.choose_kernel", lambda copies, extended=False: use)
 
 
+@pytest.mark.long
 def test_compiled_or_not_the_bits_are_the_same(by):
     by(kernels.python_kernel(1))
     plain = motions()
@@ -125,6 +126,7 @@ def test_lanes_change_no_bit(by):
     assert_same_bits(alone, motions(11))
 
 
+@pytest.mark.long
 def test_lanes_as_python_change_no_bit_either(by):
     by(kernels.compile_kernel(1))
     alone = motions(2)
@@ -132,6 +134,7 @@ def test_lanes_as_python_change_no_bit_either(by):
     assert_same_bits(alone, motions(2))
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize(("make", "copies"), [(kernels.compile_kernel, 11), (kernels.python_kernel, 1)])
 @pytest.mark.parametrize("width", [1, lanes.LANES])
 def test_written_code_changes_no_bit(by, monkeypatch, width, make, copies):
@@ -171,6 +174,7 @@ def test_code_that_adds_wrongly_is_seen(by, monkeypatch):
     assert any(not np.array_equal(x, y) for x, y in zip(right, wrong, strict=True))
 
 
+@pytest.mark.long
 def test_calls_that_end_before_the_copies_do_change_no_bit(by):
     by(kernels.compile_kernel(lanes.LANES))
     whole = motions(11)

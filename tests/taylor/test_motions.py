@@ -28,6 +28,7 @@ def moves(system):
     return pytest.param(system, marks=[] if type(system) in AT_ONCE else [pytest.mark.sweep])
 
 
+@pytest.mark.long_cases("BrunBody on SE3", "LiePoisson on SU(3)0", "Toda on Bidiagonal(4)")
 @pytest.mark.parametrize("system", [moves(s) for s in SYSTEMS if not isinstance(s, BY_PACK)], ids=named)
 def test_every_system_moves_as_by_runge_kutta(system):
     """Energy, Casimirs and integrals stay within two roundings; the other integrator's own error is 1e-13 a step."""
@@ -52,6 +53,7 @@ VORTICES = systems.PlaneVortices((1.0, -0.7, 0.4))
 BALL = systems.SphereVortices((1.0, -0.7, 0.4))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("system", "start"), [
     (VORTICES, VORTICES.pack(jnp.array([[0.0, 0.0], [1.0, 0.2], [-0.3, 0.9]]))),
     (BALL, BALL.pack(jnp.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.6, 0.8]]))),
@@ -71,6 +73,7 @@ def test_the_free_body_is_that_of_the_closed_form(times):
     assert found.drift["energy"] < 1e-15 and found.drift["|L|²"] < 1e-15
 
 
+@pytest.mark.long
 def test_a_symmetric_top_is_that_of_elliptic_functions():
     moments, mgl, momentum = (1.0, 1.0, 0.5), 1.3, (0.4, 0.0, 2.0)
     attitude = np.array([np.cos(0.4), np.sin(0.4), 0.0, 0.0])
@@ -83,6 +86,7 @@ def test_a_symmetric_top_is_that_of_elliptic_functions():
     assert max(np.max(v) for k, v in found.drift.items() if "space" not in k) < 1e-15
 
 
+@pytest.mark.long
 def test_samples_change_nothing_and_copies_are_as_one_alone():
     few = ph.simulate(BODY, START, [0.0, 4.0], Taylor)
     many = ph.simulate(BODY, START, np.linspace(0.0, 4.0, 301), Taylor)
@@ -126,6 +130,7 @@ def watched(level):
     return Watched(MOMENTS)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("level", [0.0, 1.3, -1.9])
 @pytest.mark.parametrize("forth", [1.0, -1.0])
 def test_an_event_ends_the_motion_at_its_own_time(level, forth):
@@ -159,6 +164,7 @@ def test_an_event_is_found_however_late_the_last_time_is(last):
     assert str(found.outcome) == "ground" and found.times[-1] == pytest.approx((1 + 5**0.5) / 2, abs=1e-15)
 
 
+@pytest.mark.long
 def test_events_of_copies_and_one_that_never_happens():
     body = watched(1.0)
     starts = np.stack([START, START * [1, 1, 1, 1, 1, 0.75, 1], [1, 0, 0, 0, 0, 1.5, 0]])
@@ -187,6 +193,7 @@ class Pulse(systems.AbstractTorque):
         return size[..., None] * jnp.array([0.0, 0.0, 1.0]) + 0.0 * angular_velocity
 
 
+@pytest.mark.long_cases("on")
 @pytest.mark.parametrize("times", [[0.0, 2.5, 10.0], [10.0, 4.0, 0.0]], ids=["on", "back"])
 def test_steps_end_where_a_torque_starts_and_ends(times):
     """∫ ½ sin t dt between the jumps, as the torque is about the axis of the spin."""
@@ -274,6 +281,7 @@ class Blowing(systems.base.AbstractSystem):
         return {}
 
 
+@pytest.mark.long
 def test_a_singularity_is_said():
     with pytest.raises(NotConverged, match=r"Taylor could not hold its tolerance .* singularity"):
         ph.simulate(Blowing(), [1.0], [0.0, 2.0], Taylor)

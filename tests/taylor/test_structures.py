@@ -43,6 +43,7 @@ def traced(monkeypatch):
     return found
 
 
+@pytest.mark.long
 def test_systems_that_differ_by_numbers_are_traced_once(traced):
     for system, state in tops():
         machine.build_machine(system, state, None)

@@ -20,6 +20,7 @@ COMPILER = shutil.which("cc") or shutil.which("gcc")
 METHODS = {1: semi_implicit, 2: midpoint, 4: rk4}
 
 
+@pytest.mark.long
 def test_the_files_are_what_the_oracle_says():
     found = [oracle.as_dict(case) for case in oracle.cases()]
     written = json.loads(oracle.TABLE.read_text("utf-8"))["cases"]
@@ -59,6 +60,7 @@ def test_a_method_does_not_pass_by_a_higher_order(order, stricter):
     assert sum(not one.passed for one in results.errors) > len(results.errors) // 2
 
 
+@pytest.mark.long
 def test_mistakes_do_not_pass():
     for mistake in ({"gyroscopic": 0.0}, {"gyroscopic": -1.0}, {"factor": 2.0}, {"in_space": True}):
         results = run_fixed_steps(lambda inertia, mistake=mistake: rk4(equations(inertia, **mistake)), 1)

@@ -33,6 +33,7 @@ def test_orders_are_those_that_the_methods_have(method):
     assert found.convergence.momentum_order == pytest.approx(of_momentum, abs=0.1)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("method", [semi_implicit, midpoint], ids=lambda method: method.__name__)
 def test_no_right_engine_is_accused(method):
     rng = np.random.default_rng(32)
@@ -45,12 +46,13 @@ def test_no_right_engine_is_accused(method):
         assert report.verdict == "right", (inertia, L, report.summary)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [0.01, 0.1], ids=lambda size: f"{size:g}")
 @pytest.mark.parametrize("method", [explicit_euler, rk4], ids=lambda method: method.__name__)
 def test_no_wrong_engine_is_called_right(method, size):
     """An inertia that is off has no name among the mistakes, and must be called unexplained."""
     rng = np.random.default_rng(7)
-    for _ in range(4):
+    for _ in range(2):
         inertia = engines.random_inertia(rng)
         off = rng.normal(size=(3, 3))
         wrong = inertia + size * np.trace(inertia) * (off + off.T) / np.linalg.norm(off + off.T)
@@ -58,6 +60,7 @@ def test_no_wrong_engine_is_called_right(method, size):
         assert found.verdict == "unexplained", found.summary
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("method", [semi_implicit, rk4], ids=lambda method: method.__name__)
 @pytest.mark.parametrize("mistake, words", [
     ({"gyroscopic": 0.0}, "gyroscopic term missing"), ({"gyroscopic": -1.0}, "wrong sign"),
@@ -103,6 +106,7 @@ CONVENTIONS = {"xyzw": [last], "inverse": [inverted], "degrees": [in_degrees], "
                "space axes for body": [in_space]}  # fmt: skip
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("words", CONVENTIONS)
 def test_wrong_conventions_are_named(words):
     (change,) = CONVENTIONS[words]
@@ -110,6 +114,7 @@ def test_wrong_conventions_are_named(words):
     assert words in named
 
 
+@pytest.mark.long
 def test_two_mistakes_at_once_are_named():
     def both(q, L, way):
         return in_degrees(*last(q, L, way), way)
@@ -118,6 +123,7 @@ def test_two_mistakes_at_once_are_named():
     assert "xyzw" in named and "degrees" in named
 
 
+@pytest.mark.long
 def test_an_inertia_that_is_not_turned_is_named():
     step = engines.not_turned(MOMENTS, START)
     (named,) = only(judge(step, 0.05, axes="space", attitude=START, steps=FEW)).mistakes
@@ -136,6 +142,7 @@ def test_single_precision_is_not_called_a_mistake():
     assert found.convergence.order == pytest.approx(1.0, abs=0.1)
 
 
+@pytest.mark.long
 def test_a_restored_length_pulls_all_spins_to_the_middle_axis():
     found = only(judge(engines.restoring(explicit_euler(equations(MOMENTS))), 0.05, steps=40_000))
     assert {end.toward for end in found.ends.values()} == {"middle"}
@@ -154,6 +161,7 @@ def dissipating(sign):
     return rk4(slopes)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("sign, goal", [(1.0, "largest"), (-1.0, "least")])
 def test_energy_that_is_lost_or_gained_with_l_kept_ends_at_an_outer_axis(sign, goal):
     report = judge(dissipating(sign), 0.05, steps=4000)
@@ -165,6 +173,7 @@ def test_energy_that_is_lost_or_gained_with_l_kept_ends_at_an_outer_axis(sign, g
     assert (found.energy.per_radian < 0.0) == (goal == "largest")
 
 
+@pytest.mark.long
 def test_growth_of_errors():
     """Euler's energy drifts, so that its frequency does; an attitude that turns too fast is off in proportion."""
     assert only(judge(semi_implicit(equations(MOMENTS)), 0.01, steps=10_000)).growth.word == "quadratic"
@@ -178,6 +187,7 @@ def test_what_a_motion_cannot_show_is_said():
     assert any("gyroscopic" in note for note in report.notes)
 
 
+@pytest.mark.long
 def test_the_report_says_numbers_and_draws(tmp_path):
     report = judge(semi_implicit(equations(MOMENTS)), 0.05, steps=8000, name="mine")
     assert "order 1.0" in report.summary and "middle moment" in report.summary

@@ -58,6 +58,7 @@ def test_free_body_has_its_three_panels(tmp_path):
     assert not list(tmp_path.glob(".*"))
 
 
+@pytest.mark.long
 def test_levels_of_the_energy_where_all_turns_with_the_body(tmp_path):
     """With a rotor inside, ½ L·I⁻¹L is not the energy, and its levels say nothing."""
     moments = (1.0, 2.0, 3.0)
@@ -137,6 +138,7 @@ def test_attitudes_alone_and_momentum_alone(tmp_path):
     assert kinds(data_of(write_page(bare, tmp_path / "momentum.html"))) == ["sphere"]
 
 
+@pytest.mark.long
 def test_backward_times_run_forward(tmp_path):
     backward = replace(MOTION.sample(TIMES[::-1]), source=FreeRigidBody((1.0, 2.0, 3.0)))
     assert (np.diff(array(data_of(write_page(backward, tmp_path / "page.html"))["times"])) > 0).all()
@@ -217,6 +219,7 @@ def test_numbers_of_its_own_notes_have_powers_of_ten(tmp_path):
     assert with_powers("the first 2.5e+06 s") == "the first 2.5·10⁶ s"
 
 
+@pytest.mark.long
 def test_what_holds_a_top(tmp_path):
     for name, pivot in (("precessing_top", "post"), ("top", "ground")):
         spec = read_spec(EXAMPLES / f"{name}.toml")
@@ -260,6 +263,7 @@ def test_page_of_a_report(tmp_path):
     assert set(data["drift"]) == {"energy", "momentum_norm", "momentum_space"}
 
 
+@pytest.mark.long
 def test_a_moon_has_a_twin_and_a_section(tmp_path):
     """The twin is the linearised motion's while both are near; the section's points repeat the motion at periapsis."""
     system = SpinOrbit(0.89, 0.1, 2.0)

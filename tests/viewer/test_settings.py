@@ -70,6 +70,7 @@ def test_upright_tops_stand_where_no_eigenvalue_grows():
 # ---------------------------------------------------------------- gyrostats
 
 
+@pytest.mark.long
 def test_spins_about_the_rotor_are_judged_as_in_python():
     generator = np.random.default_rng(2)
     cases = []
@@ -122,6 +123,7 @@ def test_a_gyroscope_goes_round_and_nods_as_the_closed_form_says():
     assert (least, most) == pytest.approx((low, high), abs=0.05)
 
 
+@pytest.mark.long
 def test_a_dual_spin_satellite_goes_round_as_its_motion_does():
     moments, rotor = np.array([3.0, 2.8, 2.0]), np.array([0.0, 0.0, 6.0])
     momentum, attitude = np.array([0.8, 0.1, 6.2]), np.array([1.0, 0.0, 0.0, 0.0])
