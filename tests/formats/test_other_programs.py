@@ -15,6 +15,7 @@ import polhode as ph
 from polhode import formats, rotation
 from polhode.cli.main import main
 from polhode.errors import FormatError, InvalidInput
+from polhode.estimation import attitude_fit
 from polhode.formats.form import Kernels
 from polhode.formats.form_registry import forms
 from polhode.studies import throws
@@ -169,6 +170,22 @@ def test_each_goes_through_the_whole_chain(folder, capsys, monkeypatch, case):
     fit = ph.fit(name)
     tolerance = 1e-6 if precision < 1e-6 else 0.02
     assert np.asarray(fit.fit.ratios.value) == pytest.approx((1 / 3, 2 / 3), abs=tolerance)
+
+
+def deviations(folder):
+    """Return how many standard errors the ratios of moments are off, fitted to attitudes without noise."""
+    name, text, _, _ = CASES["stk quaternions"]
+    (folder / name).write_text(text)
+    ratios = ph.fit(name).fit.ratios
+    return np.abs(ratios.value - np.array([1 / 3, 2 / 3])) / np.sqrt(np.diag(ratios.covariance))
+
+
+@pytest.mark.long
+def test_a_fit_of_computed_attitudes_is_no_more_confident_than_it_is_right(folder, monkeypatch):
+    """Least squares that end where the sum no longer falls are at half of the digits, 15 standard errors away."""
+    assert deviations(folder).max() < 3.0
+    monkeypatch.setattr(attitude_fit, "_finish", lambda system, x: (x, np.zeros(len(x))))
+    assert deviations(folder).max() > 5.0
 
 
 @pytest.mark.parametrize("case", CASES)
