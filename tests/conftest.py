@@ -13,6 +13,7 @@ import contextlib
 import ctypes
 import gc
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -46,7 +47,13 @@ MAX_SECONDS_OF_A_SWEEP = 3000
 CHROMIUM = Path("/usr/bin/chromium")  # of Debian
 SWITCHES = (
     "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
-    "--disable-component-update --disable-sync"
+    "--disable-component-update --disable-sync "
+    # without a graphics card four samples for each pixel are half of a picture's time, and no test looks at edges
+    "--webgl-antialiasing-mode=none "
+    # each window loads two more pages for its address bar, as long as the page under test takes. The last list that
+    # is given counts: what playwright's has for pages stands here too
+    "--disable-features=WebUIOmniboxPopup,WebUIOmniboxAimPopup,AimEnabled,HttpsUpgrades,MediaRouter,PaintHolding,"
+    "OptimizationHints,AvoidUnnecessaryBeforeUnloadCheckSync,DestroyProfileOnBrowserClose"
 )
 
 
@@ -87,11 +94,26 @@ def pytest_runtest_setup(item):
     typed.now[0] += 1
 
 
+def in_browser_by_its_text(path):
+    """Whether a file has tests of pages, which each such file has to say in these words."""
+    return "mark.browser" in path.read_text("utf-8")
+
+
+def pytest_ignore_collect(collection_path, config):
+    """Where tests of pages alone are run, leave out files without: each worker took a minute to import them all."""
+    if collection_path.suffix == ".py" and re.fullmatch("browser( and (not )?[a-z]+)*", config.option.markexpr):
+        return not in_browser_by_its_text(collection_path) or None
+    return None
+
+
 def pytest_collection_modifyitems(items):
     """Give every test a time limit: one that stands still fails instead of stopping the run.
 
     Tests that need what this system lacks are skipped; single cases that take long are told from the others.
     """
+    for path in {item.path for item in items if item.get_closest_marker("browser")}:
+        if not in_browser_by_its_text(path):
+            raise pytest.UsageError(f"{path} has tests of pages: it must say `pytest.mark.browser` to be found")
     cases = collections.Counter()
     for item in items:
         if is_long(item, cases):
@@ -163,6 +185,14 @@ def browser():
         opened = playwright.chromium.launch(executable_path=str(CHROMIUM), args=SWITCHES.split())
         yield opened
         opened.close()
+
+
+@pytest.fixture(scope="session")
+def windows(browser):
+    """Windows of the browser, which tests take and give back."""
+    from windows import Windows
+
+    return Windows(browser)
 
 
 @pytest.fixture

@@ -5,40 +5,49 @@ from pathlib import Path
 
 import pytest
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(900)]  # the course is built before the first of them
 SIZES = [(1366, 768), (390, 844)]
 
 
 class Reader:
     """A page of the course as a reader has it, offline."""
 
-    def __init__(self, browser, width, height):
-        self.context = browser.new_context(viewport={"width": width, "height": height}, offline=True,
-                                           reduced_motion="reduce")  # fmt: skip
-        self.tab = self.context.new_page()
-        self.complaints, self.requests = [], []
-        self.tab.on("console", lambda message: message.type == "error" and self.complaints.append(message.text))
-        self.tab.on("pageerror", lambda error: self.complaints.append(str(error)))
-        self.tab.on("request", lambda request: self.requests.append(request.url))
+    def __init__(self, window):
+        self.window, self.tab = window, window.tab
+        self.complaints, self.requests = window.complaints, window.requests
 
     def open(self, path, target=""):
         self.tab.goto(path.as_uri() + target)
-        self.tab.wait_for_timeout(300)
+        self.window.settle(100)
         return self.tab
+
+    def wake(self):
+        """Load the frames that wait until they are scrolled to, and have each drawn."""
+        self.tab.evaluate("document.querySelectorAll('iframe').forEach(frame => frame.loading = 'eager')")
+        self.until(lambda: all(frame.url.startswith("file:") for frame in self.tab.frames))
+        for frame in self.tab.frames[1:]:
+            self.until(lambda frame=frame: frame.evaluate("Boolean(globalThis.panel && panel.times.length)"))
+
+    def until(self, condition, tries=300):
+        """Wait until a condition holds; what never holds is left to what is asserted next."""
+        for _ in range(tries):
+            if condition():
+                return
+            self.tab.wait_for_timeout(30)
 
 
 @pytest.fixture
-def reader(browser):
+def reader(windows):
     """Open a reader of a width and height; closed with the test."""
-    readers = []
+    taken = []
 
     def make(width=1366, height=768):
-        readers.append(Reader(browser, width, height))
-        return readers[-1]
+        taken.append(windows.take(viewport={"width": width, "height": height}))
+        return Reader(taken[-1])
 
     yield make
-    for one in readers:
-        one.context.close()
+    for window in taken:
+        windows.give_back(window)
 
 
 def pages(course):
@@ -51,8 +60,7 @@ def test_every_page_opens_offline_without_complaint_and_fits(course, reader, siz
     assert len(pages(course)) >= 16
     for page in pages(course):
         tab = one.open(page)
-        tab.evaluate("document.querySelectorAll('iframe').forEach(frame => frame.loading = 'eager')")
-        tab.wait_for_timeout(500)
+        one.wake()
         width = tab.evaluate("document.documentElement.scrollWidth")
         assert width <= size[0] + 1, f"{page.name} is {width} pixels wide"
         assert one.complaints == [], page.name
@@ -98,7 +106,7 @@ def test_an_address_opens_the_tier_that_holds_it(course, reader):
 def test_search_finds_offline(course, reader):
     one = reader()
     tab = one.open(course / "search.html", "?q=Casimir")
-    tab.wait_for_timeout(1500)
+    tab.locator("ul.search li").first.wait_for()
     assert tab.locator("ul.search li").count() > 0
     assert one.complaints == []
 

@@ -5,10 +5,11 @@ from pathlib import Path
 
 import pytest
 
+from polhode.kinds import playground
 from polhode.kinds.page import page_of_report
 from polhode.kinds.reading import read_spec
+from viewer.playgrounds import EXAMPLES, quick
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
 SHORTER = {"euler_disk": {"until": 0.6, "samples": 600}}  # to its end it takes half a minute
 SCREENSHOTS = Path(__file__).parents[2] / "build" / "screenshots"
 
@@ -20,7 +21,7 @@ def example_page(tmp_path_factory):
 
     def page(name):
         if name not in made:
-            spec = replace(read_spec(EXAMPLES / f"{name}.toml"), **SHORTER.get(name, {}))
+            spec = replace(read_spec(EXAMPLES[name]), **SHORTER.get(name, {}))
             report = spec.report()
             made[name] = page_of_report(report, folder / f"{name}.html", surface=spec.picture)
         return made[name]
@@ -28,28 +29,39 @@ def example_page(tmp_path_factory):
     return page
 
 
+@pytest.fixture(scope="session")
+def short(tmp_path_factory):
+    """The playground without the motions that take long to compile."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(playground, "presets", quick)
+        return playground.write_playground(tmp_path_factory.mktemp("short") / "playground.html", EXAMPLES)
+
+
+@pytest.fixture(scope="session")
+def whole(tmp_path_factory):
+    return playground.write_playground(tmp_path_factory.mktemp("whole") / "playground.html", EXAMPLES)
+
+
 class Opened:
     """A page in the browser, offline, with what it complained about and asked for."""
 
-    def __init__(self, browser, path, **options):
-        settings = {"viewport": {"width": 1280, "height": 860}, "reduced_motion": "reduce", "offline": True}
-        self.context = browser.new_context(**settings | options)
-        self.tab = self.context.new_page()
-        self.complaints, self.requests = [], []
-        self.tab.on("console", lambda message: message.type == "error" and self.complaints.append(message.text))
-        self.tab.on("pageerror", lambda error: self.complaints.append(str(error)))
-        self.tab.on("request", lambda request: self.requests.append(request.url))
-        self.url = path.as_uri()
+    def __init__(self, window, path, fragment=""):
+        self.window, self.context, self.tab = window, window.context, window.tab
+        self.complaints, self.requests = window.complaints, window.requests
+        self.url = path.as_uri() + fragment
         self.tab.goto(self.url)
         self.until("window.polhode && window.polhode.firstPicture")
 
-    def until(self, condition, tries=600):
+    def until(self, condition, tries=1500):
         """Wait until an expression is true; playwright's own way evaluates text, which the page's policy forbids."""
         for _ in range(tries):
             if self.tab.evaluate(f"Boolean({condition})"):
                 return
-            self.tab.wait_for_timeout(100)
+            self.tab.wait_for_timeout(40)
         pytest.fail(f"never came true: {condition}")
+
+    def settle(self, after=0):
+        self.window.settle(after)
 
     def unfold(self):
         """Open all that is folded."""
@@ -79,14 +91,19 @@ class Opened:
 
 
 @pytest.fixture
-def opened(browser):
-    """Open a page; it is closed with the test."""
-    found = []
+def opened(windows):
+    """Open a page in a window with these options, after a script of a test has run there.
 
-    def opening(path, **options):
-        found.append(Opened(browser, path, **options))
-        return found[-1]
+    A window with a script, or with more that stays in it, is the test's own.
+    """
+    taken = []
+
+    def opening(path, fragment="", script=None, own=False, **options):
+        taken.append(windows.take(own=own or script is not None, **options))
+        if script:
+            taken[-1].tab.add_init_script(script)
+        return Opened(taken[-1], path, fragment)
 
     yield opening
-    for page in found:
-        page.context.close()
+    for window in taken:
+        windows.give_back(window)

@@ -30,7 +30,7 @@ def test_time_bar_moves_the_scene(page_of_a_book, opened):
     before, picture = page.measure("body")["matrix"], page.picture("book-first")
     page.tab.locator("#seek").fill("300")
     assert page.position() == 300
-    page.tab.wait_for_timeout(300)
+    page.settle()
     assert page.measure("body")["matrix"] != before and page.picture("book") != picture
     page.tab.locator("#forth").click()
     page.tab.locator("#forth").click()
@@ -46,7 +46,7 @@ def test_time_bar_moves_the_scene(page_of_a_book, opened):
 
 def test_nothing_is_drawn_while_nothing_changes(page_of_a_book, opened):
     page = opened(page_of_a_book)
-    page.tab.wait_for_timeout(500)
+    page.settle(300)
     drawn = page.tab.evaluate("window.polhode.drawn")
     page.tab.wait_for_timeout(500)
     assert page.tab.evaluate("window.polhode.drawn") == drawn
@@ -146,7 +146,7 @@ def test_drag_turns_all_views_at_once(page_of_a_book, opened):
     page.tab.mouse.down()
     page.tab.mouse.move(box["x"] + 200, box["y"] + 130, steps=4)
     page.tab.mouse.up()
-    page.tab.wait_for_timeout(400)
+    page.settle()
     assert page.tab.locator("canvas").nth(1).screenshot() != before
 
 
@@ -240,7 +240,7 @@ def test_odd_motions_are_drawn(opened, tmp_path, name):
     assert page.tab.locator("#failure").is_hidden() and not page.complaints
     for panel in page.tab.evaluate("[...document.querySelectorAll('.panel')].map((_, k) => k)"):
         page.enlarge(panel)
-        page.tab.wait_for_timeout(50)
+        page.settle()
         assert len(page.tab.locator(".large canvas").screenshot()) > EMPTY
     values = page.tab.locator("#readouts").text_content()
     assert "NaN" not in values and "Infinity" not in values

@@ -20,25 +20,26 @@ SIZES = {
 }  # fmt: skip
 LONGEST_FRAME = 16.0  # ms, of half of the frames: the machine may have other work
 MOST_TRIES = 5
+SETTLING = 300  # ms, longer than the timers of a panel, which draws finer and writes its address once it rests
 SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 class Shown:
-    """A panel in a tab of its own, offline, with all it complained about and asked for."""
+    """A panel in a window, offline, with all it complained about and asked for."""
 
-    def __init__(self, browser, path, fragment="", size=(700, 420), **options):
-        settings = {"reduced_motion": "reduce", "offline": True, "color_scheme": "light"}
-        self.context = browser.new_context(viewport={"width": size[0], "height": size[1]}, **settings | options)
-        self.tab = self.context.new_page()
-        self.complaints, self.requests = [], []
-        self.tab.on("console", lambda message: message.type == "error" and self.complaints.append(message.text))
-        self.tab.on("pageerror", lambda error: self.complaints.append(str(error)))
-        self.tab.on("request", lambda request: self.requests.append(request.url))
+    def __init__(self, window, path, fragment=""):
+        self.window, self.context, self.tab = window, window.context, window.tab
+        self.complaints, self.requests = window.complaints, window.requests
         self.tab.goto(path.as_uri() + fragment)
-        for _ in range(50):
-            self.tab.wait_for_timeout(60)
-            if self.tab.evaluate("Boolean(globalThis.panel && panel.times.length)"):
-                break
+        self.until("globalThis.panel && panel.times.length", tries=100)  # some are opened that have no panel
+
+    def until(self, condition, tries=1000):
+        """Wait until an expression is true, and return whether it came true."""
+        for _ in range(tries):
+            if self.tab.evaluate(f"Boolean({condition})"):
+                return True
+            self.tab.wait_for_timeout(30)
+        return False
 
     def settings(self):
         return json.loads(self.tab.evaluate("JSON.stringify(panel.settings)"))
@@ -57,7 +58,8 @@ class Shown:
         return self.tab.evaluate("document.getElementById('picture').toDataURL()")
 
     def settle(self):
-        self.tab.wait_for_timeout(350)
+        """Wait until all is drawn and the address written."""
+        self.window.settle(SETTLING)
 
     def out_of_sight(self):
         """Return what of picture, controls and numbers is not inside the window, and whether the page scrolls."""
@@ -76,27 +78,41 @@ class Shown:
 
 
 @pytest.fixture
-def shown(browser):
-    opened = []
+def shown(windows):
+    taken = []
 
-    def showing(name, fragment="", **options):
+    def showing(name, fragment="", size=(700, 420), **options):
         path = name if isinstance(name, Path) else FOLDER / f"{name}.html"
-        opened.append(Shown(browser, path, fragment, **options))
-        return opened[-1]
+        taken.append(windows.take(viewport={"width": size[0], "height": size[1]}, **options))
+        return Shown(taken[-1], path, fragment)
 
     yield showing
-    for page in opened:
-        page.context.close()
+    for window in taken:
+        windows.give_back(window)
 
 
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("name", PANELS)
-def test_picture_and_controls_are_in_sight_together(shown, name, size):
-    page = shown(name, size=SIZES[size])
+def check_in_sight(page):
     assert page.out_of_sight() == []
     box = page.tab.locator("#picture").bounding_box()
     assert box["width"] >= 320 and box["height"] >= 150
     assert page.complaints == [] and len(page.requests) == 1
+
+
+@pytest.mark.parametrize("name", PANELS)
+def test_picture_and_controls_are_in_sight_together(shown, name):
+    page = shown(name)
+    for width, height in SIZES.values():
+        page.tab.set_viewport_size({"width": width, "height": height})
+        page.window.settle()
+        assert page.tab.evaluate("[innerWidth, innerHeight]") == [width, height]
+        check_in_sight(page)
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("name", PANELS)
+def test_picture_and_controls_of_a_panel_opened_at_a_size_are_in_sight(shown, name, size):
+    check_in_sight(shown(name, size=SIZES[size]))
 
 
 def test_what_is_out_of_sight_or_goes_wrong_is_seen(shown, tmp_path):
@@ -270,6 +286,7 @@ def test_everything_is_reached_and_moved_by_keyboard(shown, name):
 @pytest.mark.parametrize("name", PANELS)
 def test_the_address_is_the_state(shown, name):
     page = shown(name)
+    initial = page.settings()
     for slider in page.tab.locator("#side input[type=range]").all():
         slider.focus()
         for _ in range(3):
@@ -280,10 +297,10 @@ def test_the_address_is_the_state(shown, name):
     fragment = page.tab.evaluate("location.hash")
     assert len(fragment) > 3
     again = shown(name, fragment)
-    assert again.settings() == page.settings() != shown(name).settings()
+    assert again.settings() == page.settings() != initial
     page.tab.evaluate("location.hash = ''")  # changes of the address are followed
     page.settle()
-    assert page.settings() == shown(name).settings()
+    assert page.settings() == initial
     assert shown(name, "#energy=NaN&tilt=%zz&J=many&H=nothing&a=1,2&turn=x").complaints == []
 
 
@@ -302,7 +319,7 @@ def frame_time(page):
 
 def frames_at_rest(page):
     """Return how many frames are drawn in half a second in which nothing changes."""
-    page.tab.wait_for_timeout(600)  # it draws once more, finer
+    page.settle()  # it draws once more, finer
     page.tab.evaluate("panel.times.length = 0")
     page.tab.wait_for_timeout(500)
     return page.tab.evaluate("panel.times.length")
@@ -356,8 +373,7 @@ def test_it_runs_unless_asked_for_less_motion(shown, name):
     if not still.tab.evaluate("panel.plays"):
         return
     moving = shown(name, reduced_motion="no-preference")
-    moving.tab.wait_for_timeout(500)
-    assert moving.tab.evaluate("panel.running && panel.time > 0")
+    assert moving.until("panel.running && panel.time > 0")
     moving.tab.click("#play")
     time = moving.tab.evaluate("panel.time")
     moving.tab.wait_for_timeout(300)
@@ -416,5 +432,6 @@ def test_the_sound_is_switched_on_by_hand_alone(shown):
     page = shown("disk", reduced_motion="no-preference")
     assert not page.tab.evaluate("'sound' in panel.settings && panel.settings.sound")
     page.tab.click("#sound")
-    page.tab.wait_for_timeout(300)
-    assert page.tab.evaluate("panel.settings.sound") == 1 and page.complaints == []
+    assert page.until("panel.settings.sound === 1")
+    page.settle()
+    assert page.complaints == []

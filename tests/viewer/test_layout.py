@@ -1,21 +1,19 @@
 """The page as an instrument: the picture stays in sight while anything is set, and nothing moves under the pointer."""
 
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.kinds import playground
 from polhode.kinds.page import show
-from polhode.kinds.playground import presets, write_playground
+from polhode.kinds.playground import presets
 
-EXAMPLES = {path.stem: path for path in (Path(__file__).parents[2] / "examples").glob("*.toml")}
-COMPILED = {"gyroscope", "dual_spin", "explorer_1", "euler_disk"}
-"""Examples whose motions take seconds to compile: they are tried in the sweep."""
-UNLIKE = {"T-handle", "Spinning top", "Quantum racket"}
-"""Motions that have all the kinds of controls; the sweep tries every one."""
 SIZES = [(1366, 768), (1280, 900), (390, 844)]
+ENDS = [SIZES[0], pytest.param(SIZES[1], marks=pytest.mark.sweep), SIZES[2]]
+"""The lowest window and the narrowest; what lies between is tried in the sweep."""
+UNLIKE = {SIZES[0]: {"T-handle", "Spinning top"}, SIZES[1]: {"T-handle", "Spinning top", "Quantum racket"},
+          SIZES[2]: {"Spinning top", "Quantum racket"}}  # fmt: skip
+"""Motions that have all the kinds of controls between them; the sweep tries every one at every size."""
 IN_SIGHT = 0.6
 """Of the large picture, while a control is used."""
 JUMP = 2.0
@@ -32,19 +30,6 @@ LOOK = """element => {
   return { seen: seen / 100, left: own.left, top: own.top, width: own.width, height: own.height, hit,
            words: element.id || element.ariaLabel || element.textContent };
 }"""
-
-
-@pytest.fixture(scope="module")
-def short(tmp_path_factory):
-    """The playground without the motions that take long to compile."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(playground, "presets", lambda: [one for one in presets() if one["example"] not in COMPILED])
-        return write_playground(tmp_path_factory.mktemp("short") / "playground.html", EXAMPLES)
-
-
-@pytest.fixture(scope="module")
-def whole(tmp_path_factory):
-    return write_playground(tmp_path_factory.mktemp("whole") / "playground.html", EXAMPLES)
 
 
 class Watch:
@@ -132,15 +117,15 @@ def use_every_motion(page, size, titles=None):
 
 
 def sized(size):
-    return {"viewport": dict(zip(("width", "height"), size, strict=True)), "accept_downloads": True}
+    return {"viewport": dict(zip(("width", "height"), size, strict=True))}
 
 
 @pytest.mark.browser
 @pytest.mark.timeout(600)
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("size", ENDS)
 def test_the_picture_stays_in_sight_and_nothing_jumps(short, opened, size):
     """With the tilt slider in view, none of the picture was; a plot that appeared moved the slider by 248 pixels."""
-    use_every_motion(opened(short, **sized(size)), size, UNLIKE)
+    use_every_motion(opened(short, **sized(size)), size, UNLIKE[size])
 
 
 @pytest.mark.browser
@@ -159,7 +144,7 @@ def with_rules(page, rules):
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("size", ENDS)
 def test_a_picture_that_scrolls_away_is_found(short, opened, size):
     page = opened(short, **sized(size))
     with_rules(page, "#panels { position: static !important; } #side { padding-top: 900px; }")
@@ -194,7 +179,7 @@ def test_a_plot_that_goes_leaves_its_room(short, opened):
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("size", ENDS)
 def test_any_picture_is_made_large_by_a_click_or_a_key(short, opened, size):
     page = opened(short, **sized(size))
     areas = "[...document.querySelectorAll('.panel canvas')].map(one => one.clientWidth * one.clientHeight)"
@@ -232,11 +217,10 @@ def check_every_legend(page):
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("language", ["en", "de", "fr", "es"])
+@pytest.mark.parametrize("language", ["en", "de", *(pytest.param(x, marks=pytest.mark.sweep) for x in ("fr", "es"))])
 def test_the_legend_is_in_sight_below_the_scene(short, opened, language):
-    """A row above the scene pushed its checkboxes below the window, 768 pixels high."""
-    page = opened(short, **sized(SIZES[0]))
-    page.tab.goto(f"{short.as_uri()}#lang={language}")
+    """A row above the scene pushed its checkboxes below the window, 768 pixels high; German words are the longest."""
+    page = opened(short, f"#lang={language}", **sized(SIZES[0]))
     check_every_legend(page)
     page.picture(f"legend-{language}")
     with_rules(page, ".large .legend { height: 20px !important; }")
@@ -299,6 +283,18 @@ def test_a_notebooks_frame_shows_all_pictures(opened, tmp_path, width):
 
 # ---------------------------------------------------------------- wheel and fingers
 
+AT_REST = """() => new Promise((done) => {
+  let [before, same] = [null, 0];
+  const look = () => {
+    same = window.scrollY === before ? same + 1 : 0;
+    before = window.scrollY;
+    if (same > 10) done();
+    else requestAnimationFrame(look);
+  };
+  look();
+})"""
+"""Scrolling goes on for some frames, the more the slower they are."""
+
 
 def wheel(page, by, times=3):
     """Turn the wheel over the middle of the large picture; return how far the page scrolls, and by what it zooms."""
@@ -308,8 +304,8 @@ def wheel(page, by, times=3):
     page.tab.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
     for _ in range(times):
         page.tab.mouse.wheel(0, by)
-        page.tab.wait_for_timeout(60)
-    page.tab.wait_for_timeout(150)
+        page.settle(60)
+    page.tab.evaluate(AT_REST)
     now, closer = page.tab.evaluate(look)
     return now - top, closer / zoom
 

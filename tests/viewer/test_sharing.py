@@ -20,6 +20,8 @@ EXAMPLES = {path.stem: path for path in (Path(__file__).parents[2] / "examples")
 FEW = {"t_handle", "earth", "top"}
 SEEN = """[window.polhode.settings(), document.querySelector("h1").textContent,
   document.querySelector(".large strong").textContent, window.polhode.shown().time]"""
+LATER = 350
+"""Milliseconds, longer than the address takes to follow."""
 FILM = 1.0
 """Seconds that the film of a test takes."""
 
@@ -40,7 +42,7 @@ def book(tmp_path_factory):
 
 def address_of(page):
     """Return the part of the address after #, once it has followed the last change."""
-    page.tab.wait_for_timeout(700)
+    page.settle(LATER)
     return page.tab.evaluate("location.hash")
 
 
@@ -62,7 +64,7 @@ def check_address(page):
     assert address_of(page) == "#preset=top"
     for address, seen in visited:
         tab.evaluate("address => (location.hash = address)", address)
-        tab.wait_for_timeout(250)
+        page.settle()
         assert tab.evaluate(SEEN) == seen, address
 
 
@@ -78,10 +80,7 @@ def test_the_address_is_always_that_of_what_is_seen_and_is_followed(few, opened)
     "addEventListener('hashchange', (event) => event.stopImmediatePropagation())",
 ])  # fmt: skip
 def test_an_address_that_is_left_behind_is_found(few, opened, broken):
-    page = opened(few)
-    page.tab.add_init_script(broken)  # before the page's own script
-    page.tab.reload()
-    page.until("window.polhode && window.polhode.firstPicture")
+    page = opened(few, script=broken)
     with pytest.raises(AssertionError):
         check_address(page)
 
@@ -105,7 +104,7 @@ def copied(page, button):
 
 
 def test_the_link_and_the_embed_code_show_the_same(few, opened, tmp_path):
-    page = opened(few)
+    page = opened(few, own=True)
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     page.tab.locator("#story button").nth(2).click()
     page.tab.evaluate("window.polhode.enlarge('poinsot')")
@@ -158,7 +157,7 @@ def test_the_picture_is_the_large_one_on_its_ground(book, opened, scheme, ground
     page = opened(book, color_scheme=scheme)
     page.unfold()
     page.tab.evaluate("window.polhode.enlarge('sphere')")
-    page.tab.wait_for_timeout(200)
+    page.settle()
     found = saved(page, "#picture")
     assert found.suggested_filename == "a-book.png"
     picture = np.asarray(Image.open(BytesIO(Path(found.path()).read_bytes())).convert("RGB"))

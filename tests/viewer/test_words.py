@@ -6,8 +6,7 @@ from itertools import chain
 
 import pytest
 
-from polhode.kinds import playground
-from polhode.kinds.playground import presets, write_playground
+from polhode.kinds.playground import presets
 from viewer.page_words import (
     NAMES,
     ROOT,
@@ -23,11 +22,9 @@ from viewer.page_words import (
     texts_of_stories,
     texts_of_template,
 )
+from viewer.playgrounds import quick
 
 LANGUAGES = sorted(path.stem for path in WORDS.glob("*.json"))
-COMPILED = {"gyroscope", "dual_spin", "explorer_1", "euler_disk"}
-"""Examples whose motions take seconds to compile: they are tried in the sweep."""
-EXAMPLES = {path.stem: path for path in (ROOT / "examples").glob("*.toml")}
 QUANTITIES = {"vertical momentum", "axial momentum"}
 """Names of what a motion conserves, which Python writes with underscores."""
 ASSEMBLED = {"polhode: a playground"}
@@ -130,19 +127,6 @@ def test_a_translation_that_says_something_else_is_found(text, translation, what
 # ---------------------------------------------------------------- the page
 
 
-@pytest.fixture(scope="module")
-def short(tmp_path_factory):
-    """The playground without the motions that take long to compile."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(playground, "presets", lambda: [one for one in presets() if one["example"] not in COMPILED])
-        return write_playground(tmp_path_factory.mktemp("short") / "playground.html", EXAMPLES)
-
-
-@pytest.fixture(scope="module")
-def whole(tmp_path_factory):
-    return write_playground(tmp_path_factory.mktemp("whole") / "playground.html", EXAMPLES)
-
-
 POWER = r"[\d.,]+(?:e[+-]\d+)?(?:·10)?[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]*|[GMk]?Hz|[\[\];:,()]"
 """Numbers with their powers of ten, frequencies, and signs between."""
 
@@ -192,12 +176,7 @@ def check_all_said(page):
 
 def speaking(opened, path, table, **options):
     """Open a page that is brought a language called xx."""
-    page = opened(path, **options)
-    page.tab.add_init_script(f"globalThis.polhodeWords = {json.dumps({'xx': table})}")
-    page.tab.goto("about:blank")
-    page.tab.goto(f"{path.as_uri()}#lang=xx")
-    page.until("window.polhode && window.polhode.firstPicture")
-    return page
+    return opened(path, "#lang=xx", script=f"globalThis.polhodeWords = {json.dumps({'xx': table})}", **options)
 
 
 @pytest.mark.browser
@@ -243,13 +222,18 @@ def check_language(page, language, used):
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("options", [{}, PHONE], ids=["desktop", "phone"])
+@pytest.mark.parametrize(("options", "language"), [
+    pytest.param(PHONE, "de", id="phone-de"), pytest.param(PHONE, "es", id="phone-es"),
+    pytest.param(PHONE, "fr", id="phone-fr"), pytest.param({}, "de", id="desktop-de"),
+    # where there is room for all words the languages differ in the words alone
+    pytest.param({}, "es", id="desktop-es", marks=pytest.mark.sweep),
+    pytest.param({}, "fr", id="desktop-fr", marks=pytest.mark.sweep),
+])  # fmt: skip
 def test_the_page_speaks_the_language_of_its_address(short, opened, language, options):
     page = opened(short, **options)
     page.tab.goto(f"{short.as_uri()}#lang={language}")
     page.until(f"document.documentElement.lang === '{language}'")
-    check_language(page, language, [one for one in presets() if one["example"] not in COMPILED])
+    check_language(page, language, quick())
     page.picture(f"words-{language}-{options.get('viewport', {}).get('width', 1280)}")
     page.tab.evaluate("document.querySelector('#link').textContent = 'Copy link'")
     with pytest.raises(AssertionError):
@@ -295,10 +279,7 @@ def test_a_language_is_chosen_by_keys_and_kept_in_the_address(short, opened):
     ("en-US", "#lang=nn", "Book"),
 ])  # fmt: skip
 def test_the_address_goes_before_the_browser(short, opened, locale, lang, title):
-    page = opened(short, locale=locale)
-    page.tab.goto("about:blank")
-    page.tab.goto(short.as_uri() + lang)
-    page.until("window.polhode && window.polhode.firstPicture")
+    page = opened(short, lang, locale=locale)
     assert page.tab.locator("#presets button").nth(1).text_content() == title
     assert page.tab.evaluate("location.hash") == ("#lang=en&" if lang == "#lang=en" else "#") + "preset=t_handle"
 

@@ -38,6 +38,7 @@ class Page {
     this.view = new View(() => this.draw());
     this.stage = new Stage(this.view);
     this.panels = [];
+    this.outgoing = [];
     this.canvases = [];
     this.waiting = null;
     const system = window.matchMedia("(prefers-color-scheme: dark)");
@@ -188,7 +189,7 @@ class Page {
   }
 
   build() {
-    for (const panel of this.panels) dispose(panel.scene);
+    this.outgoing.push(...this.panels);
     document.documentElement.dataset.theme = this.theme.name;
     this.panels = this.data.panels.map((panel) => {
       const data = this.changedPanel(panel);
@@ -242,11 +243,21 @@ class Page {
     this.shapes = this.sizes();
     for (const panel of this.panels) panel.update(this.now);
     this.stage.draw(this.panels, this.canvases, this.theme);
+    this.clear();
     this.plots.draw(this.now);
     this.readouts.show(this.now);
     this.sharing.frame();
     window.polhode.drawn += 1;
     window.polhode.firstPicture ??= performance.now();
+  }
+
+  /**
+   * Throw away the panels before these. Not before these are drawn: a program of the graphics card goes with the last
+   * material that uses it, and to compile it anew takes longer than all else that follows a slider.
+   */
+  clear() {
+    for (const panel of this.outgoing) dispose(panel.scene);
+    this.outgoing = [];
   }
 
   /** Return the page with its last change drawn, for those who cannot wait for the next frame. */
