@@ -102,6 +102,7 @@ def built(tmp_path_factory):
 
 
 @pytest.mark.browser
+@pytest.mark.timeout(900)  # the pages are built before
 def test_search_works_from_a_disk(built, browser):
     context = browser.new_context(offline=True)
     tab = context.new_page()

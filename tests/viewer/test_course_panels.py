@@ -10,10 +10,13 @@ import pytest
 import polhode as ph
 from polhode.analysis.poinsot import herpolhode
 from polhode.quantum import Rotor
+from sweeping import only
 
 pytestmark = pytest.mark.browser
 FOLDER = Path(__file__).parents[2] / "learn" / "panels"
 PANELS = sorted(path.stem for path in FOLDER.glob("*.html"))
+ALIKE = ("disk", "quanta", "surfaces")
+"""Panels that stand for all where what they share is tried: one plays, one does not, one is turned."""
 SIZES = {
     "frame": (700, 420), "phone": (390, 844), "laptop": (1366, 768), "frame on a phone": (358, 630),
     "low frame": (358, 440),
@@ -366,7 +369,7 @@ def test_what_the_keyboard_does_not_reach_or_the_address_forgets_is_seen(shown):
     assert shown("book", fragment).settings() != page.settings()
 
 
-@pytest.mark.parametrize("name", PANELS)
+@pytest.mark.parametrize("name", only(ALIKE, PANELS))
 def test_it_runs_unless_asked_for_less_motion(shown, name):
     still = shown(name)
     assert not still.tab.evaluate("panel.running")
@@ -382,7 +385,7 @@ def test_it_runs_unless_asked_for_less_motion(shown, name):
     assert moving.complaints == []
 
 
-@pytest.mark.parametrize("name", PANELS)
+@pytest.mark.parametrize("name", only(ALIKE, PANELS))
 def test_the_line_to_embed_shows_what_is_seen(shown, name, tmp_path):
     page = shown(name)
     page.tab.locator("#side input[type=range]").first.focus()

@@ -43,7 +43,9 @@ def check_every_motion(page, words):
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("options", [{}, PHONE], ids=["desktop", "phone"])
+@pytest.mark.parametrize(
+    "options", [pytest.param({}, id="desktop"), pytest.param(PHONE, id="phone", marks=pytest.mark.sweep)]
+)
 def test_every_motion_opens(short, opened, options):
     check_every_motion(opened(short, **options), quick())
 
