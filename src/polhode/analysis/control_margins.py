@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode.arrays import compiled_for_few_calls
 from polhode.systems.control_laws import AbstractControlLaw
 from polhode.systems.rigid_body import RigidBody
 from polhode.systems.torques.base import in_body
@@ -76,7 +76,7 @@ def linearize_loop(
     Returns:
         None for a law without a target, or with a state of its own, and with parts that move their mass.
     """
-    if system.moving_parts or law.target(jnp.zeros(())) is None or law.state_size:
+    if system.moving_parts or jax.eval_shape(law.target, jnp.zeros(())) is None or law.state_size:
         return None
     where, at = jnp.asarray(float(time)), jnp.asarray(state)
     carrier = np.asarray(system.carrier)
@@ -102,7 +102,7 @@ def _slope(values: Array, scale: Array) -> Array:
     return ((low - high) / 12.0 + 2.0 * (more - less) / 3.0).T / scale
 
 
-@eqx.filter_jit
+@compiled_for_few_calls
 def _rates(
     system: RigidBody, law: AbstractControlLaw, time: Array, state: Array, near: Array
 ) -> tuple[Array, Array]:

@@ -21,6 +21,7 @@ import numpy as np
 from jax.interpreters import partial_eval
 
 from polhode.errors import InvalidInput, shown
+from polhode.systems._component_sizes import component_sizes
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, ArrayLike, Double, Float64
 
@@ -191,7 +192,7 @@ class _Rates:
 
     def __init__(self, system: AbstractSystem, states: Double[np.ndarray, "..."]) -> None:
         self.system, self.states = system, states
-        sizes = np.ravel(np.broadcast_to(np.asarray(system.scales(jnp.asarray(states[0])), float), states.shape[1:]))
+        sizes = np.ravel(component_sizes(system, states[:1]))
         sizes = np.where(sizes > 0.0, sizes, 1.0)
         self.sizes = np.tile(sizes, 2) if np.iscomplexobj(states) else sizes
 

@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import compiled_for_few_calls, known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame
@@ -318,7 +318,7 @@ class UserLaw(AbstractControlLaw):
         return self.own_rate(t, attitude, angular_velocity, own)
 
 
-@eqx.filter_jit
+@compiled_for_few_calls
 def _target(law: QuaternionPD, t: Array) -> Array:
     return law.target(t)
 
