@@ -79,11 +79,10 @@ def linearize_loop(
     if system.moving_parts or jax.eval_shape(law.target, jnp.zeros(())) is None or law.state_size:
         return None
     where, at = jnp.asarray(float(time)), jnp.asarray(state)
-    carrier = np.asarray(system.carrier)
-    given = np.concatenate([np.zeros((3, 3)), np.linalg.inv(np.diag(carrier) if carrier.ndim == 1 else carrier)])
     scale = np.repeat([STEP, STEP * _pace(law)], 3)  # of a turn, and of a rate
     steps = np.concatenate([k * np.diag(scale) for k in (-2.0, -1.0, 1.0, 2.0)] + [np.zeros((1, 6))])
-    rates, asked = (np.asarray(x) for x in _rates(system, law, where, at, jnp.asarray(steps)))
+    rates, asked, carrier = (np.asarray(x) for x in _rates(system, law, where, at, jnp.asarray(steps)))
+    given = np.concatenate([np.zeros((3, 3)), np.linalg.inv(np.diag(carrier) if carrier.ndim == 1 else carrier)])
     closed, wanted = _slope(rates, scale), _slope(asked, scale)
     return LinearLoop(closed - given @ wanted, given, wanted, rates[-1, 3:])
 
@@ -105,8 +104,8 @@ def _slope(values: Array, scale: Array) -> Array:
 @compiled_for_few_calls
 def _rates(
     system: RigidBody, law: AbstractControlLaw, time: Array, state: Array, near: Array
-) -> tuple[Array, Array]:
-    """Return ẋ (…, 6) and the torque asked for (…, 3) at x (…, 6) near the target."""
+) -> tuple[Array, Array, Array]:
+    """Return ẋ (…, 6) and the torque asked for (…, 3) at x (…, 6) near the target, and the carrier's inertia."""
     target, turning = law.target(time), law.target_rate(time)
     assert target is not None and turning is not None
     small = jnp.concatenate([jnp.ones((*near.shape[:-1], 1)), 0.5 * near[..., :3]], axis=-1)
@@ -122,7 +121,7 @@ def _rates(
     _, faster = jax.jvp(law.target_rate, (time,), (jnp.ones(()),))
     relative = acceleration - in_body(attitude, faster) + jnp.cross(velocity, aim)
     asked = law.wanted(time, attitude, velocity, jnp.zeros((*near.shape[:-1], 0)))
-    return jnp.concatenate([near[..., 3:], relative], axis=-1), asked
+    return jnp.concatenate([near[..., 3:], relative], axis=-1), asked, system.carrier
 
 
 def loop_margins(loop: LinearLoop) -> list[Margins]:
