@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import compiled_for_few_calls
-from polhode.systems.control_laws import AbstractControlLaw
+from polhode.systems.control_laws import AbstractControlLaw, target_at
 from polhode.systems.rigid_body import RigidBody
 from polhode.systems.torques.base import in_body
 from polhode.types import Array, Complex128, Float64
@@ -76,7 +76,7 @@ def linearize_loop(
     Returns:
         None for a law without a target, or with a state of its own, and with parts that move their mass.
     """
-    if system.moving_parts or jax.eval_shape(law.target, jnp.zeros(())) is None or law.state_size:
+    if system.moving_parts or target_at(law, np.zeros(())) is None or law.state_size:
         return None
     where, at = jnp.asarray(float(time)), jnp.asarray(state)
     scale = np.repeat([STEP, STEP * _pace(law)], 3)  # of a turn, and of a rate
@@ -156,11 +156,13 @@ def _margins(loop: LinearLoop, k: int) -> Margins:
         answer = np.linalg.solve(shifted, np.broadcast_to(loop.input[:, k], (len(shifted), 6))[..., None])[..., 0]
         return -(answer @ loop.law[k])
 
-    crossings = _roots(lambda w: np.log(np.abs(gain(w))), frequencies)
+    values = gain(frequencies)
+    crossings = _roots(lambda w: np.log(np.abs(gain(w))), np.log(np.abs(values)), frequencies)
     phases = [math.pi - abs(float(np.angle(gain(w)[0]))) for w in crossings]
     # how far the phase may fall, at which frequency: that is a delay
     delays = [(float(np.angle(gain(w)[0])) % (2.0 * math.pi) - math.pi) % (2.0 * math.pi) / w for w in crossings]
-    turns = [gain(w)[0] for w in _roots(lambda w: gain(w).imag / np.abs(gain(w)), frequencies)]
+    imaginary = lambda value: value.imag / np.abs(value)  # noqa: E731
+    turns = [gain(w)[0] for w in _roots(lambda w: imaginary(gain(w)), imaginary(values), frequencies)]
     factors = [-1.0 / value.real for value in turns if value.real < 0.0]
     return Margins(
         max(crossings, default=None), min(phases, default=None), min(delays, default=None),
@@ -168,11 +170,10 @@ def _margins(loop: LinearLoop, k: int) -> Margins:
     )  # fmt: skip
 
 
-def _roots(function: Any, frequencies: Array) -> list[float]:
-    """Return where a function changes its sign along frequencies, to rounding."""
+def _roots(function: Any, values: Array, frequencies: Array) -> list[float]:
+    """Return where a function changes its sign along frequencies, at which its values are given, to rounding."""
     from scipy.optimize import brentq
 
-    values = function(frequencies)
     found = np.flatnonzero(np.isfinite(values[:-1] * values[1:]) & (values[:-1] * values[1:] < 0.0))
     # where a phase jumps by a whole turn its sign changes without a root, from values far from zero
     near = [k for k in found if min(abs(values[k]), abs(values[k + 1])) < 0.5]

@@ -199,8 +199,8 @@ class AbstractPackedBody(AbstractSystem):
         self, arrangement: Arrangement | None, rates: list[Array | None], places: list[Array | None], velocity: Array
     ) -> tuple[Array, list[Array]]:
         """Return L (…, 3) and the own states of all mounts that move at rates in a body that turns with Ω (…, 3)."""
-        rates = [np.zeros(()) if rate is None else rate for rate in rates]
-        pairs = list(zip(self.mounts, rates, places, strict=True))
+        known: list[Array] = [np.zeros(()) if rate is None else rate for rate in rates]
+        pairs = list(zip(self.mounts, known, places, strict=True))
         speeds = [rate[..., j] for mount, rate, _ in pairs if isinstance(mount, AbstractMovingPart)
                   for j in range(mount.count)]  # fmt: skip
         if arrangement is None:
@@ -238,7 +238,7 @@ class AbstractPackedBody(AbstractSystem):
 
     def _checked_rates(self, rates: Sequence[Array | None] | None) -> list[Array | None]:
         per_mount = _one_each("rates", rates, "mounts", len(self.mounts))
-        values = []
+        values: list[Array | None] = []
         for k, (mount, rate) in enumerate(zip(self.mounts, per_mount, strict=True)):
             if rate is not None and not mount.state_size:
                 raise InvalidInput(
@@ -247,12 +247,11 @@ class AbstractPackedBody(AbstractSystem):
                 )
             if isinstance(mount, AbstractMovingPart):
                 values.append(_of_part(f"rates[{k}]", mount, rate, mount.rate_count))
-            elif rate is None or isinstance(mount, Propellant):
-                if rate is not None:
-                    mount.start(rate, np.zeros(3))  # refuses all but zero
+            elif isinstance(mount, Propellant) and rate is not None:
+                mount.start(rate, np.zeros(3))  # refuses all but a known zero
                 values.append(None)
             else:
-                values.append(jnp.asarray(rate, dtype=float))
+                values.append(None if rate is None else jnp.asarray(rate, dtype=float))
         return values
 
     def _checked_actuators(self, actuators: Sequence[Array | None] | None) -> list[Array]:

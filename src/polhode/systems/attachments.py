@@ -88,7 +88,7 @@ class AbstractAttachment(eqx.Module):
     @property
     def jumps(self) -> Float64[Array, "jumps"]:
         """(J,) times [s] at which it starts, ends or jumps; steps end there. None by default."""
-        return jnp.zeros(0)
+        return np.zeros(0)
 
     @property
     def names_all_jumps(self) -> bool:

@@ -184,7 +184,7 @@ class QuaternionPD(AbstractControlLaw):
         return self.orbit.turning_rate(t)[..., None] * self.orbit.normal
 
     def started(self, t: float, attitude: Real[ArrayLike, "4"]) -> QuaternionPD:
-        same = float(np.sum(np.asarray(_target(self, jnp.asarray(float(t)))) * np.asarray(attitude)))
+        same = float(np.sum(np.asarray(target_at(self, jnp.asarray(float(t)))) * np.asarray(attitude)))
         return eqx.tree_at(lambda law: law.sign, self, jnp.asarray(-1.0 if same < 0.0 else 1.0))
 
     def wanted(
@@ -319,7 +319,8 @@ class UserLaw(AbstractControlLaw):
 
 
 @compiled_for_few_calls
-def _target(law: QuaternionPD, t: Array) -> Array:
+def target_at(law: AbstractControlLaw, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape 4"] | None:
+    """Return the law's target, by a compiled function."""
     return law.target(t)
 
 
