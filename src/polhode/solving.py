@@ -15,7 +15,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import integrators
-from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
+from polhode.arrays import in_jax_numpy, is_traced, is_tracing, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import TOLERANCE
@@ -138,8 +138,7 @@ def solve(
             raise InvalidInput(f"`{name}` must be one positive finite number; got {shown(value)}.")
     every, observe = _to_save(save, len(times))
     with in_jax_numpy("systems and functions given to `solve`"):
-        # within a compiled function all that is computed is traced
-        if not is_traced(state, times, jnp.negative(0.0), *jax.tree.leaves(system)):
+        if not (is_tracing() or is_traced(state, times, *jax.tree.leaves(system))):
             system = name_jumps(system, find_undeclared_jumps(system, state, times))
         if is_series(method):
             return _by_series(system, state, times, method, step, order, tolerance, every, observe)

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.systems.control_laws import AbstractControlLaw
+from polhode.arrays import compiled_for_few_calls
+from polhode.systems.control_laws import AbstractControlLaw, target_at
 from polhode.systems.rigid_body import RigidBody
 from polhode.systems.torques.base import in_body
 from polhode.types import Array, Complex128, Float64
@@ -76,14 +76,13 @@ def linearize_loop(
     Returns:
         None for a law without a target, or with a state of its own, and with parts that move their mass.
     """
-    if system.moving_parts or law.target(jnp.zeros(())) is None or law.state_size:
+    if system.moving_parts or target_at(law, np.zeros(())) is None or law.state_size:
         return None
     where, at = jnp.asarray(float(time)), jnp.asarray(state)
-    carrier = np.asarray(system.carrier)
-    given = np.concatenate([np.zeros((3, 3)), np.linalg.inv(np.diag(carrier) if carrier.ndim == 1 else carrier)])
     scale = np.repeat([STEP, STEP * _pace(law)], 3)  # of a turn, and of a rate
     steps = np.concatenate([k * np.diag(scale) for k in (-2.0, -1.0, 1.0, 2.0)] + [np.zeros((1, 6))])
-    rates, asked = (np.asarray(x) for x in _rates(system, law, where, at, jnp.asarray(steps)))
+    rates, asked, carrier = (np.asarray(x) for x in _rates(system, law, where, at, jnp.asarray(steps)))
+    given = np.concatenate([np.zeros((3, 3)), np.linalg.inv(np.diag(carrier) if carrier.ndim == 1 else carrier)])
     closed, wanted = _slope(rates, scale), _slope(asked, scale)
     return LinearLoop(closed - given @ wanted, given, wanted, rates[-1, 3:])
 
@@ -102,11 +101,11 @@ def _slope(values: Array, scale: Array) -> Array:
     return ((low - high) / 12.0 + 2.0 * (more - less) / 3.0).T / scale
 
 
-@eqx.filter_jit
+@compiled_for_few_calls
 def _rates(
     system: RigidBody, law: AbstractControlLaw, time: Array, state: Array, near: Array
-) -> tuple[Array, Array]:
-    """Return ẋ (…, 6) and the torque asked for (…, 3) at x (…, 6) near the target."""
+) -> tuple[Array, Array, Array]:
+    """Return ẋ (…, 6) and the torque asked for (…, 3) at x (…, 6) near the target, and the carrier's inertia."""
     target, turning = law.target(time), law.target_rate(time)
     assert target is not None and turning is not None
     small = jnp.concatenate([jnp.ones((*near.shape[:-1], 1)), 0.5 * near[..., :3]], axis=-1)
@@ -122,7 +121,7 @@ def _rates(
     _, faster = jax.jvp(law.target_rate, (time,), (jnp.ones(()),))
     relative = acceleration - in_body(attitude, faster) + jnp.cross(velocity, aim)
     asked = law.wanted(time, attitude, velocity, jnp.zeros((*near.shape[:-1], 0)))
-    return jnp.concatenate([near[..., 3:], relative], axis=-1), asked
+    return jnp.concatenate([near[..., 3:], relative], axis=-1), asked, system.carrier
 
 
 def loop_margins(loop: LinearLoop) -> list[Margins]:
@@ -157,11 +156,13 @@ def _margins(loop: LinearLoop, k: int) -> Margins:
         answer = np.linalg.solve(shifted, np.broadcast_to(loop.input[:, k], (len(shifted), 6))[..., None])[..., 0]
         return -(answer @ loop.law[k])
 
-    crossings = _roots(lambda w: np.log(np.abs(gain(w))), frequencies)
+    values = gain(frequencies)
+    crossings = _roots(lambda w: np.log(np.abs(gain(w))), np.log(np.abs(values)), frequencies)
     phases = [math.pi - abs(float(np.angle(gain(w)[0]))) for w in crossings]
     # how far the phase may fall, at which frequency: that is a delay
     delays = [(float(np.angle(gain(w)[0])) % (2.0 * math.pi) - math.pi) % (2.0 * math.pi) / w for w in crossings]
-    turns = [gain(w)[0] for w in _roots(lambda w: gain(w).imag / np.abs(gain(w)), frequencies)]
+    imaginary = lambda value: value.imag / np.abs(value)  # noqa: E731
+    turns = [gain(w)[0] for w in _roots(lambda w: imaginary(gain(w)), imaginary(values), frequencies)]
     factors = [-1.0 / value.real for value in turns if value.real < 0.0]
     return Margins(
         max(crossings, default=None), min(phases, default=None), min(delays, default=None),
@@ -169,11 +170,10 @@ def _margins(loop: LinearLoop, k: int) -> Margins:
     )  # fmt: skip
 
 
-def _roots(function: Any, frequencies: Array) -> list[float]:
-    """Return where a function changes its sign along frequencies, to rounding."""
+def _roots(function: Any, values: Array, frequencies: Array) -> list[float]:
+    """Return where a function changes its sign along frequencies, at which its values are given, to rounding."""
     from scipy.optimize import brentq
 
-    values = function(frequencies)
     found = np.flatnonzero(np.isfinite(values[:-1] * values[1:]) & (values[:-1] * values[1:] < 0.0))
     # where a phase jumps by a whole turn its sign changes without a root, from values far from zero
     near = [k for k in found if min(abs(values[k]), abs(values[k + 1])) < 0.5]

@@ -13,6 +13,7 @@ from polhode.arrays.derivatives import (
     stop_gradient,
 )
 from polhode.arrays.elementwise import Elementwise, closed_forms
+from polhode.arrays.few_calls import compiled_for_few_calls
 from polhode.arrays.loops import (
     barrier,
     choose,
@@ -29,6 +30,7 @@ from polhode.arrays.namespaces import (
     is_foreign,
     is_jax,
     is_traced,
+    is_tracing,
     known_false,
     known_numbers_only,
     namespace,
@@ -45,6 +47,7 @@ __all__ = [
     "choose",
     "closed_forms",
     "compiled",
+    "compiled_for_few_calls",
     "custom_derivative",
     "derivative_columns",
     "first_order_only",
@@ -53,6 +56,7 @@ __all__ = [
     "is_foreign",
     "is_jax",
     "is_traced",
+    "is_tracing",
     "iterate",
     "iterate_until",
     "known_false",

@@ -53,6 +53,13 @@ def is_traced(*values: Any) -> bool:
     return any(isinstance(value, Tracer) for value in values)
 
 
+def is_tracing() -> bool:
+    """Whether JAX is tracing a function now, so that whatever it computes is traced, even from known numbers."""
+    import jax.numpy as jnp
+
+    return is_traced(jnp.zeros(()))
+
+
 def known_false(condition: Any) -> bool:
     """Whether a condition is known not to hold; results in a traced function, even of known arrays, are not known."""
     return not is_traced(condition) and not bool(condition)
@@ -159,7 +166,6 @@ def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Param
         if "jax" not in sys.modules:
             return function(*args, **kwargs)
         import jax
-        import jax.numpy as jnp
 
         refusal = InvalidInput(
             f"the arguments of `{name}` must be known numbers, not traced by JAX: it decides on them. Call it outside "
@@ -167,7 +173,7 @@ def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Param
         )
         if is_traced(*jax.tree.leaves((args, kwargs))):
             raise refusal
-        if not is_traced(jnp.zeros(())):
+        if not is_tracing():
             with in_jax_numpy(f"functions and systems given to `{name}`"):
                 return function(*args, **kwargs)
         try:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import itertools
 from typing import Any, TypeGuard
 
-import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.systems._component_sizes import component_sizes
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, join_state
 from polhode.types import Array, Double, Float64
 
@@ -32,7 +32,7 @@ def difference(
     if not _has_sizes_by_algebra(system):
         shape = one.shape[axis + 1 :]
         first = np.take(one, 0, axis=axis).reshape(-1, *shape)
-        scales = np.asarray(jax.vmap(lambda state: system.scales(state) * jnp.ones(shape))(first))
+        scales = component_sizes(system, first)
         scales = np.where(np.isinf(scales), 0.0, scales).reshape(*one.shape[:axis], *shape)
         largest = np.maximum(size.max(axis=axis), scales)
         return np.max(gap.max(axis=axis) / np.where(largest > 0, largest, 1.0), axis=own[:-1])
@@ -65,12 +65,11 @@ def starts_a_rounding_away(system: AbstractSystem, state: Double[Array, "..."]) 
     rng = np.random.default_rng(1)
     if not _has_sizes_by_algebra(system):
         own = np.shape(state)[np.ndim(state) - system.state_axes :]
-        copies = jnp.reshape(jnp.asarray(state), (-1, *own))
-        sizes = np.asarray(jax.vmap(lambda one: system.scales(one) * jnp.ones(own))(copies)).reshape(np.shape(state))
+        sizes = component_sizes(system, np.reshape(np.asarray(state), (-1, *own))).reshape(np.shape(state))
         sizes = np.where(np.isinf(sizes), np.abs(np.asarray(state)), sizes)
         # what is zero stays so, as it may have to be; the rest has the rounding of its part, however small it is
         sizes = np.where(np.asarray(state) != 0.0, sizes, 0.0)
-        return [jnp.asarray(state) + EPS * sizes * rng.normal(size=own) for _ in range(KICKS)]
+        return [np.asarray(state) + EPS * sizes * rng.normal(size=own) for _ in range(KICKS)]
     attitude, point = system.parts(state)
     return [
         join_state(None if attitude is None else attitude + EPS * _unit(rng, 4), _perturb(system, point, rng))

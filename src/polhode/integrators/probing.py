@@ -20,13 +20,15 @@ import jax.numpy as jnp
 import numpy as np
 from jax.interpreters import partial_eval
 
+from polhode.arrays import compiled_for_few_calls
 from polhode.errors import InvalidInput, shown
+from polhode.systems._component_sizes import component_sizes
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, ArrayLike, Double, Float64
 
 TRIALS = 1 << 17  # times that are tried
 NUMBERS = 1 << 23  # evaluated at most, times by components
-TOGETHER = 4096  # times evaluated by one call
+TOGETHER = 512  # times evaluated by each call, as every other number would be compiled anew
 STILL = 1e-13  # of the largest rate: changes below it are rounding
 ABOVE = 8.0  # of the usual change between two trials, from which on something acts
 INNER = np.array([0.25, 0.5, 0.75])  # places within a smooth change
@@ -191,22 +193,21 @@ class _Rates:
 
     def __init__(self, system: AbstractSystem, states: Double[np.ndarray, "..."]) -> None:
         self.system, self.states = system, states
-        sizes = np.ravel(np.broadcast_to(np.asarray(system.scales(jnp.asarray(states[0])), float), states.shape[1:]))
+        sizes = np.ravel(component_sizes(system, states[:1]))
         sizes = np.where(sizes > 0.0, sizes, 1.0)
         self.sizes = np.tile(sizes, 2) if np.iscomplexobj(states) else sizes
 
     def __call__(self, times: Float64[np.ndarray, "n"], which: Array) -> Float64[np.ndarray, "n components"]:
         """Return the rates at times, each at one of the states."""
         count = len(times)
-        together = min(TOGETHER, 1 << max(count - 1, 0).bit_length())  # few lengths, as each is compiled
-        more = -count % together
-        rows = np.append(times, np.full(more, times[-1])).reshape(-1, together)
-        at = np.append(which, np.full(more, which[-1])).reshape(-1, together)
+        more = -count % TOGETHER
+        rows = np.append(times, np.full(more, times[-1])).reshape(-1, TOGETHER)
+        at = np.append(which, np.full(more, which[-1])).reshape(-1, TOGETHER)
         rates = [np.asarray(_evaluate(self.system, self.states[k], t)) for t, k in zip(rows, at, strict=True)]
         return np.concatenate(rates)[:count] / self.sizes
 
 
-@eqx.filter_jit
+@compiled_for_few_calls
 def _evaluate(system: AbstractSystem, states: Array, times: Array) -> Array:
     rates = jax.vmap(lambda t, y: system.vector_field(t, y))(jnp.asarray(times), jnp.asarray(states))
     rates = rates.reshape(times.shape[0], -1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import BeforeValidator, create_model
@@ -31,6 +32,7 @@ class Chosen(Strict):
     values: dict[str, Any]
 
 
+@lru_cache(maxsize=256)  # as pydantic takes milliseconds for a model, and a sweep would make it for each sample
 def make_model(
     part: type[AbstractAttachment], name: str, key: str, base: type[Strict] = Strict
 ) -> type[Strict]:

@@ -12,7 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import compiled_for_few_calls, is_traced, known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn
 from polhode.motion._layout import (
@@ -167,23 +167,13 @@ class AbstractPackedBody(AbstractSystem):
         refuse_single_precision(attitude=attitude, angular_velocity=angular_velocity, momentum=momentum)
         values, acting = self._checked_rates(rates), self._checked_actuators(actuators)
         places = self._checked_coordinates(coordinates)
-        if attitude is None and self.needs_attitude:
-            attitude = jnp.array([1.0, 0.0, 0.0, 0.0])
-        arrangement = self._arranged([_at_start(x, q) for x, q in zip(self.mounts, places, strict=True)])
-        velocity = jnp.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
-        if momentum is not None:
-            # L = J Ω + what turns against the body
-            still = self._started(arrangement, values, places, jnp.zeros(3))[0]
-            units = [self._started(arrangement, values, places, unit)[0] - still for unit in jnp.eye(3)]
-            rows, right = [[unit[..., i] for unit in units] for i in range(3)], jnp.asarray(momentum, float) - still
-            velocity = jnp.stack(solve_symmetric(rows, [right[..., i] for i in range(3)]), axis=-1)
-        total, own = self._started(arrangement, values, places, velocity)
-        front = [] if attitude is None else [rotation.normalize(jnp.asarray(attitude, dtype=float))]
-        if self.structure is not None:
-            front = [self.structure.turn.attitude(x) for x in front]
-        parts = [*front, self._along_principal(total), *own, *acting]
-        shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
-        return jnp.concatenate([jnp.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
+        turned = np.array([1.0, 0.0, 0.0, 0.0]) if self.needs_attitude else None
+        if attitude is not None:
+            given = jnp.asarray(attitude, dtype=float)
+            turned = rotation.normalize(given if is_traced(given) else np.asarray(given))
+        velocity = np.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
+        whole = None if momentum is None else jnp.asarray(momentum, dtype=float)
+        return _pack(self, turned, velocity, whole, values, places, acting)
 
     def _arranged(self, owns: Sequence[Array]) -> Arrangement | None:
         """Return where the moving parts are and what is burned; None without any. Of states (…, n) of all mounts."""
@@ -206,10 +196,11 @@ class AbstractPackedBody(AbstractSystem):
         return jnp.ones(()) if mass is None else mass
 
     def _started(
-        self, arrangement: Arrangement | None, rates: list[Array], places: list[Array | None], velocity: Array
+        self, arrangement: Arrangement | None, rates: list[Array | None], places: list[Array | None], velocity: Array
     ) -> tuple[Array, list[Array]]:
         """Return L (…, 3) and the own states of all mounts that move at rates in a body that turns with Ω (…, 3)."""
-        pairs = list(zip(self.mounts, rates, places, strict=True))
+        known: list[Array] = [np.zeros(()) if rate is None else rate for rate in rates]
+        pairs = list(zip(self.mounts, known, places, strict=True))
         speeds = [rate[..., j] for mount, rate, _ in pairs if isinstance(mount, AbstractMovingPart)
                   for j in range(mount.count)]  # fmt: skip
         if arrangement is None:
@@ -245,9 +236,9 @@ class AbstractPackedBody(AbstractSystem):
             places.append(_of_part(f"coordinates[{k}]", mount, q, mount.count) if moves else None)
         return places
 
-    def _checked_rates(self, rates: Sequence[Array | None] | None) -> list[Array]:
+    def _checked_rates(self, rates: Sequence[Array | None] | None) -> list[Array | None]:
         per_mount = _one_each("rates", rates, "mounts", len(self.mounts))
-        values = []
+        values: list[Array | None] = []
         for k, (mount, rate) in enumerate(zip(self.mounts, per_mount, strict=True)):
             if rate is not None and not mount.state_size:
                 raise InvalidInput(
@@ -256,15 +247,18 @@ class AbstractPackedBody(AbstractSystem):
                 )
             if isinstance(mount, AbstractMovingPart):
                 values.append(_of_part(f"rates[{k}]", mount, rate, mount.rate_count))
+            elif isinstance(mount, Propellant) and rate is not None:
+                mount.start(rate, np.zeros(3))  # refuses all but a known zero
+                values.append(None)
             else:
-                values.append(np.zeros(()) if rate is None else jnp.asarray(rate, dtype=float))
+                values.append(None if rate is None else jnp.asarray(rate, dtype=float))
         return values
 
     def _checked_actuators(self, actuators: Sequence[Array | None] | None) -> list[Array]:
         per_torque = _one_each("actuators", actuators, "torques", len(self.torques))
         own = []
         for k, (torque, part) in enumerate(zip(self.torques, per_torque, strict=True)):
-            own.append(jnp.zeros(torque.state_size) if part is None else jnp.asarray(part, dtype=float))
+            own.append(np.zeros(torque.state_size) if part is None else jnp.asarray(part, dtype=float))
             if own[-1].shape[-1:] != (torque.state_size,):
                 raise InvalidInput(
                     f"`actuators[{k}]` must have shape (…, {torque.state_size}), the own state of a "
@@ -302,7 +296,7 @@ class AbstractPackedBody(AbstractSystem):
             InvalidInput: for wrong shapes, values that are not finite, an attitude that is not a unit quaternion.
         """
         state = as_finite_state(state, float)
-        return state if self.parts(state).attitude is None else check_unit_attitude(state)
+        return state if self.parts(np.asarray(state)).attitude is None else check_unit_attitude(state)
 
     def layout(self, state: Float64[Array, "*batch n"]) -> StateLayout:
         front = () if self.parts(state).attitude is None else (ATTITUDE,)
@@ -356,6 +350,28 @@ class AbstractPackedBody(AbstractSystem):
 
 
 
+@compiled_for_few_calls
+def _pack(
+    body: AbstractPackedBody, attitude: Array | None, velocity: Array, momentum: Array | None,
+    rates: list[Array | None], places: list[Array | None], actuators: list[Array],
+) -> Array:  # fmt: skip
+    """Return packed states of what ``pack`` has checked; of Ω only where the momentum is None."""
+    arrangement = body._arranged([_at_start(x, q) for x, q in zip(body.mounts, places, strict=True)])
+    if momentum is not None:
+        # L = J Ω + what turns against the body
+        still = body._started(arrangement, rates, places, jnp.zeros(3))[0]
+        units = [body._started(arrangement, rates, places, unit)[0] - still for unit in jnp.eye(3)]
+        rows, right = [[unit[..., i] for unit in units] for i in range(3)], momentum - still
+        velocity = jnp.stack(solve_symmetric(rows, [right[..., i] for i in range(3)]), axis=-1)
+    total, own = body._started(arrangement, rates, places, velocity)
+    front = [] if attitude is None else [attitude]
+    if body.structure is not None:
+        front = [body.structure.turn.attitude(x) for x in front]
+    parts = [*front, body._along_principal(total), *own, *actuators]
+    shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
+    return jnp.concatenate([jnp.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
+
+
 def _one_each(name: str, values: Any, things: str, count: int) -> list[Array | None]:
     if values is None:
         return [None] * count
@@ -371,7 +387,7 @@ def _one_each(name: str, values: Any, things: str, count: int) -> list[Array | N
 def _of_part(name: str, part: AbstractMovingPart, value: Any, count: int) -> Array:
     """Return coordinates or rates (…, n) of a moving part; a number where it has one of them."""
     if value is None:
-        return jnp.zeros(count)
+        return np.zeros(count)
     numbers = jnp.asarray(value, dtype=float)
     if count == 1 and numbers.shape[-1:] != (1,):
         numbers = numbers[..., None]

@@ -6,6 +6,7 @@ from itertools import chain
 from typing import NamedTuple
 
 import jax.numpy as jnp
+import numpy as np
 
 from polhode import rotation
 from polhode.systems._moving_masses import Arrangement, flux, pulls, shares, slopes, velocities
@@ -47,8 +48,8 @@ class AbstractRigidMotion(AbstractSeenBody):
     @property
     def jumps(self) -> Float64[Array, "jumps"]:
         """(J,) times [s] at which a mount or a torque starts, ends or jumps."""
-        own = [jnp.ravel(jnp.asarray(x.jumps, dtype=float)) for x in chain(self.mounts, self.torques)]
-        return jnp.concatenate([*own, jnp.zeros(0)])
+        own = [jumps for x in chain(self.mounts, self.torques) if np.size(jumps := x.jumps)]
+        return jnp.concatenate([jnp.ravel(jnp.asarray(jumps, dtype=float)) for jumps in own]) if own else np.zeros(0)
 
     @property
     def names_all_jumps(self) -> bool:

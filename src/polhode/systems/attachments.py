@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Hashable, Iterable
 from typing import Any, ClassVar, NamedTuple
 
 import equinox as eqx
@@ -22,6 +22,8 @@ Attitude = Float64[Array, "*#batch 4"] | None
 Velocity = Float64[Array, "*#batch 3"]
 Own = Float64[Array, "*#batch {self.state_size}"]
 BATCH = 5  # copies of the trial; no vector has as many components
+REMEMBERED = 512  # forms of attachments whose methods are known to give the right shapes
+_right: dict[Hashable, None] = {}
 
 
 class Argument(NamedTuple):
@@ -86,7 +88,7 @@ class AbstractAttachment(eqx.Module):
     @property
     def jumps(self) -> Float64[Array, "jumps"]:
         """(J,) times [s] at which it starts, ends or jumps; steps end there. None by default."""
-        return jnp.zeros(0)
+        return np.zeros(0)
 
     @property
     def names_all_jumps(self) -> bool:
@@ -161,9 +163,35 @@ def checked_attachments(
                 f"Derive your own from {' or '.join(kind.__name__ for kind in kinds)}."
             )
         attachments.append(attachment.bound(frame))
-        for batch in ((), (BATCH,)):
-            _check_shapes(f"{name}[{k}]", attachments[-1], trial, batch)
+        form = _form(attachments[-1], trial)
+        if form is None or form not in _right:
+            for batch in ((), (BATCH,)):
+                _check_shapes(f"{name}[{k}]", attachments[-1], trial, batch)
+            if form is not None:
+                if len(_right) >= REMEMBERED:
+                    _right.clear()
+                _right[form] = None
     return tuple(attachments)
+
+
+def _form(attachment: AbstractAttachment, trial: Callable[..., Any]) -> Hashable | None:
+    """Return what attachments have in common that differ by their numbers alone; None where it cannot be compared.
+
+    Shapes do not depend on numbers, and each body of a sweep would take a tenth of a second to trace its methods.
+    """
+    leaves, tree = jax.tree.flatten(attachment)
+    form = type(attachment), trial, tree, tuple(map(_without_numbers, leaves))
+    try:
+        hash(form)
+    except TypeError:
+        return None
+    return form
+
+
+def _without_numbers(leaf: Any) -> Hashable:
+    if not eqx.is_array(leaf):
+        return type(leaf), leaf  # a function, or what it may branch on
+    return leaf.shape, str(leaf.dtype), b"" if eqx.is_inexact_array(leaf) else np.asarray(leaf).tobytes()
 
 
 def _check_shapes(name: str, attachment: AbstractAttachment, trial: Any, batch: tuple[int, ...]) -> None:
@@ -175,8 +203,9 @@ def _check_shapes(name: str, attachment: AbstractAttachment, trial: Any, batch: 
         wanted.update({method: (*batch, *shape) for method, (_, shape) in results.items()})
         return {method: jnp.asarray(value) for method, (value, _) in results.items()}
 
-    attitude = jnp.zeros((*batch, 4)) if attachment.needs_attitude else None
-    arguments = jnp.zeros(batch), attitude, jnp.zeros((*batch, 3)), jnp.zeros((*batch, attachment.state_size))
+    zeros = lambda *shape: jax.ShapeDtypeStruct((*batch, *shape), float)  # noqa: E731
+    attitude = zeros(4) if attachment.needs_attitude else None
+    arguments = zeros(), attitude, zeros(3), zeros(attachment.state_size)
     try:
         with in_jax_numpy(f"the methods of {kind}"):
             got = jax.eval_shape(values, *arguments)

@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import compiled_for_few_calls, known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame
@@ -184,7 +184,7 @@ class QuaternionPD(AbstractControlLaw):
         return self.orbit.turning_rate(t)[..., None] * self.orbit.normal
 
     def started(self, t: float, attitude: Real[ArrayLike, "4"]) -> QuaternionPD:
-        same = float(np.sum(np.asarray(_target(self, jnp.asarray(float(t)))) * np.asarray(attitude)))
+        same = float(np.sum(np.asarray(target_at(self, jnp.asarray(float(t)))) * np.asarray(attitude)))
         return eqx.tree_at(lambda law: law.sign, self, jnp.asarray(-1.0 if same < 0.0 else 1.0))
 
     def wanted(
@@ -318,8 +318,9 @@ class UserLaw(AbstractControlLaw):
         return self.own_rate(t, attitude, angular_velocity, own)
 
 
-@eqx.filter_jit
-def _target(law: QuaternionPD, t: Array) -> Array:
+@compiled_for_few_calls
+def target_at(law: AbstractControlLaw, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape 4"] | None:
+    """Return the law's target, by a compiled function."""
     return law.target(t)
 
 

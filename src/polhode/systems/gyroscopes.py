@@ -77,20 +77,20 @@ class ControlMomentGyroscope(AbstractMovingPart):
         if not isinstance(rotor, Wheel | HeldWheel):
             raise InvalidInput(f"`rotor` must be a polhode.systems.Wheel or HeldWheel; got {shown(rotor)}.")
         self.gimbal_axis, self.rotor = checked_direction("gimbal_axis", gimbal_axis), rotor
-        if abs(float(jnp.dot(self.gimbal_axis, rotor.axis))) > ACROSS:
+        if abs(float(np.dot(self.gimbal_axis, rotor.axis))) > ACROSS:
             raise InvalidInput(f"`gimbal_axis` must be perpendicular to the rotor's axis; got {shown(gimbal_axis)}.")
         about_spin, across, self.moment = _checked_moments(moments)
         if isinstance(rotor, Wheel):
-            about_spin = about_spin - rotor.moment
-            if not float(about_spin) > 0.0:
+            about_spin = float(about_spin) - float(rotor.moment)
+            if not about_spin > 0.0:
                 raise InvalidInput(
                     f"`moments` must be those of gimbal and rotor together, the first of them above the rotor's "
                     f"{float(rotor.moment):g} kg m²; got {shown(moments)}."
                 )
-        third = jnp.cross(self.gimbal_axis, rotor.axis)
+        third = np.cross(self.gimbal_axis, rotor.axis)
         triples = ((about_spin, rotor.axis), (across, third), (self.moment, self.gimbal_axis))
-        tensors = [moment * jnp.outer(axis, jnp.asarray(axis)) for moment, axis in triples]
-        self.tensor_at_rest = sum(tensors, jnp.zeros((3, 3)))
+        tensors = [float(moment) * np.outer(axis, axis) for moment, axis in triples]
+        self.tensor_at_rest = jnp.asarray(sum(tensors, np.zeros((3, 3))))
         if gimbal_torque is not None and gimbal_rate is not None:
             raise InvalidInput("give `gimbal_torque` or `gimbal_rate`, not both.")
         if (gimbal_rate is None) != (bandwidth is None):

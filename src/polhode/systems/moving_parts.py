@@ -200,36 +200,36 @@ class LockedPart(AbstractMovingPart):
         return self.held.at_rest()
 
 
+def _try_mount(mount: AbstractMounted, t: Array, attitude: Array, velocity: Array, own: Array) -> dict[str, Any]:
+    found = {"momentum": (mount.momentum(own), (3,)), "energy": (mount.energy(own), ())}
+    if isinstance(mount, AbstractMount):
+        return found | {
+            "state_rate": (mount.state_rate(t, attitude, velocity, own), (mount.state_size,)),
+            "power": (mount.power(t, attitude, velocity, own), ()),
+            "drift": (mount.drift(velocity, velocity), (3,)),
+        }
+    assert isinstance(mount, AbstractMovingPart)
+    q = rate = mount.coordinates_of(own)
+    acting = t, attitude, velocity, own, rate
+    found |= {
+        "position": (mount.position(q), (3,)),
+        "potential": (mount.potential(q), ()),
+        "applied": (mount.applied(*acting), (mount.count,)),
+        "further_rate": (mount.further_rate(*acting), (mount.further_count,)),
+        "further_power": (mount.further_power(*acting), ()),
+    }
+    if (tensor := mount.tensor(q)) is not None:
+        found["tensor"] = tensor, (3, 3)
+    if (axes := mount.turning_axes(q)) is not None:
+        found["turning_axes"] = jnp.stack(axes, axis=-2), (mount.count, 3)
+    return found
+
+
 def checked_mounts(mounts: Any, frame: BodyFrame) -> tuple[AbstractMounted, ...]:
     """Return a list of mounts and moving parts in a body.
 
     Raises:
         InvalidInput: for anything else, and for one whose methods fail or give wrong shapes.
     """
-
-    def trial(mount: AbstractMounted, t: Array, attitude: Array, velocity: Array, own: Array) -> dict[str, Any]:
-        found = {"momentum": (mount.momentum(own), (3,)), "energy": (mount.energy(own), ())}
-        if isinstance(mount, AbstractMount):
-            return found | {
-                "state_rate": (mount.state_rate(t, attitude, velocity, own), (mount.state_size,)),
-                "power": (mount.power(t, attitude, velocity, own), ()),
-                "drift": (mount.drift(velocity, velocity), (3,)),
-            }
-        assert isinstance(mount, AbstractMovingPart)
-        q = rate = mount.coordinates_of(own)
-        acting = t, attitude, velocity, own, rate
-        found |= {
-            "position": (mount.position(q), (3,)),
-            "potential": (mount.potential(q), ()),
-            "applied": (mount.applied(*acting), (mount.count,)),
-            "further_rate": (mount.further_rate(*acting), (mount.further_count,)),
-            "further_power": (mount.further_power(*acting), ()),
-        }
-        if (tensor := mount.tensor(q)) is not None:
-            found["tensor"] = tensor, (3, 3)
-        if (axes := mount.turning_axes(q)) is not None:
-            found["turning_axes"] = jnp.stack(axes, axis=-2), (mount.count, 3)
-        return found
-
     kinds = (AbstractMount, AbstractMovingPart)
-    return checked_attachments("mounts", mounts, kinds, frame, trial)
+    return checked_attachments("mounts", mounts, kinds, frame, _try_mount)

@@ -9,7 +9,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_numbers_only
+from polhode.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn
@@ -195,10 +195,10 @@ class RigidBody(AbstractRigidBody):
         frame = self._frame()
         self.mounts = checked_mounts(mounts, frame)
         self.torques = checked_torques(torques, frame)
-        carrier = self.carrier
-        if parts := self.moving_parts:
-            carrier = jnp.diag(carrier) if carrier.ndim == 1 else carrier
-            mass, carrier = leave_hub(parts, carrier, jnp.asarray(frame.center_of_mass), self._mass)
+        if not self.mounts:
+            return
+        mass, carrier = _left_over(self, jnp.asarray(frame.center_of_mass))
+        if self.moving_parts:
             if not float(mass) > 0.0:
                 raise InvalidInput(
                     f"`mounts` must be parts of the body; they have {float(self._mass - mass):g} kg of its "
@@ -254,3 +254,13 @@ class RigidBody(AbstractRigidBody):
             return BodyFrame(moments, np.eye(3), np.zeros(3), None)
         turn, center, mass = self.structure
         return BodyFrame(moments, np.asarray(turn.matrix), np.asarray(center), None if mass is None else float(mass))
+
+
+@compiled_for_few_calls
+def _left_over(body: RigidBody, center: Array) -> tuple[Array, Array]:
+    """Return mass () and inertia, (3,) or (3, 3), of a body without its parts and rotors."""
+    carrier = body.carrier
+    if not body.moving_parts:
+        return body._mass, carrier
+    carrier = jnp.diag(carrier) if carrier.ndim == 1 else carrier
+    return leave_hub(body.moving_parts, carrier, center, body._mass)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Mapping
+from typing import NamedTuple
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.arrays import compiled_for_few_calls
 from polhode.motion._outcome import Ends, Outcome
 from polhode.motion._trajectory import Trajectory
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
@@ -25,16 +26,16 @@ def make_trajectory(
 ) -> Trajectory:  # fmt: skip
     """Return samples (batch…, T, …) as a trajectory with all that the system says of them."""
     axis = jnp.ndim(states) - 1 - system.state_axes
-    states = jnp.asarray(states)
-    invariants: dict[str, Array] = {name: np.asarray(value) for name, value in _invariants(system, states).items()}
+    states = np.asarray(states)
+    said = jax.device_get(_all_said(system, jnp.asarray(times), jnp.asarray(states)))
+    invariants: dict[str, Array] = {name: np.asarray(value) for name, value in said.invariants.items()}
     # what holds on other leaves only is NaN on this one
     invariants = {name: value for name, value in invariants.items() if not np.isnan(value).all()}
-    invariants = _representable(system, np.asarray(states), invariants)
-    balances = eqx.filter_jit(system.balances)(jnp.asarray(times), states)
-    values: dict[str, Array] = {name: np.asarray(balance.value) for name, balance in balances.items()}
+    invariants = _representable(system, states, invariants)
+    values: dict[str, Array] = {name: np.asarray(value) for name, value in said.balances.items()}
     got: dict[str, Array] = {name: np.asarray(value) for name, value in received.items()}
-    vectors = [None if x is None else np.asarray(x) for x in _vectors(system, states)]
-    terms = _terms(system, np.take(np.asarray(states), 0, axis=axis))
+    vectors = [None if x is None else np.asarray(x) for x in said.vectors]
+    terms = _terms(system, np.take(states, 0, axis=axis))
     own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
     beyond = None if ends is None or not ends.events else ends.beyond(times)
     drift = {name: _drift(value, axis, terms.get(name), name in own, beyond) for name, value in invariants.items()}
@@ -43,7 +44,7 @@ def make_trajectory(
     return Trajectory(
         source=system,
         times=times,
-        states=np.asarray(states),
+        states=states,
         layout=system.layout(states),
         attitude=vectors[0],
         momentum=vectors[1],
@@ -77,17 +78,21 @@ def _representable(system: AbstractSystem, states: Array, invariants: dict[str, 
     return {name: value for name, value in invariants.items() if name not in lost}
 
 
-@eqx.filter_jit
-def _invariants(system: AbstractSystem, states: Array) -> dict[str, Array]:
-    return system.invariants(states)
+class _Said(NamedTuple):
+    """What a system says of states: invariants, values of balances, vectors."""
+
+    invariants: dict[str, Array]
+    balances: dict[str, Array]
+    vectors: tuple[Array | None, ...]
 
 
-@eqx.filter_jit
-def _vectors(system: AbstractSystem, states: Array) -> tuple[Array | None, ...]:
-    return tuple(system.vectors(states))
+@compiled_for_few_calls  # in one, as all of them begin with the same steps
+def _all_said(system: AbstractSystem, times: Array, states: Array) -> _Said:
+    balances = {name: balance.value for name, balance in system.balances(times, states).items()}
+    return _Said(system.invariants(states), balances, tuple(system.vectors(states)))
 
 
-@eqx.filter_jit
+@compiled_for_few_calls
 def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
     """Return Σ |x ∂C/∂x| of each invariant C but vectors at states: the size of its terms, which may cancel in it.
 

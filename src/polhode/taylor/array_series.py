@@ -16,6 +16,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.motion._outcome import Status
+from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.array_rules import Unrolled, bind
@@ -77,7 +78,7 @@ def runs_of_arrays(
     runs = []
     for k, state in enumerate(states):
         part = lambda share, k=k: check((k + share) / len(states))  # noqa: E731
-        scale = np.abs(np.broadcast_to(np.asarray(system.scales(jnp.asarray(state))), np.shape(state)))
+        scale = np.abs(component_sizes(system, state[None])[0])
         run = run_arrays(system, state, times, precision.order, precision.reach, longest, scale, part, place)
         runs.append(run)
     end, none = np.array([run.end for run in runs]), np.full(len(runs), -1)

@@ -288,7 +288,9 @@ def _write_conserved(
         conserved = {name: jnp.real(value) for name, value in invariants.items()}
         return conserved | ({"|q|²": jnp.sum(x[:4] ** 2)} if carries_attitude else {})
 
-    closed, shapes = jax.make_jaxpr(values, return_shape=True)(jnp.zeros(form.size), jnp.zeros(structure.size))
+    sizes = form.size, structure.size
+    arguments = [jax.ShapeDtypeStruct((size,), float) for size in sizes]
+    closed, shapes = jax.make_jaxpr(values, return_shape=True)(*arguments)
     places, count = {}, 0
     at = {name: place for place, name in enumerate(sorted(shapes))}  # as JAX has the keys of a dictionary
     for name in shapes:

@@ -7,11 +7,12 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.arrays import compiled_for_few_calls
+from polhode.systems._component_sizes import component_sizes
 from polhode.systems.base import AbstractSystem, Event
 from polhode.taylor import kernel
 from polhode.taylor.flight import begin_flight, fly, outcome
@@ -292,23 +293,18 @@ def _borders(system: AbstractSystem, times: np.ndarray, forth: float) -> list[fl
 def _scales(system: AbstractSystem, states: Array, t: float, machine: Machine, size: int) -> Float64[Array, "copies n"]:
     """Return the sizes by which components are compared; infinite of the time, which never limits a step."""
     form = machine.form
-    own, values = _sizes(system, jnp.asarray(states), jnp.asarray(t))
+    own = component_sizes(system, states)
     scale = np.full((len(states), size), np.inf)
-    own = np.broadcast_to(own.reshape(len(states), -1), (len(states), int(np.prod(form.shape))))
+    own = own.reshape(len(states), -1)
     scale[:, : form.size] = np.repeat(own, 2, axis=1) if form.is_complex else own
+    values = _balances_at(system, jnp.asarray(states), jnp.asarray(t)) if machine.balances else {}
     for k, name in enumerate(machine.balances):
         value = np.abs(np.asarray(values[name]))
         scale[:, form.size + k] = np.where(value > 0.0, value, 1.0)
     return scale
 
 
-@eqx.filter_jit
-def _sizes(system: AbstractSystem, states: Array, t: Array) -> tuple[Array, dict[str, Array]]:
-    """Return scales (C, *shape) and values (C,) of balances at states (C, *shape)."""
-
-    def one(state: Array) -> tuple[Array, dict[str, Array]]:
-        own = jnp.broadcast_to(system.scales(state), jnp.shape(state))
-        return own, {name: balance.value for name, balance in system.balances(t, state).items()}
-
-    own, values = jax.vmap(one)(states)
-    return jnp.real(own), values
+@compiled_for_few_calls
+def _balances_at(system: AbstractSystem, states: Array, t: Array) -> dict[str, Array]:
+    """Return values (C,) of balances at states (C, *shape)."""
+    return jax.vmap(lambda state: {name: balance.value for name, balance in system.balances(t, state).items()})(states)

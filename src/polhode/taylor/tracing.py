@@ -16,6 +16,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax.extend.core import Literal
 
+from polhode.taylor._known_numbers import by_numbers, factors, spread, take_slice
 from polhode.taylor.expressions import (
     Complex,
     Expression,
@@ -78,19 +79,10 @@ def _apply(equation: Any, arguments: list[Array]) -> list[Array]:
         plain, constants = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
         return _evaluate(plain, constants, arguments, plain.outvars)
     if not any(a.dtype == object for a in arguments):
-        return _by_numbers(equation, arguments)
+        return by_numbers(equation, arguments)
     if name not in RULES:
         raise Untraceable(f"`{name}` of something that moves")
     return [a if isinstance(a, np.ndarray) else _array(a) for a in RULES[name](arguments, parameters, equation)]
-
-
-def _by_numbers(equation: Any, arguments: list[Array]) -> list[Array]:
-    name = equation.primitive.name
-    if name in BY_NUMPY:  # JAX would compile each operation by itself
-        results = BY_NUMPY[name](arguments, equation.params)
-        return [np.asarray(results, equation.outvars[0].aval.dtype)]
-    results = equation.primitive.bind(*[jnp.asarray(a) for a in arguments], **equation.params)
-    return [np.asarray(x) for x in (results if equation.primitive.multiple_results else [results])]
 
 
 def _array(x: Any) -> Array:
@@ -195,25 +187,6 @@ RULES["logistic"] = _elementary(lambda a: 1.0 / (exponential(-a) + 1.0))
 RULES["tanh"] = _elementary(lambda a: 1.0 - 2.0 / (exponential(a * 2.0) + 1.0))
 
 
-BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
-    "add": lambda x, p: x[0] + x[1],
-    "add_any": lambda x, p: x[0] + x[1],
-    "sub": lambda x, p: x[0] - x[1],
-    "mul": lambda x, p: x[0] * x[1],
-    "neg": lambda x, p: -x[0],
-    "lt": lambda x, p: x[0] < x[1],
-    "ge": lambda x, p: x[0] >= x[1],
-    "reshape": lambda x, p: x[0].reshape(p["new_sizes"]),
-    "squeeze": lambda x, p: np.squeeze(x[0], axis=tuple(p["dimensions"])),
-    "transpose": lambda x, p: np.transpose(x[0], p["permutation"]),
-    "broadcast_in_dim": lambda x, p: _spread(x, p, None)[0],
-    "slice": lambda x, p: _slice(x, p, None)[0],
-    "concatenate": lambda x, p: np.concatenate(x, axis=p["dimension"]),
-    "convert_element_type": lambda x, p: x[0].astype(p["new_dtype"]),
-    "select_n": lambda x, p: np.choose(x[0].astype(int), x[1:]),
-}
-
-
 # ---------------------------------------------------------------------- branches on the time alone
 
 
@@ -269,20 +242,12 @@ def _multiply_all(x: list[Array], parameters: dict[str, Any], equation: Any) -> 
 
 @_rule("dot_general")
 def _dot(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    (summed_a, summed_b), (batch_a, batch_b) = parameters["dimension_numbers"]
-    a, b = x
-    free_a = [k for k in range(a.ndim) if k not in (*summed_a, *batch_a)]
-    free_b = [k for k in range(b.ndim) if k not in (*summed_b, *batch_b)]
-    batch = [a.shape[k] for k in batch_a]
-    left = np.transpose(a, (*batch_a, *free_a, *summed_a)).reshape(*batch, *(a.shape[k] for k in free_a), -1)
-    right = np.transpose(b, (*batch_b, *free_b, *summed_b)).reshape(*batch, *(b.shape[k] for k in free_b), -1)
-    tape = _find_tape(a, b)
-    result = np.empty((*batch, *(a.shape[k] for k in free_a), *(b.shape[k] for k in free_b)), object)
-    for k in np.ndindex(result.shape):
-        place, rest = k[: len(batch)], k[len(batch) :]
-        one, two = left[(*place, *rest[: len(free_a)])], right[(*place, *rest[len(free_a) :])]
-        result[k] = total(tape, (u * v for u, v in zip(one, two, strict=True) if not (_is_zero(u) or _is_zero(v))))
-    return [result]
+    left, right, shape = factors(x, parameters)
+    tape, result = _find_tape(*x), np.empty((*left.shape[:2], right.shape[1]), object)
+    for k, i, j in np.ndindex(result.shape):
+        pairs = zip(left[k, i], right[k, j], strict=True)
+        result[k, i, j] = total(tape, (u * v for u, v in pairs if not (_is_zero(u) or _is_zero(v))))
+    return [result.reshape(shape)]
 
 
 def _is_zero(x: Any) -> bool:
@@ -314,6 +279,8 @@ RULES["optimization_barrier"] = lambda x, p, e: x
 RULES["reshape"] = lambda x, p, e: [x[0].reshape(p["new_sizes"])]
 RULES["squeeze"] = lambda x, p, e: [np.squeeze(x[0], axis=tuple(p["dimensions"]))]
 RULES["expand_dims"] = lambda x, p, e: [np.expand_dims(x[0], tuple(p["dimensions"]))]
+RULES["broadcast_in_dim"] = lambda x, p, e: [spread(x[0], p)]
+RULES["slice"] = lambda x, p, e: [take_slice(x[0], p)]
 RULES["transpose"] = lambda x, p, e: [np.transpose(x[0], p["permutation"])]
 RULES["rev"] = lambda x, p, e: [np.flip(x[0], tuple(p["dimensions"]))]
 RULES["concatenate"] = lambda x, p, e: [np.concatenate([np.asarray(a, object) for a in x], axis=p["dimension"])]
@@ -324,21 +291,6 @@ def _convert(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[
     if not jnp.issubdtype(parameters["new_dtype"], jnp.inexact):
         raise Untraceable(f"conversion to {parameters['new_dtype']}")
     return [x[0]]
-
-
-@_rule("broadcast_in_dim")
-def _spread(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    shape = [1] * len(parameters["shape"])
-    for k, axis in enumerate(parameters["broadcast_dimensions"]):
-        shape[axis] = x[0].shape[k]
-    return [np.broadcast_to(x[0].reshape(shape), parameters["shape"])]
-
-
-@_rule("slice")
-def _slice(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    strides = parameters["strides"] or [1] * x[0].ndim
-    limits = zip(parameters["start_indices"], parameters["limit_indices"], strides, strict=True)
-    return [x[0][tuple(slice(*each) for each in limits)]]
 
 
 @_rule("split")
@@ -369,7 +321,7 @@ def _rearrange(x: list[Array], parameters: dict[str, Any], equation: Any) -> lis
             numbered.append(places.reshape(a.shape))
         else:
             numbered.append(a)
-    return [_each(lambda k: elements[int(k)], places) for places in _by_numbers(equation, numbered)]
+    return [_each(lambda k: elements[int(k)], places) for places in by_numbers(equation, numbered)]
 
 
 @_rule("scatter-add", "scatter_add", "cumsum", "triangular_solve", "reduce_window_sum", "fft")

@@ -9,11 +9,10 @@ from typing import Any
 import jax
 import numpy as np
 
+from polhode.arrays import compiled_for_few_calls
 from polhode.types import Array
 
 Laws = dict[str, tuple[Array, Array]]  # both sides of each law
-ONCE = {"xla_backend_optimization_level": 0}
-"""What runs once need not be fast, and compiles in half the time."""
 
 
 class LawBroken(AssertionError):
@@ -42,6 +41,6 @@ def hold_all(laws: Callable[..., Laws], tolerance: float, *arrays: Array) -> Non
     Raises:
         LawBroken: naming the first that does not hold.
     """
-    in_order = jax.jit(lambda *x: OrderedDict(laws(*x)), compiler_options=ONCE)  # JAX sorts plain dictionaries
+    in_order = compiled_for_few_calls(lambda *x: OrderedDict(laws(*x)))  # JAX sorts plain dictionaries
     for law, (left, right) in in_order(*arrays).items():
         hold(law, left, right, tolerance)

@@ -127,7 +127,7 @@ class RigidBodyReport(MotionReport):
         if self.craft.law is not None:
             found.append(self._control())
         if self.loop is not None:
-            found += [self._modes(self.loop), self._margins(self.loop)]
+            found += [self._modes(self.loop), self._margins()]
         if self.gravity is not None:
             found.append(self.gravity.group)
         return [*found, self._motion()]
@@ -225,8 +225,13 @@ class RigidBodyReport(MotionReport):
         title = "Closed loop about the target, to first order, with the momentum stored at the end"
         return Table("closed_loop", title, columns, rows, units)
 
-    def _margins(self, loop: LinearLoop) -> Table:
-        rows = [{"axis": name, **found._asdict()} for name, found in zip("xyz", loop_margins(loop), strict=True)]
+    @cached_property
+    def _loop_margins(self) -> list[Margins]:
+        assert self.loop is not None
+        return loop_margins(self.loop)
+
+    def _margins(self) -> Table:
+        rows = [{"axis": name, **found._asdict()} for name, found in zip("xyz", self._loop_margins, strict=True)]
         units: dict[str, str] = dict(zip(Margins._fields, ("rad/s", "rad", "s", "factor", "factor"), strict=True))
         columns = {
             "axis": lambda row: row["axis"],

@@ -7,11 +7,11 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
 
-import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode.arrays import compiled_for_few_calls
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.rigid_body.table import EARTH, ControlTable, OrbitTable, RigidBodyTable, WheelTable
@@ -199,7 +199,7 @@ def _start(spec: Spec[RigidBodyTable], orbit: KeplerOrbit | None) -> tuple[Array
     return (attitude, None, axes @ along) if whole else (attitude, axes @ (along / moments), None)
 
 
-@eqx.filter_jit
+@compiled_for_few_calls
 def _frame(orbit: KeplerOrbit) -> tuple[Array, Array]:
     """Return the axes that look down at the start (4,), and their angular velocity (3,) in space."""
     start = jnp.zeros(())

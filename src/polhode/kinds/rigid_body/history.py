@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode.arrays import compiled_for_few_calls
 from polhode.systems.control_laws import AbstractLawActuator
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.rigid_body import RigidBody
@@ -60,7 +60,7 @@ def follow(
     return History(**seen)
 
 
-@eqx.filter_jit
+@compiled_for_few_calls
 def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: Array) -> dict[str, Any]:
     # what is along the principal axes is turned here, with `structure`, once for all
     body = system.as_given(states)

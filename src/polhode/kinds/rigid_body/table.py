@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, create_model
@@ -116,14 +117,20 @@ class RigidBodyTable(SystemTable):
 
 def model_of(raw: dict[str, Any]) -> type[BaseModel]:
     """Return the model of raw tables, in which each torque, mount and law has the keys of its class."""
-    fields: dict[str, Any] = {}
-    for key, family in LISTS.items():
-        entries = raw.get(key, [])
-        if isinstance(entries, list):
-            models = tuple(_model_of(family, entry, "type") for entry in entries)
-            fields[key] = (tuple[models] if models else tuple[()], ())
-    if "control" in raw:
-        fields["control"] = (_model_of(LAWS, raw["control"], "law", ControlBase), ...)
+    lists = {key: raw.get(key, []) for key in LISTS}
+    models = {key: tuple(_model_of(LISTS[key], entry, "type") for entry in entries)
+              for key, entries in lists.items() if isinstance(entries, list)}  # fmt: skip
+    control = _model_of(LAWS, raw["control"], "law", ControlBase) if "control" in raw else None
+    return _join_models(tuple(models.items()), control)
+
+
+@lru_cache(maxsize=64)
+def _join_models(
+    lists: tuple[tuple[str, tuple[type[BaseModel], ...]], ...], control: type[BaseModel] | None
+) -> type[BaseModel]:
+    fields: dict[str, Any] = {key: (tuple[models] if models else tuple[()], ()) for key, models in lists}
+    if control is not None:
+        fields["control"] = (control, ...)
     return create_model("RigidBodyTables", __base__=RigidBodyTable, **fields)
 
 

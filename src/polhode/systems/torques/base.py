@@ -94,22 +94,22 @@ def torque_of(
     return asks_more.torque(t, attitude, angular_velocity, own, stored=stored)
 
 
+def _try_torque(torque: AbstractTorque, t: Array, attitude: Array, velocity: Array, own: Array) -> dict[str, Any]:
+    results = {
+        "torque": (torque_of(torque, t, attitude, velocity, own, velocity), (3,)),
+        "state_rate": (torque.state_rate(t, attitude, velocity, own), (torque.state_size,)),
+    }
+    force = torque.force(t, attitude, velocity, own)
+    return results if force is None else results | {"force": (force, (3,))}
+
+
 def checked_torques(torques: Any, frame: BodyFrame) -> tuple[AbstractTorque, ...]:
     """Return a list of torques on a body.
 
     Raises:
         InvalidInput: for anything else, one whose methods fail, and a gravity gradient on other moments.
     """
-
-    def trial(torque: AbstractTorque, t: Array, attitude: Array, velocity: Array, own: Array) -> dict[str, Any]:
-        results = {
-            "torque": (torque_of(torque, t, attitude, velocity, own, velocity), (3,)),
-            "state_rate": (torque.state_rate(t, attitude, velocity, own), (torque.state_size,)),
-        }
-        force = torque.force(t, attitude, velocity, own)
-        return results if force is None else results | {"force": (force, (3,))}
-
-    return checked_attachments("torques", torques, (AbstractTorque,), frame, trial)
+    return checked_attachments("torques", torques, (AbstractTorque,), frame, _try_torque)
 
 
 def in_body(
