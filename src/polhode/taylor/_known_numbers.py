@@ -58,13 +58,21 @@ def _dot(x: list[Array], parameters: dict[str, Any]) -> Array:
     return (left @ np.swapaxes(right, 1, 2)).reshape(shape)
 
 
+def _divide(a: Array, b: Array) -> Array:
+    """Return ``div``, which of whole numbers leaves out what is behind the point, where NumPy goes down."""
+    if np.issubdtype(a.dtype, np.inexact):
+        return a / b
+    down = a // b
+    return down + ((down < 0) & (down * b != a))
+
+
 BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
     "add": lambda x, p: x[0] + x[1],
     "add_any": lambda x, p: x[0] + x[1],
     "sub": lambda x, p: x[0] - x[1],
     "mul": lambda x, p: x[0] * x[1],
     "neg": lambda x, p: -x[0],
-    "div": lambda x, p: x[0] / x[1] if np.issubdtype(x[0].dtype, np.inexact) else x[0] // x[1],
+    "div": lambda x, p: _divide(x[0], x[1]),
     "integer_pow": lambda x, p: x[0] ** p["y"],
     "square": lambda x, p: x[0] * x[0],
     "sqrt": lambda x, p: np.sqrt(x[0]),
