@@ -94,7 +94,7 @@ def built(tmp_path_factory):
     mine = {"nb_execution_mode": "off", "html_static_path": [str(DOCS / "_static")], "exclude_patterns": []}
     (source / "conf.py").write_text(
         f"__file__ = {str(DOCS / 'conf.py')!r}\nexec(compile(open(__file__).read(), __file__, 'exec'))\n"
-        "draw_figures = lambda app: None\nwrite_live_pages = lambda app, exception: None\n"
+        "draw_figures = lambda app: None\nwrite_live_pages = build_course = lambda app, exception: None\n"
         + "".join(f"{name} = {value!r}\n" for name, value in mine.items())
     )
     application.Sphinx(source, source, out, out / "trees", "html", status=None, warning=sys.stderr).build()
