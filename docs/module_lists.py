@@ -23,7 +23,7 @@ def purpose(path: Path) -> str:
 def rooms() -> set[str]:
     """Return the folders and files directly in the package, which hold all modules but the package's own."""
     folders = {path.parent.name for path in PACKAGE.glob("*/__init__.py")}
-    return folders | {path.stem for path in PACKAGE.glob("*.py")} - {"__init__"}
+    return folders | {path.stem for path in PACKAGE.glob("*.py")} - {"__init__", "__main__"}
 
 
 def markdown_list(room: str) -> str:

@@ -11,7 +11,8 @@ SPEC = importlib.util.spec_from_file_location("module_lists", ROOT / "docs" / "m
 assert SPEC and SPEC.loader
 module_lists = importlib.util.module_from_spec(SPEC)
 SPEC.loader.exec_module(module_lists)
-MODULES = sorted(set((ROOT / "src" / "polhode").rglob("*.py")) - {ROOT / "src" / "polhode" / "__init__.py"})
+OWN = {ROOT / "src" / "polhode" / name for name in ("__init__.py", "__main__.py")}  # the package's, of no room
+MODULES = sorted(set((ROOT / "src" / "polhode").rglob("*.py")) - OWN)
 
 
 def listed_rooms():

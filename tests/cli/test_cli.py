@@ -150,6 +150,11 @@ print([name for name in {HEAVY!r} if name in sys.modules])
     assert done.stdout.splitlines()[-1] == "[]"
 
 
+def test_the_package_can_be_run_as_the_command():
+    done = subprocess.run([sys.executable, "-m", "polhode", "--version"], capture_output=True, text=True, check=True)
+    assert "polhode" in done.stdout
+
+
 def test_importing_polhode_imports_nothing_heavy():
     code = f"import sys, polhode; polhode.FreeMotion, polhode.Body; print([n for n in {HEAVY!r} if n in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

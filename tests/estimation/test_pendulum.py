@@ -245,6 +245,7 @@ def test_a_file_of_periods(tmp_path):
         (('spacing = "0.400', 'radius = "0.400'), "is not a size of a bifilar pendulum"),
         (('["19.62 s", "19.58 s", "19.60 s", "19.63 s"]', '"19.6 s"'), "one timing without an error"),
         (('"19.62 s", "19.58 s", "19.60 s", "19.63 s"', '"19.6 s", "19.6 s"'), "all the same"),
+        (('"19.63 s"', '"1.963 s"'), r"has 1\.963 s among timings about 19\.59 s"),
         (('axis = "z"', "axis = [0, 0, 0]"), "not all zero"),
         (('moment = "4.0e-4 ± 1e-5 kg*m^2"\n', ""), "needs moment, or periods"),
         (("turns = 10", "turns = 0"), "positive number of oscillations"),

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
+from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import build_spec, read_spec
 from polhode.spec.keys import number_at
@@ -72,6 +73,24 @@ def test_pulses_of_a_thruster_in_a_spec(tmp_path):
     )  # fmt: skip
     found = spec(tmp_path, text).report()
     assert found.history.momentum[-1] == pytest.approx([0.0, 0.0, 0.1 * 5.0 * 0.04], rel=1e-12, abs=1e-14)
+    assert any("starts or ends between samples" in note for note in found.notes)
+    late = spec(tmp_path, text.replace('["500 s", "700 s"]', '"2000 s"')).report()
+    assert any("acts from 2000 s to 2000.02 s, and this motion goes from 0 s to 1000 s" in note for note in late.notes)
+    (row,) = (table.rows for table in late.answers if getattr(table, "name", "") == "torques")
+    assert row[0]["mean"] == 0.0
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("moments", [(100, 200, 200), (200, 200, 200)])
+def test_a_body_of_equal_moments_has_the_periods_that_it_has(tmp_path, monkeypatch, capsys, moments):
+    """A boom does not librate about its own axis, and a ball about none: they drift there."""
+    text = "".join(f'"{x} kg*m^2", ' for x in moments)
+    found = spec(tmp_path, HEAD + f"[body]\nmoments = [{text}]\n" + SPIN + ORBIT + GRAVITY + END).report()
+    assert all(math.isfinite(x) for x in found.values()["gravity"]["roll_yaw_periods"] or ())
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit) as end:
+        main(["report", "craft.toml"])
+    assert not end.value.code and "region" in capsys.readouterr().out
 
 
 @pytest.mark.long
@@ -102,6 +121,10 @@ def test_the_example_of_a_cubesat_points_down(tmp_path):
          "must be one of"),
         ('[torque]\ntype = "gravity-gradient"\n', "torque", "two brackets"),
         (GRAVITY, "torque[0].type", "acts on an orbit; give one"),
+        (f'{ORBIT}gravitational_parameter = "4.28e13 m^3/s^2"\n[[torque]]\ntype = "eddy-currents"\n',
+         "torque[0].type", "Earth's field alone"),
+        ('[[flywheel]]\naxis = [0, 0, 1]\n', "flywheel", "did you mean wheel"),
+        ('[photon]\nx = 1\n', "photon", "control, orbit"),
         (ORBIT + 'altitude = "500 km"\n', "orbit", "exactly one of period, semi_major_axis and altitude"),
         ('[control]\nlaw = "quaternion-pd"\nbandwidth = "0.1 rad/s"\n', "control", "works by wheels, and there"),
         ('[control]\nlaw = "pid"\n', "control.law", "names no control law"),
@@ -123,6 +146,9 @@ def test_what_is_wrong_is_refused_at_its_place(tmp_path, changed, place, said):
 def test_refusals_of_the_system_name_the_table(tmp_path):
     with pytest.raises(InvalidInput, match=r"wheel\[0\]|`mounts`"):
         spec(tmp_path, HEAD + BODY + '[[wheel]]\naxis = [0, 0, 1]\nmoment = "1e4 kg*m^2"\n').report()
+    for orbit in ('altitude = "500 km"\neccentricity = 0.5\n', 'period = "1 s"\n'):
+        with pytest.raises(InvalidInput, match="of the Earth's centre"):
+            spec(tmp_path, f"{HEAD}{BODY}[orbit]\n{orbit}{GRAVITY}").report()
     with pytest.raises(InvalidInput, match=r"torque\[0\]: `lasting`"):
         text = '[[torque]]\ntype = "thruster"\nat = "5 s"\nlasting = "0 s"\nforce = ["0 N", "5 N", "0 N"]\n'
         spec(tmp_path, HEAD + BODY + text + 'position = ["0.1 m", "0 m", "0 m"]\n').report()

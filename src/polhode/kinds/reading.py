@@ -72,7 +72,7 @@ def build_spec(tables: dict[str, Any], path: Path) -> Spec:
     try:
         model = SpecFile.model_validate(table)
     except ValidationError as error:
-        mistakes += list_mistakes(error)
+        mistakes += list_mistakes(error, beside=() if kind is None else kind.table.beside)
     if kind is not None:
         beyond = [*_as_written(kind, beyond_reach(system, ("system",), kind.reach)),
                   *beyond_reach(model, (), kind.reach)]  # fmt: skip

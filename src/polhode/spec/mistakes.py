@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import itertools
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, get_args, get_origin
 
@@ -24,13 +25,24 @@ WORDS = {
     "model_type": "must be a table of keys and values",
     "greater_than_equal": "must be at least {ge}",
     "less_than_equal": "must be at most {le}",
+    "greater_than": "must be greater than {gt}",
+    "less_than": "must be less than {lt}",
     "too_short": "must have at least {min_length} entry",
 }
 
 
-def list_mistakes(error: ValidationError, root: type[BaseModel] = SpecFile, at: Location = ()) -> list[Mistake]:
-    """Return pydantic's errors about a model in plain words, with their places in the file."""
-    return [((*at, *mistake["loc"]), _word_mistake(mistake, root)) for mistake in error.errors()]
+def list_mistakes(
+    error: ValidationError, root: type[BaseModel] = SpecFile, at: Location = (), beside: Sequence[str] = ()
+) -> list[Mistake]:
+    """Return pydantic's errors about a model in plain words, with their places in the file.
+
+    Args:
+        error: of pydantic.
+        root: the model.
+        at: where in the file it stands.
+        beside: tables that a kind has at the top of the file.
+    """
+    return [((*at, *mistake["loc"]), _word_mistake(mistake, root, beside)) for mistake in error.errors()]
 
 
 def as_message(path: Path, mistakes: list[Mistake]) -> list[str]:
@@ -53,11 +65,11 @@ def _key(location: Location) -> str:
     return text or "the file"
 
 
-def _word_mistake(mistake: Any, root: type[BaseModel]) -> str:
+def _word_mistake(mistake: Any, root: type[BaseModel], beside: Sequence[str]) -> str:
     kind, last = mistake["type"], mistake["loc"][-1]
     if kind == "extra_forbidden":
         model = _model_at(mistake["loc"][:-1], root)
-        known = [*model.model_fields, *(["system", "sweep"] if model is SpecFile else [])]
+        known = [*model.model_fields, *(["system", "sweep", *beside] if model is SpecFile else [])]
         near = difflib.get_close_matches(str(last), known, n=1)
         return "unknown key; " + (f"did you mean {near[0]}?" if near else f"known here are {', '.join(known)}")
     if kind == "missing":

@@ -25,6 +25,7 @@ BIFILAR, TRIFILAR, COMPOUND = "bifilar", "trifilar", "compound"
 SIZES = {BIFILAR: ("spacing", "upper_spacing"), TRIFILAR: ("radius", "upper_radius"), COMPOUND: ("distance", "pivot")}
 CENTRED = Measured(0.0)
 FEWEST = 2  # timings whose scatter gives an error
+BLUNDER = 0.2  # of the median timing: by more, one is mistyped or of another number of turns
 
 
 def _measured(unit: str) -> PlainValidator:
@@ -242,6 +243,11 @@ def _jig(table: JigTable) -> Jig:
 
 
 def _faults(timings: list[Measured]) -> Iterator[str]:
+    middle = float(np.median([one.value for one in timings])) if timings else 0.0
+    for one in timings:
+        if abs(one.value - middle) > BLUNDER * middle and len(timings) > 2:
+            yield (f"has {one.value:g} s among timings about {middle:g} s, and the same swing takes as long each time; "
+                   "correct it or leave it out")  # fmt: skip
     if not timings or any(one.error for one in timings):
         return
     like = 'give the error of a timing, like "23.10 ± 0.02 s"'

@@ -208,9 +208,10 @@ class RigidBody(AbstractRigidBody):
         left = np.linalg.eigvalsh(carrier) if carrier.ndim == 2 else carrier
         if not left.min() > 0:
             raise InvalidInput(
-                f"`mounts` must be parts of the body; without what moves or turns by itself it is left with moments "
-                f"[{', '.join(f'{x:.6g}' for x in left)}] kg m². `moments` are those of the whole body, its mounts "
-                "locked."
+                f"`mounts` must be parts of the body; without what moves or turns by itself the body of moments "
+                f"[{', '.join(f'{x:.6g}' for x in np.asarray(self.moments))}] kg m² is left with "
+                f"[{', '.join(f'{x:.6g}' for x in left)}] kg m². Its moments are those of the whole, mounts locked: "
+                "check them, and the moments of the mounts."
             )
 
     @classmethod

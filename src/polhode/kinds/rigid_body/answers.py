@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar
@@ -96,7 +97,8 @@ class RigidBodyReport(MotionReport):
             return f"The pointing error is {end} at the end and has not settled below {degrees(self.within, 4)}."
         after = "from the start" if self.settling_time == 0.0 else f"after {duration(self.settling_time)}"
         end = degrees(float(error[-1]), 4)
-        return f"It points within {degrees(self.within, 4)} {after}, and at the end within {end}."
+        within = degrees(self.within, 4)
+        return f"At all samples it points within {within} {after}, and at the end within {end}."
 
     def _wheel_summary(self) -> str | None:
         rates = self.history.rates
@@ -104,7 +106,8 @@ class RigidBodyReport(MotionReport):
             return None
         fastest = float(np.abs(rates).max())
         acts = {"acted": " A limit of the actuators acts.", "not reached": " No limit of the actuators is reached."}
-        return f"The fastest wheel turns at {number(fastest, 'rad/s', digits=4)}.{acts.get(self.limits, '')}"
+        fastest_rate = number(fastest, "rad/s", digits=4)
+        return f"At the samples the fastest wheel turns at {fastest_rate}.{acts.get(self.limits, '')}"
 
     @property
     def notes(self) -> list[str]:
@@ -113,7 +116,24 @@ class RigidBodyReport(MotionReport):
             notes.append("eigenvalues and margins are those without limits.")
         if self.gravity is not None:
             notes += self.gravity.notes
-        return notes
+        return [*notes, *self._notes_on_pulses()]
+
+    def _notes_on_pulses(self) -> Iterator[str]:
+        """Yield what torques that start and end do between the samples, or outside of the motion."""
+        first, last = (float(self.trajectory.times[k]) for k in (0, -1))
+        pairs = zip(self.spec.system.torque, self.craft.system.torques, strict=False)
+        for k, (chosen, torque) in enumerate(pairs):
+            jumps = np.ravel(np.asarray(torque.jumps))
+            if not len(jumps):
+                continue
+            if ((jumps > first) & (jumps < last)).any():
+                said = "starts or ends between samples, which the motion sees and the table of torques does not"
+            elif not self.history.torques[:, k].any():
+                begin, end = jumps.min(), jumps.max()
+                said = f"acts from {begin:g} s to {end:g} s, and this motion goes from {first:g} s to {last:g} s"
+            else:
+                continue
+            yield f"torque[{k}] ({chosen.type}) {said}."
 
     @property
     def answers(self) -> list[Group | Table]:
@@ -156,7 +176,7 @@ class RigidBodyReport(MotionReport):
                  "torque_largest": "N m", "rate_margin": "of max_rate that is left",
                  "torque_margin": "of max_torque that is left"}  # fmt: skip
         share = lambda value: "–" if value is None else f"{100.0 * value:.3g} %"  # noqa: E731
-        return Table("wheels", "Wheels, against the body", {
+        return Table("wheels", "Wheels, against the body, at the samples", {
             "axis": lambda row: vector(row["axis"], digits=3),
             "rate at the end": lambda row: number(row["rate_end"], "rad/s", digits=4) or "–",
             "largest": lambda row: number(row["rate_largest"], "rad/s", digits=4) or "–",
@@ -168,8 +188,10 @@ class RigidBodyReport(MotionReport):
     def _torques(self) -> Table:
         names = [chosen.type for chosen in self.spec.system.torque]
         names += ["control"] * (self.history.torques.shape[1] - len(names))
+        times = np.asarray(self.trajectory.times)
+        span = float(np.ptp(times))
         rows = [
-            {"type": name, "largest": float(values.max()), "mean": float(values.mean())}
+            {"type": name, "largest": float(values.max()), "mean": float(np.trapezoid(values, times) / span)}
             for name, values in zip(names, self.history.torques.T, strict=True)
         ]
         cell = lambda key: lambda row: number(row[key], "N m", digits=4) or "–"  # noqa: E731
@@ -193,7 +215,8 @@ class RigidBodyReport(MotionReport):
             answers += [
                 Answer("control.pointing_error.start", float(error[0]), "rad", "pointing error at the start"),
                 Answer("control.pointing_error.end", float(error[-1]), "rad", "at the end"),
-                Answer("control.pointing_error.late", float(late.max()), "rad", "largest in the last tenth"),
+                Answer("control.pointing_error.late", float(late.max()), "rad", "largest in the last tenth",
+                       "at the samples"),
                 Answer("control.within", self.within, "rad"),
                 Answer("control.settling_time", self.settling_time, "s", f"settled below {angle(self.within)} after",
                        "from when on the error stays below `within`, at a sample"),
@@ -202,7 +225,7 @@ class RigidBodyReport(MotionReport):
             power = self.history.power
             used = float(np.sum(0.5 * (power[1:] + power[:-1]) * np.diff(times)))
             answers += [
-                Answer("control.power.largest", float(power.max()), "W", "power of the motors, largest",
+                Answer("control.power.largest", float(power.max()), "W", "power of the motors, largest at the samples",
                        "sum of |torque × rate|, none given back"),
                 Answer("control.power.used", used, "J", "energy that they use", "trapezoidal sum over the samples"),
             ]  # fmt: skip
@@ -264,7 +287,7 @@ class RigidBodyReport(MotionReport):
         if seen.from_nadir is not None:
             answers += [
                 Answer("from_nadir.start", float(seen.from_nadir[0]), "rad", "given axes from nadir axes at the start"),
-                Answer("from_nadir.largest", float(seen.from_nadir.max()), "rad", "largest"),
+                Answer("from_nadir.largest", float(seen.from_nadir.max()), "rad", "largest, at the samples"),
             ]
         return Group("Motion", [*answers, *accuracy(self.trajectory, "drift of what is kept or balanced")])
 

@@ -104,6 +104,13 @@ def make_orbit(table: OrbitTable) -> KeplerOrbit:
     else:
         size = table.semi_major_axis if table.altitude is None else EARTH_RADIUS + table.altitude
     assert size is not None
+    lowest = size * (1.0 - table.eccentricity)
+    if table.gravitational_parameter == EARTH and 0.0 < lowest < EARTH_RADIUS:
+        raise InvalidInput(
+            f"orbit: comes within {lowest / 1e3:.6g} km of the Earth's centre, and its surface is at "
+            f"{EARTH_RADIUS / 1e3:.6g} km. Check its size, where an altitude is that of the semi-major axis, and its "
+            "eccentricity, or give the gravitational_parameter of another body."
+        )
     rate = math.sqrt(table.gravitational_parameter / size) / size if table.period is None else (
         2.0 * math.pi / table.period)  # fmt: skip
     return KeplerOrbit(

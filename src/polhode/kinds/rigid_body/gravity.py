@@ -53,7 +53,8 @@ def judge_gravity(spec: Spec[RigidBodyTable], craft: Craft, trajectory: Trajecto
     room = abs(most) + abs(value)
     trapped = rest.region == LAGRANGE and value < most - SURE * room
     period = lambda rate: None if not rate else 2.0 * math.pi / rate  # noqa: E731
-    slower, faster = rest.roll_yaw_rates or (None, None)
+    librations = [period(rate) for rate in reversed(rest.roll_yaw_rates or ()) if rate]
+    of_both = "periods of roll and yaw" if len(librations) == 2 else "period of roll or yaw, of which the other drifts"
     group = Group("Rest under gravity's gradient", [
         Answer("gravity.moments", moments[[rest.roll - 1, rest.pitch - 1, rest.yaw - 1]], "kg m²",
                "moments about roll, pitch and yaw", "ahead, across, down"),
@@ -61,10 +62,9 @@ def judge_gravity(spec: Spec[RigidBodyTable], craft: Craft, trajectory: Trajecto
         Answer("gravity.region", rest.region, "", "region"),
         Answer("gravity.rate", rest.growth, "1/s", "rate of growth" if rest.growth else ""),
         Answer("gravity.pitch_period", period(rest.pitch_rate), "s", "period of small pitch librations"),
-        Answer("gravity.roll_yaw_periods", None if faster is None else [period(faster), period(slower)], "s",
-               "periods of roll and yaw"),
+        Answer("gravity.roll_yaw_periods", librations or None, "s", of_both),
         Answer("gravity.from_rest.start", float(away[0]), "rad", "angle from the rest at the start"),
-        Answer("gravity.from_rest.largest", float(away.max()), "rad", "largest"),
+        Answer("gravity.from_rest.largest", float(away.max()), "rad", "largest, at the samples"),
         Answer("gravity.jacobi_integral", value, "J"),
         Answer("gravity.escape_energy", most, "J"),
         Answer("gravity.stays", trapped, "", "stays for ever", "by the Jacobi integral",

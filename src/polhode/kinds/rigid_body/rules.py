@@ -36,6 +36,10 @@ def find_broken_rules(system: dict[str, Any]) -> Iterator[Mistake]:
     yield from _limit_rules([wheel for wheel in _tables(system, "wheel") if _is_controlled(wheel, by_wheels)])
 
 
+def _orbit(system: dict[str, Any]) -> dict[str, Any]:
+    return orbit if isinstance(orbit := system.get("orbit"), dict) else {}
+
+
 def _tables(system: dict[str, Any], key: str) -> list[dict[str, Any]]:
     entries = system.get(key, [])
     return [entry if isinstance(entry, dict) else {} for entry in entries] if isinstance(entries, list) else []
@@ -57,6 +61,9 @@ def _part_rules(
         return
     if "orbit" not in system and any(needs(part, what) for what in FROM_ELSEWHERE):
         yield (*at, key), f'{name} acts on an orbit; give one, like altitude = "500 km" under [orbit]'
+    elif needs(part, "field") and "gravitational_parameter" in _orbit(system):
+        text = "is known of the Earth's field alone; leave it out, or the orbit's gravitational_parameter"
+        yield (*at, key), f"{name} {text}"
 
 
 def _control_rules(control: dict[str, Any], system: dict[str, Any]) -> Iterator[Mistake]:

@@ -65,13 +65,14 @@ class Thruster(AbstractTorque):
                 f"`lasting` must be one time or one for each of the {len(begins)} pulses; got {len(spans)}."
             )
         if not (spans > 0).all():
-            raise InvalidInput(f"`lasting` must be positive [s]; got {shown(spans.min())}. Leave out what never fires.")
+            least = float(spans.min())
+            raise InvalidInput(f"`lasting` must be positive [s]; got {shown(least)}. Leave out what never fires.")
         order = np.argsort(begins)
         begins, ends = begins[order], (begins + spans)[order]
         if not (ends > begins).all():
             raise InvalidInput(
-                f"`lasting` {shown(spans.min())} s is less than a rounding of the time {shown(begins.max())} s. Count "
-                "the time from nearer to the pulse."
+                f"`lasting` {spans.min():g} s is less than a rounding of the time {begins.max():g} s. Count the time "
+                "from nearer to the pulse."
             )
         if over := np.flatnonzero(begins[1:] < ends[:-1]).tolist():
             raise InvalidInput(
