@@ -5,8 +5,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from polhode.arrays.few_calls import QUICKLY
 from polhode.errors import InvalidInput
-from polhode.testing.laws import ONCE
 
 SAME = 1e-12
 """Relative to the largest value: two evaluations of one formula, of condition ten or so."""
@@ -59,7 +59,7 @@ def check_alone(function, *inputs, batched=True, reverse=True, ways=None):
 
     assert near(wanted[0], np.asarray(one(*(x[0] for x in inputs))), SAME * size), "jit"
     if batched:
-        in_rows = jax.jit(lambda *x: rows(function(*x), count), compiler_options=ONCE)
+        in_rows = jax.jit(lambda *x: rows(function(*x), count), compiler_options=QUICKLY)
         assert near(in_rows(*inputs), wanted, SAME * size), "jit of a batch"
     if not wanted.size:
         return
@@ -70,7 +70,7 @@ def check_alone(function, *inputs, batched=True, reverse=True, ways=None):
     def derivatives(x, v):
         return *jax.jvp(one, x, v), gradient(x) if reverse else ()
 
-    value, change, slopes = jax.jit(jax.vmap(derivatives), compiler_options=ONCE)(inputs, ways)
+    value, change, slopes = jax.jit(jax.vmap(derivatives), compiler_options=QUICKLY)(inputs, ways)
     steepest = size + np.abs(slope).max()
     assert near(value, wanted, SAME * size), "vmap"
     assert near(change, slope, BY_DIFFERENCES * steepest), "jvp"

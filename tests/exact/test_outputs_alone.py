@@ -39,7 +39,7 @@ jax.config.update("jax_enable_x64", True)
 import jax.numpy as jnp
 import numpy as np
 import polhode as ph
-from polhode.testing.laws import ONCE
+from polhode.arrays.few_calls import QUICKLY
 
 kind, names, numbers = {kind!r}, {names!r}, {numbers!r}
 way = ph.closed_forms({where!r})
@@ -64,18 +64,18 @@ for name in names:
     alone = lambda m, t: getattr(m, name)(t)
     near(flat(jax.jit(alone)(motion, times)), alone(plain, times), 1e-13, name)
 whole = lambda m, t: {name: getattr(m, name)(t) for name in names}
-near(flat(jax.jit(jax.vmap(whole), compiler_options=ONCE)(motion, times)), whole(plain, times), 1e-13, "vmap")
+near(flat(jax.jit(jax.vmap(whole), compiler_options=QUICKLY)(motion, times)), whole(plain, times), 1e-13, "vmap")
 read = lambda m: {name: getattr(m, name) for name in numbers}
-near(flat(jax.jit(read, compiler_options=ONCE)(motion)), read(plain), 1e-12, "numbers")
-near(flat(jax.jit(jax.vmap(read), compiler_options=ONCE)(motion)), read(plain), 1e-12, "numbers under vmap")
+near(flat(jax.jit(read, compiler_options=QUICKLY)(motion)), read(plain), 1e-12, "numbers")
+near(flat(jax.jit(jax.vmap(read), compiler_options=QUICKLY)(motion)), read(plain), 1e-12, "numbers under vmap")
 for name in numbers:
-    read = jax.jit(lambda m: getattr(m, name), compiler_options=ONCE)
+    read = jax.jit(lambda m: getattr(m, name), compiler_options=QUICKLY)
     near(flat(read(motion)), getattr(plain, name), 1e-12, name)
-change = jax.jit(lambda m, t: jax.jvp(m.momentum, (t,), (jnp.ones(3),))[1], compiler_options=ONCE)(motion, times)
+change = jax.jit(lambda m, t: jax.jvp(m.momentum, (t,), (jnp.ones(3),))[1], compiler_options=QUICKLY)(motion, times)
 slope = (plain.momentum(times + 1e-5) - plain.momentum(times - 1e-5)) / 2e-5
 near(change, slope, 1e-8, "jvp by time")
 one = lambda m, t: jax.grad(lambda t: m.momentum(t)[1])(t)
-near(flat(jax.jit(jax.vmap(one), compiler_options=ONCE)(motion, times)), slope[:, 1], 1e-8, "vmap of grad by time")
+near(flat(jax.jit(jax.vmap(one), compiler_options=QUICKLY)(motion, times)), slope[:, 1], 1e-8, "vmap of grad by time")
 """
 SLOPES = """
 is_float = lambda x: np.issubdtype(np.asarray(jax.tree.leaves(x)[0]).dtype, np.floating)
@@ -93,7 +93,7 @@ def agree(name, function, *, compiled):
     def both(x, v):
         return *jax.jvp(whole, x, v), jax.vjp(whole, *x)[1](jnp.ones(whole_shape))
     whole_shape = jax.eval_shape(whole, *map(jnp.asarray, given)).shape
-    traced = jax.jit(both, compiler_options=ONCE) if compiled else both
+    traced = jax.jit(both, compiler_options=QUICKLY) if compiled else both
     value, found, pull = traced(tuple(map(jnp.asarray, given)), tuple(map(jnp.asarray, ways)))
     near(value, function(*given), 1e-12, name)
     near(found, slope, 1e-6, "jvp of " + name)

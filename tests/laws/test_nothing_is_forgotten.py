@@ -152,6 +152,7 @@ CALLED_BY_OTHERS = {
     "systems.moving_parts.checked_mounts", "systems.hinged_part.rotate_about", "systems.hinged_part.turn_tensor",
     "systems.torques.base.checked_torques", "systems.torques.base.torque_of", "systems.torques.base.in_body",
     "systems.torques.surfaces.make_plates", "systems.control_laws.checked_gain", "systems.control_laws.checked_law",
+    "systems.control_laws.target_at",
     "systems.free_rigid_body.axis_flow", "systems.free_rigid_body.axis_flows",
     "systems.free_rigid_body.checked_moments",
     "systems.kepler_orbit.ratio_from_eccentric", "systems.kepler_orbit.true_from_eccentric",

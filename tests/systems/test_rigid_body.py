@@ -26,6 +26,7 @@ from polhode.systems import (
     SphericalSlug,
     TorquedGyrostat,
     Wheel,
+    attachments,
 )
 from systems import multibody
 from systems.balances import worst_balance
@@ -412,3 +413,15 @@ class NotBatched(AbstractTorque):
 def test_bad_input(call, words):
     with pytest.raises(InvalidInput, match=words):
         call()
+
+
+def test_shapes_are_checked_once_for_all_that_differ_by_numbers(monkeypatch):
+    checked = []
+    monkeypatch.setattr(attachments, "_right", {})
+    monkeypatch.setattr(attachments, "_check_shapes", lambda name, attachment, *rest: checked.append(attachment))
+    for moment in (0.1, 0.2):
+        RigidBody(MOMENTS, [Wheel(FIRST, moment), Wheel((0, 1, 0), 2.0 * moment)], [LinearDrag(moment)])
+    assert [type(x).__name__ for x in checked[::2]] == ["Wheel", "LinearDrag"]
+    for _ in range(2):  # another function each time, which may give anything
+        RigidBody(MOMENTS, [Wheel(FIRST, 0.1, motor=lambda *now: now[0])])
+    assert len(checked) == 8

@@ -1,0 +1,56 @@
+"""Functions that are compiled for a few calls: what they give, and which compiler's options they take."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode.systems  # noqa: F401, switches JAX to 64 bits
+from polhode.arrays import compiled_for_few_calls, few_calls
+
+X = np.linspace(0.3, 1.7, 5)
+
+
+def norms(x, power):
+    return {"sum": jnp.sum(jnp.sin(x) ** power), "all": jnp.cumsum(x), "none": None}
+
+
+@pytest.fixture
+def compiled_with(monkeypatch):
+    """Record the options with which XLA compiles."""
+    from jax._src import compiler
+
+    options, compile_one = [], compiler.backend_compile_and_load
+
+    def recorded(backend, module, devices, given, *args, **kwargs):
+        options.append(given.env_option_overrides)
+        return compile_one(backend, module, devices, given, *args, **kwargs)
+
+    monkeypatch.setattr(compiler, "backend_compile_and_load", recorded)
+    return options
+
+
+def test_values_are_those_of_the_function():
+    values, wanted = compiled_for_few_calls(norms)(X, 3), norms(jnp.asarray(X), 3)
+    assert values["none"] is None
+    for name in ("sum", "all"):
+        np.testing.assert_allclose(values[name], wanted[name], rtol=1e-14)
+
+
+@pytest.mark.parametrize("size, quickly", [(5, True), (few_calls.FEW + 1, False)])
+def test_options_are_taken_for_few_numbers(compiled_with, size, quickly):
+    compiled_for_few_calls(lambda x: jnp.tanh(x) * 3.25)(np.ones(size))
+    taken = dict(compiled_with[-1])
+    assert taken == ({**few_calls.QUICKLY} if quickly and few_calls.compiles_quickly() else {})
+
+
+def test_unknown_compilers_get_no_options(compiled_with, monkeypatch):
+    monkeypatch.setattr(few_calls, "KNOWN_TO", ())
+    compiled_for_few_calls(lambda x: jnp.tanh(x) * 4.25)(X)
+    assert not compiled_with[-1]
+
+
+def test_it_is_a_part_of_what_is_traced():
+    function = compiled_for_few_calls(lambda x: jnp.sum(x**3))
+    np.testing.assert_allclose(jax.jit(jax.grad(function))(X), 3.0 * X**2, rtol=1e-14)
+    np.testing.assert_allclose(jax.vmap(function)(X[:, None]), X**3, rtol=1e-14)
