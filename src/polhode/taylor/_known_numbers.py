@@ -9,10 +9,10 @@ from typing import Any
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.types import Array
+from polhode.types import Array, Shaped
 
 
-def by_numbers(equation: Any, arguments: list[Array]) -> list[Array]:
+def by_numbers(equation: Any, arguments: list[Array]) -> list[Shaped[Array, "..."]]:
     """Return the values of an operation of a jaxpr on arrays of numbers."""
     name = equation.primitive.name
     if name in BY_NUMPY:  # JAX would compile each operation by itself
@@ -23,7 +23,7 @@ def by_numbers(equation: Any, arguments: list[Array]) -> list[Array]:
     return [np.asarray(x) for x in (results if equation.primitive.multiple_results else [results])]
 
 
-def spread(x: Array, parameters: dict[str, Any]) -> Array:
+def spread(x: Array, parameters: dict[str, Any]) -> Shaped[Array, "..."]:
     """Return ``broadcast_in_dim`` of an array of numbers or anything else."""
     shape = [1] * len(parameters["shape"])
     for k, axis in enumerate(parameters["broadcast_dimensions"]):
@@ -31,14 +31,16 @@ def spread(x: Array, parameters: dict[str, Any]) -> Array:
     return np.broadcast_to(x.reshape(shape), parameters["shape"])
 
 
-def take_slice(x: Array, parameters: dict[str, Any]) -> Array:
+def take_slice(x: Array, parameters: dict[str, Any]) -> Shaped[Array, "..."]:
     """Return ``slice`` of an array of numbers or anything else."""
     strides = parameters["strides"] or [1] * x.ndim
     limits = zip(parameters["start_indices"], parameters["limit_indices"], strides, strict=True)
     return x[tuple(slice(*each) for each in limits)]
 
 
-def factors(x: list[Array], parameters: dict[str, Any]) -> tuple[Array, Array, tuple[int, ...]]:
+def factors(
+    x: list[Array], parameters: dict[str, Any]
+) -> tuple[Shaped[Array, "..."], Shaped[Array, "..."], tuple[int, ...]]:
     """Return what is multiplied and summed along the last axis, (batch, free, summed) each, and the result's shape."""
     (summed_a, summed_b), (batch_a, batch_b) = parameters["dimension_numbers"]
     a, b = x
