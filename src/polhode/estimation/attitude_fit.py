@@ -28,6 +28,7 @@ TORQUE = slice(11, 14)
 LIMITS = ([-1.0, 0.0, *[-np.inf] * 12], [1.0, 2.0, *[np.inf] * 12])
 ROUNDS = 6
 FINISHING, DONE = 8, 1e-6  # steps at most; what the last one takes off half the sum of squares over the noise
+NEAR = 1e-3  # rad, rad/s and shape, which a step towards the minimum is at most
 KNOWN = 1e-10  # of the largest singular value, above which data determine a direction
 
 
@@ -226,6 +227,8 @@ def _finish(system: _System, x: Array) -> tuple[Array, Array]:
         scale = np.linalg.norm(J, axis=0)
         scale[scale == 0.0] = 1.0
         step = np.linalg.lstsq(weights[:, None] * J / scale, -weights * z, rcond=KNOWN)[0] / scale
+        if np.abs(step).max() > NEAR:  # along what the data hardly determine, which the covariance says
+            return x, np.zeros(len(x))
         there = np.clip(x + step, LIMITS[0][: len(x)], LIMITS[1][: len(x)])
         step, lower = there - x, _robust_cost(system.residuals(there))
         if not lower <= cost:
