@@ -165,6 +165,7 @@ def keys() -> dict[str, set[str]]:
     return found
 
 
+@pytest.mark.long
 def test_keys_that_messages_name_are_there():
     wrong = []
     every = set().union(*keys().values())

@@ -64,7 +64,7 @@ def exactly_weighed(momentum):
     return np.sum(ph.FreeMotion(MOMENTS, momentum=momentum).momentum(TIMES) * WEIGHTS)
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 @pytest.mark.parametrize("method", [Splitting, pytest.param(LieMidpoint, marks=pytest.mark.sweep), ADAPTIVE])
 def test_solve_is_simulate(method):
     """With a step or a tolerance, and with the default step of every copy of a batch."""
@@ -132,7 +132,7 @@ def test_derivatives_by_default_steps_and_second_ones():
         jax.eval_shape(jax.hessian(twice), start)
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 @pytest.mark.parametrize(("method", "every"), [(Splitting, 3), (ADAPTIVE, 2)])
 def test_every_nth_is_that_of_the_whole(method, every):
     whole, thin = solved(START, method), solved(START, method, save=every)
@@ -147,6 +147,7 @@ def test_every_nth_is_that_of_the_whole(method, every):
     assert np.max(short.error_estimate) < CLOSE
 
 
+@pytest.mark.long_cases("method1")
 @pytest.mark.parametrize("method", [None, ADAPTIVE])
 def test_a_function_of_the_states_is_that_of_saved_states(method):
     states = np.stack([START, 2.0 * START])

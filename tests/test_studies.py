@@ -110,6 +110,7 @@ def test_mistakes_of_fits_name_the_argument(files, given, words, monkeypatch):
         ph.fit(*(EXAMPLES / name for name in files), **given)
 
 
+@pytest.mark.long
 def test_files_and_motions_are_compared(capsys, tmp_path):
     spec = EXAMPLES / "t_handle.toml"
     motion = ph.report(spec).trajectory
@@ -165,6 +166,7 @@ def test_nothing_is_saved_over_what_was_read(tmp_path):
         assert report.save(tmp_path / "new.nc").is_file() and len(repr(report)) < 500
 
 
+@pytest.mark.long_cases("None")
 @pytest.mark.parametrize("wrong", [None, 3, "", ["a"]])
 def test_what_is_no_path_is_refused(wrong, monkeypatch):
     monkeypatch.setattr(jaxtyping.config, "jaxtyping_disable", True)
@@ -219,6 +221,7 @@ def test_histories_in_any_order_are_compared():
         ph.compare(rising, motion.sample([0.0, 2.0, 1.0, 2.0]))
 
 
+@pytest.mark.long
 def test_a_spec_of_another_body_is_told(tmp_path):
     box = '[body]\nmoments = ["1 kg*m^2", "2 kg*m^2", "{} kg*m^2"]\n[spin]\nrate = "1 rad/s"\nabout = 2\n'
     for name, moment in (("one", 3), ("other", 2.9)):

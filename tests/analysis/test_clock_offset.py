@@ -57,6 +57,7 @@ def swinging(times, axes=None):
     return rotation.from_scipy(turns if axes is None else Rotation.from_rotvec(axes) * turns)
 
 
+@pytest.mark.long
 def test_axes_of_space_may_be_turned():
     """As of a log whose heading has another zero; the axes as given leave a radian."""
     times, late = np.arange(0.0, 25.0, 0.02), np.arange(0.0, 12.0, 0.03)

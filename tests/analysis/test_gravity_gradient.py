@@ -91,7 +91,7 @@ def test_a_spin_that_circulates_has_no_libration():
         libration_period(SpinOrbit(1.3, 0.1, 1.0), (0.2, 1.0))
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 @pytest.mark.parametrize(("transverse", "axial", "spin"), SPINS)
 def test_spinning_rests_by_the_differentiated_equations(transverse, axial, spin):
     n = 0.0011

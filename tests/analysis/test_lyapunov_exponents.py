@@ -63,7 +63,7 @@ def test_of_a_hamiltonian_system_they_come_in_pairs():
     assert (np.abs(found.exponents[1:-1]) < found.errors[1:-1]).all()
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("system", "state"),
     [

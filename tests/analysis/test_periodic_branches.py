@@ -174,6 +174,7 @@ def test_what_cannot_be_followed_is_refused(call, error, words):
         call(lambda mu: Cycle(mu, growing))
 
 
+@pytest.mark.long
 def test_multipliers_are_those_of_the_motion_alone():
     found = continue_periodic(lambda mu: Cycle(mu, circle, BESIDE["torus"][0]), (0.1, 0.2), [1.0, 0, 0, 0], 3.1)
     alone = floquet.periodic_motion(Cycle(0.2, circle, BESIDE["torus"][0]), found.motions[-1].state, 3.14)

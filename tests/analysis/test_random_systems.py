@@ -68,6 +68,7 @@ def test_many_random_systems(name):
     assert counts["undecided"] < 0.4 * counts.total(), counts
 
 
+@pytest.mark.long
 def test_false_verdicts_are_seen(monkeypatch):
     """With the energy's curvature of the wrong sign, independent exponents contradict the verdicts."""
     right = equilibrium_data.derivatives

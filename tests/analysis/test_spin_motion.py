@@ -28,6 +28,7 @@ def test_a_pendulum_that_turns_over():
         assert abs(found.mean_rate / n - (1.0 + math.copysign(0.5 * mean, ratio - 1.0))) < MEAN
 
 
+@pytest.mark.long
 def test_a_pendulum_that_swings():
     n = 2.5e-6
     found = spin_motion(SpinOrbit(0.3, 0.0, n), [0.4, n], 4000)
@@ -39,7 +40,7 @@ def test_a_pendulum_that_swings():
     assert found is not None and found.amplitude == pytest.approx(math.asin(0.2 / 0.3), rel=SEEN)
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 @pytest.mark.parametrize(("order", "middle"), first(2, [(0.5, 90.0), (1.0, 0.0), (1.5, 0.0), (2.0, 0.0)]))
 def test_each_resonance_holds_a_spin_about_its_stable_angle(order, middle):
     """H(1/2) alone is negative, its spins across the periapsis; published by Goldreich & Peale (1966)."""

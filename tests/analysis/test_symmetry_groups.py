@@ -42,6 +42,7 @@ def sparing(*counts):
     return [pytest.param(n, t, marks=[] if n == 4 else [pytest.mark.sweep]) for n, t in counts]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("count", "colatitude"), sparing((3, 0.8), (4, 0.9), (5, 0.6), (6, 0.3)))
 def test_rings_are_stable_up_to_turns_about_their_momentum(count, colatitude):
     found = stability(vortices(count), ring(count, colatitude), MOMENTUM)

@@ -61,6 +61,7 @@ def test_the_spin_about_a_principal_axis():
         analysis.axial_spin(top, (1.0, np.inf, 0.0))
 
 
+@pytest.mark.long
 def test_steady_rates_keep_the_tilt():
     """Thrown with either rate, a top of this tilt and spin goes round at that rate, at constant tilt."""
     moments, mgl, spin, tilt = (1.0, 1.0, 0.5), 1.0, 5.0, 0.9

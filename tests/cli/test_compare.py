@@ -104,6 +104,7 @@ def files(written, tmp_path, monkeypatch):
     return tmp_path
 
 
+@pytest.mark.long_cases("False-box.aem", "False-own.csv", "False-box.toml")
 @pytest.mark.parametrize("other", ["box.aem", "box.bc", "own.nc", "own.csv", "box.toml"])
 @pytest.mark.parametrize("exact_first", first(1, [False, True]))
 def test_every_kind_of_file_agrees_with_the_spec_that_it_is_from(files, capsys, other, exact_first):
@@ -139,6 +140,7 @@ def test_epochs_in_different_time_systems_are_laid_side_by_side(files, capsys):
     assert any("interpol" in note for note in [found["method"], *found["notes"]])
 
 
+@pytest.mark.long_cases("UTC-2026-03-01 12:00:30")
 @pytest.mark.parametrize(("system", "moment"), [("UTC", "2026-03-01 12:00:30"), ("TDB", "2026-03-01 12:00:30 TDB")])
 def test_spice_itself_finds_an_exported_spec(files, capsys, system, moment):
     """Thirty seconds after the spec's epoch, to what SPICE's ephemeris time tells apart."""
@@ -187,6 +189,7 @@ def test_no_time_in_common_is_one_error(files, capsys):
     assert code == 2 and "no time in common" in err and err.count("\n") == 1
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", first(1, ["lagrange-top", "heavy-top"]))
 def test_tops_against_their_kernels(tmp_path, monkeypatch, capsys, kind):
     monkeypatch.chdir(tmp_path)
@@ -227,6 +230,7 @@ def test_import_with_moments_has_momentum_and_energy(files, capsys):
     assert values_of(["import", "box.aem", "--spec", "box.toml"], capsys)["notes"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", first(1, ["lagrange-top", "heavy-top"]))
 def test_import_of_a_top_has_what_its_own_dataset_has(tmp_path, monkeypatch, capsys, kind):
     """Its moments are about the pivot, its energy that of height too."""
@@ -289,6 +293,7 @@ def test_what_a_file_does_not_tell_is_not_made_up(files, capsys):
     assert "OBJECT_ID = 1900-000A" in " ".join((files / "on.aem").read_text().split())
 
 
+@pytest.mark.long
 def test_names_that_differ_by_case_and_underscore_are_the_same(files, capsys):
     samples, labels = read_aem("box.aem"), AttitudeLabels(object_name="Odd Sat", epoch="2026-03-01T12:00:00")
     write_aem(samples, "odd.aem", labels=labels)
@@ -297,6 +302,7 @@ def test_names_that_differ_by_case_and_underscore_are_the_same(files, capsys):
     assert any("different names" in note for note in values_of(["compare", "odd.aem", "box.bc"], capsys)["notes"])
 
 
+@pytest.mark.long
 def test_two_attitudes_at_one_time_are_a_contradiction(tmp_path, monkeypatch, capsys):
     """One of them was taken silently; the same one twice is no contradiction."""
     monkeypatch.chdir(tmp_path)
@@ -342,7 +348,7 @@ REFUSED = [
 ]
 
 
-@pytest.mark.long_cases("arguments9-neither of a free body nor of a top")
+@pytest.mark.long_cases("arguments9-neither of a free body nor of a top", "arguments10-box.toml")
 @pytest.mark.parametrize(("arguments", "words"), REFUSED)
 def test_what_is_not_what_it_claims_is_one_error(files, capsys, arguments, words):
     (files / "noise.bin").write_bytes(bytes(range(256)))

@@ -36,6 +36,7 @@ def test_a_page_is_printed_or_written(capsys, tmp_path, monkeypatch):
         assert code == 0 and out == f"Written: {path}\n" and path.read_text("utf-8").startswith(begins)
 
 
+@pytest.mark.long_cases("arguments4-page.html")
 @pytest.mark.parametrize(("arguments", "message"), [
     (["clebsh"], "Did you mean clebsch?"),
     (["clebsch", "--to", "pdf"], "--to must be one of text, markdown, latex, html"),

@@ -197,7 +197,7 @@ def earth():
     return read_polar_motion()
 
 
-@pytest.mark.long_cases("37665-61312-432.6-122")
+@pytest.mark.long
 @pytest.mark.parametrize(("first", "last", "period", "amplitude"), [
     (37665, 61312, 432.6, 122), (42778, 51544, 433.0, 172)])  # fmt: skip
 def test_the_earth(earth, first, last, period, amplitude):

@@ -352,7 +352,7 @@ def test_noisy_rates_all_around_are_not_called_a_steady_spin():
     assert "principal axis" in explain_undetermined([rates[:1]], None)
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 @pytest.mark.parametrize("seed, body, spin, trouble", [
     (8, "racket", "middle", {}), ([12, 8], "racket", "long", {}), ([12, 4], "book", "middle", {"across": 0.01}),
 ])  # fmt: skip

@@ -185,6 +185,7 @@ def test_bad_times_and_spins():
         ph.FreeMotion(MOMENTS, momentum=(1.0, 2.0, 3.0)).sample(1.0)
 
 
+@pytest.mark.long_cases("<lambda>-at most 1e.27 rad")
 @pytest.mark.parametrize(
     ("make", "words"),
     [

@@ -80,6 +80,7 @@ def many_bodies(rng, count):
 
 
 
+@pytest.mark.long
 def test_many_bodies_agree_with_numpy(monkeypatch):
     """With attitudes and epochs, by several threads, in blocks that are not full; also at several times each."""
     rng = np.random.default_rng(3)

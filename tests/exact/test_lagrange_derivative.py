@@ -149,6 +149,7 @@ def check(cases, found, announce):
     assert not {family: error for family, error in worst.items() if not error <= WORST}
 
 
+@pytest.mark.long
 def test_a_wrong_derivative_is_caught(drawn):
     pairs = [(c, j) for c, j in zip(drawn[0], drawn[1][0], strict=False) if c.family == "generic"]
     cases, found = zip(*pairs, strict=True)

@@ -45,7 +45,7 @@ STARTS = [((0.0, 0.0, 2.5), 1.0), ((0.3, -0.5, 1.5), 0.4), ((2.0, 1.0, 0.0), 1.0
           ((0.0, 0.0, 5.0), 0.0), ((0.0, 0.0, 0.0), 2.0)]  # fmt: skip
 
 
-@pytest.mark.long_cases("momentum0-1.0")
+@pytest.mark.long_cases("momentum0-1.0", "momentum1-0.4")
 @pytest.mark.parametrize(("momentum", "lean"), STARTS)
 def test_long_runs_go_through_it_and_agree(momentum, lean, monkeypatch):
     """By threads, in blocks that are not full, with the epoch's rest, for times of any shape, on either side of mgl."""
@@ -129,6 +129,7 @@ def tops_next_to_the_separatrix(count):
         yield TopCase("rounded separatrix", (I1, I1, I3), float(mgl), momentum, tuple(map(float, attitude)), time)
 
 
+@pytest.mark.long
 def test_what_rounding_leaves_of_the_separatrix_is_summed_exactly(left):
     """Double-double alone is wrong by 1e7 eps here: c, F and D vanish together, and how long tops linger tells them."""
     cases = list(tops_next_to_the_separatrix(60))
@@ -203,6 +204,7 @@ def test_many_tops_agree_with_numpy(monkeypatch):
         assert (np.abs(a[1] - b[1]) <= 4.0 * AGREEMENT * scale + 2e-323).all()
 
 
+@pytest.mark.long
 def test_mistakes_among_many_are_refused_in_the_same_words(monkeypatch):
     good = [np.array(x) for x in many_tops(np.random.default_rng(5), 600)]
     changes = ((0, (10, 0), 0.1), (0, (10, 2), -1.0), (1, 11, np.nan), (2, (12, 1), np.inf), (3, (13, 0), 5.0))

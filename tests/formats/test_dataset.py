@@ -204,7 +204,7 @@ def test_a_store_that_is_not_what_was_written_is_refused(tmp_path, monkeypatch):
     assert np.array_equal(formats.read_dataset(tmp_path / "motion.zarr").times, TIMES)
 
 
-@pytest.mark.long_cases("nc")
+@pytest.mark.long
 @pytest.mark.parametrize("form", WAYS)
 def test_complex_states_come_back(form, tmp_path):
     fluid = ph.systems.SphereFluid(4, 0.5)

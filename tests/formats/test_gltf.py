@@ -286,6 +286,7 @@ def test_momentum_straight_down(tmp_path):
     assert Rotation.from_quat(node(path, "angular momentum")["rotation"]).apply([0, 0, 1]) == pytest.approx([0, 0, -1])
 
 
+@pytest.mark.long
 def test_a_body_at_rest_has_no_momentum_to_show(tmp_path):
     path = written(tmp_path, ph.FreeMotion((1.0, 2.0, 2.5), momentum=(0.0, 0.0, 0.0)).sample(TIMES))
     assert not [node for node in taken_apart(path)[0]["nodes"] if node["name"] == "angular momentum"]

@@ -179,7 +179,7 @@ def errors_over_estimates(system: Any, momenta: Any, times: Any, method: Any) ->
 any_function: Any = systems.LiePoisson(ph.algebra.SO3(), lambda L: 0.5 * jnp.sum(L**2 / np.array(MOMENTS), axis=-1))
 
 
-@pytest.mark.long_cases("LieMidpoint")
+@pytest.mark.long
 @pytest.mark.parametrize("method", [None, LieMidpoint])
 def test_the_estimate_holds_near_a_separatrix(method):
     """Rounding grows there to all of the error; divided as truncation it made the median 214, the worst 2,840."""

@@ -120,7 +120,7 @@ def on(t):
     return jnp.where((t >= 400.0) & (t < 400.001), 2.0, 0.0)
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 def test_a_motor_names_its_jumps(stepper):
     wheel = Wheel((0.0, 0.0, 1.0), 0.1, motor=lambda t, *more: on(t), jumps=[400.0, 400.001])
     system = RigidBody(MOMENTS, mounts=[wheel])

@@ -143,6 +143,7 @@ def test_a_gradient_is_that_of_differences_in_forty_digits():
     assert np.abs(found - np.array(wanted)).max() < EQUAL * np.abs(wanted).max()
 
 
+@pytest.mark.long
 def test_memory_does_not_know_the_number_of_steps():
     """One compiled gradient serves a hundred steps and ten thousand: their number is a value, the memory fixed."""
     last = lambda s, step: ph.solve(BODY, s, [0.0, 1.0], LieMidpoint, step=step, order=2).end_state[0]  # noqa: E731

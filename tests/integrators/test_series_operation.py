@@ -36,7 +36,7 @@ def test_values_are_those_of_the_motion_compiled_or_not():
     assert np.abs(found.end_state - exact(MOMENTS, START)[-1]).max() < 2e-15
 
 
-@pytest.mark.long_cases("jacfwd-moments")
+@pytest.mark.long_cases("jacfwd-moments", "jacfwd-start")
 @pytest.mark.parametrize("by", [0, 1], ids=["moments", "start"])
 @pytest.mark.parametrize("mode", [jax.jacfwd, jax.jacrev])
 def test_derivatives_are_those_of_the_closed_form(by, mode):
@@ -52,7 +52,7 @@ def test_derivatives_by_every_time():
     assert np.abs(found - wanted).max() < 1e-12 and np.abs(found[0]).max() == 0.0
 
 
-@pytest.mark.long_cases("[0.0, 0.0, 3.0]")
+@pytest.mark.long_cases("[0.0, 0.0, 3.0]", "[0.0, 2.0, 0.0]")
 @pytest.mark.parametrize("momentum", [[0.0, 0.0, 3.0], [0.0, 2.0, 0.0], [1e-13, 2.0, 0.0]], ids=str)
 def test_derivatives_where_nothing_moves(momentum):
     """There the motion's own series ends at once, and no step is too long for it; tangents turn or grow."""
@@ -229,7 +229,7 @@ def test_gradients_of_what_is_received_and_by_times(backs):
     assert np.abs(found - wanted).max() < 1e-12 * np.abs(wanted).max() and backs == [True]
 
 
-@pytest.mark.long_cases("tangents")
+@pytest.mark.long
 @pytest.mark.parametrize(("drag", "taken"), [(5.0, [True]), (2e4, [False])], ids=["parts", "tangents"])
 def test_what_has_lost_its_past_finds_it_again_or_goes_ahead(backs, drag, taken):
     """Against time, damping makes of a rounding whatever it likes: the way back is compared with the way ahead."""

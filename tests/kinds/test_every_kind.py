@@ -140,6 +140,7 @@ def test_remedies_name_a_kind_that_is_there(monkeypatch):
     assert registry.other_kind("top", in_closed_form=True) is None
 
 
+@pytest.mark.long
 def test_importing_the_registry_imports_no_kind():
     code = (
         "import sys, polhode.kinds.registry as r; names = r.kind_names();"
@@ -187,6 +188,7 @@ def test_the_pendulum_s_own_rule(tmp_path):
         read_spec(tmp_path / "still.toml")
 
 
+@pytest.mark.long_cases("quantum-rotor")
 def test_without_a_motion_what_needs_one_is_refused(kind, spec, report, tmp_path):
     """In words, before anything is computed or written; nothing else is. A page may show what does not move."""
     path = tmp_path / "case.toml"

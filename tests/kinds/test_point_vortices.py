@@ -52,6 +52,7 @@ def test_a_pair_goes_round_its_centre(spec):
     assert "proved stable" in found.summary
 
 
+@pytest.mark.long
 def test_opposite_vortices_move_straight(spec):
     found = spec(strengths(3, -3) + '\npositions = [["0 m", "1 m"], ["0 m", "-1 m"]]').report()
     values = found.as_json_dict()
@@ -60,7 +61,7 @@ def test_opposite_vortices_move_straight(spec):
     np.testing.assert_allclose(found.positions[-1, 0], [3.0 / (4.0 * math.pi), 1.0], atol=1e-12)
 
 
-@pytest.mark.long_cases("0.4-unstable")
+@pytest.mark.long
 @pytest.mark.parametrize(("middle", "verdict"), [(0.4, "unstable"), (0.6, "stable")])
 def test_eight_need_half_a_ninth(spec, middle, verdict):
     """(n² − 8n + 8)/16 is 1/2 for n = 8: Cabral & Schmidt, SIAM J. Math. Anal. 31 (2000) 231."""

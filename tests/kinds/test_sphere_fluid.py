@@ -54,6 +54,7 @@ def test_random_starts_have_their_vorticity_and_vortices_their_circulation(spec)
 SPAN = "0.5 s"  # its quarters are exact numbers, so that all steps are of one size
 
 
+@pytest.mark.long
 def test_a_run_goes_on_from_its_file(spec, tmp_path):
     text = 'resolution = 6\nrandom = {degrees = [2, 3], vorticity = "1 rad/s"}'
     whole, half = spec(text, "1 s", 5).report(), spec(text, SPAN, 3).report()

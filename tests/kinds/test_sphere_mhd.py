@@ -45,6 +45,7 @@ def test_an_exact_wave_goes_round_as_it_should(spec, branch, speed):
     assert wave[0] == pytest.approx(np.sqrt(2.0 * np.pi), rel=1e-12) and np.ptp(wave) < 1e-6 * wave[0]
 
 
+@pytest.mark.long
 def test_random_starts_have_their_sizes_and_orders_have_the_energy(spec):
     report = spec(f"resolution = 6\n{RANDOM}").report()
     found = report.as_json_dict()

@@ -27,7 +27,7 @@ def one_of_each_class_at_once():
         yield pytest.param(algebra, id=algebra.name, marks=slow)
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 @pytest.mark.parametrize("algebra", list(one_of_each_class_at_once()))
 def test_laws(algebra):
     check_algebra(algebra)

@@ -86,7 +86,7 @@ OTHERS = [
 ]
 
 
-@pytest.mark.long_cases("SpinOrbit-list")
+@pytest.mark.long
 @pytest.mark.parametrize(("system", "states"), first(2, OTHERS), ids=lambda x: type(x).__name__)
 def test_what_is_no_lie_poisson_system_is_checked_at_states_that_are_given(system, states):
     check_system(system, states=states)
@@ -105,6 +105,7 @@ class Unbatched(SpinOrbit):
         return super().vector_field(t, state) * jnp.sum(state)
 
 
+@pytest.mark.long_cases("WrongGrowth-balance tells")
 @pytest.mark.parametrize(("broken", "law"), [(WrongGrowth, "balance tells"), (Unbatched, "batch = loop")])
 def test_broken_specimens_of_other_systems_are_caught(broken, law):
     with pytest.raises(LawBroken, match=law):

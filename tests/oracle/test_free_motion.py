@@ -100,7 +100,7 @@ def assert_all_within(worst: dict[str, tuple], bound: float) -> None:
     assert not beyond
 
 
-@pytest.mark.long_cases("numpy")
+@pytest.mark.long_cases("numpy", "kernel")
 @pytest.mark.parametrize("engine", first(5, ENGINES))
 def test_states_are_exact_in_every_family(engine, announce):
     cases = drawn(SUITE_PER_FAMILY, 1)

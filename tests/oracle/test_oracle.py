@@ -35,6 +35,7 @@ def turn(case: Case) -> float:
     return max(abs(x) for x in case.momentum) / min(case.moments) * abs(case.time)
 
 
+@pytest.mark.long_cases("wide_moments", "near_separatrix")
 @pytest.mark.parametrize("family", first(10, [family.__name__ for family in FAMILIES]))
 def test_legendre_form_agrees_with_integrated_equations(family):
     cases = [c for c in draw(6, seed=7, longest_turn=1.3) if c.family == family and turn(c) < MOST_TURN]

@@ -93,7 +93,7 @@ def answers(request):
     return states
 
 
-@pytest.mark.long_cases("c-free-4")
+@pytest.mark.long_cases("c-free-4", "c-top-4")
 @pytest.mark.parametrize("count", [IN_SUITE, pytest.param(IN_SWEEP, marks=pytest.mark.sweep)])
 @pytest.mark.parametrize("motion", MOTIONS)
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -67,7 +67,7 @@ def worst(answer, wanted):
     return max(miss(column(answer, name), np.asarray(values)) for name, values in pairs)
 
 
-@pytest.mark.long_cases("top")
+@pytest.mark.long_cases("top", "gyrostat")
 @pytest.mark.parametrize("name", CASES)
 def test_states_are_those_of_polhode(name, solved, simulated):
     assert worst(solved[name], simulated[name]) < SAME
@@ -149,6 +149,7 @@ def test_a_disk_starts_steadily_as_in_polhode():
     np.testing.assert_allclose(found, wanted, rtol=1e-13, atol=1e-13)
 
 
+@pytest.mark.long
 def test_what_has_a_closed_form_is_that():
     top = {"moments": [1.0, 1.0, 0.5], "mgl": 1.0, **TURNED}
     body = {"moments": [1.0, 2.0, 3.0], **TURNED}
@@ -217,6 +218,7 @@ def test_errors_fall_with_the_eighth_power_of_the_step():
     assert abs(slope - 8.0) < 0.5, (slope, errors)
 
 
+@pytest.mark.long
 def test_a_state_does_not_depend_on_what_was_asked_before():
     late = 4000.0
     order = [late, 3.0, 1234.5, 1234.4, -500.0, 10.0, -3.0, 777.7, late]

@@ -58,7 +58,7 @@ ENDLESS = {
 }
 
 
-@pytest.mark.long_cases("moments far apart")
+@pytest.mark.long_cases("moments far apart", "a moon for a billion years")
 @pytest.mark.parametrize("name", first(4, ENDLESS))
 def test_runs_without_end_are_ended_soon(tmp_path, monkeypatch, name):
     monkeypatch.setattr(length, "WATCHED", 0.1)

@@ -31,6 +31,7 @@ def worst(found, wanted):
     return max(abs((mpmath.mpf(float(f)) - w) / w) for f, w in zip(found, wanted, strict=True))
 
 
+@pytest.mark.long_cases("carlson_rj-elliptic_rj-4-100")
 @pytest.mark.parametrize("decades", [1, DECADES])
 @pytest.mark.parametrize(
     ("ours", "theirs", "count"),

@@ -210,6 +210,7 @@ def test_order_of_driven_matrices(method):
     check_order(MATRICES, MATRIX, method, 4, matrix_end())
 
 
+@pytest.mark.long
 def test_a_driven_motion_runs_back():
     run = lambda state, times: ph.simulate(  # noqa: E731
         body(DrivenFreely), state, times, LieMidpoint, step=0.05, order=4

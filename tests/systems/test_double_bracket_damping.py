@@ -33,7 +33,7 @@ def test_of_a_body_it_is_the_double_bracket():
     assert ours.generator(0.0, point) == pytest.approx(np.asarray(body.generator(0.0, point)), abs=1e-15)
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 @pytest.mark.parametrize("name", first(2, SYSTEMS))
 def test_the_energy_falls_as_told_and_the_orbit_stays(name):
     metric = None if name != "so(4)" else np.diag(np.arange(1.0, 7.0)) + 0.1

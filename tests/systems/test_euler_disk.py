@@ -132,6 +132,7 @@ def test_energy_and_linear_integrals_are_kept():
     assert np.abs(back.states[-1] - WOBBLING).max() < 1e-8
 
 
+@pytest.mark.long
 def test_linear_integrals_foretell_the_spin():
     """ω3 at another tilt from mpmath's hypergeometric function, whose degree is complex."""
     found = ph.simulate(thin, WOBBLING, np.linspace(0.0, 0.3, SAMPLES))
@@ -158,6 +159,7 @@ def test_a_thick_disk_moves_along_its_linear_equations():
         assert np.abs(carried.y[:, -1] - found.states[target, 6:]).max() < 1e-8
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("disk", first(1, [thin, thick]), ids=["thin", "thick"])
 def test_steady_motion_stays(disk):
     start = disk.rolling_state(0.3, heading=0.4, contact=(0.1, 0.2))

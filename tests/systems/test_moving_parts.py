@@ -172,6 +172,7 @@ class Tilted(SprungMass):
         return (1.0 + 1e-6) * super().energy(own)
 
 
+@pytest.mark.long
 def test_a_spring_whose_energy_is_another_is_found_out():
     body = RigidBody.from_body(cases.BODY, [Tilted((0.1, 0.4, 0.3), (0, 1, 0), 3.0, 4.0, 0.5)])
     state = body.pack(cases.ATTITUDE, cases.VELOCITY, rates=[0.3], coordinates=[0.1])

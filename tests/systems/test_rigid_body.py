@@ -176,6 +176,7 @@ def test_a_free_rotor_and_a_driven_one_are_the_gyrostats_with_the_moments_of_the
     assert np.abs(one.states[:, :7] - same.states).max() < AGREES
 
 
+@pytest.mark.long
 def test_with_an_energy_sink_it_is_the_double_bracket():
     body = RigidBody(MOMENTS, [EnergySink(0.2)])
     start = body.pack(ATTITUDE, VELOCITY)
@@ -247,6 +248,7 @@ class Perpetual(Wheel):
         return 0.0 * super().power(t, attitude, angular_velocity, own)
 
 
+@pytest.mark.long
 def test_a_wrong_power_is_found_out():
     body = dataclasses.replace(EVERYTHING)
     object.__setattr__(body, "mounts", (Perpetual(FIRST, 0.2, friction=1e-6), *EVERYTHING.mounts[1:]))

@@ -180,6 +180,7 @@ def test_spectrum_and_angular_momentum_stay(n, steps):
     assert run.drift["energy"] < 2e-3
 
 
+@pytest.mark.long
 def test_on_a_rotating_sphere_the_momentum_turns():
     rotation = 0.8
     fluid, run, step = drifts(12, 40, rotation)
@@ -260,6 +261,7 @@ def test_energy_moves_between_degrees_as_the_transfer_says():
     assert np.abs(transfer).max() > 0.01 and abs(np.sum(transfer)) < 1e-13
 
 
+@pytest.mark.long
 def test_zonal_velocity_in_closed_form():
     """ω = P₃(x₃) = Δψ gives ψ = −P₃/12 and u = ∂ψ/∂θ; waves do not count."""
     fluid, theta = SphereFluid(8, 2.0), np.linspace(0.0, np.pi, 7)

@@ -229,7 +229,7 @@ def test_bad_input(call, words):
         call()
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 @pytest.mark.parametrize("eccentricity", [0.0, 0.3, 0.8])
 def test_gravity_gradient_against_steps_in_the_true_anomaly(eccentricity):
     """Which needs no equation of Kepler's: dt = (r/a)² df / (n √(1 − e²)), r/a = (1 − e²) / (1 + e cos f)."""

@@ -102,7 +102,7 @@ def test_landau_damping_follows_its_curve():
     assert np.ptp(np.asarray(system.energy(motion))) < 1e-5
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 @pytest.mark.parametrize(("order", "steps"), [(2, (0.1, 0.05)), (4, (0.2, 0.1))])
 def test_orders(order, steps):
     system = VlasovPoisson(4.0 * np.pi, 2, 64)

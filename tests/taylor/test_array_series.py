@@ -100,6 +100,7 @@ def test_a_batch_has_the_bits_of_each_and_goes_backwards():
     assert np.abs(back.states[:, -1] - states).max() < 1e-13
 
 
+@pytest.mark.long
 def test_what_cannot_go_on_says_so():
     fluid = systems.SphereFluid(5)
     states, times = np.stack([fluid.from_harmonics({(2, 1): 0.3, (3, 2): 1.0})] * 2), np.array([0.0, 0.25, 0.5])

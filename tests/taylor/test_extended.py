@@ -41,6 +41,7 @@ def test_a_top_is_exact_after_1e5_seconds():
     assert 1e-13 < plain < 1e-9
 
 
+@pytest.mark.long
 def test_a_moment_off_in_its_last_digit_is_seen(monkeypatch):
     """So that no number computed of the moments can have been rounded to a double."""
     exact_for = flight.exact_for

@@ -134,7 +134,7 @@ def test_lanes_as_python_change_no_bit_either(by):
     assert_same_bits(alone, motions(2))
 
 
-@pytest.mark.long_after(1)
+@pytest.mark.long
 @pytest.mark.parametrize(("make", "copies"), [(kernels.compile_kernel, 11), (kernels.python_kernel, 1)])
 @pytest.mark.parametrize("width", [1, lanes.LANES])
 def test_written_code_changes_no_bit(by, monkeypatch, width, make, copies):
@@ -182,6 +182,7 @@ def test_calls_that_end_before_the_copies_do_change_no_bit(by):
     assert_same_bits(whole, motions(11))
 
 
+@pytest.mark.long
 def test_threads_change_no_bit(by, monkeypatch):
     by(kernels.compile_kernel(lanes.LANES))
     whole = motions(11)

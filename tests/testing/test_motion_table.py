@@ -65,6 +65,7 @@ def worst_in_eps(motions):
     return worst
 
 
+@pytest.mark.long
 def test_the_closed_forms_agree_at_every_time(announce):
     worst = worst_in_eps(reference_motions())
     announce(f"Closed forms against the reference motions: {worst:.2f} eps")

@@ -135,7 +135,7 @@ def apart(start, answer):
                float(np.abs(turned - np.eye(3)).max()))  # fmt: skip
 
 
-@pytest.mark.long_cases("phyphox")
+@pytest.mark.long_cases("phyphox", "sensor_logger")
 @pytest.mark.parametrize("name", LOGS)
 def test_the_start_is_that_of_polhode_fit(both, name):
     answer, log, flights, level, start = both[name]
