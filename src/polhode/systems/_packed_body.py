@@ -15,6 +15,7 @@ from polhode import rotation
 from polhode.arrays import compiled_for_few_calls, is_traced, known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn
+from polhode.motion._inputs import refuse_not_finite
 from polhode.motion._layout import (
     ATTITUDE,
     ENERGY,
@@ -160,17 +161,19 @@ class AbstractPackedBody(AbstractSystem):
                 where they rest.
 
         Raises:
-            InvalidInput: if both velocity and momentum are given, or lists that do not fit what there is.
+            InvalidInput: if both velocity and momentum are given, for NaN, or lists that do not fit what there is.
         """
         if angular_velocity is not None and momentum is not None:
             raise InvalidInput("give `angular_velocity` or `momentum`, not both.")
         refuse_single_precision(attitude=attitude, angular_velocity=angular_velocity, momentum=momentum)
+        given = {"attitude": attitude, "angular_velocity": angular_velocity, "momentum": momentum}
+        refuse_not_finite(**{name: jnp.asarray(x, dtype=float) for name, x in given.items() if x is not None})
         values, acting = self._checked_rates(rates), self._checked_actuators(actuators)
         places = self._checked_coordinates(coordinates)
         turned = np.array([1.0, 0.0, 0.0, 0.0]) if self.needs_attitude else None
         if attitude is not None:
-            given = jnp.asarray(attitude, dtype=float)
-            turned = rotation.normalize(given if is_traced(given) else np.asarray(given))
+            turned = jnp.asarray(attitude, dtype=float)
+            turned = rotation.normalize(turned if is_traced(turned) else np.asarray(turned))
         velocity = np.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
         whole = None if momentum is None else jnp.asarray(momentum, dtype=float)
         return _pack(self, turned, velocity, whole, values, places, acting)
