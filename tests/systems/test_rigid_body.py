@@ -383,7 +383,7 @@ class NotBatched(AbstractTorque):
         (lambda: RigidBody(MOMENTS, [LinearDrag(0.1)]), "Derive your own from AbstractMount"),
         (lambda: RigidBody(MOMENTS, [], [Wheel(FIRST, 0.1)]), "Derive your own from AbstractTorque"),
         (lambda: RigidBody(MOMENTS, [Wheel((1, 0, 0), 0.6), Wheel((2, 0, 0), 0.5)]), r"`mounts` must be parts of the"),
-        (lambda: RigidBody(MOMENTS, [SphericalSlug(1.5, 0.1)]), r"moments \[-0.5, 0.5, 1.1\] kg m²"),
+        (lambda: RigidBody(MOMENTS, [SphericalSlug(1.5, 0.1)]), r"left with \[-0.5, 0.5, 1.1\] kg m²"),
         (lambda: RigidBody(MOMENTS, [Flat(FIRST, 0.1)]), r"a Flat, must give `momentum` of shape \(3,\)"),
         (lambda: RigidBody(MOMENTS, [], [Narrow()]), r"`torques\[0\]`, a Narrow, cannot be evaluated"),
         (lambda: RigidBody(MOMENTS, [], [NotBatched()]), r"`torques\[0\]`, a NotBatched, cannot be evaluated"),
