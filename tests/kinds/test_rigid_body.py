@@ -73,7 +73,7 @@ def test_pulses_of_a_thruster_in_a_spec(tmp_path):
     )  # fmt: skip
     found = spec(tmp_path, text).report()
     assert found.history.momentum[-1] == pytest.approx([0.0, 0.0, 0.1 * 5.0 * 0.04], rel=1e-12, abs=1e-14)
-    assert any("starts or ends between samples" in note for note in found.notes)
+    assert any("starts or ends on the way" in note for note in found.notes)
     late = spec(tmp_path, text.replace('["500 s", "700 s"]', '"2000 s"')).report()
     assert any("acts from 2000 s to 2000.02 s, and this motion goes from 0 s to 1000 s" in note for note in late.notes)
     (row,) = (table.rows for table in late.answers if getattr(table, "name", "") == "torques")

@@ -318,6 +318,7 @@ class Unplaced(SprungMass):
         (lambda: RigidBody((1.0, 2.0, 2.5), [Propellant((0, 0, 0), 1.0, (0, 0, 0), 0.1)]), "needs that of the whole"),
         (lambda: EVERYTHING.pack(coordinates=[None] * 3 + [0.1] + [None] * 3), r"`coordinates\[3\]` is for a Wheel"),
         (lambda: EVERYTHING.pack(angular_velocity=(0, 0, np.nan)), "`angular_velocity` must be finite"),
+        (lambda: EVERYTHING.pack(coordinates=[(np.nan, 0.0)] + [None] * 6), r"`coordinates\[0\]` must be finite"),
         (lambda: EVERYTHING.pack(coordinates=[0.1] + [None] * 6), r"`coordinates\[0\]` must have shape"),
         (lambda: EVERYTHING.pack(rates=[(0.1, 0.2, 0.3)] + [None] * 6), r"`rates\[0\]` must have shape"),
     ],

@@ -19,7 +19,7 @@ FEW = 1 << 18  # numbers that a call takes: of more, what runs slower counts
 def compiled_for_few_calls(function: Function) -> Function:
     """Return the function compiled by JAX; for calls on few numbers on a processor, without XLA's costly optimizations.
 
-    Arguments that are no arrays are static. Called by a function that is being traced, it is a part of that one.
+    Arguments that are not arrays are static. Inside a function that is being traced, the call becomes part of it.
     """
     import equinox as eqx
     import jax

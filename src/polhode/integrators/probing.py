@@ -28,7 +28,7 @@ from polhode.types import Array, ArrayLike, Double, Float64
 
 TRIALS = 1 << 17  # times that are tried
 NUMBERS = 1 << 23  # evaluated at most, times by components
-TOGETHER = 512  # times evaluated by each call, as every other number would be compiled anew
+TOGETHER = 512  # times evaluated in one call; any other number of them would be compiled anew
 STILL = 1e-13  # of the largest rate: changes below it are rounding
 ABOVE = 8.0  # of the usual change between two trials, from which on something acts
 INNER = np.array([0.25, 0.5, 0.75])  # places within a smooth change

@@ -170,6 +170,8 @@ class AbstractPackedBody(AbstractSystem):
         refuse_not_finite(**{name: jnp.asarray(x, dtype=float) for name, x in given.items() if x is not None})
         values, acting = self._checked_rates(rates), self._checked_actuators(actuators)
         places = self._checked_coordinates(coordinates)
+        for name, own in (("rates", values), ("actuators", acting), ("coordinates", places)):
+            refuse_not_finite(**{f"{name}[{k}]": x for k, x in enumerate(own) if x is not None})
         turned = np.array([1.0, 0.0, 0.0, 0.0]) if self.needs_attitude else None
         if attitude is not None:
             turned = jnp.asarray(attitude, dtype=float)

@@ -127,7 +127,7 @@ class RigidBodyReport(MotionReport):
             if not len(jumps):
                 continue
             if ((jumps > first) & (jumps < last)).any():
-                said = "starts or ends between samples, which the motion sees and the table of torques does not"
+                said = "starts or ends on the way; the table of torques has only what is at the samples, the motion all"
             elif not self.history.torques[:, k].any():
                 begin, end = jumps.min(), jumps.max()
                 said = f"acts from {begin:g} s to {end:g} s, and this motion goes from {first:g} s to {last:g} s"
