@@ -21,8 +21,6 @@ SIZES = {
     "frame": (700, 420), "phone": (390, 844), "laptop": (1366, 768), "frame on a phone": (358, 630),
     "low frame": (358, 440),
 }  # fmt: skip
-LONGEST_FRAME = 16.0  # ms, of half of the frames: the machine may have other work
-MOST_TRIES = 5
 SETTLING = 300  # ms, longer than the timers of a panel, which draws finer and writes its address once it rests
 SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
@@ -307,16 +305,17 @@ def test_the_address_is_the_state(shown, name):
     assert shown(name, "#energy=NaN&tilt=%zz&J=many&H=nothing&a=1,2&turn=x").complaints == []
 
 
-def frame_time(page):
-    """Return the median [ms] of forty frames, while time passes and the picture is turned."""
+def frames_of_forty_changes(page):
+    """Return how many frames are drawn while time passes and the picture is turned, forty times."""
     return page.tab.evaluate("""async () => {
-      for (let k = 0; k < 50; k++) {
-        if (k === 10) panel.times.length = 0;
+      await new Promise((done) => requestAnimationFrame(() => done()));
+      panel.times.length = 0;
+      for (let k = 0; k < 40; k++) {
         if (panel.settings.turn !== undefined) panel.set('turn', panel.settings.turn + 0.01);
         panel.seek(panel.time + 0.017);
         await new Promise((done) => requestAnimationFrame(() => done()));
       }
-      return [...panel.times].sort((a, b) => a - b)[panel.times.length >> 1];
+      return panel.times.length;
     }""")
 
 
@@ -329,27 +328,17 @@ def frames_at_rest(page):
 
 
 @pytest.mark.parametrize("name", PANELS)
-def test_frames_are_short_and_none_is_drawn_in_vain(shown, name):
-    medians = []
-    for _ in range(MOST_TRIES):
-        page = shown(name, size=(1280, 800))
-        medians.append(frame_time(page))
-        if medians[-1] <= LONGEST_FRAME:
-            break
-    assert min(medians) <= LONGEST_FRAME, medians
+def test_no_frame_is_drawn_in_vain(shown, name):
+    """How long one takes is measured in ``benchmarks/measures/panel_frames.py``."""
+    page = shown(name, size=(1280, 800))
+    assert 0 < frames_of_forty_changes(page) <= 41  # the one before may still be under way
     assert frames_at_rest(page) == 0
 
 
-def test_a_slow_or_restless_panel_is_seen(shown):
-    page = shown("axes")
-    page.tab.evaluate("""() => {
-      const draw = panel.draw;
-      panel.draw = (...given) => {
-        for (const begun = performance.now(); performance.now() - begun < 20; );
-        draw(...given);
-      };
-    }""")
-    assert frame_time(page) > LONGEST_FRAME
+def test_a_wasteful_or_restless_panel_is_seen(shown):
+    page = shown("surfaces")
+    page.tab.evaluate("void (panel.redraw = () => panel.picture(performance.now()))")  # each wish a frame
+    assert frames_of_forty_changes(page) > 41
     page = shown("axes")
     page.tab.evaluate("void setInterval(() => panel.redraw(), 50)")
     assert frames_at_rest(page) > 0
