@@ -99,3 +99,19 @@ def test_what_is_no_text(tmp_path):
     (tmp_path / "bad.csv").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(FormatError, match="not UTF-8"):
         formats.read_csv(tmp_path / "bad.csv")
+
+
+def test_the_further_parts_of_states_are_along_the_axes_of_the_table(tmp_path):
+    body = ph.Body(2.0, (0.1, -0.2, 0.4), ((3.0, 0.2, -0.1), (0.2, 2.0, 0.3), (-0.1, 0.3, 1.5)))
+    top = ph.systems.HeavyTop.from_body(body, (0.0, 0.0, 0.0))
+    start = top.pack(angular_velocity=(1.0, 2.0, 3.0), attitude=(0.5, -0.5, 0.1, 0.7))
+    trajectory = replace(ph.simulate(top, start, np.linspace(0.0, 2.0, 5)), frame=body.frame)
+    path = formats.write_csv(trajectory, tmp_path / "top.csv")
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    attitude = np.array([[float(row[f"q_{part}"]) for part in "wxyz"] for row in rows])
+    linear = np.array([[float(row[f"linear_{axis}"]) for axis in "xyz"] for row in rows])
+    assert np.ptp(linear, axis=0).max() > 0.1
+    in_space = ph.rotation.rotate(attitude, linear)  # a vector that is fixed there
+    assert in_space == pytest.approx(np.broadcast_to(in_space[0], in_space.shape), abs=1e-12)
+    assert in_space[0] / np.linalg.norm(in_space[0]) == pytest.approx([0.0, 0.0, 1.0], abs=1e-12)

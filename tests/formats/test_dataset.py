@@ -65,6 +65,37 @@ def test_xarray_reads_it_alone(tmp_path, ending):
         assert dataset.identical(ph.as_dataset(MOTION.sample(TIMES)))
 
 
+def laden_body():
+    """Return a trajectory of a body that has one of each mount, and a torque, with states of their own."""
+    inertia = np.array([[2.0, 0.1, 0.2], [0.1, 3.0, -0.1], [0.2, -0.1, 2.5]])
+    parts = [
+        ph.systems.Wheel((1.0, 0.0, 0.0), 0.01), ph.systems.SphericalSlug(0.02, 0.01),
+        ph.systems.SprungMass((0.1, 0.0, 0.0), np.eye(3)[:2], 0.2, 1.0, 0.1),
+        ph.systems.SphericalPendulum((0.1, 0.0, 0.2), (0.0, 0.0, -0.3), 0.1, 1.0),
+    ]  # fmt: skip
+    lagged = ph.systems.LaggedTorque(lambda t, q, w: -0.1 * w, 0.5)
+    body = ph.systems.RigidBody.from_body(ph.Body(10.0, (0.1, 0.2, 0.05), inertia), parts, [lagged])
+    return ph.simulate(body, body.pack((1.0, 0.0, 0.0, 0.0), (0.1, 0.2, 0.3)), np.linspace(0.0, 5.0, 6))
+
+
+@pytest.mark.parametrize("ending", WAYS)
+def test_the_states_of_what_is_on_a_body_are_there(tmp_path, ending):
+    trajectory = laden_body()
+    wanted = replace(trajectory, observed={"wheel_rate": np.outer(np.arange(6.0), (1.0, -2.0))}, given_axes=None)
+    path = WAYS[ending](wanted, tmp_path / f"laden.{ending}")
+    found = formats.read_dataset(path)
+    check_identical(found, wanted)
+    assert np.array_equal(found.states, trajectory.states) and found.layout == trajectory.layout
+    with xr.open_dataset(path, engine="h5netcdf" if ending == "nc" else "zarr") as dataset:
+        columns = np.split(trajectory.states, np.cumsum([4, 3, 1, 3, 2, 2, 2, 2]), axis=1)
+        names = ("rotor_momentum", "slug_momentum", "displacement", "displacement_momentum", "lean", "lean_momentum",
+                 "actuator_torque")  # fmt: skip
+        for name, column in zip(names, columns[2:], strict=True):
+            assert np.array_equal(dataset[name].values.reshape(column.shape), column), name
+        assert dataset.slug_momentum.dims == ("time", "given_axis")
+        assert dataset.wheel_rate.attrs["role"] == "observed"
+
+
 @pytest.mark.parametrize("ending", WAYS)
 def test_batches(tmp_path, ending):
     trajectory = BATCH.sample(TIMES)

@@ -1,5 +1,6 @@
 """The kind of rigid bodies with wheels, torques, mounts and control: specs, refusals, answers, sweeps."""
 
+import csv
 import math
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
+from polhode import formats
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import build_spec, read_spec
@@ -192,6 +194,11 @@ def test_free_wheels_friction_and_a_motor(tmp_path):
     assert rates[0] == pytest.approx(100 * math.exp(-0.01 * 20 * (1 / 0.1 + 1 / 2529.9)), rel=1e-3)
     assert rates[2] == 5.0
     assert [row["rate_largest"] > 0 for row in found.values()["wheels"]] == [True] * 3
+    path = formats.write_csv(found.trajectory, tmp_path / "motion.csv")
+    with path.open(newline="") as file:
+        last = list(csv.DictReader(file))[-1]
+    assert float(last["wheel_rate_1 [rad s-1]"]) == rates[0] and float(last["wheel_rate_3 [rad s-1]"]) == 5.0
+    assert float(last["wheel_torque_2 [N m]"]) == 0.02
 
 
 @pytest.mark.long

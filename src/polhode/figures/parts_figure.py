@@ -81,6 +81,7 @@ def _label(part: StatePart, k: int) -> str:
 
 def _title(part: StatePart, power: int, size: int, shown: int) -> str:
     unit = "" if part.unit in ("", "1") else unit_in_words(part.unit)
-    inside = ", ".join(filter(None, [f"{style.factor(power)}{unit}".strip(), part.frame]))
+    frame = "given axes" if part.frame == "given" else part.frame
+    inside = ", ".join(filter(None, [f"{style.factor(power)}{unit}".strip(), frame]))
     first = f"\nfirst {shown} of {size}" if shown < size else ""
     return part.name.replace("_", " ") + (f"\n[{inside}]" if inside else "") + first

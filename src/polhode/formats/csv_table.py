@@ -39,14 +39,15 @@ def write_csv(trajectory: Trajectory, path: str | Path) -> Path:
     that they need to be read back exactly.
 
     Args:
-        trajectory: of one body. With a frame the table is along the given axes, and its columns end in x, y and z;
-            otherwise it is along the trajectory's own axes, 1, 2 and 3.
+        trajectory: of one body. Where the given axes are known, the table is along these, and its columns end in x, y
+            and z; otherwise it is along the trajectory's own axes, 1, 2 and 3.
         path: where to.
 
     Raises:
         InvalidInput: for batches, and where the file cannot be written.
     """
-    columns = _columns(trajectory.along("given"), "123" if trajectory.frame is None else "xyz")
+    unknown = trajectory.frame is None and trajectory.given_axes is None
+    columns = _columns(trajectory.along("given"), "123" if unknown else "xyz")
     table = np.stack([values for _, values in columns], axis=-1)
     # RFC 4180 ends lines with CR LF, as the csv module does by itself
     with write_whole(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
@@ -72,16 +73,19 @@ def _columns(trajectory: Trajectory, axes: str) -> list[tuple[str, Array]]:
     for attribute, (symbol, unit) in _VECTORS.items():
         if (values := getattr(trajectory, attribute)) is not None:
             add(values, [f"{symbol}_{axis} [{unit}]" for axis in axes])
-    scalars = trajectory.layout.scalars
-    for name, part in scalars.items():
-        add(trajectory.part(name), [_label_column(name, part.unit)])
-    unnamed = not scalars and "angular_velocity" not in trajectory.layout.names
-    if unnamed and trajectory.momentum is None and trajectory.attitude is None:
+    further = trajectory.further_parts()
+    for part, values in further:
+        ends = {"body": axes, "given": "xyz", "space": "xyz"}.get(part.frame) or range(1, part.size + 1)
+        add(values, [_label_column(f"{part.name}_{end}" if part.size > 1 else part.name, part.unit) for end in ends])
+    if len(columns) == 1 and not further:
         add(trajectory.states, [f"state_{k}" for k in range(int(np.prod(np.shape(trajectory.states)[1:])))])
     for name, values in (trajectory.invariants | trajectory.balances).items():
         count = 1 if np.ndim(values) == 1 else np.shape(values)[1]
         vector = count == 3 and not trajectory.quantity(name).of_copies
         ends = [""] if np.ndim(values) == 1 else [f"_{part}" for part in ("xyz" if vector else range(count))]
+        add(values, [_label_column(f"{name}{end}", trajectory.quantity(name).unit) for end in ends])
+    for name, values in trajectory.observed.items():
+        ends = [""] if np.ndim(values) == 1 else [f"_{k}" for k in range(1, np.shape(values)[1] + 1)]
         add(values, [_label_column(f"{name}{end}", trajectory.quantity(name).unit) for end in ends])
     for name, values in trajectory.received.items():
         add(values, [_label_column(f"{name}_received", trajectory.quantity(name).unit)])

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode.errors import InvalidInput, not_installed
-from polhode.formats.dataset_rules import COMPLEX_PART, COUNTED, MEMORY, UNITS
+from polhode.formats.dataset_rules import COMPLEX_PART, COMPONENTS, COUNTED, MEMORY, UNITS
 from polhode.formats.labels import AttitudeLabels, find_labels
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import write_whole
@@ -60,6 +60,8 @@ def _describe(trajectory: Trajectory, attributes: dict[str, str] | None) -> tupl
         coordinates["quaternion"] = ("quaternion", ["w", "x", "y", "z"])
     if "momentum_space" in trajectory.invariants | trajectory.balances:
         coordinates["space_axis"] = ("space_axis", ["x", "y", "z"])
+    if frame is not None or any(part.frame == "given" for part in trajectory.layout.parts):
+        coordinates["given_axis"] = ("given_axis", ["x", "y", "z"])
     if any(map(np.iscomplexobj, (trajectory.states, *(trajectory.memory or ())))):
         coordinates[COMPLEX_PART] = (COMPLEX_PART, ["real", "imaginary"])
     variables = _state_variables(trajectory, batch) | _balance_variables(trajectory, batch)
@@ -70,7 +72,6 @@ def _describe(trajectory: Trajectory, attributes: dict[str, str] | None) -> tupl
     variables |= _memory_variables(trajectory)
     if frame is not None:
         variables |= _frame_variables(frame)
-        coordinates["given_axis"] = ("given_axis", ["x", "y", "z"])
         for name in ("attitude", *_VECTORS):
             if name in variables:
                 variables[name][2]["comment"] = "body axes are the principal ones; principal_axes has them"
@@ -80,7 +81,7 @@ def _describe(trajectory: Trajectory, attributes: dict[str, str] | None) -> tupl
 
 
 def _state_variables(trajectory: Trajectory, batch: list[str]) -> Named:
-    """Return attitude, vectors and other parts of the states, along these axes of the batch."""
+    """Return attitude, vectors and the further parts of the states, along these axes of the batch."""
     variables: Named = {}
     if trajectory.attitude is not None:
         note = {"units": "1", "long_name": "attitude quaternion, scalar first, body to space"}
@@ -90,13 +91,12 @@ def _state_variables(trajectory: Trajectory, batch: list[str]) -> Named:
         if values is not None:
             note = {"units": units, "long_name": meaning}
             variables[name] = ([*batch, "time", "axis"], np.asarray(values), note)
-    layout = trajectory.layout
-    for name, part in layout.scalars.items():
-        note = {"units": part.unit, "long_name": part.meaning, "role": "state", "place": layout.place(name).start}
-        variables[name] = ([*batch, "time"], np.asarray(layout.part(trajectory.states, name)), note)
-    if trajectory.momentum is None and trajectory.attitude is None and not layout.scalars and (
-        "angular_velocity" not in layout.names
-    ):
+    layout, further = trajectory.layout, trajectory.further_parts()
+    for part, values in further:
+        note = {"units": part.unit, "long_name": part.meaning, "role": "state", "place": layout.place(part.name).start}
+        along = COMPONENTS.get(part.frame, f"{part.name}_number")
+        variables[part.name] = ([*batch, "time", along][: np.ndim(values)], np.asarray(values), note)
+    if not further and not variables:
         dims = [*batch, "time", *(f"component_{k}" for k in range(layout.axes))]
         states = np.asarray(trajectory.states)
         if np.iscomplexobj(states):  # NetCDF has no complex numbers
@@ -106,12 +106,16 @@ def _state_variables(trajectory: Trajectory, batch: list[str]) -> Named:
 
 
 def _balance_variables(trajectory: Trajectory, batch: list[str]) -> Named:
-    """Return invariants, balances and what was received, along these axes of the batch."""
+    """Return invariants, balances, what was received and what is observed, along these axes of the batch."""
     variables: Named = {}
     for name, values in trajectory.received.items():
         units, meaning = trajectory.quantity(name).unit, f"{name.replace('_', ' ')} received"
         note = {"units": units, "long_name": meaning, "role": "received"}
         variables[f"{name}_received"] = ([*batch, "time"], np.asarray(values), note)
+    for name, values in trajectory.observed.items():
+        units, meaning, _ = trajectory.quantity(name)
+        note = {"units": units, "long_name": meaning, "role": "observed"}
+        variables[name] = ([*batch, "time", f"{name}_number"][: np.ndim(values)], np.asarray(values), note)
     lengths: dict[str, int] = {}
     for name, values in (trajectory.invariants | trajectory.balances).items():
         units, meaning, of_copies = trajectory.quantity(name)

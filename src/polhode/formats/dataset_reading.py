@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, not_installed, shown
 from polhode.formats.attitude_checks import DAMAGED, check_recorded
-from polhode.formats.dataset_rules import COMPLEX_PART, COUNTED, MEMORY, NEEDED_OF_FRAME, ROLES, check_variables
+from polhode.formats.dataset_rules import COMPLEX_PART, COMPONENTS, COUNTED, MEMORY, NEEDED_OF_FRAME, ROLES, check_variables
 from polhode.formats.hdf5_gate import check_hdf5
 from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.opening import MB, check_is_file, is_folder
@@ -55,8 +55,8 @@ def read_dataset(path: str | Path) -> Trajectory:
     own = sum(str(dim).startswith("component_") for dim in dataset.dims)
     if "state" in dataset and dataset["state"].dims[-1] == COMPLEX_PART:
         arrays["state"] = arrays["state"][..., 0] + 1j * arrays["state"][..., 1]
-    layout, states = _states(arrays, {name: variables[name].attrs for name in roles["state"]}, own)
-    kept = {name: variables[name].attrs for name in (*roles["invariant"], *roles["balance"])}
+    layout, states = _states(arrays, {name: variables[name] for name in roles["state"]}, own)
+    kept = {name: variables[name].attrs for name in (*roles["invariant"], *roles["balance"], *roles["observed"])}
     return Trajectory(
         source=_make_recording(path, dataset),
         frame=_frame(variables),
@@ -69,6 +69,7 @@ def read_dataset(path: str | Path) -> Trajectory:
         invariants={name: arrays[name] for name in roles["invariant"]},
         balances={name: arrays[name] for name in roles["balance"]},
         received={name.removesuffix("_received"): arrays[name] for name in roles["received"]},
+        observed={name: arrays[name] for name in roles["observed"]},
         drift={name: variable.attrs["drift"] for name, variable in variables.items() if "drift" in variable.attrs},
         quantities={
             key: Quantity(str(x.get("units", "")), str(x.get("long_name", "")), _of_copies(variables[key]))
@@ -146,17 +147,24 @@ def _doubles(values: Array) -> Array:
     return values if kind is None else values.astype(kind, copy=False)
 
 
-def _states(arrays: dict[str, Array], components: dict[str, dict[str, Any]], own: int) -> tuple[StateLayout, Array]:
-    """Return the states: one array, or attitude and momentum, and components behind them or in their stead."""
+def _states(arrays: dict[str, Array], further: dict[str, Any], own: int) -> tuple[StateLayout, Array]:
+    """Return the states: one array, or attitude and momentum, and further parts behind them or in their stead."""
     if "state" in arrays:
         return StateLayout(axes=own), arrays["state"]
-    named = [StatePart(name, 1, note["units"], note["long_name"]) for name, note in components.items()]
     vectors = [part for part in (ATTITUDE, MOMENTUM) if part.name in arrays]
-    if named and min(note["place"] for note in components.values()) == 0:
+    if further and min(variable.attrs["place"] for variable in further.values()) == 0:
         vectors = []
-    parts = [*vectors, *named] or [ANGULAR_VELOCITY]
+    parts = [*vectors, *(_part(name, variable) for name, variable in further.items())] or [ANGULAR_VELOCITY]
     columns = [arrays[part.name] if part.size > 1 else arrays[part.name][..., None] for part in parts]
     return StateLayout(tuple(parts)), np.concatenate(columns, axis=-1)
+
+
+def _part(name: str, variable: Any) -> StatePart:
+    """Return a part of the states; its last dimension, if not time, says its frame."""
+    last = str(variable.dims[-1])
+    frames = {dimension: frame for frame, dimension in COMPONENTS.items()}
+    size = 1 if last == "time" else variable.shape[-1]
+    return StatePart(name, size, variable.attrs["units"], variable.attrs["long_name"], frames.get(last, ""))
 
 
 def _outcome(path: Path, attributes: Any) -> Outcome:

@@ -12,7 +12,8 @@ from polhode.errors import FormatError, shown
 if TYPE_CHECKING:
     import xarray
 
-ROLES = ("invariant", "balance", "received", "state", "error estimate", "memory")
+ROLES = ("invariant", "balance", "received", "observed", "state", "error estimate", "memory")
+COMPONENTS = {"body": "axis", "given": "given_axis", "space": "space_axis"}  # dimension of a vector, by its frame
 VECTORS = {"attitude": ("quaternion", 4), "momentum": ("axis", 3), "angular_velocity": ("axis", 3)}
 FRAME = {  # name → dimensions and shape
     "principal_moments": (("axis",), (3,)),
@@ -72,8 +73,11 @@ def _check_along_time(path: Path, name: str, variable: Any, along: tuple[str, ..
     if name in VECTORS:
         last, count = VECTORS[name]
         fits = dims == (*along, last) and variable.shape[-1] == count
-    elif role in ("state", "received"):
+    elif role == "received":
         fits = dims == along
+    elif role == "state":
+        known = (f"{name}_number", *COMPONENTS.values())
+        fits = dims == along or (dims[:-1] == along and dims[-1] in known and variable.shape[-1] > 1)
     elif role == "error estimate":
         fits = dims == along[:-1]
     elif role == "memory":

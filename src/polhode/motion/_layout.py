@@ -16,7 +16,8 @@ class StatePart(NamedTuple):
         size: how many components of the last axis it takes.
         unit: of the components, as CF metadata writes units; "" where that depends on the system.
         meaning: in a few words.
-        frame: "body" or "space" for components of a vector along these axes, "" otherwise.
+        frame: "body" or "space" for components of a vector along these axes, "given" for the body's given axes where
+            its momentum is along the principal ones, "" otherwise.
     """
 
     name: str

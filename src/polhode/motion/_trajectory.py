@@ -10,7 +10,7 @@ import numpy as np
 from polhode.arrays import namespace
 from polhode.errors import InvalidInput
 from polhode.motion._axes import Turn, chosen_axes
-from polhode.motion._layout import Quantity, StateLayout
+from polhode.motion._layout import Quantity, StateLayout, StatePart
 from polhode.motion._outcome import Ends, Outcome
 from polhode.motion.exact import ExactMotion
 from polhode.motion.frame import BodyFrame
@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 NAMES = 17  # columns of the names of what there is, and more where one is longer
 _SAMPLED = ("states", "attitude", "momentum", "angular_velocity")
-_BY_NAME = ("invariants", "balances", "received")
+_BY_NAME = ("invariants", "balances", "received", "observed")
+_AS_VECTORS = ("attitude", "momentum", "angular_velocity")  # parts of states that a trajectory has under these names
 
 
 @dataclass(frozen=True, repr=False)
@@ -43,7 +44,10 @@ class Trajectory(Plotted):
         drift: name → largest deviation of that invariant from its first sample, or of that balance from its first
             sample and what it received since, relative to its size or that of its terms, (batch…); (batch…, count)
             of what each copy has.
-        quantities: what invariants and balances are, by name; those without an entry have no unit that is known.
+        observed: name → what else a report follows along the motion, (batch…, T) or (batch…, T, count), as the rates
+            of wheels.
+        quantities: what invariants, balances and the observed are, by name; those without an entry have no unit that
+            is known.
         outcome: how the motion came to its end.
         source: what made it: the exact motion, the system, or a ``Recording`` of a file with its labels.
         statistics: how many steps and iterations of implicit steps it took.
@@ -73,6 +77,7 @@ class Trajectory(Plotted):
     balances: dict[str, Float64[Array, "*batch time"]] = field(default_factory=dict)
     received: dict[str, Float64[Array, "*batch time"]] = field(default_factory=dict)
     drift: dict[str, Float64[ArrayOrFloat, "..."]] = field(default_factory=dict)
+    observed: dict[str, Float64[Array, "..."]] = field(default_factory=dict)
     quantities: dict[str, Quantity] = field(default_factory=dict)
     outcome: Outcome = field(default_factory=Outcome)
     source: Any = None
@@ -98,7 +103,7 @@ class Trajectory(Plotted):
         return cast("AbstractMotion", self.source) if isinstance(self.source, ExactMotion) else None
 
     def quantity(self, name: str) -> Quantity:
-        """Return the unit and meaning of an invariant or balance; without a unit where none is known."""
+        """Return the unit and meaning of an invariant, a balance or what is observed; no unit where none is known."""
         return self.quantities.get(name) or Quantity("", name.replace("_", " "))
 
     def part(self, name: str) -> Double[Array, "..."]:
@@ -111,6 +116,22 @@ class Trajectory(Plotted):
             return self.layout.part(self.states, name)
         except KeyError as error:
             raise InvalidInput(f"{error.args[0]}. Choose one of these.") from None
+
+    def further_parts(self) -> list[tuple[StatePart, Double[Array, "..."]]]:
+        """Return what states have besides attitude, momentum and angular velocity, along the present axes.
+
+        None are returned of states whose components have no names, as a point of a dual.
+        """
+        if self.layout.names in ((), ("point",)):
+            return []
+        back = None if self.axes is None or self.motion is not None else Turn.to(self.axes).back
+        found = []
+        for part in self.layout.parts:
+            if part.name not in _AS_VECTORS:
+                values = self.layout.part(self.states, part.name)
+                turned = back is not None and part.frame == "body"  # states of a system stay along the principal axes
+                found.append((part, back.vector(values) if turned else values))
+        return found
 
     def resampled(self, times: ArrayLike) -> Trajectory:
         """Return the exact motion of the samples at other times [s], along the same axes.

@@ -141,7 +141,7 @@ class SphericalSlug(AbstractMount):
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:
-        return (StatePart("slug_momentum", 3, "kg m2 s-1", "whole angular momentum of the slug", "body"),)
+        return (StatePart("slug_momentum", 3, "kg m2 s-1", "whole angular momentum of the slug", "given"),)
 
     @property
     def inertia(self) -> Float64[Array, "3 3"]:

@@ -351,11 +351,13 @@ def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, His
         load = float(history.load.max())
         if load < CLOSE and len(fine) > EACH * free.statistics["steps"]:
             trajectory = replace(_thin(free, parts), source=craft.system, frame=spec.body.frame)
-            return trajectory, history.thin(parts), "not reached"
+            history = history.thin(parts)
+            return history.put_into(trajectory), history, "not reached"
         limits = "acted" if load > 1.0 else "not reached"
     trajectory = simulate(craft.system, craft.state, times, progress=watch)
     trajectory = replace(trajectory, source=craft.system, frame=spec.body.frame)
-    return trajectory, follow(craft.system, craft.orbit, trajectory.times, trajectory.states), limits
+    history = follow(craft.system, craft.orbit, trajectory.times, trajectory.states)
+    return history.put_into(trajectory), history, limits
 
 
 def _thin(trajectory: Trajectory, parts: int) -> Trajectory:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import jax.numpy as jnp
@@ -9,10 +10,22 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import compiled_for_few_calls
+from polhode.motion._layout import Quantity
+from polhode.motion._trajectory import Trajectory
 from polhode.systems.control_laws import AbstractLawActuator
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.rigid_body import RigidBody
 from polhode.types import Array, Float64
+
+
+OBSERVED = {
+    "wheel_rate": ("rates", Quantity("rad s-1", "rate of each wheel against the body")),
+    "wheel_torque": ("motors", Quantity("N m", "torque of the motor of each wheel")),
+    "torque_size": ("torques", Quantity("N m", "size of each torque about the centre of mass")),
+    "pointing_error": ("pointing", Quantity("rad", "angle from the target")),
+    "from_nadir": ("from_nadir", Quantity("rad", "angle of the given axes from those that look down")),
+}
+"""What a trajectory of a report has of a history: name in files → (attribute, what it is)."""
 
 
 class History(NamedTuple):
@@ -44,6 +57,13 @@ class History(NamedTuple):
         """Return every so many-th sample; of ``load`` all, as it is looked at between them."""
         kept = {name: value for name, value in self._asdict().items() if value is not None}
         return self._replace(**{name: value[::parts] for name, value in kept.items() if name != "load"})
+
+    def put_into(self, trajectory: Trajectory) -> Trajectory:
+        """Return the trajectory with what files of it hold of this."""
+        values = {name: getattr(self, where) for name, (where, _) in OBSERVED.items()}
+        kept = {name: x for name, x in values.items() if x is not None and 0 not in np.shape(x)}
+        quantities = {name: OBSERVED[name][1] for name in kept}
+        return replace(trajectory, observed=kept, quantities=trajectory.quantities | quantities)
 
     @property
     def power(self) -> Float64[Array, "time"]:

@@ -55,7 +55,7 @@ class LaggedTorque(AbstractTorque):
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:
-        return (StatePart("actuator_torque", 3, "N m", "torque of the actuator", "body"),)
+        return (StatePart("actuator_torque", 3, "N m", "torque of the actuator", "given"),)
 
     @property
     def needs_attitude(self) -> bool:
