@@ -205,10 +205,8 @@ def pendulum() -> tuple[RigidBody, Any, Callable[..., Any]]:
     pivot, length, mass, damping = np.array([0.1, 0.0, 0.5]), 0.8, 20.0, 0.5
     rest = np.array([1.0, 0.0, 0.0])
     phi_rate, theta_rate = 4e-3, -3e-3
-    part = SphericalPendulum(pivot, length * rest, mass, 0.0, damping * length**2, leaning=(0.0, 1.0, 0.0))
+    part = SphericalPendulum(pivot, length * rest, mass, 0.0, damping * length**2)
     body = RigidBody.from_body(whole([(mass, pivot + length * rest, np.zeros((3, 3)))]), [part])
-    # ṅ at rest, along the two directions across the arm
-    start = np.asarray(part.across) / length @ np.array([0.0, phi_rate, -theta_rate])
 
     def add(sim: Any, craft: Any, task: str) -> Any:
         from Basilisk.simulation import sphericalPendulum
@@ -221,7 +219,7 @@ def pendulum() -> tuple[RigidBody, Any, Callable[..., Any]]:
         craft.addStateEffector(swing)
         return swing
 
-    return body, body.pack((1.0, 0.0, 0.0, 0.0), VELOCITY, rates=[start]), add
+    return body, body.pack((1.0, 0.0, 0.0, 0.0), VELOCITY, rates=[(0.0, theta_rate, phi_rate)]), add
 
 
 def panels() -> tuple[RigidBody, Any, Callable[..., Any]]:

@@ -87,9 +87,9 @@ def test_the_states_of_what_is_on_a_body_are_there(tmp_path, ending):
     check_identical(found, wanted)
     assert np.array_equal(found.states, trajectory.states) and found.layout == trajectory.layout
     with xr.open_dataset(path, engine="h5netcdf" if ending == "nc" else "zarr") as dataset:
-        columns = np.split(trajectory.states, np.cumsum([4, 3, 1, 3, 2, 2, 2, 2]), axis=1)
-        names = ("rotor_momentum", "slug_momentum", "displacement", "displacement_momentum", "lean", "lean_momentum",
-                 "actuator_torque")  # fmt: skip
+        columns = np.split(trajectory.states, np.cumsum([4, 3, 1, 3, 2, 2, 3, 3]), axis=1)
+        names = ("rotor_momentum", "slug_momentum", "displacement", "displacement_momentum", "deflection",
+                 "deflection_momentum", "actuator_torque")  # fmt: skip
         for name, column in zip(names, columns[2:], strict=True):
             assert np.array_equal(dataset[name].values.reshape(column.shape), column), name
         assert dataset.slug_momentum.dims == ("time", "given_axis")

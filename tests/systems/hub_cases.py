@@ -84,11 +84,17 @@ def panel():
 def pendulum():
     given = (0, 0.1, -0.3), (0.0, 0.1, -0.4), 2.0, 0.5, 0.05
     ours, theirs = SphericalPendulum(*given), laws.SphericalPendulum(*given)
-    q, rate = jnp.array([0.3, -0.2]), jnp.array([0.3, 0.1])
-    place, speed = jax.jvp(ours.position, (q,), (rate,))
-    length = float(jnp.linalg.norm(ours.arm))
-    start = [*np.asarray((place - ours.pivot) / length), *np.asarray(speed / length)]
-    return Both(ours, theirs, [*theirs.rest, 0, 0, 0], start, rate, q)
+    rest = np.array([0.0, 0.1, -0.4]) / np.hypot(0.1, 0.4)
+    across = np.array([[1.0, 0.0, 0.0], np.cross(rest, [1.0, 0.0, 0.0])])
+
+    def direction(x):  # from the plane onto the sphere
+        quarter = 0.25 * x @ x
+        return ((1.0 - quarter) * rest + x @ across) / (1.0 + quarter)
+
+    place, speed = jax.jvp(direction, (jnp.array([0.3, -0.2]),), (jnp.array([0.3, 0.1]),))
+    toward = 1.3 * np.asarray(place)  # of any length
+    turning = np.cross(place, speed) + 0.7 * np.asarray(place)  # about itself it does not turn
+    return Both(ours, theirs, [*theirs.rest, 0, 0, 0], [*np.asarray(place), *np.asarray(speed)], turning, toward - rest)
 
 
 GIMBAL, SPIN = np.array([0.0, 0.0, 1.0]), np.array([0.6, 0.8, 0.0])

@@ -6,6 +6,7 @@ import jax.numpy as jnp
 import mpmath as mp
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import polhode as ph
 from polhode import rotation
@@ -57,7 +58,7 @@ def test_they_move_as_bodies_of_their_own(name):
         assert abs(found.part("hinge_angle")[-1] - exact[4]) < AGREES
     if name == "all":
         pendulum = found.source.mounts[2]
-        place = pendulum.position(jnp.asarray(found.part("lean")[-1])) - pendulum.pivot
+        place = pendulum.position(jnp.asarray(found.part("deflection")[-1])) - pendulum.pivot
         assert np.abs(place / jnp.linalg.norm(pendulum.arm) - exact[6:9]).max() < AGREES
     if name == "gyroscope":
         assert abs(found.part("gimbal_angle")[-1] - exact[0]) < AGREES
@@ -137,8 +138,8 @@ PARTS = [
                            bandwidth=5.0),
     LockedPart(HingedPart((0, 0.5, 0), (0, 0, 1), (0.1, 1.0, 0), 1.0), 0.7),
 ]  # fmt: skip
-RATES = [(0.1, -0.2), (0.3, 0.1), 0.2, 40.0, 0.4, (0.2, 50.0), None]
-PLACES = [(0.05, 0.02), (0.3, -0.2), 0.2, None, 0.3, -0.5, None]
+RATES = [(0.1, -0.2), (0.3, 0.1, -0.2), 0.2, 40.0, 0.4, (0.2, 50.0), None]
+PLACES = [(0.05, 0.02), (0.3, -0.2, 0.1), 0.2, None, 0.3, -0.5, None]
 EVERYTHING = RigidBody.from_body(cases.BODY, PARTS, cases.torques())
 
 
@@ -190,7 +191,8 @@ def test_states_are_packed_from_velocity_or_momentum():
     two = EVERYTHING.pack(cases.ATTITUDE, [cases.VELOCITY, -cases.VELOCITY], rates=RATES, coordinates=PLACES)
     assert two.shape == (2, len(state)) and np.abs(np.asarray(two[0] - state)).max() == 0.0
     names = EVERYTHING.layout(state).names
-    assert names[:6] == ("attitude", "momentum", "displacement", "displacement_momentum", "lean", "lean_momentum")
+    assert names[:6] == ("attitude", "momentum", "displacement", "displacement_momentum", "deflection",
+                         "deflection_momentum")  # fmt: skip
     assert {"gimbal_angle_1", "gimbal_angle_2", "rotor_momentum_2"} < set(names)
 
 
@@ -304,7 +306,6 @@ class Unplaced(SprungMass):
         (lambda: SprungMass((0, 0, 0), (1, 0, 0), 1.0, -1.0), "`stiffness` must be one finite number not below 0"),
         (lambda: SprungMass((0, 0, 0), (1, 0, 0), 0.0, 1.0), "`mass` must be a finite number above 0"),
         (lambda: HingedPart((0, 0, 0), (1, 0, 0), (1, 0, 0), 1.0), "off the hinge's axis"),
-        (lambda: SphericalPendulum((0, 0, 0), (0, 0, -1), 1.0, leaning=(0, 0, 1)), "`leaning` must lie across"),
         (lambda: ControlMomentGyroscope((1, 0, 0), Wheel((1, 0, 0), 0.1), (1, 1, 1)), "perpendicular to the rotor"),
         (lambda: ControlMomentGyroscope((1, 0, 0), 3, (1, 1, 1)), "`rotor` must be"),
         (lambda: ControlMomentGyroscope((0, 0, 1), Wheel((1, 0, 0), 0.3), (0.2, 1, 1)), "above the rotor's 0.3"),
@@ -346,3 +347,22 @@ def test_a_part_of_ones_own():
     body = RigidBody.from_body(cases.BODY, [Bead(jnp.asarray(2.0))])
     found = ph.simulate(body, body.pack(cases.ATTITUDE, cases.VELOCITY, rates=[0.5]), np.linspace(0.0, 20.0, 5))
     assert set(found.invariants) == {"energy", "|L|²", "momentum_space"} and max(found.drift.values()) < KEPT
+
+
+@pytest.mark.parametrize("rate", [(0.0, 40.0, 0.0), (0.0, 40.0, 1e-9), (0.3, 40.0, 0.0)])
+def test_a_pendulum_goes_over_its_top(rate):
+    """Over the top exactly, or nearly: its angle from rest against the pendulum's own equation, in a heavy hub."""
+    length, mass, stiffness = 0.3, 0.1, 1.0
+    hub = ph.Body(1e9, (0.0, 0.0, 0.0), np.diag([2e9, 3e9, 2.5e9]))
+    swing = SphericalPendulum((0.0, 0.0, 0.0), (0.0, 0.0, -length), mass, stiffness)
+    body = RigidBody.from_body(hub, [swing])
+    times = np.linspace(0.0, 2.0, 201)
+    found = ph.simulate(body, body.pack((1.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0), rates=[rate]), times)
+    assert found.outcome.ending.value == "successful" and found.drift["energy"] < KEPT
+    toward = found.part("deflection") + np.array([0.0, 0.0, -1.0])
+    speed = np.hypot(rate[0], rate[1])  # about the arm itself it does not turn
+    plane = solve_ivp(lambda t, x: [x[1], -stiffness / (mass * length**2) * np.sin(x[0])], (0.0, 2.0), [0.0, speed],
+                      "DOP853", times, rtol=1e-13, atol=1e-13).y[0]  # fmt: skip
+    assert plane[-1] > 4.0 * np.pi
+    assert -toward[:, 2] / np.linalg.norm(toward, axis=1) == pytest.approx(np.cos(plane), abs=1e-8)
+    assert np.linalg.norm(toward, axis=1) == pytest.approx(np.ones(201), abs=1e-12)

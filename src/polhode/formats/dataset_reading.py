@@ -11,7 +11,15 @@ import numpy as np
 
 from polhode.errors import FormatError, InvalidInput, not_installed, shown
 from polhode.formats.attitude_checks import DAMAGED, check_recorded
-from polhode.formats.dataset_rules import COMPLEX_PART, COMPONENTS, COUNTED, MEMORY, NEEDED_OF_FRAME, ROLES, check_variables
+from polhode.formats.dataset_rules import (
+    COMPLEX_PART,
+    COMPONENTS,
+    COUNTED,
+    MEMORY,
+    NEEDED_OF_FRAME,
+    ROLES,
+    check_variables,
+)
 from polhode.formats.hdf5_gate import check_hdf5
 from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.opening import MB, check_is_file, is_folder

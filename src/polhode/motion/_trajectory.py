@@ -129,8 +129,9 @@ class Trajectory(Plotted):
         for part in self.layout.parts:
             if part.name not in _AS_VECTORS:
                 values = self.layout.part(self.states, part.name)
-                turned = back is not None and part.frame == "body"  # states of a system stay along the principal axes
-                found.append((part, back.vector(values) if turned else values))
+                if back is not None and part.frame == "body":  # a system's states stay along the principal axes
+                    values = back.vector(values)
+                found.append((part, values))
         return found
 
     def resampled(self, times: ArrayLike) -> Trajectory:

@@ -10,8 +10,8 @@ mass, ρ = r − c₀, and d = Σ m (r − r₀)/M the way of the centre of mass
   M_ij = m ∂_i r·∂_j r + w_i·I w_j − (m ∂_i r)·(m' ∂_j r')/M,
 
 where the last term, in which i and j may belong to two parts, is what is left of the carrier's own motion through
-space. L = J Ω + Σ b q̇ and π_j = b_j·Ω + Σ M q̇ are the momenta; L̇ = L × Ω + τ, and π̇ = ∂T/∂q − ∂V/∂q + Q at fixed
-Ω and q̇. So H(L, q, π) = T + V moves only by τ·Ω + Q·q̇.
+space. A part with a ``gauge`` f has ∂_i f ∂_j f in M too. L = J Ω + Σ b q̇ and π_j = b_j·Ω + Σ M q̇ are the momenta;
+L̇ = L × Ω + τ, and π̇ = ∂T/∂q − ∂V/∂q + Q at fixed Ω and q̇. So H(L, q, π) = T + V moves only by τ·Ω + Q·q̇.
 
 Source: Meirovitch, *Methods of Analytical Dynamics* (1970), §4.9 (quasi-coordinates); Hughes, *Spacecraft Attitude
 Dynamics* (1986), §3.3 and ch. 3, of point masses and dampers in a body.
@@ -39,12 +39,14 @@ class Placed(NamedTuple):
         shifts: ∂_j r (…, 3), one for each coordinate.
         tensor: I (…, 3, 3); None for a point.
         axes: w_j (…, 3), one for each coordinate; empty for what does not turn.
+        gauges: ∂_j f (…), one for each coordinate; empty for a part without a gauge.
     """
 
     place: Array
     shifts: Vectors
     tensor: Array | None
     axes: Vectors
+    gauges: Vectors
 
 
 class Arrangement(NamedTuple):
@@ -123,12 +125,17 @@ def arrange(
 def _place(part: AbstractMovingPart, q: Array, center: Array) -> Placed:
     shifts = [jax.jvp(part.position, (q,), (unit,))[1] for unit in _units(q)]
     axes = [] if (turning := part.turning_axes(q)) is None else list(turning)
-    return Placed(part.position(q) - center, shifts, part.tensor(q), axes)
+    gauges = []
+    if part.gauge(q) is not None:
+        gauges = [jax.jvp(part.gauge, (q,), (unit,))[1] for unit in _units(q)]
+    return Placed(part.position(q) - center, shifts, part.tensor(q), axes, gauges)
 
 
 def _own_mass(part: AbstractMovingPart, at: Placed, i: int, j: int) -> Array:
-    moved = part.mass * _dot(at.shifts[i], at.shifts[j])
-    return moved + _dot(at.axes[i], _turned(at.tensor, at.axes[j])) if at.axes else moved
+    own = part.mass * _dot(at.shifts[i], at.shifts[j])
+    if at.axes:
+        own = own + _dot(at.axes[i], _turned(at.tensor, at.axes[j]))
+    return own + at.gauges[i] * at.gauges[j] if at.gauges else own
 
 
 def leave_hub(
@@ -211,6 +218,8 @@ def _slopes_of(part: AbstractMovingPart, own: Array, velocity: Array, rates: Vec
             for axis, rate in zip(axes or (), rates, strict=axes is not None):
                 turning = turning + axis * rate[..., None]
             value = value + 0.5 * _dot(turning, _turned(tensor, turning))
+        if part.gauge(at) is not None:
+            value = value + 0.5 * jax.jvp(part.gauge, (at,), (speed,))[1] ** 2
         if part.carries_spin:
             value = value + _dot(velocity, part.momentum(jnp.concatenate([at, rest], axis=-1)))
         return value

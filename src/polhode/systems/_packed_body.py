@@ -154,7 +154,8 @@ class AbstractPackedBody(AbstractSystem):
             angular_velocity: Ω (…, 3) of the body [rad/s, given axes]; this, ``momentum``, or neither for rest.
             momentum: L (…, 3) of the body with its mounts [kg m²/s, given axes].
             rates: of the mounts relative to the body, one for each mount in their order [rad/s], (…) for a rotor,
-                (…, 3) for a slug, (…, n) for a moving part; None, or the whole left out, is rest in the body.
+                (…, 3) for a slug or a pendulum, (…, n) for another moving part; None, or the whole left out, is rest
+                in the body.
             actuators: own states (…, n) of the torques, one for each torque in their order; None, or the whole left
                 out, is zero.
             coordinates: q (…, n) of the mounts that move their mass, None for others; None, or the whole left out, is
@@ -206,8 +207,9 @@ class AbstractPackedBody(AbstractSystem):
         """Return L (…, 3) and the own states of all mounts that move at rates in a body that turns with Ω (…, 3)."""
         known: list[Array] = [np.zeros(()) if rate is None else rate for rate in rates]
         pairs = list(zip(self.mounts, known, places, strict=True))
-        speeds = [rate[..., j] for mount, rate, _ in pairs if isinstance(mount, AbstractMovingPart)
-                  for j in range(mount.count)]  # fmt: skip
+        moving = [(mount, rate, q) for mount, rate, q in pairs if isinstance(mount, AbstractMovingPart)]
+        each = [mount.coordinate_rates(q, rate) for mount, rate, q in moving if q is not None]
+        speeds = [rate[..., j] for rate in each for j in range(rate.shape[-1])]
         if arrangement is None:
             carrier = self.carrier
             total, canonical = carrier * velocity if carrier.ndim == 1 else velocity @ carrier, []
@@ -238,7 +240,7 @@ class AbstractPackedBody(AbstractSystem):
                     f"`coordinates[{k}]` is for a {type(mount).__name__}, which does not move its mass; got {shown(q)}."
                     " Give None for it."
                 )
-            places.append(_of_part(f"coordinates[{k}]", mount, q, mount.count) if moves else None)
+            places.append(_of_part(f"coordinates[{k}]", mount, q, mount.count, "coordinates") if moves else None)
         return places
 
     def _checked_rates(self, rates: Sequence[Array | None] | None) -> list[Array | None]:
@@ -251,7 +253,7 @@ class AbstractPackedBody(AbstractSystem):
                     f"got {shown(rate)}. Give None for it."
                 )
             if isinstance(mount, AbstractMovingPart):
-                values.append(_of_part(f"rates[{k}]", mount, rate, mount.rate_count))
+                values.append(_of_part(f"rates[{k}]", mount, rate, mount.rate_count, "rates"))
             elif isinstance(mount, Propellant) and rate is not None:
                 mount.start(rate, np.zeros(3))  # refuses all but a known zero
                 values.append(None)
@@ -389,7 +391,7 @@ def _one_each(name: str, values: Any, things: str, count: int) -> list[Array | N
     return list(values)
 
 
-def _of_part(name: str, part: AbstractMovingPart, value: Any, count: int) -> Array:
+def _of_part(name: str, part: AbstractMovingPart, value: Any, count: int, what: str) -> Array:
     """Return coordinates or rates (…, n) of a moving part; a number where it has one of them."""
     if value is None:
         return np.zeros(count)
@@ -398,8 +400,7 @@ def _of_part(name: str, part: AbstractMovingPart, value: Any, count: int) -> Arr
         numbers = numbers[..., None]
     if numbers.shape[-1:] != (count,):
         raise InvalidInput(
-            f"`{name}` must have shape (…, {count}), one number for each coordinate of a {type(part).__name__}; "
-            f"got {numbers.shape}."
+            f"`{name}` must have shape (…, {count}), the {what} of a {type(part).__name__}; got {numbers.shape}."
         )
     return numbers
 

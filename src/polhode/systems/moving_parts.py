@@ -31,7 +31,8 @@ class AbstractMovingPart(AbstractMounted):
     of torques act on the carrier.
 
     A new part gives ``coordinates`` and ``position``; one that turns also ``tensor`` and ``turning_axes``; and
-    ``potential``, ``applied`` and ``conserves_energy`` where springs, dampers or motors act on it.
+    ``potential``, ``applied`` and ``conserves_energy`` where springs, dampers or motors act on it. One with more
+    coordinates than ways to move gives ``gauge``.
     """
 
     mass: eqx.AbstractVar[Float64[Array, ""]]
@@ -110,6 +111,20 @@ class AbstractMovingPart(AbstractMounted):
     @property
     def inertia(self) -> Float64[Array, "3 3"] | None:
         return self.spin_inertia(jnp.zeros(self.count))
+
+    def gauge(self, q: Coordinates) -> Float64[Array, "*batch"] | None:
+        """Return f (…) [kg^½ m], a function of q that moves nothing; None where all coordinates move something.
+
+        ½ ḟ² is added to the kinetic energy. As nothing else depends on f, ḟ stays zero and the motion is the same, but
+        the mass matrix is regular.
+        """
+        return None
+
+    def coordinate_rates(
+        self, q: Coordinates, rate: Float64[Array, "*batch rates"]
+    ) -> Float64[Array, "*batch {self.count}"]:
+        """Return q̇ (…, n) of the rates that ``pack`` takes; by default they are its first ones."""
+        return rate[..., : self.count]
 
     def potential(self, q: Coordinates) -> Float64[Array, "*batch"]:
         """Return V (…) [J]."""
@@ -218,6 +233,8 @@ def _try_mount(mount: AbstractMounted, t: Array, attitude: Array, velocity: Arra
         "further_rate": (mount.further_rate(*acting), (mount.further_count,)),
         "further_power": (mount.further_power(*acting), ()),
     }
+    if (gauge := mount.gauge(q)) is not None:
+        found["gauge"] = gauge, ()
     if (tensor := mount.tensor(q)) is not None:
         found["tensor"] = tensor, (3, 3)
     if (axes := mount.turning_axes(q)) is not None:

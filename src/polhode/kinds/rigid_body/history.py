@@ -17,7 +17,6 @@ from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.rigid_body import RigidBody
 from polhode.types import Array, Float64
 
-
 OBSERVED = {
     "wheel_rate": ("rates", Quantity("rad s-1", "rate of each wheel against the body")),
     "wheel_torque": ("motors", Quantity("N m", "torque of the motor of each wheel")),
