@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import formats
+from polhode import formats, systems
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import build_spec, read_spec
@@ -209,3 +209,95 @@ def test_specs_in_memory_are_the_same_as_files(tmp_path):
     found = build_spec(tables, tmp_path / "x.toml")
     assert repr(tables) == before and found.system.wheel[0].rate == 10.0
     assert ph.report(found).kind == "rigid-body"
+
+
+MOUNTS = """
+[[mount]]
+type = "control-moment-gyroscope"
+gimbal_axis = [0, 0, 1]
+spin_axis = [1, 0, 0]
+rotor_moment = "0.1 kg*m^2"
+rotor_rate = "30 rad/s"
+moments = ["0.2 kg*m^2", "0.15 kg*m^2", "0.15 kg*m^2"]
+rotor = "free"
+gimbal_rate = "1 rad/s"
+bandwidth = "10 1/s"
+angle = "0.5 rad"
+angle_rate = "0.2 rad/s"
+[[mount]]
+type = "pendulum"
+pivot = ["0 m", "0 m", "0.1 m"]
+arm = ["0 m", "0 m", "-0.3 m"]
+mass = "2 kg"
+stiffness = "0.1 N*m/rad"
+toward = [0, 3, -4]
+angular_velocity = ["0.1 rad/s", "0.2 rad/s", "0 rad/s"]
+[[mount]]
+type = "sprung-mass"
+position = ["0 m", "0.1 m", "0.1 m"]
+directions = [[1, 0, 0], [0, 1, 0]]
+mass = "2 kg"
+stiffness = "3 N/m"
+displacement = ["1 cm", "-2 cm"]
+[[mount]]
+type = "hinged-part"
+hinge = ["1 m", "0 m", "0 m"]
+axis = [0, 1, 0]
+center = ["1.5 m", "0 m", "0 m"]
+mass = "1 kg"
+stiffness = "1 N*m/rad"
+angle = "0.3 rad"
+rate = "0.1 rad/s"
+[[mount]]
+type = "slug"
+moment = "0.01 kg*m^2"
+damping = "0.001 N*m*s"
+angular_velocity = ["0.1 rad/s", "0 rad/s", "0 rad/s"]
+[[mount]]
+type = "propellant"
+position = ["0 m", "0 m", "0.2 m"]
+mass = "5 kg"
+nozzle = ["0 m", "0 m", "-1 m"]
+flow = "0.05 kg/s"
+exhaust_velocity = ["0 m/s", "0 m/s", "-2000 m/s"]
+at = "1 s"
+lasting = "3 s"
+"""
+
+
+def test_mounts_of_a_spec_start_as_it_says(tmp_path):
+    text = HEAD + BODY + 'mass = "100 kg"\n[spin]\nangular_velocity = ["0 rad/s", "0.2 rad/s", "0.1 rad/s"]\n' + MOUNTS
+    found = spec(tmp_path, text + '[time]\nuntil = "2 s"\nsamples = 3\n').motion().trajectory
+    gimbal = systems.ControlMomentGyroscope(
+        (0, 0, 1), systems.Wheel((1, 0, 0), 0.1), (0.2, 0.15, 0.15), gimbal_rate=1.0, bandwidth=10.0
+    )
+    parts = [
+        gimbal, systems.SphericalPendulum((0, 0, 0.1), (0, 0, -0.3), 2.0, 0.1),
+        systems.SprungMass((0, 0.1, 0.1), [(1, 0, 0), (0, 1, 0)], 2.0, 3.0),
+        systems.HingedPart((1, 0, 0), (0, 1, 0), (1.5, 0, 0), 1.0, stiffness=1.0), systems.SphericalSlug(0.01, 0.001),
+        systems.Propellant((0, 0, 0.2), 5.0, (0, 0, -1), 0.05, (0, 0, -2000.0), 1.0, 3.0),
+    ]  # fmt: skip
+    body = systems.RigidBody.from_body(ph.Body(100.0, (0, 0, 0), np.diag([85.0, 2500.0, 2530.0])), parts)
+    start = body.pack((1, 0, 0, 0), (0.0, 0.2, 0.1), rates=[(0.2, 30.0), (0.1, 0.2, 0.0), None, 0.1, (0.1, 0, 0), None],
+                      coordinates=[0.5, (0.0, 0.6, 0.2), (0.01, -0.02), 0.3, None, None])  # fmt: skip
+    assert np.asarray(found.states[0]) == pytest.approx(np.asarray(start), abs=1e-13)
+    end = ph.simulate(body, start, found.times).states[-1]
+    assert np.asarray(found.states[-1]) == pytest.approx(np.asarray(end), abs=1e-12)
+    assert found.part("propellant_mass").tolist() == pytest.approx([5.0, 5.0, 4.95], abs=1e-13)
+
+
+@pytest.mark.parametrize(
+    "changed, said",
+    [
+        ('angle = "0.5 rad"', ('angle = 0.5', "mount[0].angle: needs a number with its unit")),
+        ('toward = [0, 3, -4]', ('toward = [0, 0, 0]', "mount[1].toward")),
+        ('displacement = ["1 cm", "-2 cm"]', ('displacement = ["1 cm", "2 cm", "3 cm"]', "mount[2]: `displacement`")),
+        ('bandwidth = "10 1/s"', ('', "mount[0]: `gimbal_rate` and `bandwidth` go together")),
+        ('mass = "5 kg"', ('mass = "500 kg"', "must be part of the body")),
+    ],
+)  # fmt: skip
+def test_mounts_that_cannot_start_so_are_refused(tmp_path, changed, said):
+    assert changed in MOUNTS
+    with pytest.raises(InvalidInput) as refused:
+        spec(tmp_path, HEAD + BODY + 'mass = "100 kg"\n' + MOUNTS.replace(changed, said[0]) + END).motion()
+    assert said[1] in str(refused.value)

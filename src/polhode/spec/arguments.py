@@ -49,6 +49,8 @@ def make_model(
     """
     fields: dict[str, Any] = {key: (str, ...)}
     parameters = _parameters(part)
+    for argument, start in part.start_arguments.items():
+        fields[argument] = (_field_type(start) | None, None)
     for argument, parameter in parameters.items():
         needed = parameter.default is inspect.Parameter.empty
         if argument in part.arguments:
@@ -79,16 +81,17 @@ def make_part(part: type[AbstractAttachment], values: Mapping[str, Any], elsewhe
     Raises:
         InvalidInput: for values that it refuses.
     """
-    given = {name: value for name, value in values.items() if value is not None}
+    given = {name: value for name, value in values.items() if value is not None and name not in part.start_arguments}
     more = {name: value for name, value in elsewhere.items()
             if name in _parameters(part) and name not in part.arguments and value is not None}  # fmt: skip
-    return part(**given, **more)
+    return part.from_table(**given, **more)
 
 
 def _parameters(part: type[AbstractAttachment]) -> dict[str, inspect.Parameter]:
-    own = dict(inspect.signature(part.__init__).parameters)
-    own.pop("self", None)
-    return own
+    own = inspect.signature(part.from_table).parameters
+    if any(parameter.kind is inspect.Parameter.VAR_KEYWORD for parameter in own.values()):
+        own = inspect.signature(part.__init__).parameters
+    return {name: parameter for name, parameter in own.items() if name != "self"}
 
 
 def _field_type(argument: Argument) -> Any:

@@ -53,12 +53,19 @@ class AbstractAttachment(eqx.Module):
 
     Attributes:
         name: as a spec gives it; empty for what only Python makes. Of another package it is its entry point's.
-        arguments: how a spec gives the arguments of the constructor. Others it takes from what the spec says
+        arguments: how a spec gives the arguments of ``from_table``. Others it takes from what the spec says
             elsewhere, by their names: ``orbit``, a ``KeplerOrbit``, and ``field``, an ``EarthDipoleField``.
+        start_arguments: what else a spec may give of a mount, for ``start_of``.
     """
 
     name: ClassVar[str] = ""
     arguments: ClassVar[dict[str, Argument]] = {}
+    start_arguments: ClassVar[dict[str, Argument]] = {}
+
+    @classmethod
+    def from_table(cls, *given: Any, **values: Any) -> Self:
+        """Return what a table of a spec says; by default its arguments are those of the constructor."""
+        return cls(*given, **values)
 
     def bound(self, frame: BodyFrame) -> Self:
         """Return this on a body, with what it takes from the body filled in; itself by default.

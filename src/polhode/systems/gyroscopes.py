@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import ClassVar
+from collections.abc import Callable, Mapping
+from typing import Any, ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -13,7 +13,7 @@ from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.systems._checks import checked_direction, checked_number
-from polhode.systems.attachments import Attitude, Own, Time, Velocity, checked_jumps
+from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity, checked_jumps
 from polhode.systems.hinged_part import rotate_about, turn_tensor
 from polhode.systems.moving_parts import AbstractMovingPart, Coordinates
 from polhode.systems.wheels import HeldWheel, Wheel
@@ -55,6 +55,20 @@ class ControlMomentGyroscope(AbstractMovingPart):
     Dynamics* (1986), §3.4.
     """
 
+    name: ClassVar[str] = "control-moment-gyroscope"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "gimbal_axis": Argument("", (3,)),
+        "spin_axis": Argument("", (3,)),
+        "rotor_moment": Argument("kg*m^2"),
+        "rotor_rate": Argument("rad/s"),
+        "moments": Argument("kg*m^2", (3,)),
+        "rotor": Argument("text", choices=("held", "free")),
+        "gimbal_torque": Argument("N*m"),
+        "gimbal_rate": Argument("rad/s"),
+        "bandwidth": Argument("1/s"),
+        "friction": Argument("N*m*s"),
+    }
+    start_arguments: ClassVar[dict[str, Argument]] = {"angle": Argument("rad"), "angle_rate": Argument("rad/s")}
     carries_spin: ClassVar[bool] = True
     moves_mass: ClassVar[bool] = False
     gimbal_axis: Float64[Array, "3"]
@@ -101,6 +115,20 @@ class ControlMomentGyroscope(AbstractMovingPart):
         self.friction = checked_number("friction", friction, least=0.0, unit="N m s")
         self.jump_times, self.mass = checked_jumps(jumps), jnp.zeros(())
         self.is_lossless = drive is None and not float(self.friction) and rotor.conserves_energy
+
+    @classmethod
+    def from_table(
+        cls, gimbal_axis: Real[ArrayLike, "3"], spin_axis: Real[ArrayLike, "3"], rotor_moment: float, rotor_rate: float,
+        moments: Real[ArrayLike, "3"], rotor: str = "held", gimbal_torque: float | None = None,
+        gimbal_rate: float | None = None, bandwidth: float | None = None, friction: float = 0.0,
+    ) -> Self:  # fmt: skip
+        """Return the gyroscope of a spec, whose rotor is held at a rate, or free and has it at the start."""
+        spun = Wheel(spin_axis, rotor_moment) if rotor == "free" else HeldWheel(spin_axis, rotor_moment, rotor_rate)
+        return cls(gimbal_axis, spun, moments, gimbal_torque, gimbal_rate, bandwidth, friction)
+
+    def start_of(self, values: Mapping[str, Any]) -> tuple[Any, Any]:
+        rates = [values.get("angle_rate") or 0.0, values["rotor_rate"]]
+        return rates[: self.rate_count], values.get("angle")
 
     @property
     def jumps(self) -> Float64[Array, "jumps"]:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import ClassVar
+from collections.abc import Callable, Mapping
+from typing import Any, ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -56,6 +56,7 @@ class HingedPart(AbstractMovingPart):
         "damping": Argument("N*m*s"),
         "motor": Argument("N*m"),
     }
+    start_arguments: ClassVar[dict[str, Argument]] = {"angle": Argument("rad"), "rate": Argument("rad/s")}
 
     hinge: Float64[Array, "3"]
     axis: Float64[Array, "3"]
@@ -88,6 +89,9 @@ class HingedPart(AbstractMovingPart):
         if not float(self.mass * jnp.sum(across**2)) + turned > 0.0:
             raise InvalidInput("`center` must lie off the hinge's axis, or `inertia` be more than a point's; "
                                "got a part that turns on its axis without inertia.")  # fmt: skip
+
+    def start_of(self, values: Mapping[str, Any]) -> tuple[Any, Any]:
+        return values.get("rate"), values.get("angle")
 
     @property
     def jumps(self) -> Float64[Array, "jumps"]:

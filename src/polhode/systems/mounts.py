@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import abc
-from typing import ClassVar
+from collections.abc import Mapping
+from typing import Any, ClassVar
 
 import jax.numpy as jnp
 import numpy as np
@@ -48,6 +49,10 @@ class AbstractMounted(AbstractAttachment):
     def energy(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch"]:
         """Return its own energy (…) [J]."""
         return jnp.zeros(own.shape[:-1])
+
+    def start_of(self, values: Mapping[str, Any]) -> tuple[Any, Any]:
+        """Return rates and coordinates as ``pack`` takes them, from the table of a spec, in SI; None for rest."""
+        return None, None
 
     def rotor_rates(
         self, angular_velocity: Float64[Array, "*#batch 3"], own: Float64[Array, "*#batch {self.state_size}"]
@@ -130,6 +135,7 @@ class SphericalSlug(AbstractMount):
         "moment": Argument("kg*m^2"),
         "damping": Argument("N*m*s"),
     }
+    start_arguments: ClassVar[dict[str, Argument]] = {"angular_velocity": Argument("rad/s", (3,))}
 
     moment: Float64[Array, ""]
     damping: Float64[Array, ""]
@@ -176,6 +182,9 @@ class SphericalSlug(AbstractMount):
         self, rate: Real[ArrayLike, "..."], angular_velocity: Float64[Array, "*batch 3"]
     ) -> Float64[Array, "... {self.state_size}"]:
         return self.moment * (rate + angular_velocity)
+
+    def start_of(self, values: Mapping[str, Any]) -> tuple[Any, Any]:
+        return values.get("angular_velocity"), None
 
 
 class EnergySink(AbstractMount):

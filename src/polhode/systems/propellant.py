@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import ClassVar
 
 import jax.numpy as jnp
 import numpy as np
@@ -13,7 +14,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame
 from polhode.systems._checks import checked_number, checked_vector
-from polhode.systems.attachments import Attitude, Own, Time, Velocity, checked_jumps
+from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity, checked_jumps
 from polhode.systems.mounts import AbstractMount
 from polhode.types import Array, ArrayLike, Float64, Real, Self
 
@@ -54,6 +55,18 @@ class Propellant(AbstractMount):
     >>> tank.jumps.tolist(), float(tank.outflow(15.0)), float(tank.outflow(31.0))
     ([10.0, 30.0], 0.05, 0.0)
     """
+
+    name: ClassVar[str] = "propellant"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "position": Argument("m", (3,)),
+        "mass": Argument("kg"),
+        "nozzle": Argument("m", (3,)),
+        "flow": Argument("kg/s"),
+        "exhaust_velocity": Argument("m/s", (3,)),
+        "at": Argument("s"),
+        "lasting": Argument("s"),
+        "inertia": Argument("kg*m^2", (3, 3)),
+    }
 
     place: Float64[Array, "3"]
     full: Float64[Array, ""]

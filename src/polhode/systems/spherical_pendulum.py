@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping
+from typing import Any, ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -46,6 +47,10 @@ class SphericalPendulum(AbstractMovingPart):
         "stiffness": Argument("N*m/rad"),
         "damping": Argument("N*m*s"),
     }
+    start_arguments: ClassVar[dict[str, Argument]] = {
+        "toward": Argument("", (3,)),
+        "angular_velocity": Argument("rad/s", (3,)),
+    }
 
     pivot: Float64[Array, "3"]
     arm: Float64[Array, "3"]
@@ -66,6 +71,11 @@ class SphericalPendulum(AbstractMovingPart):
         self.stiffness = checked_number("stiffness", stiffness, least=0.0, unit="N m/rad")
         self.damping = checked_number("damping", damping, least=0.0, unit="N m s")
         self.is_lossless = not float(self.damping)
+
+    def start_of(self, values: Mapping[str, Any]) -> tuple[Any, Any]:
+        toward = values.get("toward")
+        place = None if toward is None else checked_direction("toward", toward) - self.along
+        return values.get("angular_velocity"), place
 
     @property
     def coordinates(self) -> tuple[StatePart, ...]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping
+from typing import Any, ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -63,6 +64,10 @@ class SprungMass(AbstractMovingPart):
         "stiffness": Argument("N/m", many=True),
         "damping": Argument("N*s/m", many=True),
     }
+    start_arguments: ClassVar[dict[str, Argument]] = {
+        "displacement": Argument("m", many=True),
+        "speed": Argument("m/s", many=True),
+    }
 
     place: Float64[Array, "3"]
     directions: Float64[Array, "n 3"]
@@ -82,6 +87,12 @@ class SprungMass(AbstractMovingPart):
         self.stiffness = jnp.broadcast_to(checked_numbers("stiffness", stiffness, count, least=0.0, unit="N/m"), count)
         self.damping = jnp.broadcast_to(checked_numbers("damping", damping, count, least=0.0, unit="N s/m"), count)
         self.is_lossless = not np.any(np.asarray(self.damping))
+
+    def start_of(self, values: Mapping[str, Any]) -> tuple[Any, Any]:
+        count = len(self.directions)
+        given = {name: values[name] for name in self.start_arguments if values.get(name) is not None}
+        each = {name: np.broadcast_to(checked_numbers(name, x, count), count) for name, x in given.items()}
+        return each.get("speed"), each.get("displacement")
 
     @classmethod
     @known_numbers_only

@@ -20,7 +20,7 @@ from polhode.spec.named import LAWS, MOUNTS, TORQUES, find_part
 from polhode.systems.control_laws import AbstractControlLaw
 from polhode.systems.controlled_wheels import ControlledWheels, ControlTorque
 from polhode.systems.kepler_orbit import KeplerOrbit
-from polhode.systems.mounts import AbstractMount
+from polhode.systems.mounts import AbstractMount, AbstractMounted
 from polhode.systems.rigid_body import RigidBody
 from polhode.systems.torques.base import AbstractTorque
 from polhode.systems.torques.earth_field import EarthDipoleField
@@ -65,8 +65,9 @@ def build(spec: Spec[RigidBodyTable]) -> Craft:
     law = None if table.control is None else _make_law(table.control, elsewhere)
     attitude, velocity, momentum = _start(spec, orbit)
     law = None if law is None else law.started(0.0, attitude)
-    mounts: list[AbstractMount] = []
-    rates: list[Array | None] = []
+    mounts: list[AbstractMounted] = []
+    rates: list[Any] = []
+    coordinates: dict[int, Any] = {}
     if controlled and law is not None:
         mounts.append(_make_controlled_wheels(controlled, law))
         rates.append(np.array([wheel.rate for wheel in controlled]))
@@ -76,7 +77,9 @@ def build(spec: Spec[RigidBodyTable]) -> Craft:
     for k, chosen in enumerate(table.mount):
         part = find_part(MOUNTS, chosen.type)
         mounts.append(_make_at(f"mount[{k}]", partial(make_part, part, chosen.values, elsewhere)))
-        rates.append(None)
+        rate, coordinate = _make_at(f"mount[{k}]", partial(mounts[-1].start_of, chosen.values))
+        rates.append(rate)
+        coordinates[len(mounts) - 1] = coordinate
     torques: list[AbstractTorque] = []
     for k, chosen in enumerate(table.torque):
         part = find_part(TORQUES, chosen.type)
@@ -84,7 +87,8 @@ def build(spec: Spec[RigidBodyTable]) -> Craft:
     if table.control is not None and table.control.by == "torque" and law is not None:
         torques.append(_make_at("control", partial(ControlTorque, law, table.control.limit)))
     system = RigidBody.from_body(spec.body, mounts, torques)
-    state = system.pack(attitude, velocity, momentum, rates)
+    places = [coordinates.get(k) for k in range(len(mounts))]
+    state = system.pack(attitude, velocity, momentum, rates, coordinates=places)
     wheels = next((mount for mount in system.mounts if isinstance(mount, ControlledWheels)), None)
     acting = next((torque.law for torque in system.torques if isinstance(torque, ControlTorque)), None)
     return Craft(
