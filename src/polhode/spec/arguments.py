@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import BeforeValidator, create_model
+from pydantic import BeforeValidator, Field, create_model
 
 from polhode.errors import InvalidInput, shown
 from polhode.spec.fields import Attitude, Direction, Plain, mark_unit, one_of, quantity, three, three_rows
@@ -55,7 +55,8 @@ def make_model(
         needed = parameter.default is inspect.Parameter.empty
         if argument in part.arguments:
             kind = _field_type(part.arguments[argument])
-            fields[argument] = (kind, ...) if needed else (kind | None, None)
+            told = Field(description=_example(part.arguments[argument]))
+            fields[argument] = (Annotated[kind, told], ...) if needed else (kind | None, None)
         elif needed and argument not in FROM_ELSEWHERE:
             raise InvalidInput(
                 f"the constructor of {part.__name__} has the argument {argument}, which a spec cannot give; name it "
@@ -108,6 +109,19 @@ def _field_type(argument: Argument) -> Any:
         return list[one] if argument.many else one
     number = quantity(argument.unit) if argument.unit else Plain
     return _one_or_many(argument.unit, number) if argument.many else number
+
+
+def _example(argument: Argument) -> str:
+    """Return how to give an argument, for a message on one that is missing."""
+    if argument.unit == TEXT:
+        return f"give one of {', '.join(argument.choices)}"
+    if argument.unit == ATTITUDE:
+        return "give it in one of the forms that spin.attitude takes"
+    if argument.shape and not argument.unit:
+        return "give it like [0.0, 0.0, 1.0], along the given axes"
+    one = f'"1 {argument.unit}"' if argument.unit else "1.0"
+    row = f"[{one}, {one}, {one}]" if argument.shape else one
+    return f"give it like {f'[{row}, {row}, {row}]' if argument.shape == (3, 3) else row}"
 
 
 def _vector_type(unit: str) -> Any:

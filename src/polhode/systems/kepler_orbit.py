@@ -56,7 +56,7 @@ class KeplerOrbit(eqx.Module):
 
     @known_numbers_only
     def __init__(
-        self, mean_motion: float, eccentricity: float, mean_anomaly: float = 0.0, inclination: float = 0.0,
+        self, mean_motion: float, eccentricity: float = 0.0, mean_anomaly: float = 0.0, inclination: float = 0.0,
         node: float = 0.0, periapsis: float = 0.0, semi_major_axis: float | None = None,
     ) -> None:  # fmt: skip
         self.mean_motion = checked_number("mean_motion", mean_motion, above=0.0, unit="rad/s")
@@ -77,7 +77,7 @@ class KeplerOrbit(eqx.Module):
     @classmethod
     @known_numbers_only
     def from_semi_major_axis(
-        cls, semi_major_axis: float, gravitational_parameter: float, eccentricity: float, mean_anomaly: float = 0.0,
+        cls, semi_major_axis: float, gravitational_parameter: float, eccentricity: float = 0.0, mean_anomaly: float = 0.0,
         inclination: float = 0.0, node: float = 0.0, periapsis: float = 0.0,
     ) -> KeplerOrbit:  # fmt: skip
         """Return the orbit with n² a³ = GM.

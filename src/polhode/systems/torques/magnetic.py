@@ -76,7 +76,8 @@ class TorqueRods(AbstractEnvironmentTorque):
 
     name: ClassVar[str] = "torque-rods"
     arguments: ClassVar[dict[str, Argument]] = {
-        "gain": Argument(),
+        "gain": Argument("A*m^2*s/T"),
+        "rate": Argument("1/s"),
         "law": Argument("text", choices=LAWS),
         "limit": Argument("A*m^2", many=True),
         "axes": Argument("", (3,), many=True),
@@ -101,6 +102,23 @@ class TorqueRods(AbstractEnvironmentTorque):
         self.axes = checked_directions("axes", np.eye(3) if axes is None else axes)
         self.shares = jnp.asarray(np.linalg.pinv(np.asarray(self.axes)).T)
         self.limit = None if limit is None else checked_numbers("limit", limit, len(self.axes), above=0.0, unit="A m²")
+
+    @classmethod
+    def from_table(
+        cls, field: EarthDipoleField, law: str = "b-dot", gain: float | None = None, rate: float | None = None,
+        limit: Real[ArrayLike, "*rods"] | None = None, axes: Real[ArrayLike, "rods 3"] | None = None,
+    ) -> Self:  # fmt: skip
+        """Return the rods of a spec, whose k has a name and a unit for each law.
+
+        Raises:
+            InvalidInput: also where the law's own is missing, or the other's is there.
+        """
+        own, other, needed, example = (
+            ("gain", "rate", gain, "5e4 A*m^2*s/T") if law == "b-dot" else ("rate", "gain", rate, "0.001 1/s")
+        )
+        if needed is None or None not in (gain, rate):
+            raise InvalidInput(f'law = "{law}" takes `{own}`, like "{example}", and no `{other}`.')
+        return cls(field, needed, law, limit, axes)
 
     @property
     def needs_stored(self) -> bool:
