@@ -21,5 +21,5 @@ def run_body(path: Path, json: bool, about: str | None) -> None:
     groups = [about_body(spec.body)]
     if about is not None:
         groups.append(about_place(spec.body, *find_place(about, spec.body, spec.source, spec.folder)))
-    notes = (*spec.body_notes, *remarks_on_body(spec.body))
+    notes = (*spec.remarks_on_body, *remarks_on_body(spec.body))
     publish(PlainReport(spec.name, "body", "", groups, notes), json)

@@ -27,6 +27,7 @@ from polhode.reports.base import MotionReport, SystemReport
 from polhode.spec.building import build_coning, build_spin
 from polhode.spec.looks import paint_body
 from polhode.spec.models import BodyTable, SpinTable, SystemTable
+from polhode.spec.part_overlaps import notes_on_places
 from polhode.spec.reach import REACH, most_extreme
 from polhode.spec.remarks import remarks_on
 from polhode.spec.rules import Mistake
@@ -387,7 +388,15 @@ class Spec(Generic[TableT]):
     @property
     def remarks(self) -> tuple[str, ...]:
         """Notes for a report on how body and spin were understood."""
-        return self.body_notes + remarks_on(self.body, self.spin)
+        return self.remarks_on_body + remarks_on(self.body, self.spin)
+
+    @cached_property
+    def remarks_on_body(self) -> tuple[str, ...]:
+        """Notes on how the body was made, and on parts that lie in each other."""
+        parts = None if self.source is None else self.source.part
+        if self.source is None or parts is None:
+            return self.body_notes
+        return self.body_notes + notes_on_places(parts, self.source.density, self.folder)
 
     def start(
         self, moments: Float64[Array, "3"], axes: Float64[Array, "3 3"]

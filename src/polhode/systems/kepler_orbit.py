@@ -77,8 +77,8 @@ class KeplerOrbit(eqx.Module):
     @classmethod
     @known_numbers_only
     def from_semi_major_axis(
-        cls, semi_major_axis: float, gravitational_parameter: float, eccentricity: float = 0.0, mean_anomaly: float = 0.0,
-        inclination: float = 0.0, node: float = 0.0, periapsis: float = 0.0,
+        cls, semi_major_axis: float, gravitational_parameter: float, eccentricity: float = 0.0,
+        mean_anomaly: float = 0.0, inclination: float = 0.0, node: float = 0.0, periapsis: float = 0.0,
     ) -> KeplerOrbit:  # fmt: skip
         """Return the orbit with n² a³ = GM.
 
