@@ -115,16 +115,16 @@ def test_the_example_of_a_cubesat_points_down(tmp_path):
 @pytest.mark.parametrize(
     "changed, place, said",
     [
-        ('[[torque]]\ntype = "gravity-grad"\n', "torque[0].type", "did you mean gravity-gradient"),
-        (GRAVITY + "strength = 3\n", "torque[0].strength", "unknown key"),
-        ('[[torque]]\ntype = "constant"\ntorque = ["1 N", "0 N*m", "0 N*m"]\n', "torque[0].torque[0]", "N*m"),
-        ('[[torque]]\ntype = "constant"\n', "torque[0].torque", "is missing"),
-        ('[[torque]]\ntype = "constant"\ntorque = ["1 N*m", "0 N*m", "0 N*m"]\nframe = "sun"\n', "torque[0].frame",
+        ('[[torque]]\ntype = "gravity-grad"\n', "torque.1.type", "did you mean gravity-gradient"),
+        (GRAVITY + "strength = 3\n", "torque.1.strength", "unknown key"),
+        ('[[torque]]\ntype = "constant"\ntorque = ["1 N", "0 N*m", "0 N*m"]\n', "torque.1.torque.1", "N*m"),
+        ('[[torque]]\ntype = "constant"\n', "torque.1.torque", "is missing"),
+        ('[[torque]]\ntype = "constant"\ntorque = ["1 N*m", "0 N*m", "0 N*m"]\nframe = "sun"\n', "torque.1.frame",
          "must be one of"),
         ('[torque]\ntype = "gravity-gradient"\n', "torque", "two brackets"),
-        (GRAVITY, "torque[0].type", "acts on an orbit; give one"),
+        (GRAVITY, "torque.1.type", "acts on an orbit; give one"),
         (f'{ORBIT}gravitational_parameter = "4.28e13 m^3/s^2"\n[[torque]]\ntype = "eddy-currents"\n',
-         "torque[0].type", "Earth's field alone"),
+         "torque.1.type", "Earth's field alone"),
         ('[[flywheel]]\naxis = [0, 0, 1]\n', "flywheel", "did you mean wheel"),
         ('[photon]\nx = 1\n', "photon", "control, orbit"),
         (ORBIT + 'altitude = "500 km"\n', "orbit", "exactly one of period, semi_major_axis and altitude"),
@@ -132,10 +132,10 @@ def test_the_example_of_a_cubesat_points_down(tmp_path):
         ('[control]\nlaw = "pid"\n', "control.law", "names no control law"),
         ('[control]\nlaw = "quaternion-pd"\nby = "torque"\ntarget = "nadir"\nbandwidth = "0.1 rad/s"\n',
          "control.target", "along an orbit"),
-        ('[[wheel]]\naxis = [0, 0, 1]\nmoment = "1 kg*m^2"\nmax_torque = "1 N*m"\n', "wheel[0]", "controlled wheel"),
-        ('[[wheel]]\naxis = [0, 0, 0]\nmoment = "1 kg*m^2"\n', "wheel[0].axis", "not all zero"),
-        ('[[wheel]]\naxis = [0, 0, 1]\nmoment = "1 kg*m^2"\nspeed = "1 rpm"\n', "wheel[0].speed", "unknown key"),
-        ('[[mount]]\ntype = "slug"\nmoment = "1 kg*m^2"\n', "mount[0].damping", "is missing"),
+        ('[[wheel]]\naxis = [0, 0, 1]\nmoment = "1 kg*m^2"\nmax_torque = "1 N*m"\n', "wheel.1", "controlled wheel"),
+        ('[[wheel]]\naxis = [0, 0, 0]\nmoment = "1 kg*m^2"\n', "wheel.1.axis", "not all zero"),
+        ('[[wheel]]\naxis = [0, 0, 1]\nmoment = "1 kg*m^2"\nspeed = "1 rpm"\n', "wheel.1.speed", "unknown key"),
+        ('[[mount]]\ntype = "slug"\nmoment = "1 kg*m^2"\n', "mount.1.damping", "is missing"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_refused_at_its_place(tmp_path, changed, place, said):
@@ -151,7 +151,7 @@ def test_refusals_of_the_system_name_the_table(tmp_path):
     for orbit in ('altitude = "500 km"\neccentricity = 0.5\n', 'period = "1 s"\n'):
         with pytest.raises(InvalidInput, match="of the Earth's centre"):
             spec(tmp_path, f"{HEAD}{BODY}[orbit]\n{orbit}{GRAVITY}").report()
-    with pytest.raises(InvalidInput, match=r"torque\[0\]: `lasting`"):
+    with pytest.raises(InvalidInput, match=r"torque.1: `lasting`"):
         text = '[[torque]]\ntype = "thruster"\nat = "5 s"\nlasting = "0 s"\nforce = ["0 N", "5 N", "0 N"]\n'
         spec(tmp_path, HEAD + BODY + text + 'position = ["0.1 m", "0 m", "0 m"]\n').report()
 
@@ -289,10 +289,10 @@ def test_mounts_of_a_spec_start_as_it_says(tmp_path):
 @pytest.mark.parametrize(
     "changed, said",
     [
-        ('angle = "0.5 rad"', ('angle = 0.5', "mount[0].angle: needs a number with its unit")),
-        ('toward = [0, 3, -4]', ('toward = [0, 0, 0]', "mount[1].toward")),
-        ('displacement = ["1 cm", "-2 cm"]', ('displacement = ["1 cm", "2 cm", "3 cm"]', "mount[2]: `displacement`")),
-        ('bandwidth = "10 1/s"', ('', "mount[0]: `gimbal_rate` and `bandwidth` go together")),
+        ('angle = "0.5 rad"', ('angle = 0.5', "mount.1.angle: needs a number with its unit")),
+        ('toward = [0, 3, -4]', ('toward = [0, 0, 0]', "mount.2.toward")),
+        ('displacement = ["1 cm", "-2 cm"]', ('displacement = ["1 cm", "2 cm", "3 cm"]', "mount.3: `displacement`")),
+        ('bandwidth = "10 1/s"', ('', "mount.1: `gimbal_rate` and `bandwidth` go together")),
         ('mass = "5 kg"', ('mass = "500 kg"', "must be part of the body")),
     ],
 )  # fmt: skip

@@ -94,7 +94,7 @@ def test_bodies_that_are_no_such_top(read, body, system, rest, words):
         ('[system]\nkind = "heavy-top"\npivto = 3', "", ["system.pivto: unknown key; did you mean pivot?",
                                                          "system.pivot: is missing"]),
         ('[system]\nkind = "heavy-top"\norder = 3\npivot = ["1 kg", "0 m", "0 m"]', "",
-         ["system.order: must be one of 2, 4, 6", "system.pivot[0]: has the wrong unit"]),
+         ["system.order: must be one of 2, 4, 6", "system.pivot.1: has the wrong unit"]),
         (lagrange('lean = "3 deg"\ngravity = "-9.81 m/s^2"'), "[spin]\nattitude = [1.0, 0.0, 0.0, 0.0]",
          ["system.lean: goes without spin.attitude", "system.gravity: must be positive"]),
     ],

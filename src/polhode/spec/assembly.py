@@ -37,7 +37,7 @@ class PartsRefused(InvalidInput):
     """
 
     def __init__(self, faults: Sequence[tuple[int, InvalidInput]]) -> None:
-        super().__init__("; ".join(f"part[{k}]: {error}" for k, error in faults))
+        super().__init__("; ".join(f"part.{k + 1}: {error}" for k, error in faults))
         self.faults = tuple(faults)
 
 

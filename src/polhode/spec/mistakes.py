@@ -56,13 +56,9 @@ def as_message(path: Path, mistakes: list[Mistake]) -> list[str]:
 
 
 def _key(location: Location) -> str:
-    text = ""
-    for part in location:
-        if isinstance(part, int):
-            text += f"[{part}]"
-        else:
-            text += ("." if text else "") + (part if _BARE.fullmatch(part) else shown(part))
-    return text or "the file"
+    """Return a place as sweeps name it too: "wheel.1.moment", where lists count from one."""
+    words = [str(x + 1) if isinstance(x, int) else x if _BARE.fullmatch(x) else shown(x) for x in location]
+    return ".".join(words) or "the file"
 
 
 def _word_mistake(mistake: Any, root: type[BaseModel], beside: Sequence[str]) -> str:

@@ -133,7 +133,7 @@ class RigidBodyReport(MotionReport):
                 said = f"acts from {begin:g} s to {end:g} s, and this motion goes from {first:g} s to {last:g} s"
             else:
                 continue
-            yield f"torque[{k}] ({chosen.type}) {said}."
+            yield f"torque.{k + 1} ({chosen.type}) {said}."
 
     @property
     def answers(self) -> list[Group | Table]:

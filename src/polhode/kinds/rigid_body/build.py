@@ -72,18 +72,18 @@ def build(spec: Spec[RigidBodyTable]) -> Craft:
         mounts.append(_make_controlled_wheels(controlled, law))
         rates.append(np.array([wheel.rate for wheel in controlled]))
     for place, wheel in others:
-        mounts.append(_make_at(f"wheel[{place}]", partial(_make_wheel, wheel)))
+        mounts.append(_make_at(f"wheel.{place + 1}", partial(_make_wheel, wheel)))
         rates.append(np.array(wheel.rate) if mounts[-1].state_size else None)
     for k, chosen in enumerate(table.mount):
         part = find_part(MOUNTS, chosen.type)
-        mounts.append(_make_at(f"mount[{k}]", partial(make_part, part, chosen.values, elsewhere)))
-        rate, coordinate = _make_at(f"mount[{k}]", partial(mounts[-1].start_of, chosen.values))
+        mounts.append(_make_at(f"mount.{k + 1}", partial(make_part, part, chosen.values, elsewhere)))
+        rate, coordinate = _make_at(f"mount.{k + 1}", partial(mounts[-1].start_of, chosen.values))
         rates.append(rate)
         coordinates[len(mounts) - 1] = coordinate
     torques: list[AbstractTorque] = []
     for k, chosen in enumerate(table.torque):
         part = find_part(TORQUES, chosen.type)
-        torques.append(_make_at(f"torque[{k}]", partial(make_part, part, chosen.values, elsewhere)))
+        torques.append(_make_at(f"torque.{k + 1}", partial(make_part, part, chosen.values, elsewhere)))
     if table.control is not None and table.control.by == "torque" and law is not None:
         torques.append(_make_at("control", partial(ControlTorque, law, table.control.limit)))
     system = RigidBody.from_body(spec.body, mounts, torques)
