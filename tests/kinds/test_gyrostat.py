@@ -305,3 +305,35 @@ def test_a_flat_body_has_no_room_for_a_rotor_across_it(spec):
     assert values["moments"] == [1.0, 2.0, 3.0]
     # where L is the rotor's alone the body rests, and so it started
     assert min(abs(e["spin"]) for e in values["equilibria"]) < 1e-12
+
+
+@pytest.mark.parametrize(("rate", "word"), [("8 rad/s", "calm"), ("-1.2 rad/s", "raise")])
+def test_losses_change_nutation_as_an_integrated_motion_does(spec, rate, word):
+    """A sink of energy in the platform, whose motion is integrated, against the report's time constant."""
+    moments, rotor, spin, sink = np.array([2.0, 2.0, 1.5]), 0.5, 0.9, 1e-3
+    speed = float(rate.split()[0])
+    momentum = moments[2] * spin + rotor * speed
+    felt = momentum / moments[0] - spin
+    loss = float(sink * (momentum * felt) ** 2)  # α |L × Ω|² over θ²
+    system = (f'rotor_axis = [0, 0, 1]\nrotor_moment = "{rotor} kg*m^2"\nrotor_rate = "{rate}"\n'
+              f'rotor_drive = "free"\nplatform_loss = "{loss!r} W/rad^2"')  # fmt: skip
+    body = f"moments = {json.dumps([f'{x} kg*m^2' for x in moments.tolist()])}"
+    path = spec(body, system, f'angular_velocity = ["0 rad/s", "0 rad/s", "{spin} rad/s"]')
+    found = report_on(path).values()["losses"]
+    assert found["platform"] == word
+    craft = ph.systems.RigidBody(moments, [ph.systems.Wheel((0, 0, 1), rotor), ph.systems.EnergySink(sink)])
+    tilted = (1e-4 * momentum / moments[0], 0.0, spin)
+    times = np.linspace(0.0, 20.0, 3)
+    run = ph.simulate(craft, craft.pack(angular_velocity=tilted, rates=[speed, None]), times)
+    angles = np.linalg.norm(run.momentum[:, :2], axis=1) / momentum
+    assert found["time_constant"] == pytest.approx(-times[-1] / np.log(angles[-1] / angles[0]), rel=1e-4)
+    assert found["nutation_rate"] == pytest.approx(momentum / moments[0], rel=1e-12)
+
+
+def test_losses_are_not_judged_where_the_criterion_does_not_hold(spec):
+    leaning = spec('moments = ["2 kg*m^2", "2.5 kg*m^2", "3 kg*m^2"]', ALONG_3, SPIN)
+    assert "losses" not in report_on(leaning).values()
+    assert "losses" not in report_on(spec(SYMMETRIC, ALONG_3.replace("[0, 0, 1]", "[0, 1, 1]"), SPIN)).values()
+    assert report_on(spec(SYMMETRIC, ALONG_3, SPIN)).values()["losses"]["time_constant"] is None
+    with pytest.raises(InvalidInput, match="needs a number with its unit"):
+        read_spec(spec(SYMMETRIC, f"{ALONG_3}\nrotor_loss = 3", SPIN))

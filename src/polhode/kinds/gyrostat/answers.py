@@ -20,6 +20,7 @@ from polhode.analysis.gyrostat_rotations import (
 from polhode.bodies.body import Body
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.gyrostat.build import build, simulate_samples
+from polhode.kinds.gyrostat.losses import describe_losses, judge_losses
 from polhode.kinds.gyrostat.table import GyrostatTable
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
@@ -44,6 +45,7 @@ class GyrostatReport(MotionReport):
         rotor: its momentum at the start [kg m²/s], relative to the body or, of a free one, whole.
         equilibria: on the momentum sphere, lowest energy first; with a motor, those for the rotor's final momentum.
         rates: of L about the axis of a symmetric carrier; None for others, and with a motor.
+        start_velocity: (3,) Ω at the start [rad/s, given axes].
     """
 
     kind: ClassVar[str] = "gyrostat"
@@ -56,6 +58,7 @@ class GyrostatReport(MotionReport):
     trajectory: Trajectory
     equilibria: list[SteadyRotation]
     rates: SymmetricRates | None
+    start_velocity: Float64[Array, "3"]
 
     @property
     def body(self) -> Body:
@@ -128,11 +131,13 @@ class GyrostatReport(MotionReport):
 
     def without_motion(self) -> list[Group | Table]:
         """Return the answers that need no trajectory, for a rotor without a motor."""
-        return [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations()]
+        groups = [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations()]
+        losses = None if self.motor else judge_losses(self.table, self.body, self.start_velocity)
+        return groups if losses is None else [*groups, describe_losses(self.table, losses)]
 
     @property
     def answers(self) -> list[Group | Table]:
-        return [about_body(self.body, "rotor locked"), self._about_rotor(), self._steady_rotations(), self._motion()]
+        return [*self.without_motion(), self._motion()]
 
     def _about_rotor(self) -> Group:
         axis, torque = find_direction(self.table.rotor_axis), self.table.motor_torque
@@ -240,7 +245,7 @@ def _report_on(spec: Spec[GyrostatTable], assembly: RotorInBody, trajectory: Tra
     rates = None if motor else symmetric_rates(assembly.gyrostat, assembly.velocity)
     return GyrostatReport(
         spec, spec.system, assembly.moments, assembly.axes, assembly.along, assembly.momentum, trajectory, rotations,
-        rates,
+        rates, assembly.axes @ assembly.velocity,
     )  # fmt: skip
 
 
