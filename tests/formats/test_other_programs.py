@@ -18,6 +18,7 @@ from polhode.errors import FormatError, InvalidInput
 from polhode.estimation import attitude_fit
 from polhode.formats.form import Kernels
 from polhode.formats.form_registry import forms
+from polhode.formats.stk_attitude import read_stk
 from polhode.studies import throws
 from polhode.studies.sources import detect_kind
 
@@ -108,6 +109,9 @@ CASES = {
                        "stk", 1e-12),
     "stk euler": ("sat.a", stk("AttitudeTimeEulerAngles", [TURNS.as_euler("ZXY", degrees=True)], ["Sequence 312"]),
                   "stk", 1e-12),
+    "stk dcm": ("sat.a", stk("AttitudeTimeDCM", [TURNS.inv().as_matrix().reshape(-1, 9)]), "stk", 1e-12),
+    "stk dcm with rates": ("sat.a", stk("AttitudeTimeDCMAngVels", [TURNS.inv().as_matrix().reshape(-1, 9),
+                                                                   np.degrees(OMEGA)]), "stk", 1e-12),
     "stk ypr": ("sat.a", stk("AttitudeTimeYPRAngles", [YPR], ["Sequence 321"]), "stk", 1e-12),
     "px4": ("log_vehicle_attitude_0.csv", ulog2csv(), "px4", 1e-8),
     "ardupilot": ("att.csv", mavlogdump(), "ardupilot", 5e-4),
@@ -199,7 +203,7 @@ def test_a_wrong_convention_would_show(folder, case):
 
 
 def test_rates_of_each_agree_with_its_attitudes(folder):
-    for case in ("stk with rates", "ros", "basilisk", "42"):
+    for case in ("stk with rates", "stk dcm with rates", "ros", "basilisk", "42"):
         name, text, kind, _ = CASES[case]
         (folder / name).write_text(text)
         velocity = forms()[kind].read(folder / name, Kernels()).angular_velocity
@@ -227,7 +231,7 @@ def test_options_overrule_what_a_table_is_known_as(folder, capsys):
 @pytest.mark.parametrize(("change", "words"), [
     (("END Attitude", ""), "has no END Attitude, so it is cut short"),
     ((f"NumberOfAttitudePoints {len(TIMES)}", "NumberOfAttitudePoints 7"), "NumberOfAttitudePoints is 7, and there"),
-    (("AttitudeTimeQuaternions", "AttitudeTimeDCM"), "AttitudeTimeDCM is not read here"),
+    (("AttitudeTimeQuaternions", "AttitudeTimeECFVector"), "AttitudeTimeECFVector is not read here"),
     (("AttitudeTimeQuaternions", "AttitudeTimeEulerAngles"), "must have 3 numbers after the time"),
     (("CentralBody Earth", "TimeFormat JDate"), "TimeFormat must be EpSec, UTCG or ISO-YMD"),
     (("1 Mar 2026", "31 Feb 2026"), "ScenarioEpoch has no such day"),
@@ -239,6 +243,21 @@ def test_files_of_stk_that_are_wrong(folder, change, words):
     (folder / "sat.a").write_text(text.replace(*change, 1))
     with pytest.raises(FormatError, match=words):
         ph.compare("free.toml", "sat.a")
+
+
+def test_the_matrix_of_the_programs_own_help(folder):
+    """STK Help, AttitudeTimeDCM Format (*.a) Example: its rows are the body's axes along the reference axes."""
+    rows = np.array([[0.45959131992578, 0.65939233328195, 0.59496014106650],
+                     [-0.09650521823583, -0.62885739983663, 0.77150833665228],
+                     [0.88287176956914, -0.41199529303100, -0.22538260140960]])  # fmt: skip
+    text = stk("AttitudeTimeDCM", [np.tile(rows.ravel(), (len(TIMES), 1))])
+    (folder / "help.a").write_text(text)
+    attitude = read_stk(folder / "help.a").attitude
+    for row, axis in zip(rows, np.eye(3), strict=True):
+        assert ph.rotation.rotate(attitude[0], axis) == pytest.approx(row, abs=1e-12)
+    (folder / "mirror.a").write_text(stk("AttitudeTimeDCM", [np.tile((-rows).ravel(), (len(TIMES), 1))]))
+    with pytest.raises(FormatError, match="line 12: the matrix is a reflection"):
+        read_stk(folder / "mirror.a")
 
 
 def test_dates_in_a_file_of_stk(folder):

@@ -94,6 +94,8 @@ LEFT_OUT = {
     "vortex": "refuses traced numbers, see test_refused_when_traced",
     "SphereFluid.cost": "takes whole numbers, and is tested in tests/systems/test_sphere_fluid.py",
     "Variations.scales": "are infinite for changes",
+    "start_of": "takes the table of a spec, whose numbers are known",
+    "from_table": "takes the table of a spec, whose numbers are known",
     "bound": "takes the axes of a body, whose numbers are known",
     "started": "chooses a sign by numbers that are known",
     "check_size": "refuses an orbit of unknown size",

@@ -6,6 +6,7 @@ Source: Markley and Crassidis, *Fundamentals of Spacecraft Attitude Determinatio
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +17,7 @@ from polhode.formats.aem_attitudes import FAR_FROM_UNIT
 from polhode.formats.column_mapping import ColumnMapping
 from polhode.formats.header_words import IN_RADIANS
 from polhode.formats.plain_table import PlainTable
-from polhode.types import Array, Float64
+from polhode.types import Array, Float64, Integer
 
 Quaternions = Float64[Array, "rows 4"]
 
@@ -110,22 +111,31 @@ def _from_vectors(path: Path, table: PlainTable, values: Array) -> tuple[Array, 
 
 
 def _from_matrices(path: Path, table: PlainTable, values: Array, letters: str) -> tuple[Array, float]:
-    """Return quaternions of the nearest rotations, and the largest entry of RᵀR − 1."""
     order = letters.split()
     rows = [order.index(f"{i}{j}") for i in "123" for j in "123"]
-    matrices = values[:, rows].reshape(-1, 3, 3)
+    return nearest_rotations(path, table.lines, values[:, rows].reshape(-1, 3, 3))
+
+
+def nearest_rotations(
+    path: Path, lines: Sequence[int] | Integer[Array, "n"], matrices: Float64[Array, "n 3 3"]
+) -> tuple[Float64[Array, "n 4"], float]:
+    """Return quaternions (n, 4) of the rotations nearest to matrices of a file, and the largest entry of RᵀR − 1.
+
+    Raises:
+        FormatError: naming the line of a matrix that is no rotation.
+    """
     misfit = np.abs(np.swapaxes(matrices, 1, 2) @ matrices - np.eye(3)).max(axis=(1, 2))
     where = f"{path}, line"
     if not misfit.max() <= FAR_FROM_UNIT:
         row = int(np.argmax(~(misfit <= FAR_FROM_UNIT)))
         raise FormatError(
-            f"{where} {table.lines[row]}: a rotation matrix must be orthogonal, RᵀR = 1 to {FAR_FROM_UNIT:g}; it "
+            f"{where} {lines[row]}: a rotation matrix must be orthogonal, RᵀR = 1 to {FAR_FROM_UNIT:g}; it "
             f"misses by {misfit[row]:.3g}. Check which columns it has."
         )
     mirrored = np.linalg.det(matrices) < 0.0
     if mirrored.any():
         row = int(np.argmax(mirrored))
-        raise FormatError(f"{where} {table.lines[row]}: the matrix is a reflection, det R = −1, and no rotation. Flip "
+        raise FormatError(f"{where} {lines[row]}: the matrix is a reflection, det R = −1, and no rotation. Flip "
                           "the sign of one axis in the file.")  # fmt: skip
     left, _, right = np.linalg.svd(matrices)
     return rotation.from_matrix(left @ right), float(misfit.max())

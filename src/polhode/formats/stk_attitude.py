@@ -1,7 +1,8 @@
 """Reads attitude files of the Systems Tool Kit: keywords, then a line for each attitude.
 
 Attitudes are rotations from the reference axes to the body's, so that STK's quaternion has the components of polhode's
-body → space quaternion, scalar last. Angular velocities are in deg/s along the body's axes. Euler angles turn about
+body → space quaternion, scalar last. Direction cosine matrices, by rows, take components along the reference axes to
+those along the body's. Angular velocities are in deg/s along the body's axes. Euler angles turn about
 axes that the turns before have left; yaw, pitch and roll turn about the reference axes, in the order of ``Sequence``,
 and stand in the order yaw, pitch, roll.
 
@@ -20,6 +21,7 @@ import numpy as np
 from polhode import rotation
 from polhode.errors import FormatError, shown
 from polhode.formats.aem_attitudes import FAR_FROM_UNIT
+from polhode.formats.attitude_columns import nearest_rotations
 from polhode.formats.dates import read_date
 from polhode.formats.epochs import read_epoch, shortest, since
 from polhode.formats.labels import AttitudeLabels, Recording
@@ -31,7 +33,8 @@ from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 LARGEST_FILE = 1000 * MB
-WIDTHS = {"quaternions": 4, "quatscalarfirst": 4, "quatangvels": 7, "eulerangles": 3, "yprangles": 3}
+WIDTHS = {"quaternions": 4, "quatscalarfirst": 4, "quatangvels": 7, "eulerangles": 3, "yprangles": 3,
+          "dcm": 9, "dcmangvels": 12}  # fmt: skip
 """Numbers after the time, of the kinds of data that are read."""
 DATED = {"utcg": 4, "iso-ymd": 1}
 """Words that the time of a line has in formats other than seconds."""
@@ -102,7 +105,8 @@ def _read_group(path: Path) -> _Group:
             kind = match[1].lower()
             if kind not in WIDTHS:
                 known = ", ".join(("AttitudeTimeQuaternions", "AttitudeTimeQuatScalarFirst", "AttitudeTimeQuatAngVels",
-                                   "AttitudeTimeEulerAngles", "AttitudeTimeYPRAngles"))  # fmt: skip
+                                   "AttitudeTimeEulerAngles", "AttitudeTimeYPRAngles", "AttitudeTimeDCM",
+                                   "AttitudeTimeDCMAngVels"))  # fmt: skip
                 raise FormatError(f"{path}, line {number}: {words[0]} is not read here, but {known}. Export one of "
                                   "these.")  # fmt: skip
         elif kind is None:
@@ -167,6 +171,10 @@ def _attitudes(path: Path, group: _Group, numbers: Array) -> tuple[Array, Array 
             return rotation.from_euler_angles(np.radians(numbers), letters), None
         except ValueError:
             raise FormatError(f"{path}: Sequence {sequence} turns twice about one axis. Correct it.") from None
+    if group.kind in ("dcm", "dcmangvels"):  # by rows, from components along the reference axes to the body's
+        to_body = numbers[:, :9].reshape(-1, 3, 3)
+        attitude, _ = nearest_rotations(path, [line for line, _ in group.rows], np.swapaxes(to_body, 1, 2))
+        return attitude, np.radians(numbers[:, 9:]) if group.kind == "dcmangvels" else None
     order = [0, 1, 2, 3] if group.kind == "quatscalarfirst" else [3, 0, 1, 2]
     lengths = np.linalg.norm(numbers[:, :4], axis=1)
     if (far := ~(np.abs(lengths - 1.0) <= FAR_FROM_UNIT)).any():

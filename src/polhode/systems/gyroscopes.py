@@ -230,8 +230,9 @@ class ControlMomentGyroscope(AbstractMovingPart):
         return self._turned_rotor(own).power(t, attitude, angular_velocity, own[..., 2:])
 
     def start_further(
-        self, q: Coordinates, rate: Float64[Array, "*batch rates"], angular_velocity: Float64[Array, "*batch 3"]
-    ) -> Float64[Array, "*batch {self.further_count}"]:
+        self, q: Float64[Array, "*#batch {self.count}"], rate: Float64[Array, "*#batch rates"],
+        angular_velocity: Float64[Array, "*#batch 3"],
+    ) -> Float64[Array, "*batch {self.further_count}"]:  # fmt: skip
         if isinstance(self.rotor, HeldWheel):
             return jnp.zeros((*q.shape[:-1], 0))
         turned = eqx.tree_at(lambda rotor: rotor.axis, self.rotor, self.spin_axis(q))

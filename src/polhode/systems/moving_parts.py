@@ -121,7 +121,7 @@ class AbstractMovingPart(AbstractMounted):
         return None
 
     def coordinate_rates(
-        self, q: Coordinates, rate: Float64[Array, "*batch rates"]
+        self, q: Float64[Array, "*#batch {self.count}"], rate: Float64[Array, "*#batch rates"]
     ) -> Float64[Array, "*batch {self.count}"]:
         """Return q̇ (…, n) of the rates that ``pack`` takes; by default they are its first ones."""
         return rate[..., : self.count]
@@ -155,8 +155,9 @@ class AbstractMovingPart(AbstractMounted):
         return self.potential(self.coordinates_of(own))
 
     def start_further(
-        self, q: Coordinates, rate: Float64[Array, "*batch rates"], angular_velocity: Float64[Array, "*batch 3"]
-    ) -> Float64[Array, "*batch {self.further_count}"]:
+        self, q: Float64[Array, "*#batch {self.count}"], rate: Float64[Array, "*#batch rates"],
+        angular_velocity: Float64[Array, "*#batch 3"],
+    ) -> Float64[Array, "*batch {self.further_count}"]:  # fmt: skip
         """Return the rest of its own state at the start, of q, all rates that ``pack`` got for it, and Ω."""
         return jnp.zeros((*q.shape[:-1], self.further_count))
 

@@ -98,7 +98,7 @@ class SphericalPendulum(AbstractMovingPart):
         return jnp.sqrt(self.mass) * self._length * _norm(self.along + q)
 
     def coordinate_rates(
-        self, q: Coordinates, rate: Float64[Array, "*batch 3"]
+        self, q: Float64[Array, "*#batch {self.count}"], rate: Float64[Array, "*#batch 3"]
     ) -> Float64[Array, "*batch {self.count}"]:
         return jnp.cross(rate, self.along + q)
 
