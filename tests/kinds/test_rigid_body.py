@@ -301,3 +301,22 @@ def test_mounts_that_cannot_start_so_are_refused(tmp_path, changed, said):
     with pytest.raises(InvalidInput) as refused:
         spec(tmp_path, HEAD + BODY + 'mass = "100 kg"\n' + MOUNTS.replace(changed, said[0]) + END).motion()
     assert said[1] in str(refused.value)
+
+
+def test_one_wheel_controls_pitch_and_the_report_says_so(tmp_path):
+    text = (
+        f'{HEAD}[body]\nmoments = ["0.20 kg*m^2", "0.25 kg*m^2", "0.12 kg*m^2"]\n[spin]\n'
+        'attitude = { axis = [0, 1, 0], angle = "5 deg" }\nangular_velocity = ["0 rad/s", "0 rad/s", "0 rad/s"]\n'
+        '[orbit]\naltitude = "500 km"\nrelative = true\n[[wheel]]\naxis = [0, 1, 0]\nmoment = "1e-3 kg*m^2"\n'
+        'rate = "-3000 rpm"\n[control]\nlaw = "quaternion-pd"\ntarget = "nadir"\nbandwidth = "0.02 rad/s"\n'
+        '[time]\nuntil = "1200 s"\nsamples = 13\n'
+    )
+    found = spec(tmp_path, text).report()
+    assert any("about one axis only" in note for note in found.notes)
+    values = found.values()
+    assert values["control"]["pointing_error"]["end"] < math.radians(1e-3)
+    # nutation at h/√(I₁I₃), by hand, undamped, and pitch at the bandwidth
+    rates = sorted(row["frequency"] for row in values["closed_loop"])
+    assert rates[-1] == pytest.approx(1e-3 * 3000 * math.pi / 30 / math.sqrt(0.2 * 0.12), rel=1e-2)
+    assert [round(row["damping"], 2) for row in values["closed_loop"]] == [0.0, 0.0, 0.7]
+    assert rates[1] == pytest.approx(0.02, rel=0.01)

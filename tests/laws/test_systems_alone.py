@@ -12,6 +12,7 @@ from specimens import SYSTEMS
 from transformed import check_alone
 
 RNG = np.random.default_rng(4)
+FIRST = RNG.bit_generator.state
 MOMENTS = (1.0, 2.0, 2.5)
 ORBIT = systems.KeplerOrbit(0.7, 0.3, 0.4, inclination=1.1, node=0.7, periapsis=0.3, semi_major_axis=2.0)
 DISK = systems.EulerDisk(0.4, 0.04, 0.01, dissipation=[systems.AirLayer(1.8e-4)])
@@ -192,6 +193,12 @@ def methods():
                 tested.add(one)
                 slow = [] if isinstance(system, AT_ONCE) else [pytest.mark.sweep]
                 yield pytest.param(system, name, id=f"{kind} {name}", marks=slow)
+
+
+@pytest.fixture(autouse=True)
+def same_numbers():
+    """Each test has the same numbers, whatever ran before it."""
+    RNG.bit_generator.state = FIRST
 
 
 def test_no_public_class_is_forgotten():

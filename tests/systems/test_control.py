@@ -6,6 +6,7 @@ import jax.numpy as jnp
 import mpmath as mp
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import polhode as ph
 from polhode import rotation
@@ -134,6 +135,29 @@ def test_eigenvalues_and_margins_of_a_plain_loop_are_those_of_the_textbook():
         assert (margins.gain_up, margins.gain_down) == (math.inf, 0.0)
 
 
+@pytest.mark.parametrize("count", [1, 2])
+def test_a_wheel_controls_about_its_own_axis_alone(count):
+    """Along principal axes, by the textbook's oscillator about each wheel's axis; across them nothing happens."""
+    moments, frequency, damping = np.array([2.0, 3.0, 2.5]), 0.3, 0.6
+    turned = moments - 0.01 * (np.arange(3) < count)  # of the body without the wheels, which do not turn with it
+    law = QuaternionPD(turned * frequency**2, 2 * damping * frequency * turned)
+    body = RigidBody(moments, [ControlledWheels(np.eye(3)[:count], 0.01, law)])
+    loop = linearize_loop(body, body.mounts[0].law, 0.0, np.asarray(body.pack((1, 0, 0, 0), (0, 0, 0))))
+    wanted = frequency * (-damping + 1j * math.sqrt(1 - damping**2))
+    settled = loop.eigenvalues[np.abs(loop.eigenvalues) > 1e-6]
+    assert len(settled) == 2 * count and np.abs(settled[settled.imag > 0] - wanted).max() < 1e-9
+    margins = loop_margins(loop)
+    assert [each.crossover is None for each in margins] == [k >= count for k in range(3)]
+    times = np.linspace(0.0, 20.0, 5)
+    for k in range(3):
+        turned = rotation.from_rotation_vector(0.5 * np.eye(3)[k])
+        run = ph.simulate(body, body.pack(turned, (0, 0, 0)), times)
+        angles = np.linalg.norm(rotation.as_rotation_vector(run.attitude), axis=1)
+        fall = lambda t, y: [y[1], -2 * frequency * (frequency * math.sin(y[0] / 2) + damping * y[1])]  # noqa: E731
+        pendulum = solve_ivp(fall, (0, 20), [0.5, 0], "DOP853", times, rtol=1e-12, atol=1e-12)
+        assert angles == pytest.approx(np.abs(pendulum.y[0]) if k < count else 0.5 * np.ones(5), abs=1e-9)
+
+
 @pytest.mark.long
 def test_what_the_linear_loop_says_is_how_small_errors_decay():
     # wheels against whose friction the law works are no longer at the rate at which they are held here
@@ -196,7 +220,6 @@ def test_control_goes_the_shorter_way_from_either_sign():
         (lambda: RateControl(), "one of the two"),
         (lambda: UserLaw(3.0), "must be a function"),
         (lambda: UserLaw(lambda *x: 0, None, 2), "with `state_rate`"),
-        (lambda: ControlledWheels(AXES[:2], MOMENT, RateControl(bandwidth=1.0)), "lie in a plane"),
         (lambda: ControlledWheels(AXES, -1.0, RateControl(bandwidth=1.0)), "`moments` must be one finite number ab"),
         (lambda: ControlledWheels(AXES, 1.0, RateControl(bandwidth=1.0), max_rate=3.0), "needs `max_torque`"),
         (lambda: ControlledWheels(AXES, 1.0, "pd"), "must be a control law"),

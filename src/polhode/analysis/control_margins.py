@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.arrays import compiled_for_few_calls
-from polhode.systems.control_laws import AbstractControlLaw, target_at
+from polhode.systems.control_laws import AbstractControlLaw, AbstractLawActuator, target_at
 from polhode.systems.rigid_body import RigidBody
 from polhode.systems.torques.base import in_body
 from polhode.types import Array, Complex128, Float64
@@ -26,7 +26,7 @@ class LinearLoop(NamedTuple):
     Attributes:
         plant: (6, 6) A without control [1/s and the like].
         input: (6, 3) what a torque of one N m about each axis does.
-        law: (3, 6) the torque that the law asks for.
+        law: (3, 6) the torque that the law asks for, about the axes that its actuators reach.
         rest: (3,) angular acceleration at the target itself [rad/s²], zero where it is an equilibrium.
     """
 
@@ -121,6 +121,9 @@ def _rates(
     _, faster = jax.jvp(law.target_rate, (time,), (jnp.ones(()),))
     relative = acceleration - in_body(attitude, faster) + jnp.cross(velocity, aim)
     asked = law.wanted(time, attitude, velocity, jnp.zeros((*near.shape[:-1], 0)))
+    for part in (*system.mounts, *system.torques):
+        if isinstance(part, AbstractLawActuator):
+            asked = asked @ part.reached
     return jnp.concatenate([near[..., 3:], relative], axis=-1), asked, system.carrier
 
 
@@ -147,7 +150,7 @@ def _margins(loop: LinearLoop, k: int) -> Margins:
     others[k] = 0.0
     inside = loop.plant + loop.input @ others
     fastest = float(np.abs(loop.eigenvalues).max())
-    if not fastest > 0:
+    if not (fastest > 0 and loop.law[k].any()):  # nothing moves, or no actuator reaches this axis
         return Margins(None, None, None, math.inf, 0.0)
     frequencies = fastest * np.logspace(-DECADES, DECADES, POINTS)
 

@@ -72,6 +72,11 @@ class AbstractLawActuator(AbstractAttachment):
         return eqx.tree_at(lambda one: one.law, self, self.law.bound(frame))
 
     @property
+    def reached(self) -> Float64[Array, "3 3"]:
+        """(3, 3) projection of what a law asks for onto what this can give; all of it by default."""
+        return jnp.eye(3)
+
+    @property
     def jumps(self) -> Float64[Array, "jumps"]:
         return self.law.jumps
 

@@ -9,7 +9,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.motion._layout import StatePart
 from polhode.systems._checks import checked_directions, checked_numbers
 from polhode.systems.attachments import Attitude, Own, Time, Velocity
@@ -26,8 +26,10 @@ class ControlledWheels(AbstractLawActuator, AbstractMount):
     """Wheels whose motors together give the body the torque that a law asks for.
 
     The body is to have τ, so the motors have to give the rotors −τ: u = −A⁺ τ with the wheels' axes as columns of A and
-    A⁺ its pseudo-inverse, which takes the least sum of squares. Each motor gives at most ``max_torque``. Towards higher
-    rates its torque falls to zero over the last fiftieth below ``max_rate``, which no motor exceeds.
+    A⁺ its pseudo-inverse, which takes the least sum of squares. One wheel, or two, turn the body about their own axes
+    alone, as on a satellite with a bias of momentum: what is asked for across them is left out. Each motor gives at
+    most ``max_torque``. Towards higher rates its torque falls to zero over the last fiftieth below ``max_rate``, which
+    no motor exceeds.
 
     The state is the whole axial momentum h (wheels,) of each, as of a ``Wheel``, and then that of the law.
 
@@ -40,7 +42,7 @@ class ControlledWheels(AbstractLawActuator, AbstractMount):
         friction: c of each bearing [N m s], likewise, not negative.
 
     Raises:
-        InvalidInput: for wheels that do not fit each other, or cannot turn the body about every axis.
+        InvalidInput: for wheels that do not fit each other.
 
     Source: Markley & Crassidis (2014), §7.3.4; Hughes, *Spacecraft Attitude Dynamics* (1986), §3.4.
     """
@@ -72,12 +74,7 @@ class ControlledWheels(AbstractLawActuator, AbstractMount):
         resistance = checked_numbers("friction", friction, count, least=0.0, unit="N m s")
         self.friction = jnp.broadcast_to(resistance, count)
         matrix = np.asarray(self.axes)
-        self.shares = jnp.asarray(np.linalg.pinv(matrix))  # A has the axes as columns, its pseudo-inverse is this
-        if np.linalg.svd(matrix, compute_uv=False).tolist()[-1] <= SPANS or count < 3:
-            raise InvalidInput(
-                f"`axes` {shown(matrix.round(6).tolist())} lie in a plane, so that no wheel turns the body about what "
-                "is across. Control about all axes needs three wheels or more, not in one plane."
-            )
+        self.shares = jnp.asarray(np.linalg.pinv(matrix, rcond=SPANS))  # A⁺, with the axes as columns of A
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:
@@ -112,6 +109,10 @@ class ControlledWheels(AbstractLawActuator, AbstractMount):
         """Return what each motor is asked for (…, wheels) [N m], without limits."""
         wanted = self.law.wanted(t, attitude, angular_velocity, own[..., len(self.axes) :])
         return -wanted @ self.shares
+
+    @property
+    def reached(self) -> Float64[Array, "3 3"]:
+        return self.shares @ self.axes
 
     def motor_torques(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own

@@ -30,6 +30,8 @@ from polhode.types import Array, Float64
 
 WITHIN = math.radians(1.0)  # of the target: the usual pointing error below which a body has settled
 FINEST, EACH = 4001, 8  # samples at which limits are looked at: at least so many, and so many a step
+ROUNDING = 1e-10  # of the largest eigenvalue: what of others its differences leave
+SAME_PLANE = 1e-9  # of directions: a sine below which wheels add nothing
 CLOSE = 0.999  # of a limit, from which it may act between samples
 
 
@@ -114,9 +116,19 @@ class RigidBodyReport(MotionReport):
         notes = [*self.spec.remarks]
         if self.loop is not None and self.limits == "acted":
             notes.append("eigenvalues and margins are those without limits.")
+        notes += self._notes_on_reach()
         if self.gravity is not None:
             notes += self.gravity.notes
         return [*notes, *self._notes_on_pulses()]
+
+    def _notes_on_reach(self) -> Iterator[str]:
+        """Yield that wheels cannot turn the body about every axis."""
+        if self.craft.wheels is None:
+            return
+        rank = int(np.linalg.matrix_rank(np.asarray(self.craft.wheels.axes), tol=SAME_PLANE))
+        if rank < 3:
+            along = "one axis" if rank == 1 else "axes in one plane"
+            yield f"the controlled wheels turn the body about {along} only; about what is across, control does nothing."
 
     def _notes_on_pulses(self) -> Iterator[str]:
         """Yield what torques that start and end do between the samples, or outside of the motion."""
@@ -232,12 +244,13 @@ class RigidBodyReport(MotionReport):
         return Group("Control", answers)
 
     def _modes(self, loop: LinearLoop) -> Table:
-        rows = []
+        rows, rounding = [], ROUNDING * float(np.abs(loop.eigenvalues).max())
         for value in loop.eigenvalues:
-            if value.imag >= 0.0:
-                size = abs(value)
-                rows.append({"real": float(value.real), "imaginary": float(value.imag), "frequency": float(size),
-                             "damping": float(-value.real / size) if size else 0.0})  # fmt: skip
+            real, imaginary = (float(x) if abs(x) > rounding else 0.0 for x in (value.real, value.imag))
+            if imaginary >= 0.0:
+                size = math.hypot(real, imaginary)
+                rows.append({"real": real, "imaginary": imaginary, "frequency": size,
+                             "damping": (0.0 - real) / size if size else 0.0})  # fmt: skip
         units = {"real": "1/s", "imaginary": "rad/s", "frequency": "rad/s", "damping": "of critical"}
         columns = {
             "eigenvalue": lambda row: f"{row['real']:.5g} ± {row['imaginary']:.5g} i /s" if row["imaginary"] else (
