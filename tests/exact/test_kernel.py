@@ -137,17 +137,39 @@ def test_a_wrong_column_is_noticed():
     assert np.abs(FORM.state(tuple(columns), 100.0, 0.0)[4:] - motion.momentum(100.0)).max() > 1e-13
 
 
-def test_what_python_cannot_divide_goes_to_numba(monkeypatch):
-    """Numba's numbers become infinite where Python's raise errors."""
+def test_what_python_cannot_divide_goes_elsewhere(monkeypatch):
+    """Numba's numbers become infinite where Python's raise errors; of a set-up NumPy's do, which need no compiling."""
     python_alone(monkeypatch)
     wanted = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).state(2.0)
 
     def broken(*given):
         raise ZeroDivisionError
 
-    monkeypatch.setattr(FORM, "_python", FORM._python._replace(set_up=broken, state_at=broken))
+    right = FORM._python
+    monkeypatch.setattr(FORM, "_python", right._replace(state_at=broken))
     found = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).state(2.0)
     assert (found[0] == wanted[0]).all() and (found[1] == wanted[1]).all()
+    monkeypatch.setattr(FORM, "_python", right._replace(set_up=broken))
+    found = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).state(2.0)
+    assert np.abs(np.concatenate(found) - np.concatenate(wanted)).max() < 1e-15
+
+
+@pytest.mark.parametrize("make", [
+    lambda: ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 0.0, 0.0)),
+    lambda: ph.LagrangeMotion((1.0, 1.0, 2.0), mgl=1.0, momentum=(0.0, 1.0, 0.0)),
+    lambda: ph.LagrangeMotion((1.0, 1.0, 2.0), mgl=1.0, momentum=(0.3, 1.0, 2.0)),
+    lambda: ph.LagrangeMotion((1.0, 1.0, 2.0), mgl=1.0, momentum=(0.3, 1.0, 2.0), attitude=(0.0, 1.0, 0.0, 0.0)),
+    lambda: ph.LagrangeMotion((1.0, 1.0, 2.0), mgl=0.0, momentum=(0.0, 0.0, 0.0)),
+], ids=["at rest", "pushed over", "upright", "hanging", "top at rest"])  # fmt: skip
+def test_one_body_in_a_special_place_is_not_compiled_for(monkeypatch, make):
+    """Its set-up took ten seconds at the default attitude of a top, and at rest."""
+
+    def compiled(self):
+        raise AssertionError("Numba was asked to compile")
+
+    monkeypatch.setattr(type(FORM), "_is_worth", lambda self, name, seconds: False)
+    monkeypatch.setattr(type(FORM), "_compiled", property(compiled))
+    assert np.isfinite(np.concatenate(make().state(3.0))).all()
 
 
 @pytest.mark.long

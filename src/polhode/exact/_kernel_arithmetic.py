@@ -104,7 +104,7 @@ def exponential(x: float) -> float:
 
 @inlined
 def floor(x: float) -> float:
-    return float(math.floor(x))
+    return float(math.floor(x)) if math.isfinite(x) else x
 
 
 @inlined

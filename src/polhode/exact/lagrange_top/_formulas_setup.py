@@ -152,13 +152,14 @@ def turning_points_of(
 @inlined
 def start_of_alpha(first: bool, a: Pair, z_plus: Pair, t1: Pair, t2: Pair) -> Pair:
     """Return p² at the start of the sum of α; ``first`` says that it takes the form that starts from Z."""
-    return choice(first, z_plus, divide(multiply(a, t2), t1))
+    return choice(first, z_plus, divide(multiply(a, t2), choice(first, constant(ONE, t1[0]), t1)))
 
 
 @inlined
 def start_of_beta(first: bool, c: Pair, a: Pair, b: Pair, z_minus: Pair, s1: Pair, s2: Pair) -> Pair:
     """Return p² of the sum of β. Where c = 0 the factor of the sum vanishes, and p² must only not be zero."""
-    return choice(first, choice(c[0] == 0.0, a, z_minus), divide(multiply(s1, b), s2))
+    other = divide(multiply(s1, b), choice(first, constant(ONE, s2[0]), s2))
+    return choice(first, choice(c[0] == 0.0, a, z_minus), other)
 
 
 @inlined
