@@ -34,6 +34,7 @@ def test_unitary_algebras_are_special_ones_and_their_centre():
     assert constants[:8, :8, :8] == pytest.approx(lie.SU(3).structure_constants(), abs=1e-15)
 
 
+@pytest.mark.long
 def test_the_pendulum_lives_on_the_dual_of_se2():
     """θ̈ = −sin θ with P = (cos θ, sin θ): its period is 4 K(sin(θ₀/2))."""
     pendulum = ph.systems.LiePoisson(lie.SE2(), lambda m: 0.5 * m[0] ** 2 - m[1])

@@ -154,6 +154,7 @@ REFUSED = {
 }  # fmt: skip
 
 
+@pytest.mark.long_after(10)
 @pytest.mark.parametrize("case", REFUSED)
 def test_refused(case):
     system, point, options, words = REFUSED[case]
@@ -177,6 +178,7 @@ UNDECIDED = {
 }  # fmt: skip
 
 
+@pytest.mark.long_after(3)
 @pytest.mark.parametrize("case", UNDECIDED)
 def test_undecided(case):
     system, point, options, words = UNDECIDED[case]

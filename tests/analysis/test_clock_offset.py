@@ -28,6 +28,7 @@ def seen(motion, start, noise=0.0, seed=0, lasting=25.0, rate=20.0, space=(0.0, 
     return AttitudeHistory("seen", times, rotation.multiply(attitude, rotation.from_rotation_vector(scatter)))
 
 
+@pytest.mark.long_after(2)
 @pytest.mark.parametrize("start", [-5.0, 0.0, 0.123456789, 17.3, 42.0])
 def test_an_exact_motion_gives_it_to_rounding(start):
     found = align_clocks(exactly(TUMBLE), seen(TUMBLE, start))

@@ -73,6 +73,7 @@ CLOSED = {
 }
 
 
+@pytest.mark.long_after(3)
 @pytest.mark.parametrize("name", [name for name, (_, truth) in CLOSED.items() if truth])
 def test_closed_forms_are_held(name):
     rate, truth = CLOSED[name]

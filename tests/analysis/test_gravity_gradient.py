@@ -127,6 +127,7 @@ def test_thomsons_conditions():
         assert (rest.region == STATIC) == (p > 1.0 and p + 3.0 * (shape - 1.0) > 1.0)
 
 
+@pytest.mark.long
 def test_a_wrong_gravity_would_be_seen():
     """Twice the moments' difference in the gravity alone moves the frequency in pitch by √2, which the law rejects."""
     rest = next(one for one in orbital_equilibria((3.0, 5.0, 7.8), 1.0) if one.region == LAGRANGE)

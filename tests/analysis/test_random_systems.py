@@ -81,6 +81,7 @@ def test_false_verdicts_are_seen(monkeypatch):
     assert false_verdicts("so(3)", range(4), moving=False)[1]
 
 
+@pytest.mark.long
 def test_motions_show_false_verdicts():
     """The same verdicts, exchanged between an unstable and a stable equilibrium, do not pass for motions either."""
     specimen = random_specimen("so(3)", 1)

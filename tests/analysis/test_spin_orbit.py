@@ -126,6 +126,7 @@ def test_strengths_begin_as_the_published_series():
     assert [r.strength for r in resonances(SpinOrbit(0.1, 0.0), 2.0)] == [0.0, 1.0, 0.0, 0.0]
 
 
+@pytest.mark.long_after(2)
 @pytest.mark.parametrize("e", [0.05, 0.206, 0.7, 0.95])
 def test_strengths_are_the_integrals(e):
     """In mean anomaly by mpmath's quadrature, Kepler's equation solved again: another variable, another rule."""

@@ -50,6 +50,7 @@ def test_skyrmion_number(winding):
     assert np.abs(whole - np.round(whole)).max() < 1e-12
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize(("angle", "switch"), [(45, 0.5), (30, 0.5240164647), (10, 0.6738054181)])
 def test_stoner_wohlfarth_switches(angle, switch):
     """H = −K(S·z)² − B·S, h = B/2K: it stays up to just below h_sw, and is over just beyond."""

@@ -50,6 +50,7 @@ def test_rings_are_stable_up_to_turns_about_their_momentum(count, colatitude):
     assert found.restriction == "up to the flow of J3"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("count", "colatitude"), sparing((4, 1.2), (5, 1.0), (6, 0.9), (7, 0.3)))
 def test_rings_beyond_grow_as_boatto_and_cabral_say(count, colatitude):
     found = stability(vortices(count), ring(count, colatitude), MOMENTUM)

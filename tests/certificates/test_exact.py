@@ -72,6 +72,7 @@ def random_cases(count=24):
             yield ph.systems.Kirchhoff(np.r_[moments, masses]), [*(spin * axis), *(0.5 * up * axis)]
 
 
+@pytest.mark.long_after(8)
 @pytest.mark.parametrize("number", range(24))
 def test_exact_and_numerical_verdicts_agree(number):
     system, point = list(random_cases())[number]
@@ -99,6 +100,7 @@ def test_exact_and_numerical_verdicts_agree(number):
         assert real.max() == pytest.approx(verdict.rate, rel=1e-6)
 
 
+@pytest.mark.long_after(8)
 @pytest.mark.parametrize("number", range(24))
 def test_z3_agrees_with_the_exact_check(number):
     pytest.importorskip("z3")

@@ -25,6 +25,7 @@ SPEC.loader.exec_module(written)
 with_prover = pytest.mark.skipif(shutil.which("coqc") is None, reason="no coqc here")
 
 
+@pytest.mark.long_after(8)
 @pytest.mark.long_cases("so4_two_planes", "so4_one_plane")
 @pytest.mark.parametrize("name", written.CASES)
 def test_files_are_what_the_package_writes(name):

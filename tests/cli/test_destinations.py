@@ -68,6 +68,7 @@ CASES = [(name, place) for name in COMMANDS for place in PLACES]
 QUICK = [("sweep", place) for place in PLACES] + [(name, ".") for name in COMMANDS if name not in ("report", "compare")]
 
 
+@pytest.mark.long_after(14)
 @pytest.mark.long_cases("figures of tumble-.")
 @pytest.mark.parametrize(("name", "place"), only(QUICK, CASES))
 def test_odd_destinations(folder, capsys, name, place):

@@ -67,6 +67,7 @@ SCALES = [(1.0, 1e150), (1.0, 1e300), (1e300, 1.0), (1e150, 1.0), (1.0, 1e13), (
           (1e-19, 1.0), (1e-300, 1.0), (1.0, 0.0), (1e-9, 1e9)]  # fmt: skip
 
 
+@pytest.mark.long_after(5)
 @pytest.mark.parametrize("scale", SCALES)
 def test_logs_at_the_ends_are_fitted_or_refused(tmp_path, any_type, scale):
     write_given(tmp_path)

@@ -12,7 +12,7 @@ import pytest
 from polhode.course.exercises import Chapter, Choice, Exercise, chapter_names, evaluate, read_chapter
 
 COURSE = Path(__file__).parents[2] / "learn"
-SEEDS, MANY = 20, 200
+SEEDS, MANY = 5, 200
 PLACE = re.compile(r"\{[A-Za-z]\w*\}")
 EXERCISES = [(chapter, one) for chapter in chapter_names() for one in read_chapter(chapter).exercises]
 SPECIMEN = {

@@ -52,6 +52,7 @@ def test_one_throw_is_found_however_long_the_log(seconds, waved):
     assert abs(found.start - t[first]) < 0.03 and abs(found.end - t[first + 79]) < 0.03
 
 
+@pytest.mark.long_after(5)
 @pytest.mark.parametrize("hand", HANDS)
 @pytest.mark.parametrize(("rate", "noise", "step"), [
     (50.0, 0.004, 0.0), (100.0, 0.001, 0.01745), (500.0, 0.02, 0.0011),
@@ -61,6 +62,7 @@ def test_all_throws_are_found_and_nothing_else(hand, rate, noise, step):
     check(log, free_flights(clean_log(log.times, log.rates)))
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("lever", [0.02, 0.25])
 def test_all_throws_are_found_by_the_accelerometer(lever):
     for seed, hand in enumerate(HANDS):

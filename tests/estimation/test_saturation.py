@@ -28,6 +28,7 @@ def rounded(rates, step):
     return step * np.round(rates / step) if step else rates
 
 
+@pytest.mark.long_after(16)
 @pytest.mark.parametrize("step", STEPS)
 @pytest.mark.parametrize("spin", SPINS)
 @pytest.mark.parametrize(("rate", "repeated", "noise"), [

@@ -69,6 +69,7 @@ def test_known_tumblers_have_their_published_modes(key, mode, energy):
         assert of_mode(motions, mode).energy_ratio == pytest.approx(energy, abs=5e-3)
 
 
+@pytest.mark.long_after(2)
 @pytest.mark.parametrize("case", CASES)
 def test_tilts_are_those_of_the_motion(case):
     motion = of_mode(fit_tumbling(*case[:3]), case[3])

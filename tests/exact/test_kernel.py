@@ -100,6 +100,7 @@ def test_many_bodies_agree_with_numpy(monkeypatch):
         assert (np.abs(a[1] - b[1]) <= 6e-15 * scale + 2e-323).all()
 
 
+@pytest.mark.long
 def test_several_threads_may_use_it_at_once(monkeypatch):
     compiled_alone(monkeypatch)
     moments, momentum, attitude = many_bodies(np.random.default_rng(4), 700)

@@ -171,6 +171,7 @@ def test_derivatives_stay_finite_where_a_top_goes_upright_for_ever_or_falls(draw
     assert np.isfinite(jacobians(cases)[0]).all()
 
 
+@pytest.mark.long
 def test_reverse_mode_agrees_with_forward_mode(drawn):
     cases, found = drawn
     for case, forward, reverse in zip(cases, *found, strict=False):

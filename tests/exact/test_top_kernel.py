@@ -145,6 +145,7 @@ def test_sweep_of_many_tops(left, announce):
     check_many(SWEEP_PER_FAMILY, 2025, left, announce)
 
 
+@pytest.mark.long
 def test_columns_and_numbers_agree_with_numpy_in_every_family(left, monkeypatch):
     """The form, the regime and the numbers of each top are the same, rates and states to rounding."""
     *top, times = batch(draw_tops(PER_FAMILY_OF_MANY, 9))

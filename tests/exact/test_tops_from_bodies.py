@@ -94,6 +94,7 @@ def miss(motion, wanted):
     return np.abs(matrix - wanted[0]).max(), np.abs(momentum - wanted[1]).max() / np.abs(wanted[1]).max()
 
 
+@pytest.mark.long_after(3)
 def test_it_moves_by_newton_and_euler(case):
     assert max(miss(made(*case), integrated(*case))) < INTEGRATED
 

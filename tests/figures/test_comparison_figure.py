@@ -16,6 +16,7 @@ def history(times, turn=0.0, mechanics=BODY):
     return AttitudeHistory("samples", times, attitude, MOTION.angular_velocity(times), mechanics=mechanics)
 
 
+@pytest.mark.long_after(4)
 @pytest.mark.parametrize("count", [1, 2, 200, 5000])
 @pytest.mark.parametrize("turn", [0.0, 1e-9, 2.0])
 def test_every_curve_lies_within_its_axes(count, turn):

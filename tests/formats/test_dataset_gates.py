@@ -303,6 +303,7 @@ def scaled(dataset):
     dataset["momentum"].encoding.update(_FillValue=float(dataset["momentum"].values[3, 1]))
 
 
+@pytest.mark.long_after(10)
 @pytest.mark.parametrize(("change", "words"), [
     (set_at("momentum", (4, 1), np.nan), r"momentum of sample 4 is not a finite number; got nan at index \(4, 1\)"),
     (set_at("time", 3, np.nan), "time of sample 3 is not a finite number"),
@@ -392,6 +393,7 @@ def test_an_outcome_that_is_no_text(store, name, value):
     refused(store, f"attribute {name} must be")
 
 
+@pytest.mark.long_after(2)
 @pytest.mark.parametrize(("name", "unit", "written"), [
     ("time", "minutes", "s"), ("time", "fortnights^999999", "s"), ("momentum", "g cm2/s", "kg m2 s-1"),
     ("angular_velocity", "deg s-1", "rad s-1"), ("principal_moments", "lb ft2", "kg m2"), ("mass", "lb", "kg"),

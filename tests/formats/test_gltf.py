@@ -100,6 +100,7 @@ def check_keys(path, motion, axes, speed=1.0, start=0.0, name="BODY"):
     return clock, found[name, "rotation"]
 
 
+@pytest.mark.long
 def test_attitudes_at_the_keys_are_exact_to_single_precision(tmp_path):
     clock, keys = check_keys(written(tmp_path, frame=FRAME), MOTION, BODY.principal_axes)
     assert clock == pytest.approx(TIMES, rel=SINGLE) and clock[0] == 0.0

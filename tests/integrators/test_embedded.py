@@ -70,6 +70,7 @@ def test_events_of_both_loops_agree():
     assert np.isinf(ours.saved[TIMES > ours.end]).all() and np.isfinite(ours.saved[TIMES < ours.end]).all()
 
 
+@pytest.mark.long
 def test_backwards_in_time_it_comes_back():
     there = run()
     back = run(there.saved[-1], TIMES[::-1])

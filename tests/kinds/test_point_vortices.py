@@ -102,6 +102,7 @@ def test_poles_and_the_equator_rest(spec):
         assert found.turn.rate == 0.0 and found.summary.endswith("rest, which is proved stable.")
 
 
+@pytest.mark.long
 def test_a_report_without_a_verdict(spec):
     read = spec(strengths(1e-90, 1) + '\nring_radius = "1 m"', '[time]\nuntil = "1 s"\nsamples = 3\n')
     tiny = read.system.model_copy(update={"strengths": [1e-200, 1.0]})  # weaker than a spec may say

@@ -74,6 +74,7 @@ def test_a_run_goes_on_from_its_file(spec, tmp_path):
         spec('resolution = 7\nstart_from = "motion.nc"').report()
 
 
+@pytest.mark.long
 def test_maps_of_the_page_are_those_of_the_fluid(spec):
     report = spec('resolution = 6\nfield_waves = [{degree = 2, order = 0, field = "1 rad/s"}]').report()
     vorticity, current = SphereMHDPanel().panels(report.trajectory, take_samples(report.trajectory), None)

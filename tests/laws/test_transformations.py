@@ -71,6 +71,7 @@ def flat(values, xp):
     return xp.concatenate([xp.reshape(v, (-1,)) for v in values])
 
 
+@pytest.mark.long_after(6)
 @pytest.mark.long_cases("rotation.shortest_between", "special.carlson.carlson_rd")
 @pytest.mark.parametrize("name", list(public_functions()))
 def test_alone_under_every_transformation(name):

@@ -35,6 +35,7 @@ def turn(case: Case) -> float:
     return max(abs(x) for x in case.momentum) / min(case.moments) * abs(case.time)
 
 
+@pytest.mark.long_after(4)
 @pytest.mark.long_cases("wide_moments", "near_separatrix")
 @pytest.mark.parametrize("family", first(10, [family.__name__ for family in FAMILIES]))
 def test_legendre_form_agrees_with_integrated_equations(family):

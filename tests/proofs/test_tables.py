@@ -63,6 +63,7 @@ def test_constants_that_are_no_fractions_are_refused():
         tables.algebra_text("so3", Stretched())
 
 
+@pytest.mark.long_after(14)
 @pytest.mark.parametrize("name", EXPORTED)
 def test_the_tables_obey_jacobi(name):
     """In exact integers, as the kernel computes it: so a table that Rocq refuses is seen here, without Rocq."""

@@ -76,6 +76,7 @@ def check_coverage(truth, names, lines, runs, least, most):
     return covered
 
 
+@pytest.mark.long
 def test_errors_cover_the_truth():
     check_coverage(SULFUR_DIOXIDE, A_NAMES, measured(SULFUR_DIOXIDE, 5, 5e4), 25, 0.90, 0.99)
 
@@ -163,6 +164,7 @@ def test_sigma_leverage_and_prediction_are_those_of_plain_linear_algebra():
 METHYL_CYANIDE = {"D_J": 3.8e3, "D_JK": 177e3}  # Hz
 
 
+@pytest.mark.long_after(2)
 @pytest.mark.parametrize(("constants", "dipole", "free"), [
     ((158099e6, 9198.9e6, 9198.9e6), (1e-29, 0.0, 0.0), "B"), ((158099e6, 9198.9e6, 9198.9e6), (1e-29, 0.0, 0.0), "C"),
     ((298192e6, 298192e6, 186726e6), (0.0, 0.0, 5e-30), "A"), ((298192e6, 298192e6, 186726e6), (0.0, 0.0, 5e-30), "B"),

@@ -150,6 +150,7 @@ BROKEN = [
 ]
 
 
+@pytest.mark.long_after(3)
 @pytest.mark.parametrize("specimen", [
     pytest.param(b, id=f"{b[0]}: {b[4]}", marks=needs_node if b[0] == "javascript" else needs_compiler) for b in BROKEN
 ])  # fmt: skip

@@ -34,9 +34,21 @@ BROKEN = 1e-6  # what a wrong formula must miss by at least
 pytestmark = pytest.mark.skipif(NODE is None, reason="node is missing")
 
 
+class WhenAsked(dict):
+    """What a function makes of each name, made when it is first asked for."""
+
+    def __init__(self, make):
+        super().__init__()
+        self.make = make
+
+    def __missing__(self, name):
+        self[name] = self.make(name)
+        return self[name]
+
+
 @pytest.fixture(scope="module")
 def simulated():
-    return {name: in_python(case) for name, case in CASES.items()}
+    return WhenAsked(lambda name: in_python(CASES[name]))
 
 
 def answered(simulated, folder=REFERENCE / "stepped"):
@@ -47,7 +59,7 @@ def answered(simulated, folder=REFERENCE / "stepped"):
 
 @pytest.fixture(scope="module")
 def solved(simulated):
-    return answered(simulated)
+    return WhenAsked(lambda name: answered({name: simulated[name]})[name])
 
 
 def column(answer, name):

@@ -41,6 +41,7 @@ def levi_civita(change=None):
     return table
 
 
+@pytest.mark.long_after(5)
 @pytest.mark.long_cases("DualNumbers(SU(2))")
 @pytest.mark.parametrize("algebra", list(those_with_rational_constants()))
 def test_equals_the_numerical_bracket(algebra):

@@ -99,6 +99,7 @@ def crooked():
     return LiePoissonBracket(c, [L1, L2, L3])
 
 
+@pytest.mark.long_after(10)
 @pytest.mark.parametrize("what", BROKEN)
 def test_a_wrong_page_is_refused(what):
     with pytest.raises(DerivationBroken):

@@ -90,6 +90,7 @@ def test_kovalevskaya_at_degree_four():
         assert np.abs(columns @ fit - kovalevskaya).max() < 1e-11 * np.abs(kovalevskaya).max()
 
 
+@pytest.mark.long_after(2)
 @pytest.mark.parametrize("system", [
     HeavyTop((1.0, 2.0, 2.5), 1.0, (0.6, 0.0, 0.8)),
     HeavyTop((2.0, 2.0, 1.1), 1.0, (1.0, 0.0, 0.0)),  # near Kovalevskaya's

@@ -42,6 +42,7 @@ NUMERICAL = [
 ]
 
 
+@pytest.mark.long_after(2)
 @pytest.mark.parametrize("system", NUMERICAL, ids=lambda x: type(x).__name__)
 def test_a_numerical_system_is_read_and_moves_alike(system):
     symbolic = SymbolicSystem.from_system(system)

@@ -32,6 +32,7 @@ def end(system, start, span, method, step, order=2):
     return np.asarray(ph.solve(system, start, [0.0, span], method, step, order=order).end_state)
 
 
+@pytest.mark.long_after(4)
 @pytest.mark.parametrize("periodic", [True, False])
 @pytest.mark.parametrize(("shape", "cell"), [((5, 4), (1, 0)), ((5, 4), (-1, 1)), ((7, 1), (2, 0)), ((2, 3), (1, 1)),
                                              ((3, 3), (2, 0)), ((6, 5), (0, -3))])  # fmt: skip

@@ -46,6 +46,7 @@ def of_arrays(field, start, t=0.4):
     return np.asarray(coefficients(OwnField(field), np.array(start), np.float64(t), np.float64(1.0), ORDER))
 
 
+@pytest.mark.long_after(2)
 @pytest.mark.long_cases("products", "functions")
 @pytest.mark.parametrize("name", FIELDS)
 def test_coefficients_are_those_of_power_series(name):

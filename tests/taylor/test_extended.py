@@ -87,6 +87,7 @@ def test_powers_keep_their_digits():
     assert np.abs(plain.states[-1] - after).max() > 1e-13
 
 
+@pytest.mark.long
 def test_python_and_numba_give_the_same_bits(monkeypatch):
     found = []
     for made in (kernels.python_kernel, kernels.compile_kernel):

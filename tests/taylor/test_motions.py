@@ -28,6 +28,7 @@ def moves(system):
     return pytest.param(system, marks=[] if type(system) in AT_ONCE else [pytest.mark.sweep])
 
 
+@pytest.mark.long_after(2)
 @pytest.mark.long_cases("BrunBody on SE3", "LiePoisson on SU(3)0", "Toda on Bidiagonal(4)", "LiePoisson on SU(3)1")
 @pytest.mark.parametrize("system", [moves(s) for s in SYSTEMS if not isinstance(s, BY_PACK)], ids=named)
 def test_every_system_moves_as_by_runge_kutta(system):

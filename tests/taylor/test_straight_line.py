@@ -51,6 +51,7 @@ def by_tables_and_by_code(program, width):
     return found
 
 
+@pytest.mark.long_after(15)
 @pytest.mark.parametrize("width", [1, lanes.LANES])
 @pytest.mark.parametrize("seed", range(25))
 def test_random_programs_have_the_same_bits(seed, width):

@@ -244,6 +244,7 @@ def test_one_step_in_a_file_decides_nothing_of_a_right_engine(tmp_path):
     assert report.verdict == "undecided" and "dt/4" in report.notes[-1]
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("change, words", [
     (lambda q, L: (np.roll(q, -1), L), "xyzw"), (lambda q, L: (q * np.array([1, -1, -1, -1]), L), "inverse"),
     (lambda q, L: (q, np.degrees(L)), "degrees"), (lambda q, L: (q, engines.matrix(q) @ L), "space axes for body"),
