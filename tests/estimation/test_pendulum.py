@@ -241,7 +241,7 @@ def test_a_file_of_periods(tmp_path):
     ("change", "words"),
     [
         (('"bifilar"', '"bifiler"'), "must be one of"),
-        (('spacing = "0.400 ± 0.0005 m"\n', ""), r"swing\[0\].spacing: is missing"),
+        (('spacing = "0.400 ± 0.0005 m"\n', ""), r"swing.1.spacing: is missing"),
         (('spacing = "0.400', 'radius = "0.400'), "is not a size of a bifilar pendulum"),
         (('["19.62 s", "19.58 s", "19.60 s", "19.63 s"]', '"19.6 s"'), "one timing without an error"),
         (('"19.62 s", "19.58 s", "19.60 s", "19.63 s"', '"19.6 s", "19.6 s"'), "all the same"),

@@ -146,7 +146,7 @@ def test_what_is_wrong_is_refused_at_its_place(tmp_path, changed, place, said):
 
 
 def test_refusals_of_the_system_name_the_table(tmp_path):
-    with pytest.raises(InvalidInput, match=r"wheel\[0\]|`mounts`"):
+    with pytest.raises(InvalidInput, match=r"wheel\.1|`mounts`"):
         spec(tmp_path, HEAD + BODY + '[[wheel]]\naxis = [0, 0, 1]\nmoment = "1e4 kg*m^2"\n').report()
     for orbit in ('altitude = "500 km"\neccentricity = 0.5\n', 'period = "1 s"\n'):
         with pytest.raises(InvalidInput, match="of the Earth's centre"):
