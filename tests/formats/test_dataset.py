@@ -78,6 +78,7 @@ def laden_body():
     return ph.simulate(body, body.pack((1.0, 0.0, 0.0, 0.0), (0.1, 0.2, 0.3)), np.linspace(0.0, 5.0, 6))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("ending", WAYS)
 def test_the_states_of_what_is_on_a_body_are_there(tmp_path, ending):
     trajectory = laden_body()

@@ -307,6 +307,7 @@ def test_a_flat_body_has_no_room_for_a_rotor_across_it(spec):
     assert min(abs(e["spin"]) for e in values["equilibria"]) < 1e-12
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("rate", "word"), [("8 rad/s", "calm"), ("-1.2 rad/s", "raise")])
 def test_losses_change_nutation_as_an_integrated_motion_does(spec, rate, word):
     """A sink of energy in the platform, whose motion is integrated, against the report's time constant."""

@@ -265,6 +265,7 @@ lasting = "3 s"
 """
 
 
+@pytest.mark.long
 def test_mounts_of_a_spec_start_as_it_says(tmp_path):
     text = HEAD + BODY + 'mass = "100 kg"\n[spin]\nangular_velocity = ["0 rad/s", "0.2 rad/s", "0.1 rad/s"]\n' + MOUNTS
     found = spec(tmp_path, text + '[time]\nuntil = "2 s"\nsamples = 3\n').motion().trajectory
@@ -303,6 +304,7 @@ def test_mounts_that_cannot_start_so_are_refused(tmp_path, changed, said):
     assert said[1] in str(refused.value)
 
 
+@pytest.mark.long
 def test_one_wheel_controls_pitch_and_the_report_says_so(tmp_path):
     text = (
         f'{HEAD}[body]\nmoments = ["0.20 kg*m^2", "0.25 kg*m^2", "0.12 kg*m^2"]\n[spin]\n'

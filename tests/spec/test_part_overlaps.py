@@ -20,6 +20,7 @@ def percents(notes):
     return [int(number) for note in notes for number in re.findall(r"about (\d+) %", note)]
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize(
     "turn", [{}, {"axis": "x"}, {"attitude": {"axis": [1, 2, 3], "angle": "50 deg"}}], ids=["", "axis", "attitude"]
 )

@@ -135,6 +135,7 @@ def test_eigenvalues_and_margins_of_a_plain_loop_are_those_of_the_textbook():
         assert (margins.gain_up, margins.gain_down) == (math.inf, 0.0)
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("count", [1, 2])
 def test_a_wheel_controls_about_its_own_axis_alone(count):
     """Along principal axes, by the textbook's oscillator about each wheel's axis; across them nothing happens."""

@@ -349,6 +349,7 @@ def test_a_part_of_ones_own():
     assert set(found.invariants) == {"energy", "|L|²", "momentum_space"} and max(found.drift.values()) < KEPT
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("rate", [(0.0, 40.0, 0.0), (0.0, 40.0, 1e-9), (0.3, 40.0, 0.0)])
 def test_a_pendulum_goes_over_its_top(rate):
     """Over the top exactly, or nearly: its angle from rest against the pendulum's own equation, in a heavy hub."""
