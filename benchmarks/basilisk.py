@@ -50,18 +50,19 @@ def whole(parts: list[tuple[float, np.ndarray, np.ndarray]]) -> ph.Body:
     return ph.Body(mass, center, about - mass * spread(center))
 
 
-def basilisk(add: Callable[..., Any]) -> np.ndarray:
+def basilisk(add: Callable[..., Any], step: float = STEP) -> np.ndarray:
     """Return the attitudes as MRPs of the hub's frame at the samples.
 
     Args:
         add: puts effectors onto (simulation, spacecraft, task), and returns what has to live as long as these.
+        step: of the task and of the integrator [s].
     """
     from Basilisk.simulation import spacecraft, svIntegrators
     from Basilisk.utilities import SimulationBaseClass, macros
 
     sim = SimulationBaseClass.SimBaseClass()
     process = sim.CreateNewProcess("process")
-    process.addTask(sim.CreateNewTask("task", macros.sec2nano(STEP)))
+    process.addTask(sim.CreateNewTask("task", macros.sec2nano(step)))
     craft = spacecraft.Spacecraft()
     craft.ModelTag = "craft"
     craft.hub.mHub, craft.hub.r_BcB_B = MASS, CENTER.reshape(3, 1).tolist()
