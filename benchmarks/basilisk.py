@@ -202,7 +202,11 @@ def slosh() -> tuple[RigidBody, Any, Callable[..., Any]]:
 
 
 def pendulum() -> tuple[RigidBody, Any, Callable[..., Any]]:
-    """A pendulum, whose angles Basilisk takes as φ about its third and θ about the turned second direction."""
+    """A pendulum, whose angles Basilisk takes as φ about its third and θ about the turned second direction.
+
+    It starts along the body's first axis, where both angles are zero. So the angular velocity of its arm against the
+    body is then (0, θ̇, φ̇).
+    """
     pivot, length, mass, damping = np.array([0.1, 0.0, 0.5]), 0.8, 20.0, 0.5
     rest = np.array([1.0, 0.0, 0.0])
     phi_rate, theta_rate = 4e-3, -3e-3

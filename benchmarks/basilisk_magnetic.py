@@ -3,9 +3,10 @@
 ``python benchmarks/basilisk_magnetic.py`` needs Basilisk, the package ``bsk``, built with MuJoCo as that of PyPI is. It
 prints for each case the largest angle between the two attitudes [rad], and the CPU seconds of both.
 
-Basilisk's ``Spacecraft`` takes the field and the rods' commands from messages that are written once in a step, and holds
-them for the step. So what it finds differs from the continuous law in proportion to the step. Its ``MJScene`` calls the
-models of its dynamics task in every stage of the integrator, and so finds the continuous law. Both are compared here.
+Basilisk's ``Spacecraft`` takes the field and the rods' commands from messages that are written once in a step, and
+holds them for the step. So what it finds differs from the continuous law in proportion to the step. Its ``MJScene``
+calls the models of its dynamics task in every stage of the integrator, and so finds the continuous law. Both are
+compared here; the law b-dot and the rates of the field are ours on both sides, by different formulas.
 """
 
 from __future__ import annotations
@@ -96,7 +97,9 @@ def earth_and_field(state_message: Any) -> tuple[Any, Any]:
     return earth, dipole
 
 
-def rods(moment: Moment, place_message: Any, attitude_message: Any, field_message: Any, torque: bool) -> tuple[Any, Any]:
+def rods(
+    moment: Moment, place_message: Any, attitude_message: Any, field_message: Any, torque: bool
+) -> tuple[Any, Any]:  # fmt: skip
     """Return a model of Basilisk that writes the moment (3,) [A m²] or its torque (3,) [N m], and its message."""
     from Basilisk.architecture import messaging, sysModel
     from Basilisk.utilities import RigidBodyKinematics
