@@ -50,18 +50,19 @@ def whole(parts: list[tuple[float, np.ndarray, np.ndarray]]) -> ph.Body:
     return ph.Body(mass, center, about - mass * spread(center))
 
 
-def basilisk(add: Callable[..., Any]) -> np.ndarray:
+def basilisk(add: Callable[..., Any], step: float = STEP) -> np.ndarray:
     """Return the attitudes as MRPs of the hub's frame at the samples.
 
     Args:
         add: puts effectors onto (simulation, spacecraft, task), and returns what has to live as long as these.
+        step: of the task and of the integrator [s].
     """
     from Basilisk.simulation import spacecraft, svIntegrators
     from Basilisk.utilities import SimulationBaseClass, macros
 
     sim = SimulationBaseClass.SimBaseClass()
     process = sim.CreateNewProcess("process")
-    process.addTask(sim.CreateNewTask("task", macros.sec2nano(STEP)))
+    process.addTask(sim.CreateNewTask("task", macros.sec2nano(step)))
     craft = spacecraft.Spacecraft()
     craft.ModelTag = "craft"
     craft.hub.mHub, craft.hub.r_BcB_B = MASS, CENTER.reshape(3, 1).tolist()
@@ -201,7 +202,11 @@ def slosh() -> tuple[RigidBody, Any, Callable[..., Any]]:
 
 
 def pendulum() -> tuple[RigidBody, Any, Callable[..., Any]]:
-    """A pendulum, whose angles Basilisk takes as φ about its third and θ about the turned second direction."""
+    """A pendulum, whose angles Basilisk takes as φ about its third and θ about the turned second direction.
+
+    It starts along the body's first axis, where both angles are zero. So the angular velocity of its arm against the
+    body is then (0, θ̇, φ̇).
+    """
     pivot, length, mass, damping = np.array([0.1, 0.0, 0.5]), 0.8, 20.0, 0.5
     rest = np.array([1.0, 0.0, 0.0])
     phi_rate, theta_rate = 4e-3, -3e-3
