@@ -165,6 +165,18 @@ def test_the_centre_of_mass_on_a_scale():
     assert 0.5 < np.std(off) < 1.6
 
 
+@pytest.mark.parametrize("noise", [1e-15, 1e-12, 1e-6])
+def test_precise_timings_tell_the_centre_as_well_as_they_say(noise):
+    mass, moment, place, draw = 1.2, 0.03, 0.31, np.random.default_rng(2)
+    periods = [compound_period(moment, mass, abs(place - p), 0.2) for p in (0.0, 0.1, 0.55)]
+    for _ in range(4):
+        swings = [Swing((0, 1, 0), Pivot(None, p), Measured(t * (1 + noise * draw.normal()), noise * t), 0.2)
+                  for p, t in zip((0.0, 0.1, 0.55), periods, strict=True)]  # fmt: skip
+        fit = fit_pendulum(swings, Measured(mass))
+        assert abs(fit.center.value[0] - place) < 5 * fit.center.standard_error[0]
+        assert abs(fit.combined.value[0] - moment) < 5 * fit.combined.standard_error[0]
+
+
 def test_drag_is_taken_out():
     """θ̈ = −mgd sin θ/I − cθ̇ from 0.3 rad: the time of ten swings, and the last amplitude, give the moment back."""
     mass, moment, d = 1.0, 0.02, 0.3

@@ -51,6 +51,24 @@ def test_errors_that_take_the_noise_for_white_are_too_small():
     assert 1.8 * plain < fit.estimate.standard_error[0] < 5.0 * plain
 
 
+@pytest.mark.parametrize("days", [10.0, 5.0, 1.0])
+@pytest.mark.parametrize("noise", [0.0, 1e-12, 1e-6])
+def test_errors_hold_at_any_noise(days, noise):
+    """A line and seasons in extended precision; 5 d are samples of the pole, not means over the step."""
+    for seed in range(3):
+        draw = rng(seed)
+        period, amplitude, phase = draw.uniform(425, 440) * DAY, draw.uniform(100, 200) * MAS, draw.uniform(-3, 3)
+        times = days * DAY * np.arange(int(25 * 365 / days))
+        angle = 2 * np.pi * (times.astype(np.longdouble) - 0.5 * times[-1])
+        m = amplitude * np.exp(1j * (angle / period + phase))
+        m += ANNUAL * np.exp(1j * angle / YEAR) + 5 * MAS * np.exp(-1j * angle / YEAR)
+        m = m.astype(complex) + noise * amplitude * (draw.normal(size=(len(times), 2)) @ [1, 1j])
+        fit = fit_chandler(times, m.real, -m.imag)
+        epoch = 2 * np.pi / period * (fit.epoch - 0.5 * times[-1])
+        assert (off(fit.estimate, [period, amplitude, phase + epoch]) < FAR).all()
+        assert fit.rms < 2 * noise * amplitude + 1e-14 * amplitude
+
+
 @pytest.mark.parametrize("broken", [lambda x, y: (x, -y), lambda x, y: (y, x)], ids=["flipped", "swapped"])
 def test_a_wrong_sense_is_noticed(broken):
     times, x, y = lines(rng(3), 14.0)

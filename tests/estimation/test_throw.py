@@ -84,6 +84,19 @@ def test_a_bias_is_found():
     assert np.allclose(fit.bias.value, [0.05, -0.05, 0.05], atol=5 * fit.bias.standard_error.max())
 
 
+@pytest.mark.parametrize("noise", [1e-11, 1e-8])
+def test_gains_leave_the_ratios_open_however_quiet_the_gyro_is(noise):
+    """Gains along the principal axes and moments do the same to rates: only what is known of gains tells them apart."""
+    rng = np.random.default_rng(3)
+    t = np.arange(0.0, 1.0, 0.01)
+    done = solve_ivp(euler(PHONE), (0.0, 1.0), SPINS["long"], method="DOP853", t_eval=t, rtol=1e-13, atol=1e-14)
+    rates = done.y.T @ np.diag([1.012, 0.991, 1.004]) + noise * rng.normal(size=(100, 3))
+    fit = fit_throw(clean_log(t, rates), WHOLE, drag=False, rotor=False)
+    assert (off(fit, PHONE) < FAR).all()
+    assert (fit.ratios.standard_error > 1e-3).all()
+    assert np.isclose(fit.sigma, noise, rtol=0.3)
+
+
 @pytest.mark.sweep
 def test_gains_are_found_with_a_wide_prior():
     log, _ = made(5, "long", "book", drag=0.0)

@@ -57,6 +57,18 @@ def test_fifteen_constants_come_back_without_noise():
     assert fit.rms < 1e-3 and fit.leverage.sum() == pytest.approx(15.0, rel=1e-9)
 
 
+@pytest.mark.parametrize("error", [1e-4, 1e4])
+def test_a_start_far_away_in_errors_of_the_lines(error):
+    """Levels of J ≤ 2 in closed form; steps of a few errors of 0.1 mHz would seem to lead nowhere."""
+    A, B, C = true = np.array([27e9, 14.5e9, 9.3e9])
+    second = 2 * (A + B + C) - 2 * np.sqrt((B - C) ** 2 + (A - C) * (A - B))  # of 2_02
+    ends = [((1, 1, 1), (0, 0, 0), A + C), ((1, 1, 0), (1, 0, 1), A - C), ((2, 0, 2), (1, 1, 1), second - A - C)]
+    upper, lower, frequency = (np.array(part) for part in zip(*ends, strict=True))
+    fit = fit_rotor(Rotor(true * [1.001, 0.999, 1.0]), MeasuredLines(upper, lower, frequency, np.full(3, error)))
+    assert np.abs((fit.values - true) / fit.sigma).max() < 5.0
+    assert fit.rms < 1.0
+
+
 def deviations(truth, names, lines, runs):
     """Deviations of fits from the truth as χ² (runs,) and over σ (runs, p)."""
     whole, single = [], []

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
-from polhode.types import Array, ArrayLike, Complex128, Float64, Real
+from polhode.types import Array, ArrayLike, Complex128, Float64, Integer, Real
 
 DAY = 86_400.0
 YEAR = 365.2422 * DAY  # tropical: the seasons' year
@@ -69,11 +69,23 @@ def clean_pole(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[Arr
 
 def average_steps(pole: Pole, step: float) -> Pole:
     """Return means over steps [s] that follow each other from the first time; steps without samples are left out."""
+    first, sizes = _split_steps(pole, step)
+    mean = lambda values: np.add.reduceat(values, first) / sizes  # noqa: E731
+    return Pole(mean(pole.times), mean(pole.m.real) + 1j * mean(pole.m.imag), sizes.astype(float))
+
+
+def step_moments(pole: Pole, step: float, orders: int) -> Float64[Array, "n k"]:
+    """Return the mean powers 0, 1, … of the samples' times about their mean, in each step [s] of ``average_steps``."""
+    first, sizes = _split_steps(pole, step)
+    away = pole.times - np.repeat(np.add.reduceat(pole.times, first) / sizes, sizes)
+    return np.add.reduceat(away[:, None] ** np.arange(orders), first, axis=0) / sizes[:, None]
+
+
+def _split_steps(pole: Pole, step: float) -> tuple[Integer[Array, "n"], Integer[Array, "n"]]:
+    """Return the first sample of each step that has any, and how many it has."""
     place = np.floor((pole.times - pole.times[0]) / step + 1e-9).astype(int)
-    sizes = np.bincount(place)
-    full = sizes > 0
-    mean = lambda values: np.bincount(place, values)[full] / sizes[full]  # noqa: E731
-    return Pole(mean(pole.times), mean(pole.m.real) + 1j * mean(pole.m.imag), sizes[full].astype(float))
+    _, first, sizes = np.unique(place, return_index=True, return_counts=True)
+    return first, sizes
 
 
 def even(pole: Pole, step: float) -> Pole:

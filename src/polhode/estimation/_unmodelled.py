@@ -22,6 +22,7 @@ NOTHING = 1e-7  # over I3 |ω|²: less is no torque
 GAINS_KNOWN = 4.0  # degrees of freedom by which the spread of the gains is known beforehand
 PER_NODE, MOST_NODES = 1.0, 20  # rad of turning from node to node of the torque; how many nodes a throw has at most
 ROUNDS, STEPS, HALVINGS = 4, 40, 8
+ROUNDED = 1e-15  # of the largest singular value: smaller ones are rounding
 
 
 @dataclass(frozen=True)
@@ -167,8 +168,10 @@ class _Mixed:
     def __init__(self, model: Model, x: Array, A: Array, z: Array, scales: _Scales) -> None:
         self.model, self.x, self.scales = model, x, scales
         self.count = len(z)
-        self.normal, self.right, self.square = A.T @ A, A.T @ z, float(z @ z)
+        self.A, self.z = A, z
         self.torques = A.shape[1] - model.size
+        # squares of A would lose what is known beforehand, where the noise is small
+        self.root, self.right = np.split(np.asarray(np.linalg.qr(np.c_[A, z], mode="r")), [A.shape[1]], axis=1)
         for _ in range(STEPS):
             before = self.scales
             self._solve()
@@ -183,33 +186,31 @@ class _Mixed:
         self._solve()
         self.freedom = self._freedom()
 
-    def _prior_precision(self) -> tuple[Array, Array, Array, Array]:
-        """Return the prior precision of each group (fixed part, gains, torque), and the prior's pull."""
+    def _prior_rows(self) -> tuple[Array, Array, Array, Array]:
+        """Return roots of the prior precision of each group (fixed part, gains, torque), and the prior's pull."""
         size = self.model.size + self.torques
         which, means, weights = replace(self.model, gain_spread=self.scales.gain).prior()
-        precision = np.zeros((size, size))
-        precision[np.ix_(which, which)] = weights.T @ weights
-        pull = np.zeros(size)
-        pull[which] = weights.T @ weights @ (means - self.x[which])
-        gains = np.zeros(size, dtype=bool)
+        rows = np.zeros((len(which), size))
+        rows[:, which] = weights
+        of_gains = np.zeros(size, dtype=bool)
         for name in ("gain", "cross_axis"):
             if name in self.model.places:
-                gains[self.model.places[name]] = True
-        of_gains = np.where(gains[:, None], precision, 0.0)
-        torque = np.zeros(size)
-        torque[self.model.size :] = self.scales.torque**-2.0
-        return precision - of_gains, of_gains, np.diag(torque), pull
+                of_gains[self.model.places[name]] = True
+        gains = rows * of_gains
+        torque = np.eye(size)[self.model.size :] / self.scales.torque
+        return rows - gains, gains, torque, weights @ (means - self.x[which])
 
     def _solve(self) -> None:
-        fixed, gains, torque, pull = self.parts = self._prior_precision()
-        level = self.scales.noise * self.scales.widened
-        whole = self.normal / level + fixed + gains + torque
-        scale = 1.0 / np.sqrt(np.maximum(np.diagonal(whole), 1e-300))
-        scaled = whole * scale[:, None] * scale
-        values, vectors = np.linalg.eigh(scaled)
-        vectors = vectors * scale[:, None]
-        self.covariance = (vectors / np.maximum(values, 1e-14)) @ vectors.T
-        self.step = self.covariance @ (self.right / level + pull)
+        fixed, gains, torque, pull = self._prior_rows()
+        self.parts = fixed.T @ fixed, gains.T @ gains, torque.T @ torque
+        level = np.sqrt(self.scales.noise * self.scales.widened)
+        whole = np.concatenate([self.root / level, fixed + gains, torque])
+        wanted = np.concatenate([self.right[:, 0] / level, pull, np.zeros(self.torques)])
+        scale = 1.0 / np.maximum(np.linalg.norm(whole, axis=0), 1e-150)
+        left, values, right = np.linalg.svd(whole * scale, full_matrices=False)
+        self.spread = right.T * scale[:, None] / np.maximum(values, ROUNDED * values[0])  # root of the covariance
+        self.covariance = self.spread @ self.spread.T
+        self.step = self.spread @ (left.T @ wanted)
 
     def cost(self, x: Array, push: Array, squares: float) -> float:
         """Return the sum of squares that the step minimizes, of whitened residuals and priors."""
@@ -219,7 +220,7 @@ class _Mixed:
 
     def _scale(self) -> None:
         """Update each variance: the group's sum of squares over its number of well-determined parameters [MacKay]."""
-        _, gains, torque, _ = self.parts
+        _, gains, torque = self.parts
         here = self.step.copy()
         here[: self.model.size] += self.x
         if "gain" in self.model.places:
@@ -230,8 +231,8 @@ class _Mixed:
         spread = (known + float(here @ gains @ here) * self.scales.gain**2) / (GAINS_KNOWN + self.told)
         self.seen = max(self.torques - float(np.trace(torque @ self.covariance)), 1e-6)
         push = float(here @ torque @ here) * self.scales.torque**2 / self.seen
-        left = self.square - 2 * self.right @ self.step + self.step @ self.normal @ self.step
-        used = float(np.einsum("ij,ji->", self.normal, self.covariance)) / (self.scales.noise * self.scales.widened)
+        left = float(np.sum((self.z - self.A @ self.step) ** 2))
+        used = float(np.sum((self.root @ self.spread) ** 2)) / (self.scales.noise * self.scales.widened)
         noise = max(left, 1e-300) / max(self.count - used, 1.0)
         self.scales = replace(self.scales, gain=float(np.sqrt(spread)), torque=max(float(np.sqrt(push)), NOTHING),
                               noise=float(noise))  # fmt: skip
@@ -239,7 +240,7 @@ class _Mixed:
 
     def _freedom(self) -> float:
         """Return Satterthwaite's degrees of freedom of the less known ratio, of the variances that make it up."""
-        fixed, gains, torque, _ = self.parts
+        fixed, gains, torque = self.parts
         shape = self.model.places["shape"]
         rows = np.array([[-0.5, 1.0], [0.5, 1.0]]) @ self.covariance[shape]
         total = np.einsum("ij,ij->i", rows[:, shape], np.array([[-0.5, 1.0], [0.5, 1.0]]))

@@ -12,6 +12,7 @@ from scipy.spatial.transform import Rotation
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation._estimate import Estimate
+from polhode.estimation._last_steps import take_last_steps
 from polhode.estimation._linear_start import linear_inertia
 from polhode.estimation._principal import Principal, explain_undetermined, principal
 from polhode.estimation._throw_doubts import why_impossible
@@ -27,9 +28,6 @@ PLACES = {"shape": slice(0, 2), "turn": slice(2, 5), "start": slice(5, 8), "atti
 TORQUE = slice(11, 14)
 LIMITS = ([-1.0, 0.0, *[-np.inf] * 12], [1.0, 2.0, *[np.inf] * 12])
 ROUNDS = 6
-FINISHING, DONE = 8, 1e-6  # steps at most; what the last one takes off half the sum of squares over the noise
-NEAR = 1e-3  # rad, rad/s and shape, which a step towards the minimum is at most
-KNOWN = 1e-10  # of the largest singular value, above which data determine a direction
 
 
 @dataclass(frozen=True)
@@ -190,6 +188,7 @@ def _torque(x: Array, covariance: Array, axes: Array, inertia: Principal, freedo
 def _descend(system: _System, x: Array) -> _Solution:
     """Return the solution from a start: least squares and the noise of each kind of data in turn."""
     size = len(x)
+    low, high = (np.array(limit[:size]) for limit in LIMITS)
     data = sum(r.size for r, _ in system.blocks(x))
     freedom = float(max(data - size, 1))
     noise = np.array([float(np.median(np.abs(r))) * 1.5 + 1e-9 for r, _ in system.blocks(x)])
@@ -197,7 +196,7 @@ def _descend(system: _System, x: Array) -> _Solution:
         system.noise = noise
         done = least_squares(
             system.residuals, x, jac=system.jacobian,  # pyright: ignore[reportArgumentType]
-            bounds=(LIMITS[0][:size], LIMITS[1][:size]),  # pyright: ignore[reportArgumentType]
+            bounds=(low, high),  # pyright: ignore[reportArgumentType]
             loss="huber", f_scale=ROBUST, x_scale="jac", xtol=1e-10, ftol=1e-8, gtol=1e-15, max_nfev=60,
         )  # fmt: skip
         x, before = done.x, noise
@@ -205,7 +204,7 @@ def _descend(system: _System, x: Array) -> _Solution:
         if done.status > 0 and np.abs(noise / before - 1.0).max() < 0.02:
             break
     system.noise = noise
-    x, left = _finish(system, x)
+    x, left = take_last_steps(system, x, low, high, ROBUST)
     system.noise = noise = np.array([_noise(r, freedom / data) for r, _ in system.blocks(x)])
     z, J = system.residuals(x), system.jacobian(x)
     # what the iteration leaves undone is an error too, and of data without noise the larger one
@@ -213,36 +212,6 @@ def _descend(system: _System, x: Array) -> _Solution:
     cost = sum(2.0 * r.size * np.log(s) for (r, _), s in zip(system.blocks(x), noise, strict=True))
     count = size + len(noise)
     return _Solution(system, x, covariance, noise, freedom, float(cost + 2 * count * data / max(data - count - 1, 1)))
-
-
-def _finish(system: _System, x: Array) -> tuple[Array, Array]:
-    """Return the minimum by steps of Gauss and Newton, and the last of them.
-
-    ``least_squares`` ends where the sum of squares no longer falls, which is at half of the digits of its place.
-    """
-    step, cost = np.zeros(len(x)), _robust_cost(system.residuals(x))
-    for _ in range(FINISHING):
-        z, J = system.residuals(x), system.jacobian(x)
-        weights = np.sqrt(np.minimum(1.0, ROBUST / np.maximum(np.abs(z), ROBUST)))
-        scale = np.linalg.norm(J, axis=0)
-        scale[scale == 0.0] = 1.0
-        step = np.linalg.lstsq(weights[:, None] * J / scale, -weights * z, rcond=KNOWN)[0] / scale
-        if np.abs(step).max() > NEAR:  # along what the data hardly determine, which the covariance says
-            return x, np.zeros(len(x))
-        there = np.clip(x + step, LIMITS[0][: len(x)], LIMITS[1][: len(x)])
-        step, lower = there - x, _robust_cost(system.residuals(there))
-        if not lower <= cost:
-            break
-        x, done, cost = there, cost - lower, lower
-        if done < DONE:
-            break
-    return x, step
-
-
-def _robust_cost(z: Array) -> float:
-    """Return Huber's sum, half of it that of the squares."""
-    sizes = np.abs(z)
-    return float(np.sum(np.where(sizes <= ROBUST, 0.5 * sizes**2, ROBUST * (sizes - 0.5 * ROBUST))))
 
 
 def _noise(r: Array, share: float) -> float:

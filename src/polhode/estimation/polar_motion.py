@@ -15,15 +15,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.optimize import minimize_scalar
+from scipy.special import factorial
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.estimation._estimate import Estimate
+from polhode.estimation._last_steps import take_last_steps
 from polhode.estimation._line_noise import LineNoise, accumulate_walk, level_at, noise_about
-from polhode.estimation._pole_series import DAY, YEAR, Pole, average_steps, clean_pole
+from polhode.estimation._pole_series import DAY, YEAR, average_steps, clean_pole, step_moments
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
-STEP = 5.0 * DAY  # means over it are fitted: nothing that the model has changes within
+STEP = 5.0 * DAY  # means over it are fitted: nothing that the model has changes much within
+ORDERS = 9  # of powers of the turn within half a step, 0.09 at most
 SHORTEST, LONGEST = 380.0 * DAY, 490.0 * DAY  # periods among which the wobble's is sought
 BEATS = 2.0 * 6.39 * 365.25 * DAY  # twice the beat of 433 d and a year; `fit_chandler` says why
 ANNUAL = 2.0 * np.pi / YEAR
@@ -79,6 +82,15 @@ class ChandlerFit:
         return _polar(self.terms.value[k : k + 2], self.terms.covariance[k : k + 2, k : k + 2])
 
 
+class _Series(NamedTuple):
+    """Means over steps: their times from the epoch (n,), the pole (n,), and mean powers of time within steps (n, k)."""
+
+    clock: Float64[Array, "n"]
+    m: Complex128[Array, "n"]
+    moments: Float64[Array, "n k"]
+    span: float
+
+
 class _Model(NamedTuple):
     columns: Complex128[Array, "n c"]
     values: Complex128[np.ndarray, "c"]
@@ -114,18 +126,19 @@ def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
         >>> [round(float(fit.estimate.value[0]) / 86400.0, 1), round(float(fit.estimate.value[1]) * 1e7, 2)]
         [433.0, 7.0]
     """
-    pole = average_steps(clean_pole(times, x, y), STEP)
+    samples = clean_pole(times, x, y)
+    pole = average_steps(samples, STEP)
     if pole.span < BEATS:
         raise InvalidInput(f"the series must last {BEATS / YEAR:.1f} years, twice the beat of the wobble and the year, "
                            f"to tell the two apart; got {pole.span / YEAR:.2f} years. Give a longer series."
                            )  # fmt: skip
     epoch = 0.5 * float(pole.times[0] + pole.times[-1])
-    clock = pole.times - epoch
-    rate = _best_rate(clock, pole)
+    series = _Series(pole.times - epoch, pole.m, step_moments(samples, STEP, ORDERS), pole.span)
+    rate, undone = _best_rate(series)
     rates = {**SEASONS, "chandler_prograde": rate, "chandler_retrograde": -rate}
-    model = _solve(clock, pole.m, list(rates.values()), pole.span)
+    model = _solve(series, rate)
     _check_sense(abs(model.values[4]), abs(model.values[5]))
-    noise, covariance, degrees, inflation = _errors(clock, model, list(rates.values()), pole.span)
+    noise, covariance, degrees, inflation = _errors(series, model, rate, undone)
     names = [f"{name}_{part}" for name in (*rates, "mean", "drift") for part in ("re", "im")]
     values = model.values.copy()
     values[-1] /= pole.span
@@ -143,16 +156,16 @@ def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
     return ChandlerFit(estimate, terms, rates, epoch, pole.times, pole.m, model.left, noise, rms, inflation)
 
 
-def _best_rate(clock: Float64[Array, "n"], pole: Pole) -> float:
-    """Return the rate [rad/s] with the least residuals, the global minimum over the admitted periods."""
-    fixed = list(SEASONS.values())
+def _best_rate(series: _Series) -> tuple[float, float]:
+    """Return the rate [rad/s] with the least residuals, the global minimum over the admitted periods, and what the
+    search leaves undone."""
 
     def cost(rate: float) -> float:
-        left = _solve(clock, pole.m, [*fixed, rate, -rate], pole.span).left
+        left = _solve(series, rate).left
         return float(np.vdot(left, left).real)
 
     low, high = 2.0 * np.pi / LONGEST, 2.0 * np.pi / SHORTEST
-    grid = np.linspace(low, high, int((high - low) * pole.span / (2.0 * np.pi) * 6.0) + 8)
+    grid = np.linspace(low, high, int((high - low) * series.span / (2.0 * np.pi) * 6.0) + 8)
     costs = [cost(rate) for rate in grid]
     best = int(np.argmin(costs))
     if best in (0, len(grid) - 1):
@@ -161,26 +174,56 @@ def _best_rate(clock: Float64[Array, "n"], pole: Pole) -> float:
                            )  # fmt: skip
     minimum: Any = minimize_scalar(cost, bounds=(grid[best - 1], grid[best + 1]), method="bounded",
                             options={"xatol": 1e-7 * grid[best]})  # fmt: skip
-    return float(minimum.x)
+    turned = float(minimum.x) * series.span
+    x, left = take_last_steps(_RateSystem(series), np.array([turned]), np.array([-np.inf]), np.array([np.inf]))
+    return float(x[0]) / series.span, float(left[0]) / series.span
 
 
-def _columns(clock: Float64[Array, "n"], rates: list[float], span: float) -> Complex128[Array, "n c"]:
-    """Return a column for each rate, of means over the step, then those of position and drift over the span."""
-    # the mean of e^{iσt} over a step is e^{iσt} sin(σ step/2)/(σ step/2), and NumPy's sinc(x) is sin πx/πx
-    waves = np.exp(1j * np.outer(clock, rates)) * np.sinc(np.array(rates) * _mean_over(clock) / (2.0 * np.pi))
-    return np.concatenate([waves, np.ones((len(clock), 1)), clock[:, None] / span], axis=1)
+class _RateSystem:
+    """Residuals over their rms, and their derivatives by the turn of the wobble in the span, all else fitted."""
+
+    def __init__(self, series: _Series) -> None:
+        self.series = series
+        self.size: float | None = None
+
+    def residuals(self, x: Float64[Array, "1"]) -> Float64[Array, "m"]:
+        left = _solve(self.series, float(x[0]) / self.series.span).left
+        if self.size is None:
+            self.size = max(float(np.sqrt(0.5 * np.mean(np.abs(left) ** 2))), 1e-300)
+        return np.concatenate([left.real, left.imag]) / self.size
+
+    def jacobian(self, x: Float64[Array, "1"]) -> Float64[Array, "m 1"]:
+        rate = float(x[0]) / self.series.span
+        model = _solve(self.series, rate)
+        bend = _bend(self.series, model, rate)
+        own = bend - model.columns @ np.linalg.lstsq(model.columns, bend, rcond=None)[0]
+        assert self.size is not None
+        return -np.concatenate([np.real(own), np.imag(own)])[:, None] / (self.size * self.series.span)
 
 
-def _mean_over(clock: Float64[Array, "n"]) -> float:
-    """Return over which time each sample is a mean; zero where samples are farther apart than the step."""
-    usual = float(np.median(np.diff(clock)))
-    return STEP if usual < 1.5 * STEP else 0.0
+def _waves(series: _Series, rates: list[float], slope: bool = False) -> Complex128[Array, "n c"]:
+    """Return e^{iσt} of each rate, of means over the samples of each step, or its derivatives by σ."""
+    # about the mean time t of a step's samples the mean of e^{iσ(t + u)} is e^{iσt} Σ (iσ)ᵏ ⟨uᵏ⟩/k!
+    k = np.arange(ORDERS)
+    parts = (1j * np.array(rates)) ** k[:, None] / factorial(k)[:, None]
+    turn = np.exp(1j * np.outer(series.clock, rates))
+    mean = series.moments @ parts
+    if not slope:
+        return turn * mean
+    return 1j * turn * (series.clock[:, None] * mean + series.moments[:, 1:] @ parts[:-1])
 
 
-def _solve(clock: Float64[Array, "n"], m: Complex128[Array, "n"], rates: list[float], span: float) -> _Model:
-    columns = _columns(clock, rates, span)
-    values = np.linalg.lstsq(columns, m, rcond=None)[0]
-    return _Model(columns, values, m - columns @ values)
+def _solve(series: _Series, rate: float) -> _Model:
+    """Return the least squares of all lines, position and drift over the span, for a rate of the wobble."""
+    waves = _waves(series, [*SEASONS.values(), rate, -rate])
+    columns = np.concatenate([waves, np.ones((len(waves), 1)), series.clock[:, None] / series.span], axis=1)
+    values = np.linalg.lstsq(columns, series.m, rcond=None)[0]
+    return _Model(columns, values, series.m - columns @ values)
+
+
+def _bend(series: _Series, model: _Model, rate: float) -> Complex128[Array, "n"]:
+    """Return the derivative of the fitted pole by the wobble's rate."""
+    return _waves(series, [rate, -rate], slope=True) @ (model.values[4:6] * [1.0, -1.0])
 
 
 def _check_sense(prograde: float, retrograde: float) -> None:
@@ -192,12 +235,12 @@ def _check_sense(prograde: float, retrograde: float) -> None:
 
 
 def _errors(
-    clock: Float64[Array, "n"], model: _Model, rates: list[float], span: float
+    series: _Series, model: _Model, line: float, undone: float
 ) -> tuple[LineNoise, Float64[Array, "p p"], float, float]:
     """Return the noise, the covariance of all parameters (real, imaginary, …, rate), its degrees of freedom, and the
     inflation of the rate's variance."""
-    line = rates[4]
-    bend = 1j * clock * model.columns[:, 4] * model.values[4]  # by the rate
+    clock, rates = series.clock, [*SEASONS.values(), line, -line]
+    bend = _bend(series, model, line)
     basis = np.stack([model.columns, 1j * model.columns], axis=2).reshape(len(clock), -1)
     basis = np.concatenate([basis, bend[:, None]], axis=1)
     size = np.sqrt(np.sum(np.abs(basis) ** 2, axis=0))
@@ -223,7 +266,13 @@ def _errors(
     degrees = float(np.clip(2.0 * covariance[-1, -1] ** 2 / spread, 2.0, 1e6))
     alone = basis[:, [8, 9, -1]]
     inflation = inverse[-1, -1] / np.linalg.inv((alone.conj().T @ alone).real)[-1, -1]
-    return noise, covariance / np.outer(size, size), degrees, float(inflation)
+    # what the search leaves undone is an error too, and of series without noise the larger one
+    moved = np.linalg.lstsq(model.columns, -undone * bend, rcond=None)[0]
+    last = np.array([*np.stack([moved.real, moved.imag], axis=1).ravel(), undone])
+    phase = np.finfo(float).eps * 0.5 * line * series.span  # by which a phase at the ends is rounded
+    rounded = np.array([*[phase * abs(model.values[4])] * (len(size) - 1), np.finfo(float).eps * line])
+    covariance = covariance / np.outer(size, size) + np.outer(last, last) + np.diag(rounded**2)
+    return noise, covariance, degrees, float(inflation)
 
 
 def _headline(rate: float, value: complex, covariance: Float64[Array, "3 3"], degrees: float) -> Estimate:

@@ -22,6 +22,7 @@ from polhode.types import Array, Float64, Integer
 
 UNDETERMINED = 1e-10  # of the largest singular value, with columns of length one
 SHARE = 0.1  # of an undetermined combination, from which on a constant is named
+NEAR = 1e-6  # of the residuals at the start: a hundredth of the first step at most
 SMALL = 1e-9  # of a last step and of what it gains: in units of σ, far below them
 ROUNDING = 1e-13  # of the terms of ∂E'/∂p − ∂E''/∂p
 
@@ -127,7 +128,9 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str] | None = N
     def jacobian(steps: Array) -> Array:
         return -_at(model, seen, start + steps * scale)[1] * scale
 
-    ways: Any = {"jac": jacobian}
+    # from a start that is 1e11 errors away, steps of a few errors would seem to gain nothing
+    unit = max(1.0, NEAR * float(np.linalg.norm(residual(np.zeros(len(names))))))
+    ways: Any = {"jac": jacobian, "x_scale": unit}
     solution = least_squares(residual, np.zeros(len(names)), **ways, method="lm", xtol=SMALL, ftol=SMALL, gtol=SMALL)
     values = start + solution.x * scale
     if solution.status <= 0 or not np.isfinite(values).all():
