@@ -119,7 +119,7 @@ class ClosedForm:
         outputs, is_left = [[0.0] for _ in range(len(columns))], [True]
         try:
             self._python.set_up(*([v.tolist()] for v in inputs), outputs, is_left)
-        except (ArithmeticError, ValueError):  # numbers that leave the doubles, which Numba's kernel leaves to NumPy too
+        except (ArithmeticError, ValueError):  # beyond doubles, which Numba's kernel leaves to NumPy too
             return
         columns[:, k], left[k] = [x for (x,) in outputs], is_left[0]
 
