@@ -5,7 +5,7 @@ They end where the sum of squares no longer falls, which is at half of the digit
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
@@ -16,6 +16,7 @@ NEAR = 1e-3  # of each parameter, in its unit, which a step towards the minimum 
 KNOWN = 1e-10  # of the largest singular value, above which data determine a direction
 
 
+@runtime_checkable
 class System(Protocol):
     """Residuals over their noise, and their derivatives."""
 
