@@ -111,6 +111,27 @@ def test_what_was_compiled_before_the_first_look_does_not_count(monkeypatch, cap
     assert capsys.readouterr().err == "polhode: this takes about 3 s. Ctrl-C ends it.\n"
 
 
+def at_times(monkeypatch, looks):
+    """Let a watch look at (time [s], share) of a run."""
+    clock = Clock(0.0)
+    monkeypatch.setattr(length, "time", clock)
+    watch = length.Watch(100.0, np.linspace(0.0, 100.0, 50))
+    shown = watch.init()
+    for clock.now, share in looks:
+        shown = watch.step(shown, share)
+
+
+def test_what_is_compiled_on_the_way_does_not_count(monkeypatch):
+    """Twenty seconds of it once let a run without end go on, as it was too late to end it."""
+    compiled = [(0.0, 0.0), (0.2, 1e-3), (20.0, 2e-3)]
+    at_times(monkeypatch, [*compiled, *((20.0 + 0.1 * k, 2e-3 + 1e-3 * k) for k in range(1, 900))])
+    endless = ((20.0 + 0.1 * k, 2e-3 + 1e-9 * k) for k in range(1, 900))
+    with pytest.raises(InvalidInput, match="would take about"):
+        at_times(monkeypatch, [*compiled, *endless])
+    with pytest.raises(InvalidInput, match="would take about"):  # where every part takes long, it is none of compiling
+        at_times(monkeypatch, [(30.0 * k, 1e-9 * k) for k in range(5)])
+
+
 def test_the_longer_a_run_was_watched_the_less_it_may_exceed_the_limit(monkeypatch):
     with pytest.raises(InvalidInput, match=r"^`time\.until` of 100 s would take about 2\.9 days; at most some ten m"):
         looked(monkeypatch, 1.0, [0.0, 2e-5])

@@ -16,6 +16,7 @@ from polhode.types import Array, Float64
 LONGEST = 600.0  # s that a run may take by these estimates
 SAID_FROM = 5.0  # s from which it is said
 WATCHED, PATIENCE = 0.5, 10.0  # s after which a run's speed is known, and after which none is ended any more
+PART, PARTS = 1.0, 2  # s of one part of a run, longer than which something was compiled in it; how often at most
 RUNS = 5.0  # what a run and those that tell its error take, in times of the run itself: 3.5 to 5.5 were measured
 UNCOUNTED = 1e15  # steps, beyond which nobody needs to know how many
 FEWER = "Check the units, or give a shorter `until` under [time]."
@@ -41,7 +42,7 @@ class Watch:
         self._named, self._remedy = f"`time.until` of {float(np.ptp(times)):g} s{which}", remedy and f" {remedy}"
         self._begun: tuple[float, float] | None = None
         self._runs = runs
-        self._said = False
+        self._said, self._latest, self._compiled = False, 0.0, 0
         self._bar: Any = None  # of diffrax, once it is known that the run is long
 
     def init(self) -> Any:
@@ -56,12 +57,15 @@ class Watch:
             InvalidInput: where it would take far too long.
         """
         now, share = time.process_time(), float(share)
-        if self._begun is None:  # what was traced and compiled before says nothing about what follows
+        # what was traced and compiled before says nothing about what follows
+        compiled = self._begun is not None and now - self._latest > PART and self._compiled < PARTS
+        self._compiled, self._latest = self._compiled + compiled, now
+        if self._begun is None or compiled:
             self._begun = now, share
         elapsed, done = now - self._begun[0], share - self._begun[1]
         if elapsed >= WATCHED and not (self._said and elapsed > PATIENCE):
             seconds = self._runs * elapsed * (1.0 - self._begun[1]) / max(done, 1.0 / UNCOUNTED)
-            if elapsed <= PATIENCE and seconds * elapsed > LONGEST * PATIENCE:
+            if seconds * min(elapsed, PATIENCE) > LONGEST * PATIENCE:
                 raise InvalidInput(
                     f"{self._named} would take about {duration(seconds)}; at most some ten minutes are taken here. "
                     f"{FEWER}{self._remedy}"
