@@ -54,3 +54,12 @@ def test_it_is_a_part_of_what_is_traced():
     function = compiled_for_few_calls(lambda x: jnp.sum(x**3))
     np.testing.assert_allclose(jax.jit(jax.grad(function))(X), 3.0 * X**2, rtol=1e-14)
     np.testing.assert_allclose(jax.vmap(function)(X[:, None]), X**3, rtol=1e-14)
+
+
+def test_derivatives_and_batches_go_through_it():
+    """JAX refuses options of the compiler where it differentiates, outside of any compiled function too."""
+    total = compiled_for_few_calls(lambda x: jnp.sum(jnp.sin(x) ** 2))
+    x = jnp.asarray(X)
+    assert np.asarray(jax.grad(total)(x)) == pytest.approx(np.sin(2.0 * X), abs=1e-15)
+    assert float(jax.jvp(total, (x,), (x,))[1]) == pytest.approx(float(X @ np.sin(2.0 * X)), rel=1e-14)
+    assert jax.vmap(total)(jnp.stack([x, x])).shape == (2,)

@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from polhode.arrays.namespaces import is_tracing
+from polhode.arrays.namespaces import is_traced, is_tracing
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 QUICKLY = {"xla_cpu_use_fusion_emitters": False, "xla_backend_optimization_level": 0}  # a third of the time
@@ -31,8 +31,10 @@ def compiled_for_few_calls(function: Function) -> Function:
     def call(*args: Any, **kwargs: Any) -> Any:
         if is_tracing():
             return function(*args, **kwargs)
-        numbers = sum(np.size(x) for x in jax.tree.leaves((args, kwargs)) if eqx.is_array(x))
-        return (quickly if numbers <= FEW and compiles_quickly() else thoroughly)(*args, **kwargs)
+        arrays = [x for x in jax.tree.leaves((args, kwargs)) if eqx.is_array(x)]
+        few = sum(map(np.size, arrays)) <= FEW
+        # JAX takes no options of the compiler where it differentiates
+        return (quickly if few and compiles_quickly() and not is_traced(*arrays) else thoroughly)(*args, **kwargs)
 
     return call  # type: ignore[return-value]
 
