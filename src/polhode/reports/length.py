@@ -16,7 +16,7 @@ from polhode.types import Array, Float64
 LONGEST = 600.0  # s that a run may take by these estimates
 SAID_FROM = 5.0  # s from which it is said
 WATCHED, PATIENCE = 0.5, 10.0  # s after which a run's speed is known, and after which none is ended any more
-PART, PARTS = 1.0, 2  # s of one part of a run, longer than which something was compiled in it; how often at most
+PART, PARTS = 1.0, 2  # s: a longer part of a run is assumed to include compiling, at most so many times
 RUNS = 5.0  # what a run and those that tell its error take, in times of the run itself: 3.5 to 5.5 were measured
 UNCOUNTED = 1e15  # steps, beyond which nobody needs to know how many
 FEWER = "Check the units, or give a shorter `until` under [time]."

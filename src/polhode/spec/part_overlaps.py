@@ -1,4 +1,4 @@
-"""What a reader should know of how parts lie in each other: cuts that stick out, and material that counts twice.
+"""Notes on parts that overlap: cuts that stick out, and material that is counted twice.
 
 Masses and moments are sums over the parts, and a sum does not see where they meet. Points in a part, by the winding
 number of its surface, tell how much of it lies in another.
@@ -24,12 +24,12 @@ from polhode.types import Array, Bool, Float64
 POINTS = 600  # in the box about a part, of which those in the part count
 WORK = 4_000_000  # points times triangles, above which fewer points are taken
 FEWEST = 100
-TOLD = 0.05  # of a part: what flat faces and few points cannot feign
+TOLD = 0.05  # of a part: an overlap above this is real, given flat facets and few points
 BASES = (2, 3, 5)
 
 
 def notes_on_places(parts: Sequence[PartTable], density: float | None, folder: Path) -> tuple[str, ...]:
-    """Return a sentence for each pair of parts that lie so that the sum of all is hardly meant.
+    """Return a sentence for each pair of parts placed so that their sum is probably not what was meant.
 
     Args:
         parts: of a body.

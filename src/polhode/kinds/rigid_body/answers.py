@@ -122,13 +122,13 @@ class RigidBodyReport(MotionReport):
         return [*notes, *self._notes_on_pulses()]
 
     def _notes_on_reach(self) -> Iterator[str]:
-        """Yield that wheels cannot turn the body about every axis."""
+        """Yield a note if the wheels cannot turn the body about every axis."""
         if self.craft.wheels is None:
             return
         rank = int(np.linalg.matrix_rank(np.asarray(self.craft.wheels.axes), tol=SAME_PLANE))
         if rank < 3:
             along = "one axis" if rank == 1 else "axes in one plane"
-            yield f"the controlled wheels turn the body about {along} only; about what is across, control does nothing."
+            yield f"the controlled wheels turn the body about {along} only; about other axes, control does nothing."
 
     def _notes_on_pulses(self) -> Iterator[str]:
         """Yield what torques that start and end do between the samples, or outside of the motion."""
