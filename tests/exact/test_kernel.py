@@ -112,6 +112,29 @@ def test_several_threads_may_use_it_at_once(monkeypatch):
             assert all((a == b).all() for a, b in zip(again, once, strict=True))
 
 
+def test_each_kernel_is_compiled_once_whatever_arrays_it_is_given(monkeypatch):
+    """Such as JAX's, which may not be written, and slices; by one thread and by several."""
+    compiled_alone(monkeypatch)
+    monkeypatch.setattr(kernel_setup, "WORTH", 400)
+    monkeypatch.setattr(kernel_loops, "WORTH", 400)
+    plenty = many_bodies(np.random.default_rng(12), 1000)
+    frozen = [v.copy() for v in plenty]
+    for v in frozen:
+        v.flags.writeable = False
+    swapped = [np.asfortranarray(v) for v in plenty]
+    few = [v[:9] for v in plenty]
+    for arguments in (plenty, frozen, swapped, few, [v[::3] for v in plenty], [plenty[0][0], *plenty[1:]]):
+        columns = FORM.columns(tuple(arguments))
+        count = columns.shape[1]
+        times = np.linspace(0.0, 9.0, count)
+        for elapsed in (times, np.broadcast_to(3.0, count), times[::-1]):
+            FORM.states(columns, elapsed, np.zeros(count))
+            FORM.states(columns[:, ::-1], elapsed, np.broadcast_to(0.0, count))
+            FORM.states(columns[:, :1], elapsed, np.zeros(1))
+    for kernel in ("set_up", "states_of_one", "states_of_many"):
+        assert len(getattr(FORM._compiled, kernel).signatures) == 1, kernel
+
+
 STARTS = [(0.3, 0.1, 3.0), (0.3, 1.8, 1.5), (0.9, 1.6, 0.3), (1e-6, 2.0, 3e-6), (0.0, 2.0, 0.0)]
 
 

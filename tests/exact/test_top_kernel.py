@@ -253,7 +253,7 @@ def test_only_tops_whose_integrals_do_not_converge_are_left_to_numpy(monkeypatch
         space = for_python(FORM._modules)[kernel_setup.__name__]
         columns = [[0.0] * len(tops) for _ in range(COLUMNS)]
         left = [True] * len(tops)
-        space["set_up"](*inputs, columns, left)
+        space["set_up"](*inputs, columns, left, 0)
         return np.array(columns), np.array(left)
 
     whole, none_left = columns_and_left(40)

@@ -109,16 +109,16 @@ class ClosedForm:
         return columns.reshape(len(columns), *shape)
 
     def _set_up_many(self, flat: Sequence[Array], columns: Array, left: Array) -> None:
-        inputs = [np.ascontiguousarray(v, float) for v in flat]
+        inputs = [_own(v) for v in flat]
         fill = lambda low, high: self._compiled.set_up(  # noqa: E731
-            *(v[low:high] for v in inputs), columns[:, low:high], left[low:high]
+            *(v[low:high] for v in inputs), columns, left[low:high], low  # whole, as parts of rows are strided
         )
         in_threads(fill, len(left), self._constant("_kernel_setup", "WORTH"))
 
     def _set_up_one(self, inputs: list[Array], k: int, columns: Array, left: Array) -> None:
         outputs, is_left = [[0.0] for _ in range(len(columns))], [True]
         try:
-            self._python.set_up(*([v.tolist()] for v in inputs), outputs, is_left)
+            self._python.set_up(*([v.tolist()] for v in inputs), outputs, is_left, 0)
         except (ArithmeticError, ValueError):  # beyond doubles, which Numba's kernel leaves to NumPy too
             return
         columns[:, k], left[k] = [x for (x,) in outputs], is_left[0]
@@ -145,7 +145,7 @@ class ClosedForm:
         """Return attitude (…, 4) and momentum (…, 3) at times since the epoch, which broadcast against the bodies."""
         batch = np.shape(columns)[1:]
         shape = np.broadcast_shapes(batch, np.shape(elapsed))
-        times, rests = (np.ascontiguousarray(np.broadcast_to(x, shape), float).reshape(-1) for x in (elapsed, rest))
+        times, rests = (_own(np.broadcast_to(x, shape)).reshape(-1) for x in (elapsed, rest))
         count = math.prod(batch)
         flat = columns.reshape(len(columns), count)
         compiled = self._is_worth("states_of_one" if count == 1 else "states_of_many", STATE * len(times))
@@ -178,7 +178,13 @@ class ClosedForm:
     def _of_many(
         self, flat: Array, bodies: Array, times: Array, rests: Array, attitude: Array, momentum: Array
     ) -> None:
+        flat, bodies = _own(flat), _own(bodies, int)
         fill = lambda low, high: self._compiled.states_of_many(  # noqa: E731
             flat, bodies[low:high], times[low:high], rests[low:high], attitude[low:high], momentum[low:high]
         )
         in_threads(fill, len(times), kernel_loops.WORTH)
+
+
+def _own(values: Array, of: type = float) -> Array:
+    """Return numbers as a contiguous array that may be written: Numba compiles again for any other, which takes seconds."""
+    return np.require(values, of, "CW")

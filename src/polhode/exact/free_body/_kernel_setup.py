@@ -132,7 +132,7 @@ def _matrices(w: Any, count: int, m: Any, spinor: Any) -> None:
 
 
 @entry
-def set_up(moments: Any, momentum: Any, attitude: Any, columns: Any, left: Any) -> None:
+def set_up(moments: Any, momentum: Any, attitude: Any, columns: Any, left: Any, first: int) -> None:
     begun, w, m = room(ROWS * BLOCK), room(ROWS * BLOCK), room(COLUMNS * BLOCK)
     steps, work, zeros, terms = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK), room(32)
     place, who = places(BLOCK), places(BLOCK)
@@ -148,9 +148,9 @@ def set_up(moments: Any, momentum: Any, attitude: Any, columns: Any, left: Any) 
         sums_of_many(m, full, count, zeros, zeros, work)
         _matrices(w, count, m, work)
         for i in range(count):
-            columns[0][low + place[i]] = 1.0 if i < full else 0.0
+            columns[0][first + low + place[i]] = 1.0 if i < full else 0.0
             left[low + place[i]] = False
         for k in range(1, COLUMNS):
             column = columns[k]
             for i in range(count):
-                column[low + place[i]] = m[k * BLOCK + i]
+                column[first + low + place[i]] = m[k * BLOCK + i]

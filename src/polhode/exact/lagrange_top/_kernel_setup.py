@@ -76,7 +76,7 @@ def _finite(m: Any, count: int, good: Any) -> None:
 
 @entry
 def set_up(
-    moments: Any, mgl: Any, momentum: Any, attitude: Any, columns: Any, left: Any
+    moments: Any, mgl: Any, momentum: Any, attitude: Any, columns: Any, left: Any, first: int
 ) -> None:  # fmt: skip
     begun, w, m = room(ROWS * BLOCK), room(ROWS * BLOCK), room(COLUMNS * BLOCK)
     steps, work, zeros, terms = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK), room(TERMS)
@@ -96,9 +96,9 @@ def set_up(
         phases(w, count, m, work)
         _finite(m, count, good)
         for i in range(count):
-            columns[0][low + place[i]] = 1.0 if i < full else 0.0
+            columns[0][first + low + place[i]] = 1.0 if i < full else 0.0
             left[low + place[i]] = not good[i]
         for k in range(1, COLUMNS):
             column = columns[k]
             for i in range(count):
-                column[low + place[i]] = m[k * BLOCK + i]
+                column[first + low + place[i]] = m[k * BLOCK + i]
