@@ -186,5 +186,5 @@ class ClosedForm:
 
 
 def _own(values: Array, of: type = float) -> Array:
-    """Return numbers as a contiguous array that may be written: Numba compiles again for any other, which takes seconds."""
+    """Return numbers as a contiguous array that may be written; Numba compiles again for any other, for seconds."""
     return np.require(values, of, "CW")
