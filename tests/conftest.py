@@ -15,6 +15,7 @@ import gc
 import os
 import re
 import shutil
+import signal
 import sys
 import tempfile
 from pathlib import Path
@@ -60,8 +61,12 @@ SWITCHES = (
 def pytest_configure(config):
     """Name a new folder for compiled functions before workers start, so that every run starts cold; keep no reports."""
     os.environ["POLHODE_REPORTS_CACHE"] = ""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as in a shell's background; tests send it
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     if "not sweep" not in config.option.markexpr or os.environ.get("POLHODE_ANNOTATIONS") == "checked":
         check_annotations()
+    if getattr(config.option, "numprocesses", None):  # threads of one worker's matrices keep the others waiting
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     if not hasattr(config, "workerinput") and COMPILED not in os.environ:
         os.environ[COMPILED] = config.compiled_here = tempfile.mkdtemp(prefix="polhode-tests-")
         os.environ["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0.2"

@@ -51,6 +51,7 @@ def test_errors_that_take_the_noise_for_white_are_too_small():
     assert 1.8 * plain < fit.estimate.standard_error[0] < 5.0 * plain
 
 
+@pytest.mark.long_cases(*(f"{noise}-{days}" for noise in ("1e-12", "1e-06") for days in (10.0, 1.0)), "0.0-1.0")
 @pytest.mark.parametrize("days", [10.0, 5.0, 1.0])
 @pytest.mark.parametrize("noise", [0.0, 1e-12, 1e-6])
 def test_errors_hold_at_any_noise(days, noise):

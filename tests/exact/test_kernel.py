@@ -43,6 +43,7 @@ def batch(cases):
     return ph.FreeMotion(moments, momentum=momenta), times
 
 
+@pytest.mark.long
 def test_many_bodies_are_exact_in_every_family(announce, monkeypatch):
     """Set-up too, of all bodies at once; those that the kernel leaves to NumPy stand among them."""
     calls, taken, run = [], {}, ClosedForm._set_up_many
@@ -112,6 +113,7 @@ def test_several_threads_may_use_it_at_once(monkeypatch):
             assert all((a == b).all() for a, b in zip(again, once, strict=True))
 
 
+@pytest.mark.long
 def test_each_kernel_is_compiled_once_whatever_arrays_it_is_given(monkeypatch):
     """Such as JAX's, which may not be written, and slices; by one thread and by several."""
     compiled_alone(monkeypatch)

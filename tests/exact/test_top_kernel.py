@@ -61,7 +61,7 @@ def test_long_runs_go_through_it_and_agree(momentum, lean, monkeypatch):
 
     calls = []
     monkeypatch.setattr(ClosedForm, "_of_one", lambda *x, run=ClosedForm._of_one: calls.append(1) or run(*x))
-    compiled_alone(monkeypatch)
+    monkeypatch.setattr(FORM, "_ready", {"states_of_one"})  # alone, as the set-up is compiled for half a minute
     found = [top.state(times) for top in tops()]
     numpy_alone(monkeypatch)
     assert len(calls) == 2 and found[0][0].shape == (2, 5000, 4)
@@ -224,6 +224,7 @@ def test_mistakes_among_many_are_refused_in_the_same_words(monkeypatch):
     assert said[:6] == said[6:] and len(set(said)) == 6
 
 
+@pytest.mark.long
 def test_several_threads_may_set_up_at_once(monkeypatch):
     compiled_alone(monkeypatch)
     arguments = many_tops(np.random.default_rng(4), 700)

@@ -122,8 +122,8 @@ def check(engine: str, count: int, seed: int, announce) -> None:
     assert not {family: sizes for family, sizes in worst.items() if not max(sizes) <= WORST_ERROR}
 
 
-@pytest.mark.long_cases("numpy", "jax", "jax-vmap")
-@pytest.mark.parametrize("engine", first(4, ["numpy", "kernel", "jax", "jax-vmap", "compiled"]))
+@pytest.mark.long_cases("numpy", "kernel", "jax", "jax-vmap")
+@pytest.mark.parametrize("engine", first(5, ["numpy", "kernel", "python", "jax", "jax-vmap", "compiled"]))
 def test_states_are_exact_in_every_family(engine, announce):
     assert len(drawn(SUITE_PER_FAMILY, 1)) >= 200
     check(engine, SUITE_PER_FAMILY, 1, announce)

@@ -79,7 +79,7 @@ def worst(answer, wanted):
     return max(miss(column(answer, name), np.asarray(values)) for name, values in pairs)
 
 
-@pytest.mark.long_cases("top", "gyrostat")
+@pytest.mark.long_cases("top", "gyrostat", "thin disk")
 @pytest.mark.parametrize("name", CASES)
 def test_states_are_those_of_polhode(name, solved, simulated):
     assert worst(solved[name], simulated[name]) < SAME
