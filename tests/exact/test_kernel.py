@@ -1,5 +1,6 @@
 """The kernels, by Python and as Numba compiles them: error bounds and answers of arrays, in every family."""
 
+import os
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -134,7 +135,27 @@ def test_each_kernel_is_compiled_once_whatever_arrays_it_is_given(monkeypatch):
             FORM.states(columns[:, ::-1], elapsed, np.broadcast_to(0.0, count))
             FORM.states(columns[:, :1], elapsed, np.zeros(1))
     for kernel in ("set_up", "states_of_one", "states_of_many"):
-        assert len(getattr(FORM._compiled, kernel).signatures) == 1, kernel
+        assert len(getattr(FORM._compiled, kernel).dispatcher.signatures) == 1, kernel
+
+
+AT_ONCE = """
+import numpy as np
+from polhode.exact._closed_form import COMPILING
+from polhode.exact.free_body._evaluation import FORM
+COMPILING["states_of_one"] = 0.0
+columns = FORM.columns((np.array([1.0, 2.0, 3.0]), np.array([0.3, 1.8, 1.5]), np.array([1.0, 0.0, 0.0, 0.0])))
+FORM.states(columns, np.linspace(0.0, 9.0, 100), np.zeros(100))
+print(sum(FORM._compiled.states_of_one.dispatcher.stats.cache_misses.values()))
+"""
+
+
+@pytest.mark.long
+def test_of_processes_that_start_at_once_one_compiles(tmp_path):
+    """As workers of a sweep do; the others wait for it, and load what it has kept."""
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
+    started = [subprocess.Popen([sys.executable, "-c", AT_ONCE], env=environment, stdout=subprocess.PIPE, text=True)
+               for _ in range(3)]  # fmt: skip
+    assert sorted(process.communicate()[0].strip() for process in started) == ["0", "0", "1"]
 
 
 STARTS = [(0.3, 0.1, 3.0), (0.3, 1.8, 1.5), (0.9, 1.6, 0.3), (1e-6, 2.0, 3e-6), (0.0, 2.0, 0.0)]

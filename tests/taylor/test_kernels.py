@@ -225,7 +225,7 @@ def test_functions_call_each_other_as_they_are_made(width):
 
 def test_what_was_compiled_of_other_sources_is_not_used(monkeypatch):
     """The name under which Numba keeps it changes with each of the files."""
-    before = kernels.compile_kernel.__wrapped__(1).advance.__qualname__
+    before = kernels.compile_kernel.__wrapped__(1).advance.dispatcher.__qualname__
     monkeypatch.setattr(kernels.zlib, "crc32", lambda data: 1)
     monkeypatch.setattr(kernels, "_kept_name", kernels._kept_name.__wrapped__)
-    assert kernels.compile_kernel.__wrapped__(1).advance.__qualname__ != before
+    assert kernels.compile_kernel.__wrapped__(1).advance.dispatcher.__qualname__ != before

@@ -85,9 +85,7 @@ class ClosedForm:
         return name in self._ready
 
     def _is_on_disk(self, name: str) -> bool:
-        from polhode.exact._compiling import is_on_disk
-
-        return is_on_disk(getattr(self._compiled, name))
+        return getattr(self._compiled, name).is_on_disk()
 
     # ------------------------------------------------------------------ set-up
 
@@ -187,4 +185,4 @@ class ClosedForm:
 
 def _own(values: Array, of: type = float) -> Array:
     """Return numbers as a contiguous array that may be written; Numba compiles again for any other, for seconds."""
-    return np.require(values, of, "CW")
+    return np.require(values, of, ["C", "W"])

@@ -9,15 +9,17 @@ import inspect
 import math
 import sys
 import zlib
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
+from filelock import FileLock
 from llvmlite.ir import Constant
-from numba import njit
+from numba import njit, typeof
 from numba.core import event
 from numba.core.cgutils import unpack_tuple
 from numba.core.types import UniTuple, float64, int64, none
@@ -28,23 +30,64 @@ from polhode.exact._copies import copy_modules
 from polhode.exact._kernel_arithmetic import BLOCK
 
 _TAKE: Any = njit  # whose types do not know all of its options
+LONGEST = 600.0  # s that another process may take to compile
 _FILES = sorted(path for path in Path(__file__).parent.rglob("*.py") if path.name.startswith(("_formulas", "_kernel")))
 SOURCES = zlib.crc32(b"".join(path.read_bytes() for path in (Path(__file__), *_FILES)))
 
 
-def announce(what: str, dispatcher: Any) -> Any:
-    """Have a function of Numba's say on a terminal when it is being compiled, and return it."""
+class Entry:
+    """A function of Numba's that Python calls, which one process compiles and all others wait for and load.
 
-    class Listener(event.Listener):
-        def on_start(self, event: Any) -> None:
-            if event.data["dispatcher"] is dispatcher and sys.stderr.isatty():
-                print(f"polhode: compiling its {what}, once for this installation …", file=sys.stderr, flush=True)
+    Workers of a sweep start at the same time, and each would compile for seconds. On a terminal it says when it does.
 
-        def on_end(self, event: Any) -> None:
-            pass
+    Args:
+        what: words for what it computes.
+        dispatcher: what ``njit`` returned, to be kept on disk.
+    """
 
-    event.register("numba:compile", Listener())
-    return dispatcher
+    def __init__(self, what: str, dispatcher: Any) -> None:
+        self.what, self.dispatcher = what, dispatcher
+        entry = self
+
+        class Listener(event.Listener):
+            def on_start(self, event: Any) -> None:
+                entry._announce(event.data["dispatcher"])
+
+            def on_end(self, event: Any) -> None:
+                pass
+
+        event.register("numba:compile", Listener())
+
+    def __call__(self, *arguments: Any) -> Any:
+        if not self.dispatcher.signatures:
+            with self._alone():
+                self.dispatcher.compile(tuple(map(typeof, arguments)))
+        return self.dispatcher(*arguments)
+
+    @contextmanager
+    def _alone(self) -> Iterator[None]:
+        lock = FileLock(self._place / f"{self.dispatcher.__qualname__}.lock", timeout=LONGEST)
+        try:
+            lock.acquire()
+        except (OSError, NotImplementedError):  # a folder that cannot be written, or whose locks fail or last
+            yield
+            return
+        try:
+            yield
+        finally:
+            lock.release()
+
+    @property
+    def _place(self) -> Path:
+        return Path(self.dispatcher.stats.cache_path)
+
+    def is_on_disk(self) -> bool:
+        """Return whether Numba has compiled it before."""
+        return any(self._place.glob(f"*{self.dispatcher.__qualname__}-*.nbi"))
+
+    def _announce(self, dispatcher: Any) -> None:
+        if dispatcher is self.dispatcher and sys.stderr.isatty():
+            print(f"polhode: compiling its {self.what}, once for this installation …", file=sys.stderr, flush=True)
 
 
 def compiled_modules(modules: Iterable[ModuleType], motion: str) -> dict[str, dict[str, Any]]:
@@ -63,12 +106,7 @@ def _compile(motion: str, function: FunctionType, mark: str) -> Any:
                      no_cfunc_wrapper=True)(function)  # fmt: skip
     # Numba looks at one file alone for changes, and keeps what it compiles by this name
     function.__qualname__ = f"{function.__name__}_{motion}_{SOURCES:08x}"
-    return announce("closed forms", _TAKE(error_model="numpy", nogil=True, cache=True)(function))
-
-
-def is_on_disk(entry: Any) -> bool:
-    """Return whether Numba has compiled a function before."""
-    return any(Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi"))
+    return Entry("closed forms", _TAKE(error_model="numpy", nogil=True, cache=True)(function))
 
 
 # ---------------------------------------------------------------------- what takes the place of Python's words

@@ -139,7 +139,7 @@ def compile_kernel(width: int) -> Kernel:
         if name in ENTRIES:
             # Numba looks at one file alone for changes, and keeps what it compiles by this name
             function.__qualname__ = _kept_name(name, width)
-            return compiling.announce(WHAT[width], take(error_model="numpy", nogil=True, cache=True)(function))
+            return compiling.Entry(WHAT[width], take(error_model="numpy", nogil=True, cache=True)(function))
         return take(error_model="numpy", nogil=True, forceinline=name not in CALLED, no_cpython_wrapper=True,
                     no_cfunc_wrapper=True)(function)  # fmt: skip
 
@@ -173,8 +173,7 @@ def _is_on_disk(width: int) -> bool:
         place, within = (Path(named), "*/") if named else (folder, "")
         if not all(any(place.glob(f"{within}*{_kept_name(name, width)}-*.nbi")) for name in ENTRIES):
             return False
-    kept = [Path(entry.stats.cache_path).glob(f"*{entry.__qualname__}-*.nbi") for entry in compile_kernel(width)[2:4]]
-    return all(any(files) for files in kept)
+    return all(entry.is_on_disk() for entry in compile_kernel(width)[2:4])
 
 
 def _join_modules(
