@@ -15,6 +15,7 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 
+from polhode.special._legendre import LegendreFunction
 from polhode.types import Array, ArrayOrFloat, Float64
 
 # elementwise; operands broadcast
@@ -52,6 +53,19 @@ class RollingMechanics(eqx.Module):
         s, c = jnp.sin(theta), jnp.cos(theta)
         inner = (A + m * b * b) * w2 * w2 * c / s + m * a * b * w2 * (w2 - w3 * c / s) - (C + m * a * a) * w2 * w3
         return (inner - m * self.gravity * (a * c - b * s)) / (A + m * a * a + m * b * b)
+
+    def linear_terms(
+        self, legendre: LegendreFunction, theta: Result, w2: Result, w3: Result
+    ) -> tuple[tuple[Result, Result], tuple[Result, Result]]:
+        """Return the two terms [rad/s] of each linear integral of a thin disk, which its function belongs to."""
+        (p, dp), (q, dq) = legendre.values(theta), legendre.values(jnp.pi - theta)
+        mr = self.mass * self.radius**2
+        # thin disk: dω3/dθ = ma² ω2/(C + ma²) and A (dω2/dθ + ω2 cot θ) = C ω3 make ω3″ + cot θ ω3′ = κ ω3, Legendre
+        # with ν(ν+1) = −κ; c1, c2 follow from ω3 and this slope
+        slope = mr * w2 / (self.axial_moment + mr)
+        # p·(dq/dθ) − q·(dp/dθ) with dq/dθ = −q′(π − θ) is the Wronskian, known in closed form
+        wronskian = -2.0 * legendre.sine / jnp.sin(theta)
+        return (-dq * w3 / wronskian, -q * slope / wronskian), (p * slope / wronskian, -dp * w3 / wronskian)
 
     def transport(self, theta: Operand, w2: Operand, w3: Operand) -> tuple[Result, Result]:
         """Return d(ω2, ω3)/dθ without couples: linear in both, so that there are two linear integrals."""

@@ -220,17 +220,21 @@ class EulerDisk(AbstractSystem):
 
         Source: Appell, Rend. Circ. Mat. Palermo 14 (1900) 1; Korteweg, ibid. 14 (1900) 7.
         """
+        (first, second), (third, fourth) = self._linear_terms(state)
+        return first + second, third + fourth
+
+    def invariant_sizes(self, state: States) -> dict[str, Float64[Array, "*batch"]]:
+        """Return the sizes of both terms of the linear integrals; derivatives of Legendre functions cost more."""
+        if self.dissipation or self.legendre is None:
+            return {}
+        sizes = (jnp.abs(first) + jnp.abs(second) for first, second in self._linear_terms(state))
+        return dict(zip(("linear_integral_1", "linear_integral_2"), sizes, strict=True))
+
+    def _linear_terms(self, state: States) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
         if self.legendre is None:
             raise InvalidInput("linear integrals are Legendre functions of a thin disk only: `thickness` must be 0.")
         theta, _, w2, w3 = rolling_parts(state)
-        (p, dp), (q, dq) = self.legendre.values(theta), self.legendre.values(jnp.pi - theta)
-        mr = self.mechanics.mass * self.mechanics.radius**2
-        # thin disk: dω3/dθ = ma² ω2/(C + ma²) and A (dω2/dθ + ω2 cot θ) = C ω3 make ω3″ + cot θ ω3′ = κ ω3, Legendre
-        # with ν(ν+1) = −κ; c1, c2 follow from ω3 and this slope
-        slope = mr * w2 / (self.mechanics.axial_moment + mr)
-        # p·(dq/dθ) − q·(dp/dθ) with dq/dθ = −q′(π − θ) is the Wronskian, known in closed form
-        wronskian = -2.0 * self.legendre.sine / jnp.sin(theta)
-        return (-dq * w3 - q * slope) / wronskian, (p * slope - dp * w3) / wronskian
+        return self.mechanics.linear_terms(self.legendre, theta, w2, w3)
 
     def balances(self, t: Real[ArrayLike, "..."], state: States) -> dict[str, Balance]:
         return {"energy": Balance(self.energy(state), -self.power(state))} if self.dissipation else {}

@@ -100,9 +100,10 @@ def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
     pass backwards gives all derivatives.
     """
     own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
+    told = system.invariant_sizes(state)
 
     def choose(x: Array, of_copies: bool) -> dict[str, Array]:
-        wanted = system.invariants(x).items()
+        wanted = {name: value for name, value in system.invariants(x).items() if name not in told}.items()
         return {name: value for name, value in wanted if (name in own if of_copies else not jnp.ndim(value))}
 
     def of_one(x: Array) -> dict[str, Array]:
@@ -117,7 +118,7 @@ def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
 
     for _ in range(jnp.ndim(state) - system.state_axes):
         of_one = jax.vmap(of_one)
-    return of_one(state) | system.invariant_sizes(state)
+    return of_one(state) | told
 
 
 def _of_copies(function: Callable[[Array], Array], x: Array, copies: int) -> Array:
