@@ -407,9 +407,7 @@ class EulerDisk(AbstractSystem):
             )
 
 
-def rolling_parts(
-    state: States,
-) -> tuple[Float64[Array, "*batch"], Float64[Array, "*batch"], Float64[Array, "*batch"], Float64[Array, "*batch"]]:
+def rolling_parts(state: States) -> tuple[Float64[Array, "*batch"], ...]:
     """Return θ, ω1, ω2, ω3 (…) of states (…, 8), on which all that is dynamic depends."""
     theta, w1, w2, w3 = (LAYOUT.part(state, name) for name in ("tilt", "tilt_rate", "rise_rate", "spin"))
     return theta, w1, w2, w3
