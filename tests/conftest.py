@@ -69,7 +69,7 @@ def pytest_configure(config):
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     if not hasattr(config, "workerinput") and COMPILED not in os.environ:
         os.environ[COMPILED] = config.compiled_here = tempfile.mkdtemp(prefix="polhode-tests-")
-        os.environ["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0.2"
+        os.environ["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0"
         os.environ["JAX_PERSISTENT_CACHE_MIN_ENTRY_SIZE_BYTES"] = "-1"
         if "not sweep" in config.option.markexpr or config.option.markexpr == "browser":
             compile_quickly(QUICKLY)

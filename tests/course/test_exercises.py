@@ -42,6 +42,7 @@ def faults_of(exercise, seeds):
     return faults
 
 
+@pytest.mark.long_cases(*(f"the-pattern-{name}" for name in ("ring-rate", "sphere-ring", "orbit-of-matrices", "wake-descent")))
 @pytest.mark.parametrize(("chapter", "exercise"), EXERCISES, ids=lambda v: v if isinstance(v, str) else v.name)
 def test_answer_agrees_with_a_second_way_and_mistakes_are_told_apart(chapter, exercise):
     assert faults_of(exercise, range(SEEDS)) == []

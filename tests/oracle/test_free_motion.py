@@ -131,6 +131,7 @@ def test_sweep_of_all_families(engine, announce):
     assert_all_within(drifts, WORST_ERROR)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("count", first(1, [2, MIXED_PER_FAMILY]))
 def test_a_mixed_batch_equals_its_bodies_one_by_one(count):
     """All families and regimes in one call, by Numba and by Python; each body alone must give the same, to the bit."""
