@@ -42,7 +42,9 @@ def faults_of(exercise, seeds):
     return faults
 
 
-@pytest.mark.long_cases(*(f"the-pattern-{name}" for name in ("ring-rate", "sphere-ring", "orbit-of-matrices", "wake-descent")))
+@pytest.mark.long_cases(
+    "the-pattern-ring-rate", "the-pattern-sphere-ring", "the-pattern-orbit-of-matrices", "the-pattern-wake-descent"
+)
 @pytest.mark.parametrize(("chapter", "exercise"), EXERCISES, ids=lambda v: v if isinstance(v, str) else v.name)
 def test_answer_agrees_with_a_second_way_and_mistakes_are_told_apart(chapter, exercise):
     assert faults_of(exercise, range(SEEDS)) == []
