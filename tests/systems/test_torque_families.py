@@ -166,6 +166,42 @@ def test_sunlight_on_a_plate_and_a_box():
     assert np.abs(about).max() < 1e-20
 
 
+@pytest.mark.parametrize("beta", [0.0, 0.5, 1.3])
+def test_shade_lasts_as_long_as_spheres_say(beta):
+    """Of a circle of radius a, with the Sun β above its plane: cos of half the dark arc is √(1 − (R/a)²)/cos β."""
+    a, radius = 7.0e6, 6.378137e6
+    circle = KeplerOrbit.from_semi_major_axis(a, MU)
+    light = SolarPressure((-math.cos(beta), 0.0, math.sin(beta)), box=(1, 1, 1), orbit=circle).light
+    cosine = math.sqrt(1.0 - (radius / a) ** 2) / math.cos(beta)
+    if cosine >= 1.0:
+        assert (np.asarray(light(np.linspace(0.0, float(circle.period), 1000))) == 1.0).all()
+        return
+    leaves = math.acos(cosine) / float(circle.mean_motion)  # after the middle of the shade, which is at t = 0
+    around = np.array([-1e-6, 1e-6])
+    assert np.asarray(light(leaves + around)).tolist() == [0.0, 1.0]
+    assert np.asarray(light(float(circle.period) - leaves + around)).tolist() == [1.0, 0.0]
+
+
+def test_nothing_pushes_in_the_shade_and_steps_end_at_it():
+    """A plate that always faces the Sun: the momentum is the lever times P A times the time in the light."""
+    orbit = KeplerOrbit.from_semi_major_axis(7.0e6, MU)
+    plate = SolarPressure((-1, 0, 0), [2.0], [(-1, 0, 0)], [(0, 0.3, 0)], orbit=orbit)
+    heavy = RigidBody((1e9, 1e9, 1e9), torques=[plate])  # hardly turns
+    period = float(orbit.period)
+    run = ph.simulate(heavy, heavy.pack((1, 0, 0, 0), (0, 0, 0)), [0.0, 3.0 * period])
+    dark = 2.0 * math.asin(6.378137 / 7.0) / float(orbit.mean_motion)
+    assert run.momentum[-1, 2] == pytest.approx(-0.3 * 2.0 * 4.5391e-6 * 3.0 * (period - dark), rel=1e-12)
+    assert run.error_estimate < 1e-12
+
+
+def test_another_body_has_another_shade():
+    moon = KeplerOrbit.from_semi_major_axis(1.9e6, 4.9028e12)
+    with pytest.raises(InvalidInput, match=r"not the Earth.*`shading_radius`"):
+        SolarPressure((1, 0, 0), box=(1, 1, 1), orbit=moon)
+    assert float(SolarPressure((-1, 0, 0), box=(1, 1, 1), orbit=moon, shading_radius=1.7374e6).light(0.0)) == 0.0
+    assert float(SolarPressure((-1, 0, 0), box=(1, 1, 1), orbit=moon, shading_radius=0.0).light(0.0)) == 1.0
+
+
 def test_drag_against_the_air_that_turns_with_the_earth():
     t, edges = 100.0, np.array([0.1, 0.2, 0.3])
     drag = AerodynamicDrag(ORBIT, 1e-12, box=edges, coefficient=2.0)

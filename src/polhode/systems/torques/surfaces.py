@@ -18,6 +18,9 @@ from polhode.systems.torques.base import NEEDED, AbstractEnvironmentTorque, in_b
 from polhode.systems.torques.earth_field import EARTH_ROTATION
 from polhode.types import Array, ArrayLike, Float64, Real
 
+EARTH, EARTH_RADIUS = 3.986004418e14, 6378.137e3
+"""GM [m³/s²] and radius of the equator [m], WGS 84."""
+EARTH_LIKE = 0.01  # of GM, within which an orbit counts as one about the Earth
 SUNLIGHT = 4.5391e-6
 """Pressure of sunlight at one astronomical unit [N/m²]: 1360.8 W/m² over the speed of light.
 
@@ -76,8 +79,9 @@ class AbstractSurfaceTorque(AbstractEnvironmentTorque):
 class SolarPressure(AbstractSurfaceTorque):
     """F = −P A c [(1 − s) u + 2 (s c + d/3) n] on each plate, c = n·u > 0, u the direction of the Sun.
 
-    s of the light is reflected as by a mirror, d scattered evenly, and the rest absorbed. There is no shadow of the
-    Earth, and the direction of the Sun stays in space.
+    s of the light is reflected as by a mirror, d scattered evenly, and the rest absorbed. The direction of the Sun
+    stays in space. On an orbit it is dark in the cylinder that the attracting body shades; between full light and full
+    shade, where a part of the Sun is seen, there is nothing: some 8 s twice an orbit near the Earth.
 
     Args:
         sun: direction from the body to the Sun (3,) [space axes].
@@ -89,17 +93,21 @@ class SolarPressure(AbstractSurfaceTorque):
         box: (3,) edges of a box along the body's axes [m], whose six faces are the plates.
         center: (3,) of the box [m, body axes].
         pressure: P [N/m²], at one astronomical unit by default.
+        orbit: of the body, with its semi-major axis; None where nothing shades it.
+        shading_radius: of the attracting body [m], the Earth's on an orbit about it; 0 for no shade.
 
     Raises:
-        InvalidInput: for plates that are not complete, or reflectivities that together exceed one.
+        InvalidInput: for plates that are not complete, reflectivities that together exceed one, or an orbit of unknown
+            size.
 
-    Source: Markley & Crassidis, *Fundamentals of Spacecraft Attitude Determination and Control* (2014), eq. 3.167.
+    Source: Markley & Crassidis, *Fundamentals of Spacecraft Attitude Determination and Control* (2014), eq. 3.167;
+    Montenbruck & Gill, *Satellite Orbits* (2000), §3.4.2.
     """
 
     name: ClassVar[str] = "solar-pressure"
     arguments: ClassVar[dict[str, Argument]] = {
         "sun": Argument("", (3,)), **PLATES, "specular": Argument(), "diffuse": Argument(),
-        "pressure": Argument("N/m^2"),
+        "pressure": Argument("N/m^2"), "shading_radius": Argument("m"),
     }  # fmt: skip
 
     plates: Plates
@@ -107,13 +115,16 @@ class SolarPressure(AbstractSurfaceTorque):
     specular: Float64[Array, ""]
     diffuse: Float64[Array, ""]
     pressure: Float64[Array, ""]
+    orbit: KeplerOrbit | None
+    shading_radius: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(
         self, sun: Real[ArrayLike, "3"], areas: Real[ArrayLike, "..."] | None = None,
         normals: Real[ArrayLike, "n 3"] | None = None, positions: Real[ArrayLike, "n 3"] | None = None,
         specular: float = 0.0, diffuse: float = 0.0, box: Real[ArrayLike, "3"] | None = None,
-        center: Real[ArrayLike, "3"] | None = None, pressure: float = SUNLIGHT,
+        center: Real[ArrayLike, "3"] | None = None, pressure: float = SUNLIGHT, orbit: KeplerOrbit | None = None,
+        shading_radius: float | None = None,
     ) -> None:  # fmt: skip
         self.sun, self.plates = checked_direction("sun", sun), make_plates(areas, normals, positions, box, center)
         self.specular = checked_number("specular", specular, least=0.0)
@@ -124,6 +135,24 @@ class SolarPressure(AbstractSurfaceTorque):
                 f"`specular` and `diffuse` are parts of the light and together at most 1; got {shown(specular)} and "
                 f"{shown(diffuse)}."
             )
+        radius = _earth_radius(orbit) if shading_radius is None else shading_radius
+        self.shading_radius = checked_number("shading_radius", radius, least=0.0, unit="m")
+        self.orbit = orbit if self.shading_radius > 0.0 else None
+        if self.orbit is not None:
+            self.orbit.check_size("the shade on it")
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return self.orbit is None  # steps have to end where the shade does, and those places are looked for
+
+    def light(self, t: Time) -> Float64[Array, "*batch"]:
+        """Return 1 where it is lit and 0 in the shade (…)."""
+        if self.orbit is None:
+            return jnp.ones(jnp.shape(t))
+        place = self.orbit.position(jnp.asarray(t, float))
+        along = jnp.sum(place * self.sun, axis=-1)
+        aside = jnp.sum(place * place, axis=-1) - along * along
+        return jnp.where((along < 0.0) & (aside < self.shading_radius**2), 0.0, 1.0)
 
     def forces(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity
@@ -132,7 +161,20 @@ class SolarPressure(AbstractSurfaceTorque):
         sun, normals = in_body(attitude, self.sun)[..., None, :], self.plates.normals
         cosine = jnp.maximum(jnp.sum(normals * sun, axis=-1, keepdims=True), 0.0)
         share = (1.0 - self.specular) * sun + 2.0 * (self.specular * cosine + self.diffuse / 3.0) * normals
-        return -self.pressure * self.plates.areas[:, None] * cosine * share
+        lit = self.pressure * jnp.asarray(self.light(t))[..., None, None]
+        return -lit * self.plates.areas[:, None] * cosine * share
+
+
+def _earth_radius(orbit: KeplerOrbit | None) -> float:
+    """Return the radius of the Earth [m], or refuse an orbit about something else."""
+    if orbit is not None and orbit.semi_major_axis is not None:
+        about = float(orbit.mean_motion**2 * orbit.semi_major_axis**3)
+        if abs(about / EARTH - 1.0) > EARTH_LIKE:
+            raise InvalidInput(
+                f"the orbit is about a body of GM = {about:.6g} m³/s², not the Earth, and has its own shade: give "
+                "`shading_radius`, the radius of that body, or 0 for no shade."
+            )
+    return EARTH_RADIUS
 
 
 class AerodynamicDrag(AbstractSurfaceTorque):
