@@ -45,7 +45,7 @@ STARTS = [((0.0, 0.0, 2.5), 1.0), ((0.3, -0.5, 1.5), 0.4), ((2.0, 1.0, 0.0), 1.0
           ((0.0, 0.0, 5.0), 0.0), ((0.0, 0.0, 0.0), 2.0)]  # fmt: skip
 
 
-@pytest.mark.long_cases("momentum0-1.0", "momentum1-0.4")
+@pytest.mark.long
 @pytest.mark.parametrize(("momentum", "lean"), STARTS)
 def test_long_runs_go_through_it_and_agree(momentum, lean, monkeypatch):
     """By threads, in blocks that are not full, with the epoch's rest, for times of any shape, on either side of mgl."""
