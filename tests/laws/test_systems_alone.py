@@ -41,7 +41,8 @@ WHEELS = systems.ControlledWheels(np.eye(3), 0.01, OWN_LAW, max_torque=0.9, max_
 CONTROL = [
     FIELD, POINTING, STEADYING, OWN_LAW, WHEELS, systems.ControlTorque(POINTING, 0.4),
     systems.Thruster([0.6, 1.1], 0.4, (1.0, 2.0, 3.0), (0.1, 0.2, 0.3)),
-    systems.ConstantTorque((0.1, 0.2, 0.3), "space"), systems.MagneticDipole(FIELD, (1e3, 2e3, 3e3)),
+    systems.ConstantTorque((0.1, 0.2, 0.3), "space"), systems.DumpingThrusters(0.2, 0.1, 0.3),
+    systems.MagneticDipole(FIELD, (1e3, 2e3, 3e3)),
     systems.TorqueRods(FIELD, 1e7, "dump", limit=1e5), systems.EddyCurrents(FIELD, 1e9),
     systems.SolarPressure((1.0, 2.0, 3.0), **PLATES, specular=0.3, diffuse=0.2, pressure=1.0, orbit=WAY),
     systems.AerodynamicDrag(WAY, 1e-8, **PLATES),

@@ -13,10 +13,13 @@ from polhode.errors import InvalidInput
 from polhode.systems import (
     AerodynamicDrag,
     ConstantTorque,
+    ControlledWheels,
+    DumpingThrusters,
     EarthDipoleField,
     EddyCurrents,
     KeplerOrbit,
     MagneticDipole,
+    QuaternionPD,
     RigidBody,
     SolarPressure,
     Thruster,
@@ -202,6 +205,24 @@ def test_another_body_has_another_shade():
     assert float(SolarPressure((-1, 0, 0), box=(1, 1, 1), orbit=moon, shading_radius=0.0).light(0.0)) == 1.0
 
 
+@pytest.mark.parametrize("limit, left", [(None, 2.0 - 0.001 * 2.0 * 300.0), (1e-4, 2.0 - 1e-4 * 300.0)])
+def test_thrusters_take_out_what_wheels_hold(limit, left):
+    """Of a free wheel in a body that hardly turns: its momentum stays, and the whole falls by k h, or the limit."""
+    craft = RigidBody((1e9, 1e9, 1e9), [Wheel((0, 0, 1), 0.01)], [DumpingThrusters(0.001, limit)])
+    run = ph.simulate(craft, craft.pack((1, 0, 0, 0), (0, 0, 0), rates=[200.0]), [0.0, 300.0])
+    assert run.momentum[-1] == pytest.approx([0.0, 0.0, left], rel=1e-9, abs=1e-12)
+
+
+def test_wheels_that_point_a_body_are_emptied_to_the_dead_band():
+    law = QuaternionPD(0.2, (0.2, 0.3, 0.4))
+    wheels = ControlledWheels(np.eye(3), 0.01, law)
+    craft = RigidBody((0.2, 0.3, 0.4), [wheels], [DumpingThrusters(0.05, dead_band=0.3)])
+    run = ph.simulate(craft, craft.pack((1, 0, 0, 0), (0, 0, 0), rates=[(100.0, 20.0, -90.0)]), np.linspace(0, 400, 5))
+    # that about y stays in the band, but for what the body swings meanwhile
+    assert run.momentum[-1, ::2] == pytest.approx([0.3, -0.3], rel=1e-6) and abs(run.momentum[-1, 1] - 0.2) < 0.01
+    assert abs(run.attitude[-1, 0]) == pytest.approx(1.0, abs=1e-9)
+
+
 def test_drag_against_the_air_that_turns_with_the_earth():
     t, edges = 100.0, np.array([0.1, 0.2, 0.3])
     drag = AerodynamicDrag(ORBIT, 1e-12, box=edges, coefficient=2.0)
@@ -240,6 +261,9 @@ def test_pulses_change_the_momentum_by_torque_times_time_however_short():
         (lambda: Thruster([5.0, 6.0], 2.0, (1, 0, 0), (0, 0, 0)), "begins at 6 s, before the one from 5 s ends"),
         (lambda: Thruster([5.0, 6.0], [1, 1, 1], (1, 0, 0), (0, 0, 0)), "one for each of the 2 pulses; got 3"),
         (lambda: ConstantTorque((1, 0, 0), "orbit"), '"body" or "space"'),
+        (lambda: DumpingThrusters(0.0), "`rate` must be"),
+        (lambda: DumpingThrusters(0.1, [1.0, 2.0]), "one for each of 3"),
+        (lambda: DumpingThrusters(0.1, dead_band=-1.0), "`dead_band` must be"),
         (lambda: EarthDipoleField(KeplerOrbit(1e-3, 0.0)), "needs the size of the orbit"),
         (lambda: TorqueRods(FIELD, -1.0), "`gain` must be a finite number above 0"),
         (lambda: TorqueRods(FIELD, 1.0, limit=[1.0, 2.0]), "or one for each of 3"),

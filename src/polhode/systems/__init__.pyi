@@ -65,6 +65,7 @@ from .torques.magnetic import TorqueRods as TorqueRods
 from .torques.surfaces import AerodynamicDrag as AerodynamicDrag
 from .torques.surfaces import SolarPressure as SolarPressure
 from .torques.thrust import ConstantTorque as ConstantTorque
+from .torques.thrust import DumpingThrusters as DumpingThrusters
 from .torques.thrust import Thruster as Thruster
 from .variations import Variations as Variations
 from .vlasov_poisson import VlasovPoisson as VlasovPoisson

@@ -10,10 +10,10 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems._checks import checked_vector
+from polhode.systems._checks import checked_number, checked_numbers, checked_vector
 from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
 from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 FRAMES = ("body", "space")
 
@@ -145,6 +145,81 @@ class ConstantTorque(AbstractTorque):
             return self.vector + jnp.zeros_like(angular_velocity)
         assert attitude is not None, NEEDED
         return in_body(attitude, self.vector)
+
+
+class DumpingThrusters(AbstractTorque):
+    """τ = −k h of thrusters in pairs, which take the momentum h = L − IΩ out of wheels where no field is strong enough.
+
+    Their pulses are much shorter than everything else here and averaged, so that they push as hard as is asked for, up
+    to a limit. Inside a dead band of h about each axis nothing fires: τ = −k (h − the nearest h in the band).
+
+    Args:
+        rate: k [1/s], positive.
+        limit: largest torque about each axis of the body [N m], one for all or three; None for no limit.
+        dead_band: momentum about each axis [N m s] up to which nothing fires; 0 by default.
+
+    Raises:
+        InvalidInput: for a rate or limit that is not positive, or a negative dead band.
+
+    Source: Wertz (ed.), *Spacecraft Attitude Determination and Control* (1978), §19.1, "momentum dumping".
+
+    >>> jets = DumpingThrusters(rate=0.01, limit=0.02, dead_band=0.5)
+    >>> jets.torque(0.0, None, jnp.zeros(3), stored=jnp.array([0.4, -1.5, 40.0])).tolist()
+    [0.0, 0.01, -0.02]
+    """
+
+    name: ClassVar[str] = "dumping-thrusters"
+    arguments: ClassVar[dict[str, Argument]] = {
+        "rate": Argument("1/s"),
+        "limit": Argument("N*m", many=True),
+        "dead_band": Argument("N*m*s"),
+    }
+
+    gain: Float64[Array, ""]
+    limit: Float64[Array, "3"] | None
+    dead_band: Float64[Array, ""]
+
+    @known_numbers_only
+    def __init__(
+        self, rate: float, limit: Real[ArrayLike, "..."] | None = None, dead_band: float = 0.0
+    ) -> None:
+        self.gain = checked_number("rate", rate, above=0.0, unit="1/s")
+        self.dead_band = checked_number("dead_band", dead_band, least=0.0, unit="N m s")
+        self.limit = None if limit is None else checked_numbers("limit", limit, 3, above=0.0, unit="N m")
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
+
+    @property
+    def needs_stored(self) -> bool:
+        return True
+
+    @property
+    def limited(self) -> bool:
+        return self.limit is not None
+
+    def without_limits(self) -> Self:
+        return eqx.tree_at(lambda jets: jets.limit, self, None, is_leaf=lambda x: x is None)
+
+    def load(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own, stored: Velocity
+    ) -> Float64[Array, "*batch"]:
+        if self.limit is None:
+            return jnp.zeros(angular_velocity.shape[:-1])
+        return jnp.max(jnp.abs(self._asked(stored)) / self.limit, axis=-1)
+
+    def torque(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None,
+        stored: Float64[Array, "*#batch 3"] | None = None,
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+        """Return τ (…, 3) [N m, body axes]; ``stored`` is L − IΩ (…, 3)."""
+        assert stored is not None, "this law needs the momentum stored inside"
+        asked = self._asked(stored) + jnp.zeros_like(angular_velocity)
+        return asked if self.limit is None else jnp.clip(asked, -self.limit, self.limit)
+
+    def _asked(self, stored: Array) -> Array:
+        return -self.gain * (stored - jnp.clip(stored, -self.dead_band, self.dead_band))
 
 
 def _as_list(name: str, value: Real[ArrayLike, "..."]) -> np.ndarray:
