@@ -156,7 +156,8 @@ class DumpingThrusters(AbstractTorque):
     Args:
         rate: k [1/s], positive.
         limit: largest torque about each axis of the body [N m], one for all or three; None for no limit.
-        dead_band: momentum about each axis [N m s] up to which nothing fires; 0 by default.
+        dead_band: momentum about each axis [N m s] up to which nothing fires; 0 by default. It has corners, past which
+            integration is slower.
 
     Raises:
         InvalidInput: for a rate or limit that is not positive, or a negative dead band.
@@ -177,14 +178,15 @@ class DumpingThrusters(AbstractTorque):
 
     gain: Float64[Array, ""]
     limit: Float64[Array, "3"] | None
-    dead_band: Float64[Array, ""]
+    dead_band: Float64[Array, ""] | None
 
     @known_numbers_only
     def __init__(
         self, rate: float, limit: Real[ArrayLike, "..."] | None = None, dead_band: float = 0.0
     ) -> None:
         self.gain = checked_number("rate", rate, above=0.0, unit="1/s")
-        self.dead_band = checked_number("dead_band", dead_band, least=0.0, unit="N m s")
+        band = checked_number("dead_band", dead_band, least=0.0, unit="N m s")
+        self.dead_band = band if band > 0.0 else None  # a band of no width would still have corners
         self.limit = None if limit is None else checked_numbers("limit", limit, 3, above=0.0, unit="N m")
 
     @property
@@ -219,7 +221,8 @@ class DumpingThrusters(AbstractTorque):
         return asked if self.limit is None else jnp.clip(asked, -self.limit, self.limit)
 
     def _asked(self, stored: Array) -> Array:
-        return -self.gain * (stored - jnp.clip(stored, -self.dead_band, self.dead_band))
+        band = self.dead_band
+        return -self.gain * (stored if band is None else stored - jnp.clip(stored, -band, band))
 
 
 def _as_list(name: str, value: Real[ArrayLike, "..."]) -> np.ndarray:
