@@ -99,7 +99,7 @@ def simulate(
         times: (T,) [s], in one direction.
         method: a class of ``polhode.integrators``, an object of one, made for this system with its own step and order,
             or any diffrax solver. By default ``Taylor``, which is exact to rounding by the fewest steps. Where rates of
-            change have branches on the state, more than 20,000 operations or a singularity on the way, and where
+            change have more than 20,000 operations, jumps along which it slides or a singularity on the way, and where
             ``step``, ``order``, ``resumable`` or ``memory`` is given, it is splitting into exact flows if a Lie–Poisson
             system has them, the spherical midpoint rule for spins, else Lie's midpoint rule; diffrax's ``Dopri8`` for
             any other system, and for one that overrides ``vector_field``.

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from enum import IntEnum
 from typing import Any, NamedTuple
 
@@ -75,6 +75,7 @@ class Tape:
         self.nodes: list[Node] = []
         self.values: dict[int, float] = {}  # of components that do not move
         self.looked_at: set[int] = set()  # of these, where an operation takes the number itself
+        self.sides: Any = None  # ``sides.Sides``, where branches on what moves are taken
         self._known: dict[Node, int] = {}
 
     def state(self) -> list[Expression]:
@@ -158,6 +159,24 @@ class Tape:
         if answers.any() != answers.all():
             raise Untraceable("a branch on the time that changes where no jump is named")
         return bool(answers.all())
+
+    def relation(self, x: Any, y: Any, holds: Callable[[Any, Any], Any]) -> bool:
+        """Return whether a relation of sizes holds between two expressions or numbers, where a branch asks for it.
+
+        Raises:
+            Untraceable: for what moves, where no sides of branches are taken.
+        """
+        if self.sides is None:
+            return self.decide(holds(self.at_instants(x), self.at_instants(y)))
+        difference = (x if isinstance(x, Expression) else self.constant(float(x))) - y
+        if not difference.terms:
+            return self.sides.is_known(bool(holds(difference.constant, 0.0)))
+        if len(self.instants):
+            try:
+                return self.sides.is_known(self.decide(holds(self.at_instants(x), self.at_instants(y))))
+            except Untraceable:
+                pass  # it depends on more than the time, or changes where no jump is named
+        return bool(holds(1.0 if self.sides.is_positive(difference) else -1.0, 0.0))
 
     def total(self, summands: Iterable[Any]) -> Expression:
         """Return a sum of expressions and numbers."""

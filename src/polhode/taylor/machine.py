@@ -19,6 +19,7 @@ from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.taylor.expressions import Expression, Operation, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import operations_on, uses_first, write_jaxpr
 from polhode.taylor.program import Program, make_program
+from polhode.taylor.sides import Branches, Sides, Signs
 from polhode.taylor.structure import Structure, itself, take_structure
 from polhode.taylor.tracing import evaluate
 from polhode.types import Array, Double, Float64
@@ -85,6 +86,7 @@ class Machine(NamedTuple):
         balances: names.
         events: names.
         clock: component that is the time, or −1.
+        branches: on what moves, of which ``program`` has one side each, whose differences it gives last; or None.
         exact: program of rates whose first coefficients have twice as many digits: of the same state, then of the
             system's ``numbers``, so that what is computed of them, as one over a moment, has these digits too; or None.
     """
@@ -96,13 +98,15 @@ class Machine(NamedTuple):
     balances: tuple[str, ...]
     events: tuple[str, ...]
     clock: int
+    branches: Branches | None
     exact: Program | None
     numbers: Float64[Array, "numbers"]
 
 
 def build_machine(
-    system: AbstractSystem, state: Array, between: Span, through: Event | None = None, extended: bool = False
-) -> Machine:
+    system: AbstractSystem, state: Array, between: Span, through: Event | None = None, extended: bool = False,
+    signs: Signs | None = None,
+) -> Machine:  # fmt: skip
     """Return the programs of a system for states like one.
 
     Args:
@@ -111,18 +115,26 @@ def build_machine(
         between: two times [s] between which no jump is named.
         through: a function of time and state that is watched too, after the events.
         extended: whether first coefficients are to have twice as many digits.
+        signs: the sides of branches on what moves, none to begin with at the state; with None there may be no such.
 
     Raises:
         Untraceable: if rates, balances or events are not made of operations that have a recurrence, or of those that
             have one with twice as many digits.
     """
     form = Form(np.shape(state), np.iscomplexobj(state))
-    between = between if np.size(system.jumps) else None
+    instants = between if np.size(system.jumps) else None
+    start = None
+    if signs == ():  # the place from which all sides are told is needed
+        assert between is not None
+        start = *form.flat(np.asarray(state)).tolist(), float(between[0])
     try:
         hash((system, through))
     except TypeError:
-        return _machine.__wrapped__(system, form, between, through, extended)
-    return _machine(system, form, between, through, extended)
+        return _make_machine(system, form, instants, through, extended, signs, start)
+    machine = _machine(system, form, instants, through, extended, signs, start)
+    if isinstance(machine, str):
+        raise Untraceable(machine)
+    return machine
 
 
 def count_operations(system: AbstractSystem, state: Double[Array, "..."]) -> int:
@@ -188,27 +200,54 @@ def _write_programs(structure: Structure, form: Form, through: Event | None) -> 
 
 
 @lru_cache(maxsize=256)
-def _machine(
-    system: AbstractSystem, form: Form, between: Span, through: Event | None, extended: bool
+def _machine(*arguments: Any) -> Machine | str:
+    """Return ``_make_machine``, or why there is none, as that takes as long to find out."""
+    try:
+        return _make_machine(*arguments)
+    except Untraceable as error:
+        return str(error)
+
+
+def _make_machine(
+    system: AbstractSystem, form: Form, between: Span, through: Event | None, extended: bool,
+    signs: Signs | None = None, start: tuple[float, ...] | None = None,
 ) -> Machine:  # fmt: skip
     written, numbers = _of_any_numbers(_write_programs, system, form, through)
     inside = _instants(between)
-    tape, rates, watched = _make_tape(written, form, numbers, inside)
-    size = len(rates)
+    size = form.size + len(written.balances) + written.timed
+    sides = None if signs is None else Sides(signs, _components(size, form, written, start))
+    try:
+        tape, rates, watched = _make_tape(written, form, numbers, inside, sides=sides)
+    except (ArithmeticError, ValueError) as error:  # of the side of a branch that is not taken
+        if sides is None:
+            raise
+        raise Untraceable(f"a branch on something that moves, of which one side has no value ({error})") from None
+    branches = None if sides is None or not sides.moving() else Branches(tape, rates, sides)
+    watched += [] if branches is None else branches.watched
     exact = None
     if extended:
         exact = _exact_program(*_make_tape(written, form, numbers, inside, moving=True)[:2])
     names, integrals = _integrals(system, form)
     return Machine(form, make_program(tape, rates + watched), integrals, names, written.balances, tuple(system.events),
-                   size - 1 if written.timed else -1, exact, numbers)  # fmt: skip
+                   size - 1 if written.timed else -1, branches, exact, numbers)  # fmt: skip
+
+
+def _components(size: int, form: Form, written: _Written, start: tuple[float, ...] | None) -> Float64[np.ndarray, "n"]:
+    """Return the components at a start: the state, nothing received, and the time."""
+    y = np.zeros(size)
+    if start is not None:
+        y[: form.size] = start[:-1]
+        y[-1] = start[-1] if written.timed else y[-1]
+    return y
 
 
 def _make_tape(
-    written: _Written, form: Form, numbers: Array, inside: Array, moving: bool = False
+    written: _Written, form: Form, numbers: Array, inside: Array, moving: bool = False, sides: Sides | None = None
 ) -> tuple[Tape, list[Expression], list[Expression]]:
     """Return a tape with rates and what is watched; the system's numbers may be components of the state that follow."""
     size = form.size + len(written.balances) + written.timed
     tape = Tape(size + moving * len(numbers), size - 1 if written.timed else None, inside)
+    tape.sides = sides
     tape.values = dict(enumerate(numbers.tolist(), size)) if moving else {}
     known = np.empty(tape.size, object)
     known[:] = tape.state()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import jax
@@ -15,10 +16,13 @@ from polhode.arrays import compiled_for_few_calls
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems.base import AbstractSystem, Event
 from polhode.taylor import kernel
+from polhode.taylor.expressions import Untraceable
 from polhode.taylor.flight import begin_flight, fly, outcome
 from polhode.taylor.kernel_space import HITS, STEPS, Copies, Course
 from polhode.taylor.machine import Machine, build_machine
 from polhode.taylor.program import Program
+from polhode.taylor.sides import Signs
+from polhode.taylor.switching import fly_past_branches
 from polhode.types import Array, Double, Float64, Integer
 
 ORDER, LOCAL = 24, 1e-19  # to rounding: of an order at which errors of single steps do not add up with one sign
@@ -83,7 +87,10 @@ class Runs(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """The plan shared by all copies: where steps must end, the machine up to there, and the reach of steps."""
+    """The plan shared by all copies: where steps must end, the machine up to there, and the reach of steps.
+
+    ``build`` gives the machine between two borders for other sides of branches.
+    """
 
     borders: list[float]
     machines: list[Machine]
@@ -91,17 +98,23 @@ class Plan(NamedTuple):
     precision: Precision
     longest: float
     forth: float
+    build: Callable[..., Machine]
 
 
 def _plan(
     system: AbstractSystem, state: Array, times: np.ndarray, precision: Precision, longest: float,
-    through: Event | None = None,
+    through: Event | None = None, branching: bool = False,
 ) -> Plan:  # fmt: skip
     forth = 1.0 if times[-1] > times[0] else -1.0
     borders = _borders(system, times, forth)
-    machines = [build_machine(system, state, between, through, precision.extended)
-                for between in itertools.pairwise(borders)]  # fmt: skip
-    return Plan(borders, machines, times, precision, longest, forth)
+    build = partial(build_machine, system, state, through=through, extended=precision.extended)
+    try:
+        machines = [build(between) for between in itertools.pairwise(borders)]
+    except Untraceable:
+        if not branching or precision.extended:
+            raise
+        machines = [build((borders[0], borders[1]), signs=())]  # the others by the sides where the motion comes to them
+    return Plan(borders, machines, times, precision, longest, forth, build)
 
 
 def run_copies(
@@ -127,7 +140,7 @@ def run_copies(
     Raises:
         Untraceable: if the system's rates are not made of operations that have a recurrence.
     """
-    plan = _plan(system, states[0], times, precision, longest)
+    plan = _plan(system, states[0], times, precision, longest, branching=True)
     form, program = plan.machines[0].form, plan.machines[0].program
     y = np.zeros((len(states), program.size))
     y[:, : form.size] = form.flat(states)
@@ -267,16 +280,27 @@ def _fly_through(plan: Plan, copies: Copies, check: Callable[[float], None], wat
         falling[-1], stops[-1] = watch.falling, False
     first, last = plan.borders[0], plan.borders[-1]
     share = lambda t: (t - first) / (last - first)  # noqa: E731
-    for machine, end in zip(plan.machines, plan.borders[1:], strict=True):
-        follows = _followers(machine.program, copies.scale)
-        course = Course(plan.times, len(plan.times), plan.precision.order, plan.precision.reach, plan.longest,
-                        plan.forth, falling, stops, end, machine.clock, follows, len(follows))  # fmt: skip
+    signs: Signs = ()
+    for k, between in enumerate(itertools.pairwise(plan.borders)):
+        machine = plan.machines[k] if k < len(plan.machines) else plan.build(between, signs=signs)
+        end = between[1]
+        if machine.branches is not None:
+            signs = fly_past_branches(copies, machine, partial(plan.build, between), partial(_course, plan, end),
+                                      check, share)  # fmt: skip
+            continue
+        course = _course(plan, end, copies, machine, falling, stops)
         fly(copies, machine, course, check, share)
         while watch is not None and copies.status[0] == kernel.FULL and copies.counts[0, HITS] < watch.most:
             copies = copies._replace(hits=np.concatenate([copies.hits, np.zeros_like(copies.hits)], axis=1))
             copies.status[0] = kernel.RUNNING
             fly(copies, machine, course, check, share)
     return copies
+
+
+def _course(plan: Plan, end: float, copies: Copies, machine: Machine, falling: Array, stops: Array) -> Course:
+    follows = _followers(machine.program, copies.scale)
+    return Course(plan.times, len(plan.times), plan.precision.order, plan.precision.reach, plan.longest,
+                  plan.forth, falling, stops, end, machine.clock, follows, len(follows))  # fmt: skip
 
 
 def _followers(program: Program, scale: Float64[Array, "copies n"]) -> Integer[Array, "followers"]:

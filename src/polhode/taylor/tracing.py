@@ -1,8 +1,8 @@
 """From a function written with JAX to a tape: its jaxpr, evaluated on arrays of expressions.
 
 Numbers stay numbers, so that what depends on parameters alone is computed once. What moves data is done to arrays of
-expressions as to any others; what is linear with known coefficients is done to unit vectors. Branches on the state,
-and functions that no recurrence is known of, raise ``Untraceable``.
+expressions as to any others; what is linear with known coefficients is done to unit vectors. Branches are taken as the
+time or ``sides`` tell; others, and functions that no recurrence is known of, raise ``Untraceable``.
 """
 
 from __future__ import annotations
@@ -187,7 +187,7 @@ RULES["logistic"] = _elementary(lambda a: 1.0 / (exponential(-a) + 1.0))
 RULES["tanh"] = _elementary(lambda a: 1.0 - 2.0 / (exponential(a * 2.0) + 1.0))
 
 
-# ---------------------------------------------------------------------- branches on the time alone
+# ---------------------------------------------------------------------- branches
 
 
 def _comparison(compare: Callable[[Any, Any], Any]) -> Rule:
@@ -196,7 +196,7 @@ def _comparison(compare: Callable[[Any, Any], Any]) -> Rule:
         one, other = np.broadcast_arrays(*x)
         result = np.empty(one.shape, bool)
         for k in np.ndindex(result.shape):
-            result[k] = tape.decide(compare(tape.at_instants(one[k]), tape.at_instants(other[k])))
+            result[k] = tape.relation(one[k], other[k], compare)
         return [result]
 
     return rule
@@ -209,15 +209,14 @@ for _name, _compare in (("lt", operator.lt), ("le", operator.le), ("gt", operato
 def _choose_rule(first: Callable[[Any, Any], Any]) -> Rule:
     def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
         tape = _find_tape(*x)
-        is_first = lambda a, b: tape.decide(first(tape.at_instants(a), tape.at_instants(b)))  # noqa: E731
-        return [_pairs(lambda a, b: a if is_first(a, b) else b, *np.broadcast_arrays(*x))]
+        return [_pairs(lambda a, b: a if tape.relation(a, b, first) else b, *np.broadcast_arrays(*x))]
 
     return rule
 
 
 RULES["max"], RULES["min"] = _choose_rule(operator.ge), _choose_rule(operator.le)
-RULES["abs"] = _elementary(lambda a: a if a.tape.decide(a.tape.at_instants(a) >= 0.0) else -a)
-RULES["sign"] = _elementary(lambda a: a.tape.constant(1.0 if a.tape.decide(a.tape.at_instants(a) >= 0.0) else -1.0))
+RULES["abs"] = _elementary(lambda a: a if a.tape.relation(a, 0.0, operator.ge) else -a)
+RULES["sign"] = _elementary(lambda a: a.tape.constant(1.0 if a.tape.relation(a, 0.0, operator.ge) else -1.0))
 
 
 # ---------------------------------------------------------------------- sums

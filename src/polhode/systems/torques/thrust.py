@@ -156,8 +156,7 @@ class DumpingThrusters(AbstractTorque):
     Args:
         rate: k [1/s], positive.
         limit: largest torque about each axis of the body [N m], one for all or three; None for no limit.
-        dead_band: momentum about each axis [N m s] up to which nothing fires; 0 by default. It has corners, past which
-            integration is slower.
+        dead_band: momentum about each axis [N m s] up to which nothing fires; 0 by default.
 
     Raises:
         InvalidInput: for a rate or limit that is not positive, or a negative dead band.

@@ -1,0 +1,224 @@
+"""Branches on what moves: a program holds on one side of each, and a step ends where the motion goes to the other.
+
+A field with corners or jumps, such as the greater of two numbers, is smooth between them. Its program is written for
+the sides on which the motion is; the differences that tell the sides are watched as events are, so that no crossing is
+missed, and from there the motion goes on by the program of the other side.
+
+Source: Filippov, *Differential Equations with Discontinuous Righthand Sides* (1988), §4; Hairer, Nørsett & Wanner,
+*Solving Ordinary Differential Equations I* (1993), §II.6, "switching functions".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from polhode.taylor.expressions import Expression, Node, Operation, Tape, Untraceable
+from polhode.taylor.kernel_kepler import eccentric_anomaly_at
+from polhode.types import Array, Float64
+
+Signs = tuple[bool, ...]
+AT_ZERO = 1e-12  # of the terms of a difference: nearer to zero the direction of the motion tells the side
+ALONG = 1e-9  # of the terms of its slope: less is no direction
+ROUNDS = 8  # in which the sides of all branches must agree
+
+
+class Sides:
+    """The branches on what moves that a tape has met, in the order in which a function asks for them.
+
+    Args:
+        signs: whether each difference is taken to be positive; of further ones the values at the point tell.
+        point: components of the state.
+    """
+
+    def __init__(self, signs: Signs, point: Float64[np.ndarray, "n"]) -> None:
+        self.signs, self._point = list(signs), point
+        self.differences: list[Expression | None] = []
+        self._values: list[Any] = []
+
+    def is_positive(self, difference: Expression) -> bool:
+        """Return whether a difference counts as positive, or zero."""
+        k = len(self.differences)
+        self.differences.append(difference)
+        if k == len(self.signs):
+            self.signs.append(bool(self._value(difference) >= 0.0))
+        return self.signs[k]
+
+    def is_known(self, answer: bool) -> bool:
+        """Return the answer to a branch on numbers alone, which has its place in the order as well."""
+        k = len(self.differences)
+        self.differences.append(None)
+        self.signs[k : k + 1] = [answer]
+        return answer
+
+    def _value(self, difference: Expression) -> Any:
+        tape = difference.tape
+        extend_values(tape, list(self._point), self._values)
+        return combine(difference, [*self._point, *self._values])[0]
+
+    def moving(self) -> list[tuple[int, Expression]]:
+        """Return the differences that move, with their places in the order."""
+        return [(k, x) for k, x in enumerate(self.differences) if x is not None]
+
+
+def combine(x: Expression, values: list[Any]) -> tuple[Any, Any]:
+    """Return the value of an expression, and the size of its terms."""
+    value, size = x.constant, abs(x.constant)
+    for k, c in x.terms.items():
+        term = c * values[k]
+        value, size = value + term, size + abs(term)
+    return value, size
+
+
+def extend_values(tape: Tape, components: list[Any], values: list[Any]) -> None:
+    """Append the values of nodes that a list does not have yet."""
+    known = [*components, *values]
+    for node in tape.nodes[len(values) :]:
+        value = _value(node, [known[k] for k in node.arguments])
+        values.append(value)
+        known.append(value)
+
+
+def _value(node: Node, x: list[Any]) -> Any:
+    match node.operation:
+        case Operation.AFFINE:
+            return node.number + sum(c * v for c, v in zip(node.coefficients, x, strict=True))
+        case Operation.PRODUCT:
+            return x[0] * x[1]
+        case Operation.POWER:
+            return np.float64(x[0]) ** node.number if isinstance(x[0], float) else x[0] ** node.number
+        case Operation.EXPONENTIAL:
+            return np.exp(x[0])
+        case Operation.LOGARITHM:
+            return np.log(x[0])
+        case Operation.SINE:
+            return np.sin(x[0])
+        case Operation.COSINE:
+            return np.cos(x[0])
+        case Operation.ECCENTRIC:
+            return np.vectorize(eccentric_anomaly_at, otypes=[float])(x[0], node.number)
+        case Operation.ECCENTRIC_SINE:
+            return np.sin(x[1])
+        case Operation.ECCENTRIC_COSINE:
+            return np.cos(x[1])
+
+
+def _slope(node: Node, value: Any, x: list[Any], dx: list[Any]) -> Any:
+    match node.operation:
+        case Operation.AFFINE:
+            return sum(c * v for c, v in zip(node.coefficients, dx, strict=True))
+        case Operation.PRODUCT:
+            return dx[0] * x[1] + x[0] * dx[1]
+        case Operation.POWER:
+            return node.number * value / x[0] * dx[0]
+        case Operation.EXPONENTIAL:
+            return value * dx[0]
+        case Operation.LOGARITHM:
+            return dx[0] / x[0]
+        case Operation.SINE:
+            return np.cos(x[0]) * dx[0]
+        case Operation.COSINE:
+            return -np.sin(x[0]) * dx[0]
+        case Operation.ECCENTRIC:
+            return dx[0] / (1.0 - node.number * np.cos(value))
+        case Operation.ECCENTRIC_SINE:
+            return np.cos(x[1]) * dx[1]
+        case Operation.ECCENTRIC_COSINE:
+            return -np.sin(x[1]) * dx[1]
+
+
+class Branches:
+    """What tells the sides of a program, at states of many copies.
+
+    Args:
+        tape: of the program.
+        rates: of all its components.
+        sides: that it was written for.
+    """
+
+    def __init__(self, tape: Tape, rates: list[Expression], sides: Sides) -> None:
+        self._tape, self._rates = tape, rates
+        self.signs: Signs = tuple(sides.signs)
+        self._moving = sides.moving()
+
+    @property
+    def watched(self) -> list[Expression]:
+        """The differences, positive on the side where they are."""
+        return [x if self.signs[k] else -x for k, x in self._moving]
+
+    def place(self, watched: int) -> int:
+        """Return which branch a watched difference belongs to."""
+        return self._moving[watched][0]
+
+    def _values(self, y: Float64[np.ndarray, "copies n"]) -> list[Any]:
+        """Return the values of components and nodes: of one copy plain numbers, with which Python is faster."""
+        components: list[Any] = y[0].tolist() if len(y) == 1 else list(y.T)
+        values: list[Any] = []
+        extend_values(self._tape, components, values)
+        return [*components, *values]
+
+    def hold(self, y: Float64[np.ndarray, "copies n"]) -> bool:
+        """Return whether copies are on these sides, or at their borders, within rounding."""
+        known = self._values(y)
+        for x in self.watched:
+            value, size = combine(x, known)
+            if np.any(value < -ALONG * size):
+                return False
+        return True
+
+    def sides_of(self, y: Float64[np.ndarray, "copies n"], crossed: Array, forth: float) -> list[Signs]:
+        """Return on which side of each difference copies go on, by the rates of the sides of this program.
+
+        Args:
+            y: their components.
+            forth: 1, or −1 backward in time.
+            crossed: (C,) places in the order of branches that they are at the border of, −1 for none.
+
+        Raises:
+            Untraceable: where a motion goes along a border, or only touches it.
+        """
+        known = self._values(y)
+        slopes: list[Any] = [combine(rate, known)[0] for rate in self._rates]
+        signs = np.tile(self.signs, (len(y), 1))
+        for node in self._tape.nodes:
+            x, dx = [known[k] for k in node.arguments], [slopes[k] for k in node.arguments]
+            slopes.append(_slope(node, known[len(slopes)], x, dx))
+        with np.errstate(invalid="ignore"):
+            for k, difference in self._moving:
+                value, size = combine(difference, known)
+                slope, steepness = combine(Expression(self._tape, difference.terms), slopes)
+                near = (abs(value) <= AT_ZERO * size) | (crossed == k)
+                if (near & ~(abs(slope) > ALONG * steepness)).any():
+                    raise Untraceable("a branch on something that moves, along whose border the motion goes")
+                signs[:, k] = np.where(near, forth * slope > 0.0, value > 0.0)
+        return [tuple(map(bool, row)) for row in signs]
+
+
+def settle(
+    branches_of: Callable[[Signs], Branches], y: Float64[np.ndarray, "copies n"], signs: list[Signs], crossed: Array,
+    forth: float,
+) -> list[Signs]:  # fmt: skip
+    """Return the sides on which copies go on.
+
+    Args:
+        branches_of: returns the branches of the program for given sides.
+        y: components of the copies.
+        signs: the sides where they come from.
+        crossed, forth: as of ``Branches.sides_of``.
+
+    Raises:
+        Untraceable: where no side can be told, as where both sides lead back to a border.
+    """
+    signs = list(signs)
+    waiting = np.ones(len(y), bool)
+    for _ in range(ROUNDS):
+        for each in set(signs[k] for k in np.flatnonzero(waiting)):
+            some = np.array([k for k in np.flatnonzero(waiting) if signs[k] == each])
+            for k, found in zip(some, branches_of(each).sides_of(y[some], crossed[some], forth), strict=True):
+                waiting[k] = found != each
+                signs[k] = found
+        if not waiting.any():
+            return signs
+    raise Untraceable("a branch on something that moves, whose sides lead back to each other")

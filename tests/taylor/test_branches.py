@@ -1,0 +1,131 @@
+"""Branches on what moves: motions past corners and jumps of their rates, against closed forms and other integrators."""
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.spatial.transform import Rotation
+
+import polhode as ph
+from polhode.algebra import Heisenberg
+from polhode.errors import InvalidInput
+from polhode.systems import LiePoisson, RigidBody, SolarPressure, Wheel
+from polhode.taylor import sides, switching
+from polhode.taylor.expressions import Untraceable
+
+SAME = 1e-12
+
+
+def wedge():
+    """H = p²/2 + |q|: parabolas, one after the other."""
+    return LiePoisson(Heisenberg(1), lambda m: 0.5 * m[1] ** 2 + jnp.abs(m[0]))
+
+
+def in_wedge(t, p0=1.5, sign=-1.0):
+    """From q = 0 with p0: q = p0 s − s²/2 for 2 p0, then the same with the other sign."""
+    arc, s = np.divmod(t, 2.0 * p0)
+    side = np.where(arc % 2, -1.0, 1.0)
+    return side * (p0 * s - 0.5 * s * s), side * (p0 - s)
+
+
+@pytest.mark.parametrize("backward", [False, True])
+def test_a_wedge_is_passed_to_rounding(backward):
+    """Also from its corner, where the direction tells the side; also backward, where it is the other one."""
+    times = np.linspace(0.0, 100.0, 41) * (-1.0 if backward else 1.0)
+    run = ph.simulate(wedge(), [0.0, 1.5, 1.0], times)
+    q, p = in_wedge(np.abs(times))
+    p = -p if backward else p
+    turned = np.sign(run.states[1, 0] * q[1])  # which way t runs is a matter of the algebra's sign
+    assert np.abs(run.states[:, 0] - turned * q).max() < SAME
+    assert np.abs(np.abs(run.states[:, 1]) - np.abs(p)).max() < SAME
+    assert run.error_estimate < 1e-11 and run.drift["energy"] < 1e-14
+
+
+def test_a_batch_is_its_copies_to_the_bit_though_they_are_on_different_sides():
+    starts = np.array([[0.3, 1.5, 1.0], [-0.3, 1.5, 1.0], [-2.0, 0.1, 1.0], [0.0, -0.7, 1.0], [1.0, 0.0, 1.0]])
+    times = np.linspace(0.0, 30.0, 7)
+    together = ph.simulate(wedge(), starts, times, estimate_error=False)
+    for start, states in zip(starts, together.states, strict=True):
+        np.testing.assert_array_equal(ph.simulate(wedge(), start, times, estimate_error=False).states, states)
+
+
+def motor(t, attitude, velocity, rate):
+    return jnp.clip(-2.0 * rate, -0.5, 0.5)
+
+
+def test_a_limit_is_reached_and_left():
+    """A wheel that a limited motor stops: even at first, and by an exponential from 0.25 rad/s on."""
+    body = RigidBody((1e9, 1e9, 1e9), [Wheel((0, 0, 1), 2.0, motor)])
+    run = ph.simulate(body, body.pack((1, 0, 0, 0), (0, 0, 0), rates=[10.0]), [0.0, 20.0, 39.0, 41.0, 60.0])
+    wanted = [10.0, 5.0, 0.25, 0.25 * np.exp(-2.0), 0.25 * np.exp(-21.0)]
+    assert run.states[:, 7] / 2.0 == pytest.approx(wanted, rel=1e-8, abs=1e-7)  # the body turns by 1e-9 of it
+
+
+def plates(t, y, moments, axes, areas, places, sun, pressure):
+    """Newton–Euler equations of a body with black plates, of which those with an area see the Sun."""
+    q, w = y[:4], y[4:]
+    u = Rotation.from_quat(q[[1, 2, 3, 0]]).inv().apply(sun)
+    force = -pressure * (areas * (axes @ u))[:, None] * u
+    torque = np.cross(places, force).sum(axis=0)
+    turning = 0.5 * np.array([-q[1:] @ w, *(q[0] * w + np.cross(q[1:], w))])
+    return np.append(turning, (np.cross(moments * w, w) + torque) / moments)
+
+
+@pytest.mark.long
+def test_sunlight_on_a_box_beside_a_general_integrator_that_stops_at_its_edges():
+    moments, edges, center = np.array([0.1, 0.2, 0.25]), np.array([0.1, 0.2, 0.3]), np.array([0.03, 0.01, -0.02])
+    sun, start = np.array([1.0, 0.3, 0.1]), np.array([1.0, 0, 0, 0, 0.001, 0.002, 0.0005])
+    sun /= np.linalg.norm(sun)
+    body = RigidBody(moments, torques=[SolarPressure(sun, box=edges, center=center, pressure=4.5e-3)])
+    run = ph.simulate(body, body.pack(start[:4], start[4:]), [0.0, 1500.0])
+    axes, t, y = np.repeat(np.eye(3), 2, axis=0) * np.tile([1.0, -1.0], 3)[:, None], 0.0, start
+    places, areas = center + axes * edges / 2, np.repeat(edges.prod() / edges, 2)
+    cosines = lambda y: axes @ Rotation.from_quat(y[[1, 2, 3, 0]]).inv().apply(sun)  # noqa: E731
+    lit, edges_passed = cosines(y) > 0, 0
+    while t < 1500.0:
+        events = []
+        for k in range(0, 6, 2):
+            events.append(lambda t, y, *_, k=k: cosines(y)[k])
+            events[-1].terminal = True
+            events[-1].direction = -1.0 if lit[k] else 1.0
+        arguments = moments, axes, areas * lit, places, sun, 4.5e-3
+        part = solve_ivp(plates, (t, 1500.0), y, "DOP853", rtol=2.3e-14, atol=1e-16, max_step=5.0, events=events,
+                         args=arguments)  # fmt: skip
+        t, y = part.t[-1], part.y[:, -1]
+        for k in range(0, 6, 2):
+            if len(part.t_events[k // 2]):
+                lit[k : k + 2] = ~lit[k : k + 2]
+                edges_passed += 1
+    wanted = moments * y[4:]
+    apart = np.abs(run.momentum[-1] - wanted).max() / np.abs(wanted).max()
+    assert edges_passed > 5 and apart < SAME and 0.1 * apart < run.error_estimate < 1e-11
+
+
+def friction(t, attitude, velocity, rate):
+    return -0.5 * jnp.sign(rate)
+
+
+def test_what_comes_to_rest_at_a_border_goes_by_other_steps():
+    """A wheel with dry friction stands still, though both sides lead to each other: no series says how."""
+    body = RigidBody((1e9, 1e9, 1e9), [Wheel((0, 0, 1), 2.0, friction)])
+    start = body.pack((1, 0, 0, 0), (0, 0, 0), rates=[10.0])
+    with pytest.raises(InvalidInput, match=r"lead back to each other|along whose border"):
+        ph.simulate(body, start, [0.0, 50.0], method=ph.integrators.Taylor())
+
+
+def test_a_border_that_is_not_minded_is_seen(monkeypatch):
+    monkeypatch.setattr(switching, "settle", lambda of, y, signs, crossed, forth: list(signs))
+    with pytest.raises(InvalidInput, match="whose border it has crossed unseen"):
+        ph.simulate(wedge(), [0.3, 1.5, 1.0], [0.0, 10.0], method=ph.integrators.Taylor())
+
+
+def test_sides_that_never_agree_are_refused():
+    class Never:
+        def sides_of(self, y, crossed, forth):
+            return [(not self.signs[0],)] * len(y)
+
+        def __init__(self, signs):
+            self.signs = signs
+
+    with pytest.raises(Untraceable, match="lead back to each other"):
+        sides.settle(Never, np.zeros((2, 1)), [(True,), (False,)], np.array([-1, 0]), 1.0)
