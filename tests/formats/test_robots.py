@@ -174,7 +174,7 @@ WRONG = {
     ("urdf", '[body.joints]\nslide = "1 rad"'): "joint 'slide' must be at a distance like \"10 cm\"",
     ("urdf", '[body.joints]\nshoulder = "1 m"'): "joint 'shoulder' must be at an angle like \"30 deg\"",
     ("urdf", '[body.joints]\ngrip = "1 m"'): "joint 'grip' follows 'slide'; set that one",
-    ("urdf", '[body.joints]\neye = "1 m"'): "joint 'eye' cannot be set",
+    ("urdf", '[body.joints]\neye = "1 m"'): "joint 'eye' is fixed, or has more than one coordinate, and cannot be set",
     ("urdf", '[body.joints]\nshoulder = "1 kg"'): 'must be an angle like "30 deg" or a distance like "10 cm"',
     ("urdf", 'link = "base"\njoints = {}'): "link names one link, and joints put all of them together",
     ("urdf", 'mass = "1 kg"\njoints = {}'): "mass follows from the urdf",

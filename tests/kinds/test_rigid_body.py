@@ -128,6 +128,8 @@ def test_the_example_of_a_cubesat_points_down(tmp_path):
         ('[[flywheel]]\naxis = [0, 0, 1]\n', "flywheel", "did you mean wheel"),
         ('[photon]\nx = 1\n', "photon", "control, orbit"),
         (ORBIT + 'altitude = "500 km"\n', "orbit", "exactly one of period, semi_major_axis and altitude"),
+        ('[orbit]\naltitude = "300 km"\ngravitational_parameter = "42828 km^3/s^2"\n', "orbit.altitude",
+         "counts from the Earth's radius; about another body give semi_major_axis"),
         ('[control]\nlaw = "quaternion-pd"\nbandwidth = "0.1 rad/s"\n', "control", "works by wheels, and there"),
         ('[control]\nlaw = "pid"\n', "control.law", "names no control law"),
         ('[control]\nlaw = "quaternion-pd"\nby = "torque"\ntarget = "nadir"\nbandwidth = "0.1 rad/s"\n',
@@ -176,6 +178,39 @@ def test_numbers_of_its_tables_can_be_swept(tmp_path):
         number_at("wheels.1", model, beside)
     plan = read_plan(EXAMPLES / "cubesat_6u.toml")
     assert "control.bandwidth" in plan.design.inputs
+
+
+def test_a_sweep_of_a_spec_whose_system_is_one_word_says_how_many_have_a_motion(tmp_path, capsys):
+    text = SWEPT.format(HEAD + BODY + SPIN)
+    (tmp_path / "craft.toml").write_text(text, "utf-8")
+    with pytest.raises(SystemExit) as ended:
+        main(["sweep", str(tmp_path / "craft.toml"), "--out", str(tmp_path / "s.zarr"), "--no-figures"])
+    assert ended.value.code == 0
+    assert "2 of 2 samples have a motion" in capsys.readouterr().out
+
+
+SWEPT = """{}[time]
+until = "10 s"
+samples = 3
+[sweep]
+samples = 2
+outputs = ["end.momentum"]
+[sweep.inputs]
+"spin.rate" = {{uniform = ["0.05 deg/s", "0.06 deg/s"]}}
+"""
+
+
+def test_the_report_says_for_how_long_there_was_no_sun(tmp_path):
+    sunlit = '[[torque]]\ntype = "solar-pressure"\nsun = [0, 0, 1]\nbox = ["1 m", "1 m", "1 m"]\n'
+    orbit = '[orbit]\naltitude = "500 km"\ninclination = "90 deg"\n'
+    end = '[time]\nuntil = "1 h"\nsamples = 7\n'
+    notes = spec(tmp_path, HEAD + BODY + SPIN + orbit + sunlit + end).report().notes
+    (said,) = [note for note in notes if "shade" in note]
+    # a circle of 6878 km goes through the cylinder of 6378 km where it is behind the Earth by √(a² − R²)
+    assert said == "torque.1 (solar-pressure) is in the shade of a radius of 6378.14 km at 14.3% of the samples."
+    deep = -math.sqrt(1 - (6378.137 / 6878.137) ** 2)
+    dark = [math.sin(2 * math.pi / 5676.98 * t) < deep for t in range(0, 3601, 600)]
+    assert sum(dark) / 7 == pytest.approx(0.143, abs=1e-3)
 
 
 @pytest.mark.long

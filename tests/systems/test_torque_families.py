@@ -203,6 +203,10 @@ def test_another_body_has_another_shade():
         SolarPressure((1, 0, 0), box=(1, 1, 1), orbit=moon)
     assert float(SolarPressure((-1, 0, 0), box=(1, 1, 1), orbit=moon, shading_radius=1.7374e6).light(0.0)) == 0.0
     assert float(SolarPressure((-1, 0, 0), box=(1, 1, 1), orbit=moon, shading_radius=0.0).light(0.0)) == 1.0
+    with pytest.raises(InvalidInput, match=r"comes within 1.9e\+06 m of the centre.*diameter"):
+        SolarPressure((-1, 0, 0), box=(1, 1, 1), orbit=moon, shading_radius=2 * 1.7374e6)
+    with pytest.raises(InvalidInput, match="`shading_radius` goes with an `orbit`"):
+        SolarPressure((-1, 0, 0), box=(1, 1, 1), shading_radius=1.7374e6)
 
 
 @pytest.mark.parametrize("limit, left", [(None, 2.0 - 0.001 * 2.0 * 300.0), (1e-4, 2.0 - 1e-4 * 300.0)])

@@ -101,6 +101,13 @@ def test_sunlight_on_a_box_beside_a_general_integrator_that_stops_at_its_edges()
     assert edges_passed > 5 and apart < SAME and 0.1 * apart < run.error_estimate < 1e-11
 
 
+def test_a_border_that_is_reached_to_rounding_and_never_crossed():
+    """A wheel that comes exponentially to its largest rate, and stays there: what is watched stays at zero."""
+    body = RigidBody((1.0, 2.0, 2.5), [Wheel((0, 0, 1), 0.1, 0.05, max_rate=5.0)])
+    run = ph.simulate(body, body.pack(rates=[1.0], attitude=(1.0, 0.0, 0.0, 0.0)), [0.0, 40.0], estimate_error=False)
+    assert run.part("rotor_momentum")[-1] / 0.1 - run.angular_velocity[-1, 2] == pytest.approx(5.0, rel=1e-13)
+
+
 def friction(t, attitude, velocity, rate):
     return -0.5 * jnp.sign(rate)
 

@@ -122,8 +122,9 @@ def _check_edges(faces: np.ndarray, repaired: bool) -> None:
     if open_edges := int((edges.uses == 1).sum()):
         raise InvalidInput(
             f"the mesh is open: {open_edges} edges border only one triangle, so it encloses nothing. "
-            f"{'Repair fills small holes only; close' if repaired else 'Close'} the surface, or merge duplicate corners"
-            f"{'' if repaired else f', or read the file with repair: {ASKED}'}."
+            + ("Repair closes holes of up to 4 edges, or up to a twentieth of the mesh wide. Close the surface."
+               if repaired else
+               f"Close the surface, or merge duplicate corners, or read the file with repair: {ASKED}.")
         )
     if shared := int(((edges.uses > 2) & (edges.balance != 0)).sum()):
         raise InvalidInput(

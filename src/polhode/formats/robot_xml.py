@@ -204,7 +204,8 @@ def find_positions(path: Path, pose: Pose, motions: Sequence[Motion]) -> dict[st
             raise InvalidInput(f"{path}: joint {shown(name)} follows {shown(motion.follows[0])}; set that one.")
         if not motion.unit:
             raise InvalidInput(
-                f"{path}: joint {shown(name)} cannot be set, as it has no single position; leave it out."
+                f"{path}: joint {shown(name)} is fixed, or has more than one coordinate, and cannot be set; "
+                "leave it out."
             )
         if unit != motion.unit:
             wanted = 'an angle like "30 deg"' if motion.unit == "rad" else 'a distance like "10 cm"'

@@ -92,6 +92,8 @@ def read_urdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> 
     reached = list(tops)
     for name in reached:  # which grows meanwhile; a link with two parents is refused
         reached += [child for child, _ in children.get(name, ())] if len(reached) <= len(names) else []
+    if not names:
+        raise FormatError(f"{path}: has no links. If it is written for xacro, let xacro expand it first.")
     if len(tops) != 1 or len(set(below)) != len(below) or len(reached) != len(names):
         raise FormatError(f"{path}: its joints must make one tree of its links, from one that is no other's child; got "
                           f"{len(tops)} such links.")  # fmt: skip

@@ -122,7 +122,8 @@ class SweepReport(StudyReport):
     def summary(self) -> str:
         count, done = self.sweep.plan.design.count, self.status.get(DONE, 0)
         rest = ", ".join(f"{number:,} {word}" for word, number in self.status.items() if word != DONE)
-        kind = find_kind(str(self.sweep.plan.tables.get("system", {}).get("kind", "")))
+        system = self.sweep.plan.tables.get("system", {})
+        kind = find_kind(str(system.get("kind", "") if isinstance(system, dict) else system))
         done_what = "have a motion" if kind is None or kind.has_motion else "are computed"
         return f"{done:,} of {count:,} samples {done_what}" + (f"; {rest}." if rest else ".")
 

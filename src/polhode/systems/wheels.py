@@ -27,7 +27,7 @@ class Wheel(AbstractMount):
 
     Limits are met without a jump: the motor's torque is cut off at ``max_torque``, and what would speed the wheel up
     further fades to nothing over the last hundredth below ``max_rate``, as a motor's does near its no-load speed. Rates
-    of change have kinks there, which series do not take; ``simulate`` then steps adaptively.
+    of change have corners there, at which steps end.
 
     Args:
         axis: (3,) a along the body's axes, normalised here.

@@ -39,7 +39,8 @@ def begin_flight(
 
 
 def fly(
-    copies: Copies, machine: Machine, course: Course, check: Callable[[float], None], share: Callable[[float], float]
+    copies: Copies, machine: Machine, course: Course, check: Callable[[float], None], share: Callable[[float], float],
+    most: int = MOST_STEPS,
 ) -> None:  # fmt: skip
     """Go on up to the end of a course, with all copies that have not stopped before.
 
@@ -49,6 +50,7 @@ def fly(
         course: common to all.
         check: called with the part of all that is done, between parts of a long run.
         share: what part of the way a time is.
+        most: how many steps a part of a run has.
     """
     status = copies.status
     status[status == kernel.DONE] = kernel.RUNNING
@@ -59,7 +61,7 @@ def fly(
         # Python's runs are long enough to ask how much of the processor they took, whatever else it does
         clock = time.perf_counter if use.is_compiled else time.process_time
         before = clock()
-        _advance(copies, machine, course, use, running)
+        _advance(copies, machine, course, use, running, most)
         note(use, running.size, machine.program, clock() - before)
         if copies.counts[:, STEPS].max() >= MOST_STEPS:
             return
@@ -81,8 +83,8 @@ def outcome(
     return status, event, end
 
 
-def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, running: Array) -> None:
-    code, limit = write_code(use, machine.program), max(1, use.stretch // machine.program.length)
+def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, running: Array, most: int) -> None:
+    code, limit = write_code(use, machine.program), min(most, max(1, use.stretch // machine.program.length))
     orders, watched, conserved = course.order + 1, len(course.falling), copies.wanted.shape[1]
 
     def fill(low: int, high: int) -> None:

@@ -162,7 +162,7 @@ def event_in(copies: Copies, lanes: Lanes, course: Course, lane: Any, h: Any) ->
         for j in range(1, order + 1):
             others += abs(p[w, j]) * power
             power *= length / unit
-        if abs(p[w, 0]) > others:
+        if abs(p[w, 0]) > others or others == 0.0:  # one that stays at zero changes no sign
             continue
         low = 0.0
         if copies.counts[k, EVENT] == w and abs(copies.now[k, LATEST] - t) <= CLOSE * length + SHORTEST * abs(t):

@@ -63,13 +63,28 @@ class Sides:
         return [(k, x) for k, x in enumerate(self.differences) if x is not None]
 
 
-def combine(x: Expression, values: list[Any]) -> tuple[Any, Any]:
-    """Return the value of an expression, and the size of its terms."""
+def combine(x: Expression, values: list[Any], sizes: list[Any] | None = None) -> tuple[Any, Any]:
+    """Return the value of an expression, and the size of its terms, whose own sizes may be larger than their values."""
     value, size = x.constant, abs(x.constant)
     for k, c in x.terms.items():
         term = c * values[k]
-        value, size = value + term, size + abs(term)
+        value, size = value + term, size + (abs(term) if sizes is None else abs(c) * sizes[k])
     return value, size
+
+
+def sizes_of(tape: Tape, values: list[Any]) -> list[Any]:
+    """Return the sizes of what components and nodes are added up of, to which their values may cancel."""
+    sizes = [abs(value) for value in values]
+    for k, node in enumerate(tape.nodes, tape.size):
+        match node.operation:
+            case Operation.AFFINE:
+                parts = zip(node.coefficients, node.arguments, strict=True)
+                sizes[k] = abs(node.number) + sum(abs(c) * sizes[i] for c, i in parts)
+            case Operation.PRODUCT:
+                sizes[k] = sizes[node.arguments[0]] * sizes[node.arguments[1]]
+            case _:
+                pass
+    return sizes
 
 
 def extend_values(tape: Tape, components: list[Any], values: list[Any]) -> None:
@@ -162,11 +177,19 @@ class Branches:
     def hold(self, y: Float64[np.ndarray, "copies n"]) -> bool:
         """Return whether copies are on these sides, or at their borders, within rounding."""
         known = self._values(y)
+        sizes = sizes_of(self._tape, known)
         for x in self.watched:
-            value, size = combine(x, known)
+            value, size = combine(x, known, sizes)
             if np.any(value < -ALONG * size):
                 return False
         return True
+
+    def touched(self, y: Float64[np.ndarray, "copies n"]) -> bool:
+        """Return whether a copy is at a border, within rounding."""
+        known = self._values(y)
+        sizes = sizes_of(self._tape, known)
+        each = (combine(x, known, sizes) for x in self.watched)
+        return any(np.any(abs(value) <= AT_ZERO * size) for value, size in each)
 
     def sides_of(self, y: Float64[np.ndarray, "copies n"], crossed: Array, forth: float) -> list[Signs]:
         """Return on which side of each difference copies go on, by the rates of the sides of this program.
@@ -180,6 +203,7 @@ class Branches:
             Untraceable: where a motion goes along a border, or only touches it.
         """
         known = self._values(y)
+        sizes = sizes_of(self._tape, known)
         slopes: list[Any] = [combine(rate, known)[0] for rate in self._rates]
         signs = np.tile(self.signs, (len(y), 1))
         for node in self._tape.nodes:
@@ -187,7 +211,7 @@ class Branches:
             slopes.append(_slope(node, known[len(slopes)], x, dx))
         with np.errstate(invalid="ignore"):
             for k, difference in self._moving:
-                value, size = combine(difference, known)
+                value, size = combine(difference, known, sizes)
                 slope, steepness = combine(Expression(self._tape, difference.terms), slopes)
                 near = (abs(value) <= AT_ZERO * size) | (crossed == k)
                 if (near & ~(abs(slope) > ALONG * steepness)).any():

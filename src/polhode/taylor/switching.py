@@ -10,14 +10,15 @@ import numpy as np
 from polhode.taylor import kernel
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.flight import fly
-from polhode.taylor.kernel_space import EVENT, HITS, TIME, Copies, Course
+from polhode.taylor.kernel_space import EVENT, HITS, STEPS, TIME, Copies, Course
 from polhode.taylor.machine import Machine
 from polhode.taylor.sides import Branches, Signs, settle
-from polhode.types import Array
+from polhode.types import Array, Integer
 
 HELD = -1  # the status of copies that wait while others move
 MOST_CROSSINGS = 20_000  # of a copy, from which on other steps take less time
 MOST_AT_ONCE = 16  # at the same time
+SETTLED, MOST_STEPS = 50, 100_000  # steps since the last crossing, after which a border may not be near, and at most
 
 
 def fly_past_branches(
@@ -50,6 +51,7 @@ def fly_past_branches(
     forth = course_of(copies, machine, np.ones(0, bool), np.ones(0, bool)).forth
     _settle_some(branches_of, copies, signs, np.flatnonzero(open_), nowhere, forth)
     crossings, at_once, latest = np.zeros(count, int), np.zeros(count, int), np.full(count, np.nan)
+    steps = copies.counts[:, STEPS].copy()  # at the last crossing
     while (left := np.flatnonzero(open_)).size:
         each = signs[left[0]]
         together = np.array([k for k in left if signs[k] == each])
@@ -57,7 +59,12 @@ def fly_past_branches(
         status[:] = HELD
         status[together] = kernel.RUNNING
         watched = np.ones(events + len(_branches(now).watched), bool)
-        fly(copies, now, course_of(copies, now, watched, watched), check, share)
+
+        def check_borders(part: float, now: Machine = now, some: Array = together) -> None:
+            check(part)
+            _check_distance(_branches(now), copies, some, steps)
+
+        fly(copies, now, course_of(copies, now, watched, watched), check_borders, share, SETTLED)
         after = status.copy()
         status[:] = before
         status[together] = after[together]
@@ -69,13 +76,13 @@ def fly_past_branches(
                 status[k], copies.counts[k, HITS] = kernel.RUNNING, 0
                 crossings[k] += 1
                 at_once[k] = at_once[k] + 1 if copies.now[k, TIME] == latest[k] else 0
-                latest[k] = copies.now[k, TIME]
+                latest[k], steps[k] = copies.now[k, TIME], copies.counts[k, STEPS]
             else:
                 open_[k] = False
         if crossings.max() > MOST_CROSSINGS or at_once.max() > MOST_AT_ONCE:
             raise Untraceable("branches on something that moves, whose borders it crosses too often")
         _settle_some(branches_of, copies, signs, np.flatnonzero(crossed >= 0), crossed, forth)
-        _check_ends(_branches(now), copies, [k for k in together if status[k] == kernel.DONE])
+        _check_ends(_branches(now), copies, together[status[together] == kernel.DONE])
     return signs[0]
 
 
@@ -85,8 +92,8 @@ def _branches(machine: Machine) -> Branches:
 
 
 def _settle_some(
-    branches_of: Callable[[Signs], Branches], copies: Copies, signs: list[Signs], some: Array, crossed: Array,
-    forth: float,
+    branches_of: Callable[[Signs], Branches], copies: Copies, signs: list[Signs], some: Integer[np.ndarray, "some"],
+    crossed: Integer[np.ndarray, "copies"], forth: float,
 ) -> None:  # fmt: skip
     if some.size:
         found = settle(branches_of, np.asarray(copies.y)[some], [signs[k] for k in some], crossed[some], forth)
@@ -94,11 +101,23 @@ def _settle_some(
             signs[k] = each
 
 
-def _check_ends(branches: Branches, copies: Copies, some: list[int]) -> None:
+def _check_distance(branches: Branches, copies: Copies, some: Array, steps: Array) -> None:
+    """Refuse motions that come ever nearer to a border, where steps would shrink to nothing.
+
+    Raises:
+        Untraceable: for such a one.
+    """
+    since = copies.counts[some, STEPS] - steps[some]
+    late = some[(since > SETTLED) & (copies.status[some] == kernel.RUNNING)]
+    if late.size and (since.max() > MOST_STEPS or branches.touched(np.asarray(copies.y)[late])):
+        raise Untraceable("a branch on something that moves, whose border the motion approaches and never crosses")
+
+
+def _check_ends(branches: Branches, copies: Copies, some: Integer[np.ndarray, "some"]) -> None:
     """Refuse motions that have come to another side unseen.
 
     Raises:
         Untraceable: for such a one.
     """
-    if some and not branches.hold(np.asarray(copies.y)[some]):
+    if some.size and not branches.hold(np.asarray(copies.y)[some]):
         raise Untraceable("a branch on something that moves, whose border it has crossed unseen")

@@ -119,7 +119,7 @@ class RigidBodyReport(MotionReport):
         notes += self._notes_on_reach()
         if self.gravity is not None:
             notes += self.gravity.notes
-        return [*notes, *self._notes_on_pulses()]
+        return [*notes, *self._notes_on_torques()]
 
     def _notes_on_reach(self) -> Iterator[str]:
         """Yield a note if the wheels cannot turn the body about every axis."""
@@ -130,11 +130,13 @@ class RigidBodyReport(MotionReport):
             along = "one axis" if rank == 1 else "axes in one plane"
             yield f"the controlled wheels turn the body about {along} only; about other axes, control does nothing."
 
-    def _notes_on_pulses(self) -> Iterator[str]:
-        """Yield what torques that start and end do between the samples, or outside of the motion."""
+    def _notes_on_torques(self) -> Iterator[str]:
+        """Yield remarks, and what torques that start and end do between the samples, or outside of the motion."""
         first, last = (float(self.trajectory.times[k]) for k in (0, -1))
         pairs = zip(self.spec.system.torque, self.craft.system.torques, strict=False)
         for k, (chosen, torque) in enumerate(pairs):
+            if remark := torque.remark(self.trajectory.times):
+                yield f"torque.{k + 1} ({chosen.type}) {remark}."
             jumps = np.ravel(np.asarray(torque.jumps))
             if not len(jumps):
                 continue

@@ -30,6 +30,9 @@ def find_broken_rules(system: dict[str, Any]) -> Iterator[Mistake]:
         given = [key for key in SIZES if key in orbit]
         if len(given) != 1:
             yield ("system", "orbit"), f"needs exactly one of {list_words(SIZES)}; got {list_words(given)}"
+        if "altitude" in orbit and "gravitational_parameter" in orbit:
+            text = "counts from the Earth's radius; about another body give semi_major_axis, or leave out"
+            yield ("system", "orbit", "altitude"), f"{text} gravitational_parameter"
     by_wheels = isinstance(control, dict) and control.get("by", "wheels") == "wheels"
     for k, wheel in enumerate(_tables(system, "wheel")):
         yield from _wheel_rules(wheel, ("system", "wheel", k), by_wheels)

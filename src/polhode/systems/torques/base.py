@@ -47,6 +47,10 @@ class AbstractTorque(AbstractAttachment):
         """Whether it depends on the momentum stored inside, and ``torque`` takes it as ``stored``."""
         return False
 
+    def remark(self, times: Float64[Array, "time"]) -> str:
+        """Return what a report says of it at times [s], as the predicate of a sentence; nothing by default."""
+        return ""
+
     def force(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
     ) -> Float64[Array, "*batch 3"] | None:  # fmt: skip

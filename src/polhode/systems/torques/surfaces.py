@@ -81,7 +81,8 @@ class SolarPressure(AbstractSurfaceTorque):
 
     s of the light is reflected as by a mirror, d scattered evenly, and the rest absorbed. The direction of the Sun
     stays in space. On an orbit it is dark in the cylinder that the attracting body shades; between full light and full
-    shade, where a part of the Sun is seen, there is nothing: some 8 s twice an orbit near the Earth.
+    shade, where a part of the Sun is seen, there is nothing: 8 s twice an orbit near the Earth, 2 min on a
+    geostationary one.
 
     Args:
         sun: direction from the body to the Sun (3,) [space axes].
@@ -97,8 +98,8 @@ class SolarPressure(AbstractSurfaceTorque):
         shading_radius: of the attracting body [m], the Earth's on an orbit about it; 0 for no shade.
 
     Raises:
-        InvalidInput: for plates that are not complete, reflectivities that together exceed one, or an orbit of unknown
-            size.
+        InvalidInput: for plates that are not complete, reflectivities that together exceed one, an orbit of unknown
+            size or through what it goes round, or a radius without an orbit.
 
     Source: Markley & Crassidis, *Fundamentals of Spacecraft Attitude Determination and Control* (2014), eq. 3.167;
     Montenbruck & Gill, *Satellite Orbits* (2000), §3.4.2.
@@ -138,12 +139,29 @@ class SolarPressure(AbstractSurfaceTorque):
         radius = _earth_radius(orbit) if shading_radius is None else shading_radius
         self.shading_radius = checked_number("shading_radius", radius, least=0.0, unit="m")
         self.orbit = orbit if self.shading_radius > 0.0 else None
+        if orbit is None and shading_radius is not None:
+            raise InvalidInput(
+                "`shading_radius` goes with an `orbit`, on which the body is shaded. Give one, or leave it out."
+            )
         if self.orbit is not None:
             self.orbit.check_size("the shade on it")
+            assert self.orbit.semi_major_axis is not None
+            lowest = float(self.orbit.semi_major_axis * (1.0 - self.orbit.eccentricity))
+            if lowest <= float(self.shading_radius):
+                raise InvalidInput(
+                    f"the orbit comes within {lowest:.6g} m of the centre of a body whose `shading_radius` is "
+                    f"{float(self.shading_radius):.6g} m. Check both, as for a diameter in place of a radius."
+                )
 
     @property
     def names_all_jumps(self) -> bool:
         return self.orbit is None  # steps have to end where the shade does, and those places are looked for
+
+    def remark(self, times: Float64[Array, "time"]) -> str:
+        if self.orbit is None:
+            return ""
+        dark = 1.0 - float(jnp.mean(self.light(times)))
+        return f"is in the shade of a radius of {float(self.shading_radius) / 1e3:.6g} km at {dark:.1%} of the samples"
 
     def light(self, t: Time) -> Float64[Array, "*batch"]:
         """Return 1 where it is lit and 0 in the shade (…)."""
@@ -172,7 +190,7 @@ def _earth_radius(orbit: KeplerOrbit | None) -> float:
         if abs(about / EARTH - 1.0) > EARTH_LIKE:
             raise InvalidInput(
                 f"the orbit is about a body of GM = {about:.6g} m³/s², not the Earth, and has its own shade: give "
-                "`shading_radius`, the radius of that body, or 0 for no shade."
+                "`shading_radius`, the radius of that body, or a zero one for no shade."
             )
     return EARTH_RADIUS
 
