@@ -69,7 +69,7 @@ class Entry:
         lock = FileLock(self._place / f"{self.dispatcher.__qualname__}.lock", timeout=LONGEST)
         try:
             lock.acquire()
-        except (OSError, NotImplementedError):  # a folder that cannot be written, or whose locks fail or last
+        except (OSError, NotImplementedError):  # read-only, without locks, or held for too long
             yield
             return
         try:

@@ -222,7 +222,7 @@ def _make_machine(
         if sides is None:
             raise
         raise Untraceable(f"a branch on something that moves, of which one side has no value ({error})") from None
-    branches = None if sides is None or not sides.moving() else Branches(tape, rates, sides)
+    branches = None if sides is None or not sides.list_moving() else Branches(tape, rates, sides)
     watched += [] if branches is None else branches.watched
     exact = None
     if extended:

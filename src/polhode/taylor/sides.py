@@ -21,7 +21,7 @@ from polhode.types import Array, Float64
 
 Signs = tuple[bool, ...]
 AT_ZERO = 1e-12  # of the terms of a difference: nearer to zero the direction of the motion tells the side
-ALONG = 1e-9  # of the terms of its slope: less is no direction
+ALONG = 1e-9  # of the terms of its slope: a smaller slope tells no direction
 ROUNDS = 8  # in which the sides of all branches must agree
 
 
@@ -58,7 +58,7 @@ class Sides:
         extend_values(tape, list(self._point), self._values)
         return combine(difference, [*self._point, *self._values])[0]
 
-    def moving(self) -> list[tuple[int, Expression]]:
+    def list_moving(self) -> list[tuple[int, Expression]]:
         """Return the differences that move, with their places in the order."""
         return [(k, x) for k, x in enumerate(self.differences) if x is not None]
 
@@ -156,7 +156,7 @@ class Branches:
     def __init__(self, tape: Tape, rates: list[Expression], sides: Sides) -> None:
         self._tape, self._rates = tape, rates
         self.signs: Signs = tuple(sides.signs)
-        self._moving = sides.moving()
+        self._moving = sides.list_moving()
 
     @property
     def watched(self) -> list[Expression]:
@@ -184,7 +184,7 @@ class Branches:
                 return False
         return True
 
-    def touched(self, y: Float64[np.ndarray, "copies n"]) -> bool:
+    def touches_border(self, y: Float64[np.ndarray, "copies n"]) -> bool:
         """Return whether a copy is at a border, within rounding."""
         known = self._values(y)
         sizes = sizes_of(self._tape, known)

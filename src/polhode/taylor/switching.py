@@ -109,7 +109,7 @@ def _check_distance(branches: Branches, copies: Copies, some: Array, steps: Arra
     """
     since = copies.counts[some, STEPS] - steps[some]
     late = some[(since > SETTLED) & (copies.status[some] == kernel.RUNNING)]
-    if late.size and (since.max() > MOST_STEPS or branches.touched(np.asarray(copies.y)[late])):
+    if late.size and (since.max() > MOST_STEPS or branches.touches_border(np.asarray(copies.y)[late])):
         raise Untraceable("a branch on something that moves, whose border the motion approaches and never crosses")
 
 

@@ -24,10 +24,10 @@ from polhode.systems.mounts import AbstractMount, AbstractMounted
 from polhode.systems.rigid_body import RigidBody
 from polhode.systems.torques.base import AbstractTorque
 from polhode.systems.torques.earth_field import EarthDipoleField
+from polhode.systems.torques.surfaces import EARTH_RADIUS
 from polhode.systems.wheels import HeldWheel, Wheel
 from polhode.types import Array, Float64
 
-EARTH_RADIUS = 6378.137e3  # m, at the equator, WGS 84, from which altitudes count
 ORBITS, TURNS, SETTLINGS, USUAL = 2, 10, 20.0, 100.0  # the usual length of a motion, and [s] if nothing sets a pace
 
 

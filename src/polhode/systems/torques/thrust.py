@@ -208,7 +208,7 @@ class DumpingThrusters(AbstractTorque):
     ) -> Float64[Array, "*batch"]:
         if self.limit is None:
             return jnp.zeros(angular_velocity.shape[:-1])
-        return jnp.max(jnp.abs(self._asked(stored)) / self.limit, axis=-1)
+        return jnp.max(jnp.abs(self._find_wanted(stored)) / self.limit, axis=-1)
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None,
@@ -216,10 +216,10 @@ class DumpingThrusters(AbstractTorque):
     ) -> Float64[Array, "*batch 3"]:  # fmt: skip
         """Return τ (…, 3) [N m, body axes]; ``stored`` is L − IΩ (…, 3)."""
         assert stored is not None, "this law needs the momentum stored inside"
-        asked = self._asked(stored) + jnp.zeros_like(angular_velocity)
+        asked = self._find_wanted(stored) + jnp.zeros_like(angular_velocity)
         return asked if self.limit is None else jnp.clip(asked, -self.limit, self.limit)
 
-    def _asked(self, stored: Array) -> Array:
+    def _find_wanted(self, stored: Array) -> Array:
         band = self.dead_band
         return -self.gain * (stored if band is None else stored - jnp.clip(stored, -band, band))
 
