@@ -17,6 +17,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode.taylor.kernel_kepler import eccentric_anomaly_at
+
 MOST_NODES = 40_000  # of a tape; larger fields are better stepped by operations on whole arrays
 
 
@@ -43,6 +45,7 @@ class Operation(IntEnum):
 COMPANIONS = {Operation.SINE: (Operation.COSINE,),
               Operation.ECCENTRIC: (Operation.ECCENTRIC_SINE, Operation.ECCENTRIC_COSINE)}  # fmt: skip
 ALONG = frozenset(itertools.chain(*COMPANIONS.values()))
+IN_ORBIT = frozenset({Operation.ECCENTRIC, *COMPANIONS[Operation.ECCENTRIC]})
 
 
 class Node(NamedTuple):
@@ -136,23 +139,9 @@ class Tape:
             return self.instants
         node = self.nodes[place - self.size]
         values = [self._node_at(k) for k in (node.arguments[:1] if node.operation in ALONG else node.arguments)]
-        match node.operation:
-            case Operation.AFFINE:
-                return node.number + sum(c * v for c, v in zip(node.coefficients, values, strict=True))
-            case Operation.PRODUCT:
-                return values[0] * values[1]
-            case Operation.POWER:
-                return values[0] ** node.number
-            case Operation.EXPONENTIAL:
-                return np.exp(values[0])
-            case Operation.LOGARITHM:
-                return np.log(values[0])
-            case Operation.SINE:
-                return np.sin(values[0])
-            case Operation.COSINE:
-                return np.cos(values[0])
-            case _:
-                raise Untraceable("a branch on a place in an orbit")
+        if node.operation in IN_ORBIT:
+            raise Untraceable("a branch on a place in an orbit")
+        return value_of(node, values)
 
     def decide(self, answers: np.ndarray) -> bool:
         """Return the value of a branch on the time, which must be the same at all instants."""
@@ -205,6 +194,31 @@ class Tape:
         for companion in COMPANIONS.get(operation, ()):
             self.node(Node(companion, (place, node)))
         return Expression(self, {node: 1.0})
+
+
+def value_of(node: Node, x: list[Any]) -> Any:
+    """Return the value of a node, of numbers or arrays of its arguments."""
+    match node.operation:
+        case Operation.AFFINE:
+            return node.number + sum(c * v for c, v in zip(node.coefficients, x, strict=True))
+        case Operation.PRODUCT:
+            return x[0] * x[1]
+        case Operation.POWER:
+            return np.float64(x[0]) ** node.number if isinstance(x[0], float) else x[0] ** node.number
+        case Operation.EXPONENTIAL:
+            return np.exp(x[0])
+        case Operation.LOGARITHM:
+            return np.log(x[0])
+        case Operation.SINE:
+            return np.sin(x[0])
+        case Operation.COSINE:
+            return np.cos(x[0])
+        case Operation.ECCENTRIC:
+            return np.vectorize(eccentric_anomaly_at, otypes=[float])(x[0], node.number)
+        case Operation.ECCENTRIC_SINE:
+            return np.sin(x[1])
+        case Operation.ECCENTRIC_COSINE:
+            return np.cos(x[1])
 
 
 def gradient(x: Expression) -> list[Expression]:

@@ -15,8 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.taylor.expressions import Expression, Node, Operation, Tape, Untraceable
-from polhode.taylor.kernel_kepler import eccentric_anomaly_at
+from polhode.taylor.expressions import Expression, Node, Operation, Tape, Untraceable, value_of
 from polhode.types import Array, Float64
 
 Signs = tuple[bool, ...]
@@ -91,33 +90,9 @@ def extend_values(tape: Tape, components: list[Any], values: list[Any]) -> None:
     """Append the values of nodes that a list does not have yet."""
     known = [*components, *values]
     for node in tape.nodes[len(values) :]:
-        value = _value(node, [known[k] for k in node.arguments])
+        value = value_of(node, [known[k] for k in node.arguments])
         values.append(value)
         known.append(value)
-
-
-def _value(node: Node, x: list[Any]) -> Any:
-    match node.operation:
-        case Operation.AFFINE:
-            return node.number + sum(c * v for c, v in zip(node.coefficients, x, strict=True))
-        case Operation.PRODUCT:
-            return x[0] * x[1]
-        case Operation.POWER:
-            return np.float64(x[0]) ** node.number if isinstance(x[0], float) else x[0] ** node.number
-        case Operation.EXPONENTIAL:
-            return np.exp(x[0])
-        case Operation.LOGARITHM:
-            return np.log(x[0])
-        case Operation.SINE:
-            return np.sin(x[0])
-        case Operation.COSINE:
-            return np.cos(x[0])
-        case Operation.ECCENTRIC:
-            return np.vectorize(eccentric_anomaly_at, otypes=[float])(x[0], node.number)
-        case Operation.ECCENTRIC_SINE:
-            return np.sin(x[1])
-        case Operation.ECCENTRIC_COSINE:
-            return np.cos(x[1])
 
 
 def _slope(node: Node, value: Any, x: list[Any], dx: list[Any]) -> Any:
