@@ -132,6 +132,12 @@ def test_what_is_compiled_on_the_way_does_not_count(monkeypatch):
         at_times(monkeypatch, [(30.0 * k, 1e-9 * k) for k in range(5)])
 
 
+def test_what_may_yet_be_refused_is_not_announced(monkeypatch, capsys):
+    with pytest.raises(InvalidInput, match=r"would take about 12 min"):
+        looked(monkeypatch, 1.0, np.arange(1000) / 150.0)
+    assert capsys.readouterr() == ("", "")
+
+
 def test_the_longer_a_run_was_watched_the_less_it_may_exceed_the_limit(monkeypatch):
     with pytest.raises(InvalidInput, match=r"^`time\.until` of 100 s would take about 2\.9 days; at most some ten m"):
         looked(monkeypatch, 1.0, [0.0, 2e-5])

@@ -70,7 +70,8 @@ class Watch:
                     f"{self._named} would take about {duration(seconds)}; at most some ten minutes are taken here. "
                     f"{FEWER}{self._remedy}"
                 )
-            if seconds > SAID_FROM and not self._said:
+            # a run that may yet be refused is not announced: two lines that contradict each other help nobody
+            if SAID_FROM < seconds <= LONGEST and not self._said:
                 shown = self._say(seconds)
         return self._bar and self._bar.step(shown, jnp.asarray(share))
 
