@@ -10,10 +10,12 @@ import numpy as np
 import pytest
 
 import polhode as ph
+from polhode.cli.sweep import SweepOptions, run_sweep
 from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset import write_zarr
 from polhode.formats.dataset_reading import read_dataset
 from polhode.formats.spice_kernels import spiceypy
+from polhode.sweeps.running import Sweep
 from polhode.symbolic import _gate
 
 WAYS = {
@@ -46,6 +48,20 @@ def test_the_library_is_named(name, tmp_path, monkeypatch):
     with pytest.raises(InvalidInput, match=said):
         call(tmp_path)
     assert not (tmp_path / "new.zarr").exists()
+
+
+def test_a_sweep_without_zarr_is_refused_before_samples_are_tried(tmp_path, monkeypatch):
+    spec = tmp_path / "case.toml"
+    lines = [
+        "[body]", 'moments = ["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]', "[sweep]", "samples = 2", 'outputs = ["energy"]',
+        "[sweep.inputs]", '"body.moments.1" = { uniform = ["1 kg*m^2", "2 kg*m^2"] }',
+    ]  # fmt: skip
+    spec.write_text("\n".join(lines))
+    monkeypatch.setitem(sys.modules, "zarr", None)
+    monkeypatch.setattr(Sweep, "of", lambda plan: pytest.fail("samples are tried"))
+    options = SweepOptions(tmp_path / "out.zarr", 1, None, dry_run=False, json=False, no_figures=True)
+    with pytest.raises(InvalidInput, match=r"^Sweeps need zarr, which is not installed\. Run "):
+        run_sweep(spec, options)
 
 
 def test_without_metadata_the_library_alone_is_named():

@@ -248,13 +248,13 @@ def test_gradients_depend_on_the_way_back(monkeypatch):
     """Where weights of the state move half as fast, the gradient is another one."""
     field, half = series_derivatives.Returning.vector_field, np.array([1.0] * 3 + [0.5] * 3 + [1.0] * 6)
     monkeypatch.setattr(series_derivatives.Returning, "vector_field", lambda self, t, y: half * field(self, t, y))
-    machine._machine.cache_clear()
+    machine._machines.cache_clear()
     machine._write_unless_traced.cache_clear()
     series_derivatives.make_operation.cache_clear()
     try:
         found, wanted = gradients(lambda x: moved(MOMENTS, x)[-1, 0], START)
     finally:
-        machine._machine.cache_clear()
+        machine._machines.cache_clear()
         machine._write_unless_traced.cache_clear()
         series_derivatives.make_operation.cache_clear()
     assert np.abs(found - wanted).max() > 0.01

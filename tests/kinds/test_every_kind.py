@@ -102,6 +102,7 @@ def test_a_kind_that_breaks_a_law_is_found(name, bent, words, monkeypatch):
         ({"summary": "It turns"}, "the summary is of sentences"),
         ({"notes": ["the period is nan s."]}, "no line says nan"),
         ({"kind": "heavy-top"}, "the report's `kind` is the kind's name"),
+        ({"iterate_answers": lambda self: iter(self.answers[1:])}, "yields what `answers` says"),
         ({"units": lambda self: {"speed": "m/s"}}, "there is none called speed"),
         ({"json": lambda self: '{"kind": "free-body", "units": {}}'}, "some answers have units"),
     ],

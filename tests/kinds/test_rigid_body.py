@@ -12,7 +12,9 @@ from polhode import formats, systems
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import build_spec, read_spec
+from polhode.kinds.rigid_body import answers
 from polhode.spec.keys import number_at
+from polhode.sweeps.evaluation import Evaluator
 from polhode.sweeps.plan import read_plan
 
 BODY = '[body]\nmoments = ["85 kg*m^2", "2500 kg*m^2", "2530 kg*m^2"]\n'
@@ -187,6 +189,20 @@ def test_a_sweep_of_a_spec_whose_system_is_one_word_says_how_many_have_a_motion(
         main(["sweep", str(tmp_path / "craft.toml"), "--out", str(tmp_path / "s.zarr"), "--no-figures"])
     assert ended.value.code == 0
     assert "2 of 2 samples have a motion" in capsys.readouterr().out
+
+
+@pytest.mark.long
+def test_a_sweep_takes_no_more_answers_than_its_outputs(tmp_path, monkeypatch):
+    """The linearised loop and its margins take longer than the motion of a minute."""
+    text = (EXAMPLES / "cubesat_6u.toml").read_text("utf-8").replace("samples = 1000", "samples = 2")
+    text = text.replace('until = "95 min"', 'until = "1 min"').replace("samples = 1141", "samples = 13")
+    (tmp_path / "craft.toml").write_text(text, "utf-8")
+    evaluator = Evaluator(read_plan(tmp_path / "craft.toml"))
+    monkeypatch.setattr(answers, "linearize_loop", lambda *_: pytest.fail("nobody asked for it"))
+    assert np.isfinite(evaluator.chunk(0, 2).values["control.load"]).all()
+    (tmp_path / "craft.toml").write_text(text.replace('"control.load"', '"margins.x.phase"'), "utf-8")
+    with pytest.raises(pytest.fail.Exception, match="nobody asked"):
+        Evaluator(read_plan(tmp_path / "craft.toml")).chunk(0, 1)
 
 
 SWEPT = """{}[time]

@@ -112,7 +112,7 @@ NO_ARRAYS = {
     "RationalCertificate.write_proof", "find_certificate", "rational.numbers.exact_number",
     "rational.numbers.exact_numbers", "rational.numbers.read_short", "rational.numbers.read_double",
     "surfaces.Plates",
-    "control_margins.linearize_loop", "control_margins.loop_margins",
+    "control_margins.has_linear_loop", "control_margins.linearize_loop", "control_margins.loop_margins",
     "gravity_gradient.nearest_rest", "gravity_gradient.escape_energy",
     "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",
 }  # fmt: skip

@@ -10,7 +10,7 @@ import polhode as ph
 from polhode.algebra import Heisenberg
 from polhode.errors import InvalidInput
 from polhode.systems import LiePoisson, RigidBody, SolarPressure, Wheel
-from polhode.taylor import sides, switching
+from polhode.taylor import machine, sides, switching
 from polhode.taylor.expressions import Untraceable
 
 SAME = 1e-12
@@ -51,6 +51,19 @@ def test_a_batch_is_its_copies_to_the_bit_though_they_are_on_different_sides():
 
 def motor(t, attitude, velocity, rate):
     return jnp.clip(-2.0 * rate, -0.5, 0.5)
+
+
+def test_a_program_is_written_once_for_the_sides_that_runs_share(monkeypatch):
+    """Those for the error begin a rounding away, where the sides are the same."""
+    written = []
+    write = machine._make_machine
+    monkeypatch.setattr(machine, "_make_machine", lambda *given: written.append(given[5]) or write(*given))
+    system = LiePoisson(Heisenberg(1), lambda m: 0.5 * m[1] ** 2 + 1.7 * jnp.abs(m[0]))
+    run = ph.simulate(system, [3.0, 1.5, 1.0], [0.0, 1.0])
+    assert run.error_estimate < SAME and len(written) == 1
+    ph.simulate(system, [3.0, 1.5, 1.0], [0.0, 10.0])  # to the other side, which is known from there on
+    ph.simulate(system, [-0.2, 1.5, 1.0], [0.0, 10.0])
+    assert len(written) == 2
 
 
 def test_a_limit_is_reached_and_left():

@@ -36,7 +36,7 @@ def tops():
 @pytest.fixture
 def traced(monkeypatch):
     """Count what is traced, from nothing."""
-    for function in (machine._write_unless_traced, machine._machine):
+    for function in (machine._write_unless_traced, machine._machines):
         function.cache_clear()
     found, own = [], machine.write_jaxpr
     monkeypatch.setattr(machine, "write_jaxpr", lambda *given: found.append(1) or own(*given))
@@ -52,7 +52,7 @@ def test_systems_that_differ_by_numbers_are_traced_once(traced):
 
 def test_programs_are_those_of_each_system_alone(traced, monkeypatch):
     together = [machine.build_machine(system, state, None) for system, state in tops()]
-    for function in (machine._write_unless_traced, machine._machine):
+    for function in (machine._write_unless_traced, machine._machines):
         function.cache_clear()
     monkeypatch.setattr(machine, "take_structure", itself)
     for one, (system, state) in zip(together, tops(), strict=True):

@@ -60,6 +60,11 @@ class Margins(NamedTuple):
     gain_down: float
 
 
+def has_linear_loop(system: RigidBody, law: AbstractControlLaw) -> bool:
+    """Whether ``linearize_loop`` takes a law: not one without a target or with a state, nor parts that move mass."""
+    return not system.moving_parts and target_at(law, np.zeros(())) is not None and not law.state_size
+
+
 def linearize_loop(
     system: RigidBody, law: AbstractControlLaw, time: float, state: Float64[Array, "n"]
 ) -> LinearLoop | None:
@@ -74,9 +79,9 @@ def linearize_loop(
         state: packed (n,), whose mounts and torques count.
 
     Returns:
-        None for a law without a target, or with a state of its own, and with parts that move their mass.
+        None where there is none; see ``has_linear_loop``.
     """
-    if system.moving_parts or target_at(law, np.zeros(())) is None or law.state_size:
+    if not has_linear_loop(system, law):
         return None
     where, at = jnp.asarray(float(time)), jnp.asarray(state)
     scale = np.repeat([STEP, STEP * _pace(law)], 3)  # of a turn, and of a rate

@@ -49,6 +49,7 @@ def load_or_make_report(spec: Spec) -> SystemReport:
     if report is None:
         with record_files() as read:
             report = spec.report()
+            _ = report.answers  # what they take is kept with it
         with contextlib.suppress(Exception):  # what cannot be kept is computed again
             _keep(report, read, place)
     return report

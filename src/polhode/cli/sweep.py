@@ -16,6 +16,7 @@ from polhode.reports.answer import Answer, Group
 from polhode.reports.report import PlainReport
 from polhode.reports.wording import in_its_unit
 from polhode.sweeps.answers import SweepReport
+from polhode.sweeps.layout import import_zarr
 from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep
 from polhode.sweeps.store import Store, check_room, in_bytes
@@ -36,7 +37,10 @@ class SweepOptions(NamedTuple):
 
 def run_sweep(path: Path, options: SweepOptions) -> None:
     """Read the plan, compute what is missing in the store, print the statistics and draw them."""
-    sweep = Sweep.of(read_plan(path))
+    plan = read_plan(path)
+    if not options.dry_run:
+        import_zarr()  # what is missing is said before samples are tried
+    sweep = Sweep.of(plan)
     out = options.out or Path(f"{path.stem}.zarr")
     seconds = sweep.cost()
     workers = options.workers or sweep.usual_workers(seconds)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import abc
 import html
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
@@ -66,6 +66,10 @@ class Report(abc.ABC):
     @abc.abstractmethod
     def answers(self) -> Sequence[Group | Table]:
         """All that the report says, by groups and tables, in the order of its text."""
+
+    def iterate_answers(self) -> Iterator[Group | Table]:
+        """Yield the same one after the other, the quickest first, each computed as it is asked for."""
+        yield from self.answers
 
     @property
     def notes(self) -> Sequence[str]:
@@ -220,6 +224,10 @@ class PlainReport(StudyReport):
     @property
     def answers(self) -> Sequence[Group | Table]:
         return self._answers
+
+    def iterate_answers(self) -> Iterator[Group | Table]:
+        """Yield the same one after the other, the quickest first, each computed as it is asked for."""
+        yield from self.answers
 
     @property
     def notes(self) -> Sequence[str]:

@@ -246,16 +246,12 @@ class Evaluator:
         A motion is computed only if an output takes one.
         """
         wanted = [name for name in self.plan.outputs if name not in self.plan.states]
-        groups: list[Group | Table] = []
         if not wanted:
-            return {}, groups
-        for group in spec.kind.answers_without_motion(spec):
-            groups.append(group)
-            answers = plain(collect_values(groups))
-            if all(_has(answers, name) for name in wanted):
-                return answers, groups
+            return {}, []
+        if found := _take_until(wanted, spec.kind.answers_without_motion(spec)):
+            return found
         report = spec.report()
-        return report.as_json_dict(), report.answers
+        return _take_until(wanted, report.iterate_answers()) or (report.as_json_dict(), report.answers)
 
     def _trajectory(self, spec: Spec) -> Trajectory:
         """Return the motion with samples at the times of the states."""
@@ -328,6 +324,19 @@ def _answer_column(name: str, values: dict[str, Any], units: dict[str, str]) -> 
         parts = ", ".join(sorted(f"{name}.{part}" for part in _names(value))[:6])
         raise _NoSuchAnswer(f"sweep.outputs: {name} is a table of answers; name one, like {parts}.") from None
     return Column(name, shape, unit=unit, known=value is not None)
+
+
+def _take_until(
+    wanted: Sequence[str], answers: Iterable[Group | Table]
+) -> tuple[dict[str, Any], Sequence[Group | Table]] | None:
+    """Return answers as the JSON has them, and where they stand, as far as all wanted ones need; None without one."""
+    groups: list[Group | Table] = []
+    for group in answers:
+        groups.append(group)
+        values = plain(collect_values(groups))
+        if all(_has(values, name) for name in wanted):
+            return values, groups
+    return None
 
 
 def _has(values: Any, name: str) -> bool:

@@ -30,6 +30,7 @@ TRACING = (jax.errors.ConcretizationTypeError, jax.errors.TracerArrayConversionE
            jax.errors.TracerIntegerConversionError, jax.errors.TracerBoolConversionError)  # fmt: skip
 HIGHEST_POWER = 32  # with twice as many digits
 INSTANTS = 1024  # at which branches on the time must come to the same
+MOST_SIDES = 1000  # of a system, of which machines are kept
 Span = tuple[float, float] | None
 
 
@@ -123,18 +124,48 @@ def build_machine(
     """
     form = Form(np.shape(state), np.iscomplexobj(state))
     instants = between if np.size(system.jumps) else None
+    try:
+        known = _machines(system, form, instants, through, extended)
+    except TypeError:  # what cannot be hashed
+        known = {}
     start = None
-    if signs == ():  # the place from which all sides are told is needed
+    if signs == ():
         assert between is not None
         start = *form.flat(np.asarray(state)).tolist(), float(between[0])
-    try:
-        hash((system, through))
-    except TypeError:
-        return _make_machine(system, form, instants, through, extended, signs, start)
-    machine = _machine(system, form, instants, through, extended, signs, start)
-    if isinstance(machine, str):
-        raise Untraceable(machine)
-    return machine
+        signs = next((each for each, machine in known.items() if _serves(machine, start)), ())
+    elif signs is None and () in known:  # there are no branches
+        signs = ()
+    found = known.get(signs)
+    if found is None:
+        try:
+            found = _make_machine(system, form, instants, through, extended, signs, start)
+        except Untraceable as error:
+            if start is None:  # else it may have a machine from elsewhere
+                known[signs] = str(error)
+            raise
+        if len(known) >= MOST_SIDES:
+            known.clear()
+        known[signs if found.branches is None else found.branches.signs] = found
+    elif isinstance(found, str):  # which takes as long to find out as a machine takes
+        raise Untraceable(found)
+    return found
+
+
+def _serves(machine: Machine | str, start: tuple[float, ...]) -> bool:
+    """Whether a machine for any sides can be where a motion begins: at a border its own sides would tell the way."""
+    if isinstance(machine, str) or machine.branches is None:
+        return not isinstance(machine, str)
+    y = np.zeros((1, machine.program.size))
+    y[0, : machine.form.size] = start[:-1]
+    if machine.clock >= 0:
+        y[0, machine.clock] = start[-1]
+    return not machine.branches.touches_border(y)
+
+
+@lru_cache(maxsize=256)
+def _machines(*arguments: Any) -> dict[Signs | None, Machine | str]:
+    """Return the machines of a system by the sides that they are for, or why there are none; empty at first."""
+    return {}
 
 
 def count_operations(system: AbstractSystem, state: Double[Array, "..."]) -> int:
@@ -197,15 +228,6 @@ def _write_programs(structure: Structure, form: Form, through: Event | None) -> 
 
     closed = write_jaxpr(everything, (), (form.size,), (structure.size,))
     return _Written(closed, tuple(balances), uses_first(closed), operations_on(closed, (0, 1)))
-
-
-@lru_cache(maxsize=256)
-def _machine(*arguments: Any) -> Machine | str:
-    """Return ``_make_machine``, or why there is none, as that takes as long to find out."""
-    try:
-        return _make_machine(*arguments)
-    except Untraceable as error:
-        return str(error)
 
 
 def _make_machine(

@@ -16,7 +16,6 @@ from polhode.arrays import compiled_for_few_calls
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems.base import AbstractSystem, Event
 from polhode.taylor import kernel
-from polhode.taylor.expressions import Untraceable
 from polhode.taylor.flight import begin_flight, fly, outcome
 from polhode.taylor.kernel_space import HITS, STEPS, Copies, Course
 from polhode.taylor.machine import Machine, build_machine
@@ -108,12 +107,13 @@ def _plan(
     forth = 1.0 if times[-1] > times[0] else -1.0
     borders = _borders(system, times, forth)
     build = partial(build_machine, system, state, through=through, extended=precision.extended)
-    try:
+    if branching and not precision.extended:
+        machines = [build((borders[0], borders[1]), signs=())]
+        if machines[0].branches is None:
+            machines += [build(between, signs=()) for between in itertools.pairwise(borders[1:])]
+        # else the others by the sides where the motion comes to them
+    else:
         machines = [build(between) for between in itertools.pairwise(borders)]
-    except Untraceable:
-        if not branching or precision.extended:
-            raise
-        machines = [build((borders[0], borders[1]), signs=())]  # the others by the sides where the motion comes to them
     return Plan(borders, machines, times, precision, longest, forth, build)
 
 

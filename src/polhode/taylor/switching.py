@@ -45,7 +45,7 @@ def fly_past_branches(
         copies.y[:, machine.clock] = copies.now[:, TIME]
     assert machine.branches is not None
     signs: list[Signs] = [machine.branches.signs] * count
-    machine_of = cache(lambda each: build(signs=each))  # asked at each crossing
+    machine_of = cache(lambda each: build(signs=each))  # asked at each crossing, and hashing a system takes long
     branches_of = lambda each: _branches(machine_of(each))  # noqa: E731
     nowhere = np.full(count, -1)
     forth = course_of(copies, machine, np.ones(0, bool), np.ones(0, bool)).forth

@@ -107,6 +107,8 @@ def _check_spec(kind: AbstractKind, path: Path) -> Spec:
 
 def _check_words(kind: AbstractKind, report: SystemReport) -> None:
     said = [report.summary, *report.notes]
+    same = plain(collect_values(report.iterate_answers())) == plain(collect_values(report.answers))
+    _require(same, "`iterate_answers` yields what `answers` says, in whatever order")
     for group in report.answers:
         rows = group.cells if isinstance(group, Table) else group.lines
         said += [group.title, *(cell for row in rows for cell in row)]

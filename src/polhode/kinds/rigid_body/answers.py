@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis._mechanics import Mechanics
-from polhode.analysis.control_margins import LinearLoop, Margins, linearize_loop, loop_margins
+from polhode.analysis.control_margins import LinearLoop, Margins, has_linear_loop, linearize_loop, loop_margins
 from polhode.bodies.body import Body
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.rigid_body.build import Craft, build, usual_times
@@ -29,10 +29,9 @@ from polhode.simulation import simulate
 from polhode.types import Array, Float64
 
 WITHIN = math.radians(1.0)  # of the target: the usual pointing error below which a body has settled
-FINEST, EACH = 4001, 8  # samples at which limits are looked at: at least so many, and so many a step
+FINEST = 4001  # samples at which limits are looked at, at least
 ROUNDING = 1e-10  # of the largest eigenvalue: what of others its differences leave
 SAME_PLANE = 1e-9  # of directions: a sine below which wheels add nothing
-CLOSE = 0.999  # of a limit, from which it may act between samples
 
 
 @dataclass(frozen=True)
@@ -43,8 +42,6 @@ class RigidBodyReport(MotionReport):
         craft: the system with its start.
         trajectory: the motion.
         history: what is followed over time.
-        loop: the motion about the target to first order; None without one.
-        gravity: about rests under gravity's gradient; None unless it acts alone on a circular orbit.
         limits: "none", "not reached", or "acted".
     """
 
@@ -53,9 +50,20 @@ class RigidBodyReport(MotionReport):
     craft: Craft
     trajectory: Trajectory
     history: History
-    loop: LinearLoop | None
-    gravity: GravityAnswers | None
     limits: str
+
+    @cached_property
+    def loop(self) -> LinearLoop | None:
+        """The motion about the target to first order, with what is stored at the end; None without a target."""
+        if self.craft.law is None:
+            return None
+        end = float(self.trajectory.times[-1]), np.asarray(self.trajectory.states)[-1]
+        return linearize_loop(self.craft.system.without_limits(), self.craft.law, *end)
+
+    @cached_property
+    def gravity(self) -> GravityAnswers | None:
+        """Answers about rests under gravity's gradient; None unless it acts alone on a circular orbit."""
+        return judge_gravity(self.spec, self.craft, self.trajectory)
 
     @property
     def body(self) -> Body:
@@ -114,7 +122,8 @@ class RigidBodyReport(MotionReport):
     @property
     def notes(self) -> list[str]:
         notes = [*self.spec.remarks]
-        if self.loop is not None and self.limits == "acted":
+        law = self.craft.law
+        if self.limits == "acted" and law is not None and has_linear_loop(self.craft.system, law):
             notes.append("eigenvalues and margins are those without limits.")
         notes += self._notes_on_reach()
         if self.gravity is not None:
@@ -151,20 +160,31 @@ class RigidBodyReport(MotionReport):
 
     @property
     def answers(self) -> list[Group | Table]:
-        found: list[Group | Table] = [about_body(self.body, "all mounts locked")]
+        return [*self._along_motion(), *self._about_rests(), self._motion()]
+
+    def iterate_answers(self) -> Iterator[Group | Table]:
+        yield from self._along_motion()
+        yield self._motion()
+        yield from self._about_rests()
+
+    def _along_motion(self) -> Iterator[Group | Table]:
+        yield about_body(self.body, "all mounts locked")
         if self.craft.orbit is not None:
-            found.append(self._orbit())
+            yield self._orbit()
         if self.history.rates.shape[1]:
-            found.append(self._wheels())
+            yield self._wheels()
         if self.history.torques.shape[1]:
-            found.append(self._torques())
+            yield self._torques()
         if self.craft.law is not None:
-            found.append(self._control())
+            yield self._control()
+
+    def _about_rests(self) -> Iterator[Group | Table]:
+        """Yield what takes longer than the motion itself."""
         if self.loop is not None:
-            found += [self._modes(self.loop), self._margins()]
+            yield self._modes(self.loop)
+            yield self._margins()
         if self.gravity is not None:
-            found.append(self.gravity.group)
-        return [*found, self._motion()]
+            yield self.gravity.group
 
     def _orbit(self) -> Group:
         orbit = self.craft.orbit
@@ -329,14 +349,7 @@ def make_report(spec: Spec[RigidBodyTable]) -> RigidBodyReport:
         InvalidInput: naming the table of what does not fit.
     """
     craft = build(spec)
-    trajectory, history, limits = _simulate(spec, craft)
-    loop = None
-    if craft.law is not None:
-        end = float(trajectory.times[-1]), np.asarray(trajectory.states)[-1]
-        loop = linearize_loop(craft.system.without_limits(), craft.law, *end)
-    return RigidBodyReport(
-        spec, craft, trajectory, history, loop, judge_gravity(spec, craft, trajectory), limits
-    )  # fmt: skip
+    return RigidBodyReport(spec, craft, *_simulate(spec, craft))
 
 
 def simulate_motion(spec: Spec[RigidBodyTable]) -> SpecMotion:
@@ -351,27 +364,21 @@ def simulate_motion(spec: Spec[RigidBodyTable]) -> SpecMotion:
 def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, History, str]:
     """Return the motion, what is followed along it, and what its limits did.
 
-    Rates of change with limits have corners, past which many small steps go. So the motion is computed without them
-    first, and is the right one if no actuator is asked for more than its limit at samples so close that nothing of the
-    motion is between them.
+    Steps end where a limit begins or ceases to act, so that the motion has no error from them. Whether one acted is
+    told by samples so close that nothing of the motion is between them.
     """
     assert spec.body is not None
-    times = usual_times(craft, spec)
-    watch, limits = Watch(spec.until, times), "none"
+    times, limits, parts = usual_times(craft, spec), "none", 1
+    watch = Watch(spec.until, times)
     if craft.system.limited:
         parts = max(1, math.ceil((FINEST - 1) / (len(times) - 1)))
-        fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
-        free = simulate(craft.system.without_limits(), craft.state, fine, progress=watch)
-        history = follow(craft.system, craft.orbit, free.times, free.states)
-        load = float(history.load.max())
-        if load < CLOSE and len(fine) > EACH * free.statistics["steps"]:
-            trajectory = replace(_thin(free, parts), source=craft.system, frame=spec.body.frame)
-            history = history.thin(parts)
-            return history.put_into(trajectory), history, "not reached"
-        limits = "acted" if load > 1.0 else "not reached"
+        times = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
     trajectory = simulate(craft.system, craft.state, times, progress=watch)
     trajectory = replace(trajectory, source=craft.system, frame=spec.body.frame)
     history = follow(craft.system, craft.orbit, trajectory.times, trajectory.states)
+    if craft.system.limited:
+        limits = "acted" if float(history.load.max()) > 1.0 else "not reached"
+        trajectory, history = _thin(trajectory, parts), history.thin(parts)
     return history.put_into(trajectory), history, limits
 
 
