@@ -39,15 +39,27 @@ def test_values_are_those_of_the_function():
 
 @pytest.mark.parametrize("size, quickly", [(5, True), (few_calls.FEW + 1, False)])
 def test_options_are_taken_for_few_numbers(compiled_with, size, quickly):
-    compiled_for_few_calls(lambda x: jnp.tanh(x) * 3.25)(np.ones(size))
+    compiled_for_few_calls(lambda x: jnp.sort(x) * 3.25)(np.ones(size))
     taken = dict(compiled_with[-1])
     assert taken == ({**few_calls.QUICKLY} if quickly and few_calls.compiles_quickly() else {})
 
 
 def test_unknown_compilers_get_no_options(compiled_with, monkeypatch):
     monkeypatch.setattr(few_calls, "KNOWN_TO", ())
-    compiled_for_few_calls(lambda x: jnp.tanh(x) * 4.25)(X)
+    compiled_for_few_calls(lambda x: jnp.sort(x) * 4.25)(X)
     assert not compiled_with[-1]
+
+
+def test_what_numpy_has_is_not_compiled(compiled_with):
+    function = compiled_for_few_calls(lambda x, k, name: {"y": jnp.tanh(x) * k, name: None})
+    for k in (5.25, 3, True, 1):  # the last two are equal, and are not the same
+        found = function(X, k, "none")
+        np.testing.assert_allclose(found["y"], np.tanh(X) * k, rtol=1e-15)
+        assert isinstance(found["y"], jax.Array) and found["none"] is None
+    assert not compiled_with
+    many = function(np.ones(few_calls.FEW + 1), 2.0, "none")["y"]
+    np.testing.assert_allclose(many, np.tanh(1.0) * 2.0, rtol=1e-15)
+    assert compiled_with
 
 
 def test_it_is_a_part_of_what_is_traced():

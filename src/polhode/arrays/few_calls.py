@@ -1,9 +1,9 @@
-"""Compiles functions that are called a few times on few numbers, where compiling costs more than running."""
+"""Functions written with JAX that are called a few times on few numbers, where compiling costs more than running."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import wraps
+from functools import lru_cache, wraps
 from typing import Any, TypeVar
 
 import numpy as np
@@ -14,29 +14,77 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 QUICKLY = {"xla_cpu_use_fusion_emitters": False, "xla_backend_optimization_level": 0}  # a third of the time
 KNOWN_TO = ("0.10.",)  # releases of jaxlib; others may not know an option, and refuse it
 FEW = 1 << 18  # numbers that a call takes: of more, what runs slower counts
+KEPT = 128  # of a function: how many shapes its steps are kept for
 
 
 def compiled_for_few_calls(function: Function) -> Function:
-    """Return the function compiled by JAX; for calls on few numbers on a processor, without XLA's costly optimizations.
+    """Return the function as it takes the least time for a few calls on few numbers on a processor.
 
-    Arguments that are not arrays are static. Inside a function that is being traced, the call becomes part of it.
+    It is computed by NumPy, operation by operation, where NumPy has them all; otherwise it is compiled by JAX, without
+    XLA's costly optimizations. The choice depends on shapes alone, so that the same call has the same bits. Calls on
+    many numbers are compiled thoroughly. Arguments that are not arrays are static. Inside a function that is being
+    traced, the call becomes part of it.
     """
     import equinox as eqx
     import jax
 
     thoroughly = eqx.filter_jit(function)
     quickly = eqx.filter_jit(function, compiler_options=QUICKLY)  # type: ignore[call-overload]
+    written = lru_cache(maxsize=KEPT)(lambda tree, kinds: _write(function, tree, kinds))
 
     @wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:
         if is_tracing():
             return function(*args, **kwargs)
-        arrays = [x for x in jax.tree.leaves((args, kwargs)) if eqx.is_array(x)]
-        few = sum(map(np.size, arrays)) <= FEW
+        leaves, tree = jax.tree.flatten((args, kwargs))
+        arrays = [x for x in leaves if eqx.is_array(x)]
         # JAX takes no options of the compiler where it differentiates
-        return (quickly if few and compiles_quickly() and not is_traced(*arrays) else thoroughly)(*args, **kwargs)
+        if is_traced(*arrays) or sum(map(np.size, arrays)) > FEW or not compiles_quickly():
+            return thoroughly(*args, **kwargs)
+        compute = written(tree, tuple(map(_kind, leaves)))
+        return quickly(*args, **kwargs) if compute is None else compute(arrays)
 
     return call  # type: ignore[return-value]
+
+
+def _kind(leaf: Any) -> tuple[Any, ...]:
+    """Return shape and type of an array, or the type and value of what is static, as 1, 1.0 and True are equal."""
+    import equinox as eqx
+
+    return (leaf.shape, leaf.dtype) if eqx.is_array(leaf) else (type(leaf), leaf, None)
+
+
+def _write(function: Callable[..., Any], tree: Any, kinds: tuple[tuple[Any, ...], ...]) -> Callable[..., Any] | None:
+    """Return a function of the arrays among the leaves of arguments, computed by NumPy; None where NumPy cannot."""
+    import equinox as eqx
+    import jax
+    import jax.numpy as jnp
+
+    from polhode.arrays.steps import NoSteps, Steps
+
+    static: list[Any] = []
+
+    def of_arrays(*arrays: Any) -> Any:
+        each = iter(arrays)
+        leaves = [next(each) if len(kind) == 2 else kind[1] for kind in kinds]
+        args, kwargs = jax.tree.unflatten(tree, leaves)
+        dynamic, fixed = eqx.partition(function(*args, **kwargs), eqx.is_array)
+        static[:] = [fixed]
+        return dynamic
+
+    shapes = [jax.ShapeDtypeStruct(*kind) for kind in kinds if len(kind) == 2]
+    closed, results = jax.make_jaxpr(of_arrays, return_shape=True)(*shapes)
+    try:
+        steps = Steps(closed)
+    except NoSteps:
+        return None
+    structure = jax.tree.structure(results)
+
+    def compute(arrays: list[Any]) -> Any:
+        values = [jnp.asarray(x) for x in steps(arrays)]
+        return eqx.combine(jax.tree.unflatten(structure, values), static[0])
+
+    return compute
 
 
 def compiles_quickly() -> bool:

@@ -16,7 +16,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax.extend.core import Literal
 
-from polhode.taylor._known_numbers import by_numbers, factors, spread, take_slice
+from polhode.arrays.by_numpy import by_numbers, factors, spread, take_slice
 from polhode.taylor.expressions import (
     Complex,
     Expression,

@@ -1,4 +1,7 @@
-"""Operations of a jaxpr on known numbers, by NumPy where it has them, as JAX would compile each of them by itself."""
+"""The operations of a jaxpr on numbers, by NumPy where it has them: JAX compiles for longer than many of them take.
+
+A row of an array gives the same bits whatever rows stand beside it.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,6 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-import jax.numpy as jnp
 import numpy as np
 
 from polhode.types import Array, Shaped
@@ -19,6 +21,8 @@ def by_numbers(equation: Any, arguments: list[Array]) -> list[Shaped[Array, "...
         with np.errstate(all="ignore"):  # JAX says nothing of infinite numbers either
             results = BY_NUMPY[name](arguments, equation.params)
         return [np.asarray(results, equation.outvars[0].aval.dtype)]
+    import jax.numpy as jnp
+
     results = equation.primitive.bind(*[jnp.asarray(a) for a in arguments], **equation.params)
     return [np.asarray(x) for x in (results if equation.primitive.multiple_results else [results])]
 
@@ -57,7 +61,38 @@ def factors(
 
 def _dot(x: list[Array], parameters: dict[str, Any]) -> Array:
     left, right, shape = factors(x, parameters)
-    return (left @ np.swapaxes(right, 1, 2)).reshape(shape)
+    result = np.zeros((len(left), left.shape[1], right.shape[1]), np.result_type(left, right))
+    for k in range(left.shape[2]):  # as BLAS sums in an order that depends on how many rows there are
+        result += left[:, :, None, k] * right[:, None, :, k]
+    return result.reshape(shape)
+
+
+def _round_away(x: Array) -> Array:
+    """Return whole numbers, of two that are as near the one farther from zero."""
+    whole = np.trunc(x)
+    return whole + np.copysign(np.abs(x - whole) >= 0.5, x)
+
+
+def _from_end(sums: Callable[..., Any], x: Array, parameters: dict[str, Any]) -> Array:
+    axis = parameters["axis"]
+    return np.flip(sums(np.flip(x, axis), axis), axis) if parameters["reverse"] else sums(x, axis)
+
+
+def _select(x: list[Array]) -> Array:
+    """Return ``select_n``: of a yes, the second of two."""
+    return np.where(x[0], x[2], x[1]) if x[0].dtype == bool else np.choose(x[0], x[1:])
+
+
+def _along(reduce: Callable[..., Any]) -> Callable[[list[Array], dict[str, Any]], Any]:
+    """Return a reduction; axes come last, as NumPy sums along others in another order where these are short."""
+
+    def along(x: list[Array], parameters: dict[str, Any]) -> Array:
+        axes = tuple(parameters["axes"])
+        kept = [k for k in range(x[0].ndim) if k not in axes]
+        rows = np.transpose(x[0], (*kept, *axes)).reshape(*(x[0].shape[k] for k in kept), -1)
+        return reduce(np.ascontiguousarray(rows), axis=-1)
+
+    return along
 
 
 def _divide(a: Array, b: Array) -> Array:
@@ -80,11 +115,40 @@ BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
     "sqrt": lambda x, p: np.sqrt(x[0]),
     "sin": lambda x, p: np.sin(x[0]),
     "cos": lambda x, p: np.cos(x[0]),
+    "tan": lambda x, p: np.tan(x[0]),
+    "asin": lambda x, p: np.arcsin(x[0]),
+    "acos": lambda x, p: np.arccos(x[0]),
+    "atan": lambda x, p: np.arctan(x[0]),
+    "atan2": lambda x, p: np.arctan2(x[0], x[1]),
+    "sinh": lambda x, p: np.sinh(x[0]),
+    "cosh": lambda x, p: np.cosh(x[0]),
+    "tanh": lambda x, p: np.tanh(x[0]),
+    "exp": lambda x, p: np.exp(x[0]),
+    "expm1": lambda x, p: np.expm1(x[0]),
+    "log": lambda x, p: np.log(x[0]),
+    "log1p": lambda x, p: np.log1p(x[0]),
+    "cbrt": lambda x, p: np.cbrt(x[0]),
+    "rsqrt": lambda x, p: 1.0 / np.sqrt(x[0]),
+    "pow": lambda x, p: x[0] ** x[1],
+    "floor": lambda x, p: np.floor(x[0]),
+    "ceil": lambda x, p: np.ceil(x[0]),
+    "round": lambda x, p: np.round(x[0]) if int(p["rounding_method"]) else _round_away(x[0]),
     "abs": lambda x, p: np.abs(x[0]),
+    "is_finite": lambda x, p: np.isfinite(x[0]),
+    "real": lambda x, p: np.real(x[0]),
+    "imag": lambda x, p: np.imag(x[0]),
+    "conj": lambda x, p: np.conj(x[0]),
+    "complex": lambda x, p: x[0] + 1j * x[1],
     "max": lambda x, p: np.maximum(x[0], x[1]),
     "min": lambda x, p: np.minimum(x[0], x[1]),
-    "reduce_max": lambda x, p: np.max(x[0], axis=tuple(p["axes"])),
-    "reduce_sum": lambda x, p: np.sum(x[0], axis=tuple(p["axes"])),
+    "reduce_max": _along(np.max),
+    "reduce_min": _along(np.min),
+    "reduce_sum": _along(np.sum),
+    "reduce_prod": _along(np.prod),
+    "reduce_and": _along(np.all),
+    "reduce_or": _along(np.any),
+    "argmax": lambda x, p: np.argmax(x[0], axis=p["axes"][0]),
+    "argmin": lambda x, p: np.argmin(x[0], axis=p["axes"][0]),
     "dot_general": lambda x, p: _dot(x, p),
     "eq": lambda x, p: x[0] == x[1],
     "ne": lambda x, p: x[0] != x[1],
@@ -95,14 +159,28 @@ BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
     "and": lambda x, p: x[0] & x[1],
     "or": lambda x, p: x[0] | x[1],
     "not": lambda x, p: ~x[0],
+    "shift_left": lambda x, p: x[0] << x[1],
+    "shift_right_arithmetic": lambda x, p: x[0] >> x[1],
+    "bitcast_convert_type": lambda x, p: x[0].copy().view(p["new_dtype"]),
+    "stop_gradient": lambda x, p: x[0],
+    "copy": lambda x, p: x[0],
+    "cumsum": lambda x, p: _from_end(np.cumsum, x[0], p),
+    "clamp": lambda x, p: np.minimum(np.maximum(x[1], x[0]), x[2]),
+    "rem": lambda x, p: np.fmod(x[0], x[1]),
+    "sign": lambda x, p: np.where(x[0] == 0, x[0], np.sign(x[0])),
+    "exp2": lambda x, p: np.exp2(x[0]),
+    "xor": lambda x, p: x[0] ^ x[1],
+    "rev": lambda x, p: np.flip(x[0], axis=tuple(p["dimensions"])),
+    "expand_dims": lambda x, p: np.expand_dims(x[0], tuple(p["dimensions"])),
     "iota": lambda x, p: np.indices(p["shape"])[p["dimension"]],
     "stack": lambda x, p: np.stack(x, axis=p["axis"]),
     "reshape": lambda x, p: x[0].reshape(p["new_sizes"]),
     "squeeze": lambda x, p: np.squeeze(x[0], axis=tuple(p["dimensions"])),
     "transpose": lambda x, p: np.transpose(x[0], p["permutation"]),
     "broadcast_in_dim": lambda x, p: spread(x[0], p),
+    "tile": lambda x, p: np.tile(x[0], p["reps"]),
     "slice": lambda x, p: take_slice(x[0], p),
     "concatenate": lambda x, p: np.concatenate(x, axis=p["dimension"]),
     "convert_element_type": lambda x, p: x[0].astype(p["new_dtype"]),
-    "select_n": lambda x, p: np.choose(x[0].astype(int), x[1:]),
+    "select_n": lambda x, p: _select(x),
 }

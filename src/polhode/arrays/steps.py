@@ -1,0 +1,151 @@
+"""Functions written with JAX as steps of NumPy: what is called a few times is computed before XLA has compiled it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from polhode.arrays.by_numpy import BY_NUMPY
+from polhode.types import Array, Shaped
+
+INNER = ("jaxpr", "call_jaxpr", "fun_jaxpr")
+LOOPS = ("scan", "while", "cond")
+MOST = 20_000  # operations of a loop, from which on compiling it takes less time
+
+
+class NoSteps(Exception):
+    """An operation is none that NumPy has here."""
+
+
+class Step(NamedTuple):
+    """One operation.
+
+    Attributes:
+        compute: its results, of operands.
+        operands: their places.
+        results: places of these.
+        types: of these.
+    """
+
+    compute: Callable[[list[Array]], list[Any]]
+    operands: list[int]
+    results: list[int]
+    types: list[Any]
+
+
+class Steps:
+    """A jaxpr as a list of steps, without those whose results nobody needs.
+
+    Args:
+        closed: a jaxpr with its constants.
+
+    Raises:
+        NoSteps: if NumPy does not have one of its operations.
+    """
+
+    def __init__(self, closed: Any) -> None:
+        self._constants: list[Array | None] = []  # by place, None where a value is computed
+        steps: list[Step] = []
+        self._inputs = [self._new() for _ in closed.jaxpr.invars]
+        self._outputs = self._add(steps, closed.jaxpr, closed.consts, self._inputs)
+        needed, kept = set(self._outputs), []
+        for step in reversed(steps):
+            if needed.intersection(step.results):
+                needed.update(step.operands)
+                kept.append(step)
+        self._steps = kept[::-1]
+
+    @property
+    def count(self) -> int:
+        """How many steps there are."""
+        return len(self._steps)
+
+    def __call__(self, arguments: list[Any]) -> list[Shaped[Array, "..."]]:
+        """Return the values at arguments."""
+        values: list[Any] = list(self._constants)
+        for place, argument in zip(self._inputs, arguments, strict=True):
+            values[place] = np.asarray(argument)
+        with np.errstate(all="ignore"):  # JAX says nothing of infinite numbers either
+            for compute, operands, results, types in self._steps:
+                found = compute([values[k] for k in operands])
+                for place, value, kind in zip(results, found, types, strict=True):
+                    values[place] = np.asarray(value, kind)
+        return [values[k] for k in self._outputs]
+
+    def _new(self, constant: Any = None) -> int:
+        self._constants.append(None if constant is None else np.asarray(constant))
+        return len(self._constants) - 1
+
+    def _add(self, steps: list[Step], jaxpr: Any, constants: Any, inputs: list[int]) -> list[int]:
+        """Append the steps of a jaxpr, and return the places of its values."""
+        places: dict[Any, int] = dict(zip(jaxpr.invars, inputs, strict=True))
+        places.update((variable, self._new(value)) for variable, value in zip(jaxpr.constvars, constants, strict=True))
+
+        def place(variable: Any) -> int:
+            return self._new(variable.val) if hasattr(variable, "val") else places[variable]
+
+        for equation in jaxpr.eqns:
+            name, operands = equation.primitive.name, [place(v) for v in equation.invars]
+            inner = None if name in LOOPS else next((equation.params[k] for k in INNER if k in equation.params), None)
+            if inner is not None:
+                plain, own = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
+                places.update(zip(equation.outvars, self._add(steps, plain, own, operands), strict=True))
+                continue
+            results = [self._new() for _ in equation.outvars]
+            places.update(zip(equation.outvars, results, strict=True))
+            steps.append(Step(_computation(equation), operands, results, [v.aval.dtype for v in equation.outvars]))
+        return [place(v) for v in jaxpr.outvars]
+
+
+def _computation(equation: Any) -> Callable[[list[Array]], list[Any]]:
+    name, parameters = equation.primitive.name, equation.params
+    if name in LOOPS:
+        return {"scan": _scan, "while": _while, "cond": _cond}[name](parameters)
+    if name == "split":
+        ends = np.cumsum(parameters["sizes"])[:-1]
+        return lambda x: np.split(x[0], ends, parameters["axis"])
+    function = BY_NUMPY.get(name)
+    if function is None:
+        raise NoSteps(name)
+    return lambda x: [function(x, parameters)]
+
+
+def _scan(parameters: dict[str, Any]) -> Callable[[list[Array]], list[Any]]:
+    body, fixed, carried = Steps(parameters["jaxpr"]), parameters["num_consts"], parameters["num_carry"]
+    length, jaxpr = parameters["length"], parameters["jaxpr"]
+    if length * body.count > MOST:
+        raise NoSteps("a long loop")
+    order = range(length)[:: -1 if parameters["reverse"] else 1]
+
+    def compute(x: list[Array]) -> list[Any]:
+        constants, carry, rows = x[:fixed], x[fixed : fixed + carried], x[fixed + carried :]
+        stacks = [np.zeros((length, *v.aval.shape), v.aval.dtype) for v in jaxpr.jaxpr.outvars[carried:]]
+        for k in order:
+            found = body([*constants, *carry, *(row[k] for row in rows)])
+            carry = found[:carried]
+            for stack, value in zip(stacks, found[carried:], strict=True):
+                stack[k] = value
+        return [*carry, *stacks]
+
+    return compute
+
+
+def _while(parameters: dict[str, Any]) -> Callable[[list[Array]], list[Any]]:
+    holds, body = Steps(parameters["cond_jaxpr"]), Steps(parameters["body_jaxpr"])
+    first, second = parameters["cond_nconsts"], parameters["cond_nconsts"] + parameters["body_nconsts"]
+
+    def compute(x: list[Array]) -> list[Any]:
+        carry = x[second:]
+        while holds([*x[:first], *carry])[0]:
+            carry = body([*x[first:second], *carry])
+        return carry
+
+    return compute
+
+
+def _cond(parameters: dict[str, Any]) -> Callable[[list[Array]], list[Any]]:
+    branches = [Steps(branch) for branch in parameters["branches"]]
+    last = len(branches) - 1
+    return lambda x: branches[int(np.clip(x[0], 0, last))](x[1:])
