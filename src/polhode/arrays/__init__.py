@@ -13,7 +13,7 @@ from polhode.arrays.derivatives import (
     stop_gradient,
 )
 from polhode.arrays.elementwise import Elementwise, closed_forms
-from polhode.arrays.few_calls import compiled_for_few_calls
+from polhode.arrays.few_calls import compiled_for_few_calls, compiled_quickly
 from polhode.arrays.loops import (
     barrier,
     choose,
@@ -48,6 +48,7 @@ __all__ = [
     "closed_forms",
     "compiled",
     "compiled_for_few_calls",
+    "compiled_quickly",
     "custom_derivative",
     "derivative_columns",
     "first_order_only",

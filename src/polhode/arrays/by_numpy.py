@@ -67,6 +67,17 @@ def _dot(x: list[Array], parameters: dict[str, Any]) -> Array:
     return result.reshape(shape)
 
 
+def _pad(x: Array, value: Array, widths: Any) -> Array:
+    """Return ``pad``: so many values before, behind and between; a negative number of them is cut off."""
+    gained = [(max(int(low), 0), max(int(high), 0), int(between)) for low, high, between in widths]
+    sizes = [n + max(n - 1, 0) * between + low + high for n, (low, high, between) in zip(x.shape, gained, strict=True)]
+    padded = np.full(sizes, value, x.dtype)
+    inside = zip(sizes, gained, strict=True)
+    padded[tuple(slice(low, size - high, between + 1) for size, (low, high, between) in inside)] = x
+    lost = zip(sizes, widths, strict=True)
+    return padded[tuple(slice(max(-int(low), 0), size - max(-int(high), 0)) for size, (low, high, _) in lost)]
+
+
 def _round_away(x: Array) -> Array:
     """Return whole numbers, of two that are as near the one farther from zero."""
     whole = np.trunc(x)
@@ -178,6 +189,7 @@ BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
     "squeeze": lambda x, p: np.squeeze(x[0], axis=tuple(p["dimensions"])),
     "transpose": lambda x, p: np.transpose(x[0], p["permutation"]),
     "broadcast_in_dim": lambda x, p: spread(x[0], p),
+    "pad": lambda x, p: _pad(x[0], x[1], p["padding_config"]),
     "tile": lambda x, p: np.tile(x[0], p["reps"]),
     "slice": lambda x, p: take_slice(x[0], p),
     "concatenate": lambda x, p: np.concatenate(x, axis=p["dimension"]),

@@ -1,4 +1,4 @@
-"""Functions written with JAX that are called a few times on few numbers, where compiling costs more than running."""
+"""Functions written with JAX whose calls take less time than the compiling of them."""
 
 from __future__ import annotations
 
@@ -17,12 +17,10 @@ FEW = 1 << 18  # numbers that a call takes: of more, what runs slower counts
 KEPT = 128  # of a function: how many shapes its steps are kept for
 
 
-def compiled_for_few_calls(function: Function) -> Function:
-    """Return the function as it takes the least time for a few calls on few numbers on a processor.
+def compiled_quickly(function: Function) -> Function:
+    """Return the function compiled by JAX; for calls on few numbers on a processor, without XLA's costly optimizations.
 
-    It is computed by NumPy, operation by operation, where NumPy has them all; otherwise it is compiled by JAX, without
-    XLA's costly optimizations. The choice depends on shapes alone, so that the same call has the same bits. Calls on
-    many numbers are compiled thoroughly. Arguments that are not arrays are static. Inside a function that is being
+    That is for up to some thousand calls. Arguments that are not arrays are static. Inside a function that is being
     traced, the call becomes part of it.
     """
     import equinox as eqx
@@ -30,21 +28,43 @@ def compiled_for_few_calls(function: Function) -> Function:
 
     thoroughly = eqx.filter_jit(function)
     quickly = eqx.filter_jit(function, compiler_options=QUICKLY)  # type: ignore[call-overload]
-    written = lru_cache(maxsize=KEPT)(lambda tree, kinds: _write(function, tree, kinds))
 
     @wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:
         if is_tracing():
             return function(*args, **kwargs)
-        leaves, tree = jax.tree.flatten((args, kwargs))
-        arrays = [x for x in leaves if eqx.is_array(x)]
-        # JAX takes no options of the compiler where it differentiates
-        if is_traced(*arrays) or sum(map(np.size, arrays)) > FEW or not compiles_quickly():
-            return thoroughly(*args, **kwargs)
-        compute = written(tree, tuple(map(_kind, leaves)))
-        return quickly(*args, **kwargs) if compute is None else compute(arrays)
+        few = _are_few(list(filter(eqx.is_array, jax.tree.leaves((args, kwargs)))))
+        return (quickly if few else thoroughly)(*args, **kwargs)
 
     return call  # type: ignore[return-value]
+
+
+def compiled_for_few_calls(function: Function) -> Function:
+    """Return the same for a few calls: computed by NumPy, operation by operation, where NumPy has them all.
+
+    Shapes alone tell whether it is, so that the same call has the same bits.
+    """
+    import jax
+    from equinox import is_array
+
+    compiled = compiled_quickly(function)
+    written = lru_cache(maxsize=KEPT)(lambda tree, kinds: _write(function, tree, kinds))
+
+    @wraps(function)
+    def call(*args: Any, **kwargs: Any) -> Any:
+        leaves, tree = jax.tree.flatten((args, kwargs))
+        arrays = list(filter(is_array, leaves))
+        if is_tracing() or not _are_few(arrays):
+            return compiled(*args, **kwargs)
+        compute = written(tree, tuple(map(_kind, leaves)))
+        return compiled(*args, **kwargs) if compute is None else compute(arrays)
+
+    return call  # type: ignore[return-value]
+
+
+def _are_few(arrays: list[Any]) -> bool:
+    """Whether arrays are small, and neither differentiated, where JAX takes no options of the compiler."""
+    return sum(map(np.size, arrays)) <= FEW and compiles_quickly() and not is_traced(*arrays)
 
 
 def _kind(leaf: Any) -> tuple[Any, ...]:

@@ -23,16 +23,18 @@ class Step(NamedTuple):
     """One operation.
 
     Attributes:
-        compute: its results, of operands.
+        compute: its result, or a list of several, of operands and parameters.
+        parameters: of JAX.
         operands: their places.
         results: places of these.
         types: of these.
     """
 
-    compute: Callable[[list[Array]], list[Any]]
-    operands: list[int]
-    results: list[int]
-    types: list[Any]
+    compute: Callable[[list[Array], Any], Any]
+    parameters: Any
+    operands: tuple[int, ...]
+    results: tuple[int, ...]
+    types: tuple[Any, ...]
 
 
 class Steps:
@@ -46,7 +48,7 @@ class Steps:
     """
 
     def __init__(self, closed: Any) -> None:
-        self._constants: list[Array | None] = []  # by place, None where a value is computed
+        self._constants: list[Any] = []  # by place, None where a value is computed
         steps: list[Step] = []
         self._inputs = [self._new() for _ in closed.jaxpr.invars]
         self._outputs = self._add(steps, closed.jaxpr, closed.consts, self._inputs)
@@ -55,7 +57,15 @@ class Steps:
             if needed.intersection(step.results):
                 needed.update(step.operands)
                 kept.append(step)
-        self._steps = kept[::-1]
+        self._steps: list[Step] = []
+        known = [value is not None for value in self._constants]
+        for step in kept[::-1]:  # what depends on constants alone is computed here
+            if all(known[k] for k in step.operands):
+                self._take(step, self._constants)
+                for place in step.results:
+                    known[place] = True
+            else:
+                self._steps.append(step)
 
     @property
     def count(self) -> int:
@@ -68,11 +78,20 @@ class Steps:
         for place, argument in zip(self._inputs, arguments, strict=True):
             values[place] = np.asarray(argument)
         with np.errstate(all="ignore"):  # JAX says nothing of infinite numbers either
-            for compute, operands, results, types in self._steps:
-                found = compute([values[k] for k in operands])
-                for place, value, kind in zip(results, found, types, strict=True):
-                    values[place] = np.asarray(value, kind)
-        return [values[k] for k in self._outputs]
+            for step in self._steps:
+                self._take(step, values)
+        return [np.asarray(values[k]) for k in self._outputs]
+
+    @staticmethod
+    def _take(step: Step, values: list[Any]) -> None:
+        compute, parameters, operands, results, types = step
+        found = compute([values[k] for k in operands], parameters)
+        if type(found) is not list:
+            kind = types[0]
+            values[results[0]] = found if found.dtype is kind else np.asarray(found, kind)
+            return
+        for place, value, kind in zip(results, found, types, strict=True):
+            values[place] = np.asarray(value, kind)
 
     def _new(self, constant: Any = None) -> int:
         self._constants.append(None if constant is None else np.asarray(constant))
@@ -93,33 +112,33 @@ class Steps:
                 plain, own = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
                 places.update(zip(equation.outvars, self._add(steps, plain, own, operands), strict=True))
                 continue
-            results = [self._new() for _ in equation.outvars]
+            results = tuple(self._new() for _ in equation.outvars)
             places.update(zip(equation.outvars, results, strict=True))
-            steps.append(Step(_computation(equation), operands, results, [v.aval.dtype for v in equation.outvars]))
+            compute, types = _computation(equation), tuple(v.aval.dtype for v in equation.outvars)
+            steps.append(Step(compute, equation.params, tuple(operands), results, types))
         return [place(v) for v in jaxpr.outvars]
 
 
-def _computation(equation: Any) -> Callable[[list[Array]], list[Any]]:
+def _computation(equation: Any) -> Callable[[list[Array], Any], Any]:
     name, parameters = equation.primitive.name, equation.params
     if name in LOOPS:
         return {"scan": _scan, "while": _while, "cond": _cond}[name](parameters)
     if name == "split":
         ends = np.cumsum(parameters["sizes"])[:-1]
-        return lambda x: np.split(x[0], ends, parameters["axis"])
-    function = BY_NUMPY.get(name)
-    if function is None:
+        return lambda x, p: np.split(x[0], ends, p["axis"])
+    if name not in BY_NUMPY:
         raise NoSteps(name)
-    return lambda x: [function(x, parameters)]
+    return BY_NUMPY[name]
 
 
-def _scan(parameters: dict[str, Any]) -> Callable[[list[Array]], list[Any]]:
+def _scan(parameters: dict[str, Any]) -> Callable[[list[Array], Any], list[Any]]:
     body, fixed, carried = Steps(parameters["jaxpr"]), parameters["num_consts"], parameters["num_carry"]
     length, jaxpr = parameters["length"], parameters["jaxpr"]
     if length * body.count > MOST:
         raise NoSteps("a long loop")
     order = range(length)[:: -1 if parameters["reverse"] else 1]
 
-    def compute(x: list[Array]) -> list[Any]:
+    def compute(x: list[Array], p: Any) -> list[Any]:
         constants, carry, rows = x[:fixed], x[fixed : fixed + carried], x[fixed + carried :]
         stacks = [np.zeros((length, *v.aval.shape), v.aval.dtype) for v in jaxpr.jaxpr.outvars[carried:]]
         for k in order:
@@ -132,11 +151,11 @@ def _scan(parameters: dict[str, Any]) -> Callable[[list[Array]], list[Any]]:
     return compute
 
 
-def _while(parameters: dict[str, Any]) -> Callable[[list[Array]], list[Any]]:
+def _while(parameters: dict[str, Any]) -> Callable[[list[Array], Any], list[Any]]:
     holds, body = Steps(parameters["cond_jaxpr"]), Steps(parameters["body_jaxpr"])
     first, second = parameters["cond_nconsts"], parameters["cond_nconsts"] + parameters["body_nconsts"]
 
-    def compute(x: list[Array]) -> list[Any]:
+    def compute(x: list[Array], p: Any) -> list[Any]:
         carry = x[second:]
         while holds([*x[:first], *carry])[0]:
             carry = body([*x[first:second], *carry])
@@ -145,7 +164,7 @@ def _while(parameters: dict[str, Any]) -> Callable[[list[Array]], list[Any]]:
     return compute
 
 
-def _cond(parameters: dict[str, Any]) -> Callable[[list[Array]], list[Any]]:
+def _cond(parameters: dict[str, Any]) -> Callable[[list[Array], Any], list[Any]]:
     branches = [Steps(branch) for branch in parameters["branches"]]
     last = len(branches) - 1
-    return lambda x: branches[int(np.clip(x[0], 0, last))](x[1:])
+    return lambda x, p: branches[int(np.clip(x[0], 0, last))](x[1:])

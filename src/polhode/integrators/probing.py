@@ -20,7 +20,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax.interpreters import partial_eval
 
-from polhode.arrays import compiled_for_few_calls
+from polhode.arrays import compiled_quickly
 from polhode.errors import InvalidInput, shown
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems.base import AbstractSystem
@@ -207,7 +207,7 @@ class _Rates:
         return np.concatenate(rates)[:count] / self.sizes
 
 
-@compiled_for_few_calls
+@compiled_quickly
 def _evaluate(system: AbstractSystem, states: Array, times: Array) -> Array:
     rates = jax.vmap(lambda t, y: system.vector_field(t, y))(jnp.asarray(times), jnp.asarray(states))
     rates = rates.reshape(times.shape[0], -1)
