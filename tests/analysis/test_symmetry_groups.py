@@ -75,6 +75,7 @@ def test_without_momentum_all_turns_are_divided_out():
 
 
 @pytest.mark.long
+@pytest.mark.long
 def test_a_tilted_ring_is_the_same():
     turn = np.asarray(ph.rotation.as_matrix(ph.rotation.normalize(np.array([1.0, 0.3, -0.4, 0.2]))))
     found = stability(vortices(4), ring(4, 0.9) @ turn.T, MOMENTUM)

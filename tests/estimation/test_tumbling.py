@@ -101,6 +101,7 @@ def test_an_oblate_body_follows_its_closed_form():
     assert least_period_ratios([0.6, 0.6, 1.0])[1] == np.inf
 
 
+@pytest.mark.long
 def test_near_the_least_ratio_the_wobble_is_small():
     short, long = least_period_ratios(APOPHIS[2])
     assert fit_tumbling(1.0, short * (1 + 1e-9), APOPHIS[2])[0].tilts[1] < 1e-3

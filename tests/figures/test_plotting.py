@@ -80,6 +80,7 @@ def test_what_no_kind_draws_is_drawn_part_by_part():
     assert drawn != pytest.approx(FREE.momentum(TIMES + 0.1).T, abs=1e-6)
 
 
+@pytest.mark.long_after(3)
 @pytest.mark.parametrize(
     ("draw", "moved", "count"),
     [(ph.figures.momentum_sphere, FREE, 1), (ph.figures.inertia_ellipsoid, FREE, 1), (ph.figures.herpolhode, FREE, 1),
@@ -99,6 +100,7 @@ def test_every_figure_is_drawn_on_given_axes(draw, moved, count):
         draw(moved, axes=[*panels, panels[0]])
 
 
+@pytest.mark.long
 def test_a_top_of_unknown_shape_says_so():
     assert "shape is not known" in ph.figures.spinning_top(TOP).axes[0].get_title()
     assert ph.figures.spinning_top(ph.LagrangeMotion((1.0, 1.0, 2.0), mgl=0.0, momentum=(1.0, 0.0, 6.0))) is None

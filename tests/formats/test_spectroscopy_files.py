@@ -112,6 +112,7 @@ def catalogues(draw):
         draw(numbers)]  # fmt: skip
 
 
+@pytest.mark.long
 @settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])  # on busy machines
 @given(catalogues())
 def test_catalogues_come_back(tmp_path_factory, columns):

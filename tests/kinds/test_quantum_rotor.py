@@ -110,6 +110,7 @@ def test_a_distortion_constant_in_its_unit_is_not_doubted(spec_of):
 ALONG_B = 'constants = ["60 GHz", "10 GHz", "9 GHz"]\ndipole = ["0 D", "1 D", "0 D"]\n'
 
 
+@pytest.mark.long_after(3)
 @pytest.mark.parametrize(("text", "said"), [
     (ALONG_B + 'spin_axis = "a"', "the dipole over along b"), (ALONG_B + 'spin_axis = "b"', None),
     ('constants = ["11 GHz"]\nspin_axis = "a"', "of a linear molecule"),

@@ -216,6 +216,7 @@ outputs = ["end.momentum"]
 """
 
 
+@pytest.mark.long
 def test_the_report_says_for_how_long_there_was_no_sun(tmp_path):
     sunlit = '[[torque]]\ntype = "solar-pressure"\nsun = [0, 0, 1]\nbox = ["1 m", "1 m", "1 m"]\n'
     orbit = '[orbit]\naltitude = "500 km"\ninclination = "90 deg"\n'

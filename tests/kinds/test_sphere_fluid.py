@@ -70,6 +70,7 @@ def test_a_run_goes_on_from_its_file(spec, tmp_path):
 
 
 @pytest.mark.long
+@pytest.mark.long
 def test_large_matrices_keep_fewer_samples(spec, monkeypatch):
     monkeypatch.setattr("polhode.kinds.sphere_fluid.answers.MEMORY", 16 * 36 * 3)
     report = spec('resolution = 6\nrandom = {degrees = [2, 3], vorticity = "1 rad/s"}', "10 ms", 9).report()

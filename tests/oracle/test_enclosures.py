@@ -114,7 +114,7 @@ def test_states_of_tops_hold_those_of_integrated_equations(name):
         check_state(found.state("-1.9"), integrated_state(*given[:3], Fraction("-1.9"), given[3]))
 
 
-@pytest.mark.long_after(2)
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("name", [name for name in BODIES if name.startswith(("short-axis", "long-axis", "symmetric"))])
 def test_numbers_of_bodies_hold_quadratures(name):
     motion, given = free(name)

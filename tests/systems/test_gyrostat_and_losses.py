@@ -88,6 +88,7 @@ def test_losses_leave_only_the_major_axis_stable():
     assert ph.stability(system, np.eye(3)[0]).rate == pytest.approx(0.05 * ((1 - 1 / 2) + (1 - 1 / 3)) / 2, rel=1e-12)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("make", "words"),
     [

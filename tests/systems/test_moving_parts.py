@@ -260,6 +260,7 @@ def test_a_burn_ends_where_it_says_or_where_the_tank_is_empty():
 
 
 @pytest.mark.long
+@pytest.mark.long
 def test_a_gyroscope_gives_the_torque_of_its_turning_momentum():
     """A body of great inertia hardly turns, and feels −h γ̇ g × s; a servo of great bandwidth follows its rate."""
     gyroscope = ControlMomentGyroscope((0, 0, 1), HeldWheel((1, 0, 0), 0.1, 100.0), (0.2, 0.1, 0.15),

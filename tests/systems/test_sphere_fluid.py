@@ -196,6 +196,7 @@ def test_on_a_rotating_sphere_the_momentum_turns():
 
 
 @pytest.mark.long
+@pytest.mark.long
 def test_a_trace_does_not_reach_the_stream_function():
     """The midpoint's W̃ has a trace; if the Laplacian took it up, L would drift and the spectrum would not show it."""
     fluid, state = flow(12)

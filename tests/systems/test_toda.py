@@ -34,7 +34,7 @@ def by_qr(state, t):
         return (np.array([float(M[i, i]) for i in range(N)]), np.array([float(abs(M[i, i + 1])) for i in range(N - 1)]))
 
 
-@pytest.mark.long_cases("0.7", "-2.0")
+@pytest.mark.long
 @pytest.mark.parametrize("t", [0.7, -2.0, 20.0])
 def test_exact_motion_is_that_of_qr_factors(t):
     found = np.asarray(LATTICE.exact(START, t))

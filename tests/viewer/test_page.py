@@ -96,6 +96,7 @@ def test_page_holds_nothing_that_leads_out():
     assert not re.search(r"https?:|\bsrc=|\bhref=", markup)
 
 
+@pytest.mark.long
 def test_markup_in_names_stays_inside_the_data(tmp_path):
     name = "</script><!-- \u2028 @@script@@"
     path = write_page(MOTION.sample(TIMES), tmp_path / "page.html", name=name, notes=[name])
