@@ -154,7 +154,7 @@ REFUSED = {
 }  # fmt: skip
 
 
-@pytest.mark.long_after(10)
+@pytest.mark.long_after(5)
 @pytest.mark.parametrize("case", REFUSED)
 def test_refused(case):
     system, point, options, words = REFUSED[case]

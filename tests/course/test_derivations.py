@@ -22,7 +22,7 @@ def lines_of(path, text=None):
     return lines.lines
 
 
-@pytest.mark.long_after(14)
+@pytest.mark.long_after(5)
 @pytest.mark.long_cases("turning_frames", "two_signs", "what_is_conserved", "yielding_earth")
 @pytest.mark.parametrize("path", DERIVATIONS, ids=lambda path: path.stem)
 def test_every_line_follows(path):

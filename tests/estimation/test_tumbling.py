@@ -36,6 +36,7 @@ def misfit(motion, momentum):
     return max(np.abs(end[:3] - momentum).max() / np.linalg.norm(momentum), abs(turns))
 
 
+@pytest.mark.long_after(2)
 @pytest.mark.parametrize("case", CASES)
 def test_integration_has_the_given_periods(case):
     motion = of_mode(fit_tumbling(*case[:3]), case[3])

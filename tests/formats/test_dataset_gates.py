@@ -303,7 +303,7 @@ def scaled(dataset):
     dataset["momentum"].encoding.update(_FillValue=float(dataset["momentum"].values[3, 1]))
 
 
-@pytest.mark.long_after(10)
+@pytest.mark.long_after(5)
 @pytest.mark.parametrize(("change", "words"), [
     (set_at("momentum", (4, 1), np.nan), r"momentum of sample 4 is not a finite number; got nan at index \(4, 1\)"),
     (set_at("time", 3, np.nan), "time of sample 3 is not a finite number"),

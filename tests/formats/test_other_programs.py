@@ -154,6 +154,7 @@ def stop_at(times, attitude, *rest):
     raise Arrived(attitude)
 
 
+@pytest.mark.long_after(6)
 @pytest.mark.long_cases("px4", "ardupilot", "42")
 @pytest.mark.parametrize("case", CASES)
 def test_each_goes_through_the_whole_chain(folder, capsys, monkeypatch, case):
