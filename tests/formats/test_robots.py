@@ -1,6 +1,7 @@
 """Robots as one body at a pose: URDF, SDF and MJCF against other programs and against products of matrices."""
 
 import math
+import re
 import warnings
 
 import numpy as np
@@ -175,7 +176,8 @@ WRONG = {
     ("urdf", '[body.joints]\nshoulder = "1 m"'): "joint 'shoulder' must be at an angle like \"30 deg\"",
     ("urdf", '[body.joints]\ngrip = "1 m"'): "joint 'grip' follows 'slide'; set that one",
     ("urdf", '[body.joints]\neye = "1 m"'): "joint 'eye' is fixed, or has more than one coordinate, and cannot be set",
-    ("urdf", '[body.joints]\nshoulder = "1 kg"'): 'must be an angle like "30 deg" or a distance like "10 cm"',
+    ("urdf", '[body.joints]\nshoulder = "1 kg"'): '1 mistake:\n  body.joints.shoulder: must be an angle like "30 deg"',
+    ("urdf", 'joints = "all"'): 'a.toml has 1 mistake:\n  body.joints: must be a table of positions, like { elbow',
     ("urdf", 'link = "base"\njoints = {}'): "link names one link, and joints put all of them together",
     ("urdf", 'mass = "1 kg"\njoints = {}'): "mass follows from the urdf",
     ("sdf", ""): "has 3 links; name one as `link`",
@@ -187,7 +189,7 @@ WRONG = {
 def test_poses_that_are_refused(saved, kind, keys):
     saved({"urdf": URDF, "sdf": SDF, "mjcf": MJCF}[kind], f"arm.{kind}")
     with pytest.raises(InvalidInput) as caught:
-        read_spec(saved(f'[body]\n{kind} = "arm.{kind}"\n{keys}\n', "case.toml"))
+        read_spec(saved(f'[body]\n{kind} = "arm.{kind}"\n{keys}\n', "a.toml"))
     assert WRONG[kind, keys] in str(caught.value)
 
 
@@ -230,3 +232,16 @@ def test_broken_robots(saved, kind, change, words):
     with pytest.raises(FormatError) as caught:
         reader(saved(text.replace(*change), f"arm.{kind}"), {})
     assert words in str(caught.value)
+
+
+@pytest.mark.parametrize("kind", ["urdf", "sdf"])
+def test_all_links_that_are_no_bodies_are_named_at_once(saved, kind):
+    mass, wrong, text = {
+        "urdf": (r'<mass value="[^"]*"/>', '<mass value="-1"/>', URDF),
+        "sdf": ("<mass>[^<]*</mass>", "<mass>-1</mass>", SDF),
+    }[kind]
+    text, count = re.subn(mass, wrong, text)
+    reader = {"urdf": read_urdf_robot, "sdf": read_sdf_robot}[kind]
+    with pytest.raises(FormatError, match=f"{count} of {count} links have impossible mass properties") as caught:
+        reader(saved(text, f"arm.{kind}"), {})
+    assert str(caught.value).count("mass") > count and str(caught.value).count(f"arm.{kind}") == 1

@@ -96,6 +96,13 @@ def test_every_mistake_at_once_with_its_key(read):
     assert not [words for words in wanted if words not in text]
 
 
+def test_keys_of_a_table_further_in_are_sent_there(read):
+    with pytest.raises(InvalidInput) as caught:
+        read('moments = ["1 kg*m^2", "2 kg*m^2", "2 kg*m^2"]\nthickness = "2 mm"', "[time]\nmoments = 3")
+    assert "body.thickness: unknown key; it goes into [[body.part]]" in str(caught.value)
+    assert "time.moments: unknown key; known here are until, samples" in str(caught.value)
+
+
 def test_wrong_values_hide_no_broken_rule(read):
     with pytest.raises(InvalidInput) as caught:
         read('mesh = "a.stl"\ndensty = "1 kg/m^3"', """

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -166,6 +166,29 @@ def make_inertial(
         enough = digits_that_explain(inertia) if digits is None and np.isfinite(inertia).all() else None
         remedy = f' Rounding to {enough} digits explains it: say rounding = "{enough} digits" to take the nearest ones.'
         raise FormatError(f"{where}: {error}{remedy if enough and mass > 0.0 else ''}") from None
+
+
+def make_links(
+    path: Path, links: Sequence[tuple[Frame, Callable[[], Body | MassProperties]]]
+) -> list[tuple[Frame, Body | MassProperties]]:
+    """Return links in their places, made by functions.
+
+    Raises:
+        FormatError: naming all those that are no bodies.
+    """
+    made, faults = [], []
+    for frame, make in links:
+        try:
+            made.append((frame, make()))
+        except FormatError as error:
+            faults.append(str(error))
+    if len(faults) > 1:
+        more = f" And {len(faults) - NAMED} more." if len(faults) > NAMED else ""
+        said = " ".join(fault.removeprefix(f"{path}: ") for fault in faults[:NAMED])
+        raise FormatError(f"{path}: {len(faults)} of {len(links)} links have impossible mass properties. {said}{more}")
+    if faults:
+        raise FormatError(faults[0])
+    return made
 
 
 def join_links(path: Path, links: Sequence[tuple[Frame, Body | MassProperties]]) -> Body:

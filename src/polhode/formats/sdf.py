@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +23,7 @@ from polhode.formats.robot_xml import (
     from_fixed_angles,
     join_links,
     make_inertial,
+    make_links,
     read_xml,
     unit_vector,
 )
@@ -108,8 +110,8 @@ def read_sdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> B
             seen.add(link)
             at = poses.of_joint(joint)
             frame = at.then(motions[joint].at(positions[joint])).then(at.inverse()).then(frame)
-        placed.append((frame, _inertial(path, name, element, digits)))
-    return join_links(path, placed)
+        placed.append((frame, partial(_inertial, path, name, element, digits)))
+    return join_links(path, make_links(path, placed))
 
 
 def _model(path: Path) -> ET.Element:

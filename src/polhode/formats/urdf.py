@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +25,7 @@ from polhode.formats.robot_xml import (
     from_fixed_angles,
     join_links,
     make_inertial,
+    make_links,
     read_xml,
     unit_vector,
 )
@@ -98,15 +101,15 @@ def read_urdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> 
         raise FormatError(f"{path}: its joints must make one tree of its links, from one that is no other's child; got "
                           f"{len(tops)} such links.")  # fmt: skip
     inertials = {element.get("name", ""): element.find("inertial") for element in root.findall("link")}
-    links: list[tuple[Frame, Body | MassProperties]] = []
+    links: list[tuple[Frame, Callable[[], Body | MassProperties]]] = []
     waiting = [(tops[0], Frame())]
     while waiting:
         name, frame = waiting.pop()
         element = inertials[name]
         if element is not None and not _is_massless(f"{path}: link {shown(name)}", element):
-            links.append((frame, _inertial(f"{path}: link {shown(name)}", element, digits)))
+            links.append((frame, partial(_inertial, f"{path}: link {shown(name)}", element, digits)))
         waiting += [(child, frame.then(inner)) for child, inner in children.get(name, ())]
-    return join_links(path, links)
+    return join_links(path, make_links(path, links))
 
 
 def _joint(path: Path, element: ET.Element, names: list[str]) -> tuple[str, str, Frame, Motion]:

@@ -228,6 +228,8 @@ def _build_body(
     if len(sources) != 1 or not clean(("body", sources[0])):
         return None, []
     kept = {key: value for key, value in raw.items() if key in BodyTable.model_fields and clean(("body", key))}
+    if "joints" in raw and "joints" not in kept:
+        kept |= {"joints": {}}  # the file's links may be right at any pose
     if "mesh" in kept:
         kept = {"mesh_unit": "m", **kept}
         if ("mass" in kept) == ("density" in kept):

@@ -79,6 +79,12 @@ def _joint(value: Any) -> tuple[float, str]:
     raise ValueError(f'must be an angle like "30 deg" or a distance like "10 cm"; got {shown(value)}')
 
 
+def _joints(value: Any) -> Any:
+    if isinstance(value, dict):
+        return value
+    raise ValueError(f'must be a table of positions, like {{ elbow = "30 deg" }}; got {shown(value)}')
+
+
 def _digits(value: Any) -> int:
     """Return how many digits a text like "6 digits" says."""
     number, _, word = str(value).partition(" ")
@@ -313,7 +319,7 @@ NotNegative = Annotated[Moment, AfterValidator(_not_negative)]
 MomentumComponent = Annotated[float, _reader("kg*m^2/s")]
 Corner = tuple[Coordinate, Coordinate]
 Outline = Annotated[list[Corner], Field(min_length=3), BeforeValidator(_outline)]
-Joints = dict[str, Annotated[tuple[float, str], BeforeValidator(_joint)]]
+Joints = Annotated[dict[str, Annotated[tuple[float, str], BeforeValidator(_joint)]], BeforeValidator(_joints)]
 Sides = Annotated[StrictInt, Field(ge=3, le=10_000)]
 Digits = Annotated[int, BeforeValidator(_digits)]
 Lengths = Annotated[tuple[Length, Length, Length], three("m")]

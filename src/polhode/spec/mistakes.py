@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import itertools
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, get_args, get_origin
 
@@ -42,7 +42,7 @@ def list_mistakes(
         at: where in the file it stands.
         beside: tables that a kind has at the top of the file.
     """
-    return [((*at, *mistake["loc"]), _word_mistake(mistake, root, beside)) for mistake in error.errors()]
+    return [((*at, *mistake["loc"]), _word_mistake(mistake, root, beside, at)) for mistake in error.errors()]
 
 
 def as_message(path: Path, mistakes: list[Mistake]) -> list[str]:
@@ -61,11 +61,13 @@ def _key(location: Location) -> str:
     return ".".join(words) or "the file"
 
 
-def _word_mistake(mistake: Any, root: type[BaseModel], beside: Sequence[str]) -> str:
+def _word_mistake(mistake: Any, root: type[BaseModel], beside: Sequence[str], at: Location) -> str:
     kind, last = mistake["type"], mistake["loc"][-1]
     if kind == "extra_forbidden":
         model = _model_at(mistake["loc"][:-1], root)
         known = [*model.model_fields, *(["system", "sweep", *beside] if model is SpecFile else [])]
+        if (table := _table_with(str(last), model, (*at, *mistake["loc"][:-1]))) is not None:
+            return f"unknown key; it goes into {table}"
         near = difflib.get_close_matches(str(last), known, n=1)
         return "unknown key; " + (f"did you mean {near[0]}?" if near else f"known here are {', '.join(known)}")
     if kind == "missing":
@@ -76,6 +78,22 @@ def _word_mistake(mistake: Any, root: type[BaseModel], beside: Sequence[str]) ->
     message = mistake["msg"][0].lower() + mistake["msg"][1:]
     words = WORDS[kind].format(**mistake.get("ctx", {})) if kind in WORDS else message
     return f"{words}; got {shown(mistake['input'])}"
+
+
+def _table_with(key: str, model: type[BaseModel], location: Location) -> str | None:
+    """Return the table within another one that takes a key, as a file writes it; None without one."""
+    for name, field in model.model_fields.items():
+        inner = _model_in(field.annotation)
+        if inner is not None and key in inner.model_fields:
+            table = _key((*location, name))
+            return f"[[{table}]]" if any(get_origin(of) is list for of in _parts_of(field.annotation)) else f"[{table}]"
+    return None
+
+
+def _parts_of(annotation: Any) -> Iterator[Any]:
+    yield annotation
+    for part in get_args(annotation):
+        yield from _parts_of(part)
 
 
 def _model_at(location: Location, model: type[BaseModel]) -> type[BaseModel]:
