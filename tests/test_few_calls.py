@@ -75,3 +75,15 @@ def test_derivatives_and_batches_go_through_it():
     assert np.asarray(jax.grad(total)(x)) == pytest.approx(np.sin(2.0 * X), abs=1e-15)
     assert float(jax.jvp(total, (x,), (x,))[1]) == pytest.approx(float(X @ np.sin(2.0 * X)), rel=1e-14)
     assert jax.vmap(total)(jnp.stack([x, x])).shape == (2,)
+
+
+def test_a_result_is_no_view_of_an_argument():
+    x = np.ones(1000)
+    (same,) = compiled_for_few_calls(lambda x: (jax.lax.stop_gradient(x),))(x)
+    x[:] = 2.0
+    assert float(same[0]) == 1.0
+
+
+def test_constants_that_are_not_finite_are_taken_quietly():
+    found = compiled_for_few_calls(lambda x: x + jnp.log(jnp.zeros(())) / jnp.ones(()))(X)
+    assert np.isneginf(found).all()

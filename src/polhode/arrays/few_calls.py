@@ -63,7 +63,7 @@ def compiled_for_few_calls(function: Function) -> Function:
 
 
 def _are_few(arrays: list[Any]) -> bool:
-    """Whether arrays are small, and neither differentiated, where JAX takes no options of the compiler."""
+    """Whether arrays are small, and none is differentiated: there JAX takes no options of the compiler."""
     return sum(map(np.size, arrays)) <= FEW and compiles_quickly() and not is_traced(*arrays)
 
 
@@ -101,7 +101,7 @@ def _write(function: Callable[..., Any], tree: Any, kinds: tuple[tuple[Any, ...]
     structure = jax.tree.structure(results)
 
     def compute(arrays: list[Any]) -> Any:
-        values = [jnp.asarray(x) for x in steps(arrays)]
+        values = [jnp.array(x) for x in steps(arrays)]  # copies: a value may be one of the arguments
         return eqx.combine(jax.tree.unflatten(structure, values), static[0])
 
     return compute

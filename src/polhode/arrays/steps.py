@@ -16,7 +16,7 @@ MOST = 20_000  # operations of a loop, from which on compiling it takes less tim
 
 
 class NoSteps(Exception):
-    """An operation is none that NumPy has here."""
+    """A function has an operation that ``BY_NUMPY`` does not have, or a loop that is too long for Python."""
 
 
 class Step(NamedTuple):
@@ -59,9 +59,10 @@ class Steps:
                 kept.append(step)
         self._steps: list[Step] = []
         known = [value is not None for value in self._constants]
-        for step in kept[::-1]:  # what depends on constants alone is computed here
-            if all(known[k] for k in step.operands):
-                self._take(step, self._constants)
+        for step in kept[::-1]:
+            if all(known[k] for k in step.operands):  # what depends on constants alone is computed once
+                with np.errstate(all="ignore"):
+                    self._take(step, self._constants)
                 for place in step.results:
                     known[place] = True
             else:
@@ -84,6 +85,7 @@ class Steps:
 
     @staticmethod
     def _take(step: Step, values: list[Any]) -> None:
+        """Set the results of a step among the values."""
         compute, parameters, operands, results, types = step
         found = compute([values[k] for k in operands], parameters)
         if type(found) is not list:

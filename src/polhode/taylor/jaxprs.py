@@ -9,7 +9,7 @@ from typing import Any
 import jax
 from jax.extend.core import Literal
 
-INNER = ("jaxpr", "call_jaxpr", "fun_jaxpr")
+from polhode.arrays.steps import INNER
 
 
 def write_jaxpr(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:

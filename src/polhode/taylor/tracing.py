@@ -17,6 +17,7 @@ import numpy as np
 from jax.extend.core import Literal
 
 from polhode.arrays.by_numpy import by_numbers, factors, spread, take_slice
+from polhode.arrays.steps import INNER
 from polhode.taylor.expressions import (
     Complex,
     Expression,
@@ -28,7 +29,7 @@ from polhode.taylor.expressions import (
     sine_and_cosine,
     total,
 )
-from polhode.taylor.jaxprs import INNER, select_needed
+from polhode.taylor.jaxprs import select_needed
 from polhode.types import Array
 
 Rule = Callable[[list[Array], dict[str, Any], Any], list[Array]]
