@@ -46,3 +46,17 @@ def test_each_runs_at_tiny_sizes(name):
     found = subprocess.run(command, capture_output=True, text=True, timeout=600)
     assert found.returncode == 0, found.stderr[-2000:]
     check(found.stdout, [name])
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", ["its value, jitted", "its value, jitted ", "simulate it", "heavy top"])
+def test_first_calls_are_calls(name, monkeypatch):
+    """They are texts, which no rename of an argument reaches."""
+    monkeypatch.syspath_prepend(str(HOME))
+    import first_calls
+
+    if name in first_calls.SYSTEMS:
+        code, before = first_calls.SIMULATED, first_calls.FIRST.format(*first_calls.SYSTEMS[name])
+    else:
+        code, before = first_calls.CALLS.get(name, first_calls.ENGINE.get(name))[0], first_calls.SYSTEM
+    assert first_calls.seconds(code, "host", 1, before) > 0.0

@@ -15,6 +15,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.arrays import compiled_quickly
 from polhode.motion._outcome import Status
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import rates_of_change
@@ -29,6 +30,7 @@ FAR = 256.0  # units: a longer step may be of coefficients that vanished
 UNITS = 100  # of time that are tried
 BITS = 20  # of the length of a step
 SHORTEST = 4e-16  # of the present time: shorter steps do not advance
+LARGE = 512  # numbers of a state: for fewer, XLA's optimizations take longer than ten thousand steps gain
 
 
 class Place(NamedTuple):
@@ -93,7 +95,6 @@ def _balances(system: AbstractSystem, state: Array) -> Any:
     return jax.eval_shape(lambda t, x: system.balances(t, x), jax.ShapeDtypeStruct((), float), jnp.asarray(state))
 
 
-@eqx.filter_jit
 def coefficients(
     system: AbstractSystem, state: Double[Array, "*shape"], t: Float64[ArrayOrFloat, ""],
     unit: Float64[ArrayOrFloat, ""], order: int,
@@ -103,6 +104,11 @@ def coefficients(
     Raises:
         Untraceable: if the rates are made of operations that have no rule.
     """
+    write = _write_quickly if np.size(state) < LARGE else _write_thoroughly
+    return write(system, state, t, unit, order)
+
+
+def _write_coefficients(system: AbstractSystem, state: Array, t: Array, unit: Array, order: int) -> Array:
     closed = jax.make_jaxpr(lambda t, x: rates_of_change(system, t, x))(t, state)
     unrolled = Unrolled(closed, [True, True])
     z: list[Any] = [None] * unrolled.size
@@ -130,6 +136,9 @@ def coefficients(
         # ẏ = f: y_{k+1} = unit f_k/(k + 1)
         z[moving].append(jnp.asarray(rate * unit / (k + 1), state.dtype))
     return jnp.stack(z[moving])
+
+
+_write_quickly, _write_thoroughly = compiled_quickly(_write_coefficients), eqx.filter_jit(_write_coefficients)
 
 
 def run_arrays(
