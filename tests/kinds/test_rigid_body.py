@@ -205,6 +205,17 @@ def test_a_sweep_takes_no_more_answers_than_its_outputs(tmp_path, monkeypatch):
         Evaluator(read_plan(tmp_path / "craft.toml")).chunk(0, 1)
 
 
+def test_the_motor_of_a_wheel_of_constant_rate_turns_it_with_the_body(tmp_path):
+    """J a·Ω̇ by hand: the body gains speed about x alone, the wheel stands at 60 degrees to it."""
+    text = HEAD + '[body]\nmoments = ["2 kg*m^2", "2 kg*m^2", "2 kg*m^2"]\n' + (
+        '[[wheel]]\naxis = [0.5, 0, 0.8660254037844386]\nmoment = "0.01 kg*m^2"\nrate = "0 rad/s"\n'
+        'drive = "constant-rate"\n[[torque]]\ntype = "constant"\ntorque = ["0.4 N*m", "0 N*m", "0 N*m"]\n'
+        '[time]\nuntil = "3 s"\nsamples = 4\n'
+    )
+    wheel = spec(tmp_path, text).report().values()["wheels"][0]
+    assert wheel["torque_largest"] == pytest.approx(0.01 * 0.5 * 0.4 / 2.0, rel=1e-12)
+
+
 SWEPT = """{}[time]
 until = "10 s"
 samples = 3

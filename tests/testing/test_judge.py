@@ -239,6 +239,18 @@ def test_three_steps_in_a_file_give_the_order(tmp_path):
     assert found.right and found.convergence.order == pytest.approx(2.0, abs=0.05)
 
 
+@pytest.mark.parametrize("digits", [17, 14])
+def test_three_steps_of_a_motion_without_a_name_do_so_too(tmp_path, digits):
+    runs = [written(semi_implicit, h) for h in (0.04, 0.02, 0.01)]
+    (motion,) = (m for m in reference_motions(kind="free body") if m.name == FLIPS)
+    start = {"inertia": motion.moments, "attitude": motion.attitude, "momentum": motion.momentum}
+    for k, run in enumerate(runs):
+        del run["motion"]
+        run |= {key: [float(f"{x:.{digits - (k == 1)}g}") for x in np.ravel(value)] for key, value in start.items()}
+    found = only(judged(tmp_path, runs))
+    assert found.right and found.convergence.order == pytest.approx(1.0, abs=0.1)
+
+
 def test_one_step_in_a_file_decides_nothing_of_a_right_engine(tmp_path):
     report = judged(tmp_path, [written(semi_implicit, 0.02)])
     assert report.verdict == "undecided" and "dt/4" in report.notes[-1]

@@ -235,3 +235,7 @@ class HeldWheel(AbstractMount):
     ) -> Float64[Array, "*batch 1"]:
         shape = jnp.broadcast_shapes(angular_velocity.shape[:-1], own.shape[:-1])
         return jnp.broadcast_to(self.rate, (*shape, 1))
+
+    def holding_torque(self, acceleration: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch"]:
+        """Return the torque of the motor on the rotor (…) [N m], J a·Ω̇, at accelerations Ω̇ (…, 3) of the body."""
+        return self.moment * (acceleration @ self.axis)

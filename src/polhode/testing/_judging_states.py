@@ -24,6 +24,7 @@ from polhode.types import Array, Float64
 SHORT = 10.0  # rad; states up to there are compared, later ones amplify any error
 FEWEST = 4
 FALLS = 100.0  # times by which the residual of a mistake must be less
+SAME = 1e-12  # of the largest number: starts that are nearer to each other are one
 FIRST_ORDER = 1.0  # rad of error for each radian turned and each radian of a step
 States = tuple[Array, Array]
 
@@ -34,13 +35,14 @@ def judge_states(states: Sequence[WrittenStates]) -> tuple[list[Judgement], list
     Args:
         states: of the runs, in any order.
     """
-    groups: dict[tuple[object, ...], list[WrittenStates]] = {}
+    groups: list[list[WrittenStates]] = []
     for one in states:
-        given = one.given
-        key = given.name, *(x.tobytes() for x in (given.inertia, given.attitude, given.momentum)), one.convention
-        groups.setdefault(key, []).append(one)
+        group = next((group for group in groups if _are_of_one_motion(group[0], one)), None)
+        if group is None:
+            groups.append(group := [])
+        group.append(one)
     judged, refused = [], []
-    for group in groups.values():
+    for group in groups:
         halved = _by_halved_steps(group)
         for one in [halved[0]] if len(halved) >= 3 else group:
             try:
@@ -48,6 +50,14 @@ def judge_states(states: Sequence[WrittenStates]) -> tuple[list[Judgement], list
             except InvalidInput as error:
                 refused.append((one.given.name, str(error)))
     return judged, refused
+
+
+def _are_of_one_motion(one: WrittenStates, other: WrittenStates) -> bool:
+    """Whether runs begin alike, whatever they are called: numbers in files are rounded."""
+    if one.convention != other.convention:
+        return False
+    pairs = ((getattr(run.given, name) for run in (one, other)) for name in ("inertia", "attitude", "momentum"))
+    return all(np.abs(a - b).max() <= SAME * np.abs(a).max() for a, b in pairs)
 
 
 def _by_halved_steps(group: Sequence[WrittenStates]) -> list[WrittenStates]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 
@@ -15,6 +16,7 @@ from polhode.motion._trajectory import Trajectory
 from polhode.systems.control_laws import AbstractLawActuator
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.systems.rigid_body import RigidBody
+from polhode.systems.wheels import HeldWheel
 from polhode.types import Array, Float64
 
 OBSERVED = {
@@ -92,7 +94,10 @@ def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: 
     pointing, nadir = from_target(target), from_target(None if orbit is None else orbit.frame(times))
     owned = list(zip(system.mounts, body.mounts, strict=True))
     rates = [mount.rotor_rates(velocity, own) for mount, own in owned]
-    motors = [mount.motor_torques(times, body.attitude, velocity, own) for mount, own in owned]
+    motors = [
+        mount.holding_torque(_acceleration(system, times, states))[..., None] if isinstance(mount, HeldWheel)
+        else mount.motor_torques(times, body.attitude, velocity, own) for mount, own in owned
+    ]  # fmt: skip
     empty = jnp.zeros((*times.shape, 0))
     each = [jnp.linalg.norm(x, axis=-1)[..., None] for x in system.torques_apart(times, states)]
     return {
@@ -101,3 +106,9 @@ def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: 
         "motors": jnp.concatenate([empty, *motors], axis=-1), "torques": jnp.concatenate([empty, *each], axis=-1),
         "load": system.load(times, states),
     }  # fmt: skip
+
+
+def _acceleration(system: RigidBody, times: Array, states: Array) -> Array:
+    """Return Ω̇ (T, 3) [rad/s², given axes]."""
+    change = jax.vmap(system.vector_field)(times, states)
+    return jax.jvp(system.velocity, (states,), (change,))[1]
