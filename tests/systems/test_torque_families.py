@@ -238,6 +238,14 @@ def test_drag_against_the_air_that_turns_with_the_earth():
     assert np.abs(found + 0.5 * 1e-12 * 2.0 * shadow * speed * along).max() < 1e-12 * np.abs(found).max()
 
 
+@pytest.mark.parametrize("at", [5003.0, 1e6 / 3.0, 1e9 / 7.0])
+def test_late_pulses_have_their_impulse_though_their_ends_are_rounded(at):
+    jet = Thruster([at], 0.02, (0, 1, 0), (0.5, 0, 0))
+    body = RigidBody((2.0, 2.0, 2.0), torques=[jet])
+    run = ph.simulate(body, body.pack((1, 0, 0, 0), (0, 0, 0)), [at - 1.0, at + 1.0])
+    assert run.momentum[-1, 2] == pytest.approx(0.5 * 0.02, rel=1e-12)
+
+
 @pytest.mark.long
 def test_pulses_change_the_momentum_by_torque_times_time_however_short():
     body = ph.shapes.box(10.0, (0.2, 0.3, 0.4)).placed(np.eye(3), (0.05, 0.0, 0.0))

@@ -120,7 +120,7 @@ def check_moments(moments: Float64[Array, "3"], effective: bool = False) -> None
             by more than a third of I3.
     """
     I1, I2, I3 = moments
-    shown = ", ".join(f"{x:.6g}" for x in moments)
+    shown = ", ".join(f"{x:.10g}" for x in moments)  # as many digits as show by how much they fail
     if not I3 > 0:
         raise InvalidInput(f"the principal moments must not all vanish; got ({shown}) kg m². A point has no attitude.")
     if I1 < -ROUNDING * I3:

@@ -64,15 +64,15 @@ def from_modified_rodrigues(parameters: Float64[Array, "rows 3"]) -> Quaternions
 def restore_scalars(vectors: Float64[Array, "rows 3"]) -> Quaternions:
     """Return unit quaternions from their vector parts: the scalar follows from the length, its sign by continuity.
 
-    The first scalar is taken as positive. From then on that sign is taken which leads nearer to where the two
-    quaternions before point, so that a scalar that passes through zero changes sign, and a program that keeps all
-    scalars positive, whose vector part jumps to its opposite there, is followed too.
+    The first scalar is taken as positive. From then on that sign is taken which leads nearer to where the last turn
+    would lead once more, so that a scalar that passes through zero changes sign, and a program that keeps all scalars
+    positive, whose vector part jumps to its opposite there, is followed too.
     """
     sizes = np.sqrt(np.clip(1.0 - np.sum(vectors * vectors, axis=-1), 0.0, None))
     found = np.concatenate([sizes[:, None], vectors], axis=-1)
     before = last = found[0]
     for k in range(1, len(found)):
-        ahead = 2.0 * last - before
+        ahead = rotation.multiply(rotation.multiply(last, rotation.conjugate(before)), last)
         along = float(ahead[1:] @ found[k, 1:])
         # the scalar has the sign that makes |q · ahead| larger
         if ahead[0] * along < 0.0:

@@ -21,7 +21,8 @@ FRAMES = ("body", "space")
 class Thruster(AbstractTorque):
     """A thruster that fires one or more pulses: F while it fires, and r × F about the origin of the body's axes.
 
-    Its pulses begin and end at ``jumps``, so that steps end there and no pulse is missed, however short it is.
+    Its pulses begin and end at ``jumps``, so that steps end there and no pulse is missed, however short it is. Where
+    times are rounded, the impulse of a pulse stays F times how long it lasts.
 
     Args:
         at: (P,) times [s] at which it begins to fire, or one.
@@ -49,6 +50,7 @@ class Thruster(AbstractTorque):
 
     begins: Float64[Array, "pulses"]
     ends: Float64[Array, "pulses"]
+    shares: Float64[Array, "pulses"]
     thrust: Float64[Array, "3"]
     position: Float64[Array, "3"]
 
@@ -80,6 +82,8 @@ class Thruster(AbstractTorque):
                 f"ends at {ends[over[0]]:g} s. A thruster fires one pulse at a time: make them one, or two thrusters."
             )
         self.begins, self.ends = jnp.asarray(begins), jnp.asarray(ends)
+        # late in time the end of a pulse is rounded: the force makes up for it, so that the impulse is the given one
+        self.shares = jnp.asarray(np.broadcast_to(spans, begins.shape)[order] / (ends - begins))
         self.thrust, self.position = checked_vector("force", force), checked_vector("position", position)
 
     @property
@@ -95,7 +99,8 @@ class Thruster(AbstractTorque):
     ) -> Float64[Array, "*batch 3"]:  # fmt: skip
         time = jnp.asarray(t)[..., None]
         # each pulse adds one from its beginning, and takes it back at its end
-        firing = jnp.sum(jnp.where(time >= self.begins, 1.0, 0.0) - jnp.where(time >= self.ends, 1.0, 0.0), axis=-1)
+        begun, ended = (jnp.where(time >= at, self.shares, 0.0) for at in (self.begins, self.ends))
+        firing = jnp.sum(begun - ended, axis=-1)
         return firing[..., None] * self.thrust + jnp.zeros_like(angular_velocity)
 
     def torque(
