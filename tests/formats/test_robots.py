@@ -242,6 +242,6 @@ def test_all_links_that_are_no_bodies_are_named_at_once(saved, kind):
     }[kind]
     text, count = re.subn(mass, wrong, text)
     reader = {"urdf": read_urdf_robot, "sdf": read_sdf_robot}[kind]
-    with pytest.raises(FormatError, match=f"{count} of {count} links have impossible mass properties") as caught:
+    with pytest.raises(FormatError, match=f"{count} of {count} links have faulty mass properties") as caught:
         reader(saved(text, f"arm.{kind}"), {})
     assert str(caught.value).count("mass") > count and str(caught.value).count(f"arm.{kind}") == 1

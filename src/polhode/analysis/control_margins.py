@@ -61,7 +61,7 @@ class Margins(NamedTuple):
 
 
 def has_linear_loop(system: RigidBody, law: AbstractControlLaw) -> bool:
-    """Whether ``linearize_loop`` takes a law: not one without a target or with a state, nor parts that move mass."""
+    """Whether a law has a target and no state of its own, in a body without parts that move their mass."""
     return not system.moving_parts and target_at(law, np.zeros(())) is not None and not law.state_size
 
 

@@ -1,4 +1,4 @@
-"""Functions written with JAX whose calls take less time than the compiling of them."""
+"""Functions written with JAX whose calls take less time than compiling them."""
 
 from __future__ import annotations
 
@@ -40,9 +40,9 @@ def compiled_quickly(function: Function) -> Function:
 
 
 def compiled_for_few_calls(function: Function) -> Function:
-    """Return the same for a few calls: computed by NumPy, operation by operation, where NumPy has them all.
+    """Return the function as NumPy computes it, operation by operation; compiled quickly where NumPy lacks one.
 
-    Shapes alone tell whether it is, so that the same call has the same bits.
+    That is for a few calls. Shapes alone decide, so that the same call has the same bits.
     """
     import jax
     from equinox import is_array

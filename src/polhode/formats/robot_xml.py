@@ -174,7 +174,7 @@ def make_links(
     """Return links in their places, made by functions.
 
     Raises:
-        FormatError: naming all those that are no bodies.
+        FormatError: naming every link whose mass properties are faulty.
     """
     made, faults = [], []
     for frame, make in links:
@@ -185,7 +185,7 @@ def make_links(
     if len(faults) > 1:
         more = f" And {len(faults) - NAMED} more." if len(faults) > NAMED else ""
         said = " ".join(fault.removeprefix(f"{path}: ") for fault in faults[:NAMED])
-        raise FormatError(f"{path}: {len(faults)} of {len(links)} links have impossible mass properties. {said}{more}")
+        raise FormatError(f"{path}: {len(faults)} of {len(links)} links have faulty mass properties. {said}{more}")
     if faults:
         raise FormatError(faults[0])
     return made

@@ -68,7 +68,7 @@ class Report(abc.ABC):
         """All that the report says, by groups and tables, in the order of its text."""
 
     def iterate_answers(self) -> Iterator[Group | Table]:
-        """Yield the same one after the other, the quickest first, each computed as it is asked for."""
+        """Yield the answers one after the other, the quickest first, each computed as it is asked for."""
         yield from self.answers
 
     @property
@@ -224,10 +224,6 @@ class PlainReport(StudyReport):
     @property
     def answers(self) -> Sequence[Group | Table]:
         return self._answers
-
-    def iterate_answers(self) -> Iterator[Group | Table]:
-        """Yield the same one after the other, the quickest first, each computed as it is asked for."""
-        yield from self.answers
 
     @property
     def notes(self) -> Sequence[str]:

@@ -133,7 +133,7 @@ def build_machine(
         assert between is not None
         start = *form.flat(np.asarray(state)).tolist(), float(between[0])
         signs = next((each for each, machine in known.items() if _serves(machine, start)), ())
-    elif signs is None and () in known:  # there are no branches
+    elif signs is None and () in known:  # the system has no branches
         signs = ()
     found = known.get(signs)
     if found is None:

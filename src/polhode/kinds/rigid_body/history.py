@@ -94,8 +94,10 @@ def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: 
     pointing, nadir = from_target(target), from_target(None if orbit is None else orbit.frame(times))
     owned = list(zip(system.mounts, body.mounts, strict=True))
     rates = [mount.rotor_rates(velocity, own) for mount, own in owned]
+    is_held = any(isinstance(mount, HeldWheel) for mount in system.mounts)  # else nobody needs the acceleration
+    acceleration = _acceleration(system, times, states) if is_held else jnp.zeros_like(velocity)
     motors = [
-        mount.holding_torque(_acceleration(system, times, states))[..., None] if isinstance(mount, HeldWheel)
+        mount.holding_torque(acceleration)[..., None] if isinstance(mount, HeldWheel)
         else mount.motor_torques(times, body.attitude, velocity, own) for mount, own in owned
     ]  # fmt: skip
     empty = jnp.zeros((*times.shape, 0))
