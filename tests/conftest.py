@@ -36,9 +36,7 @@ SOURCES = Path(polhode.__file__).parent
 FILES = [path.relative_to(SOURCES.parent).with_suffix("") for path in SOURCES.rglob("*.py")]
 
 COMPILED = "JAX_COMPILATION_CACHE_DIR"
-QUICKLY = (  # a fifth of the time
-    "--xla_cpu_use_fusion_emitters=false --xla_backend_optimization_level=0 --xla_cpu_parallel_codegen_split_count=1"
-)
+QUICKLY = "--xla_backend_optimization_level=0 --xla_cpu_parallel_codegen_split_count=1"  # a fifth of the time
 LEAST_RESIDENT, SHARE = 1.4e9, 0.4  # bytes, and of the memory that a worker has: then it gives back, and compiles anew
 SELDOM = 20_000, 20, 50  # allocations, and collections of the younger generations, after which Python collects garbage
 gc.disable()  # while modules are imported, of which nothing is garbage: a fifth of that time

@@ -7,7 +7,7 @@ import pytest
 
 import polhode.algebra  # noqa: F401, switches JAX to 64 bits
 from polhode.arrays.by_numpy import BY_NUMPY
-from polhode.arrays.steps import NoSteps, Steps
+from polhode.arrays.steps import NoSteps, Steps, split_scan
 
 A = np.random.default_rng(0).uniform(0.2, 1.5, (2, 3, 4))
 B = np.random.default_rng(1).uniform(0.2, 1.5, (2, 3, 4))
@@ -149,6 +149,18 @@ def test_what_numpy_lacks_or_takes_long_for_has_no_steps(function):
     except NoSteps:
         return
     pytest.fail(f"{steps.count} steps")
+
+
+def test_both_ways_in_which_jax_describes_a_loop_are_read():
+    """JAX 0.11 gives a tree of the arguments where releases before gave two numbers."""
+
+    class Tree:
+        def unpack(self):
+            return (None, None), (None,), (None, None, None)
+
+    closed = jax.make_jaxpr(lambda x, a, b: jax.lax.scan(lambda c, y: (c * a + b * y, c), x[0], x))(A[0, 0], 0.5, 2.0)
+    (loop,) = (equation for equation in closed.jaxpr.eqns if equation.primitive.name == "scan")
+    assert split_scan(loop.params) == split_scan({"ft_in": Tree()}) == (2, 1)
 
 
 def test_what_nobody_needs_is_left_out():

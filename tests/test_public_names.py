@@ -3,6 +3,7 @@
 import inspect
 import json
 from types import ModuleType
+from typing import Annotated, get_origin
 
 import pytest
 
@@ -16,13 +17,14 @@ ROOMS = [name for name in dir(ph) if inspect.ismodule(getattr(ph, name))]
 def strangers(room: ModuleType) -> list[str]:
     """Return the names in a room's ``dir`` that are modules, private, or another package's.
 
-    Types of a spec's fields are annotated numbers, which say that they are ``builtins``.
+    Types of a spec's fields are annotated numbers, which say ``builtins``, from Python 3.12 on ``typing``.
     """
     found = []
     for name in dir(room):
         thing = getattr(room, name)
-        home = getattr(thing, "__module__", None) or "polhode"
-        if inspect.ismodule(thing) or name.startswith("_") or not home.startswith(("polhode", "builtins")):
+        annotated = get_origin(thing) is Annotated
+        home = "polhode" if annotated else getattr(thing, "__module__", None) or "polhode"
+        if inspect.ismodule(thing) or name.startswith("_") or not home.startswith("polhode"):
             found.append(name)
     return found
 

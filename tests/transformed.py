@@ -5,7 +5,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from polhode.arrays.few_calls import QUICKLY
+from polhode.arrays.few_calls import quick_options
 from polhode.errors import InvalidInput
 
 SAME = 1e-12
@@ -59,7 +59,7 @@ def check_alone(function, *inputs, batched=True, reverse=True, ways=None):
 
     assert near(wanted[0], np.asarray(one(*(x[0] for x in inputs))), SAME * size), "jit"
     if batched:
-        in_rows = jax.jit(lambda *x: rows(function(*x), count), compiler_options=QUICKLY)
+        in_rows = jax.jit(lambda *x: rows(function(*x), count), compiler_options=quick_options())
         assert near(in_rows(*inputs), wanted, SAME * size), "jit of a batch"
     if not wanted.size:
         return
@@ -70,7 +70,7 @@ def check_alone(function, *inputs, batched=True, reverse=True, ways=None):
     def derivatives(x, v):
         return *jax.jvp(one, x, v), gradient(x) if reverse else ()
 
-    value, change, slopes = jax.jit(jax.vmap(derivatives), compiler_options=QUICKLY)(inputs, ways)
+    value, change, slopes = jax.jit(jax.vmap(derivatives), compiler_options=quick_options())(inputs, ways)
     steepest = size + np.abs(slope).max()
     assert near(value, wanted, SAME * size), "vmap"
     assert near(change, slope, BY_DIFFERENCES * steepest), "jvp"

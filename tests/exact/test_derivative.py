@@ -11,7 +11,7 @@ from mpmath import mp
 import polhode as ph
 from oracle.derivatives import Direction, reference_derivative
 from oracle.families import Case, draw
-from polhode.arrays.few_calls import QUICKLY
+from polhode.arrays.few_calls import quick_options
 from polhode.errors import InvalidInput
 from polhode.exact.free_body._derivative import state_tangent
 from starts import free_motion
@@ -128,7 +128,7 @@ def test_by_time_jax_gives_the_rates_of_the_equations_of_motion():
     """q̇ = ½ q ω and L̇ = L × ω, of one motion; by all that makes a motion, compiled for half a minute, in the sweep."""
     motion = ph.FreeMotion(MOMENTS, momentum=MOMENTUM)
     with jax.enable_x64(True):
-        by_time = jax.jit(lambda t: jax.jvp(motion.state, (t,), (jnp.ones(()),)), compiler_options=QUICKLY)
+        by_time = jax.jit(lambda t: jax.jvp(motion.state, (t,), (jnp.ones(()),)), compiler_options=quick_options())
         (attitude, momentum), rates = jax.tree.map(np.asarray, by_time(jnp.asarray(TIME)))
     velocity = motion.angular_velocity(TIME)
     assert np.abs(rates[0] - 0.5 * ph.rotation.multiply(attitude, np.array([0.0, *velocity]))).max() < SAME

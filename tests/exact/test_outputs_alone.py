@@ -39,7 +39,9 @@ jax.config.update("jax_enable_x64", True)
 import jax.numpy as jnp
 import numpy as np
 import polhode as ph
-from polhode.arrays.few_calls import QUICKLY
+from polhode.arrays.few_calls import quick_options
+
+QUICKLY = quick_options()
 
 kind, names, numbers = {kind!r}, {names!r}, {numbers!r}
 way = ph.closed_forms({where!r})

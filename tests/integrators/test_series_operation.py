@@ -44,6 +44,15 @@ def test_derivatives_are_those_of_the_closed_form(by, mode):
     assert np.abs(found - wanted).max() < 1e-12
 
 
+@pytest.mark.parametrize("of", [lambda f: f, jax.jit, jax.jacrev, lambda f: jax.jit(jax.jacfwd(f))])
+def test_series_stay_on_the_host_where_closed_forms_are_compiled(of):
+    """As they are where JAX has a GPU: series are kernels of Numba, which JAX cannot compile."""
+    with ph.closed_forms("compiled"):
+        found = of(lambda momentum: moved(MOMENTS, momentum))(START)
+    wanted = of(lambda momentum: exact(MOMENTS, momentum))(START)
+    assert np.abs(found - wanted).max() < 1e-12
+
+
 @pytest.mark.long
 def test_derivatives_by_every_time():
     """By the first time as well, from which the motion begins."""

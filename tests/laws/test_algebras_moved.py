@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 
 import polhode as ph
 from polhode import algebra as lie
-from polhode.arrays.few_calls import QUICKLY
+from polhode.arrays.few_calls import quick_options
 from specimens import ALGEBRAS, SL2_MATRICES, so3
 
 TIMES = np.linspace(0.0, 0.6, 4)
@@ -155,7 +155,7 @@ def moved(algebra, weights, start):
         forward = jax.jvp(lambda w: end(w, start), (weights,), (jnp.cos(jnp.arange(n)),))[1]
         return both[1], (slopes[0], slopes[1][1]), forward @ sums[1]
 
-    return jax.jit(all_of_it, compiler_options=QUICKLY)(weights, start)
+    return jax.jit(all_of_it, compiler_options=quick_options())(weights, start)
 
 
 def differences(constants, weights, start):

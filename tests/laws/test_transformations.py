@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from polhode.arrays.few_calls import QUICKLY
+from polhode.arrays.few_calls import quick_options
 
 ROOMS = ("rotation", "special.carlson", "special.elliptic", "special.theta")
 LEFT_OUT = {
@@ -96,7 +96,7 @@ def test_alone_under_every_transformation(name):
         weighed = lambda *x: jnp.vdot(jnp.asarray(weights), whole(*x))  # noqa: E731
         of_vmap_and_both_modes = jax.jit(
             lambda x, v: (jax.vmap(function)(*x), jax.jvp(whole, x, v)[1], jax.grad(weighed, argnums=every)(*x)),
-            compiler_options=QUICKLY,
+            compiler_options=quick_options(),
         )
         by_vmap, change, slopes = of_vmap_and_both_modes(inputs, directions)
         assert np.abs(np.asarray(value) - wanted).max() < SAME

@@ -2,5 +2,8 @@
 
 import os
 
+from polhode.arrays.few_calls import quick_options
+
 CHANGED = bool(os.environ.get("XLA_FLAGS"))
-OPTIMIZED = {"xla_cpu_use_fusion_emitters": True, "xla_backend_optimization_level": 3} if CHANGED else None
+FULLY = {"xla_cpu_use_fusion_emitters": True, "xla_backend_optimization_level": 3}
+OPTIMIZED = {name: FULLY[name] for name in quick_options()} if CHANGED else None

@@ -84,6 +84,8 @@ class Elementwise:
         positive: how many of the first arguments consist of positive numbers, each with a scale of its own.
         order: of the derivatives that the Jacobian gives.
         ways: forward and reverse derivatives that take less time than the Jacobian; None where none do.
+        on_host: whether the values are NumPy's alone: JAX calls them on the host, whichever way is chosen for closed
+            forms, and wherever its own arrays are.
     """
 
     name: str
@@ -94,6 +96,7 @@ class Elementwise:
     positive: int = 1
     order: int = 1
     ways: Ways | None = None
+    on_host: bool = False
 
     def __call__(self, *arguments: Any) -> tuple[Any, ...]:
         """Return the values, NumPy arrays for NumPy arrays and JAX arrays for JAX arrays."""
@@ -146,7 +149,7 @@ def _differential(function: Elementwise) -> Elementwise:
     columns = (sum(math.prod(function.outputs[k][0]) for k in function.smooth), function.width), float
     again = partial(differences, function) if function.order == 1 else None
     return Elementwise(function.name, both, function.inputs, (*function.outputs, columns), again, function.positive,
-                       function.order + 1)  # fmt: skip
+                       function.order + 1, on_host=function.on_host)  # fmt: skip
 
 
 @cache
@@ -163,8 +166,8 @@ def _primitive() -> Any:
     ad.primitive_jvps[primitive] = _jvp
     batching.primitive_batchers[primitive] = _batch
     in_line = mlir.lower_fun(lambda *args, function, compiled: function.values(*args), multiple_results=True)
-    mlir.register_lowering(primitive, in_line)
-    mlir.register_lowering(primitive, partial(_lower_for_cpu, in_line), platform="cpu")
+    mlir.register_lowering(primitive, partial(_lower, in_line, False))
+    mlir.register_lowering(primitive, partial(_lower, in_line, True), platform="cpu")
     return primitive
 
 
@@ -187,17 +190,18 @@ def _at_once(*args: Any, function: Elementwise, compiled: bool) -> list[Any]:
     import jax
     import jax.numpy as jnp
 
-    if compiled or any(device.platform != "cpu" for x in args for device in x.devices()):
+    elsewhere = compiled or any(device.platform != "cpu" for x in args for device in x.devices())
+    if elsewhere and not function.on_host:
         return jax.jit(partial(_primitive().bind, function=function, compiled=compiled))(*args)
     return [jnp.asarray(x) for x in _on_host(function, *args)]
 
 
-def _lower_for_cpu(in_line: Any, ctx: Any, *operands: Any, function: Elementwise, compiled: bool) -> Any:
+def _lower(in_line: Any, is_cpu: bool, ctx: Any, *operands: Any, function: Elementwise, compiled: bool) -> Any:
     import jax
     from jax.core import ShapedArray
     from jax.interpreters import mlir
 
-    if compiled:
+    if not function.on_host and (compiled or not is_cpu):
         return in_line(ctx, *operands, function=function, compiled=compiled)
     # jax.pure_callback would put the operands on a device first, for which the pool may have no thread left
     words = [ShapedArray((*x.shape, 2), np.uint32) for x in ctx.avals_out]

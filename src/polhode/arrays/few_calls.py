@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache, wraps
+from functools import cache, lru_cache, wraps
 from typing import Any, TypeVar
 
 import numpy as np
@@ -12,7 +12,6 @@ from polhode.arrays.namespaces import is_traced, is_tracing
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 QUICKLY = {"xla_cpu_use_fusion_emitters": False, "xla_backend_optimization_level": 0}  # a third of the time
-KNOWN_TO = ("0.10.",)  # releases of jaxlib; others may not know an option, and refuse it
 FEW = 1 << 18  # numbers that a call takes: of more, what runs slower counts
 KEPT = 128  # of a function: how many shapes its steps are kept for
 
@@ -27,14 +26,15 @@ def compiled_quickly(function: Function) -> Function:
     import jax
 
     thoroughly = eqx.filter_jit(function)
-    quickly = eqx.filter_jit(function, compiler_options=QUICKLY)  # type: ignore[call-overload]
+    # options are asked for when the function is first called: JAX's backend, which they are for, starts slowly
+    quickly = cache(lambda: eqx.filter_jit(function, compiler_options=quick_options()))  # type: ignore[call-overload]
 
     @wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:
         if is_tracing():
             return function(*args, **kwargs)
         few = _are_few(list(filter(eqx.is_array, jax.tree.leaves((args, kwargs)))))
-        return (quickly if few else thoroughly)(*args, **kwargs)
+        return (quickly() if few else thoroughly)(*args, **kwargs)
 
     return call  # type: ignore[return-value]
 
@@ -64,7 +64,7 @@ def compiled_for_few_calls(function: Function) -> Function:
 
 def _are_few(arrays: list[Any]) -> bool:
     """Whether arrays are small, and none is differentiated: there JAX takes no options of the compiler."""
-    return sum(map(np.size, arrays)) <= FEW and compiles_quickly() and not is_traced(*arrays)
+    return sum(map(np.size, arrays)) <= FEW and not is_traced(*arrays)
 
 
 def _kind(leaf: Any) -> tuple[Any, ...]:
@@ -107,9 +107,22 @@ def _write(function: Callable[..., Any], tree: Any, kinds: tuple[tuple[Any, ...]
     return compute
 
 
-def compiles_quickly() -> bool:
-    """Return whether the options are for this processor and known to its compiler."""
-    import jax
-    from jaxlib.version import __version__
+@cache
+def quick_options() -> dict[str, bool | int]:
+    """Return the options with which XLA compiles quickly, those that it knows; none on a GPU.
 
-    return jax.default_backend() == "cpu" and __version__.startswith(KNOWN_TO)
+    Releases of XLA add and remove options, and one that is unknown ends the compilation with an error.
+    """
+    import jax
+
+    return {name: value for name, value in QUICKLY.items() if jax.default_backend() == "cpu" and _takes(name, value)}
+
+
+def _takes(option: str, value: bool | int) -> bool:
+    import jax
+
+    try:
+        jax.jit(lambda x: x, compiler_options={option: value}).lower(0.0).compile()
+    except jax.errors.JaxRuntimeError:
+        return False
+    return True

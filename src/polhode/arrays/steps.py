@@ -133,8 +133,16 @@ def _computation(equation: Any) -> Callable[[list[Array], Any], Any]:
     return BY_NUMPY[name]
 
 
+def split_scan(parameters: dict[str, Any]) -> tuple[int, int]:
+    """Return how many arguments of a scan are constants, and how many are carried from round to round."""
+    if "num_consts" in parameters:
+        return parameters["num_consts"], parameters["num_carry"]
+    constants, carried, _ = parameters["ft_in"].unpack()  # JAX 0.11 and later
+    return len(constants), len(carried)
+
+
 def _scan(parameters: dict[str, Any]) -> Callable[[list[Array], Any], list[Any]]:
-    body, fixed, carried = Steps(parameters["jaxpr"]), parameters["num_consts"], parameters["num_carry"]
+    body, (fixed, carried) = Steps(parameters["jaxpr"]), split_scan(parameters)
     length, jaxpr = parameters["length"], parameters["jaxpr"]
     if length * body.count > MOST:
         raise NoSteps("a long loop")

@@ -7,10 +7,9 @@ import platform
 import warnings
 
 COMPILER = "XLA_FLAGS"
-QUICKLY = (  # a third of the time, and the functions run as fast
-    "--xla_cpu_use_fusion_emitters=false --xla_backend_optimization_level=1 --xla_cpu_parallel_codegen_split_count=1"
-)
-KNOWN_TO = ("0.10.",)  # releases of jaxlib; one that does not know a flag ends the process
+QUICKLY = "--xla_backend_optimization_level=1 --xla_cpu_parallel_codegen_split_count=1"  # the functions run as fast
+ADDED = {"0.10.": " --xla_cpu_use_fusion_emitters=false", "0.11.": ""}  # by releases of jaxlib that were tried:
+# one that does not know a flag ends the process
 LARGEST = 300_000_000  # bytes of all that is kept; what was not used for the longest time goes first
 
 
@@ -21,8 +20,9 @@ def compile_quickly(flags: str = QUICKLY) -> None:
     """
     from jaxlib.version import __version__  # without loading JAX
 
-    if __version__.startswith(KNOWN_TO):
-        os.environ.setdefault(COMPILER, flags)
+    added = [more for release, more in ADDED.items() if __version__.startswith(release)]
+    if added:
+        os.environ.setdefault(COMPILER, flags + added[0])
 
 
 def keep_compiled() -> None:

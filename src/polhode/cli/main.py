@@ -104,7 +104,7 @@ def _silence() -> None:
     """Discard what standard output still holds; Python would report at exit that it cannot be written."""
     try:
         nowhere = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nowhere, sys.stdout.fileno())
+        os.dup2(nowhere, sys.__stdout__.fileno())  # type: ignore[union-attr]
         os.close(nowhere)
     except (OSError, AttributeError, ValueError):
         pass

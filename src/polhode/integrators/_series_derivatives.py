@@ -153,7 +153,8 @@ class Motion:
         outputs = ((self.count * self.rows,), float), ((), np.int64), ((), np.int64)
         inputs = tuple((size,) for size in self.inputs)
         derivatives = (self.jacobian, Ways(self.ahead, self.weights_of)) if self.has_derivatives else (None, None)
-        return Elementwise("solve by Taylor", self.values, inputs, outputs, derivatives[0], 0, ways=derivatives[1])
+        return Elementwise("solve by Taylor", self.values, inputs, outputs, derivatives[0], 0, ways=derivatives[1],
+                           on_host=True)  # fmt: skip
 
     def values(self, *arguments: Array) -> tuple[Any, ...]:
         """Return what the operation gives."""

@@ -58,6 +58,7 @@ _UNIT_TOKEN = re.compile(
            |1(?![0-9.])|\(|(?P<sign>[*/·⋅×.]))\s*""",
     re.VERBOSE,
 )
+_DOT = re.compile(r"\.(?=\s*[^\W\d])")  # a product, not a part of a number
 KEPT = "POLHODE_UNITS_CACHE"  # folder where a command keeps the table of units, so as not to read it each time
 ANGLES = {"radian", "degree", "turn", "arcminute", "arcsecond", "milliarcsecond", "grade", "revolutions_per_minute",
           "dps", "cpm", "revolutions_per_second"}  # fmt: skip
@@ -144,6 +145,7 @@ def _parse(value: str, unit: str) -> float:
     _check_unit(unit_text, value, unreadable)
     # one number and one unit: pint alone would take "60 rpm 2" for 120 rpm
     unit_text = f"1{unit_text}" if unit_text.startswith("/") else unit_text
+    unit_text = _DOT.sub("*", unit_text)  # as in "N.m", which pint from 0.26 on reads no more
     try:
         quantity = registry.Quantity(magnitude, registry.parse_units(unit_text))
     except Exception as error:  # pint raises errors of many kinds, tokenizer's and its own

@@ -15,6 +15,7 @@ import jax
 import jax.numpy as jnp
 from jax.extend.core import Literal
 
+from polhode.arrays.steps import split_scan
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.jaxprs import INNER
 from polhode.types import Array, Shaped
@@ -129,7 +130,7 @@ def _is_affine(equation: Any, moving: tuple[int, ...]) -> bool:
     if name == "dynamic_update_slice":
         return all(k < 2 for k in moving)
     if name == "scan":
-        body, known, carried = parameters["jaxpr"], parameters["num_consts"], parameters["num_carry"]
+        body, (known, carried) = parameters["jaxpr"], split_scan(parameters)
         # what is carried moves if any of it does, or if what it is made of does
         return _all_affine(body.jaxpr, {*moving, *range(known, known + carried)})
     return True

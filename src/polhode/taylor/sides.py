@@ -189,7 +189,7 @@ class Branches:
                 value, size = combine(difference, known, sizes)
                 slope, steepness = combine(Expression(self._tape, difference.terms), slopes)
                 near = (abs(value) <= AT_ZERO * size) | (crossed == k)
-                if (near & ~(abs(slope) > ALONG * steepness)).any():
+                if np.any(near & np.logical_not(abs(slope) > ALONG * steepness)):
                     raise Untraceable("a branch on something that moves, along whose border the motion goes")
                 signs[:, k] = np.where(near, forth * slope > 0.0, value > 0.0)
         return [tuple(map(bool, row)) for row in signs]

@@ -17,7 +17,7 @@ import numpy as np
 from jax.extend.core import Literal
 
 from polhode.arrays.by_numpy import by_numbers, factors, spread, take_slice
-from polhode.arrays.steps import INNER
+from polhode.arrays.steps import INNER, split_scan
 from polhode.taylor.expressions import (
     Complex,
     Expression,
@@ -367,7 +367,7 @@ def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
 @_rule("scan")
 def _scan(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
     """Write out a loop whose number of rounds is known."""
-    rounds, known, carried = parameters["length"], parameters["num_consts"], parameters["num_carry"]
+    rounds, (known, carried) = parameters["length"], split_scan(parameters)
     if rounds > MOST_ROUNDS:
         raise Untraceable(f"a loop of {rounds} rounds")
     closed = parameters["jaxpr"]
