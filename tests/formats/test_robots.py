@@ -170,6 +170,40 @@ def test_through_a_spec(saved):
     assert read_spec(saved('[body]\nmjcf = "arm.xml"\njoints = {}\n', "c.toml")).body.mass == pytest.approx(7.6)
 
 
+SDF_LIMITS = "<axis><xyz>0 1 1</xyz><limit><lower>-1</lower><upper>{}</upper></limit></axis>"
+LIMITS = [
+    (read_urdf_robot, URDF, {"shoulder": (2.5, "rad")}, "'shoulder' at 2.5 rad, beyond -2 to 2"),
+    (read_urdf_robot, URDF, {"slide": (-0.1, "m")}, "'slide' at -0.1 m, beyond 0 to 1"),
+    (read_urdf_robot, URDF, {"slide": (1.0, "m"), "shoulder": (-2.0, "rad")}, None),
+    (read_urdf_robot, URDF.replace('lower="-1" upper="1"', 'lower="0" upper="1"'), {"slide": (0.5, "m")},
+     "'grip' at -0.23 m, beyond 0 to 1"),
+    (read_urdf_robot, URDF.replace('lower="0" upper="1"', 'lower="0" upper="0"'), {"slide": (1.9, "m")}, None),
+    (read_urdf_robot, URDF.replace('lower="0" upper="1"', 'lower="0.2" upper="1"'), {}, "'slide' at 0 m, beyond 0.2"),
+    (read_sdf_robot, SDF.replace("<axis><xyz>0 1 1</xyz></axis>", SDF_LIMITS.format("0.5")), {"hinge": (0.8, "rad")},
+     "'hinge' at 0.8 rad, beyond -1 to 0.5"),
+    (read_sdf_robot, SDF.replace("<axis><xyz>0 1 1</xyz></axis>", SDF_LIMITS.format("inf")), {"hinge": (8.0, "rad")},
+     None),
+    (read_mjcf_robot, MJCF.replace('<joint name="rail"', '<joint name="rail" range="-1 2"'), {"rail": (3.0, "m")},
+     "'rail' at 3 m, beyond -1 to 2"),
+    (read_mjcf_robot, MJCF.replace('ref="15"', 'ref="15" range="-90 90"'), {"twist": (2.0, "rad")},
+     "'twist' at 2 rad, beyond -1.5708 to 1.5708"),
+    (read_mjcf_robot, MJCF.replace('ref="15"', 'ref="15" range="-90 90" limited="false"'), {"twist": (2.0, "rad")},
+     None),
+    (read_mjcf_robot,
+     MJCF.replace('ref="15"', 'ref="15" range="-90 90"').replace("eulerseq", 'autolimits="false" eulerseq'),
+     {"twist": (2.0, "rad")}, None),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("read", "text", "pose", "words"), LIMITS)
+def test_poses_beyond_limits_are_said(saved, read, text, pose, words):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        assert read(saved(text, "arm.xml"), pose).mass > 3.0
+    said = [str(one.message) for one in caught]
+    assert said == [] if words is None else len(said) == 1 and words in said[0]
+
+
 WRONG = {
     ("urdf", '[body.joints]\nelbow = "1 rad"'): "has no joint 'elbow'; those that can be set are shoulder, slide",
     ("urdf", '[body.joints]\nslide = "1 rad"'): "joint 'slide' must be at a distance like \"10 cm\"",

@@ -14,6 +14,7 @@ from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.robot_xml import (
+    FREE,
     NAMED,
     Frame,
     Motion,
@@ -22,6 +23,7 @@ from polhode.formats.robot_xml import (
     finite_numbers,
     join_links,
     make_inertial,
+    read_limits,
     read_xml,
     unit_vector,
 )
@@ -31,7 +33,7 @@ UNITS = {"hinge": "rad", "slide": "m", "ball": "", "free": ""}
 CHANGE_MASS = {"inertiafromgeom": ("false", "auto"), "balanceinertia": ("false",), "settotalmass": ("-1",),
                "boundmass": ("0",), "boundinertia": ("0",)}  # fmt: skip
 ELSEWHERE = ("include", "attach", "replicate", "composite", "flexcomp")
-JOINT = ("type", "axis", "pos", "ref")
+JOINT = ("type", "axis", "pos", "ref", "range", "limited")
 ORIENTATIONS = ("quat", "axisangle", "euler", "xyaxes", "zaxis")
 
 
@@ -154,6 +156,7 @@ class _Reader:
             raise FormatError(f"{path}: angle of <compiler> must be degree or radian; got {shown(unit)}.")
         self.per_angle = math.radians(1.0) if unit == "degree" else 1.0
         self.sequence = options.get("eulerseq", "xyz")
+        self.limited = "true" if options.get("autolimits", "true") == "true" else "false"  # where a range is given
         self.from_geoms = options.get("inertiafromgeom", "auto")
         self.defaults: dict[str, dict[str, str]] = {"main": {}}
         for element in root.findall("default"):
@@ -234,7 +237,10 @@ class _Reader:
         anchor = finite_numbers(where, "pos", said.get("pos", "0 0 0"), 3)
         reference = float(finite_numbers(where, "ref", said.get("ref", "0"), 1)[0])
         unit = UNITS[type_]
-        return Motion(name, unit, axis, reference * (self.per_angle if unit == "rad" else 1.0)), anchor
+        per = self.per_angle if unit == "rad" else 1.0
+        ends, limited = said.get("range", "").split(), said.get("limited", "auto").replace("auto", self.limited)
+        limits = read_limits(ends[0], ends[1], per) if len(ends) == 2 and limited == "true" else FREE
+        return Motion(name, unit, axis, reference * per, limits=limits), anchor
 
     def _frame(self, where: str, element: ET.Element) -> Frame:
         """Return where an element stands: its pos, and one of five ways to say how it is turned."""

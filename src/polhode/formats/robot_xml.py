@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import warnings
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -19,6 +21,7 @@ from polhode.types import Array, Float64
 
 LARGEST_FILE = 16 * MB  # robots of a thousand links take one
 NAMED = 20  # links or joints that a message lists
+FREE = (-math.inf, math.inf)  # limits of a joint that has none
 Pose = Mapping[str, tuple[float, str]]
 """Positions of joints by name: a number in SI and its unit, rad or m."""
 
@@ -52,6 +55,7 @@ class Motion(NamedTuple):
         axis: (3,) unit vector, in the joint's axes.
         reference: position at which the link stands as described, in SI.
         follows: another joint whose position it follows, times a factor and plus an offset; None for none.
+        limits: of its position, the lower first, in SI.
     """
 
     name: str
@@ -59,6 +63,7 @@ class Motion(NamedTuple):
     axis: Float64[Array, "3"] = np.array([1.0, 0.0, 0.0])
     reference: float = 0.0
     follows: tuple[str, float, float] | None = None
+    limits: tuple[float, float] = FREE
 
     def at(self, position: float) -> Frame:
         """Return where the moved axes stand in those at the reference."""
@@ -121,6 +126,14 @@ def finite_numbers(where: str, what: str, text: str | None, count: int) -> Float
         number = {3: "three numbers", 1: "one number"}.get(count, f"{count} numbers")
         raise FormatError(f"{where}: {what} must be {number}; got {shown(text)}.")
     return np.array(values)
+
+
+def read_limits(lower: str | None, upper: str | None, unit: float = 1.0) -> tuple[float, float]:
+    """Return limits of a joint, given in a unit; none where they cannot be read, as no mass depends on them."""
+    try:
+        return float(lower or "") * unit, float(upper or "") * unit
+    except ValueError:
+        return FREE
 
 
 def from_fixed_angles(angles: Float64[Array, "3"]) -> Float64[Array, "3 3"]:
@@ -213,6 +226,8 @@ def join_links(path: Path, links: Sequence[tuple[Frame, Body | MassProperties]])
 def find_positions(path: Path, pose: Pose, motions: Sequence[Motion]) -> dict[str, float]:
     """Return the position of every joint that has a name: as asked for, following another one, or at its reference.
 
+    Joints that stand beyond their limits are warned of; links have mass properties there all the same.
+
     Raises:
         InvalidInput: for joints that are not there or cannot be set, and positions in a wrong unit.
     """
@@ -234,7 +249,24 @@ def find_positions(path: Path, pose: Pose, motions: Sequence[Motion]) -> dict[st
             wanted = 'an angle like "30 deg"' if motion.unit == "rad" else 'a distance like "10 cm"'
             raise InvalidInput(f"{path}: joint {shown(name)} must be at {wanted}.")
     positions = {name: pose[name][0] if name in pose else motion.reference for name, motion in known.items()}
-    return {name: _follow(path, known, positions, name) for name in known}
+    found = {name: _follow(path, known, positions, name) for name in known}
+    _warn_beyond_limits(path, known, found)
+    return found
+
+
+def _warn_beyond_limits(path: Path, known: Mapping[str, Motion], positions: Mapping[str, float]) -> None:
+    beyond = []
+    for name, motion in known.items():
+        (lower, upper), position = motion.limits, positions[name]
+        # exporters write 0 and 0 where they know no limits; and a position may be typed with six digits
+        if lower < upper and not lower - 1e-6 * abs(lower) <= position <= upper + 1e-6 * abs(upper):
+            beyond.append(f"{shown(name)} at {position:.6g} {motion.unit}, beyond {lower:.6g} to {upper:.6g}")
+    if beyond:
+        more = f" and {len(beyond) - NAMED} more" if len(beyond) > NAMED else ""
+        warnings.warn(
+            f"{path}: joints stand beyond their limits: {'; '.join(beyond[:NAMED])}{more}. The mass properties are "
+            "those of this pose; to give another one, set them under `joints`.", stacklevel=2,
+        )  # fmt: skip
 
 
 def _follow(path: Path, known: Mapping[str, Motion], positions: Mapping[str, float], name: str) -> float:

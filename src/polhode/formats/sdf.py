@@ -13,6 +13,7 @@ from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.robot_xml import (
+    FREE,
     NAMED,
     Frame,
     Motion,
@@ -24,11 +25,13 @@ from polhode.formats.robot_xml import (
     join_links,
     make_inertial,
     make_links,
+    read_limits,
     read_xml,
     unit_vector,
 )
 
 UNITS = {"revolute": "rad", "continuous": "rad", "prismatic": "m"}
+OPEN = {"lower": "-inf", "upper": "inf"}  # limits where the file gives none
 UNITS |= dict.fromkeys(("fixed", "ball", "screw", "universal", "revolute2", "gearbox"), "")
 ENTRIES = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 MODEL = ("", "__model__")
@@ -196,14 +199,18 @@ def _motion(path: Path, name: str, element: ET.Element, poses: _Poses) -> Motion
         outer = ""
     if outer is not None:
         axis = poses.of_joint(name).turn.T @ poses.of(outer).turn @ axis
+    limits = FREE
+    if kind != "continuous":
+        limits = read_limits(*(element.findtext(f"axis/limit/{end}", default) for end, default in OPEN.items()))
     mimic = element.find("axis/mimic")
     if mimic is None:
-        return Motion(name, UNITS[kind], axis)
+        return Motion(name, UNITS[kind], axis, limits=limits)
     factor, offset, reference = (
         float(finite_numbers(where, f"<{tag}> of <mimic>", mimic.findtext(tag) or default, 1)[0])
         for tag, default in (("multiplier", "1"), ("offset", "0"), ("reference", "0"))
     )
-    return Motion(name, UNITS[kind], axis, 0.0, (mimic.get("joint", ""), factor, offset - factor * reference))
+    follows = mimic.get("joint", ""), factor, offset - factor * reference
+    return Motion(name, UNITS[kind], axis, 0.0, follows, limits)
 
 
 def _inertial(path: Path, name: str, link: ET.Element, digits: int | None) -> Body | MassProperties:

@@ -16,6 +16,7 @@ from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.paths import write_whole
 from polhode.formats.robot_xml import (
+    FREE,
     Frame,
     Motion,
     Pose,
@@ -26,6 +27,7 @@ from polhode.formats.robot_xml import (
     join_links,
     make_inertial,
     make_links,
+    read_limits,
     read_xml,
     unit_vector,
 )
@@ -70,7 +72,7 @@ def read_urdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> 
 
     Args:
         path: the file; xacro has to be expanded first.
-        pose: positions of joints, zero for others; ``<mimic>`` joints follow theirs. Limits are not looked at.
+        pose: positions of joints, zero for others; ``<mimic>`` joints follow theirs. Beyond limits it warns.
         digits: to which entries of inertias were rounded, see ``Body.from_inertia``.
 
     Raises:
@@ -131,7 +133,9 @@ def _joint(path: Path, element: ET.Element, names: list[str]) -> tuple[str, str,
             for key, default in (("multiplier", "1"), ("offset", "0"))
         )
         follows = (mimic.get("joint", ""), float(factor), float(offset))
-    return ends[0], ends[1], _origin(where, element), Motion(name, UNITS[kind], direction, 0.0, follows)
+    limit = element.find("limit") if kind in ("revolute", "prismatic") else None
+    limits = FREE if limit is None else read_limits(limit.get("lower", "0"), limit.get("upper", "0"))
+    return ends[0], ends[1], _origin(where, element), Motion(name, UNITS[kind], direction, 0.0, follows, limits)
 
 
 def _origin(where: str, parent: ET.Element) -> Frame:
