@@ -60,14 +60,15 @@ def _axis(value: Any) -> tuple[float, float, float]:
     if isinstance(value, str) and value in letters:
         return letters[value]
     if not (isinstance(value, list) and len(value) == 3 and all(map(is_number, value)) and any(value)):
-        raise ValueError("must be x, y or z, or three plain numbers in a list, not all zero, like [1, 1, 0]")
+        rule = "must be x, y or z, or three plain numbers in a list, not all zero, like [1, 1, 0]"
+        raise ValueError(f"{rule}; got {shown(value)}")
     x, y, z = map(float, value)
     return x, y, z
 
 
 def _turns(value: Any) -> float:
     if not is_number(value) or not value > 0:
-        raise ValueError("must be a positive number of oscillations, like 10")
+        raise ValueError(f"must be a positive number of oscillations, like 10; got {shown(value)}")
     return float(value)
 
 

@@ -22,10 +22,11 @@ def checked_number(
         InvalidInput: for anything else, or one out of range.
     """
     refuse_single_precision(**{name: value})
-    number = _as_floats(value)
+    number = as_floats(value)
     if number.shape != () or not _in_range(number, above, least):
         rule = f"a finite number{_range(above, least, unit)}"
-        raise InvalidInput(f"`{name}` must be {rule}; got {shown(value)}. Check its size and sign.")
+        remedy = _remedy(value) or "Check its size and sign."
+        raise InvalidInput(f"`{name}` must be {rule}; got {shown(value)}. {remedy}")
     return jnp.asarray(number)
 
 
@@ -39,12 +40,27 @@ def checked_numbers(
         InvalidInput: for another number of them, or one out of range.
     """
     refuse_single_precision(**{name: value})
-    numbers = _as_floats(value)
+    numbers = as_floats(value)
     numbers = numbers.reshape(()) if numbers.size == 1 else numbers
     if numbers.shape not in ((), (count,)) or not _in_range(numbers, above, least):
         rule = f"one finite number{_range(above, least, unit)}, or one for each of {count}"
-        raise InvalidInput(f"`{name}` must be {rule}; got {shown(value)}. Check their number, sizes and signs.")
+        remedy = _remedy(value) or "Check their number, sizes and signs."
+        raise InvalidInput(f"`{name}` must be {rule}; got {shown(value)}. {remedy}")
     return jnp.asarray(numbers)
+
+
+def checked_times(name: str, value: Real[ArrayLike, "..."]) -> np.ndarray:
+    """Return finite times (P,) of one or a list.
+
+    Raises:
+        InvalidInput: otherwise.
+    """
+    times = np.atleast_1d(as_floats(value))
+    if times.ndim != 1 or not times.size or not np.isfinite(times).all():
+        raise InvalidInput(
+            f"`{name}` must be a finite time [s], or a list of such; got {shown(value)}. {_remedy(value)}".rstrip()
+        )
+    return times
 
 
 def checked_vector(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
@@ -54,9 +70,9 @@ def checked_vector(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"
         InvalidInput: otherwise.
     """
     refuse_single_precision(**{name: value})
-    vector = _as_floats(value)
+    vector = as_floats(value)
     if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise InvalidInput(f"`{name}` must be three finite numbers; got {shown(value)}.")
+        raise InvalidInput(f"`{name}` must be three finite numbers; got {shown(value)}. {_remedy(value)}".rstrip())
     return jnp.asarray(vector)
 
 
@@ -80,13 +96,20 @@ def checked_directions(name: str, value: Real[ArrayLike, "count 3"]) -> Float64[
         InvalidInput: for what is not a list of directions.
     """
     refuse_single_precision(**{name: value})
-    rows = _as_floats(value)
+    rows = as_floats(value)
     if rows.ndim != 2 or rows.shape[-1] != 3 or not len(rows):
         raise InvalidInput(f"`{name}` must be a list of directions (n, 3); got {shown(value)}.")
     return jnp.asarray(np.stack([np.asarray(checked_direction(f"{name}[{k}]", row)) for k, row in enumerate(rows)]))
 
 
-def _as_floats(value: Any) -> np.ndarray:
+def _remedy(value: Any) -> str:
+    """Return what to do about text among numbers; nothing if there is none."""
+    parts = value if isinstance(value, list | tuple) else [value]
+    text = any(isinstance(part, str) for part in parts)
+    return "Give numbers in SI units; text with units is for specs." if text else ""
+
+
+def as_floats(value: Any) -> np.ndarray:
     """Return an array; of a value that is none of numbers, one that no check lets through."""
     try:
         return np.asarray(value, dtype=float)

@@ -29,7 +29,7 @@ class ControlledWheels(AbstractLawActuator, AbstractMount):
     A⁺ its pseudo-inverse, which takes the least sum of squares. One wheel, or two, turn the body about their own axes
     alone, as on a satellite with a bias of momentum: what is asked for across them is left out. Each motor gives at
     most ``max_torque``. Towards higher rates its torque falls to zero over the last fiftieth below ``max_rate``, which
-    no motor exceeds.
+    no motor exceeds; the body, as it turns under a rotor whose motor gives nothing, may carry σ = h/J − a·Ω past it.
 
     The state is the whole axial momentum h (wheels,) of each, as of a ``Wheel``, and then that of the law.
 

@@ -11,6 +11,7 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.systems._checks import as_floats
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
@@ -95,7 +96,12 @@ def checked_moments(moments: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
         InvalidInput: otherwise.
     """
     refuse_single_precision(moments=moments)
-    values = np.asarray(moments, dtype=float)
+    values = as_floats(moments)
     if values.shape != (3,) or not (np.isfinite(values).all() and (values > 0).all()):
-        raise InvalidInput(f"`moments` must be three positive finite numbers [kg m²]; got {shown(values.tolist())}.")
+        given = moments.tolist() if hasattr(moments, "tolist") else moments
+        remedy = " A matrix makes a `Body.from_inertia`; take its `principal_moments`, or `RigidBody.from_body` of it."
+        raise InvalidInput(
+            f"`moments` must be three positive finite numbers [kg m²]; got {shown(given)}."
+            f"{remedy if values.shape == (3, 3) else ''}"
+        )
     return jnp.asarray(values)

@@ -46,7 +46,7 @@ class WheelTable(Strict):
         torque: of its motor, constant.
         friction: of the bearing.
         max_torque: of a controlled wheel's motor.
-        max_rate: of a controlled wheel against the body.
+        max_rate: of a controlled wheel against the body, beyond which its motor does not drive it.
     """
 
     axis: Direction = Field(description="give it like [0.0, 0.0, 1.0], along the given axes")

@@ -10,7 +10,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
-from polhode.systems._checks import checked_number, checked_numbers, checked_vector
+from polhode.systems._checks import checked_number, checked_numbers, checked_times, checked_vector
 from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
 from polhode.systems.torques.base import NEEDED, AbstractTorque, in_body
 from polhode.types import Array, ArrayLike, Float64, Real, Self
@@ -60,8 +60,8 @@ class Thruster(AbstractTorque):
         position: Real[ArrayLike, "3"],
     ) -> None:  # fmt: skip
         refuse_single_precision(at=at, lasting=lasting)
-        begins = _as_list("at", at)
-        spans = _as_list("lasting", lasting)
+        begins = checked_times("at", at)
+        spans = checked_times("lasting", lasting)
         if len(spans) not in (1, len(begins)):
             raise InvalidInput(
                 f"`lasting` must be one time or one for each of the {len(begins)} pulses; got {len(spans)}."
@@ -227,14 +227,3 @@ class DumpingThrusters(AbstractTorque):
     def _find_wanted(self, stored: Array) -> Array:
         band = self.dead_band
         return -self.gain * (stored if band is None else stored - jnp.clip(stored, -band, band))
-
-
-def _as_list(name: str, value: Real[ArrayLike, "..."]) -> np.ndarray:
-    """Return finite times (P,) of one or a list."""
-    try:
-        times = np.atleast_1d(np.asarray(value, dtype=float))
-    except (TypeError, ValueError):
-        times = np.zeros(0)
-    if times.ndim != 1 or not times.size or not np.isfinite(times).all():
-        raise InvalidInput(f"`{name}` must be a finite time [s], or a list of such; got {shown(value)}.")
-    return times
