@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -47,7 +46,7 @@ from polhode.solving import (
 from polhode.systems._agreement import check_agreement, moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.systems.trajectories import make_trajectory
-from polhode.types import Array, ArrayLike, Real
+from polhode.types import Array, ArrayLike, Bool, Real
 
 
 class _Asked(NamedTuple):
@@ -161,18 +160,63 @@ def simulate(
         if is_series(method) and not (resumed and not goes_by_arrays(system, state)):
             return _by_series(system, state, times, method, asked)
         if method is None and (step, order) == (None, None) and (system.series_of_arrays or not resumed):
-            # what has no series, or comes to where they end, moves by other steps
-            with contextlib.suppress(NoSeries):
-                return _by_series(system, state, times, None, asked)
-        if isinstance(system, AbstractLiePoissonSystem) and not is_series(method):
-            if goes_along_orbit(system, method):
-                return _by_equal_steps(system, state, times, method, asked)
-        if resumable or memory is not None:
-            raise InvalidInput(
-                "`resumable` and `memory` go with methods of equal steps, and Taylor series of large arrays; others "
-                "start over."
-            )
-        return _by_adaptive_steps(system, state, times, method, asked)
+            return _by_series_or_other_steps(system, state, times, asked)
+        return _by_other_steps(system, state, times, method, asked)
+
+
+def _by_series_or_other_steps(system: AbstractSystem, state: Array, times: np.ndarray, asked: _Asked) -> Trajectory:
+    """Move by series those copies that have one up to their end, and the others by other steps.
+
+    So each copy moves as it does alone, whatever moves beside it.
+    """
+    batch = np.shape(state)[: np.ndim(state) - system.state_axes]
+    without = np.zeros(batch, bool)
+    while not without.all():
+        try:
+            found = _by_series(system, state[~without] if without.any() else state, times, None, asked)
+        except NoSeries as error:
+            some = error.copies is not None and np.any(error.copies)
+            without[~without] = np.ravel(error.copies) if some else True
+            continue
+        if not without.any():
+            return found
+        return _join(system, without, found, _by_other_steps(system, state[without], times, None, asked), asked)
+    return _by_other_steps(system, state, times, None, asked)
+
+
+def _join(
+    system: AbstractSystem, without: Bool[np.ndarray, "*batch"], found: Trajectory, rest: Trajectory, asked: _Asked
+) -> Trajectory:  # fmt: skip
+    """Return the copies of two trajectories as those of one."""
+
+    def together(of: Callable[[Trajectory], Any]) -> np.ndarray:
+        ours, others = np.asarray(of(found)), np.asarray(of(rest))
+        joined = np.empty((*without.shape, *ours.shape[1:]), np.result_type(ours, others))
+        joined[~without], joined[without] = ours, others
+        return joined
+
+    assert found.ends is not None and rest.ends is not None
+    ends = Ends(*(together(lambda run, k=k: run.ends[k]) for k in range(4)), found.ends.events)
+    received = {name: together(lambda run, name=name: run.received[name]) for name in found.received}
+    error = None if found.error_estimate is None else together(
+        lambda run: np.full(len(run.states), np.inf) if run.error_estimate is None else run.error_estimate
+    )  # fmt: skip
+    steps = max(run.statistics["steps"] for run in (found, rest))
+    fine = ends.status != Status.NOT_CONVERGED
+    motion = AdaptiveMotion(found.times, together(lambda run: run.states), received, None, fine, steps, ends)
+    return _finish(system, "the method", motion, error, asked.throw)
+
+
+def _by_other_steps(system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked) -> Trajectory:
+    if isinstance(system, AbstractLiePoissonSystem) and not is_series(method):
+        if goes_along_orbit(system, method):
+            return _by_equal_steps(system, state, times, method, asked)
+    if asked.resumable or asked.memory is not None:
+        raise InvalidInput(
+            "`resumable` and `memory` go with methods of equal steps, and Taylor series of large arrays; others "
+            "start over."
+        )
+    return _by_adaptive_steps(system, state, times, method, asked)
 
 
 def _by_adaptive_steps(
@@ -180,8 +224,10 @@ def _by_adaptive_steps(
 ) -> Trajectory:
     solver = adaptive_solver(system, method, asked.order)
     motion, named = _solve_past_jumps(system, solver, state, times, _meter(asked.progress), asked)
-    error = None
-    if asked.estimate_error and not (asked.throw and not np.all(motion.successful)):
+    error: Any = None
+    if asked.estimate_error and not np.any(motion.successful):
+        error = np.full(np.shape(motion.successful), np.inf)
+    elif asked.estimate_error and not (asked.throw and not np.all(motion.successful)):
         error = adaptive_error(named, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
     return _finish(system, type(solver).__name__, motion, error, asked.throw)
 
@@ -203,24 +249,22 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
         known = asked.estimate_error and bool(np.any(motion.successful))
         error = series_error(named, method, state, times, motion, asked.step, asked.tolerance) if known else None
     if by_default and not np.all(motion.successful):
-        raise NoSeries("its motion comes to a singularity.")
+        raise NoSeries("its motion comes to a singularity.", ~motion.successful)
     trajectory = _finish(system, type(method).__name__, motion, error, asked.throw)
     if asked.resumable and motion.memory is None:
         raise InvalidInput("`resumable` of Taylor goes with one state of a system without events, jumps and balances.")
     return replace(trajectory, memory=motion.memory) if asked.resumable else trajectory
 
 
-def _finish(
-    system: AbstractSystem, name: str, motion: AdaptiveMotion, error: Array | None, throw: bool
-) -> Trajectory:
+def _finish(system: AbstractSystem, name: str, motion: AdaptiveMotion, error: Array | None, throw: bool) -> Trajectory:
     failed = np.argwhere(~motion.successful)
     which = "" if not np.ndim(motion.successful) or not len(failed) else (
         f" in {len(failed)} of {motion.successful.size} copies, first {_indices(failed[0])}")  # fmt: skip
     if throw and len(failed):
         raise NotConverged(
             f"{name} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
-            "into a singularity, leaves the finite numbers, or its rates jump in time. End it earlier, or let the "
-            "system name such times as `jumps`."
+            "into a singularity, leaves the finite numbers, or its rates jump. End it earlier; let the system name the "
+            "times of jumps as `jumps`; where it comes to rest at a jump, as by dry friction, make that a steep slope."
         )
     ended = np.asarray(motion.ends.status) == Status.EVENT
     if motion.event:

@@ -8,7 +8,8 @@ from scipy.spatial.transform import Rotation
 
 import polhode as ph
 from polhode.algebra import Heisenberg
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, NotConverged
+from polhode.motion import Status
 from polhode.systems import LiePoisson, RigidBody, SolarPressure, Wheel
 from polhode.taylor import machine, sides, switching
 from polhode.taylor.expressions import Untraceable
@@ -131,6 +132,49 @@ def test_what_comes_to_rest_at_a_border_is_refused():
     start = body.pack((1, 0, 0, 0), (0, 0, 0), rates=[10.0])
     with pytest.raises(InvalidInput, match=r"lead back to each other|along whose border"):
         ph.simulate(body, start, [0.0, 50.0], method=ph.integrators.Taylor())
+
+
+def test_what_comes_to_rest_is_said_and_what_moves_beside_it_goes_on():
+    """Two wheels come to rest, at 40 and 16 s, where steps shrink to nothing; the others move as they do alone."""
+    body = RigidBody((1e9, 1e9, 1e9), [Wheel((0, 0, 1), 2.0, friction)])
+    starts = np.stack([body.pack((1, 0, 0, 0), (0, 0, 0), rates=[rate]) for rate in (10.0, 20.0, 4.0, 18.0)])
+    times = np.linspace(0.0, 50.0, 6)
+    run = ph.simulate(body, starts.reshape(2, 2, -1), times, throw=False)
+    assert run.ends.status.tolist() == [[Status.NOT_CONVERGED, Status.COMPLETED]] * 2
+    rates = run.part("rotor_momentum") / 2.0
+    for k, rate in enumerate((20.0, 18.0)):
+        alone = ph.simulate(body, starts[2 * k + 1], times)
+        np.testing.assert_array_equal(alone.states, run.states[k, 1])
+        assert alone.error_estimate == run.error_estimate[k, 1] < SAME
+        assert rates[k, 1] == pytest.approx(rate - 0.25 * times, abs=1e-7)  # the body turns by 1e-9 of it
+    assert not np.isfinite(run.error_estimate[:, 0]).any() and not np.isfinite(rates[:, 0, -1]).any()
+    assert rates[0, 0, :4] == pytest.approx(10.0 - 0.25 * times[:4], abs=1e-7)
+    with pytest.raises(NotConverged, match="comes to rest at a jump"):
+        ph.simulate(body, starts[0], times)
+    with pytest.raises(InvalidInput, match=r"lead back to each other|along whose border"):
+        ph.simulate(body, starts, times, method=ph.integrators.Taylor)
+
+
+@pytest.mark.parametrize("direction, per_arc", [("rising", 1), ("falling", 1), ("either", 2)])
+def test_sections_go_past_corners(direction, per_arc):
+    """q = 1 is crossed twice on each arc of one side, 300 times and more, so that room for them is made on the way."""
+    found = ph.section(wedge(), [0.0, 1.5, 1.0], lambda t, m: m[0] - 1.0, (0.0, 999.0), direction)
+    # q = p₀ s − s²/2 = 1 at s = p₀ ∓ √(p₀² − 2), on every other arc of 2 p₀; the algebra's sign tells on which
+    arcs = 6.0 * np.arange(170)[:, None] + 1.5 + np.array([-0.5, 0.5])
+    first = 0.0 if ph.simulate(wedge(), [0.0, 1.5, 1.0], [0.0, 0.1]).states[-1, 0] > 0.0 else 3.0
+    wanted = (arcs + first)[:, {"rising": [0], "falling": [1], "either": [0, 1]}[direction]].ravel()
+    wanted = wanted[wanted < 999.0]
+    assert len(wanted) > 160 * per_arc
+    assert found.times == pytest.approx(wanted, abs=1e-11)
+    assert np.abs(found.states[:, 0] - 1.0).max() < 1e-13
+    few = ph.section(wedge(), [0.0, 1.5, 1.0], lambda t, m: m[0] - 1.0, (0.0, 999.0), direction, most=5)
+    np.testing.assert_array_equal(few.times, found.times[:5])
+
+
+def test_sections_of_surfaces_with_corners():
+    """|q| = 1 on every arc."""
+    found = ph.section(wedge(), [0.0, 1.5, 1.0], lambda t, m: jnp.abs(m[0]) - 1.0, (0.0, 300.0))
+    assert found.times == pytest.approx(3.0 * np.arange(100) + 1.0, abs=1e-12)
 
 
 def test_a_border_that_is_not_minded_is_seen(monkeypatch):

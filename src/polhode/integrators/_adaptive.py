@@ -42,6 +42,7 @@ from polhode.types import Array, Bool, Double, Float64
 
 TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left
 STRETCH = 20_000  # steps in one call, which take from a tenth of a second to some seconds
+ENDLESS = MOST_STEPS  # that the rest would take at the pace of a stretch: a motion that two stretches find so is stuck
 AS_ONE = 8  # copies of a batch that cost about as much as one
 LOOSER = 100.0  # the tolerance of the second run, by which the error is estimated
 GAIN = 20.0  # at least so much larger its error is
@@ -248,13 +249,18 @@ def _by_stretches(
     by, run = _begin(system, states, times, kept)
     stretch = STRETCH // -(-(run.time.size) // AS_ONE)
     first, last = float(times[0]), float(times[-1])
-    shown = meter.init()
+    shown, before = meter.init(), np.zeros(run.time.shape)
+    slow = np.zeros(run.time.shape, bool)
     with keep_interrupts() as check:
         for limit in (*range(stretch, MOST_STEPS, stretch), MOST_STEPS):
             run = _stretch(system, solver, by, run, times, kept, largest, tolerance, jnp.asarray(limit))
             status = np.asarray(run.status)
             check()
             reached = np.where(status == embedded.RUNNING, (np.asarray(run.time) - first) / (last - first), 1.0)
+            # as where rates jump and lead back from both sides, and steps are as short as the tolerance makes them
+            endless = (1.0 - reached) * stretch > ENDLESS * (reached - before)
+            status = np.where(endless & slow & (status == embedded.RUNNING), Status.NOT_CONVERGED, status)
+            run, slow, before = run._replace(status=jnp.asarray(status)), endless, reached
             shown = meter.step(shown, jnp.asarray(reached.mean()))
             if not (status == embedded.RUNNING).any():
                 break

@@ -22,7 +22,7 @@ from polhode.taylor.expressions import Untraceable
 from polhode.taylor.flight import MOST_STEPS
 from polhode.taylor.machine import build_machine, count_operations
 from polhode.taylor.runs import EXTENDED_LOCAL, LOCAL, Precision, Runs, choose_precision, run_copies
-from polhode.types import Array, Double, Float64
+from polhode.types import Array, Bool, Double, Float64
 
 LOWEST, HIGHEST = 4, 60  # orders
 PRECISIONS = "double", "extended"
@@ -37,7 +37,15 @@ FEWEST = 4.0  # roundings of the last step and of the sample itself
 
 
 class NoSeries(InvalidInput):
-    """A motion that series cannot follow, whatever their order."""
+    """A motion that series cannot follow, whatever their order.
+
+    Attributes:
+        copies: (C,) which copies of a batch they cannot follow; None where it is all of them.
+    """
+
+    def __init__(self, message: str, copies: Bool[Array, "copies"] | None = None) -> None:
+        super().__init__(message)
+        self.copies = copies
 
 
 @dataclass(frozen=True)
@@ -297,8 +305,8 @@ def _run_or_refuse(
                        else "Leave out `method`, or give a solver of diffrax.")  # fmt: skip
             raise NoSeries(
                 f"{type(system).__name__} cannot be moved by Taylor series: its rates of change contain {error}. "
-                f"{instead}"
-            ) from None
+                f"{instead}", error.copies,
+            ) from None  # fmt: skip
         if meter is not None:
             meter.close(shown_state[0])
     if (steps := int(runs.steps.max())) >= MOST_STEPS:

@@ -18,12 +18,21 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode.taylor.kernel_kepler import eccentric_anomaly_at
+from polhode.types import Array, Bool
 
 MOST_NODES = 40_000  # of a tape; larger fields are better stepped by operations on whole arrays
 
 
 class Untraceable(Exception):
-    """A field with an operation that a tape does not have; the message names it."""
+    """A field with an operation that a tape does not have; the message names it.
+
+    Attributes:
+        copies: (C,) which copies come to it; None where all do.
+    """
+
+    def __init__(self, what: str, copies: Bool[Array, "copies"] | None = None) -> None:
+        super().__init__(what)
+        self.copies = copies
 
 
 class Operation(IntEnum):

@@ -69,7 +69,7 @@ def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Ar
 
     Each part that is searched ends at twice the time where it begins, as the last time may be far beyond all changes.
     """
-    left, right = low, low
+    left, right, was = low, low, polynomial(p, order, low)
     while right < high:
         # before this there is none: all terms together are less than the first
         nearest = high
@@ -78,18 +78,25 @@ def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Ar
                 # for x ≤ ½ (|p₀|/|p_k|)^(1/k) each |p_k| x^k ≤ 2^−k |p₀|, and their sum is less than |p₀|
                 nearest = min(nearest, 0.5 * (abs(p[0]) / abs(p[k])) ** (1.0 / k))
         right = min(2.0 * max(left, nearest, NEAREST * high), high)
-        zero = change_within(p, order, left, right, falling, work, waiting)
+        zero = change_within(p, order, left, right, falling, was, work, waiting)
         if zero == zero:
             return zero
-        left = right
+        left, later = right, polynomial(p, order, right)
+        if changes_sign(was, later, falling):  # at the very end
+            return right
+        was = later if later != 0.0 else was
     return np.nan
 
 
-def change_within(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Array, waiting: Array) -> Any:
+def change_within(
+    p: Array, order: Any, low: Any, high: Any, falling: Any, was: Any, work: Array, waiting: Array
+) -> Any:  # fmt: skip
     """Return the first sign change between low and high; NaN if none.
 
     An interval is left where the middle's value exceeds all that the others add up to, searched where it is monotone,
-    and halved otherwise, so that no change is missed.
+    and halved otherwise, so that no change is missed. One that lies at the end of an interval, to the bit or within
+    rounding of it, is in neither of the two that meet there: ``was``, a value of the sign before the interval, or zero
+    at the start of a motion from a zero, tells it.
     """
     top = 1
     waiting[0], waiting[1] = low, high
@@ -111,15 +118,27 @@ def change_within(p: Array, order: Any, low: Any, high: Any, falling: Any, work:
                 slopes = slopes * radius + k * abs(work[k])
         others, slopes = others * radius, slopes * radius
         if abs(work[0]) > others:
+            if changes_sign(was, work[0], falling):
+                return left
+            was = work[0]
             continue
         if not abs(work[0]) < np.inf:
             return np.nan
         if abs(work[1]) > slopes or radius <= 1e-15 * high or top + 2 > DEPTH:
             before, after = polynomial(p, order, left), polynomial(p, order, right)
-            if before > 0.0 >= after or (not falling and before < 0.0 <= after):
+            if changes_sign(was, before, falling):
+                return left
+            was = before if before != 0.0 else was
+            if changes_sign(was, after, falling):
                 return zero_between(p, order, left, right)
+            was = after if after != 0.0 else was
             continue
         waiting[2 * top], waiting[2 * top + 1] = centre, right
         waiting[2 * top + 2], waiting[2 * top + 3] = left, centre
         top += 2
     return np.nan
+
+
+def changes_sign(before: Any, after: Any, falling: Any) -> Any:
+    """Whether a value has come to zero or beyond it, from above or, unless it has to fall, from below."""
+    return before > 0.0 >= after or (not falling and before < 0.0 <= after)

@@ -21,7 +21,7 @@ from polhode.taylor.kernel_space import HITS, STEPS, Copies, Course
 from polhode.taylor.machine import Machine, build_machine
 from polhode.taylor.program import Program
 from polhode.taylor.sides import Signs
-from polhode.taylor.switching import fly_past_branches
+from polhode.taylor.switching import Watched, fly_past_branches
 from polhode.types import Array, Double, Float64, Integer
 
 ORDER, LOCAL = 24, 1e-19  # to rounding: of an order at which errors of single steps do not add up with one sign
@@ -251,7 +251,7 @@ def find_crossings(
     Raises:
         Untraceable: if rates, events or the function are not made of operations that have a recurrence.
     """
-    plan = _plan(system, state, times, precision, math.inf, through)
+    plan = _plan(system, state, times, precision, math.inf, through, branching=True)
     form, size = plan.machines[0].form, plan.machines[0].program.size
     y = np.zeros((1, size))
     y[0, : form.size] = form.flat(state)
@@ -280,21 +280,26 @@ def _fly_through(plan: Plan, copies: Copies, check: Callable[[float], None], wat
         falling[-1], stops[-1] = watch.falling, False
     first, last = plan.borders[0], plan.borders[-1]
     share = lambda t: (t - first) / (last - first)  # noqa: E731
+    watched = Watched(falling, stops, 1 if watch is None else watch.most, _enlarge)
     signs: Signs = ()
     for k, between in enumerate(itertools.pairwise(plan.borders)):
         machine = plan.machines[k] if k < len(plan.machines) else plan.build(between, signs=signs)
-        end = between[1]
+        course_of = partial(_course, plan, between[1])
         if machine.branches is not None:
-            signs = fly_past_branches(copies, machine, partial(plan.build, between), partial(_course, plan, end),
-                                      check, share)  # fmt: skip
+            copies, signs = fly_past_branches(copies, machine, partial(plan.build, between), course_of, check, share,
+                                              watched)  # fmt: skip
             continue
-        course = _course(plan, end, copies, machine, falling, stops)
+        course = course_of(copies, machine, falling, stops)
         fly(copies, machine, course, check, share)
         while watch is not None and copies.status[0] == kernel.FULL and copies.counts[0, HITS] < watch.most:
-            copies = copies._replace(hits=np.concatenate([copies.hits, np.zeros_like(copies.hits)], axis=1))
+            copies = _enlarge(copies)
             copies.status[0] = kernel.RUNNING
             fly(copies, machine, course, check, share)
     return copies
+
+
+def _enlarge(copies: Copies) -> Copies:
+    return copies._replace(hits=np.concatenate([copies.hits, np.zeros_like(copies.hits)], axis=1))
 
 
 def _course(plan: Plan, end: float, copies: Copies, machine: Machine, falling: Array, stops: Array) -> Course:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,20 +14,39 @@ from polhode.taylor.flight import fly
 from polhode.taylor.kernel_space import EVENT, HITS, STEPS, TIME, Copies, Course
 from polhode.taylor.machine import Machine
 from polhode.taylor.sides import Branches, Signs, settle
-from polhode.types import Array, Integer
+from polhode.types import Array, Bool, Integer
 
-HELD = -1  # the status of copies that wait while others move
+HELD, STRANDED = -1, -2  # the status of copies that wait while others move, and of those that series take no further
 MOST_CROSSINGS = 20_000  # of a copy, from which on other steps take less time
 MOST_AT_ONCE = 16  # at the same time
 SETTLED, MOST_STEPS = 50, 100_000  # steps since the last crossing, after which a border may not be near, and at most
+APPROACHED = "a branch on something that moves, whose border the motion approaches and never crosses"
+UNSEEN = "a branch on something that moves, whose border it has crossed unseen"
+TOO_OFTEN = "branches on something that moves, whose borders it crosses too often"
+
+
+class Watched(NamedTuple):
+    """What is watched besides borders.
+
+    Attributes:
+        falling: (W,) whether only changes from positive to negative count.
+        stops: (W,) whether they end the motion.
+        most: how many of those that do not are noted.
+        enlarge: makes room for more of them.
+    """
+
+    falling: Bool[Array, "watched"]
+    stops: Bool[Array, "watched"]
+    most: int
+    enlarge: Callable[[Copies], Copies]
 
 
 def fly_past_branches(
     copies: Copies, machine: Machine, build: Callable[..., Machine],
     course_of: Callable[[Copies, Machine, Array, Array], Course], check: Callable[[float], None],
-    share: Callable[[float], float],
-) -> Signs:  # fmt: skip
-    """Go on up to the end of a course, as ``fly`` does, and return the sides on which a copy is then.
+    share: Callable[[float], float], watched: Watched,
+) -> tuple[Copies, Signs]:  # fmt: skip
+    """Go on up to the end of a course, as ``fly`` does.
 
     Args:
         copies: which are changed.
@@ -34,90 +54,126 @@ def fly_past_branches(
         build: returns the machine for other ``signs``.
         course_of: returns the course by a machine; with which watched functions have to fall, and which end it.
         check, share: as of ``fly``.
+        watched: what the machine watches before the borders.
+
+    Returns:
+        The copies, which may have more room, and the sides on which a copy is then.
 
     Raises:
-        Untraceable: where a motion goes along a border, crosses too many, or comes to a border from two sides.
+        Untraceable: naming the copies whose motion goes along a border, crosses too many, or comes to a border from
+            two sides; the others have come to the end.
     """
-    status, count = copies.status, len(copies.status)
-    events = len(machine.events)
-    open_ = np.isin(status, (kernel.RUNNING, kernel.DONE))
-    if machine.clock >= 0:
-        copies.y[:, machine.clock] = copies.now[:, TIME]
-    assert machine.branches is not None
-    signs: list[Signs] = [machine.branches.signs] * count
-    machine_of = cache(lambda each: build(signs=each))  # asked at each crossing, and hashing a system takes long
-    branches_of = lambda each: _branches(machine_of(each))  # noqa: E731
-    nowhere = np.full(count, -1)
-    forth = course_of(copies, machine, np.ones(0, bool), np.ones(0, bool)).forth
-    _settle_some(branches_of, copies, signs, np.flatnonzero(open_), nowhere, forth)
-    crossings, at_once, latest = np.zeros(count, int), np.zeros(count, int), np.full(count, np.nan)
-    steps = copies.counts[:, STEPS].copy()  # at the last crossing
-    while (left := np.flatnonzero(open_)).size:
-        each = signs[left[0]]
-        together = np.array([k for k in left if signs[k] == each])
-        now, before = machine_of(each), status.copy()
+    journey = _Journey(copies, machine, build, course_of, watched)
+    while (left := np.flatnonzero(journey.open)).size:
+        each = journey.signs[left[0]]
+        together = np.array([k for k in left if journey.signs[k] == each])
+        journey.go_on(each, together, check, share)
+    if (lost := journey.copies.status == STRANDED).any():
+        raise Untraceable(journey.reason, lost)
+    return journey.copies, journey.signs[0]
+
+
+class _Journey:
+    """Copies on their way, each with the sides on which it is."""
+
+    def __init__(self, copies: Copies, machine: Machine, build: Callable[..., Machine],
+                 course_of: Callable[[Copies, Machine, Array, Array], Course], watched: Watched) -> None:  # fmt: skip
+        count = len(copies.status)
+        self.copies, self.course_of, self.watched, self.reason = copies, course_of, watched, ""
+        self.machine_of = cache(lambda each: build(signs=each))  # asked often, and hashing a system takes long
+        self.open: Bool[Array, "copies"] = np.isin(copies.status, (kernel.RUNNING, kernel.DONE))
+        if machine.clock >= 0:
+            copies.y[:, machine.clock] = copies.now[:, TIME]
+        self.signs: list[Signs] = [_branches(machine).signs] * count
+        self.forth = course_of(copies, machine, np.ones(0, bool), np.ones(0, bool)).forth
+        self.crossings, self.at_once, self.latest = np.zeros(count, int), np.zeros(count, int), np.full(count, np.nan)
+        self.steps = copies.counts[:, STEPS].copy()  # at the last crossing
+        self._settle(np.flatnonzero(self.open), np.full(count, -1))
+
+    def go_on(
+        self, each: Signs, together: Integer[np.ndarray, "some"], check: Callable[[float], None],
+        share: Callable[[float], float],
+    ) -> None:  # fmt: skip
+        """Move copies that are on the same sides to where they leave these, or to their end."""
+        machine, status = self.machine_of(each), self.copies.status
+        branches, own = _branches(machine), len(self.watched.falling)
+        before = status.copy()
         status[:] = HELD
         status[together] = kernel.RUNNING
-        watched = np.ones(events + len(_branches(now).watched), bool)
+        borders = np.ones(len(branches.watched), bool)
+        course = self.course_of(self.copies, machine, np.append(self.watched.falling, borders),
+                                np.append(self.watched.stops, borders))  # fmt: skip
 
-        def check_borders(part: float, now: Machine = now, some: Array = together) -> None:
+        def check_borders(part: float) -> None:
             check(part)
-            _check_distance(_branches(now), copies, some, steps)
+            self._check_distance(branches, together)
 
-        fly(copies, now, course_of(copies, now, watched, watched), check_borders, share, SETTLED)
+        fly(self.copies, machine, course, check_borders, share, SETTLED)
         after = status.copy()
         status[:] = before
         status[together] = after[together]
-        crossed = nowhere.copy()
+        crossed = np.full(len(status), -1)
         for k in together:
-            event = int(copies.counts[k, EVENT])
-            if status[k] == kernel.STOPPED and event >= events:
-                crossed[k] = _branches(now).place(event - events)
-                status[k], copies.counts[k, HITS] = kernel.RUNNING, 0
-                crossings[k] += 1
-                at_once[k] = at_once[k] + 1 if copies.now[k, TIME] == latest[k] else 0
-                latest[k], steps[k] = copies.now[k, TIME], copies.counts[k, STEPS]
+            event = int(self.copies.counts[k, EVENT])
+            if status[k] == kernel.STOPPED and event >= own:
+                crossed[k] = branches.place(event - own)
+                self._cross(k)
             else:
-                open_[k] = False
-        if crossings.max() > MOST_CROSSINGS or at_once.max() > MOST_AT_ONCE:
-            raise Untraceable("branches on something that moves, whose borders it crosses too often")
-        _settle_some(branches_of, copies, signs, np.flatnonzero(crossed >= 0), crossed, forth)
-        _check_ends(_branches(now), copies, together[status[together] == kernel.DONE])
-    return signs[0]
+                self.open[k] = False
+        full = together[(status[together] == kernel.FULL) & (self.copies.counts[together, HITS] < self.watched.most)]
+        if full.size:
+            self.copies = self.watched.enlarge(self.copies)
+            status[full], self.open[full] = kernel.RUNNING, True
+        self._settle(np.flatnonzero(crossed >= 0), crossed)
+        done = together[self.copies.status[together] == kernel.DONE]
+        if done.size and not branches.hold(np.asarray(self.copies.y)[done]):
+            self._strand([k for k in done if not branches.hold(np.asarray(self.copies.y)[[k]])], UNSEEN)
+
+    def _cross(self, k: int) -> None:
+        """Note that a copy has come to a border, which is no event of its own."""
+        now, counts = self.copies.now, self.copies.counts
+        self.copies.status[k] = kernel.RUNNING
+        counts[k, HITS] -= 1
+        self.crossings[k] += 1
+        self.at_once[k] = self.at_once[k] + 1 if now[k, TIME] == self.latest[k] else 0
+        self.latest[k], self.steps[k] = now[k, TIME], counts[k, STEPS]
+        if self.crossings[k] > MOST_CROSSINGS or self.at_once[k] > MOST_AT_ONCE:
+            self._strand([k], TOO_OFTEN)
+
+    def _settle(self, some: Integer[np.ndarray, "some"], crossed: Integer[np.ndarray, "copies"]) -> None:
+        """Find the sides on which copies go on, one by one where one of them has none."""
+        some = some[self.open[some]]
+        branches_of = lambda each: _branches(self.machine_of(each))  # noqa: E731
+        try:
+            found = settle(branches_of, np.asarray(self.copies.y)[some], [self.signs[k] for k in some], crossed[some],
+                           self.forth) if some.size else []  # fmt: skip
+        except Untraceable as error:
+            if some.size == 1:
+                self._strand(some, str(error))
+            else:
+                for k in some:
+                    self._settle(np.array([k]), crossed)
+            return
+        for k, each in zip(some, found, strict=True):
+            self.signs[k] = each
+
+    def _check_distance(self, branches: Branches, some: Integer[np.ndarray, "some"]) -> None:
+        """Take copies out that come ever nearer to a border, where steps would shrink to nothing."""
+        since = self.copies.counts[some, STEPS] - self.steps[some]
+        running = self.copies.status[some] == kernel.RUNNING
+        late = some[(since > SETTLED) & running]
+        if late.size and branches.touches_border(np.asarray(self.copies.y)[late]):
+            near = [k for k in late if branches.touches_border(np.asarray(self.copies.y)[[k]])]
+            self._strand(near, APPROACHED)
+        if (long := some[(since > MOST_STEPS) & running]).size:
+            self._strand(long, APPROACHED)
+
+    def _strand(self, some: Any, reason: str) -> None:
+        self.reason = self.reason or reason
+        self.copies.status[some] = STRANDED
+        self.open[some] = False
 
 
 def _branches(machine: Machine) -> Branches:
     assert machine.branches is not None
     return machine.branches
-
-
-def _settle_some(
-    branches_of: Callable[[Signs], Branches], copies: Copies, signs: list[Signs], some: Integer[np.ndarray, "some"],
-    crossed: Integer[np.ndarray, "copies"], forth: float,
-) -> None:  # fmt: skip
-    if some.size:
-        found = settle(branches_of, np.asarray(copies.y)[some], [signs[k] for k in some], crossed[some], forth)
-        for k, each in zip(some, found, strict=True):
-            signs[k] = each
-
-
-def _check_distance(branches: Branches, copies: Copies, some: Array, steps: Array) -> None:
-    """Refuse motions that come ever nearer to a border, where steps would shrink to nothing.
-
-    Raises:
-        Untraceable: for such a one.
-    """
-    since = copies.counts[some, STEPS] - steps[some]
-    late = some[(since > SETTLED) & (copies.status[some] == kernel.RUNNING)]
-    if late.size and (since.max() > MOST_STEPS or branches.touches_border(np.asarray(copies.y)[late])):
-        raise Untraceable("a branch on something that moves, whose border the motion approaches and never crosses")
-
-
-def _check_ends(branches: Branches, copies: Copies, some: Integer[np.ndarray, "some"]) -> None:
-    """Refuse motions that have come to another side unseen.
-
-    Raises:
-        Untraceable: for such a one.
-    """
-    if some.size and not branches.hold(np.asarray(copies.y)[some]):
-        raise Untraceable("a branch on something that moves, whose border it has crossed unseen")
