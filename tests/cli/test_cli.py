@@ -129,7 +129,7 @@ def test_meshes_that_are_no_bodies(spec, capsys, tmp_path):
     code, _, err = run(["body", spec(text.replace("part", "none"))], capsys)
     assert code == 2 and "no such mesh file" in err
     code, _, err = run(["body", spec(text.replace('mesh_unit = "mm"\n', ""))], capsys)
-    assert code == 2 and "mesh files carry no units" in err
+    assert code == 2 and "mesh files carry no unit" in err
 
 
 HEAVY = ("jax", "matplotlib", "xarray", "trimesh", "scipy", "pint", "sympy")

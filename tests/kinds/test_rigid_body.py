@@ -13,6 +13,7 @@ from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import build_spec, read_spec
 from polhode.kinds.rigid_body import answers
+from polhode.rotation import as_matrix
 from polhode.spec.keys import number_at
 from polhode.sweeps.evaluation import Evaluator
 from polhode.sweeps.plan import read_plan
@@ -48,6 +49,40 @@ def test_ten_lines_say_that_a_satellite_stays_under_gravity(tmp_path):
     turned = spec(tmp_path, HEAD + BODY.replace('"85 kg*m^2", "2500 kg*m^2"', '"2500 kg*m^2", "85 kg*m^2"') + SPIN
                   + ORBIT + GRAVITY + END).report()  # fmt: skip
     assert turned.values()["gravity"]["verdict"] == "unstable"
+
+
+THOMSON = HEAD + """[body]
+moments = ["100 kg*m^2", "100 kg*m^2", "130 kg*m^2"]
+[spin]
+attitude = { axis = [1, 0, 0], angle = "0.01 deg" }
+angular_velocity = ["0 rad/s", "0 rad/s", "0.005 rad/s"]
+[orbit]
+period = "6000 s"
+""" + GRAVITY + '[time]\nuntil = "30000 s"\nsamples = 601\n'
+
+
+def test_the_axis_of_a_spinning_satellite_rests_and_swings_at_the_rates_that_are_said(tmp_path):
+    found = spec(tmp_path, THOMSON).report()
+    values = found.values()["gravity"]
+    assert (values["case"], values["region"], values["verdict"]) == ("cylindrical", "static", "stable")
+    assert values["from_rest"]["start"] == pytest.approx(math.radians(0.01), rel=1e-9)
+    assert values["from_rest"]["largest"] < math.radians(0.011)
+    assert "along the orbit's normal, is stable" in found.summary
+    # the small motion of the axis across the normal, in the orbit's frame, is made of both frequencies and no others
+    trajectory, n = found.trajectory, 2 * math.pi / 6000
+    across = np.asarray(as_matrix(trajectory.attitude))[:, :2, 2] @ [1.0, 1j] * np.exp(-1j * n * trajectory.times)
+
+    def left(periods):
+        phases = 2 * math.pi * trajectory.times[:, None] / np.array([*periods, *(-p for p in periods)])
+        waves = np.exp(1j * phases)
+        return np.abs(across - waves @ np.linalg.lstsq(waves, across, rcond=None)[0]).max() / np.abs(across).max()
+
+    assert left(values["axis_periods"]) < 1e-4
+    assert left([values["axis_periods"][0], 1.01 * values["axis_periods"][1]]) > 1e-2
+    slow = THOMSON.replace('"130 kg*m^2"', '"70 kg*m^2"').replace("0.005 rad/s", "0.001 rad/s")
+    thrown = spec(tmp_path, slow).report()
+    assert thrown.values()["gravity"]["verdict"] == "unstable"
+    assert thrown.values()["gravity"]["from_rest"]["largest"] > math.radians(1.0)
 
 
 @pytest.mark.long
@@ -152,6 +187,11 @@ def test_what_is_wrong_is_refused_at_its_place(tmp_path, changed, place, said):
 def test_refusals_of_the_system_name_the_table(tmp_path):
     with pytest.raises(InvalidInput, match=r"wheel\.1|`mounts`"):
         spec(tmp_path, HEAD + BODY + '[[wheel]]\naxis = [0, 0, 1]\nmoment = "1e4 kg*m^2"\n').report()
+    fast = '[[wheel]]\naxis = [0, 0, 1]\nmoment = "1 g*m^2"\nrate = "100 rpm"\nmax_rate = "50 rpm"\n'
+    fast += 'max_torque = "1 N*m"\n'
+    law = '[control]\nlaw = "quaternion-pd"\ngain = "1 N*m"\nrate_gain = "1 N*m*s"\n'
+    with pytest.raises(InvalidInput, match=r"wheel\.1: its rate at the start, 10.472 rad/s, is beyond its max_rate"):
+        spec(tmp_path, HEAD + BODY + fast + law).report()
     for orbit in ('altitude = "500 km"\neccentricity = 0.5\n', 'period = "1 s"\n'):
         with pytest.raises(InvalidInput, match="of the Earth's centre"):
             spec(tmp_path, f"{HEAD}{BODY}[orbit]\n{orbit}{GRAVITY}").report()

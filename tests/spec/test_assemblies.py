@@ -188,8 +188,14 @@ def test_density_of_a_cut(read):
     bolt = '[[body.part]]\nshape = "point"\nmass = "1 g"\nat = ["1 cm", "0 m", "0 m"]\n'
     assert read(PLATE + bolt).body.mass == pytest.approx(read(PLATE).body.mass + 1e-3, rel=EXACT)
     steel = '[[body.part]]\nshape = "sphere"\nradius = "1 cm"\ndensity = "7850 kg/m^3"\nat = ["1 m", "0 m", "0 m"]\n'
-    with pytest.raises(InvalidInput, match=r"body.part.2: says neither mass nor density, and what it is cut from"):
+    with pytest.raises(InvalidInput, match=r"body.part.2: says neither mass nor density, and the shapes and meshes"):
         read(PLATE + steel)
+    motor = '[[body.part]]\nmass = "1 g"\ninertia = [ROW_X, ROW_Y, ROW_Z]\n'  # nothing is cut of it
+    for k, row in enumerate("XYZ"):
+        zeros = ['"0 kg*m^2"'] * 3
+        zeros[k] = '"1e-9 kg*m^2"'
+        motor = motor.replace(f"ROW_{row}", f"[{', '.join(zeros)}]")
+    assert read(PLATE + motor).body.mass == pytest.approx(read(PLATE).body.mass + 1e-3, rel=EXACT)
 
 
 def test_what_cuts_leave_must_be_a_body(read):

@@ -10,6 +10,8 @@ from polhode.bodies._mesh_repair import repair_mesh
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
+THICKEST = 0.25  # of a mesh's size: the moments of a sheet are off by the square of that
+
 
 def mass_properties(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], *, mass: float | None, density: float | None,
@@ -49,6 +51,12 @@ def sheet_properties(
             )
     vertices, faces = as_mesh(vertices, faces, least=1)
     area, center, second = area_moments(vertices[faces])
+    widest = float(np.ptp(vertices[faces], axis=(0, 1)).max())
+    if thickness is not None and thickness > THICKEST * widest:
+        raise InvalidInput(
+            f"`thickness` {thickness:g} m is no thin sheet's: it must be at most {THICKEST:g} of the mesh's size, "
+            f"{widest:.4g} m. Check its unit, or give the solid."
+        )
     whole = float(mass if mass is not None else density * thickness * area)  # type: ignore[operator]
     return MassProperties(whole, center, whole / area * inertia_of_second(second))
 

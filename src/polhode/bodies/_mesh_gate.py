@@ -122,7 +122,8 @@ def _check_edges(faces: np.ndarray, repaired: bool) -> None:
     if open_edges := int((edges.uses == 1).sum()):
         raise InvalidInput(
             f"the mesh is open: {open_edges} edges border only one triangle, so it encloses nothing. "
-            + ("Repair closes holes of up to 4 edges, or up to a twentieth of the mesh wide. Close the surface."
+            + ("Repair closes holes up to a twentieth of the mesh wide, and those of one or two lost triangles. Close "
+               "the surface; a sheet is a part with shell = true."
                if repaired else
                f"Close the surface, or merge duplicate corners, or read the file with repair: {ASKED}.")
         )

@@ -15,7 +15,8 @@ from polhode.types import ArrayLike, Float64, Integer, Real
 
 SMALL_HOLE = 0.05  # of the mesh's extent: what may be closed flat changes volume by less than 1e-4 of it
 MOST_EDGES = 200  # of a small hole
-ANY_SIZE = 4  # edges of a hole that one or two triangles close, however large
+LOST = 3, 4  # edges of holes that one or two lost triangles leave, however large these were …
+FLAT = 0.87  # … two of them only where they go on a neighbour's plane, within 30°: an open box is no damage
 
 
 class Repaired(NamedTuple):
@@ -42,8 +43,8 @@ def repair_mesh(
     Args:
         vertices: (n, 3) corners [m].
         faces: (m, 3) indices of corners.
-        holes: whether small holes are closed: those of at most 4 edges, and others that are no wider than a twentieth
-            of the mesh.
+        holes: whether small holes are closed: those no wider than a twentieth of the mesh, those of 3 edges, and those
+            of 4 edges where a triangle at the rim goes on flat.
 
     Raises:
         InvalidInput: if a piece of the surface has only one side.
@@ -115,22 +116,35 @@ def _orient_faces(faces: np.ndarray) -> np.ndarray:
 def _close_holes(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, list[str]]:
     """Close small holes, each by triangles between the corners of its rim."""
     edges = find_edges(faces)
-    rim = edges.ends[edges.uses[edges.number] == 1]
+    open_ = edges.uses[edges.number] == 1
+    rim = edges.ends[open_]
     if len(rim) == 0:
         return faces, []
+    beside = {frozenset(ends): face for ends, face in zip(rim.tolist(), edges.face[open_], strict=True)}
     extent = float(np.ptp(vertices[faces], axis=(0, 1)).max())
     added, widest, longest, closed = [], 0.0, 0, 0
     for loop in _find_loops(rim):
         corners = vertices[loop]
         width = float(np.ptp(corners, axis=0).max())
-        if len(loop) > ANY_SIZE and (width > SMALL_HOLE * extent or len(loop) > MOST_EDGES):
+        cap = np.asarray(loop)[_span(corners)]
+        neighbours = [beside[frozenset(ends)] for ends in zip(loop, np.roll(loop, -1).tolist(), strict=True)]
+        small = width <= SMALL_HOLE * extent and len(loop) <= MOST_EDGES
+        if not (small or len(loop) == LOST[0] or (len(loop) == LOST[1] and _is_flat(vertices, cap, faces[neighbours]))):
             continue
-        added.append(np.asarray(loop)[_span(corners)])
+        added.append(cap)
         widest, longest, closed = max(widest, width), max(longest, len(loop)), closed + 1
     if not added:
         return faces, []
     holes, share = f"{closed} hole{'s' if closed > 1 else ''}", widest / extent
     return np.vstack([faces, *added]), [f"closed {holes} of up to {longest} edges and {share:.2g} of the mesh's size"]
+
+
+def _is_flat(vertices: np.ndarray, cap: np.ndarray, neighbours: np.ndarray) -> bool:
+    """Return whether all triangles of a cap go on in the plane of some neighbour, whichever way that is turned."""
+    a, b, c = np.moveaxis(vertices[np.concatenate([cap, neighbours])], 1, 0)
+    normals = np.cross(b - a, c - a)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
+    return bool((np.abs(normals[: len(cap)] @ normals[len(cap) :].T).max(axis=1) > FLAT).all())
 
 
 def _find_loops(rim: np.ndarray) -> list[list[int]]:

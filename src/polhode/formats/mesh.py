@@ -41,7 +41,7 @@ class LoadedMesh(NamedTuple):
 
 
 def read_mesh(
-    path: str | Path, unit: float, repair: bool = False
+    path: str | Path, unit: float | None = None, repair: bool = False
 ) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
     """Return vertices (n, 3) [m] and faces (m, 3) of a mesh file (STL, OBJ, PLY, OFF, GLB, glTF in one file, 3MF, DAE).
 
@@ -49,7 +49,7 @@ def read_mesh(
 
     Args:
         path: the file.
-        unit: length of the file's unit [m]; mesh files carry none.
+        unit: length of the file's unit [m]; None for that which 3MF and DAE files name, and for metres in others.
         repair: merge corners closer than 1e-6 of the extent, drop triangles that are degenerate or there twice, fill
             small holes, and turn faces outward, or inward on cavities. Only on request, as it guesses.
 
@@ -61,12 +61,12 @@ def read_mesh(
     return read.vertices, read.faces
 
 
-def load_mesh(path: str | Path, unit: float, repair: bool = False) -> LoadedMesh:
+def load_mesh(path: str | Path, unit: float | None = None, repair: bool = False) -> LoadedMesh:
     """Return a mesh as ``read_mesh`` does, with notes on what repair changed."""
     path = Path(path)
-    if isinstance(unit, str) or not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0):
+    if unit is not None and (isinstance(unit, str) or not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0)):
         raise InvalidInput(f"`unit` must be a positive length in metres, like 1e-3 for millimetres; got {shown(unit)}.")
-    vertices, faces = _load(path, read_file(path, "mesh", LARGEST_FILE), unit)
+    vertices, faces, unit = _load(path, read_file(path, "mesh", LARGEST_FILE), unit)
     if len(faces) == 0:
         raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it again, as a surface mesh.")
     if not np.isfinite(vertices).all():
@@ -97,18 +97,24 @@ def _say(changes: tuple[str, ...], merged: int) -> tuple[str, ...]:
     return (f"repair {' and '.join(filter(None, (', '.join(changes[:-1]), changes[-1])))}.",)
 
 
-def _load(path: Path, content: bytes, unit: float) -> tuple[Array, Array]:
+def names_its_unit(path: str | Path) -> bool:
+    """Return whether mesh files of this ending say what their unit is."""
+    return Path(path).suffix.lower().lstrip(".") in LIBRARIES
+
+
+def _load(path: Path, content: bytes, unit: float | None) -> tuple[Array, Array, float]:
+    """Return corners, faces, and the unit that they are in [m]."""
     ending = path.suffix.lower().lstrip(".")
     if ending not in ENDINGS:
         known = ", ".join(ENDINGS)
         why = f"a mesh file must end in one of {known}; got {shown(path.suffix)}"
         raise FormatError(f"{path}: {why}. Convert it to STL.")
     if ending == "obj":
-        return read_obj(path, as_text(path, content))
+        return *read_obj(path, as_text(path, content)), unit or 1.0
     if ending == "stl":
-        return read_stl(path, content)
+        return *read_stl(path, content), unit or 1.0
     if ending in LIBRARIES:
-        check_archive(path, ending, content, unit)
+        unit = check_archive(path, ending, content, unit)
     else:
         content = check_content(path, ending, content)
     trimesh = _trimesh()
@@ -119,7 +125,7 @@ def _load(path: Path, content: bytes, unit: float) -> tuple[Array, Array]:
             warnings.filterwarnings("error", message="string or file could not be read")
             mesh: Any = trimesh.load(io.BytesIO(content), file_type=ending, force="mesh", process=False,
                                      skip_materials=True)  # fmt: skip
-        return np.array(mesh.vertices, dtype=float), np.array(getattr(mesh, "faces", ()))
+        return np.array(mesh.vertices, dtype=float), np.array(getattr(mesh, "faces", ())), unit or 1.0
     except Exception:  # trimesh raises whatever its many readers raise
         why = "it is broken, cut short, or not what its ending says. Export it again."
         raise FormatError(f"{path}: cannot be read as a mesh: {why}") from None

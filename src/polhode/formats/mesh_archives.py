@@ -22,14 +22,14 @@ _MODEL = re.compile(rb"<(?:\w+:)?model\b[^>]*?\bunit\s*=\s*[\"'](\w+)[\"']")
 _ASSET = re.compile(rb"<unit\b[^>]*?\bmeter\s*=\s*[\"']([^\"']+)[\"']")
 
 
-def check_archive(path: Path, ending: str, content: bytes, unit: float) -> None:
-    """Refuse a file that trimesh should not see, or whose unit is another one.
+def check_archive(path: Path, ending: str, content: bytes, unit: float | None) -> float:
+    """Refuse a file that trimesh should not see, or whose unit is another one, and return its unit [m].
 
     Args:
         path: for messages.
         ending: "3mf" or "dae".
         content: of the file.
-        unit: that the user gave [m]; it must be the file's own.
+        unit: that the user gave [m], if any; it must be the file's own.
 
     Raises:
         InvalidInput: where a library is missing, or the unit is not that of the file.
@@ -46,10 +46,11 @@ def check_archive(path: Path, ending: str, content: bytes, unit: float) -> None:
     if any(b"<!DOCTYPE" in text or b"<!ENTITY" in text for text in texts):
         raise FormatError(f"{path}: declares a document type, which a mesh has no use for. Export it again.")
     own = _unit_of(path, ending, texts)
-    if own is not None and abs(own - unit) > SAME_UNIT * own:
+    if own is not None and unit is not None and abs(own - unit) > SAME_UNIT * own:
         raise InvalidInput(
-            f"{path}: says itself that its unit is {own:g} m; got mesh_unit of {unit:g} m. Give the file's."
+            f"{path}: says itself that its unit is {own:g} m; got mesh_unit of {unit:g} m. Leave mesh_unit out."
         )
+    return own or unit or 1.0
 
 
 def _unpack(path: Path, content: bytes) -> list[bytes]:

@@ -32,6 +32,7 @@ from polhode.types import Array, Float64
 UNITS = {"hinge": "rad", "slide": "m", "ball": "", "free": ""}
 CHANGE_MASS = {"inertiafromgeom": ("false", "auto"), "balanceinertia": ("false",), "settotalmass": ("-1",),
                "boundmass": ("0",), "boundinertia": ("0",)}  # fmt: skip
+SAVED = 'Give its <compiler> saveinertial="true", and save it from MuJoCo by mj_saveLastXML'
 ELSEWHERE = ("include", "attach", "replicate", "composite", "flexcomp")
 JOINT = ("type", "axis", "pos", "ref", "range", "limited")
 ORIENTATIONS = ("quat", "axisangle", "euler", "xyaxes", "zaxis")
@@ -150,7 +151,7 @@ class _Reader:
             if key in options and options[key].rstrip(".0" if key.startswith("bound") else "") not in (*harmless, ""):
                 raise FormatError(
                     f"{path}: its <compiler> has {key}={shown(options[key])}, which changes masses and inertias that "
-                    "the file gives. Save the compiled model from MuJoCo, and take that."
+                    f'the file gives. {SAVED}, and take {key} out of that file.'
                 )
         if (unit := options.get("angle", "degree")) not in ("degree", "radian"):
             raise FormatError(f"{path}: angle of <compiler> must be degree or radian; got {shown(unit)}.")
@@ -197,8 +198,8 @@ class _Reader:
         inertial = element.find("inertial")
         if inertial is None and (element.find("geom") is not None or element.find("frame/geom") is not None):
             raise FormatError(
-                f"{where}: has no <inertial>, and MuJoCo takes its mass from its geoms, which are not read. Save the "
-                "compiled model from MuJoCo, by mj_saveLastXML with inertias, or add it."
+                f"{where}: has no <inertial>, and MuJoCo takes its mass from its geoms, which are not read. {SAVED}, "
+                "or add it."
             )
         own = None if inertial is None else self._inertial(where, inertial)
         return _Node(name, frame, joints, own, self._read_children(element, Frame(), kind))

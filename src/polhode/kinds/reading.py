@@ -11,6 +11,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
+from polhode.formats.mesh import names_its_unit
 from polhode.formats.molecule import FORMS
 from polhode.formats.paths import as_path
 from polhode.kinds.base import AbstractKind, Spec
@@ -231,7 +232,7 @@ def _build_body(
     if "joints" in raw and "joints" not in kept:
         kept |= {"joints": {}}  # the file's links may be right at any pose
     if "mesh" in kept:
-        kept = {"mesh_unit": "m", **kept}
+        kept = kept if names_its_unit(str(kept["mesh"])) else {"mesh_unit": "m", **kept}
         if ("mass" in kept) == ("density" in kept):
             kept = {key: value for key, value in kept.items() if key != "density"} | {"mass": "1 kg"}
     return _attempt(kept, path, list(numbers))

@@ -106,9 +106,14 @@ def _field_type(argument: Argument) -> Any:
         return Annotated[tuple[row, row, row], three_rows]
     if argument.shape == (3,):
         one = _vector_type(argument.unit)
-        return list[one] if argument.many else one
+        return Annotated[list[one], BeforeValidator(_as_rows)] if argument.many else one
     number = quantity(argument.unit) if argument.unit else Plain
     return _one_or_many(argument.unit, number) if argument.many else number
+
+
+def _as_rows(value: Any) -> Any:
+    """Return one vector as a list of one."""
+    return [value] if isinstance(value, list) and value and not any(isinstance(row, list) for row in value) else value
 
 
 def _example(argument: Argument) -> str:

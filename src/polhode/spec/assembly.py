@@ -88,8 +88,15 @@ def build_assembly(
 
 
 def _common_density(parts: Sequence[PartTable], built: dict[int, BuiltPart]) -> float | None:
-    """Return the density of all that cuts can be cut from, None where it is not one."""
-    solid = [built[k].density for k, part in enumerate(parts) if not part.cut and part.shape not in NO_DENSITY]
+    """Return the density of all that cuts can be cut from, None where it is not one.
+
+    Of other specs and of known inertias nobody knows the shape, so that nothing is cut from them.
+    """
+    solid = [
+        built[k].density
+        for k, part in enumerate(parts)
+        if not part.cut and part.shape not in NO_DENSITY and part.spec is None and part.inertia is None
+    ]
     known = [one for one in solid if one is not None]
     if not known or len(known) < len(solid) or max(known) > (1.0 + SAME_DENSITY) * min(known):
         return None
@@ -117,7 +124,8 @@ def build_part(part: PartTable, density: float | None, folder: Path, read_body: 
     own = part.density or (None if part.mass else density)
     if part.mass is None and own is None:
         raise InvalidInput(
-            "says neither mass nor density, and what it is cut from has not one density. Give its density"
+            "says neither mass nor density, and the shapes and meshes that it may be cut from have not one density in "
+            "common. Give its density"
         )
     body, volume, notes = _mesh(part, own, folder) if part.mesh is not None else _shape(part, own)
     known = own or (body.mass / volume if volume and body.mass else None)
@@ -138,7 +146,7 @@ def _shape(part: PartTable, density: float | None) -> tuple[Body, float | None, 
 
 def _mesh(part: PartTable, density: float | None, folder: Path) -> tuple[Body, float | None, tuple[str, ...]]:
     assert part.mesh is not None
-    read = load_mesh(folder / part.mesh, part.mesh_unit or 1.0, part.repair)
+    read = load_mesh(folder / part.mesh, part.mesh_unit, part.repair)
     amount = {"mass": part.mass, "density": None if part.mass is not None else density}
     try:
         if part.is_shell:

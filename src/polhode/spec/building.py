@@ -96,7 +96,7 @@ class _Files:
         if table.part is not None:
             return build_assembly(table.part, table.density, folder, lambda path: self.read(path, above))
         if table.mesh is not None:
-            read = load_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair)
+            read = load_mesh(folder / table.mesh, table.mesh_unit, table.repair)
             with _of_file("mesh", table.mesh):
                 body = body_of_mesh(read, table.mass, table.density, several=table.several, repaired=table.repair)
             return BuiltBody(body, tuple(f"mesh {table.mesh}: {note}" for note in read.notes))

@@ -33,6 +33,7 @@ def build_known(table: BodyTable | PartTable) -> BuiltBody:
         if not np.isfinite(inertia).all():
             away = ", ".join(f"{x:g}" for x in table.about)
             raise InvalidInput(f"`about` at ({away}) m gives moments beyond the range of numbers. Check its unit.")
+        _check_about(table, given, inertia, center)
     if not np.isfinite(inertia).all() or np.abs(inertia - inertia.T).max() > ASYMMETRY * np.abs(inertia).max():
         return BuiltBody(Body(table.mass, center, inertia))
     inertia = 0.5 * inertia + 0.5 * inertia.T
@@ -45,6 +46,22 @@ def build_known(table: BodyTable | PartTable) -> BuiltBody:
         digits = digits_that_explain(inertia, given)
         remedy = f' Rounding to {digits} digits explains it: say rounding = "{digits} digits" to take the nearest ones.'
         raise InvalidInput(f"{error}{remedy if digits else ''}") from None
+
+
+def _check_about(
+    table: BodyTable | PartTable, given: Float64[Array, "3 3"], inertia: Float64[Array, "3 3"],
+    center: Float64[Array, "3"],
+) -> None:  # fmt: skip
+    """Refuse an inertia about a point that is less than that of the mass alone, seen from there."""
+    assert table.about is not None and table.mass is not None
+    least, size = (np.linalg.eigvalsh(0.5 * (one + one.T)) for one in (inertia, given))
+    # a little less may be the rounding of what was typed, of which the body speaks
+    if size[0] > 0.0 and least[0] < -1e-3 * size[2]:
+        distance = float(np.linalg.norm(center - np.asarray(table.about)))
+        raise InvalidInput(
+            f"the inertia about `about` is less than that of the mass alone there, m d² = {table.mass:g} kg × "
+            f"({distance:.4g} m)² = {table.mass * distance**2:.4g} kg m². Check mass, center_of_mass and about."
+        )
 
 
 def _said(inertia: Float64[Array, "3 3"], near: Any, digits: int) -> tuple[str, ...]:

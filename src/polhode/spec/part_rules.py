@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from polhode.formats.mesh import names_its_unit
 from polhode.spec.models import MAY_HAVE, PART_SOURCES, SHAPE_KEYS, WITHOUT_VOLUME
 from polhode.spec.words import list_words
 
@@ -38,8 +39,8 @@ def find_broken_part_rules(part: dict[str, Any], density_of_all: bool = False) -
         verb = "does" if len(extra) == 1 else "do"
         yield f"{list_words(extra)} {verb} not go with {source}; leave it out"
     if source == "mesh":
-        if "mesh_unit" not in part:
-            yield 'needs mesh_unit, like "mm": mesh files carry no units'
+        if "mesh_unit" not in part and not names_its_unit(str(part["mesh"])):
+            yield 'needs mesh_unit, like "mm": such mesh files carry no unit'
         yield from _of_amount(part, density_of_all, "a mesh", _is_shell(part))
     elif source == "spec":
         if taken := [key for key in ("mass", "density") if key in part]:

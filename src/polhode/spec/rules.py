@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from polhode.errors import shown
+from polhode.formats.mesh import names_its_unit
 from polhode.spec.export import export_rules
 from polhode.spec.models import LOOK_SOURCES, ONE_PART, SystemTable
 from polhode.spec.part_rules import find_broken_part_rules
@@ -109,8 +110,8 @@ def _body_rules(body: dict[str, Any]) -> Iterator[str]:
     if len(sources) != 1:
         yield f"needs exactly one of {list_words(SOURCES)}; got {list_words(sources)}"
     if "mesh" in body:
-        if "mesh_unit" not in body:
-            yield 'needs mesh_unit, like "mm": mesh files carry no units'
+        if "mesh_unit" not in body and not names_its_unit(str(body["mesh"])):
+            yield 'needs mesh_unit, like "mm": such mesh files carry no unit'
         if ("mass" in body) == ("density" in body):
             yield "needs exactly one of mass and density for a mesh"
     elif sources:

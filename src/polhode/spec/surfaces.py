@@ -42,7 +42,7 @@ def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
         InvalidInput: if a file that the body came from is gone.
     """
     if table.mesh is not None:
-        return Surface(*read_mesh(folder / table.mesh, table.mesh_unit or 1.0, table.repair))
+        return Surface(*read_mesh(folder / table.mesh, table.mesh_unit, table.repair))
     if table.part is not None:
         if (count := _count_pieces(table, folder, {})) > MOST_PIECES:
             raise InvalidInput(f"its parts have {count} pieces with those of other specs, more than "
@@ -105,7 +105,7 @@ def surface_of_part(part: PartTable, folder: Path = Path()) -> Surface | None:
         table = read_body_table(path)
         local = surface_of_body(table, path.parent) or box_in_place(build_body(table, path.parent, path).body.frame)
     elif part.mesh is not None:
-        local = Surface(*read_mesh(folder / part.mesh, part.mesh_unit or 1.0, part.repair))
+        local = Surface(*read_mesh(folder / part.mesh, part.mesh_unit, part.repair))
     elif part.inertia is not None:
         local = box_in_place(build_known(part).body.frame)
     else:

@@ -25,11 +25,13 @@ class Propellant(AbstractMount):
     """Propellant in a tank, of which ṁ leaves through a nozzle: L̇ = L × Ω + (r − c) × (F − ṁ w), F = −ṁ u.
 
     With c the momentary centre of mass, the jet leaves at r with the velocity u against the body, and so with w + u
-    about the centre of mass, w = Ω × (r − c) less the motion of c in the body. The part −ṁ w is the jet's damping. What
-    is in the tank turns with the body, and keeps its shape while its density falls; the momentum of what flows inside
-    against the body is neglected. The energy of rotation changes by −ṁ (|w|² − ½ |w_t|² − ½ Ω·κΩ) and the power of F,
-    with w_t the velocity at the tank and κ the inertia of a kilogram in it: half of |w|² leaves with the jet, and the
-    rest is what it takes to bring the propellant from the tank to the nozzle.
+    about the centre of mass, w = Ω × (r − c). The part −ṁ w is the jet's damping. What is in the tank turns with the
+    body, and keeps its shape while its density falls; the momentum of what flows inside against the body is neglected,
+    and with it the motion of c in the body, ċ: the flow q = ṁ (r − p) from the tank at p has ċ × q of momentum a
+    second more about the moving c, which is just what ċ takes from it at the nozzle. The energy of rotation changes by
+    −ṁ (|w|² − ½ |w_t|² − ½ Ω·κΩ) and the power of F, with w_t the velocity at the tank and κ the inertia of a kilogram
+    in it: half of |w|² leaves with the jet, and the rest is what it takes to bring the propellant from the tank to the
+    nozzle.
 
     Its state is the mass that is left. The body's mass properties are those with the tank full.
 

@@ -261,7 +261,8 @@ class RigidBodyReport(MotionReport):
             answers += [
                 Answer("control.power.largest", float(power.max()), "W", "power of the motors, largest at the samples",
                        "sum of |torque × rate|, none given back"),
-                Answer("control.power.used", used, "J", "energy that they use", "trapezoidal sum over the samples"),
+                Answer("control.power.used", used, "J", "energy that they use, summed over the samples",
+                       "trapezoidal sum; more samples, a better one"),
             ]  # fmt: skip
         return Group("Control", answers)
 

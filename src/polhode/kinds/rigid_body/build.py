@@ -149,6 +149,11 @@ def _sort_wheels(table: RigidBodyTable) -> tuple[list[WheelTable], list[tuple[in
     by_wheels = table.control is not None and table.control.by == "wheels"
     controlled, others = [], []
     for k, wheel in enumerate(table.wheel):
+        if wheel.max_rate is not None and abs(wheel.rate) > wheel.max_rate:
+            raise InvalidInput(
+                f"wheel.{k + 1}: its rate at the start, {wheel.rate:.6g} rad/s, is beyond its max_rate, "
+                f"{wheel.max_rate:.6g} rad/s, to which its motor drives it. Give a lower rate, or a higher limit."
+            )
         if by_wheels and wheel.torque is None and wheel.drive in (None, "controlled"):
             controlled.append(wheel)
         else:

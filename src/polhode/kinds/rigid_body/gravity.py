@@ -9,7 +9,18 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.analysis.gravity_gradient import DEBRA_DELP, LAGRANGE, UNSTABLE, escape_energy, nearest_rest
+from polhode.analysis.gravity_gradient import (
+    CYLINDRICAL,
+    DEBRA_DELP,
+    GYROSCOPIC,
+    HYPERBOLIC,
+    LAGRANGE,
+    STATIC,
+    UNSTABLE,
+    escape_energy,
+    nearest_rest,
+    spinning_equilibria,
+)
 from polhode.kinds.base import Spec
 from polhode.kinds.rigid_body.build import Craft
 from polhode.kinds.rigid_body.table import RigidBodyTable
@@ -19,6 +30,9 @@ from polhode.reports.wording import degrees
 from polhode.systems.torques.gravity import GravityGradient
 
 SURE = 1e-9  # of the height to escape over: nearer to it, rounding could decide
+SAME = 1e-9  # relative difference of moments that are equal: of a body that spins about the axis of the third
+WHERE = {CYLINDRICAL: "along the orbit's normal", HYPERBOLIC: "across the radius"}
+VERDICTS = {STATIC: "stable", GYROSCOPIC: "stable to first order", UNSTABLE: "unstable"}
 
 
 class GravityAnswers(NamedTuple):
@@ -44,6 +58,9 @@ def judge_gravity(spec: Spec[RigidBodyTable], craft: Craft, trajectory: Trajecto
     n, moments = float(craft.orbit.mean_motion), np.asarray(system.moments)
     frames = np.asarray(craft.orbit.frame(jnp.asarray(trajectory.times)))
     turned = rotation.as_matrix(rotation.multiply(rotation.conjugate(frames), np.asarray(trajectory.attitude)))
+    if (axis := _axis_of_symmetry(moments)) is not None and trajectory.angular_velocity is not None:
+        spin = float(np.asarray(trajectory.angular_velocity)[0, axis])
+        return _judge_axis(moments, axis, n, spin, turned[:, :, axis])
     near = nearest_rest(turned[0], moments, n)
     rest = near.equilibrium
     verdict = {LAGRANGE: "stable", UNSTABLE: "unstable"}.get(rest.region, "undecided")
@@ -83,3 +100,52 @@ def judge_gravity(spec: Spec[RigidBodyTable], craft: Craft, trajectory: Trajecto
     if rest.region == DEBRA_DELP:
         notes.append("in the DeBra–Delp region the Jacobi integral has no minimum: any loss of energy makes it leave.")
     return GravityAnswers(group, said, notes)
+
+
+def _axis_of_symmetry(moments: Float64[np.ndarray, "3"]) -> int | None:
+    """Return which axis has the one moment that differs from the two others; None for other bodies."""
+    for k in range(3):
+        A, B, C = moments[(k + 1) % 3], moments[(k + 2) % 3], moments[k]
+        if abs(A - B) <= SAME * A < abs(A - C):
+            return k
+    return None
+
+
+def _judge_axis(
+    moments: Float64[np.ndarray, "3"], axis: int, mean_motion: float, spin: float, axes: Float64[np.ndarray, "time 3"]
+) -> GravityAnswers:  # fmt: skip
+    """Return the answers about a symmetric body: its rate about the axis stays, and the axis can rest in the frame.
+
+    Args:
+        moments: principal ones.
+        axis: that of symmetry.
+        mean_motion: n of the orbit [rad/s].
+        spin: the angular velocity along the axis, against the stars [rad/s].
+        axes: it along the motion, in the orbit's frame, which looks ahead, against the normal, and down.
+    """
+    A, C = float(moments[(axis + 1) % 3]), float(moments[axis])
+    # of a body that spins either way both ends of the axis count; in the frame of radius, velocity and normal
+    path = np.stack([-axes[:, 2], axes[:, 0], -axes[:, 1]], axis=1)
+    rests = spinning_equilibria(A, C, mean_motion, spin)
+    away = [2.0 * np.arcsin(np.clip(0.5 * np.linalg.norm(path - rest.axis, axis=1), 0.0, 1.0)) for rest in rests]
+    k = int(np.argmin([angles[0] for angles in away]))
+    rest, angles = rests[k], away[k]
+    verdict, where = VERDICTS.get(rest.region, "undecided"), WHERE.get(rest.case, "across the velocity")
+    periods = None if rest.rates is None else [2.0 * math.pi / rate for rate in reversed(rest.rates) if rate]
+    group = Group("Rest of the spin axis under gravity's gradient (Thomson)", [
+        Answer("gravity.spin", spin, "rad/s", "spin, against the stars"),
+        Answer("gravity.case", rest.case, "", "nearest rest", where, f"{rest.case}, {where}"),
+        Answer("gravity.verdict", verdict, "", "verdict"),
+        Answer("gravity.region", rest.region, "", "region"),
+        Answer("gravity.rate", rest.growth, "1/s", "rate of growth" if rest.growth else ""),
+        Answer("gravity.axis_periods", periods or None, "s", "periods of small motions of the axis"),
+        Answer("gravity.from_rest.start", float(angles[0]), "rad", "angle from the rest at the start"),
+        Answer("gravity.from_rest.largest", float(angles.max()), "rad", "largest, at the samples"),
+    ])  # fmt: skip
+    swings = f"within {degrees(float(angles.max()), 4)} of it in this motion"
+    why = {
+        STATIC: "stable, as its energy at this spin is the least",
+        GYROSCOPIC: "stable to first order, held by the spin, and losses would end that",
+    }.get(rest.region, verdict)
+    said = f"The rest of the spin axis nearest to the start, {where}, is {why}; the axis stays {swings}."
+    return GravityAnswers(group, said, [])
