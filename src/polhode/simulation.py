@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -175,8 +175,8 @@ def _by_series_or_other_steps(system: AbstractSystem, state: Array, times: np.nd
         try:
             found = _by_series(system, state[~without] if without.any() else state, times, None, asked)
         except NoSeries as error:
-            some = error.copies is not None and np.any(error.copies)
-            without[~without] = np.ravel(error.copies) if some else True
+            some = np.ones(1, bool) if error.copies is None else np.ravel(np.asarray(error.copies))
+            without[~without] = some if some.any() else True
             continue
         if not without.any():
             return found
@@ -189,21 +189,24 @@ def _join(
 ) -> Trajectory:  # fmt: skip
     """Return the copies of two trajectories as those of one."""
 
-    def together(of: Callable[[Trajectory], Any]) -> np.ndarray:
-        ours, others = np.asarray(of(found)), np.asarray(of(rest))
+    def together(ours: Any, others: Any) -> np.ndarray:
+        ours, others = np.asarray(ours), np.asarray(others)
         joined = np.empty((*without.shape, *ours.shape[1:]), np.result_type(ours, others))
         joined[~without], joined[without] = ours, others
         return joined
 
-    assert found.ends is not None and rest.ends is not None
-    ends = Ends(*(together(lambda run, k=k: run.ends[k]) for k in range(4)), found.ends.events)
-    received = {name: together(lambda run, name=name: run.received[name]) for name in found.received}
-    error = None if found.error_estimate is None else together(
-        lambda run: np.full(len(run.states), np.inf) if run.error_estimate is None else run.error_estimate
-    )  # fmt: skip
+    ours, others = found.ends, rest.ends
+    assert ours is not None and others is not None, "a batch has ends"
+    status, event, time, state = (together(ours[k], others[k]) for k in range(4))
+    received = {name: together(value, rest.received[name]) for name, value in found.received.items()}
+    error = None
+    if found.error_estimate is not None:
+        unknown = np.full(len(rest.states), np.inf)
+        error = together(found.error_estimate, unknown if rest.error_estimate is None else rest.error_estimate)
     steps = max(run.statistics["steps"] for run in (found, rest))
-    fine = ends.status != Status.NOT_CONVERGED
-    motion = AdaptiveMotion(found.times, together(lambda run: run.states), received, None, fine, steps, ends)
+    ends = Ends(status, event, time, state, ours.events)
+    motion = AdaptiveMotion(np.asarray(found.times), together(found.states, rest.states), received, None,
+                            status != Status.NOT_CONVERGED, steps, ends)  # fmt: skip
     return _finish(system, "the method", motion, error, asked.throw)
 
 

@@ -110,6 +110,7 @@ LEFT_OUT = {
     "RigidBody.from_body": "takes a body, whose numbers are known",
     "layout": "says what numbers mean, and returns none",
     "part": "takes the name of a part of a state",
+    "remark": "returns a sentence",
     "parts": "takes a state apart, and is called by the others",
     "space_vectors": "is called by invariants, with an attitude",
 }
@@ -157,7 +158,7 @@ def arguments(system, method):
     state = starts(system) if not isinstance(system, NO_STATE) else None
     values = {"t": RNG.uniform(0.5, 2.0, 3), "state": state, "attitude": unit(RNG.normal(size=(3, 4))),
               "tilt": RNG.uniform(0.2, 0.5, 3), "precession": RNG.uniform(1.0, 2.0, 3)}  # fmt: skip
-    values |= {name: RNG.normal(size=(3, 3)) for name in ("angular_velocity", "velocity", "momentum")}
+    values |= {name: RNG.normal(size=(3, 3)) for name in ("acceleration", "angular_velocity", "velocity", "momentum")}
     if isinstance(system, ATTACHED):
         values["own"] = values["actuator"] = RNG.normal(size=(3, system.state_size))
         values["rate"] = RNG.normal(size=(3, 3) if system in (SLUG, WHEELS) else 3)

@@ -28,6 +28,7 @@ from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
 from polhode.reports.wording import degrees
 from polhode.systems.torques.gravity import GravityGradient
+from polhode.types import Float64
 
 SURE = 1e-9  # of the height to escape over: nearer to it, rounding could decide
 SAME = 1e-9  # relative difference of moments that are equal: of a body that spins about the axis of the third
@@ -60,7 +61,7 @@ def judge_gravity(spec: Spec[RigidBodyTable], craft: Craft, trajectory: Trajecto
     turned = rotation.as_matrix(rotation.multiply(rotation.conjugate(frames), np.asarray(trajectory.attitude)))
     if (axis := _axis_of_symmetry(moments)) is not None and trajectory.angular_velocity is not None:
         spin = float(np.asarray(trajectory.angular_velocity)[0, axis])
-        return _judge_axis(moments, axis, n, spin, turned[:, :, axis])
+        return _judge_axis(moments, axis, n, spin, np.asarray(turned)[:, :, axis])
     near = nearest_rest(turned[0], moments, n)
     rest = near.equilibrium
     verdict = {LAGRANGE: "stable", UNSTABLE: "unstable"}.get(rest.region, "undecided")
