@@ -61,6 +61,7 @@ period = "6000 s"
 """ + GRAVITY + '[time]\nuntil = "30000 s"\nsamples = 601\n'
 
 
+@pytest.mark.long
 def test_the_axis_of_a_spinning_satellite_rests_and_swings_at_the_rates_that_are_said(tmp_path):
     found = spec(tmp_path, THOMSON).report()
     values = found.values()["gravity"]

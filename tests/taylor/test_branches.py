@@ -134,6 +134,7 @@ def test_what_comes_to_rest_at_a_border_is_refused():
         ph.simulate(body, start, [0.0, 50.0], method=ph.integrators.Taylor())
 
 
+@pytest.mark.long
 def test_what_comes_to_rest_is_said_and_what_moves_beside_it_goes_on():
     """Two wheels come to rest, at 40 and 16 s, where steps shrink to nothing; the others move as they do alone."""
     body = RigidBody((1e9, 1e9, 1e9), [Wheel((0, 0, 1), 2.0, friction)])
@@ -155,6 +156,7 @@ def test_what_comes_to_rest_is_said_and_what_moves_beside_it_goes_on():
         ph.simulate(body, starts, times, method=ph.integrators.Taylor)
 
 
+@pytest.mark.long_cases("rising-1", "either-2")
 @pytest.mark.parametrize("direction, per_arc", [("rising", 1), ("falling", 1), ("either", 2)])
 def test_sections_go_past_corners(direction, per_arc):
     """q = 1 is crossed twice on each arc of one side, 300 times and more, so that room for them is made on the way."""
