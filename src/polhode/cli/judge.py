@@ -5,9 +5,19 @@ from __future__ import annotations
 from pathlib import Path
 
 from polhode.cli.publish import publish
+from polhode.errors import InvalidInput
 from polhode.testing.judge import judge_file
 
 
 def run_judge(path: Path, json: bool, out: Path | None, spec: Path | None) -> None:
-    """Judge the file, draw where asked for, and print the verdicts."""
-    publish(judge_file(path, spec), json, figures=out)
+    """Judge the file, draw where asked for, and print the verdicts.
+
+    Raises:
+        InvalidInput: after the report, where every run was refused: then there is no verdict.
+    """
+    report = judge_file(path, spec)
+    publish(report, json, figures=out if report.judgements else None)
+    if not report.judgements:
+        case, reason = report.refused[0]
+        others = " The report says why the others were refused." if len(report.refused) > 1 else ""
+        raise InvalidInput(f"{path}: no run could be judged; {case}: {reason}{others}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -26,7 +27,7 @@ from polhode.analysis._engine_run import (
     measure_growth,
     turned_angle,
 )
-from polhode.testing._stepping import SteppedEngine
+from polhode.testing._stepping import SteppedEngine, Stop, find_length_change
 from polhode.types import Array, Float64
 
 START = np.array([0.8, -0.5, 0.3]) / np.sqrt(0.98)
@@ -36,6 +37,7 @@ RADIANS = 3.0  # that short runs turn
 SAMPLES = 12  # of them
 MOST_HALVINGS = 6
 CLEAR = 10.0  # times what a limit is unsure by: a limit so far from the exact motion will not come back
+GIVEN = "the given start"
 KEPT = 4000  # samples of a long run, at most
 NEAR = 0.3  # rad between an axis and L where spins start, to see where they end
 
@@ -46,7 +48,7 @@ class Judgement:
 
     Attributes:
         name: of the motion.
-        run: states of the long run.
+        run: states of the long run, up to the first that is not finite.
         dt: its step [s]; None where it is not known.
         right: whether the engine solves the equations of a free body; None where its states do not tell.
         convergence: what halved steps showed; None where the engine gave only one step.
@@ -57,6 +59,10 @@ class Judgement:
         ends: where spins go, by where they begin.
         runs: the long runs, by the same.
         residual, allowed: of a judgement by one step, the largest departure and what the step explains.
+        explained: with the first of the mistakes, what halved steps show, or by one step the largest departure.
+        stops: where long runs no longer give states, by where they begin; empty where all do to the end.
+        length_change: by how much the quaternion's length is off 1 where it is most, with its sign; 0 where it stays.
+        motion: which of the motions of the report, counted from 0; some runs of one motion are judged singly.
     """
 
     name: str
@@ -73,6 +79,15 @@ class Judgement:
     runs: dict[str, EngineRun] = field(default_factory=dict)
     residual: float | None = None
     allowed: float | None = None
+    explained: Convergence | float | None = None
+    stops: dict[str, Stop] = field(default_factory=dict)
+    length_change: float = 0.0
+    motion: int = 0
+
+    @property
+    def stop(self) -> tuple[Stop, str] | None:
+        """Where the first of the long runs that do so no longer gives states, and where it begins; None without one."""
+        return next(((stop, name) for name, stop in self.stops.items()), None)
 
 
 def judge_engine(
@@ -89,18 +104,19 @@ def judge_engine(
     """
     span = _short_span(engine.inertia, attitude, momentum, dt)
     convergence = converge(engine, attitude, momentum, dt, span)
-    mistakes: tuple[str, ...] = ()
-    if not convergence.converges:
-        mistakes = find_mistakes(engine, attitude, momentum, dt, span)
+    explained = {} if convergence.converges else find_mistakes(engine, attitude, momentum, dt, span)
     every = max(1, -(-steps // KEPT))
     count = -(-steps // every) * every
-    run = engine.run(attitude, momentum, dt, count, every)
-    starts = {"the given start": momentum, **near_axes(engine.inertia, float(np.linalg.norm(momentum)))}
-    runs = {name: run if L is momentum else engine.run(attitude, L, dt, count, every) for name, L in starts.items()}
-    ends = {name: find_spin_end(long) for name, long in runs.items()}
+    starts = {GIVEN: momentum, **near_axes(engine.inertia, float(np.linalg.norm(momentum)))}
+    whole = {name: engine.run(attitude, L, dt, count, every) for name, L in starts.items()}
+    stops = {name: run.stop for name, run in whole.items() if run.stop is not None}
+    runs = {name: run.finite_part() for name, run in whole.items()}
+    ends = {name: find_spin_end(run) for name, run in runs.items()}
     unseen = find_unseen(engine.convention, engine.inertia, attitude, momentum, span * np.arange(SAMPLES + 1) / SAMPLES)
-    return Judgement("the given start", run, dt, convergence.converges, convergence, mistakes, unseen,
-                     *measure(run), ends, runs)  # fmt: skip
+    run = runs[GIVEN]
+    return Judgement(GIVEN, run, dt, convergence.converges, convergence, tuple(explained), unseen, *measure(run), ends,
+                     dict(runs), explained=next(iter(explained.values()), None), stops=stops,
+                     length_change=find_length_change(run.lengths, run.eps))  # fmt: skip
 
 
 def measure(run: EngineRun) -> tuple[Drift, Drift, Growth]:
@@ -154,8 +170,8 @@ def converge(
 
 def find_mistakes(
     engine: SteppedEngine, attitude: Float64[Array, "4"], momentum: Float64[Array, "3"], dt: float, span: float
-) -> tuple[str, ...]:
-    """Return the mistakes of which any one explains all that the engine does: with it, the engine converges.
+) -> dict[str, Convergence]:
+    """Return the mistakes of which any one explains all that the engine does: how it converges with each.
 
     A pair of mistakes is looked for only where no single one is enough.
     """
@@ -164,16 +180,18 @@ def find_mistakes(
     single = {name: other for name, other in conventions.items() if name not in pairs}
     damping = _measure_damping(engine, attitude, momentum, dt, span)
 
-    def explains(other: StateConvention | EngineEquations) -> bool:
-        by_convention = isinstance(other, StateConvention)
-        meant = replace(engine, convention=other) if by_convention else engine
-        try:
-            return converge(meant, attitude, momentum, dt, span, None if by_convention else other).converges
-        except Exception:  # an engine may refuse, in any way, states in a convention that is not its own
-            return False
+    def explain(others: Mapping[str, StateConvention | EngineEquations]) -> dict[str, Convergence]:
+        found = {}
+        for name, other in others.items():
+            by_convention = isinstance(other, StateConvention)
+            meant = replace(engine, convention=other) if by_convention else engine
+            try:
+                found[name] = converge(meant, attitude, momentum, dt, span, None if by_convention else other)
+            except Exception:  # an engine may refuse, in any way, states in a convention that is not its own
+                continue
+        return {name: one for name, one in found.items() if one.converges}
 
-    found = [name for name, other in {**single, **list_equation_mistakes(damping)}.items() if explains(other)]
-    return tuple(found or [name for name, other in pairs.items() if explains(other)])
+    return explain({**single, **list_equation_mistakes(damping)}) or explain(pairs)
 
 
 def find_unseen(

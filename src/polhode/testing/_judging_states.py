@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
+from typing import TypeVar
 
 import numpy as np
 
@@ -17,8 +19,8 @@ from polhode.analysis._engine_mistakes import (
 from polhode.analysis._engine_run import EngineRun, exact_motion, find_spin_end, turned_angle
 from polhode.errors import InvalidInput, NotConverged
 from polhode.testing._engine_states import WrittenStates
-from polhode.testing._judging import Judgement, find_unseen, measure
-from polhode.testing._stepping import find_eps
+from polhode.testing._judging import GIVEN, Judgement, find_unseen, measure
+from polhode.testing._stepping import find_eps, find_length_change
 from polhode.types import Array, Float64
 
 SHORT = 10.0  # rad; states up to there are compared, later ones amplify any error
@@ -27,6 +29,7 @@ FALLS = 100.0  # times by which the residual of a mistake must be less
 SAME = 1e-12  # of the largest number: starts that are nearer to each other are one
 FIRST_ORDER = 1.0  # rad of error for each radian turned and each radian of a step
 States = tuple[Array, Array]
+Left = TypeVar("Left", Convergence, float)
 
 
 def judge_states(states: Sequence[WrittenStates]) -> tuple[list[Judgement], list[tuple[str, str]]]:
@@ -41,14 +44,19 @@ def judge_states(states: Sequence[WrittenStates]) -> tuple[list[Judgement], list
         if group is None:
             groups.append(group := [])
         group.append(one)
-    judged, refused = [], []
-    for group in groups:
+    judged: list[Judgement] = []
+    refused = []
+    for number, group in enumerate(groups):
         halved = _by_halved_steps(group)
-        for one in [halved[0]] if len(halved) >= 3 else group:
+        halved = halved if len(halved) >= 3 else []
+        for one in halved[:1] or group:
             try:
-                judged.append(_judge_one(one, halved if len(halved) >= 3 else []))
+                found = _judge_one(one, halved)
             except InvalidInput as error:
-                refused.append((one.given.name, str(error)))
+                refused += [(run.label, str(error)) for run in halved or [one]]
+                continue
+            alone = len(group) == 1 or halved
+            judged.append(replace(found, name=found.name if alone else one.label, motion=number))
     return judged, refused
 
 
@@ -74,16 +82,33 @@ def _judge_one(one: WrittenStates, halved: Sequence[WrittenStates]) -> Judgement
     if halved:
         common = _common_times(halved, float(run.times[short]))
         found = _converge(halved, common, None, lambda given: given.convention)
-        mistakes = () if found.converges else _find(one, lambda convention, equations: _converge(
-            halved, common, equations, lambda given: convention or given.convention).converges)  # fmt: skip
-        verdict = {"right": found.converges, "convergence": found, "mistakes": mistakes}
+
+        def explain(convention: StateConvention | None, equations: EngineEquations | None) -> Convergence | None:
+            left = _converge(halved, common, equations, lambda given: convention or given.convention)
+            return left if left.converges else None
+
+        explained = {} if found.converges else _find(one, explain)
+        verdict = {"right": found.converges, "convergence": found, **_told(explained)}
     else:
         verdict = _judge_by_one_step(one, run, short)
     times = np.concatenate([[0.0], run.times[1 : short + 1]])
     unseen = find_unseen(one.convention, given.inertia, given.attitude, given.momentum, times)
     energy, norm, growth = measure(run)
     return Judgement(given.name, run, one.dt, unseen=unseen, energy=energy, momentum=norm, growth=growth,
-                     ends={"the given start": find_spin_end(run)}, **verdict)  # type: ignore[arg-type]  # fmt: skip
+                     ends={GIVEN: find_spin_end(run)}, length_change=_length_change(halved or [one]),
+                     **verdict)  # type: ignore[arg-type]  # fmt: skip
+
+
+def _told(explained: Mapping[str, Convergence | float]) -> dict[str, object]:
+    """Return the mistakes, and what is left with the first of them, as a judgement has them."""
+    return {"mistakes": tuple(explained), "explained": next(iter(explained.values()), None)}
+
+
+def _length_change(states: Sequence[WrittenStates]) -> float:
+    """Return the change of length of the quaternions in the run where it is largest."""
+    changes = [find_length_change(np.linalg.norm(one.quaternions, axis=-1), find_eps(one.quaternions))
+               for one in states]  # fmt: skip
+    return max(changes, key=abs)
 
 
 def as_run(one: WrittenStates, convention: StateConvention) -> EngineRun:
@@ -121,9 +146,14 @@ def _judge_by_one_step(one: WrittenStates, run: EngineRun, short: int) -> dict[s
     if not plain > rounding:
         return {"right": True, "convergence": None, "mistakes": (), "residual": plain, "allowed": allowed}
     bound = min(allowed, plain / FALLS)
-    mistakes = _find(one, lambda *mistake: residual(*mistake) <= bound, _measure_damping(run, short))
-    right = False if mistakes or not plain <= allowed else None
-    return {"right": right, "convergence": None, "mistakes": mistakes, "residual": plain, "allowed": allowed}
+
+    def explain(convention: StateConvention | None, equations: EngineEquations | None) -> float | None:
+        left = residual(convention, equations)
+        return left if left <= bound else None
+
+    explained = _find(one, explain, _measure_damping(run, short))
+    right = False if explained or not plain <= allowed else None
+    return {"right": right, "convergence": None, "residual": plain, "allowed": allowed, **_told(explained)}
 
 
 def _exact(one: WrittenStates, times: Float64[Array, "time"], equations: EngineEquations | None) -> States:
@@ -135,20 +165,27 @@ def _exact(one: WrittenStates, times: Float64[Array, "time"], equations: EngineE
 
 
 def _find(
-    one: WrittenStates, explains: Callable[[StateConvention | None, EngineEquations | None], bool], damping: float = 0.0
-) -> tuple[str, ...]:
-    """Return the mistakes that explain the states; pairs are looked for where no single one does."""
-
-    def holds(convention: StateConvention | None, equations: EngineEquations | None) -> bool:
-        try:
-            return explains(convention, equations)
-        except NotConverged:
-            return False
-
+    one: WrittenStates, explain: Callable[[StateConvention | None, EngineEquations | None], Left | None],
+    damping: float = 0.0,
+) -> dict[str, Left]:  # fmt: skip
+    """Return the mistakes that explain the states, with what is left; pairs are looked for where no single one does."""
     conventions = list_convention_mistakes(one.convention)
-    single = [name for name, other in conventions.items() if " and " not in name and holds(other, None)]
-    single += [name for name, other in list_equation_mistakes(damping).items() if holds(None, other)]
-    return tuple(single or [name for name, other in conventions.items() if " and " in name and holds(other, None)])
+    single: list[tuple[str, StateConvention | None, EngineEquations | None]]
+    single = [(name, other, None) for name, other in conventions.items() if " and " not in name]
+    single += [(name, None, other) for name, other in list_equation_mistakes(damping).items()]
+    pairs = [(name, other, None) for name, other in conventions.items() if " and " in name]
+    for tried in (single, pairs):
+        found = {}
+        for name, convention, equations in tried:
+            try:
+                left = explain(convention, equations)
+            except NotConverged:
+                continue
+            if left is not None:
+                found[name] = left
+        if found:
+            return found
+    return {}
 
 
 def _measure_damping(run: EngineRun, short: int) -> float:

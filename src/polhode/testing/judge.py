@@ -37,7 +37,7 @@ def judge(
     drift and for where spins end. An engine whose limit is not the exact motion is tried with common mistakes: ω given
     for L, quaternion xyzw, the inverse rotation, rates along the other axes, degrees, a gyroscopic term that is missing
     or has the wrong sign, an inertia that is not turned, a factor ½, damping. One is named only if with it the engine
-    converges.
+    converges. An engine whose states stop being finite is told so, with the step from which on they are not.
 
     Args:
         step: as above; in float32 if it returns arrays of it. It must take shorter steps, and keep
@@ -95,14 +95,15 @@ def judge_file(path: str | Path, spec: str | Path | None = None) -> JudgeReport:
     or `angular_velocity` at time 0; `times`, `attitudes` (wxyz, body → space), and `momenta` or `angular_velocities`;
     `dt`; `axes`, "body" or "space", of the rates. A run that has neither motion nor inertia is of the spec. Runs of one
     motion with dt, dt/2 and dt/4 are judged together by their limit. A run that cannot be judged is listed in
-    ``refused``.
+    ``refused``: one with a number that is not finite, with a key of another name, or with two starts.
 
     Args:
         path: of the file.
         spec: of a free body, for runs that name no motion.
 
     Raises:
-        InvalidInput: for a file that cannot be read or has another format, and for a spec of anything but a free body.
+        InvalidInput: for a file that cannot be read, has another format or unknown keys at its top, and for a spec of
+            anything but a free body.
     """
     place = as_path("path", path)
     given = None if spec is None else _of_spec(as_path("spec", spec))
