@@ -91,6 +91,32 @@ def test_another_motion_is_not_taken_for_it():
         align_clocks(exactly(TUMBLE), seen(other, 2.0))
 
 
+@pytest.mark.parametrize("turned", [0.0, 1.0])
+def test_a_log_that_hardly_turns_is_laid_nowhere(turned):
+    """Three samples within 4 mrad were laid at 48 ± 76 s of a body that turns by ten radians, which left 0.049 rad."""
+    tilt = rotation.from_rotation_vector((turned, 0.0, 0.0))
+    few = rotation.from_rotation_vector(np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 0.002], [0.0, 0.0, 0.004]]))
+    with pytest.raises(InvalidInput, match=r"no offset of the clocks makes the two agree.* turn by 0\.0016 rad rms"):
+        align_clocks(exactly(TUMBLE), AttitudeHistory("few", np.arange(3.0), rotation.multiply(tilt, few)))
+
+
+def leaning(times):
+    """A steady turn about an axis that leans over by a tenth of a radian within a minute."""
+    return Rotation.from_euler("ZX", np.stack([0.3 * times, 0.1 * (times / 60.0) ** 2], axis=-1))
+
+
+def test_an_offset_with_an_error_as_large_as_the_span_is_none():
+    """With other axes of space only the leaning tells it, and ten samples with noise do not show that."""
+    times, late = np.arange(0.0, 60.0, 0.5), np.arange(0.0, 25.0, 2.5)
+    whole = AttitudeHistory("a", times, rotation.from_scipy(leaning(times)))
+    other = Rotation.from_rotvec([1.0, 0.0, 0.0]) * leaning(late + 8.4)
+    noisy = other * Rotation.from_rotvec(np.random.default_rng(0).normal(0.0, 0.03, (len(late), 3)))
+    with pytest.raises(InvalidInput, match=r"do not determine the offset of the clocks: the best is .* ± .*--offset"):
+        align_clocks(whole, AttitudeHistory("b", late, rotation.from_scipy(noisy)))
+    found = align_clocks(whole, AttitudeHistory("b", late, rotation.from_scipy(other)))
+    assert found.turned and found.offset == pytest.approx(8.4, abs=1e-3)
+
+
 def test_a_nearly_periodic_motion_with_noise_is_ambiguous():
     """A body that nutates little: after each turn it is nearly as it was, nearer than the noise."""
     motion = FreeMotion((1.0, 1.001, 1.5), momentum=(1e-3, 0.0, 1.0))

@@ -152,6 +152,17 @@ REFUSED = [
     (["compare", "box.toml", "phone.txt", "--time", "1", "--time-unit", "s", "--gyro", "2,3,4", "--unit", "rpm"],
      ["phone.txt: a comparison is of attitudes"]),
     (["import", "simulator.csv", *SIMULATOR, "--out", "simulator.csv"], ["writing would destroy it"]),
+    (["import", "simulator.csv", *SIMULATOR, "--out", "again.csv"],
+     ["again.csv: import writes a dataset, .nc, or a spec, .toml, and .csv is the ending of a CSV table",
+      "Name it again.nc", "`polhode export SPEC --to csv`"]),
+    (["import", "simulator.csv", *SIMULATOR, "--out", "again.AEM"], [".aem is the ending of an AEM", "--to aem"]),
+    (["import", "simulator.csv", *SIMULATOR, "--out", "again.zarr"], ["a Zarr store. Name it again.nc."]),
+    (["import", "simulator.csv", *SIMULATOR, "--out", "again.txt"], ["a GMAT report. Name it again.nc."]),
+    (["import", "simulator.csv", "--time", "time_ms", "--quat", "qw,qx,qy"], ["end in w, x, y. Give four, w, x, y, z"]),
+    *((["import", name, *words], [f"{name}: is empty"]) for name in ("empty.csv", "blank.csv")
+      for words in ([], SIMULATOR)),
+    (["compare", "box.toml", "empty.csv"], ["empty.csv: is empty"]),
+    (["compare", "empty.csv", "box.toml", *SIMULATOR], ["empty.csv: is empty"]),
 ]  # fmt: skip
 
 
@@ -160,6 +171,8 @@ def test_mistakes_end_in_one_message_and_nothing_is_written(files, capsys, argum
     (files / "bare.csv").write_text("0,1,2,3\n1,1,2,3\n")
     (files / "bad.csv").write_text("0,1,2,3\n1,1,two,3\n")
     (files / "typo.toml").write_text('time = "t"\ntime-unit = "s"\n')
+    (files / "empty.csv").touch()
+    (files / "blank.csv").write_text("\ufeff \n\n")
     (files / "kinds.toml").write_text('time = 1.5\nquat = 3\ntime_unit = 5\n')
     before = sorted(files.iterdir())
     code, out, err = run(arguments, capsys)
@@ -171,3 +184,9 @@ def test_help_names_the_options(capsys):
     for command in ("import", "compare"):
         _, out, _ = run([command, "--help"], capsys)
         assert all(word in out for word in ("--time-unit", "--quat", "--direction", "--sequence", "--mapping"))
+        assert "gmat: days from JD 2430000" in " ".join(out.replace("│", " ").split())
+
+
+def test_an_ending_that_no_form_has_is_taken(files, capsys, motion):
+    values_of(["import", "simulator.csv", *SIMULATOR, "--out", "again.h5"], capsys)
+    assert np.allclose(read_dataset("again.h5").times, motion.times, rtol=0.0, atol=1e-15)

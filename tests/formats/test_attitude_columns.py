@@ -134,6 +134,31 @@ def test_vectors_that_are_too_long(read):
         read(XYZ, [[0.5, 0, 0], [0, 1.2, 0]], quat=XYZ)
 
 
+@pytest.mark.parametrize(("names", "quat", "why"), [
+    ("qw qx qy qz", "qw,qx,qy", "their names end in w, x, y"),
+    ("qx qy qz qw", "qy,qz,qw", "their names end in y, z, w"),
+    ("x z y s", "x,z,y", "their names end in x, z, y"),
+    ("q.s q.x q.y q.z", "2,3,4", "their names end in s, x, y"),
+    ("q0 q1 q2 q3", "q0,q1,q2", "the table has a fourth of them, q3"),
+    ("q[0] q[1] q[2] q[3]", "2,3,4", "the table has a fourth of them, q[3]"),
+    ("q1 q2 q3 q4", "q1,q2,q3", "the table has a fourth of them, q4"),
+    ("q1 q2 q3 q4", "q1,q3,q4", "their names end in 1, 3, 4"),
+])  # fmt: skip
+def test_three_columns_that_are_named_otherwise_are_no_vector_part(read, names, quat, why):
+    with pytest.raises(InvalidInput) as caught:
+        read(names.split(), TURNS.as_quat(), quat=quat)
+    assert len(caught.value.args) == 1 and "which are its vector part x, y, z, and " + why in str(caught.value)
+    assert "Give four, w, x, y, z, or the vector part alone." in str(caught.value)
+
+
+@pytest.mark.parametrize(("names", "quat"), [
+    ("qx qy qz qw", "qx,qy,qz"), ("q1 q2 q3 other", "q1,q2,q3"), ("q1 q2 q3 q0", "q1,q2,q3"),
+    ("q2 q3 q4 q1", "q2,q3,q4"), ("q[0] q[1] q[2] w", "2,3,4"), ("a b c d", "a,b,c"), ("c2 c3 c4 c5", "c2,c3,c4"),
+])  # fmt: skip
+def test_three_columns_that_may_be_the_vector_part(read, names, quat):
+    assert apart(read(names.split(), TURNS[:20].as_quat(), quat=quat), TURNS[:20]) < 1e-7
+
+
 @pytest.mark.parametrize(("scale", "degrees"), [
     ("131 LSB/(deg/s)", 1 / 131), ("16.4 LSB/dps", 1 / 16.4), ("8.75 mdps/LSB", 8.75e-3), ("0.07 dps/digit", 0.07),
     ("131 counts per deg/s", 1 / 131), ("0.00762939453125 deg/s per count", 250 / 32768),

@@ -101,6 +101,14 @@ def gmat(clock="ElapsedSecs", times=TIMES):
     return head + "\n" + "".join("".join(f"{x:<26.16g}" for x in row) + "\n" for row in rows)
 
 
+def gmat_dates():
+    """GMAT's ReportFile with UTCGregorian, whose dates have blanks: 01 Mar 2026 12:00:00.000, to milliseconds."""
+    names = "".join(f"Sat.{name:<22}" for name in ("UTCGregorian", "Q1", "Q2", "Q3", "Q4"))
+    rows = zip(TIMES, QUATERNIONS[:, [1, 2, 3, 0]], strict=True)
+    return names + "\n" + "".join(f"01 Mar 2026 12:00:{t:06.3f}   {'   '.join(f'{x:<22.16g}' for x in q)}\n"
+                                  for t, q in rows)  # fmt: skip
+
+
 YPR = TURNS.as_euler("zyx", degrees=True)
 CASES = {
     "stk quaternions": ("sat.a", stk("AttitudeTimeQuaternions", [QUATERNIONS[:, [1, 2, 3, 0]]]), "stk", 1e-12),
@@ -119,6 +127,7 @@ CASES = {
     "ros two stamps": ("imu.csv", rostopic(".", "s"), "ros", 1e-8),
     "basilisk": ("states.csv", basilisk(), "basilisk", 1e-12),
     "gmat": ("ReportFile1.txt", gmat(), "gmat", 1e-12),
+    "gmat dates": ("ReportFile2.txt", gmat_dates(), "gmat", 1e-12),
     "42": ("qbn.42", lines(QUATERNIONS[:, [1, 2, 3, 0]], form="{:e}", sign=" "), "42", 3e-6),
 }  # fmt: skip
 
@@ -261,13 +270,34 @@ def test_the_matrix_of_the_programs_own_help(folder):
         read_stk(folder / "mirror.a")
 
 
-def test_dates_in_a_file_of_stk(folder):
-    rows = [f"1 Mar 2026 12:00:{t:06.3f} {' '.join(map(repr, q))}"
+@pytest.mark.parametrize("quote", ["", '"'])
+def test_dates_in_a_file_of_stk(folder, quote):
+    rows = [f"{quote}1 Mar 2026 12:00:{t:06.3f}{quote} {' '.join(map(repr, q))}"
             for t, q in zip(TIMES, QUATERNIONS[:, [1, 2, 3, 0]].tolist(), strict=True)]  # fmt: skip
     text = stk("AttitudeTimeQuaternions", [QUATERNIONS], ["TimeFormat UTCG"])
     head = text[: text.index("AttitudeTimeQuaternions\n")]
     (folder / "sat.a").write_text(head + "AttitudeTimeQuaternions\n" + "\n".join(rows) + "\nEND Attitude\n")
     assert ph.compare("free.toml", "sat.a").comparison.largest < 1e-11
+
+
+def test_a_quote_that_does_not_close_is_refused(folder):
+    text = stk("AttitudeTimeQuaternions", [QUATERNIONS], ["NumberOfAttitudePoints 1", "TimeFormat UTCG"])
+    head = text[: text.index("AttitudeTimeQuaternions\n")].replace("NumberOfAttitudePoints 240\n", "")
+    (folder / "sat.a").write_text(head + 'AttitudeTimeQuaternions\n"1 Mar 2026 12:00:00.0 0 0 0 1\nEND Attitude\n')
+    with pytest.raises(FormatError, match="line 12: must be a date"):
+        ph.compare("free.toml", "sat.a")
+
+
+def test_dates_between_blanks_are_columns_of_any_table(folder, capsys):
+    """By options, and beside a column that was asked for already."""
+    (folder / "report.txt").write_text(gmat_dates().replace("Sat.", "x"))
+    words = ["--time", "xUTCGregorian", "--time-system", "UTC", "--quat", "xQ1,xQ2,xQ3,xQ4", "--order", "xyzw"]
+    found = values_of(capsys, "compare", "free.toml", "report.txt", *words)
+    assert found["angle"]["largest"] < 1e-12 and found["read_as"]["b"]["time"] == "column 1 'xUTCGregorian', dates"
+    bare = gmat_dates().partition("\n")[2]
+    (folder / "bare.txt").write_text(bare)
+    words = ["--time", "1", "--time-system", "UTC", "--quat", "2,3,4,5", "--order", "xyzw"]
+    assert values_of(capsys, "compare", "free.toml", "bare.txt", *words)["angle"]["largest"] < 1e-12
 
 
 def test_axes_that_turn_are_said(folder, capsys):
@@ -500,7 +530,7 @@ ATT_START
 COMMENT                    a history
 REF_FRAME_A              = EME2000
 REF_FRAME_B              = SC_BODY_1
-{extra}NUMBER_STATES            = 7
+{extra}NUMBER_STATES            = {np.column_stack(columns).shape[1]}
 ATT_TYPE                 = {kind}
 RATE_TYPE                = {rate}
 {rows}ATT_STOP

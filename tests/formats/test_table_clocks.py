@@ -84,6 +84,32 @@ def test_julian_days_keep_all_digits(read):
     assert np.abs(read(days, time_unit="jd", time_system="TAI").times - steps).max() < 1e-12
 
 
+@pytest.mark.parametrize(("days", "unit", "resolution", "by_doubles"), [
+    ("2461101.{:010d}", "jd", 0.5 * 2.0**-31 * 86400, True),  # 2²¹ ≤ JD < 2²², whose doubles are 2²¹⁻⁵² apart
+    ("61100.{:017d}", "mjd", 0.5 * 2.0**-37 * 86400, True),
+    ("31101.{:013d}", "gmat", 0.5 * 2.0**-38 * 86400, True),
+    ("2461101.{:06d}", "jd", 0.0432, False),
+    ("61100.{:010d}", "mjd", 4.32e-6, False),
+])  # fmt: skip
+def test_days_are_known_no_better_than_doubles_tell_them(read, days, unit, resolution, by_doubles):
+    """Ten decimals of a Julian day promised 4.3e-6 s, and doubles are 4.0e-5 s apart there."""
+    found = read([days.format(0), days.format(10**5)], time_unit=unit, time_system="UTC").source.attributes
+    assert found["time_resolution"] == pytest.approx(resolution, rel=1e-12)
+    (note,) = [note for note in found["notes"] if "decimals" in note]
+    assert f"times are known to {resolution:.2g} s" in note
+    assert ("double precision" in note) == by_doubles
+
+
+@pytest.mark.parametrize("bare", [1, 2])
+def test_a_date_without_a_zone_among_dates_with_one(read, bare):
+    stamps = ["2026-03-01T12:00:00Z", "2026-03-01T12:00:02Z", "2026-03-01T12:00:04+00:00"]
+    stamps[bare] = "2026-03-01 12:00:03"
+    with pytest.raises(FormatError, match=f"line {bare + 2}, column 1 't': '2026-03-01 12:00:03' has no") as caught:
+        read(stamps)
+    assert "say --time-system UTC if both are in UTC" in str(caught.value)
+    assert read(stamps, time_system="UTC").times[bare] == 3.0
+
+
 @pytest.mark.parametrize("unit", ["unix", "unix-ms", "unix-us", "unix-ns"])
 def test_posix_seconds_are_utc(read, unit):
     first = datetime(2020, 11, 15, 0, 34, 5, tzinfo=UTC)

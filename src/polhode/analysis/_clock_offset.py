@@ -2,7 +2,8 @@
 
 The histories are laid over each other at all offsets, first with their axes as given, then with the axes of space of
 one turned by a constant, as a log without a compass has them. The best offset is refined by Gauss and Newton's steps.
-Where another fits nearly as well, or the motion looks alike at all times, none is returned.
+Where another fits nearly as well, the motion looks alike at all times, or the samples turn too little to tell an
+offset, none is returned.
 """
 
 from __future__ import annotations
@@ -24,6 +25,8 @@ ROUNDS = 25
 SETTLED = 1e-13  # of the usual step between samples
 ALIKE = 3.0  # times what the best offset leaves: one that leaves less may be the right one
 FITS = 0.3  # rad, rms; what leaves more is another motion
+EXPLAINED = 0.3  # of how far the samples turn, rms; what leaves more does not follow them, however little it is
+KNOWN = 0.1  # of the span that offsets are sought in; an error that is larger leaves them all possible
 BLURRED = 1e-6  # of the information on an offset; where less is left beside a turned space, the motion has none
 LEAST_NOISE = 1e-12  # rad, rms; rounding, below which residuals are not compared
 OVERLAP = 0.5  # of the shorter history
@@ -84,7 +87,7 @@ def find_clock_offset(
     some = np.unique(np.linspace(0, len(times) - 1, min(len(times), SEEN)).round().astype(int))
     many = np.unique(np.linspace(0, len(times) - 1, min(len(times), USED)).round().astype(int))
     grid = _offsets(motion, times, speed)
-    nearest = None
+    nearest, turns = None, _spread(attitude[many])
     for turned in (False, True):
         starts = _search(motion, times[some], attitude[some], grid, turned)
         fits = [_refine(motion, times[many], attitude[many], start, turned) for start in starts]
@@ -92,25 +95,56 @@ def find_clock_offset(
         if not fits:
             continue
         best = fits[0]
-        nearest = nearest or best
+        nearest = best if nearest is None or best.left < nearest.left else nearest
         if best.left > FITS:
             continue
-        limit = ALIKE * max(best.left, LEAST_NOISE)
-        apart = max(TURN / speed, 10.0 * best.error)
-        others = [fit for fit in fits[1:] if fit.left < limit and abs(fit.offset - best.offset) > apart]
-        if others:
-            also = " and ".join(f"{fit.offset:.6g} s, {fit.left:.2g} rad" for fit in others[:3])
+        if not np.isfinite(best.error):
+            steady = "the body turns steadily, so that with other axes of space any offset fits" if turned else STILL
+            raise InvalidInput(f"{steady}. Say it by --offset.")
+        if best.left > EXPLAINED * turns:
+            continue
+        _check_single(best, fits[1:], speed)
+        if best.error > KNOWN * (grid[-1] - grid[0]):
             raise InvalidInput(
-                f"the offset of the clocks is ambiguous, as the motion nearly repeats itself: {best.offset:.6g} s "
-                f"leaves {best.left:.2g} rad rms, and so nearly do {also}. Say the right one by --offset."
+                f"the attitudes do not determine the offset of the clocks: the best is {best.offset:.6g} ± "
+                f"{best.error:.2g} s, and its error must be at most a tenth of the {grid[-1] - grid[0]:.6g} s that it "
+                "is sought in. Say it by --offset, or give a log that turns further."
             )
-        if np.isfinite(best.error):
-            return best
-        steady = "the body turns steadily, so that with other axes of space any offset fits" if turned else STILL
-        raise InvalidInput(f"{steady}. Say it by --offset.")
-    left = "" if nearest is None else f": the best, {nearest.offset:.6g} s, leaves {nearest.left:.2g} rad rms"
-    raise InvalidInput(f"no offset of the clocks makes the two agree{left}. Check that both are along the same body "
-                       "axes, or say the offset by --offset.")  # fmt: skip
+        return best
+    raise InvalidInput(f"no offset of the clocks makes the two agree{_word_nearest(nearest, turns)}. Check that both "
+                       "are along the same body axes, or say the offset by --offset.")  # fmt: skip
+
+
+def _word_nearest(nearest: ClockOffset | None, turns: float) -> str:
+    """Return how well the best offset fits samples that turn so far [rad, rms], after a colon; "" without one."""
+    if nearest is None:
+        return ""
+    turned = ", with the axes of space turned by a constant" if nearest.turned else ""
+    return (f": the best, {nearest.offset:.6g} s{turned}, leaves {nearest.left:.2g} rad rms, and the samples turn by "
+            f"{turns:.2g} rad rms")  # fmt: skip
+
+
+def _check_single(best: ClockOffset, others: list[ClockOffset], speed: float) -> None:
+    """Refuse an offset that is not the only one.
+
+    Raises:
+        InvalidInput: where others, far from it, leave nearly as little.
+    """
+    limit = ALIKE * max(best.left, LEAST_NOISE)
+    apart = max(TURN / speed, 10.0 * best.error)
+    also = [fit for fit in others if fit.left < limit and abs(fit.offset - best.offset) > apart]
+    if also:
+        named = " and ".join(f"{fit.offset:.6g} s, {fit.left:.2g} rad" for fit in also[:3])
+        raise InvalidInput(
+            f"the offset of the clocks is ambiguous, as the motion nearly repeats itself: {best.offset:.6g} s "
+            f"leaves {best.left:.2g} rad rms, and so nearly do {named}. Say the right one by --offset."
+        )
+
+
+def _spread(attitude: Array) -> float:
+    """Return the angle between attitudes (T, 4) and their mean, root mean square [rad]."""
+    mean = np.linalg.eigh(attitude.T @ attitude)[1][:, -1]
+    return float(np.sqrt(np.mean(rotation.angle_between(attitude, mean) ** 2)))
 
 
 def _offsets(motion: Moving, times: Array, speed: float) -> Array:
@@ -177,7 +211,8 @@ def _refine(motion: Moving, times: Array, attitude: Array, offset: float, turned
         determined = seen > BLURRED * normal[0, 0]
         step = np.linalg.lstsq(design, -left.reshape(-1), rcond=None)[0]
         rms = float(np.sqrt(np.mean(np.sum(left * left, axis=1))))
-        error = rms / np.sqrt(3.0 * seen) if determined else np.inf
+        spare = 3.0 - design.shape[1] / len(left)  # numbers of a sample, but for what they are fitted by
+        error = rms / np.sqrt(spare * seen) if determined else np.inf
         if not determined:
             return ClockOffset(offset, np.inf, rms, turned)
         if abs(step[0]) < SETTLED * usual + 4.0 * np.spacing(abs(offset)):

@@ -27,7 +27,7 @@ from polhode.studies.recorded_spec import tells_spin, write_spec
 from polhode.studies.sources import COUNTED_FROM, TABLE, find_begin, is_table, kind_in_words, load_body, read_recorded
 from polhode.studies.tables import describe_reading, list_reading_notes
 
-SPEC_ENDING = ".toml"
+SPEC_ENDING, DATASET_ENDING = ".toml", ".nc"
 
 
 def run_import(
@@ -36,6 +36,9 @@ def run_import(
     """Read the file, add momentum and energy where a spec gives the moments, write and print the result."""
     from polhode.formats.dataset import write_dataset
 
+    if out is not None:
+        check_spares(out, path)
+        _check_ending(out)
     table = table_to_import(columns)
     kind, trajectory, labels = read_recorded(path, kernels, table)
     if table is not None and kind != TABLE:
@@ -57,7 +60,7 @@ def run_import(
         trajectory = _with_body(trajectory, trajectory.frame, Mechanics(np.asarray(trajectory.frame.inertia)))
         groups.append(_about_body(trajectory))
     groups.append(about_file(trajectory, labels, kept))
-    ending = SPEC_ENDING if len(trajectory.times) == 1 and tells_spin(trajectory) else ".nc"
+    ending = SPEC_ENDING if len(trajectory.times) == 1 and tells_spin(trajectory) else DATASET_ENDING
     written = out or Path(f"{path.stem}_imported{ending}")  # not the name of a dataset exported to the same folder
     check_spares(written, path)
     begin = find_begin(path, trajectory)
@@ -74,6 +77,22 @@ def run_import(
         return write_dataset(trajectory, out, header)
 
     publish(PlainReport(str(path), name, summary, groups, notes, save), json, written)
+
+
+def _check_ending(out: Path) -> None:
+    """Refuse a name whose ending is that of another form, which the file would not have.
+
+    Raises:
+        InvalidInput: naming the form.
+    """
+    ending = out.suffix.lower()
+    known = [form for form in forms().values() if form.ending == ending != DATASET_ENDING]
+    if not known:
+        return
+    form = next((form for form in known if form.write is not None), known[0])
+    text = f"{out}: import writes a dataset, {DATASET_ENDING}, or a spec, {SPEC_ENDING}, and {ending} is the ending of "
+    again = f" `polhode export SPEC --to {form.name}` writes such a file of a spec." if form.write else ""
+    raise InvalidInput(f"{text}{kind_in_words(form.name)}. Name it {out.with_suffix(DATASET_ENDING).name}.{again}")
 
 
 def _about_body(trajectory: Trajectory) -> Group:

@@ -39,7 +39,8 @@ TimeColumn = Annotated[
 TimeUnit = Annotated[
     str | None,
     typer.Option("--time-unit", metavar="UNIT",
-                 help="s, ms, us, ns, min, h, d, unless the column's name says it; or mjd, jd, gps, unix, unix-ns."),
+                 help="s, ms, us, ns, min, h, d, unless the column's name says it; or mjd, jd, gps, unix, unix-ns, or "
+                      "gmat: days from JD 2430000."),
 ]  # fmt: skip
 TimeSystem = Annotated[
     str | None,

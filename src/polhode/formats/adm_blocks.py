@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from polhode.errors import FormatError, shown
+from polhode.formats.adm_keywords import WITH_ROWS, explain_block, explain_element, explain_keyword
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, read_text
 from polhode.formats.xml_nodes import Node, read_xml
@@ -30,6 +31,7 @@ class Block:
 
     Attributes:
         path: the file.
+        kind: of the message, "APM" or "ACM".
         name: "QUAT" for what stands between QUAT_START and QUAT_STOP; "" for header and metadata.
         line: where it begins.
         values: keyword → value and line; units in brackets are in ``units``.
@@ -38,20 +40,21 @@ class Block:
     """
 
     path: Path
+    kind: str
     name: str
     line: int
     values: dict[str, tuple[str, int]] = field(default_factory=dict)
     units: dict[str, str] = field(default_factory=dict)
     rows: list[tuple[int, list[str]]] = field(default_factory=list)
 
-    def wrong(self, keyword: str, what: str) -> NoReturn:
-        """Say what is wrong with a keyword.
+    def wrong(self, keyword: str, what: str, remedy: str = "Check the file.") -> NoReturn:
+        """Say what is wrong with a keyword, and what to do about it.
 
         Raises:
             FormatError: always.
         """
         line = self.values[keyword][1] if keyword in self.values else self.line
-        raise FormatError(f"{self.path}, line {line}: {keyword} {what}. Check the file.")
+        raise FormatError(f"{self.path}, line {line}: {keyword} {what}. {remedy}")
 
     def text(self, keyword: str, default: str | None = None) -> str:
         """Return the value of a keyword.
@@ -106,21 +109,23 @@ def read_blocks(path: Path, kind: str) -> list[Block]:
         if kind != "APM":
             raise FormatError(f"{path}: is an {kind} in XML, and read here is keyword = value. Convert it.")
         return _from_xml(path, read_xml(path, kind, LARGEST_FILE))
-    first, lines = Block(path, "", 1), enumerate(text.splitlines(), 1)
+    first, lines = Block(path, kind, "", 1), enumerate(text.splitlines(), 1)
     blocks = [first]
     for number, line in _without_comments(lines):
         keyword, equals, value = (part.strip() for part in line.partition("="))
         if not equals and keyword.endswith("_START"):
             name = keyword.removesuffix("_START")
-            block = first if name == "META" else Block(path, name, number)
+            _refuse(path, number, explain_block(kind, name))
+            block = first if name == "META" else Block(path, kind, name, number)
             if block is not first:
                 blocks.append(block)
             _fill(block, lines, f"{name}_STOP", number)
         elif not equals:
-            raise FormatError(f"{path}, line {number}: must be keyword = value here; got {shown(line[:60])}. Check the "
-                              "file.")  # fmt: skip
+            _refuse(path, number, _explain_bare(line))
         else:
             _put(first, keyword, value, number)
+            if keyword == f"CCSDS_{kind}_VERS":  # before keywords of other versions are called unknown
+                _check_version(first, kind)
     _check_version(first, kind)
     return blocks
 
@@ -139,12 +144,33 @@ def _fill(block: Block, lines: Iterator[tuple[int, str]], stop: str, begun: int)
         keyword, equals, value = (part.strip() for part in line.partition("="))
         if equals:
             _put(block, keyword, value, number)
-        elif not keyword.endswith(("_START", "_STOP")):  # of sensors in a block on attitude determination
+        elif block.name == "AD" and keyword in ("SENSOR_START", "SENSOR_STOP"):
+            continue
+        elif keyword.endswith(("_START", "_STOP")):  # of another block
+            break
+        elif block.name in WITH_ROWS:
             block.rows.append((number, line.split()))
+        else:
+            _refuse(block.path, number, _explain_bare(line))
     raise FormatError(f"{block.path}, line {begun}: this block has no {stop}; the file is cut short. Get it whole.")
 
 
+def _explain_bare(line: str) -> str:
+    return f"must be keyword = value here; got {shown(line[:60])}. Check the file."
+
+
+def _refuse(path: Path, number: int, what: str) -> None:
+    """Say what is wrong in a line, if anything is.
+
+    Raises:
+        FormatError: for any words.
+    """
+    if what:
+        raise FormatError(f"{path}, line {number}: {what}")
+
+
 def _put(block: Block, keyword: str, value: str, number: int) -> None:
+    _refuse(block.path, number, explain_keyword(block.kind, block.name, keyword))
     if match := _UNIT.search(value):
         block.units[keyword] = match["unit"]
         value = value[: match.start()]
@@ -162,15 +188,18 @@ def _from_xml(path: Path, root: Node) -> list[Block]:
     message = next((node for node in root.walk() if node.tag == "apm"), None)
     if message is None:
         raise FormatError(f"{path}: is XML, and no APM. Check the file.")
-    first = Block(path, "", message.line)
+    first = Block(path, "APM", "", message.line)
     _put(first, "CCSDS_APM_VERS", message.attributes.get("version", ""), message.line)
     _check_version(first, "APM")
     blocks = [first]
     for node in message.walk():
         if node.tag in ("header", "metadata", "data"):
             _put_leaves(first, node.children)
+            for child in node.children if node.tag == "data" else ():
+                if child.children and child.tag not in XML_BLOCKS:
+                    _refuse(path, child.line, explain_element(child.tag, tuple(XML_BLOCKS)))
         elif node.tag in XML_BLOCKS:
-            block = Block(path, XML_BLOCKS[node.tag], node.line)
+            block = Block(path, "APM", XML_BLOCKS[node.tag], node.line)
             _put_leaves(block, [leaf for leaf in node.walk() if leaf is not node])
             blocks.append(block)
     return blocks

@@ -34,17 +34,23 @@ SPIN = ("SPIN_ALPHA", "SPIN_DELTA", "SPIN_ANGLE")
 INERTIA = {"IXX": (0, 0), "IYY": (1, 1), "IZZ": (2, 2), "IXY": (0, 1), "IXZ": (0, 2), "IYZ": (1, 2)}
 APART = 0.01  # rad; two attitudes of one instant that differ by more are no rounding
 RATES = {"ANGVEL": "ANGVEL", "Q_DOT": "DERIVATIVE", "EULER_RATE": "DERIVATIVE", "GYRO_BIAS": "", "NONE": ""}
+RATE_WIDTHS = {"ANGVEL": 3, "Q_DOT": 4, "EULER_RATE": 3, "GYRO_BIAS": 3, "NONE": 0}
 SIGNS = "IXY, IXZ and IYZ are taken as entries of the inertia matrix, which are minus the products of inertia"
 WIDTHS = {"QUATERNION": 4, "EULER_ANGLES": 3}
 
 
 class _State(NamedTuple):
-    """An attitude (4,), an angular velocity (3,) or None of both, in the frames that a block names."""
+    """An attitude (4,), an angular velocity (3,) or None of both, in the frames that a block names.
 
+    The velocity is along the body's axes, but along those of space where ``in_space`` says so.
+    """
+
+    block: Block
     space: str
     body: str
     attitude: Array | None
     velocity: Array | None
+    in_space: bool = False
 
 
 def read_apm(path: Path) -> Trajectory:
@@ -62,7 +68,7 @@ def read_apm(path: Path) -> Trajectory:
         raise FormatError(f"{path}: has no attitude, in blocks QUAT, EULER or SPIN. Check the file.")
     attitude = known[0].attitude
     assert attitude is not None
-    velocity = next((state.velocity for state in states if state.velocity is not None), None)
+    velocity = next((_along_body(state, known[0]) for state in states if state.velocity is not None), None)
     doubts = [f"its attitudes differ by {apart:.3g} rad, and the first is taken" for state in known[1:]
               if (apart := float(rotation.angle_between(attitude, state.attitude))) > APART]  # fmt: skip
     names = known[0].space, known[0].body
@@ -83,21 +89,39 @@ def read_acm(path: Path) -> Trajectory:
     if not histories:
         raise FormatError(f"{path}: has no block ATT, whose attitudes would be read. Check the file.")
     block = histories[0]
-    kind, rates = block.text("ATT_TYPE").upper(), RATES.get(block.text("RATE_TYPE", "NONE").upper())
-    if kind not in WIDTHS or rates is None:
+    kind, rate = block.text("ATT_TYPE").upper(), block.text("RATE_TYPE", "NONE").upper()
+    if kind not in WIDTHS or rate not in RATES:
         block.wrong("ATT_TYPE", "must be QUATERNION or EULER_ANGLES to be read here, with the RATE_TYPE "
                                 f"{', '.join(RATES)}")  # fmt: skip
+    rates = RATES[rate]
     times, numbers = _rows(block, first.text("TIME_SYSTEM"), zero)
     family = "QUATERNION" if kind == "QUATERNION" else "EULER_ANGLE"
     space, body, backward = _frames(block)
     sequence = None if family == "QUATERNION" else _sequence(block)
-    width = WIDTHS[kind] + {"": 0, "ANGVEL": 3, "DERIVATIVE": WIDTHS[kind]}[rates]
-    if numbers.shape[1] < width:
-        block.wrong("ATT_TYPE", f"{kind} with rates needs {width} numbers a line; got {numbers.shape[1]}")
-    meaning = Meaning(f"{family}/{rates}" if rates else family, sequence, False, False, backward)
+    _check_width(block, kind, rate, numbers.shape[1])
+    width = WIDTHS[kind] + (RATE_WIDTHS[rate] if rates else 0)
+    # the velocity is along frame B, which is that of space where the rotation is from body to space
+    meaning = Meaning(f"{family}/{rates}" if rates else family, sequence, False, backward, backward)
     attitude, velocity = _turn(block, meaning, numbers[:, :width])
     doubts = [f"it has {len(histories)} blocks of attitudes, of which the first is read"] if histories[1:] else []
     return _make(first, blocks, (space, body), zero, times, attitude, velocity, doubts)
+
+
+def _check_width(block: Block, kind: str, rate: str, count: int) -> None:
+    """Refuse lines of other numbers than the block announces.
+
+    Raises:
+        FormatError: for a count that is not NUMBER_STATES, or not that of the types of attitude and rate.
+    """
+    if rate == ("EULER_RATE" if kind == "QUATERNION" else "Q_DOT"):
+        block.wrong("RATE_TYPE", f"must be ANGVEL, GYRO_BIAS, NONE or the derivative of {kind} to be read here; got "
+                                 f"{rate}", "Have the rates written as ANGVEL.")  # fmt: skip
+    said, wanted = block.text("NUMBER_STATES", str(count)), WIDTHS[kind] + RATE_WIDTHS[rate]
+    if said.removeprefix("+").lstrip("0") != str(count):
+        block.wrong("NUMBER_STATES", f"must be how many numbers follow the time in each line, {count}; got "
+                                     f"{shown(said)}")  # fmt: skip
+    if count != wanted:
+        block.wrong("ATT_TYPE", f"{kind} with RATE_TYPE {rate} needs {wanted} numbers after the time; got {count}")
 
 
 def _make(
@@ -159,10 +183,11 @@ def _states(block: Block) -> list[_State]:
     space, body, backward = _frames(block)
     if block.name == "ANGVEL":
         along = plain(block.text("ANGVEL_FRAME", body))
-        if along != plain(body):
-            block.wrong("ANGVEL_FRAME", f"must be the body's frame, {body}, to be read here; got {shown(along)}")
+        if along not in (plain(body), plain(space)):
+            block.wrong("ANGVEL_FRAME", f"must be one of the two frames, {space} or {body}, to be read here; got "
+                                        f"{shown(along)}", f"Have the rates written along {body}.")  # fmt: skip
         velocity = np.radians(block.numbers(VELOCITY, "deg/s"))
-        return [_State(space, body, None, -velocity if backward else velocity)]
+        return [_State(block, space, body, None, -velocity if backward else velocity, along != plain(body))]
     if block.name == "QUAT":
         rated = block.has(*DERIVATIVE)
         columns = block.numbers(QUATERNION, "") + (block.numbers(DERIVATIVE, "1/s") if rated else [])
@@ -178,7 +203,23 @@ def _states(block: Block) -> list[_State]:
             block.wrong("REF_FRAME_A", "must be the space frame for spin data, and REF_FRAME_B the body's")
         columns, meaning = _spin(block)
     attitude, velocity = _turn(block, meaning, np.array([columns]))
-    return [_State(space, body, attitude[0], None if velocity is None else velocity[0])]
+    return [_State(block, space, body, attitude[0], None if velocity is None else velocity[0])]
+
+
+def _along_body(state: _State, known: _State) -> Array:
+    """Return the angular velocity of a block along the body's axes, by the attitude of another.
+
+    Raises:
+        FormatError: where it is along axes of space that the attitude is not relative to.
+    """
+    assert state.velocity is not None and known.attitude is not None
+    if not state.in_space:
+        return state.velocity
+    if plain(state.space) != plain(known.space):
+        state.block.wrong("ANGVEL_FRAME", f"must be the body's frame, or the one that the attitude is relative to, "
+                                          f"{known.space}; got {shown(state.space)}",
+                          f"Have the rates written along {state.body}.")  # fmt: skip
+    return rotation.rotate(rotation.conjugate(known.attitude), state.velocity)
 
 
 def _spin(block: Block) -> tuple[list[float], Meaning]:

@@ -132,18 +132,16 @@ def _read_instants(path: Path, form: TableForm, clock: ClockColumns, rows: Rows)
     system = _system(path, form, clock, next((row for _, _, row in _stamped_rows(rows)), ()))
     whole, rest = np.zeros(len(rows), dtype=np.int64), np.zeros(len(rows), dtype=np.int64)
     there = np.zeros(len(rows), dtype=bool)
-    digits = 0
+    digits, largest = 0, Decimal(0)
     for k, line, row in _stamped_rows(rows):
         try:
             if kind == DATE:
-                text, zoned = read_date(row[0])
-                if zoned and system != "UTC":
-                    raise ValueError(f"{shown(row[0])} is in UTC by its zone, and {system} was said")
-                whole[k], rest[k] = read_epoch(text, system)
+                whole[k], rest[k] = _read_moment(row[0], system, clock.system is not None)
             else:
                 numbers = [exact_number(text) for text in row]
                 whole[k], rest[k] = _instant(kind, numbers, system)
                 digits = max(digits, -min(int(number.as_tuple().exponent) for number in numbers))
+                largest = max(largest, *map(abs, numbers))
         except ValueError as error:
             raise _wrong(path, form, clock, line, error) from None
         there[k] = True
@@ -155,12 +153,49 @@ def _read_instants(path: Path, form: TableForm, clock: ClockColumns, rows: Rows)
     remarks = [f"its times count from its first stamp, {shortest(zero, system)} {system}."]
     resolution = 0.0
     if kind in FIRST_DAY:
-        resolution = 0.5 * 86400 * 10.0**-digits
-        remarks.append(f"its days have {digits} decimals, so that times are known to {resolution:.2g} s.")
+        resolution, note = _resolve_days(digits, float(largest))
+        remarks.append(note)
     if kind == "gps" and len(clock.columns) == 2 and _weeks(rows, first) < ROLLOVER:
         remarks.append(f"its weeks are below {ROLLOVER}; if the receiver counts them modulo {ROLLOVER}, its epoch is "
                        "too early by as many.")  # fmt: skip
     return Clock(times, Decimal(0), (shortest(zero, system), system), resolution, tuple(remarks))
+
+
+def _read_moment(text: str, system: str, said: bool) -> tuple[int, int]:
+    """Return the instant of a date.
+
+    Args:
+        text: the date.
+        system: the time system of the column.
+        said: whether it was said, and is not that of the first date's zone.
+
+    Raises:
+        ValueError: in words, for what is no date, and for zones that are not those of the column.
+    """
+    date, zoned = read_date(text)
+    if zoned and system != "UTC":
+        raise ValueError(f"{shown(text)} is in UTC by its zone, and {system} was said")
+    if not (zoned or said):
+        raise ValueError(f"{shown(text)} has no zone, and the first date of the column has one; say --time-system UTC "
+                         "if both are in UTC")  # fmt: skip
+    return read_epoch(date, system)
+
+
+def _resolve_days(digits: int, largest: float) -> tuple[float, str]:
+    """Return by how much times in days may be off [s], and a note on it.
+
+    Args:
+        digits: decimals that the days are printed with.
+        largest: of the days.
+
+    Whoever prints a day with more digits than a double of its size tells apart has it in a double all the same.
+    """
+    printed, spacing = 0.5 * 86400 * 10.0**-digits, 86400 * float(np.spacing(largest))
+    if printed >= 0.5 * spacing:
+        return printed, f"its days have {digits} decimals, so that times are known to {printed:.2g} s."
+    return 0.5 * spacing, (f"its days have {digits} decimals, and numbers of double precision, which programs count "
+                           f"days in, are {spacing:.2g} s apart at that size, so that times are known to "
+                           f"{0.5 * spacing:.2g} s.")  # fmt: skip
 
 
 def _weeks(rows: Rows, first: int) -> Decimal:

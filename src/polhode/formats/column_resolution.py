@@ -18,6 +18,7 @@ from polhode.formats.header_words import (
     bare_name,
     components_in,
     entries_in,
+    explain_vector_names,
     unit_in,
 )  # fmt: skip
 from polhode.formats.plain_table import name_column
@@ -81,6 +82,9 @@ def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Reso
     names = [form.names[place] for place in groups["attitude"]] if form.names else []
     if mapping.quat and len(groups["attitude"]) == 4:
         letters = _letters(names, mapping.order, problems)
+    if mapping.quat and len(groups["attitude"]) == 3 and (why := explain_vector_names(names, form.names)):
+        problems.append(f"the quaternion has three columns, {', '.join(names)}, which are its vector part x, y, z, and "
+                        f"{why}. Give four, w, x, y, z, or the vector part alone.")  # fmt: skip
     if mapping.matrix and len(groups["attitude"]) == 9:
         letters = entries_in(names) or ENTRIES
     if mapping.decimal == "comma" and form.delimiter == ",":

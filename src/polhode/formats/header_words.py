@@ -77,6 +77,44 @@ def components_in(names: Sequence[str]) -> str | None:
     return letters if sorted(letters) == sorted("wxyz") else None
 
 
+SCALARS, VECTOR = "ws", "xyz"
+_NUMBERED = re.compile(r"(?P<stem>.*?)(?P<number>\d+)(?P<end>\W*)", re.DOTALL)
+_MOST_COMPONENTS = 4
+
+
+def explain_vector_names(names: Sequence[str], all_names: Sequence[str]) -> str:
+    """Return why three names are not those of a quaternion's vector part, x, y and z; "" where they may be.
+
+    Letters tell components where each name ends in one, w or s for the scalar, or x, y and z. Numbers tell them where
+    the table has no more than four columns of that name, counted from 0 or 1. Of four the first may be left out, as
+    the scalar; the last may not, because numbers do not tell whether it or the first is the scalar.
+
+    Args:
+        names: the three.
+        all_names: of the table.
+
+    >>> explain_vector_names(["qw", "qx", "qy"], [])
+    'their names end in w, x, y'
+    >>> every = ["q0", "q1", "q2", "q3"]
+    >>> explain_vector_names(every[:3], every), explain_vector_names(every[1:], every)
+    ('the table has a fourth of them, q3', '')
+    """
+    letters = "".join(bare_name(name)[-1:].lower() for name in names)
+    if len(letters) == len(VECTOR) and set(letters) <= set(SCALARS + VECTOR):
+        return "" if letters == VECTOR else f"their names end in {', '.join(letters)}"
+    families: dict[tuple[str, str], dict[int, str]] = {}
+    for name in (*all_names, *names):
+        if match := _NUMBERED.fullmatch(name.strip()) or _NUMBERED.fullmatch(bare_name(name)):
+            families.setdefault((match["stem"], match["end"]), {})[int(match["number"][:9])] = name
+    family = next((family for family in families.values() if set(names) <= set(family.values())), {})
+    if not family or len(family) > _MOST_COMPONENTS or max(family) > _MOST_COMPONENTS:
+        return ""  # they count columns of a table, not components
+    numbers = [next(number for number, other in family.items() if other == name) for name in names]
+    if numbers != list(range(numbers[0], numbers[0] + len(VECTOR))):
+        return f"their names end in {', '.join(map(str, numbers))}"
+    return f"the table has a fourth of them, {family[numbers[-1] + 1]}" if numbers[-1] + 1 in family else ""
+
+
 ENTRIES = "11 12 13 21 22 23 31 32 33"
 """Row and column of the entries of a matrix, row by row."""
 

@@ -70,7 +70,8 @@ def read_stk(path: str | Path) -> Trajectory:
     if clock == "epsec":
         times = np.array([_numbers(path, line, words[:1], "")[0] for line, words in group.rows])
     else:
-        times, epoch = _count_dates(path, [(line, " ".join(words[:ahead])) for line, words in group.rows], epoch)
+        dates = [(line, _without_quotes(" ".join(words[:ahead]))) for line, words in group.rows]
+        times, epoch = _count_dates(path, dates, epoch)
     attitude, velocity = _attitudes(path, group, numbers)
     axes = group.keywords.get("coordinateaxes", "")
     still = axes.lower() in INERTIAL
@@ -141,6 +142,11 @@ def _read_scenario_epoch(path: Path, keywords: dict[str, str]) -> str | None:
     except ValueError as error:
         raise FormatError(f"{path}: ScenarioEpoch {error}. Check the file.") from None
     return epoch
+
+
+def _without_quotes(text: str) -> str:
+    """Return a date without the quotes that some programs put around it, because it has blanks."""
+    return text[1:-1] if len(text) > 1 and text[0] == text[-1] == '"' else text
 
 
 def _count_dates(path: Path, rows: Sequence[tuple[int, str]], epoch: str | None) -> tuple[Array, str]:

@@ -21,6 +21,7 @@ HEAD = 60  # lines with cells that the form is found from
 MOST_COMMENTS = 2000  # lines before these
 _NUMBER = re.compile(r"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf|infinity)", re.ASCII | re.I)
 _TWO_NUMBERS = re.compile(r"[+-]?[\d.]+(?:[eE][+-]?\d+)?\s+[+-]?[\d.]+(?:[eE][+-]?\d+)?", re.ASCII)
+_DATE = re.compile(r"(?<!\S)\d{1,2}\s+[A-Za-z]{3,9}\s+\d{4}\s+\d\d:\d\d:\d\d(?:[.,]\d*)?(?!\S)", re.ASCII)
 _WORD = re.compile(r'"[^"]*"|[^\s\[("]+(?:[ \t]*(?:\[[^\]]*\]|\([^)]*\)))?')
 
 
@@ -58,12 +59,18 @@ def is_comment(text: str) -> bool:
 def split_cells(text: str, delimiter: str) -> list[str]:
     """Return the cells of a line, without the blanks around them and the quotes.
 
+    Between blanks a date is one cell, though it has blanks of its own.
+
     Raises:
         ValueError: for quotes that do not close.
 
     >>> split_cells('"t, s"; 1.5 ;', ";")
     ['t, s', '1.5', '']
+    >>> split_cells("01 Mar 2026 12:00:00.000   0.5", " ")
+    ['01 Mar 2026 12:00:00.000', '0.5']
     """
+    if delimiter == " " and ":" in text and '"' not in text:
+        text = _DATE.sub(lambda match: f'"{match[0]}"', text)
     if '"' not in text:
         return text.split() if delimiter == " " else [cell.strip() for cell in text.split(delimiter)]
     text = " ".join(text.split()) if delimiter == " " else text

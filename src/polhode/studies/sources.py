@@ -97,6 +97,8 @@ def detect_kind(path: Path, table: Table | None = None) -> str:
     with open_file(path, "spec or motion") as file:
         head = file.read(HEAD)
     begin = head.removeprefix(b"\xef\xbb\xbf")
+    if len(head) < HEAD and not begin.strip():
+        raise FormatError(f"{path}: is empty, so that there is nothing to read. Check the path, or write it again.")
     form = form_that_begins(begin) or (form_that_is_named(path) if table is None else None)
     overruled = form is not None and form.is_table and table is not None and (table.only or _fits(path, table))
     if form is not None and not overruled and not (form.name == "csv" and _is_chosen(begin, table)):

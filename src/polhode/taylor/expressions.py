@@ -24,10 +24,9 @@ MOST_NODES = 40_000  # of a tape; larger fields are better stepped by operations
 
 
 class Untraceable(Exception):
-    """A field with an operation that a tape does not have; the message names it.
+    """A field with an operation that a tape does not have, which the message names.
 
-    Attributes:
-        copies: (C,) which copies come to it; None where all do.
+    ``copies`` (C,) says which of a batch come to it; it is None where all do.
     """
 
     def __init__(self, what: str, copies: Bool[Array, "copies"] | None = None) -> None:
