@@ -18,7 +18,6 @@ import shutil
 import signal
 import sys
 import tempfile
-import zlib
 from pathlib import Path
 
 import jaxtyping
@@ -113,15 +112,11 @@ def pytest_ignore_collect(collection_path, config):
 def pytest_collection_modifyitems(items):
     """Give every test a time limit: one that stands still fails instead of stopping the run.
 
-    Tests that need what this system lacks are skipped; single cases that take long are told from the others. Where
-    time may end before the tests do, ``POLHODE_ORDER`` orders their files, so that it is not always the same that
-    do not run.
+    Tests that need what this system lacks are skipped; single cases that take long are told from the others.
     """
     for path in {item.path for item in items if item.get_closest_marker("browser")}:
         if not in_browser_by_its_text(path):
             raise pytest.UsageError(f"{path} has tests of pages: it must say `pytest.mark.browser` to be found")
-    if seed := os.environ.get("POLHODE_ORDER"):
-        items.sort(key=lambda item: zlib.crc32(f"{seed} {item.path.name}".encode()))
     cases = collections.Counter()
     for item in items:
         if is_long(item, cases):

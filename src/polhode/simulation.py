@@ -252,7 +252,7 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
         known = asked.estimate_error and bool(np.any(motion.successful))
         error = series_error(named, method, state, times, motion, asked.step, asked.tolerance) if known else None
     if by_default and not np.all(motion.successful):
-        raise NoSeries("its motion comes to a singularity.", ~motion.successful)
+        raise NoSeries("its motion comes to a singularity.", ~np.ravel(motion.successful))
     trajectory = _finish(system, type(method).__name__, motion, error, asked.throw)
     if asked.resumable and motion.memory is None:
         raise InvalidInput("`resumable` of Taylor goes with one state of a system without events, jumps and balances.")

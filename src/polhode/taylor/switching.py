@@ -113,7 +113,7 @@ class _Journey:
         status[:] = before
         status[together] = after[together]
         crossed = np.full(len(status), -1)
-        for k in together:
+        for k in together.tolist():
             event = int(self.copies.counts[k, EVENT])
             if status[k] == kernel.STOPPED and event >= own:
                 crossed[k] = branches.place(event - own)
