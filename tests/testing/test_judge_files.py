@@ -139,7 +139,7 @@ def test_keys_that_are_null_are_as_if_not_there(tmp_path):
 
 
 @pytest.mark.parametrize("head, words", [
-    ({"axis": "space"}, "unknown key 'axis'; did you mean axes?"), ({"inertia": [1, 2, 3]}, "belongs into a run"),
+    ({"axis": "space"}, "unknown key 'axis'; did you mean axes?"), ({"inertia": [1, 2, 3]}, "belongs in a run"),
 ])  # fmt: skip
 def test_unknown_keys_at_the_top_end_all(tmp_path, head, words):
     with pytest.raises(FormatError, match=words.replace("?", r"\?")):

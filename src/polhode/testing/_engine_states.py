@@ -101,7 +101,7 @@ def read_engine_states(
         got = shown(header if header else table)
         raise FormatError(f"{path}: must have `format` {FORMAT} and `version` {VERSION}; got {got}. Write both.")
     table = _without_null(table)
-    if unknown := _word_unknown(table, TOP, OF_RUN, "it belongs into a run."):
+    if unknown := _word_unknown(table, TOP, OF_RUN, "it belongs in a run."):
         raise FormatError(f"{path}: {unknown}")
     runs = table.get("runs")
     if not isinstance(runs, list) or not runs:
