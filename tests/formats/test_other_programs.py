@@ -288,6 +288,7 @@ def test_a_quote_that_does_not_close_is_refused(folder):
         ph.compare("free.toml", "sat.a")
 
 
+@pytest.mark.long
 def test_dates_between_blanks_are_columns_of_any_table(folder, capsys):
     """By options, and beside a column that was asked for already."""
     (folder / "report.txt").write_text(gmat_dates().replace("Sat.", "x"))

@@ -44,7 +44,9 @@ def test_derivatives_are_those_of_the_closed_form(by, mode):
     assert np.abs(found - wanted).max() < 1e-12
 
 
-@pytest.mark.parametrize("of", [lambda f: f, jax.jit, jax.jacrev, lambda f: jax.jit(jax.jacfwd(f))])
+@pytest.mark.long_cases("value", "jit", "jit of jacfwd")
+@pytest.mark.parametrize("of", [lambda f: f, jax.jit, jax.jacrev, lambda f: jax.jit(jax.jacfwd(f))],
+                         ids=["value", "jit", "jacrev", "jit of jacfwd"])  # fmt: skip
 def test_series_stay_on_the_host_where_closed_forms_are_compiled(of):
     """As they are where JAX has a GPU: series are kernels of Numba, which JAX cannot compile."""
     with ph.closed_forms("compiled"):

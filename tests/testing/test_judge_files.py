@@ -146,6 +146,7 @@ def test_unknown_keys_at_the_top_end_all(tmp_path, head, words):
         judged(tmp_path, [written(rk4, 0.02, until=2.0)], **head)
 
 
+@pytest.mark.long
 def test_a_motion_of_which_a_run_is_refused_counts_once(tmp_path):
     runs = [written(midpoint, h, until=2.0) for h in (0.04, 0.02, 0.01)]
     runs[1]["attitudes"].pop()
