@@ -201,7 +201,8 @@ def _motion(path: Path, name: str, element: ET.Element, poses: _Poses) -> Motion
         axis = poses.of_joint(name).turn.T @ poses.of(outer).turn @ axis
     limits = FREE
     if kind != "continuous":
-        limits = read_limits(*(element.findtext(f"axis/limit/{end}", default) for end, default in OPEN.items()))
+        lower, upper = (element.findtext(f"axis/limit/{end}", default) for end, default in OPEN.items())
+        limits = read_limits(lower, upper)
     mimic = element.find("axis/mimic")
     if mimic is None:
         return Motion(name, UNITS[kind], axis, limits=limits)
