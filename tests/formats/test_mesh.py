@@ -288,3 +288,20 @@ def test_broken_files_with_a_unit(tmp_path, ending, content, words):
     (tmp_path / f"a.{ending}").write_bytes(content)
     with pytest.raises(FormatError, match=words):
         read_mesh(tmp_path / f"a.{ending}", unit=1.0)
+
+
+def test_only_files_that_name_their_unit_need_none(tmp_path):
+    """3MF counts in millimetres where it says nothing else; an STL file says nothing at all."""
+    pytest.importorskip("lxml")
+    box = trimesh.creation.box((1.0, 2.0, 3.0))
+    vertices, _ = read_mesh(saved(tmp_path, box, "box.3mf"))
+    assert np.ptp(vertices, axis=0) == pytest.approx([1e-3, 2e-3, 3e-3], rel=1e-6)
+    with pytest.raises(InvalidInput, match="`unit` is missing"):
+        read_mesh(saved(tmp_path, box, "box.stl"))
+
+
+def test_a_thick_wall_is_no_sheet():
+    ball = trimesh.creation.icosphere(2, 0.05)
+    assert ph.Body.from_sheet(ball.vertices, ball.faces, density=1000.0, thickness=0.002).mass > 0.0
+    with pytest.raises(InvalidInput, match=r"`thickness` of a sheet must be at most 0\.25 of the mesh's size, 0\.1 m"):
+        ph.Body.from_sheet(ball.vertices, ball.faces, density=1000.0, thickness=0.08)

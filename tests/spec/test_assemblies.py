@@ -383,3 +383,11 @@ def test_through_the_whole_chain(read, tmp_path):
     # a specimen that is broken is seen: a thousandth more mass in the capsule turns otherwise
     broken = read((parts + spin).replace('mass = "30 g"', 'mass = "30.03 g"'), "broken.toml").report()
     assert np.abs(one.trajectory.attitude - broken.trajectory.attitude).max() > 1e-6
+
+
+def test_an_inertia_about_a_point_holds_that_of_the_mass_there(read):
+    """20 kg at 0.374 m have 2.8 kg m² there, more than is given."""
+    rows = '[["1.2 J", "0 J", "0 J"], ["0 J", "2.3 J", "0 J"], ["0 J", "0 J", "2.5 J"]]'.replace("J", "kg*m^2")
+    about = 'center_of_mass = ["0.1 m", "0.2 m", "0.3 m"]\nabout = ["0 m", "0 m", "0 m"]\n'
+    with pytest.raises(InvalidInput, match=r"m d² = 20 kg × \(0.3742 m\)² = 2.8 kg m²"):
+        read(f'[body]\nmass = "20 kg"\ninertia = {rows}\n{about}')

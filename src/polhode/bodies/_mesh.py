@@ -54,8 +54,8 @@ def sheet_properties(
     widest = float(np.ptp(vertices[faces], axis=(0, 1)).max())
     if thickness is not None and thickness > THICKEST * widest:
         raise InvalidInput(
-            f"`thickness` {thickness:g} m is no thin sheet's: it must be at most {THICKEST:g} of the mesh's size, "
-            f"{widest:.4g} m. Check its unit, or give the solid."
+            f"`thickness` of a sheet must be at most {THICKEST:g} of the mesh's size, {widest:.4g} m; got "
+            f"{thickness:g} m. Check its unit, or give the solid."
         )
     whole = float(mass if mass is not None else density * thickness * area)  # type: ignore[operator]
     return MassProperties(whole, center, whole / area * inertia_of_second(second))

@@ -15,8 +15,8 @@ from polhode.types import ArrayLike, Float64, Integer, Real
 
 SMALL_HOLE = 0.05  # of the mesh's extent: what may be closed flat changes volume by less than 1e-4 of it
 MOST_EDGES = 200  # of a small hole
-LOST = 3, 4  # edges of holes that one or two lost triangles leave, however large these were …
-FLAT = 0.87  # … two of them only where they go on a neighbour's plane, within 30°: an open box is no damage
+ONE_LOST, TWO_LOST = 3, 4  # edges of the hole that one lost triangle leaves, or two side by side, of any size
+FLAT = 0.87  # cosine of 30°: two lost triangles lay in the plane of a neighbour; the lid of an open box did not
 
 
 class Repaired(NamedTuple):
@@ -44,7 +44,7 @@ def repair_mesh(
         vertices: (n, 3) corners [m].
         faces: (m, 3) indices of corners.
         holes: whether small holes are closed: those no wider than a twentieth of the mesh, those of 3 edges, and those
-            of 4 edges where a triangle at the rim goes on flat.
+            of 4 edges that continue a flat face.
 
     Raises:
         InvalidInput: if a piece of the surface has only one side.
@@ -129,7 +129,8 @@ def _close_holes(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, l
         cap = np.asarray(loop)[_span(corners)]
         neighbours = [beside[frozenset(ends)] for ends in zip(loop, np.roll(loop, -1).tolist(), strict=True)]
         small = width <= SMALL_HOLE * extent and len(loop) <= MOST_EDGES
-        if not (small or len(loop) == LOST[0] or (len(loop) == LOST[1] and _is_flat(vertices, cap, faces[neighbours]))):
+        was_flat = len(loop) == TWO_LOST and _is_flat(vertices, cap, faces[neighbours])
+        if not (small or len(loop) == ONE_LOST or was_flat):
             continue
         added.append(cap)
         widest, longest, closed = max(widest, width), max(longest, len(loop)), closed + 1
@@ -140,7 +141,7 @@ def _close_holes(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, l
 
 
 def _is_flat(vertices: np.ndarray, cap: np.ndarray, neighbours: np.ndarray) -> bool:
-    """Return whether all triangles of a cap go on in the plane of some neighbour, whichever way that is turned."""
+    """Return whether each triangle of a cap lies in the plane of some neighbour, whichever way that one is turned."""
     a, b, c = np.moveaxis(vertices[np.concatenate([cap, neighbours])], 1, 0)
     normals = np.cross(b - a, c - a)
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)

@@ -13,7 +13,7 @@ def run_judge(path: Path, json: bool, out: Path | None, spec: Path | None) -> No
     """Judge the file, draw where asked for, and print the verdicts.
 
     Raises:
-        InvalidInput: after the report, where every run was refused: then there is no verdict.
+        InvalidInput: if every run was refused, after the report has been printed.
     """
     report = judge_file(path, spec)
     publish(report, json, figures=out if report.judgements else None)

@@ -170,7 +170,7 @@ def _read_moment(text: str, system: str, said: bool) -> tuple[int, int]:
         said: whether it was said, and is not that of the first date's zone.
 
     Raises:
-        ValueError: in words, for what is no date, and for zones that are not those of the column.
+        ValueError: with a message, for text that is not a date, and for a zone other than the column's.
     """
     date, zoned = read_date(text)
     if zoned and system != "UTC":

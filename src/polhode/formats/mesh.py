@@ -49,7 +49,7 @@ def read_mesh(
 
     Args:
         path: the file.
-        unit: length of the file's unit [m]; None for that which 3MF and DAE files name, and for metres in others.
+        unit: length of the file's unit [m]; it may be left out for 3MF and DAE files, which name theirs.
         repair: merge corners closer than 1e-6 of the extent, drop triangles that are degenerate or there twice, fill
             small holes, and turn faces outward, or inward on cavities. Only on request, as it guesses.
 
@@ -64,6 +64,9 @@ def read_mesh(
 def load_mesh(path: str | Path, unit: float | None = None, repair: bool = False) -> LoadedMesh:
     """Return a mesh as ``read_mesh`` does, with notes on what repair changed."""
     path = Path(path)
+    if unit is None and not names_its_unit(path):
+        raise InvalidInput(f"{path}: `unit` is missing, a length in metres like 1e-3; of mesh files only 3MF and DAE "
+                           "name theirs.")  # fmt: skip
     if unit is not None and (isinstance(unit, str) or not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0)):
         raise InvalidInput(f"`unit` must be a positive length in metres, like 1e-3 for millimetres; got {shown(unit)}.")
     vertices, faces, unit = _load(path, read_file(path, "mesh", LARGEST_FILE), unit)

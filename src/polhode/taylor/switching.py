@@ -130,7 +130,7 @@ class _Journey:
             self._strand([k for k in done if not branches.hold(np.asarray(self.copies.y)[[k]])], UNSEEN)
 
     def _cross(self, k: int) -> None:
-        """Note that a copy has come to a border, which is no event of its own."""
+        """Record that a copy has crossed a border, which does not count among the events that it noted."""
         now, counts = self.copies.now, self.copies.counts
         self.copies.status[k] = kernel.RUNNING
         counts[k, HITS] -= 1

@@ -92,7 +92,7 @@ def read_engine_states(
     """
     try:
         table = json.loads(read_text(path, "JSON", LARGEST))
-    except (ValueError, RecursionError) as error:  # that of Python for whole numbers of many digits is no JSON error
+    except (ValueError, RecursionError) as error:  # Python refuses whole numbers of many digits by a plain ValueError
         if isinstance(error, InvalidInput):
             raise
         raise FormatError(f"{path}: is not JSON ({error}). Write one object with format, version and runs.") from None
