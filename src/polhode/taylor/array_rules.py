@@ -1,18 +1,21 @@
 """Taylor coefficients of whole arrays: a recurrence for each of JAX's operations.
 
 The operations of a function are done once for each order, on arrays as large as they are. So a field of large arrays,
-as that of a fluid is, has its series without being taken apart into numbers.
+as that of a fluid is, has its series without being taken apart into numbers. Orders are written out one after the
+other, or a loop of JAX's goes through them: then one array holds all coefficients of an array, and zeros where none are
+known yet.
 
 Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Griewank & Walther, *Evaluating Derivatives*, ch. 13.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax.extend.core import Literal
 
 from polhode.arrays.steps import split_scan
@@ -30,7 +33,7 @@ AFFINE = frozenset((
 """Operations that are affine in the arguments that move, if ``_is_affine`` finds these in the right places."""
 FIRST_STILL = frozenset(("select_n", "triangular_solve"))  # whose first argument must not move
 REST_STILL = frozenset(("gather", "dynamic_slice", "div"))  # only whose first one may
-Series = list[Array]  # of one array, by order
+Series = list[Array] | Array  # of one array, by order; an array in a loop over orders
 
 
 class Step(NamedTuple):
@@ -38,7 +41,7 @@ class Step(NamedTuple):
 
     Attributes:
         equation: of the jaxpr.
-        arguments, results: places of arrays.
+        arguments, results: places of arrays; a rule may have more results than the equation, which it needs itself.
         rule: returns the k-th coefficients of the results, given those of the arguments up to k, its own up to k − 1
             and k; None where nothing moves.
         moving: which of the arguments move.
@@ -98,17 +101,20 @@ class Unrolled:
                 at.update(zip(equation.outvars, self._inline(plain, consts, places), strict=True))
                 continue
             moving = tuple(k for k, place in enumerate(places) if self._moves[place])
-            results = tuple(self._place(bool(moving)) for _ in equation.outvars)
-            rule = _find_rule(equation, moving) if moving else None
+            rule = _find_rule(equation, moving, [self.constants.get(place) for place in places]) if moving else None
+            count = len(equation.outvars)
+            results = tuple(self._place(bool(moving)) for _ in range(count + getattr(rule, "more", 0)))
             self.steps.append(Step(equation, tuple(places), results, rule, moving))
-            at.update(zip(equation.outvars, results, strict=True))
+            at.update(zip(equation.outvars, results[:count], strict=True))
         return [find_place(v) for v in jaxpr.outvars]
 
 
-def _find_rule(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
+def _find_rule(equation: Any, moving: tuple[int, ...], constants: list[Any]) -> Callable[..., list[Array]]:
     name = equation.primitive.name
     if _is_affine(equation, moving):
-        return _Affine(equation, moving)
+        return Affine(equation, moving)
+    if name == "pow":
+        return _power(_read_exponent(constants[1]))(equation, moving)
     if name in RULES:
         return RULES[name](equation, moving)
     raise Untraceable(f"`{name}` of something that moves")
@@ -159,33 +165,71 @@ def bind(equation: Any, arguments: list[Any]) -> list[Shaped[Array, "..."]]:
     return list(results) if equation.primitive.multiple_results else [results]
 
 
-class _Affine:
+class Affine:
     """An operation that is affine in the arguments that move: its linear part maps the coefficients of each order."""
 
     def __init__(self, equation: Any, moving: tuple[int, ...]) -> None:
         self.equation, self.moving = equation, moving
 
-    def __call__(self, arguments: list[Any], own: list[Series], k: int) -> list[Array]:
+    def __call__(self, arguments: list[Any], own: list[Series], k: Any) -> list[Array]:
         def of(*values: Array) -> list[Array]:
             whole = [x[0] if j in self.moving else x for j, x in enumerate(arguments)]
             for j, value in zip(self.moving, values, strict=True):
                 whole[j] = value
             return bind(self.equation, whole)
 
-        if k == 0:
+        if is_first(k):
             results, self.linear = jax.linearize(of, *(arguments[j][0] for j in self.moving))
             return results
         return self.linear(*(arguments[j][k] for j in self.moving))
 
 
+def is_first(k: Any) -> bool:
+    """Return whether the order is zero, as none is in a loop."""
+    return isinstance(k, int) and k == 0
+
+
+def _pairs(left: Series, right: Series, k: Any) -> tuple[Array, Array, Any]:
+    """Return the factors a_j and b_{k−j} of Cauchy's product and j, so far as there are any; zero for others."""
+    if isinstance(left, list):
+        count = min(len(left), k + 1)  # own coefficients of order k are not known yet
+        return jnp.stack(left[:count]), jnp.stack([right[k - j] for j in range(count)]), np.arange(count)
+    return left, jnp.roll(jnp.asarray(right)[::-1], k + 1, axis=0), jnp.arange(len(left))
+
+
+def _convolve(left: Series, right: Series, k: Any, weigh: Callable[[Any], Any] | None = None) -> Array:
+    """Return Σ_j w(j) a_j b_{k−j}, without the term of j = k where a has none yet."""
+    left, right, j = _pairs(left, right, k)
+    products = left * right
+    if weigh is not None:
+        products = jnp.reshape(weigh(j) * 1.0, (-1, *[1] * (products.ndim - 1))) * products
+    return jnp.sum(products, axis=0)
+
+
+class Present:
+    """The coefficient of the present order, where no other one is asked for."""
+
+    def __init__(self, value: Array) -> None:
+        self.value = value
+
+    def __getitem__(self, k: Any) -> Array:
+        return self.value
+
+
+def add_order(series: Any, value: Shaped[Array, "..."], k: Any) -> Any:
+    """Return the coefficients with those of one more order; of an array that has none, they alone."""
+    if series is None:
+        return [value] if is_first(k) else Present(value)
+    return [*series, value] if isinstance(series, list) else series.at[k].set(value)
+
+
 def _product(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
     """Products: the sum over all pairs of orders that add up to k, for matrices as one product of stacked blocks."""
 
-    def rule(arguments: list[Series], own: list[Series], k: int) -> list[Array]:
-        # Cauchy's product Σ_{j≤k} a_j b_{k−j}
-        left, right = jnp.stack(arguments[0][: k + 1]), jnp.stack(arguments[-1][k::-1])
+    def rule(arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
         if equation.primitive.name != "dot_general":
-            return [jnp.sum(left * right, axis=0)]
+            return [_convolve(arguments[0], arguments[-1], k)]
+        left, right, _ = _pairs(arguments[0], arguments[-1], k)
         (of_left, of_right), (batch_left, batch_right) = equation.params["dimension_numbers"]
         later = lambda axes: tuple(axis + 1 for axis in axes)  # noqa: E731
         numbers = (((0, *later(of_left)), (0, *later(of_right))), (later(batch_left), later(batch_right)))
@@ -195,32 +239,47 @@ def _product(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array
 
 
 def _quotient(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-    def rule(arguments: list[Any], own: list[Series], k: int) -> list[Array]:
+    def rule(arguments: list[Any], own: list[Series], k: Any) -> list[Array]:
         above, below = arguments
-        if 0 in moving:
-            value = above[k]
-        else:
-            value = above if k == 0 else jnp.zeros_like(below[0])
-        for j in range(k):
-            # q b = a: b₀ q_k = a_k − Σ_{j<k} q_j b_{k−j}
-            value = value - own[0][j] * below[k - j]
-        return [value / below[0]]
+        value = above[k] if 0 in moving else above
+        if is_first(k):
+            return [value / below[0]]
+        # q b = a: b₀ q_k = a_k − Σ_{j<k} q_j b_{k−j}
+        return [((value if 0 in moving else 0.0) - _convolve(own[0], below, k)) / below[0]]
 
     return rule
 
 
-def _power(exponent_of: Callable[[Any], float]) -> Callable[..., Any]:
-    """Powers: u = xᵖ, k x₀ uₖ = Σ (p (k − j) − j) uⱼ x₍ₖ₋ⱼ₎; whole ones above zero by products, as x may be zero."""
+class _WholePower:
+    """Whole powers above zero by products, as x may be zero; x², x³, … are results of their own."""
+
+    def __init__(self, p: int) -> None:
+        self.p, self.more = p, max(p - 2, 0)
+
+    def __call__(self, arguments: list[Any], own: list[Series], k: Any) -> list[Array]:
+        x = arguments[0]
+        if self.p == 1:
+            return [x[k]]
+        powers = []
+        lower = x
+        for series in [*own[1:], own[0]]:
+            powers.append(_convolve(lower, x, k))
+            lower = add_order(series, powers[-1], k)
+        return [powers[-1], *powers[:-1]]
+
+
+def _power(p: float) -> Callable[..., Any]:
+    """Powers: u = xᵖ, k x₀ uₖ = Σ (p (k − j) − j) uⱼ x₍ₖ₋ⱼ₎."""
 
     def make(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-        def rule(arguments: list[Any], own: list[Series], k: int) -> list[Array]:
-            p, x = exponent_of(arguments if equation.primitive.name == "pow" else equation), arguments[0]
-            if float(p).is_integer() and 0 < p <= MOST_FACTORS:
-                return [_whole_power(x, int(p), k)]
-            if k == 0:
+        if float(p).is_integer() and 0 < p <= MOST_FACTORS:
+            return _WholePower(int(p))
+
+        def rule(arguments: list[Any], own: list[Series], k: Any) -> list[Array]:
+            x = arguments[0]
+            if is_first(k):
                 return bind(equation, [x[0], *arguments[1:]])
-            value = sum((p * (k - j) - j) * own[0][j] * x[k - j] for j in range(k))
-            return [value / (k * x[0])]
+            return [_convolve(own[0], x, k, lambda j: p * (k - j) - j) / (k * x[0])]
 
         return rule
 
@@ -230,70 +289,55 @@ def _power(exponent_of: Callable[[Any], float]) -> Callable[..., Any]:
 MOST_FACTORS = 8
 
 
-def _total(parts: Iterable[Any]) -> Any:
-    """Return the sum of arrays, one at least; type checkers take a sum for a whole number where there may be none."""
-    return sum(parts)
-
-
-def _whole_power(x: Series, p: int, k: int) -> Array:
-    power = x[: k + 1]
-    for _ in range(p - 1):
-        power = [_total(power[j] * x[i - j] for j in range(i + 1)) for i in range(k + 1)]
-    return power[k]
-
-
-def _read_exponent(arguments: list[Any]) -> float:
-    try:
-        return float(arguments[1])
-    except (TypeError, jax.errors.ConcretizationTypeError):
-        raise Untraceable("a power whose exponent is not one known number") from None
+def _read_exponent(value: Any) -> float:
+    if value is None or np.size(value) != 1:
+        raise Untraceable("a power whose exponent is not one known number")
+    return float(np.reshape(value, ()))
 
 
 def _exponential(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-    def rule(arguments: list[Series], own: list[Series], k: int) -> list[Array]:
+    def rule(arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
         x = arguments[0]
-        if k == 0:
+        if is_first(k):
             return [jnp.exp(x[0])]
         # u̇ = u ẋ: k u_k = Σ_{j<k} (k−j) u_j x_{k−j}
-        return [_total((k - j) * own[0][j] * x[k - j] for j in range(k)) / k]
+        return [_convolve(own[0], x, k, lambda j: k - j) / k]
 
     return rule
 
 
 def _logarithm(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-    def rule(arguments: list[Series], own: list[Series], k: int) -> list[Array]:
+    def rule(arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
         x = arguments[0]
-        if k == 0:
+        if is_first(k):
             return [jnp.log(x[0])]
         # x u̇ = ẋ: x₀ u_k = x_k − Σ_{0<j<k} j u_j x_{k−j}/k
-        return [(x[k] - sum(j * own[0][j] * x[k - j] for j in range(1, k)) / k) / x[0]]
+        return [(x[k] - _convolve(own[0], x, k, lambda j: j) / k) / x[0]]
 
     return rule
 
 
-def _circular(which: int) -> Callable[..., Any]:
-    def make(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-        pair: tuple[Series, Series] = ([], [])
+class _Circular:
+    """Sine or cosine; the other one is a second result."""
 
-        def rule(arguments: list[Series], own: list[Series], k: int) -> list[Array]:
-            x, (sine, cosine) = arguments[0], pair
-            if k == 0:
-                sine[:], cosine[:] = [jnp.sin(x[0])], [jnp.cos(x[0])]
-            else:
-                # ṡ = c ẋ, ċ = −s ẋ
-                more = [(k - j) * x[k - j] for j in range(k)]
-                sine.append(_total(w * c for w, c in zip(more, cosine, strict=True)) / k)
-                cosine.append(-_total(w * s for w, s in zip(more, sine[:k], strict=True)) / k)
-            return [pair[which][k]]
+    more = 1
 
-        return rule
+    def __init__(self, is_sine: bool) -> None:
+        self.is_sine = is_sine
 
-    return make
+    def __call__(self, arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
+        x, sine, cosine = arguments[0], own[not self.is_sine], own[self.is_sine]
+        if is_first(k):
+            pair = jnp.sin(x[0]), jnp.cos(x[0])
+        else:
+            # ṡ = c ẋ, ċ = −s ẋ
+            pair = tuple(sign * _convolve(y, x, k, lambda j: k - j) / k for sign, y in ((1.0, cosine), (-1.0, sine)))
+        return list(pair if self.is_sine else pair[::-1])
 
 
 RULES: dict[str, Callable[..., Any]] = {
     "mul": _product, "dot_general": _product, "square": _product, "div": _quotient, "exp": _exponential,
-    "log": _logarithm, "sin": _circular(0), "cos": _circular(1), "pow": _power(_read_exponent),
-    "integer_pow": _power(lambda equation: equation.params["y"]), "sqrt": _power(lambda equation: 0.5),
-    "rsqrt": _power(lambda equation: -0.5), "cbrt": _power(lambda equation: 1.0 / 3.0),
+    "log": _logarithm, "sin": lambda *_: _Circular(True), "cos": lambda *_: _Circular(False),
+    "integer_pow": lambda equation, moving: _power(equation.params["y"])(equation, moving), "sqrt": _power(0.5),
+    "rsqrt": _power(-0.5), "cbrt": _power(1.0 / 3.0),
 }  # fmt: skip

@@ -20,7 +20,7 @@ from polhode.motion._outcome import Status
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
-from polhode.taylor.array_rules import Unrolled, bind
+from polhode.taylor.array_rules import Affine, Unrolled, add_order, bind, is_first
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import Precision, Runs
 from polhode.types import Array, ArrayOrFloat, Double, Float64
@@ -108,37 +108,80 @@ def coefficients(
     return write(system, state, t, unit, order)
 
 
-def _write_coefficients(system: AbstractSystem, state: Array, t: Array, unit: Array, order: int) -> Array:
-    closed = jax.make_jaxpr(lambda t, x: rates_of_change(system, t, x))(t, state)
-    unrolled = Unrolled(closed, [True, True])
-    z: list[Any] = [None] * unrolled.size
-    for place, value in unrolled.constants.items():
-        z[place] = value
-    (clock, moving), (rates,) = unrolled.arguments, unrolled.results
-    z[clock], z[moving] = [t, unit], [state]
-    for k in range(order):
-        if k > 1:
-            z[clock].append(jnp.zeros_like(t))
-        for step in unrolled.steps:
-            arguments = [z[place] for place in step.arguments]
-            if step.rule is None:
-                if k == 0:
-                    for place, value in zip(step.results, bind(step.equation, arguments), strict=True):
-                        z[place] = value
-                continue
-            own = [[] if k == 0 else z[place] for place in step.results]
-            for place, value in zip(step.results, step.rule(arguments, own, k), strict=True):
-                z[place] = [value] if k == 0 else [*z[place], value]
-        if unrolled.is_moving(rates):
-            rate = z[rates][k]
-        else:
-            rate = z[rates] if k == 0 else jnp.zeros_like(state)
+def _write_orders(system: AbstractSystem, state: Array, t: Array, unit: Array, order: int) -> Array:
+    """Return the coefficients by operations that are written out for each order."""
+    recurrence = _Recurrence(system, state, t, unit, order)
+    for k in range(1, order):
+        recurrence.advance(k)
+    return jnp.stack(recurrence.series[recurrence.state])
+
+
+def _write_loop(system: AbstractSystem, state: Array, t: Array, unit: Array, order: int) -> Array:
+    """Return the coefficients by a loop over orders, which adds zeros too, but compiles many times faster."""
+    recurrence = _Recurrence(system, state, t, unit, order)
+    series, unrolled = recurrence.series, recurrence.unrolled
+    others = [None if unrolled.is_moving(place) else value for place, value in enumerate(series)]
+    begun = {place: jnp.stack(series[place]) for place in recurrence.read_at_all_orders()}
+    kept = {
+        place: jnp.zeros((order + 1, *x.shape[1:]), x.dtype).at[: len(x)].set(x) for place, x in begun.items()
+    }  # fmt: skip
+
+    def advance(k: Array, kept: dict[int, Array]) -> dict[int, Array]:
+        recurrence.series = [kept.get(place, value) for place, value in enumerate(others)]
+        recurrence.advance(k)
+        return {place: recurrence.series[place] for place in kept}
+
+    return jax.lax.fori_loop(1, order, advance, kept)[recurrence.state]
+
+
+class _Recurrence:
+    """Taylor coefficients of everything that the rates of a system are made of, order by order.
+
+    Attributes:
+        series: by place: coefficients of what moves, and values of what does not.
+        state: the place of the state.
+    """
+
+    def __init__(self, system: AbstractSystem, state: Array, t: Array, unit: Array, order: int) -> None:
+        closed = jax.make_jaxpr(lambda t, x: rates_of_change(system, t, x))(t, state)
+        self.unrolled, self.unit = Unrolled(closed, [True, True]), jnp.asarray(unit)
+        (self.clock, self.state), (self.rates,) = self.unrolled.arguments, self.unrolled.results
+        self.series: list[Any] = [self.unrolled.constants.get(place) for place in range(self.unrolled.size)]
+        self.series[self.clock] = [jnp.asarray(t), self.unit, *[jnp.zeros_like(self.unit)] * (order - 1)]
+        self.series[self.state] = [jnp.asarray(state)]
+        self.advance(0)
+
+    def read_at_all_orders(self) -> set[int]:
+        """Return the places whose coefficients of other orders than the present one are needed."""
+        places = {self.clock, self.state}
+        for step in self.unrolled.steps:
+            if step.rule is not None and not isinstance(step.rule, Affine):
+                places.update(step.results, (step.arguments[k] for k in step.moving))
+        return places
+
+    def advance(self, k: Any) -> None:
+        """Compute the coefficients of an order, and those of the state of the next one."""
+        series = self.series
+        for step in self.unrolled.steps:
+            arguments = [series[place] for place in step.arguments]
+            if step.rule is not None:
+                own = [[] if series[place] is None else series[place] for place in step.results]
+                for place, value in zip(step.results, step.rule(arguments, own, k), strict=True):
+                    series[place] = add_order(series[place], value, k)
+            elif is_first(k):
+                for place, value in zip(step.results, bind(step.equation, arguments), strict=True):
+                    series[place] = value
+        rate = series[self.rates]
+        if self.unrolled.is_moving(self.rates):
+            rate = rate[k]
+        elif not is_first(k):
+            rate = jnp.zeros_like(rate)
         # ẏ = f: y_{k+1} = unit f_k/(k + 1)
-        z[moving].append(jnp.asarray(rate * unit / (k + 1), state.dtype))
-    return jnp.stack(z[moving])
+        value = jnp.asarray(rate * self.unit / (k + 1), series[self.state][0].dtype)
+        series[self.state] = add_order(series[self.state], value, k + 1)
 
 
-_write_quickly, _write_thoroughly = compiled_quickly(_write_coefficients), eqx.filter_jit(_write_coefficients)
+_write_quickly, _write_thoroughly = compiled_quickly(_write_loop), eqx.filter_jit(_write_orders)
 
 
 def run_arrays(
