@@ -44,6 +44,7 @@ MAX_SECONDS = 900  # of one test, on a machine that does other things too
 MAX_SECONDS_IN_A_BROWSER = 240
 MAX_SECONDS_OF_A_SWEEP = 3000
 CHROMIUM = Path("/usr/bin/chromium")  # of Debian
+WORDS = {"browser": "mark.browser", "sweep": "sweep", "long": "mark.long"}  # by which files are known that have them
 SWITCHES = (
     "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
     "--disable-component-update --disable-sync "
@@ -97,26 +98,24 @@ def pytest_runtest_setup(item):
     typed.now[0] += 1
 
 
-def in_browser_by_its_text(path):
-    """Whether a file has tests of pages, which each such file has to say in these words."""
-    return "mark.browser" in path.read_text("utf-8")
+def says(path, mark):
+    """Return whether a file has tests of such a mark, which each such file has to say in these words."""
+    return WORDS[mark] in path.read_text("utf-8")
 
 
 def pytest_ignore_collect(collection_path, config):
-    """Where tests of pages alone are run, leave out files without: each worker took a minute to import them all."""
-    if collection_path.suffix == ".py" and re.fullmatch("browser( and (not )?[a-z]+)*", config.option.markexpr):
-        return not in_browser_by_its_text(collection_path) or None
+    """Where tests of one mark alone are run, leave out files without: each worker took half a minute to import all."""
+    asked = re.fullmatch(rf"({'|'.join(WORDS)})( and (not )?[a-z]+)*", config.option.markexpr)
+    if asked and collection_path.suffix == ".py":
+        return not says(collection_path, asked[1]) or None
     return None
 
 
-def pytest_collection_modifyitems(items):
+def pytest_collection_modifyitems(config, items):
     """Give every test a time limit: one that stands still fails instead of stopping the run.
 
     Tests that need what this system lacks are skipped; single cases that take long are told from the others.
     """
-    for path in {item.path for item in items if item.get_closest_marker("browser")}:
-        if not in_browser_by_its_text(path):
-            raise pytest.UsageError(f"{path} has tests of pages: it must say `pytest.mark.browser` to be found")
     cases = collections.Counter()
     for item in items:
         if is_long(item, cases):
@@ -128,6 +127,21 @@ def pytest_collection_modifyitems(items):
         limit = MAX_SECONDS_OF_A_SWEEP if slow else MAX_SECONDS_IN_A_BROWSER if in_browser else MAX_SECONDS
         if item.get_closest_marker("timeout") is None:
             item.add_marker(pytest.mark.timeout(limit))
+    for mark, word in WORDS.items():
+        for path in {item.path for item in items if item.get_closest_marker(mark)}:
+            if not says(path, mark):
+                raise pytest.UsageError(f"{path} has tests of the mark {mark}: it must say `{word}` to be found")
+    leave_out_sweeps(config, items)
+
+
+def leave_out_sweeps(config, items):
+    """Keep one of so many shares of the sweeps, where POLHODE_SWEEPS is "3/5": CI runs another one each time."""
+    if share := os.environ.get("POLHODE_SWEEPS"):
+        number, of = map(int, share.split("/"))
+        sweeps = [item for item in items if item.get_closest_marker("sweep")]
+        left_out = {item for k, item in enumerate(sweeps) if k % of != number % of}
+        config.hook.pytest_deselected(items=[item for item in items if item in left_out])
+        items[:] = [item for item in items if item not in left_out]
 
 
 def is_long(item, cases):

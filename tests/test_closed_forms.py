@@ -83,6 +83,7 @@ def test_compiled_functions_take_subnormal_numbers_as_numpy_does(small):
         assert float(jax.jit(product)(*arguments)[0]) == small * (1e-315 / small) > 0.0
 
 
+@pytest.mark.long
 def test_the_way_is_chosen_when_a_function_is_traced():
     text = lambda: jax.jit(lambda t: momentum_at(MOMENTS, jnp.asarray(MOMENTUM), t)).lower(1.0).as_text()  # noqa: E731
     with jax.enable_x64(True):

@@ -48,8 +48,15 @@ SLOW = {
     "polhode.poisson.group_reconstruction", "polhode.systems.euler_disk", "polhode.testing.algebras",
     "polhode.testing.kinds", "polhode.testing.systems",
 }  # fmt: skip
+LONG = [
+    f"polhode.{name}" for name in (
+        "analysis.gyrostat_rotations", "analysis.lyapunov_exponents", "analysis.threshold", "arrays.elementwise",
+        "integrators.transport_noise", "symbolic.registry",
+    )
+]  # fmt: skip
 
 
+@pytest.mark.long_cases(*LONG)
 @pytest.mark.parametrize("name", slow_in_the_sweep(modules_with_examples(), SLOW))
 def test_examples_in_docstrings(name):
     found = doctest.testmod(importlib.import_module(name))

@@ -218,6 +218,7 @@ def test_a_body_at_rest_beside_its_rotor(moments, size):
     assert found.verdict == "stable" and "H is positive definite" in found.certificate
 
 
+@pytest.mark.long_cases("5-0.5")
 @pytest.mark.parametrize(("n", "critical"), first(1, [(5, 1 / 2), (4, 1 / 3)]))
 def test_vortex_rings_on_both_sides_of_their_threshold(n, critical):
     """Boatto & Cabral, SIAM J. Appl. Math. 64 (2003) 216: stable for cos²θ > 1/3, 1/2; growth by their formula."""

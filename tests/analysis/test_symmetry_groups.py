@@ -83,6 +83,7 @@ def test_a_tilted_ring_is_the_same():
     assert stability(vortices(4), ring(4, 1.2) @ turn.T, MOMENTUM).rate == pytest.approx(growth(4, 1.2), rel=1e-9)
 
 
+@pytest.mark.long
 def test_with_the_whole_group_divided_out_a_ring_would_be_judged_wrongly(monkeypatch):
     module = importlib.import_module("polhode.analysis.stability")  # the package has the function by that name
     monkeypatch.setattr(module, "_of_isotropy", lambda p, weights: (p, weights))

@@ -169,6 +169,7 @@ def test_whole_meshes_pass(name):
         assert body.mass == pytest.approx(volume * scale**3, rel=SINGLE)
 
 
+@pytest.mark.long
 def test_crossings_are_found_wherever_they_are():
     """One small ball after another is put across the wall of a fine one."""
     large, small = ball(subdivisions=3), ball(0.02, subdivisions=0)

@@ -139,6 +139,7 @@ def test_explicit_runge_kutta_methods_do_not_run_back():
     assert np.abs(back.states[-1] - STARTS["body"]).max() > 1e-9
 
 
+@pytest.mark.long
 def test_a_method_off_the_orbit_is_caught():
     class Kutta(AbstractOrbitSolver):
         """The classical method on the state itself."""

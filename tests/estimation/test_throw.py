@@ -84,6 +84,7 @@ def test_a_bias_is_found():
     assert np.allclose(fit.bias.value, [0.05, -0.05, 0.05], atol=5 * fit.bias.standard_error.max())
 
 
+@pytest.mark.long_cases("1e-08")
 @pytest.mark.parametrize("noise", [1e-11, 1e-8])
 def test_gains_leave_the_ratios_open_however_quiet_the_gyro_is(noise):
     """Gains along the principal axes and moments do the same to rates: only what is known of gains tells them apart."""
@@ -135,6 +136,7 @@ def test_throws_of_one_body_are_fitted_together():
     assert both.regimes == ["long-axis", "short-axis"]
 
 
+@pytest.mark.long
 def test_saturated_samples_and_outliers():
     log, _ = made(7, "long", **CALM)
     rates = np.clip(log.rates, -8.0, 8.0)
@@ -327,6 +329,7 @@ def test_a_small_wheel_does_not_hide_in_drag_and_gains():
     assert fit.rotor is not None and (off(fit, body) < FAR).all()
 
 
+@pytest.mark.long_cases("8")
 @pytest.mark.parametrize("seed", first(1, [8, 19]))
 def test_errors_are_told_for_a_wheel_that_nothing_shows(seed):
     """Of a wheel about the middle axis of a slow tumble the gains of axes do the work: 9 errors off in these."""

@@ -110,6 +110,7 @@ def test_near_the_least_ratio_the_wobble_is_small():
     assert [motion.mode for motion in fit_tumbling(1.0, short * (1 - 1e-9), APOPHIS[2])] == ["long-axis"]
 
 
+@pytest.mark.long
 def test_errors_are_those_of_draws_and_leave_the_motion_as_it_is():
     plain, told = (fit_tumbling(*APOPHIS, errors=errors)[0] for errors in (None, (0.02, 2.0, 0.0, 0.0, 0.0)))
     assert plain.interval is None

@@ -62,6 +62,7 @@ def test_an_heir_of_what_a_kind_draws_is_drawn_as_that_kind(base):
     assert not keeps_motion_of((base,), other)  # its page shows samples: the equations may be others
 
 
+@pytest.mark.long
 def test_an_heir_of_a_heavy_top_has_its_pictures():
     given = (1.0, 1.0, 2.0), 3.0, (0.0, 0.0, 1.0)
     start = [1.0, 0.0, 0.0, 0.0, 0.1, 0.2, 5.0, 0.0, 0.0, 1.0]

@@ -99,6 +99,7 @@ def turned_by(roll, pitch, yaw):
 ANGLES = st.floats(-np.pi, np.pi)
 
 
+@pytest.mark.long
 @given(ANGLES, st.one_of(ANGLES, st.sampled_from([np.pi / 2, -np.pi / 2, np.pi / 2 - 1e-9, np.pi / 2 + 1e-12])), ANGLES)
 @settings(max_examples=60, deadline=None)
 def test_written_along_the_principal_axes_it_is_diagonal(tmp_path_factory, roll, pitch, yaw):

@@ -331,6 +331,7 @@ def test_losses_change_nutation_as_an_integrated_motion_does(spec, rate, word):
     assert found["nutation_rate"] == pytest.approx(momentum / moments[0], rel=1e-12)
 
 
+@pytest.mark.long
 def test_losses_are_not_judged_where_the_criterion_does_not_hold(spec):
     leaning = spec('moments = ["2 kg*m^2", "2.5 kg*m^2", "3 kg*m^2"]', ALONG_3, SPIN)
     assert "losses" not in report_on(leaning).values()

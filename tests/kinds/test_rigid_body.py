@@ -225,6 +225,7 @@ def test_numbers_of_its_tables_can_be_swept(tmp_path):
     assert "control.bandwidth" in plan.design.inputs
 
 
+@pytest.mark.long
 def test_a_sweep_of_a_spec_whose_system_is_one_word_says_how_many_have_a_motion(tmp_path, capsys):
     text = SWEPT.format(HEAD + BODY + SPIN)
     (tmp_path / "craft.toml").write_text(text, "utf-8")

@@ -77,6 +77,7 @@ def test_large_matrices_keep_fewer_samples(spec, monkeypatch):
     assert len(report.trajectory.times) == 3 and any("3 of 9 samples" in note for note in report.notes)
 
 
+@pytest.mark.long
 def test_maps_of_the_page_are_those_of_the_fluid(spec):
     report = spec('resolution = 6\nwaves = [{degree = 3, order = 0, vorticity = "1 rad/s"}]', "10 ms").report()
     (panel,) = SphereFluidPanel().panels(report.trajectory, take_samples(report.trajectory), None)

@@ -112,6 +112,7 @@ def test_moments_without_mass_have_no_weight(read):
         assert words in str(caught.value)
 
 
+@pytest.mark.long
 def test_a_run_too_long_is_refused_before_it_starts(read):
     long = '[spin]\nrate = "9 rad/s"\nabout = "z"\n[time]\nuntil = "1e12 s"'
     spec = read(CONE, f'[system]\nkind = "heavy-top"\n{PIVOT}', long)

@@ -34,6 +34,7 @@ def draw(rng, leading):
     return tuple(moments[order].tolist()), tuple(momentum[order].tolist()), float(time)
 
 
+@pytest.mark.long_cases("1")
 @pytest.mark.parametrize("leading", [0, 1, 2])
 def test_tiny_components_down_to_the_smallest_numbers(leading):
     rng = np.random.default_rng(leading)

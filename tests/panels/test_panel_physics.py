@@ -311,7 +311,7 @@ CHECKS = {
 }  # fmt: skip
 
 
-@pytest.mark.long_cases("inertia", "poinsot", "axes", "disk", "quanta")
+@pytest.mark.long_cases("inertia", "poinsot", "axes", "bracket", "disk", "quanta")
 @pytest.mark.parametrize("panel", CHECKS)
 def test_the_numbers_of_a_panel_are_polhodes(panel):
     error_of, tolerance, *_ = CHECKS[panel]

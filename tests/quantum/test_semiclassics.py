@@ -95,6 +95,7 @@ def test_levels_at_the_bottom_the_saddle_and_the_top():
         assert second.energy[k] == pytest.approx(exact, abs=bound)
 
 
+@pytest.mark.long
 def test_what_all_levels_share_is_exact():
     """A nearly spherical rotor: errors of 6, a quarter of a constant, before d J(J + 1) was taken out."""
     constants, J = (24.308, 23.885, 23.715), 58

@@ -329,6 +329,7 @@ def test_javascript_needs_nothing():
         assert not re.search(r"\b(require|process|window|document|globalThis|import\()", text), path.name
 
 
+@pytest.mark.long_cases("C++")
 @needs_compiler
 @pytest.mark.parametrize("options", [("-std=c11",), ("-x", "c++", "-std=c++11")], ids=["C11", "C++"])
 def test_other_languages_compile_it_to_the_same(tmp_path, options):

@@ -85,7 +85,7 @@ def test_states_are_those_of_polhode(name, solved, simulated):
     assert worst(solved[name], simulated[name]) < SAME
 
 
-@pytest.mark.long_cases("top", "thin disk")
+@pytest.mark.long_cases("top", "gyrostat", "thin disk", "circle", "drag", "to its end", "motor")
 @pytest.mark.parametrize("name", CASES)
 def test_invariants_and_balances_have_the_names_and_values_of_polhode(name, solved, simulated):
     wanted, states = simulated[name], solved[name]["states"]
@@ -305,6 +305,7 @@ SPECIMENS = {  # file, what stands there, what is put there, the case that it br
 }  # fmt: skip
 
 
+@pytest.mark.long_cases("weight")
 @pytest.mark.parametrize("name", SPECIMENS)
 def test_a_broken_formula_is_found(name, tmp_path, simulated):
     file, there, instead, case = SPECIMENS[name]

@@ -203,6 +203,7 @@ def test_a_mark_counts_once_and_for_its_own_chunk(made, tmp_path):
     assert SweepReport(made[0], begun).as_json_dict() == made[3]
 
 
+@pytest.mark.long_cases("all")
 def test_marks_of_another_sweep_are_none(made, tmp_path):
     store = copied(made, tmp_path)
     (tmp_path / "other.toml").write_text(SPEC.replace("KEEP", "all").replace("seed = 7", "seed = 8"))

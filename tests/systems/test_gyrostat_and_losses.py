@@ -25,6 +25,7 @@ def test_a_gyrostat_keeps_its_momentum_and_without_rotor_is_free():
     assert (still.states == free.states).all()
 
 
+@pytest.mark.long
 def test_a_symmetric_gyrostat_precesses_at_a_rate_known_by_hand():
     """I1 = I2, rotor along the axis: Π turns about it at (I3 − I1)Ω3/I1 + h/I1, with Π3 = I3 Ω3 + h."""
     I1, I3, h, spin = 2.0, 3.0, 0.7, 0.4

@@ -50,6 +50,7 @@ def move(hamiltonian):
     return ph.simulate(LiePoisson(lie.SO3(), hamiltonian), MOMENTUM, TIMES, order=2, step=0.01).states[-1]
 
 
+@pytest.mark.long_cases("as_bound")
 @pytest.mark.parametrize("made", [as_bound, as_module])
 def test_parameters_are_data(made):
     ends, counts = [], []

@@ -274,6 +274,7 @@ def test_a_gyroscope_gives_the_torque_of_its_turning_momentum():
     assert np.abs(gained - wanted).max() < 1e-4 and found.part("gimbal_angle")[-1] == pytest.approx(0.5, abs=1e-5)
 
 
+@pytest.mark.long
 def test_pulled_by_gravity_its_parts_move_as_points_in_orbit():
     """A mass on a rod along the radius feels 3 n² z: at rest in the orbit's frame, k z = 3 n² m (z₀ + z) (1 − m/M)."""
     n, mass, stiffness, place = 1e-3, 5.0, 1e-2, 4.0

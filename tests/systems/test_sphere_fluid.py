@@ -23,6 +23,7 @@ def harmonic(n, degree, order, value=1.0):
     return table
 
 
+@pytest.mark.long_cases("5")
 @pytest.mark.parametrize("n", [5, *(pytest.param(n, marks=pytest.mark.sweep) for n in (17, 64))])
 def test_harmonics_are_eigenvectors_of_the_laplacian(n):
     sphere = QuantizedSphere(n)
@@ -205,6 +206,7 @@ def test_a_trace_does_not_reach_the_stream_function():
     assert abs(jnp.trace(fluid.stream_function(state))) < 1e-14
 
 
+@pytest.mark.long
 def test_energies_add_up_and_maps_show_the_function():
     fluid, state = flow(12, 0.5)
     assert float(fluid.energy_spectrum(state).sum()) == pytest.approx(float(fluid.energy(state)), rel=1e-13)

@@ -45,6 +45,7 @@ def test_exact_motion_is_that_of_qr_factors(t):
         assert a.min() < 1e-12  # so that the bound is of relative errors
 
 
+@pytest.mark.long
 def test_newtons_equations_of_particles():
     """Particles with potential Σ exp(q_i − q_{i+1}), by a general integrator, are at the exact state."""
     q, p = RNG.normal(size=N), RNG.normal(size=N)
@@ -78,6 +79,7 @@ def test_it_sorts():
         assert not found[N:].any()
 
 
+@pytest.mark.long_cases("4")
 @pytest.mark.parametrize("order", first(1, [4, 2]))
 def test_splitting_has_its_order(order):
     wanted = LATTICE.exact(START, 1.0)

@@ -169,6 +169,7 @@ def test_sunlight_on_a_plate_and_a_box():
     assert np.abs(about).max() < 1e-20
 
 
+@pytest.mark.long_cases("1.3")
 @pytest.mark.parametrize("beta", [0.0, 0.5, 1.3])
 def test_shade_lasts_as_long_as_spheres_say(beta):
     """Of a circle of radius a, with the Sun β above its plane: cos of half the dark arc is √(1 − (R/a)²)/cos β."""
@@ -185,6 +186,7 @@ def test_shade_lasts_as_long_as_spheres_say(beta):
     assert np.asarray(light(float(circle.period) - leaves + around)).tolist() == [1.0, 0.0]
 
 
+@pytest.mark.long
 def test_nothing_pushes_in_the_shade_and_steps_end_at_it():
     """A plate that always faces the Sun: the momentum is the lever times P A times the time in the light."""
     orbit = KeplerOrbit.from_semi_major_axis(7.0e6, MU)

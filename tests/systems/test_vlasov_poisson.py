@@ -80,6 +80,7 @@ def test_two_streams_grow_as_published():
     assert abs(wave.frequency) < 1e-12
 
 
+@pytest.mark.long
 def test_a_quiet_start_has_the_density_asked_for():
     system = VlasovPoisson(4.0 * np.pi, 3, 8 * 64)
     for mode in (1, 2):

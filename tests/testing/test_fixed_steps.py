@@ -48,6 +48,7 @@ def test_inertias_are_full_and_numbers_those_of_float32():
             assert np.array_equal(given, np.float32(given).astype(float))
 
 
+@pytest.mark.long_cases("4")
 @pytest.mark.parametrize("order", METHODS)
 def test_a_method_passes_by_its_own_order(order):
     results = run_fixed_steps(lambda inertia: METHODS[order](equations(inertia)), order)

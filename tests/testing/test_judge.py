@@ -239,6 +239,7 @@ def test_states_that_are_not_finite_are_called_so(tmp_path, words):
     assert report.draw(tmp_path) == []
 
 
+@pytest.mark.long
 def test_an_engine_that_breaks_down_late_is_not_simply_right():
     _, calls = once = failing(without_rate, since=10**9)
     judge(once[0], 0.05, steps=FEW)

@@ -90,6 +90,7 @@ def test_a_refused_case_does_not_end_the_run(tmp_path):
     assert all(reason.rstrip().endswith((".", "]")) for _, reason in report.refused)
 
 
+@pytest.mark.long_cases("momenta-attitudes-nan-NaN")
 @pytest.mark.parametrize("number, said", [(float("nan"), "NaN"), (None, "null"), (-float("inf"), "-Infinity"),
                                           (1e200, "1e+200")])  # fmt: skip
 @pytest.mark.parametrize("key, other", [("attitudes", "momenta"), ("momenta", "attitudes")])

@@ -105,6 +105,7 @@ def test_markup_in_names_stays_inside_the_data(tmp_path):
     assert data_of(path)["name"] == name
 
 
+@pytest.mark.long
 def test_million_samples_are_thinned_and_it_says_so(tmp_path):
     exact = MOTION.sample(np.linspace(0.0, 20.0, 1_000_000))
     data = data_of(write_page(exact, tmp_path / "exact.html"))
