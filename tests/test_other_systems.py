@@ -134,7 +134,7 @@ for command in COMMANDS:
 """
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_commands_work_without_what_windows_lacks(tmp_path):
     commands = [["new", "t_handle"], ["report", "t_handle.toml", "--html"], ["export", "t_handle.toml", "--to", "aem"],
                 ["import", "t_handle.aem"], ["compare", "t_handle.toml", "t_handle.aem"]]  # fmt: skip

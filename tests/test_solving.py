@@ -78,7 +78,7 @@ def test_solve_is_simulate(method):
         assert np.abs(found.end_state - found.saved[:, -1]).max() < SAME * np.abs(found.saved).max()
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("method", first(2, METHODS))
 def test_derivatives_of_either_mode_are_those_of_the_closed_form(method):
     """Under jit of vmap."""
@@ -157,7 +157,7 @@ def test_a_function_of_the_states_is_that_of_saved_states(method):
     assert (found.saved["above"] == (whole[..., 1] > 0.0)).all() and found.received == {}
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_fold_keeps_one_value_however_many_times_there_are():
     largest = ph.Fold(lambda value, t, L: jnp.maximum(value, L), jnp.full(3, -jnp.inf))
     few = solved(START, save=largest)

@@ -132,7 +132,7 @@ def square(x):
     return 2.0 * x[1] * x[3] - x[2] ** 2
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_an_algebra_of_ones_own_finds_its_casimirs_or_takes_those_given():
     assert lie.from_structure_constants(ENGEL).casimir_names == ("x4", "2 x2 x4 − x3²")
     last = lie.polynomial_casimirs(lie.from_structure_constants(ENGEL), 1)

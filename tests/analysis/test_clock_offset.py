@@ -43,7 +43,7 @@ def test_two_logs_of_different_times_overlap():
     assert compare(early, late, offset=11.7).largest < 1e-4  # the ends of a spline
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_its_error_is_the_scatter_of_repeated_logs():
     """Of forty logs with noise of 2 mrad the offset scatters by what each says of itself."""
     found = [align_clocks(exactly(TUMBLE), seen(TUMBLE, 3.21, 2e-3, seed)) for seed in range(40)]

@@ -57,7 +57,7 @@ def judged(name):
     return found, function_of(system, found), jnp.asarray(point)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", only(("sleeping top", "intermediate axis"), CASES))
 def test_it_is_critical_and_definite_where_it_says_so(name):
     found, function, point = judged(name)

@@ -60,7 +60,7 @@ def test_a_top_falls_asleep_by_a_hamiltonian_hopf_bifurcation():
     assert np.abs(one.point - [0.0, 0.0, 2.0, 0.0, 0.0, 1.0]).max() < 1e-9 and len(found.branches) == 3
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_branches_that_cross_and_fold():
     """On the circle x = cos θ, y = sin θ rests lie at θ = 0, π and where b = 1 − .9 sin θ − 1/cos θ."""
     def make(b):

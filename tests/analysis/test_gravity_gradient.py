@@ -103,7 +103,7 @@ def test_spinning_rests_by_the_differentiated_equations(transverse, axial, spin)
             np.testing.assert_allclose(imaginary(verdict, n), np.sort(rest.rates) / n, rtol=1e-6)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_their_axes_rest_in_an_integrated_motion():
     """Each axis stays within 1e-9 over an orbit, of a start that only it and the spin determine."""
     A, C, n, s = 1.0, 1.8, 1.0, 0.3

@@ -75,7 +75,7 @@ def test_a_cycle_grows_as_it_should():
         assert np.abs(np.sort(motion.multipliers.real) - [np.exp(-2.0 * value * np.pi), 1.0]).max() < EXACT
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_branch_goes_round_its_fold():
     """f = μ + r² − r⁴: cycles on r² = ½ ± ½ √(1 + 4 μ), which meet at μ = −¼."""
     outer = np.sqrt(0.5 + 0.5 * np.sqrt(0.6))
@@ -102,7 +102,7 @@ def test_a_branch_that_is_not_halved_is_seen(monkeypatch):
         test_bifurcations_are_found_where_they_are("torus")
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_the_free_body_at_held_energy_and_momentum():
     """Periods of the closed form, of the same |L| and energy all along."""
     make = lambda third: systems.FreeRigidBody((1.0, 2.0, third))  # noqa: E731

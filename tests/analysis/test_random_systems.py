@@ -51,7 +51,7 @@ def kicks(points):
     return OFF * np.linalg.norm(points, axis=1)[:, None] * ways / np.linalg.norm(ways, axis=2, keepdims=True)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_few_random_systems():
     verdicts, wrong = false_verdicts("so(3)", range(3))
     assert wrong == []

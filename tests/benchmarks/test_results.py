@@ -48,7 +48,7 @@ def test_each_runs_at_tiny_sizes(name):
     check(found.stdout, [name])
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["its value, jitted", "its value, jitted ", "simulate it", "heavy top"])
 def test_first_calls_are_calls(name, monkeypatch):
     """They are texts, which no rename of an argument reaches."""

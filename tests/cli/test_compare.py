@@ -401,7 +401,7 @@ def logs(tmp_path, monkeypatch):
     return tmp_path
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_clocks_that_nothing_says_are_one_are_refused_until_told(logs, capsys):
     """A log by the clock of a computer that booted 68 s before was compared with the motion's 68th second: 119°."""
     code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS], capsys)

@@ -65,7 +65,7 @@ def test_what_is_compiled_is_kept_even_a_solver_with_checks(filled):
     assert run(PROGRAM, cache) == said and kept(cache) == files  # all of it was found
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_what_is_broken_or_cannot_be_written_is_compiled_again_in_silence(filled, tmp_path):
     said, cache = filled
     shutil.copytree(cache, tmp_path / "good")

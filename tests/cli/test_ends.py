@@ -31,7 +31,7 @@ def faults_at_ends(folder, chance, cases):
     return found
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_every_command_has_something_to_do(tmp_path, any_type):
     assert set(GIVEN) == set(COMMANDS)
     assert EXAMPLES.is_dir()

@@ -126,7 +126,7 @@ def test_an_added_weight_gives_the_moments(run, tmp_path):
     assert "belong together" in run("fit", alone, *COLUMNS, *given[:4], code="2").err
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_log_of_attitudes(run, tmp_path):
     times = np.arange(0.0, 2.0, 0.01)
     attitude = ph.FreeMotion((0.2, 0.8, 1.0), angular_velocity=(1.0, 5.0, 1.0)).attitude(times)

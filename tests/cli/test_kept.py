@@ -101,7 +101,7 @@ def test_another_program_computes_again(case, monkeypatch):
     kept._program.cache_clear()
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_report_that_goes_on_from_another_file(case, monkeypatch):
     """What a spec names without its content being among its values: the earlier run of a fluid, of 20 and of 40 ms."""
     first = find_kind("sphere-fluid").example.replace("resolution = 10", "resolution = 6").replace("41", "3")
@@ -172,7 +172,7 @@ def test_the_library_keeps_nothing(tmp_path):
     assert not (tmp_path / "c").exists()
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_commands_take_what_another_computed(case, tmp_path):
     """In processes of their own; arrays of JAX keep their 64 bits."""
     (case / "moon.toml").write_text(find_kind("spin-orbit").example)

@@ -206,7 +206,7 @@ def test_lines_and_constants_for_other_programs(run, tmp_path, monkeypatch):
     assert read_par(tmp_path / "formaldehyde.par").value[0] == pytest.approx(281970.5780043, rel=1e-14)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_mistakes_of_fits_and_exports(run, measured, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     path = EXAMPLES / "sulfur_dioxide.toml"

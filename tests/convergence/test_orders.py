@@ -106,7 +106,7 @@ def test_order(name, method, order, more, steps):
     assert slopes[-1] == pytest.approx(order, abs=SLOPE), (errors, slopes)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_wrong_coefficient_of_kicks_and_drifts_loses_the_order(monkeypatch):
     kicks, drifts = composition.NYSTROM[6]
     wrong = (kicks[0] + 1e-4, kicks[1] - 1e-4, *kicks[2:-2], kicks[1] - 1e-4, kicks[0] + 1e-4)

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from sweeping import only
+
 sympy = pytest.importorskip("sympy")
 COURSE = Path(__file__).parents[2] / "learn"
 sys.path.insert(0, str(COURSE / "_ext"))
@@ -12,6 +14,7 @@ from checked_lines import LineBroken, Lines  # noqa: E402  needs the path
 
 DERIVATIONS = sorted((COURSE / "derivations").glob("*.py"))
 x = sympy.Symbol("x", positive=True)
+QUICK = [path for path in DERIVATIONS if path.stem not in ("turning_frames", "two_signs")]
 
 
 def lines_of(path, text=None):
@@ -23,8 +26,8 @@ def lines_of(path, text=None):
 
 
 @pytest.mark.long_after(5)
-@pytest.mark.long_cases("turning_frames", "two_signs", "what_is_conserved", "yielding_earth")
-@pytest.mark.parametrize("path", DERIVATIONS, ids=lambda path: path.stem)
+@pytest.mark.long_cases("what_is_conserved", "yielding_earth")
+@pytest.mark.parametrize("path", only(QUICK, DERIVATIONS), ids=lambda path: path.stem)
 def test_every_line_follows(path):
     lines = lines_of(path)
     assert sum(line.checked for line in lines) >= 2, path.stem

@@ -123,7 +123,7 @@ def test_six_axes_give_the_tensor():
     assert fit.unphysical == 0.0 and fit.freedom == 0
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_errors_cover_the_truth():
     """95 % intervals of six entries and of single axes, each over 150 drawn experiments with four timings a swing."""
     noise, inside, inside_tensor = np.random.default_rng(5), [], []
@@ -148,7 +148,7 @@ def test_errors_of_a_shared_rig_do_not_average_out():
     assert own.standard_error[0] / own.value[0] == pytest.approx(0.01 / math.sqrt(10), rel=0.01)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_the_centre_of_mass_on_a_scale():
     mass, moment, place = 1.2, 0.03, 0.31
     noise, off = np.random.default_rng(1), []

@@ -181,7 +181,7 @@ def test_the_flight_is_found_without_accelerometer():
     assert abs(found.start - 1.0) < 0.06 and abs(found.end - 1.7) < 0.06
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_attitudes_tell_the_same():
     field = euler(PHONE, 0.0)
 

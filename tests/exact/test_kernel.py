@@ -44,7 +44,7 @@ def batch(cases):
     return ph.FreeMotion(moments, momentum=momenta), times
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_many_bodies_are_exact_in_every_family(announce, monkeypatch):
     """Set-up too, of all bodies at once; those that the kernel leaves to NumPy stand among them."""
     calls, taken, run = [], {}, ClosedForm._set_up_many
@@ -149,7 +149,7 @@ print(sum(FORM._compiled.states_of_one.dispatcher.stats.cache_misses.values()))
 """
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_of_processes_that_start_at_once_one_compiles(tmp_path):
     """As workers of a sweep do; the others wait for it, and load what it has kept."""
     environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}

@@ -113,7 +113,7 @@ def drawn():
     return cases, jacobians([*cases, *standing_tops()])
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_derivatives_in_every_family(announce):
     cases = list(drawn_tops(1, 7, LATE))
     check(cases, jacobians(cases)[0], announce)

@@ -29,7 +29,7 @@ WHOLLY = ("generic", "wide_ratio", "cusp", "fast_loop", "spherical_pendulum", "p
 LEFT = ("steady", "sleeping", "hanging", "separatrix", "weightless_special")
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_states_are_exact_in_every_family(announce):
     worst = {}
     for case in draw_tops(PER_FAMILY, 8):
@@ -105,7 +105,7 @@ def check_many(per_family, seed, left, announce):
     assert taken["near_separatrix"] > 0
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_many_tops_are_exact_in_every_family(left, announce):
     """Set-up too, of all tops at once; those that the kernel leaves to NumPy stand among them."""
     check_many(PER_FAMILY_OF_MANY, 8, left, announce)

@@ -34,7 +34,7 @@ samples = 50
 """
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("command", "numbers"), first(1, [(CK, [signal.SIGINT, signal.SIGKILL]), (CSV, [signal.SIGTERM, signal.SIGHUP])])
 )
@@ -68,7 +68,7 @@ def test_a_long_run_can_be_stopped(tmp_path, command):
     assert [path.name for path in tmp_path.iterdir()] == ["long.toml"]
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_run_without_end_is_refused(tmp_path):
     prepare(tmp_path / "a")
     (tmp_path / "a" / "case.toml").write_text(LONG.format(until="1e6 year"), "utf-8")

@@ -41,7 +41,7 @@ def run(arguments, capsys):
     return stopped.value.code or 0, out, err
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_all_forms_of_all_figures_are_what_they_say(spec, tmp_path):
     read = read_spec(spec)
     report = read.report()

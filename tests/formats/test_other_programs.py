@@ -194,7 +194,7 @@ def deviations(folder):
     return np.abs(ratios.value - np.array([1 / 3, 2 / 3])) / np.sqrt(np.diag(ratios.covariance))
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_fit_of_computed_attitudes_is_no_more_confident_than_it_is_right(folder, monkeypatch):
     """Least squares that end where the sum no longer falls are at half of the digits, 15 standard errors away."""
     assert deviations(folder).max() < 3.0

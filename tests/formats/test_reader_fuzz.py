@@ -36,7 +36,7 @@ def run(folder, seed, count, names):
     assert all(number == count for number in found["read"].values()) and found["read"]
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_damaged_files(tmp_path):
     run(tmp_path, 0, 8, [])
 

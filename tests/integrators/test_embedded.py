@@ -49,7 +49,7 @@ def run(start=START, times=TIMES, method=None, every=1, **more):
     return sample_motion(Pendulum(), method, jnp.asarray(start), times, times[::every], None, TOLERANCE, **more)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("method", first(1, [diffrax.Dopri8, diffrax.Tsit5, diffrax.Heun]))
 def test_a_motion_is_that_of_diffrax_and_takes_no_more_steps(method):
     method = method()

@@ -105,7 +105,7 @@ def test_what_is_saved_may_be_less_or_a_function():
     assert sizes.shape == (6,) and largest == sizes.max()
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_what_balances_received_is_integrated_and_differentiated():
     """A body that is braked loses what its drag takes: T and what it received differ by a constant, at any drag."""
 

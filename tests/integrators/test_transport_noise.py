@@ -42,7 +42,7 @@ def test_means_are_of_weak_order_two():
     assert np.abs(without - expm(0.1 * generator)).max() > 50 * errors[2]
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_casimirs_stay_and_the_energy_does_not():
     fluid = SphereFluid(6, 0.4)
     rng = np.random.default_rng(3)

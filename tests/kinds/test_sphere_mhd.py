@@ -34,7 +34,7 @@ def spec(tmp_path):
     return make
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize(("branch", "speed"), first(1, [("eastward", 0.6835801927), ("westward", -0.4419135261)]))
 def test_an_exact_wave_goes_round_as_it_should(spec, branch, speed):
     report = spec(f'resolution = 6\nrotation = "1.3 rad/s"\n{WAVE}, branch = "{branch}"}}').report()

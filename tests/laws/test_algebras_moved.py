@@ -109,7 +109,7 @@ def ways():
         yield pytest.param(name, marks=[] if name in AT_ONCE else [pytest.mark.sweep])
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", list(ways()))
 def test_the_whole_way(name, tmp_path):
     algebra = MADE[name]

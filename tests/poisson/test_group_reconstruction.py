@@ -44,7 +44,7 @@ MOTIONS = {
 }
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", first(1, MOTIONS))
 def test_the_momentum_in_space_stays_to_fourth_order(name):
     system, start = MOTIONS[name]

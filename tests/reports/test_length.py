@@ -151,7 +151,7 @@ def test_runs_without_end_and_without_progress_are_told_in_numbers(monkeypatch):
         looked(monkeypatch, 1.0, [0.0, 0.0])
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_step_given_in_the_spec_is_watched_too(tmp_path, monkeypatch):
     monkeypatch.setattr(length, "WATCHED", 0.1)
     with pytest.raises(InvalidInput, match=r"would take about .* A longer `system\.step` takes less"):

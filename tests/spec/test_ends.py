@@ -86,7 +86,7 @@ def test_specs_are_read_or_refused(hosts, folder, any_type):
     assert 0.3 * READ < refused < 0.95 * READ
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_reports_are_made_or_refused(hosts, folder, any_type, monkeypatch):
     monkeypatch.setattr(Report, "draw", lambda *_: [])
     chance = random.Random(1)

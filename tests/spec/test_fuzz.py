@@ -96,7 +96,7 @@ def fuzz(folder, start, cases):
     run()
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_mutated_specs(folder, any_type):
     fuzz(folder, 0, CASES)
 

@@ -179,7 +179,7 @@ def stopped(sweep, store):
     return begun
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_sweep_does_not_go_on_from_another_run(tmp_path):
     """On main the second half went on from the other file, without a word."""
     sweep, file = made("fluid", tmp_path)
@@ -240,7 +240,7 @@ def test_versions_and_sources_count(monkeypatch, tmp_path):
     assert len({before, other, program.program_digest("a_kind_of_others")}) == 3
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_every_library_that_computes_is_told(tmp_path):
     """Every library that the rooms of numbers and files import, but those that draw, ask or say."""
     top = Path(ph.__file__).parent

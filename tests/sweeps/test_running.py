@@ -240,7 +240,7 @@ def test_a_cluster_without_workers_is_told(spec, tmp_path, monkeypatch):
             sweep.run(sweep.begin(tmp_path / "a.zarr"), 1, cluster.scheduler_address)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_full_disk_keeps_what_is_finished(spec, tmp_path):
     """Room ends by a limit on the size of files, below a chunk of attitudes."""
     spec.write_text(SPEC.replace("samples = 300", "samples = 3000").replace("chunk = 64", "chunk = 600"))

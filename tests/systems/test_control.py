@@ -62,7 +62,7 @@ def without_friction(law):
     return RigidBody.from_body(BODY, [ControlledWheels(AXES, MOMENT, law)])
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_wheels_gravity_rods_and_law_against_40_digits():
     mp.mp.dps = 40
     span = 120
@@ -104,7 +104,7 @@ def test_wheels_give_the_body_what_the_law_asks():
     assert abs(null @ axes).max() < 1e-15 and abs(motors @ null) < 1e-16
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_limits_cut_off_each_motor_and_no_wheel_exceeds_its_rate():
     system, start = craft(rods=False, max_torque=2e-5, max_rate=62.0)
     run = ph.simulate(system, start, np.linspace(0.0, 300.0, 301), estimate_error=False)

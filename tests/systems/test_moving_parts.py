@@ -46,7 +46,7 @@ def followed(name, kind=RigidBody):
     return off, found
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["slosh", "gyroscope", "all", "burn"])
 def test_they_move_as_bodies_of_their_own(name):
     off, found = followed(name)
@@ -103,7 +103,7 @@ class WithoutOffset(RigidBody):
         return right._replace(offset=0.0 * right.offset)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["slosh", "panel", "pendulum", "burn"])
 @pytest.mark.parametrize("kind", [WithoutCentre, WithoutOffset])
 def test_without_the_motion_of_the_centre_of_mass_they_are_found_out(name, kind):
@@ -118,7 +118,7 @@ class Deaf(ControlMomentGyroscope):
     carries_spin = False
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_gimbal_that_does_not_feel_its_rotor_is_found_out():
     gyroscope = Deaf((0.0, 0.0, 1.0), Wheel((1.0, 0.0, 0.0), 0.1), (0.25, 0.17, 0.2))
     body = RigidBody((5.0, 8.0, 10.6), [gyroscope])
@@ -147,7 +147,7 @@ def everything(**more):
     return EVERYTHING.pack(cases.ATTITUDE, cases.VELOCITY, rates=RATES, coordinates=PLACES, **more)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_with_everything_at_once_every_balance_holds():
     worst = worst_balance(EVERYTHING, 0.8, everything())
     assert set(worst) == {"kinetic_energy", "|L|²", "jacobi_integral"} and max(worst.values()) < BALANCE

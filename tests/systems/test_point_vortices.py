@@ -211,7 +211,7 @@ def test_growth_against_closed_forms_and_published_numbers():
     assert not np.abs(polygon_exponents(7, 1.3).real).max() > 0.0
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_square_is_proved_stable_below_its_threshold():
     square = SphereVortices(np.ones(4))
     found = stability_threshold(lambda c: vortex_stability(square, square.ring(np.arccos(np.sqrt(c)))), 0.3, 0.4, 1e-3)

@@ -229,7 +229,7 @@ def start_of_everything():
     return EVERYTHING.pack(ATTITUDE, VELOCITY, rates=[*RATES, None, (0.1, -0.2, 0.3), None])
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_with_everything_on_at_once_energy_changes_by_the_sum_of_powers():
     state = start_of_everything()
     worst = worst_balance(EVERYTHING, 0.8, state)

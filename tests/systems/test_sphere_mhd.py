@@ -43,7 +43,7 @@ def run(system, state, steps, step=0.02, samples=5):
     return ph.simulate(system, state, times, IsospectralMidpoint, step=step, order=2, estimate_error=False)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize(("n", "steps"), [(6, 100), pytest.param(24, 3000, marks=pytest.mark.sweep)])
 def test_casimirs_stay_and_the_energy_does_not_drift(n, steps):
     system, state = flow(n)
@@ -67,7 +67,7 @@ class HalfDual(lie.DualNumbers):
         return one, two, three.at[..., 1, :, :].set(super().cayley_terms(x, zero)[2][..., 1, :, :])
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_without_all_products_the_casimirs_drift():
     system, state = flow(8)
     object.__setattr__(system, "algebra", HalfDual(system.sphere))
@@ -110,7 +110,7 @@ def test_dual_numbers_over_turns_are_rigid_motions():
     assert float(casimirs["d |L|²"]) == pytest.approx(2.0 * 32.0)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("n", [5, pytest.param(9, marks=pytest.mark.sweep), pytest.param(24, marks=pytest.mark.sweep)])
 def test_alfven_rossby_waves_turn_rigidly(n):
     """W = (a + 2Ω)X₃ + Y, Θ = bX₃ + κY with any Y of degree l: (c − a/2 + (a+2Ω)/λ)(c − a/2) = b²(1 − 2/λ)."""
@@ -183,7 +183,7 @@ def test_a_field_changes_the_growth_of_a_small_matrix_as_well():
     assert found[0] < found[1] < found[2]
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_energies_add_up_and_maps_show_the_functions():
     system, state = flow(4, SphereMHD(4, 0.5))
     energies = system.energy_spectrum(state)

@@ -75,7 +75,7 @@ def test_a_wrong_rule_is_noticed(monkeypatch):
     assert np.abs(of_arrays(anew, START) / by_flint(other, START, 0.4, ORDER) - 1.0).max() > 1e-12
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("make", first(1, [systems.SphereFluid, systems.SphereMHD]))
 def test_fluids_move_as_by_the_midpoint_and_keep_more(make):
     system = make(7, 0.3)
@@ -91,7 +91,7 @@ def test_fluids_move_as_by_the_midpoint_and_keep_more(make):
     assert found.drift["energy"] < 4e-15 and max(exact.values()) < 4e-15
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_batch_has_the_bits_of_each_and_goes_backwards():
     fluid = systems.SphereFluid(5)
     states = np.stack([fluid.from_harmonics({(2, 1): x, (3, 2): 1.0}) for x in (0.3, 0.9)])
@@ -124,7 +124,7 @@ class Branching(systems.SphereFluid):
         return super().vector_field(t, state) * jnp.maximum(jnp.real(state[0, 1]), 0.5)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_branches_go_by_series_of_single_numbers():
     fluid = Branching(5)
     state = fluid.from_harmonics({(2, 1): 0.3, (3, 2): 1.0})

@@ -134,7 +134,7 @@ def test_what_comes_to_rest_at_a_border_is_refused():
         ph.simulate(body, start, [0.0, 50.0], method=ph.integrators.Taylor())
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_what_comes_to_rest_is_said_and_what_moves_beside_it_goes_on():
     """Two wheels come to rest, at 40 and 16 s, where steps shrink to nothing; the others move as they do alone."""
     body = RigidBody((1e9, 1e9, 1e9), [Wheel((0, 0, 1), 2.0, friction)])

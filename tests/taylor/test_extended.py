@@ -26,7 +26,7 @@ def top_at(last, method=EXTENDED):
     return np.abs(found.states[:, :7] - np.concatenate(exact, axis=1)).max(), found.error_estimate
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("last", [200.0, pytest.param(2e3, marks=pytest.mark.sweep)])
 def test_a_top_is_exact_after_hundreds_of_turns(last):
     error, said = top_at(last)

@@ -134,7 +134,7 @@ def test_lanes_as_python_change_no_bit_either(by):
     assert_same_bits(alone, motions(2))
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize(("make", "copies"), [(kernels.compile_kernel, 11), (kernels.python_kernel, 1)])
 @pytest.mark.parametrize("width", [1, lanes.LANES])
 def test_written_code_changes_no_bit(by, monkeypatch, width, make, copies):

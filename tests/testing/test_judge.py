@@ -33,7 +33,7 @@ def test_orders_are_those_that_the_methods_have(method):
     assert found.convergence.momentum_order == pytest.approx(of_momentum, abs=0.1)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("method", [semi_implicit, midpoint], ids=lambda method: method.__name__)
 def test_no_right_engine_is_accused(method):
     rng = np.random.default_rng(32)
@@ -46,7 +46,7 @@ def test_no_right_engine_is_accused(method):
         assert report.verdict == "right", (inertia, L, report.summary)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("size", [0.01, 0.1], ids=lambda size: f"{size:g}")
 @pytest.mark.parametrize("method", [explicit_euler, rk4], ids=lambda method: method.__name__)
 def test_no_wrong_engine_is_called_right(method, size):
@@ -161,7 +161,7 @@ def dissipating(sign):
     return rk4(slopes)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("sign, goal", [(1.0, "largest"), (-1.0, "least")])
 def test_energy_that_is_lost_or_gained_with_l_kept_ends_at_an_outer_axis(sign, goal):
     report = judge(dissipating(sign), 0.05, steps=4000)
@@ -173,7 +173,7 @@ def test_energy_that_is_lost_or_gained_with_l_kept_ends_at_an_outer_axis(sign, g
     assert (found.energy.per_radian < 0.0) == (goal == "largest")
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_growth_of_errors():
     """Euler's energy drifts, so that its frequency does; an attitude that turns too fast is off in proportion."""
     assert only(judge(semi_implicit(equations(MOMENTS)), 0.01, steps=10_000)).growth.word == "quadratic"

@@ -70,7 +70,7 @@ def test_upright_tops_stand_where_no_eigenvalue_grows():
 # ---------------------------------------------------------------- gyrostats
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_spins_about_the_rotor_are_judged_as_in_python():
     generator = np.random.default_rng(2)
     cases = []
