@@ -53,6 +53,16 @@ def cases() -> Iterator[Case]:
     places = [[0.0, 0.0], [1.5, 0.2], [-0.3, 1.9], [2.0, 2.2], [-1.7, -0.8]]
     yield Case("five vortices", vortices, np.asarray(vortices.pack(places)))
     yield Case("Toda, four", systems.Toda(4), np.array([0.5, -0.2, 0.1, 0.3, 1.0, 0.8, 1.2]))
+    drawn = np.random.default_rng(1)
+    for n in (4, 6):
+        whole = np.triu(drawn.normal(size=(n, n)), 1)
+        yield Case(f"Manakov's body of so({n})", systems.Manakov(1.0 + np.arange(n)), whole - whole.T)
+    spins = drawn.normal(size=(8, 3))
+    spins = (spins / np.linalg.norm(spins, axis=1, keepdims=True)).reshape(8, 1, 1, 1, 3)
+    chain = systems.SpinLattice(systems.Lattice([[1.0]], shape=(8,)), bonds=[systems.Bond(0, 0, (1,), 1.0)])
+    yield Case("chain of eight spins", chain, spins)
+    pulled = systems.TorquedBody((1.0, 2.0, 2.5), [systems.GravityGradient(systems.KeplerOrbit(1.0))])
+    yield Case("body in orbit, gravity gradient", pulled, spinning)
 
 
 def rows(quick: bool) -> Iterator[Row]:
@@ -184,14 +194,17 @@ def _heyoka_batch(case: Case, starts: np.ndarray) -> Callable[[float], np.ndarra
 def heyoka_equations(heyoka: Any, system: Any, start: np.ndarray) -> list[Any]:
     """Return a system's equations, of the same operations as ours."""
     n = start.size
-    tape = Tape(n)
-    state = np.empty(n, object)
-    state[:] = tape.state()
-    state = state.reshape(start.shape)
-    closed = write_jaxpr(lambda y: system.vector_field(0.0, y), state.shape)
-    rates = np.ravel(evaluate(closed, state)[0])
-    values = list(heyoka.make_vars(*[f"x{k}" for k in range(n)]))
-    variables = list(values)
+    tape = Tape(n + 1)  # the time last
+    numbers = np.empty(n + 1, object)
+    numbers[:] = tape.state()
+    closed = write_jaxpr(lambda y: system.vector_field(y[n], y[:n].reshape(start.shape)), (n + 1,))
+    rates = np.ravel(evaluate(closed, numbers)[0])
+    variables = list(heyoka.make_vars(*[f"x{k}" for k in range(n)]))
+    values = [*variables, heyoka.time]
+    functions = {
+        Operation.EXPONENTIAL: heyoka.exp, Operation.LOGARITHM: heyoka.log, Operation.SINE: heyoka.sin,
+        Operation.COSINE: heyoka.cos,
+    }  # fmt: skip
 
     def combined(terms: Any, constant: float) -> Any:
         parts = [c * values[k] for k, c in terms]
@@ -203,7 +216,9 @@ def heyoka_equations(heyoka: Any, system: Any, start: np.ndarray) -> list[Any]:
             values.append(combined(zip(node.arguments, node.coefficients, strict=True), node.number))
         elif node.operation is Operation.PRODUCT:
             values.append(values[node.arguments[0]] * values[node.arguments[1]])
-        else:
+        elif node.operation is Operation.POWER:
             values.append(values[node.arguments[0]] ** node.number)
+        else:
+            values.append(functions[node.operation](values[node.arguments[0]]))
     whole = [r if isinstance(r, Expression) else tape.constant(float(r)) for r in rates]
     return [(v, combined(r.terms.items(), r.constant)) for v, r in zip(variables, whole, strict=True)]

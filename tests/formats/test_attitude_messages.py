@@ -198,6 +198,7 @@ def test_every_keyword_of_each_table_is_known():
     (("WET_MASS = 10", "WETT_MASS = 10"), r"line 45: unknown keyword 'WETT_MASS'; did you mean WET_MASS\?"),
     (("WET_MASS = 10", "WET_MASS 10"), "line 45: must be keyword = value here; got 'WET_MASS 10 .kg.'"),
     (("TIME_SYSTEM = UTC", "TIMESYSTEM = UTC"), r"unknown keyword 'TIMESYSTEM'; did you mean TIME_SYSTEM\?"),
+    (("DRY_MASS =", "WET_MASS = 1 [kg]\nDRY_MASS ="), "WET_MASS stands in line 45 too, and one of them must be wrong"),
     (("PHYS_START", "PHYSICS_START"), r"line 43: unknown block 'PHYSICS_START'; did you mean PHYS_START\?"),
     (("PHYS_STOP\n", ""), "line 43: this block has no PHYS_STOP"),
     (("MAN_PURPOSE =", "WHY ="), "unknown keyword 'WHY'; known here are MAN_ID, "),

@@ -174,6 +174,9 @@ def _put(block: Block, keyword: str, value: str, number: int) -> None:
     if match := _UNIT.search(value):
         block.units[keyword] = match["unit"]
         value = value[: match.start()]
+    if keyword in block.values and not keyword.startswith("SENSOR_"):  # each sensor has its own
+        _refuse(block.path, number, f"{keyword} stands in line {block.values[keyword][1]} too, and one of them must be "
+                                    "wrong. Take that out.")  # fmt: skip
     block.values.setdefault(keyword, (value.strip(), number))
 
 
