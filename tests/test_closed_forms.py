@@ -60,7 +60,7 @@ def test_large_batches_in_flight_at_once():
     assert np.abs(found[0] - wanted).max() < 10 * SAME
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_both_ways_agree_on_one_component():
     """The smallest thing that can be compiled alone, with its derivative by time."""
     rate = lambda t: jax.value_and_grad(lambda t: momentum_at(MOMENTS, jnp.asarray(MOMENTUM), t)[0])(t)  # noqa: E731

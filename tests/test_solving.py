@@ -173,7 +173,7 @@ def test_a_fold_keeps_one_value_however_many_times_there_are():
     assert np.abs(slopes - wanted).max() < CLOSE
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_every_copy_of_a_batch_ends_at_its_own_event():
     times = np.linspace(0.0, 1.7, 18)
     starts = np.array([[[1.0, 1.0], [1.0, 2.0], [0.3, 0.1], [1.0, 1.3]]])  # ground, ceiling, ground sooner, none

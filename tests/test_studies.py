@@ -66,7 +66,7 @@ def test_mistakes_name_the_argument(given, words, monkeypatch):
         ph.tumble(**given)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_report_on_a_spec_is_that_of_the_command(capsys, tmp_path):
     spec = EXAMPLES / "t_handle.toml"
     found = ph.report(spec)

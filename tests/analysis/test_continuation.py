@@ -17,7 +17,7 @@ def spin(along_x, along_z):
     return ph.systems.LiePoisson(SO3, lambda m: -0.5 * m[2] ** 2 - along_x * m[0] - along_z * m[2])
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("across", first(1, [0.3, 0.05, 0.8]))
 def test_folds_lie_on_the_astroid(across):
     """Stoner & Wohlfarth, Phil. Trans. R. Soc. A 240 (1948) 599: |h_x|^⅔ + |h_z|^⅔ = 1."""
@@ -50,7 +50,7 @@ def test_a_rotor_makes_the_middle_axis_stable_by_a_pitchfork():
             assert np.abs(branch.points[:, 1] - 2.0 * branch.values).max() < 1e-9
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_top_falls_asleep_by_a_hamiltonian_hopf_bifurcation():
     """An upright top is unstable above mgl = (I3 ω)²/(4 I1); its circle of rests that lean is one branch."""
     make = lambda mgl: ph.systems.HeavyTop((1.0, 1.0, 0.5), mgl)  # noqa: E731

@@ -82,7 +82,7 @@ def test_exponents_of_one_law_satisfy_its_balance():
         assert precession == pytest.approx(tilt * by_tilt, abs=1e-15)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_turns_are_counted_by_the_contact():
     start = DISK.rolling_state(0.2)
     turn = 2.0 * np.pi / float(DISK.precession(start))

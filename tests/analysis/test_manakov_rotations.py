@@ -42,7 +42,7 @@ def test_closed_form_of_one_plane():
         np.testing.assert_allclose(np.sort_complex(found[0, 2, k] ** 2), [square, square], atol=1e-15)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize(("size", "planes"), first(1, [(4, {"p14": 1.0, "p23": 0.4}), (5, {"p15": 1.0, "p24": -0.8})]))
 def test_all_exponents_are_those_of_the_linearised_motion(size, planes):
     body = Manakov(np.linspace(1.0, 4.0, size) ** 1.2)

@@ -137,7 +137,7 @@ def test_a_light_mass_on_a_spring(A, C, frequency):
     assert mode.real == pytest.approx(-1.0 / time, rel=1e-3)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_mass_on_a_spring():
     A, C, frequency = 8.0, 12.0, 2.4
     w, mass, radius, damping = 4.0, 0.01, 0.8, 0.1

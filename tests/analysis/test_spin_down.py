@@ -40,7 +40,7 @@ CASES = [
 ]
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("law", "coefficient", "exponent", "decades"), only(CASES[:1], CASES), ids=[case[0].__name__ for case in CASES]
 )

@@ -260,7 +260,7 @@ def test_import_leaves_out_momentum_that_it_does_not_know(files, capsys, system)
     assert values_of(["compare", "box_imported.nc", "box.toml"], capsys)["angle"]["largest"] <= EXACT
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_datasets_of_a_free_body_have_their_moments(files, capsys):
     """Both along principal axes, whose moments they hold; a gyrostat's momentum is not its moments' alone."""
     found = values_of(["compare", "own.nc", "own.csv"], capsys)

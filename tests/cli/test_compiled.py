@@ -56,7 +56,7 @@ def filled(tmp_path_factory):
     return run(PROGRAM, cache), cache
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_what_is_compiled_is_kept_even_a_solver_with_checks(filled):
     said, cache = filled
     files = kept(cache)
@@ -110,7 +110,7 @@ print(parse_quantity("60 rpm", "rad/s"), parse_quantity("3 cpm", "rad/s"), parse
 """
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_the_table_of_units_is_kept_and_a_damaged_one_is_read_again(tmp_path):
     said = run(UNITS, tmp_path)
     assert said.split() == ["6.283185307179586", "0.3141592653589793", "1.2000000000000002e-06"]

@@ -41,7 +41,7 @@ def test_every_command_has_something_to_do(tmp_path, any_type):
             assert not faults and outcome.code == 0, (command, given, outcome.error)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_options_are_taken_or_refused(tmp_path, any_type):
     assert not faults_at_ends(tmp_path, random.Random(1), FEW)
 

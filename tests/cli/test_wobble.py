@@ -33,7 +33,7 @@ def written(path, times, x, y):
     return path
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_numbers_data_and_figures(run, series, tmp_path):
     times, _, _, path = series
     said = run("wobble", path, "--json", "--out", tmp_path / "w.nc", "--figures", tmp_path / "figures")

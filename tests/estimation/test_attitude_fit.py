@@ -33,7 +33,7 @@ def off(estimate, true):
     return np.abs(estimate.value - true) / estimate.standard_error
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("with_rates", [False, True])
 def test_a_torque_and_the_inertia(with_rates):
     t, quaternions, rates = telemetry(1)
@@ -60,7 +60,7 @@ def test_no_torque_is_seen_where_there_is_none():
     assert chosen.torque is None or (off(chosen.torque, np.zeros(3)) < 4).all()
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_rates_make_the_errors_smaller():
     t, quaternions, rates = telemetry(3, noise=1e-3, rate_noise=1e-6)
     alone, both = (estimation.fit_attitude(t, quaternions, given, True) for given in (None, rates))

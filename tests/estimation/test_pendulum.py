@@ -165,7 +165,7 @@ def test_the_centre_of_mass_on_a_scale():
     assert 0.5 < np.std(off) < 1.6
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("noise", [1e-15, 1e-12, 1e-6])
 def test_precise_timings_tell_the_centre_as_well_as_they_say(noise):
     mass, moment, place, draw = 1.2, 0.03, 0.31, np.random.default_rng(2)

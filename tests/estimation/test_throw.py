@@ -288,7 +288,7 @@ def rested(seed, moved=0.0, **how):
     return clean_log(times, rates), [[Window(-0.001, 0.6)]]
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_rests_tell_the_bias():
     log, window = rested(3, bias=0.2)
     fit = fit_throw(log, window)
@@ -392,7 +392,7 @@ def test_rates_in_degrees_called_radians_are_no_result():
     assert nothing_said(fit_throw(clean_log(times, finer), WHOLE), "beyond what gyros can tell")
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_what_no_body_does_is_no_result():
     rng = np.random.default_rng(2)
     t = np.arange(0, 0.8, 0.01)

@@ -247,7 +247,7 @@ def test_no_values_at_all(saved):
     assert "no line has values" in refused(saved("t,gx,gy,gz,T\n0,,,,20\n1,,,,21\n"), GYRO)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_lines_are_counted_through_all_blocks(saved):
     """The one that is wrong stands behind a block that NumPy reads, and a comment."""
     many = BLOCK // 8

@@ -78,7 +78,7 @@ def laden_body():
     return ph.simulate(body, body.pack((1.0, 0.0, 0.0, 0.0), (0.1, 0.2, 0.3)), np.linspace(0.0, 5.0, 6))
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("ending", WAYS)
 def test_the_states_of_what_is_on_a_body_are_there(tmp_path, ending):
     trajectory = laden_body()
@@ -116,7 +116,7 @@ def test_a_copy_that_ended_is_not_written_to_be_refused_later(tmp_path, ending):
     assert not path.exists()
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_motions_with_states_of_their_own(tmp_path):
     """A spin in an orbit has named parts and energy that comes and goes, matrices have states of two axes."""
     moon, turning = ph.systems.SpinOrbit(0.5, 0.1), np.array([0.5, 1.2])

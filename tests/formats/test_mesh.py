@@ -244,7 +244,7 @@ def test_two_lost_triangles_of_a_flat_face_are_put_back(tmp_path):
     assert "closed 1 hole of up to 4 edges" in read.notes[0]
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_repair_of_many_pieces_is_quick(tmp_path):
     """42 balls of 1280 triangles, in each other's boxes: their nesting was asked by solid angles, for half a minute."""
     balls = []

@@ -153,7 +153,7 @@ def test_derivatives_of_reverse_mode_by_the_width():
     assert float(jax.grad(last)(1.0, 1e-3)) == pytest.approx(0.5, rel=1e-6)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_transformations():
     """ΔL = τ × width by ``solve`` under jit and vmap, with the derivative by the width."""
     widths, rates = jnp.array([0.02, 1.0, 1e-4]), jnp.array([0.0, 1e-3, 0.1])
@@ -188,7 +188,7 @@ class Turned(systems.FreeRigidBody):
         return False
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("method", [LieMidpoint, MuntheKaas])
 def test_methods_along_the_orbit_stop_at_jumps(method):
     """A ball's momentum is turned by rate × width, −0.8 rad, to the method's own error."""

@@ -122,7 +122,7 @@ def test_what_balances_received_is_integrated_and_differentiated():
     assert received[-1] < -0.1 and np.ptp(constant) < 1e-15 and slopes[-1] < -0.1 and np.abs(none).max() < 1e-14
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_complex_states():
     system = systems.LiePoisson(ph.algebra.SU(2), lambda m: jnp.real(1j * (m[..., 0, 0] - m[..., 1, 1])))
     of = ph.algebra.SU(2).from_dual_vector

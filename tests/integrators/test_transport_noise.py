@@ -55,7 +55,7 @@ def test_casimirs_stay_and_the_energy_does_not():
     assert abs(energies[-1] / energies[0] - 1.0) > 0.01
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_sampling_and_batches_change_nothing_and_attitudes_follow():
     body = FreeRigidBody((1.0, 2.0, 3.0))
     start = np.array([[1.0, 0.0, 0.0, 0.0, 0.2, 1.0, 0.4], [1.0, 0.0, 0.0, 0.0, 0.9, 0.1, -0.4]])

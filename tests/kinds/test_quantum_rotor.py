@@ -90,7 +90,7 @@ def test_steps_are_turns_of_classical_motion():
 RUNAWAY = (EXAMPLES / "sulfur_dioxide.toml").read_text().replace('"2.5904328 MHz"', '"{}"')
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("large", ["2.5904328 GHz", "1e3 GHz"])
 def test_a_distortion_constant_in_another_unit_is_said(spec_of, large):
     """Levels far below the ground state had infinite intensities, which ended in a traceback inside the spectrum."""

@@ -271,7 +271,7 @@ outputs = ["end.momentum"]
 """
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_the_report_says_for_how_long_there_was_no_sun(tmp_path):
     sunlit = '[[torque]]\ntype = "solar-pressure"\nsun = [0, 0, 1]\nbox = ["1 m", "1 m", "1 m"]\n'
     orbit = '[orbit]\naltitude = "500 km"\ninclination = "90 deg"\n'
@@ -372,7 +372,7 @@ lasting = "3 s"
 """
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_mounts_of_a_spec_start_as_it_says(tmp_path):
     text = HEAD + BODY + 'mass = "100 kg"\n[spin]\nangular_velocity = ["0 rad/s", "0.2 rad/s", "0.1 rad/s"]\n' + MOUNTS
     found = spec(tmp_path, text + '[time]\nuntil = "2 s"\nsamples = 3\n').motion().trajectory

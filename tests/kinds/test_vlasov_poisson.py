@@ -24,7 +24,7 @@ def spec(tmp_path):
     return make
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_landau_damping(spec):
     text = "wavenumber = 0.5\namplitude = 0.01\nmodes = 1\nvelocities = 64\nparticles_per_velocity = 16"
     report = spec(text).report()

@@ -64,7 +64,7 @@ def test_change_alone(solver):
         check_alone(step, RNG.uniform(size=3), RNG.uniform(0.05, 0.2, 3), starts(solver), batched=False)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("solver", at_once(SOLVERS[:1], SMOOTH))
 def test_advance_alone(solver):
     """Two or three steps each; the copies of a batch take as many as each needs."""

@@ -69,7 +69,7 @@ def test_every_number_has_a_spec_that_it_is_drawn_in(hosts, any_type):
     assert not missing and len(reached) > 120
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_specs_are_read_or_refused(hosts, folder, any_type):
     chance = random.Random(27)
     path = folder / "case.toml"

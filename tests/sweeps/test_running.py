@@ -96,7 +96,7 @@ def test_the_same_again_after_a_stop(spec, tmp_path):
     assert files(tmp_path / "a.zarr") == files(tmp_path / "b.zarr")
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_other_chunks_hold_the_same_samples(spec, tmp_path):
     ph.sweep(spec, tmp_path / "a.zarr")
     spec.write_text(SPEC.replace("chunk = 64", "chunk = 17"))

@@ -87,7 +87,7 @@ def test_a_broken_disk_is_caught():
         assert max(missed(broken, state)[0] for state in random_states(4)) > 30 * ROUNDING
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize("disk", first(1, [slowed_thick, slowed]), ids=["thick", "thin"])
 def test_kinematics_and_power(disk):
     states = random_states(20)

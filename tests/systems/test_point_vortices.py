@@ -198,7 +198,7 @@ def test_vortices_that_move_straight_or_rest():
     assert vortex_stability(poles, poles.pack([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])).verdict == "stable"
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_growth_against_closed_forms_and_published_numbers():
     ring, polygon = SphereVortices(np.ones(5)), PlaneVortices(np.ones(8))
     found = vortex_stability(ring, ring.ring(1.0))

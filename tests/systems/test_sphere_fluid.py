@@ -169,7 +169,7 @@ def drifts(n, steps, rotation=0.0):
     return fluid, run, step
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize(("n", "steps"), [(12, 60), pytest.param(48, 1000, marks=pytest.mark.sweep)])
 def test_spectrum_and_angular_momentum_stay(n, steps):
     fluid, run, _ = drifts(n, steps)

@@ -89,7 +89,7 @@ def test_states_are_along_the_principal_axes():
     assert np.abs(np.asarray(given) - own).max() < ROUNDING
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_the_motion_is_that_of_the_body_along_its_principal_axes():
     own, same = starts()
     one, two = ph.simulate(GIVEN, own, TIMES), ph.simulate(SAME, same, TIMES)

@@ -94,7 +94,7 @@ def test_the_rate_of_the_field_is_its_derivative(t):
     assert np.abs(np.asarray(ORBIT.velocity(t)) - velocity).max() < SAME * np.abs(velocity).max()
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_axes_that_look_down():
     for t in (*TIMES, 40000.0):
         axes = np.asarray(rotation.as_matrix(ORBIT.frame(t)))

@@ -91,7 +91,7 @@ def test_a_quiet_start_has_the_density_asked_for():
         assert abs(float(jnp.sum(1.0 / state[:, 2])) / (4.0 * np.pi) - 1.0) < 1e-14
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_landau_damping_follows_its_curve():
     system, wave, times = VlasovPoisson(4.0 * np.pi, 1, 1024), plasma_wave(MAXWELLIAN, 0.5), np.linspace(0, 25, 251)
     field, motion = first_field(system, quiet_start(system, maxwellian, 64, 0.01), times, 0.1)
@@ -176,7 +176,7 @@ class SlowDrift(VlasovPoisson):
         return super()._drift(0.999 * time, state)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 @pytest.mark.parametrize(("broken", "law"), first(1, [(Attracted, "velocity"), (SlowDrift, "add up")]))
 def test_broken_plasmas_are_caught(broken, law):
     with pytest.raises(LawBroken, match=law):

@@ -85,7 +85,7 @@ def plates(t, y, moments, axes, areas, places, sun, pressure):
     return np.append(turning, (np.cross(moments * w, w) + torque) / moments)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_sunlight_on_a_box_beside_a_general_integrator_that_stops_at_its_edges():
     moments, edges, center = np.array([0.1, 0.2, 0.25]), np.array([0.1, 0.2, 0.3]), np.array([0.03, 0.01, -0.02])
     sun, start = np.array([1.0, 0.3, 0.1]), np.array([1.0, 0, 0, 0, 0.001, 0.002, 0.0005])

@@ -142,7 +142,7 @@ def test_single_precision_is_not_called_a_mistake():
     assert found.convergence.order == pytest.approx(1.0, abs=0.1)
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_a_restored_length_pulls_all_spins_to_the_middle_axis():
     found = only(judge(engines.restoring(explicit_euler(equations(MOMENTS))), 0.05, steps=40_000))
     assert {end.toward for end in found.ends.values()} == {"middle"}

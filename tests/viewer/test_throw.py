@@ -176,7 +176,7 @@ def test_the_least_squares_is_that_of_polhode_without_drag_and_gains(both, name)
     assert np.abs(turned - np.eye(3)).max() < 1e-3
 
 
-@pytest.mark.long
+@pytest.mark.sweep
 def test_drag_is_fitted_gains_are_said_and_noise_alone_is_not():
     header = "Time (s),Gyroscope x (rad/s),Gyroscope y (rad/s),Gyroscope z (rad/s)"
     asked, logs = [], []
