@@ -36,7 +36,7 @@ def test_all_are_there(reports):
     free = "t_handle t_handle_parts book smartphone water steam earth apophis spacecraft cubesat"
     others = {"top", "precessing_top", "gyroscope", "explorer_1", "dual_spin", "hyperion", "euler_disk",
               "jupiter_cyclones", "sphere_turbulence", "joint_instability", "two_stream", "skyrmions", "water_spectrum",
-              "sulfur_dioxide", "formaldehyde", "quantum_racket"}  # fmt: skip
+              "sulfur_dioxide", "formaldehyde", "quantum_racket", "cubesat_6u"}  # fmt: skip
     assert set(reports) == set(free.split()) | others
 
 
@@ -99,8 +99,10 @@ def test_the_disk_ends_by_air(reports):
     # rolling friction at first, air in the end
     assert couple["share"] > 0.9 and down["dominant_law"] == air["law"] == "air-layer"
     assert 60.0 < down["end"] < 120.0 and abs(disk["end_time"] - down["end"]) < 0.1
-    assert 1 / 3 < down["tilt_exponent"]["fitted"] < 0.4 and down["energy_balance"] < 1e-10
-    assert disk["normal_force_minimum_of_weight"] > 0.15 and len(disk["notes"]) == 2
+    for exponent in (down["tilt_exponent"], down["unspun_by_tilt_exponent"]):  # of 1/3 and −1/2
+        assert abs(exponent["fitted"] - exponent["predicted"]) < exponent["uncertainty"] < 0.02
+    assert down["energy_balance"] < 1e-10
+    assert disk["normal_force_minimum_of_weight"] > 0.15 and "laws are predicted for a thin disk" in disk["notes"][0]
 
 
 def test_t_handle_mesh_and_parts_agree(reports):
