@@ -48,7 +48,6 @@ def graph_of(root: Path) -> networkx.DiGraph:
     return found
 
 
-@pytest.mark.long
 def circles(root: Path) -> list[list[str]]:
     """Return the modules that reach each other."""
     return [sorted(part) for part in networkx.strongly_connected_components(graph_of(root)) if len(part) > 1]

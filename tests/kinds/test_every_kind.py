@@ -50,6 +50,19 @@ def test_a_kind_is_as_it_must_be(kind):
         assert type(kind).__module__ == f"polhode.kinds.{kind.name.replace('-', '_')}"
 
 
+@pytest.mark.long
+def test_a_kind_without_pictures_is_right_and_has_no_page(monkeypatch, plugin):
+    kind = find_kind("spherical-pendulum")
+    monkeypatch.setattr(type(kind), "panel", lambda self: None)
+    assert not kind.has_pictures
+    check_kind(kind)
+    with pytest.raises(InvalidInput, match=r"spherical-pendulum has no attitude, and its kind no panel"):
+        kind.check_page()
+    monkeypatch.setattr(type(kind), "check_page", lambda self: None)
+    with pytest.raises(LawBroken, match="neither attitude nor panel refuses a page"):
+        check_kind(kind)
+
+
 def test_ten_kinds_have_answers_without_motion():
     usual = AbstractKind.answers_without_motion
     assert len([name for name in OWN if type(find_kind(name)).answers_without_motion is not usual]) == 10

@@ -11,6 +11,7 @@ from polhode.motion import Ending, Outcome, StateLayout, StatePart
 from polhode.motion._layout import ATTITUDE, MOMENTUM
 from polhode.systems import TorquedGyrostat
 
+HEAD = "time [s],q_w,q_x,q_y,q_z,omega_1 [rad s-1],omega_2 [rad s-1],omega_3 [rad s-1]\n"
 MOMENTS, MOMENTUM_AT_EPOCH = (1.0, 2.0, 3.0), (0.3, 1.8, 1.5)
 
 
@@ -93,3 +94,30 @@ def test_other_times_of_an_exact_motion_keep_the_frame(motion):
     assert np.array_equal(found.momentum, motion.momentum(np.array([0.25, 7.0])))
     with pytest.raises(InvalidInput, match="not of an exact motion"):
         dataclasses.replace(found, source=None).resampled([1.0])
+
+
+def test_samples_of_a_file_take_the_axes_of_a_body(tmp_path):
+    """A table along the sides of a box, whose long side x has the least moment and is the third principal axis."""
+    box = ph.shapes.box(1.0, (0.1, 0.2, 0.3))
+    turn = [0.8, 0.6, 0.0, 0.0]
+    path = tmp_path / "log.csv"
+    path.write_text(HEAD + "".join(
+        ",".join(map(repr, [t, *turn, 2.0, 0.5, -0.25])) + "\n" for t in (0.0, 1.0)), "utf-8")  # fmt: skip
+    read = ph.formats.read_csv(path)
+    found = read.with_frame(box.frame)
+    assert (found.along("given").angular_velocity == read.angular_velocity).all()
+    along = found.along("principal")
+    assert np.abs(along.angular_velocity[0]) == pytest.approx(np.abs([-0.25, 0.5, 2.0]))
+    for samples in (read, along):  # one and the same vector in space
+        in_space = ph.rotation.as_matrix(samples.attitude[0]) @ samples.angular_velocity[0]
+        assert in_space == pytest.approx(ph.rotation.as_matrix(np.array(turn)) @ [2.0, 0.5, -0.25], abs=1e-15)
+    assert (read.with_frame(box.frame, along="principal").along("principal").attitude == read.attitude).all()
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    (lambda samples, frame: samples.with_frame(frame), "are of an exact motion, whose body is known.* `from_body`"),
+    (lambda samples, frame: samples.with_frame(frame, along="giben"), "must be .given. or .principal.*; got 'giben'"),
+])  # fmt: skip
+def test_bodies_that_samples_cannot_have(change, words, motion, any_type):
+    with pytest.raises(InvalidInput, match=words):
+        change(motion.sample([0.0, 1.0]), ph.shapes.box(1.0, (0.1, 0.2, 0.3)).frame)

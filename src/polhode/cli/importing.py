@@ -134,7 +134,7 @@ def _with_body(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | 
         mechanics: of the same body along the given axes; None where momentum is not the moments times the velocity.
     """
     samples, attitude = trajectory, trajectory.attitude
-    turned = replace(samples, frame=frame, axes=np.asarray(frame.axes)).along("principal")
+    turned = samples.with_frame(frame).along("principal")
     if mechanics is None or turned.angular_velocity is None:
         return _with_states(turned)
     momentum = turned.angular_velocity * np.asarray(frame.moments)

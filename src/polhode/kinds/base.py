@@ -223,23 +223,28 @@ class AbstractKind(abc.ABC, Generic[TableT]):
 
     def next_steps(self, spec: Spec) -> Sequence[NextStep]:
         """Return the commands that a report of this kind suggests next."""
-        return (NextStep("view", "shows the motion"),) if self._has_pictures() else ()
+        return (NextStep("view", "shows the motion"),) if self.has_pictures else ()
 
     def offers(self, spec: Spec) -> Sequence[NextStep]:
         """Return commands that a report of another kind suggests, because this kind can use its spec; mostly none."""
         return ()
 
     def check_page(self) -> None:
-        """Refuse a page for a kind that has neither a motion nor a panel of its own.
+        """Refuse a page that would have nothing to draw.
 
         Raises:
-            InvalidInput: for such a kind.
+            InvalidInput: for a kind without pictures.
         """
-        if self.panel() is None:
+        if not self.has_pictures:
             self.check_motion()
+            raise InvalidInput(
+                f"the system {self.name} has no attitude, and its kind no panel, so that a page has nothing to draw. "
+                "Ask for its figures by `polhode report`."
+            )
 
-    def _has_pictures(self) -> bool:
-        """Whether any page has something to draw: the kind's own panels, or a body that turns."""
+    @property
+    def has_pictures(self) -> bool:
+        """Whether a page has something to draw: the kind's own panels, or a body that turns."""
         return self.panel() is not None or (self.has_motion and self.has_attitude)
 
     def check_motion(self) -> None:

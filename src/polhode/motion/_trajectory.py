@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
 from polhode.arrays import namespace
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn, chosen_axes
 from polhode.motion._layout import Quantity, StateLayout, StatePart
 from polhode.motion._outcome import Ends, Outcome
@@ -166,6 +166,33 @@ class Trajectory(Plotted):
         given_axes = self.given_axes if self.frame is None else np.asarray(self.frame.axes)
         given_axes = self.axes if given_axes is None else given_axes
         return self.standing(chosen_axes(axes, given_axes))
+
+    def with_frame(self, frame: BodyFrame, along: Literal["given", "principal"] = "given") -> Trajectory:
+        """Return the same samples as those of a body, which files of other programs do not say.
+
+        Args:
+            frame: of the body, ``Body.frame``; in place of the one that the samples have, if any.
+            along: which of the body's axes the samples are along: "given", those in which its mesh, points or inertia
+                are given, or "principal".
+
+        Raises:
+            InvalidInput: for other words, and for an exact motion along given axes, whose moments say these.
+
+        >>> import polhode as ph
+        >>> read = ph.Trajectory([0.0, 1.0], np.zeros((2, 0)), angular_velocity=np.array([[0.0, 0.0, 2.0]] * 2))
+        >>> box = ph.shapes.box(1.0, (0.1, 0.2, 0.3))  # whose moments descend along x, y, z
+        >>> read.with_frame(box.frame).along("principal").angular_velocity[0].tolist()
+        [2.0, 0.0, 0.0]
+        """
+        if along not in ("given", "principal"):
+            raise InvalidInput(f'`along` must be "given" or "principal", the axes of the samples; got {shown(along)}.')
+        if self.motion is not None and (along == "given" or self.axes is not None):
+            raise InvalidInput(
+                "the samples are of an exact motion, whose body is known. Make it by `from_body`, or, if its moments "
+                'are the body\'s, give along="principal".'
+            )
+        samples = self if self.frame is None else self.along(along)
+        return replace(samples, frame=frame, axes=np.asarray(frame.axes) if along == "given" else None, given_axes=None)
 
     def standing(self, axes: Float64[Array, "3 3"] | None) -> Trajectory:
         """Return the same samples along axes in which the columns of ``axes`` are the principal ones."""

@@ -12,7 +12,6 @@ from polhode.spec.words import list_words
 OF_A_MESH = ("mesh_unit", "repair", "several", "shell", "thickness")
 OF_INERTIA = ("about", "center_of_mass", "rounding")
 OF_SHAPES = {key for keys in (*SHAPE_KEYS.values(), *MAY_HAVE.values()) for key in keys}
-OF_ANY = {"name", "mass", "density", "cut", "at", "axis", "attitude"}
 
 
 def find_broken_part_rules(part: dict[str, Any], density_of_all: bool = False) -> Iterator[str]:

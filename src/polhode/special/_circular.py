@@ -70,11 +70,6 @@ def reduced_phase(
     return fraction, rest, na + (nb + nc) + more
 
 
-def phase_fraction(rate: tuple[Operand, ...], time_halves: tuple[Operand, ...]) -> tuple[Result, Result]:
-    """Return ``reduced_phase`` without the turns."""
-    return _reduced(rate, time_halves)[:2]
-
-
 def _reduced(rate: tuple[Array, ...], time_halves: tuple[Array, ...]) -> tuple[Array, Array, tuple[Array, ...]]:
     upper, lower, low = rate
     high, rest = time_halves

@@ -151,11 +151,6 @@ def _lanes(width: int) -> int:
     return 1 if width == EXTENDED else width
 
 
-def use_compiled_kernel(*widths: int) -> None:
-    """Take the compiled kernels that move so many copies at a time from now on, however short the runs."""
-    _Spent.ready.update(widths or MODULES)
-
-
 @cache
 def _kept_name(name: str, width: int) -> str:
     """Return the name by which Numba keeps an entry, which is that of all sources that it is made of."""

@@ -62,7 +62,10 @@ def check_kind(kind: AbstractKind[Any]) -> None:
                 raise LawBroken("a kind with a motion reports on one: derive from MotionReport.")
             _check_motion(kind, spec, report)
             _check_dataset(report, Path(folder))
-            _check_page(spec, report, Path(folder))
+            if kind.has_pictures:
+                _check_page(spec, report, Path(folder))
+            else:
+                _check_no_page(kind)
 
 
 def _check_parts(kind: AbstractKind) -> None:
@@ -185,6 +188,14 @@ def _check_dataset(report: MotionReport, folder: Path) -> None:
         _require(np.array_equal(dataset.part(part.name), wanted.part(part.name)), f"a dataset gives {part.name} back")
     for name in wanted.invariants | wanted.balances:
         _require(dataset.quantity(name).unit == wanted.quantity(name).unit, f"a dataset gives the unit of {name} back")
+
+
+def _check_no_page(kind: AbstractKind) -> None:
+    try:
+        kind.check_page()
+    except InvalidInput:
+        return
+    raise LawBroken("a kind with neither attitude nor panel refuses a page, by `check_page`.")
 
 
 def _check_page(spec: Spec, report: MotionReport, folder: Path) -> None:
