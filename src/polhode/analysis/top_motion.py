@@ -68,7 +68,7 @@ def top_period(top: HeavyTop, momentum: Real[ArrayLike, "3"]) -> float | None:
 
 
 @known_numbers_only
-def keeps_its_tilt(motion: LagrangeMotion) -> bool:
+def is_steady_precession(motion: LagrangeMotion) -> bool:
     """Whether one top precesses steadily: at constant tilt, to rounding of the input."""
     low, high = motion.nutation_limits
     if motion.regime not in NUTATING or low is None or high is None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.analysis._mechanics import Mechanics
 from polhode.analysis.energy_casimir import Stability
-from polhode.analysis.top_motion import axial_spin, axis_in_space, axis_tilt, keeps_its_tilt, top_period
+from polhode.analysis.top_motion import axial_spin, axis_in_space, axis_tilt, is_steady_precession, top_period
 from polhode.analysis.top_rates import TopRates, gyroscopic_rates, mean_top_rates, steady_top_rates
 from polhode.analysis.top_rests import top_stability
 from polhode.analysis.top_start import steady_precession_at, top_velocity
@@ -74,7 +74,7 @@ class TopReport(MotionReport):
     @property
     def constant_tilt(self) -> bool:
         """Whether the precession is steady: constant tilt to rounding."""
-        return self.exact is not None and keeps_its_tilt(self.exact)
+        return self.exact is not None and is_steady_precession(self.exact)
 
     @property
     def mechanics(self) -> Mechanics:
