@@ -27,7 +27,7 @@ def coning_momentum(
         moments: (3,) principal moments [kg m²], of which two are equal, A; C is the third.
         nutation: θ [rad], from 0 to π.
         spin: ψ̇ [rad/s].
-        precession: φ̇ [rad/s]; negative for one the other way round L's opposite.
+        precession: φ̇ [rad/s]; a negative one gives the opposite L.
 
     Raises:
         InvalidInput: for a body that is not symmetric, or a sphere, for not exactly two numbers, and for rates that no

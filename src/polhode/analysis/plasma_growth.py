@@ -39,7 +39,7 @@ def fit_growth(
 ) -> GrowthFit | None:
     """Return the growth of a field's amplitude between the times where it is linear; None where there are too few.
 
-    Of a field that swings the maxima count, of one that does not all values.
+    The line goes through the maxima of a field that oscillates, and through all values of one that does not.
 
     Args:
         times: (T,) ascending.

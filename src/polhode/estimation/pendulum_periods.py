@@ -107,7 +107,7 @@ def compound_moment(
 ) -> float:
     """Return the moment [kg m²] about the centre of mass of a compound pendulum; see ``compound_period``.
 
-    Zero and less where the period is shorter than that of a point mass.
+    Zero or negative if the period is not longer than that of a point mass.
 
     >>> round(compound_moment(compound_period(0.02, 1.0, 0.3, 0.5), 1.0, 0.3, 0.5), 15)
     0.02

@@ -112,7 +112,7 @@ class TopReport(MotionReport):
 
     @property
     def mean_rates(self) -> TopRates:
-        """Of the motion."""
+        """Mean rates of precession and nutation of the motion."""
         return mean_top_rates(self.trajectory.times, self.axis_in_space)
 
     def _rates(self) -> list[Table]:
@@ -232,7 +232,7 @@ def build_start(
         lean: of the axis from the upward vertical [rad], or None.
 
     Raises:
-        InvalidInput: for a body without an axis that leans, or a spin at which nothing precesses as it is wanted.
+        InvalidInput: for a body without an axis that leans, or a spin without the steady precession that is asked for.
     """
     attitude = build_attitude(top, attitude, lean)
     if spin is None or not spin.is_of_a_top:
