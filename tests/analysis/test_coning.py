@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import polhode as ph
-from polhode.analysis import caged_precession, coning_momentum, holding_torque
+from polhode.analysis import coning_momentum, holding_torque, precession_with_fixed_frame
 from polhode.errors import InvalidInput
 
 SPEC = """
@@ -115,7 +115,7 @@ def axis_rates(A, Cr, Cf, mgl, tilt, spin, precession, torque):
 def test_a_caged_gyroscope(tilt):
     """Neither rate moves the axis; and the torque that holds another precession is Lagrange's generalised force."""
     A, Cr, Cf, mgl, spin = 2.0e-3, 3.0e-4, 1.0e-4, 0.17, 280.0
-    found = caged_precession(A, Cr, Cf, mgl, tilt, spin)
+    found = precession_with_fixed_frame(A, Cr, Cf, mgl, tilt, spin)
     for rate in (found.slow, *(() if found.fast is None else (found.fast,))):
         small = 1e-5 * mgl / A * max(1.0, abs(rate / found.slow))
         assert abs(axis_rates(A, Cr, Cf, mgl, tilt, spin, rate, 0.0)) < small
@@ -128,7 +128,7 @@ def test_a_caged_gyroscope(tilt):
 def test_the_frame_matters_where_the_axis_leans():
     args = (2.0e-3, 3.0e-4, 0.17, 0.4, 280.0)
     A, Cr, mgl, tilt, spin = args
-    free, caged = caged_precession(A, Cr, 0.0, mgl, tilt, spin), caged_precession(A, Cr, 5e-4, mgl, tilt, spin)
+    free, caged = (precession_with_fixed_frame(A, Cr, Cf, mgl, tilt, spin) for Cf in (0.0, 5e-4))
     assert caged.slow != pytest.approx(free.slow, rel=1e-4)
 
 
@@ -136,7 +136,8 @@ def test_a_level_toy():
     """170 g, 5.5 cm, in the middle of a 21 cm axle at 45 rev/s: 2π (½mR²)ψ̇/(mgl) = 2.6095 s, whatever the frame."""
     disk, place = 0.5 * 0.17 * 0.055**2, 0.17 * 0.105**2
     for frame in (0.0, 1e-4):
-        level = caged_precession(0.5 * disk + place, disk, frame, 0.17 * 9.80665 * 0.105, 0.5 * math.pi, 90 * math.pi)
+        weight = 0.17 * 9.80665 * 0.105
+        level = precession_with_fixed_frame(0.5 * disk + place, disk, frame, weight, 0.5 * math.pi, 90 * math.pi)
         around = 2.0 * math.pi / level.slow
         assert around == pytest.approx(math.pi * 0.055**2 * 90 * math.pi / (9.80665 * 0.105), rel=1e-12)
         assert around == pytest.approx(2.6095, abs=5e-5)
@@ -145,7 +146,7 @@ def test_a_level_toy():
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: caged_precession(1.0, 0.0, 0.1, 1.0, 1.0, 1.0), "rotor's moment must be positive"),
+        (lambda: precession_with_fixed_frame(1.0, 0.0, 0.1, 1.0, 1.0, 1.0), "rotor's moment must be positive"),
         (lambda: holding_torque(1.0, 0.1, 0.1, 1.0, math.nan, 1.0, 1.0), "finite numbers"),
         (lambda: coning_momentum((1.0, 1.0, 1.0), 0.1, None, 1.0), "two equal"),
         (lambda: coning_momentum((1.0, 1.0, 1.5), 0.1), "two of nutation"),

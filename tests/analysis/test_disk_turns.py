@@ -109,7 +109,7 @@ def test_a_motion_that_ends_early_is_filled():
     start = DISK.state(0.05, -0.5, 0.0, 0.0)
     motion = ph.simulate(DISK, start, np.linspace(0.0, 5.0, 40))
     assert motion.outcome.event == "flat" and len(motion.times) < 20
-    filled = analysis.filled_to_its_end(motion, 40)
+    filled = analysis.resample_until_end(motion, 40)
     assert len(filled.times) >= 39 and filled.outcome.event == "flat"
     assert filled.times[-1] == pytest.approx(motion.times[-1], rel=1e-9)
     path = analysis.rolling_path(DISK, start, 1.0, 300)

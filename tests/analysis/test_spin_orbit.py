@@ -11,7 +11,7 @@ import pytest
 import polhode as ph
 from polhode.analysis.spin_orbit import (
     lyapunov_exponent,
-    overlap_of,
+    overlap_asphericity,
     overlap_threshold,
     poincare_section,
     resonance_strength,
@@ -184,14 +184,14 @@ def test_bad_input(call, words):
 
 def test_zones_touch_at_the_overlap():
     """There the half-widths of two neighbours add up to their distance, and of no others to more."""
-    least = overlap_of(resonances(SpinOrbit(0.1, 0.1), 3.0))
+    least = overlap_asphericity(resonances(SpinOrbit(0.1, 0.1), 3.0))
     assert least is not None
     at = resonances(SpinOrbit(least, 0.1), 3.0)
     gaps = [b.rate - a.rate - a.half_width - b.half_width for a, b in itertools.pairwise(at)]
     assert min(gaps) == pytest.approx(0.0, abs=1e-14)
-    assert overlap_of(resonances(SpinOrbit(0.1, 0.0), 3.0)) is None
+    assert overlap_asphericity(resonances(SpinOrbit(0.1, 0.0), 3.0)) is None
     # near a circle it is Wisdom's threshold, to first order in √e
-    small = overlap_of(resonances(SpinOrbit(0.1, 1e-4), 3.0))
+    small = overlap_asphericity(resonances(SpinOrbit(0.1, 1e-4), 3.0))
     assert small == pytest.approx(float(overlap_threshold(1e-4)), rel=1e-3)
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from polhode.analysis import PlasmaWave, fastest_growing_wave, fitted_growth, two_stream
+from polhode.analysis import PlasmaWave, fastest_growing_wave, fit_growth, two_stream
 from polhode.analysis.plasma_waves import MAXWELLIAN, Beam, bump_on_tail, dispersion
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import read_spec
@@ -81,13 +81,13 @@ def test_no_wave_where_newton_s_method_runs_away():
 def test_fits_of_known_growth():
     t = np.linspace(0.0, 40.0, 401)
     growing = PlasmaWave(0.3, 0.0, 0.2, 1.0, 0.0)
-    found = fitted_growth(t, 1e-6 * (np.exp(0.2 * t) + 3.0 * np.exp(-0.3 * t)), 0.3, growing, 100.0)
+    found = fit_growth(t, 1e-6 * (np.exp(0.2 * t) + 3.0 * np.exp(-0.3 * t)), 0.3, growing, 100.0)
     assert found.growth == pytest.approx(0.2, rel=1e-3) and 0.0 < found.error < 1e-3
-    assert fitted_growth(t[:3], np.ones(3), 0.3, growing, 100.0) is None
+    assert fit_growth(t[:3], np.ones(3), 0.3, growing, 100.0) is None
     with pytest.raises(InvalidInput, match="one length"):
-        fitted_growth(t, np.ones(3), 0.3, growing, 100.0)
+        fit_growth(t, np.ones(3), 0.3, growing, 100.0)
     with pytest.raises(InvalidInput, match="not negative"):
-        fitted_growth(t, -np.ones(401), 0.3, growing, 100.0)
+        fit_growth(t, -np.ones(401), 0.3, growing, 100.0)
 
 
 GOOD = "wavenumber = 0.5\namplitude = 0.01"

@@ -91,8 +91,8 @@ NO_ARRAYS = {
     "ReferenceMotion", "MotionErrors", "EngineComparison", "Comparison", "align_clocks", "SpinDown", "Resonance",
     "AttitudeHistory",
     "bodies.surface.Paint", "bodies.surface.Surface", "Surface.along", "Surface.coarsened", "surface.join_surfaces",
-    "combine", "overlap_of", "stability_threshold", "Levels.of", "rotor.join_levels", "Rotor.from_body", "Rotor.levels",
-    "Rotor.levels_of", "fitting.RotorFit", "RotorFit.worst", "RotorFit.predict",
+    "combine", "overlap_asphericity", "stability_threshold", "Levels.of", "rotor.join_levels", "Rotor.from_body",
+    "Rotor.levels", "Rotor.levels_of", "fitting.RotorFit", "RotorFit.worst", "RotorFit.predict",
     "analysis.threshold.Threshold", "analysis.plasma_waves.PlasmaWave",
     "enclosed_numbers.EnclosedNumber", "MotionEnclosure", "MotionEnclosure.state", "FreeEnclosure", "TopEnclosure",
     "rotor_misfit", "damped_motion.time_constant", "predicted_exponents",
@@ -114,7 +114,7 @@ NO_ARRAYS = {
     "surfaces.Plates",
     "control_margins.has_linear_loop", "control_margins.linearize_loop", "control_margins.loop_margins",
     "gravity_gradient.nearest_rest", "gravity_gradient.escape_energy",
-    "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.filled_to_its_end",
+    "disk_turns.first_turns", "disk_turns.last_turns", "disk_turns.resample_until_end",
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""
 CALLED_BY_OTHERS = {

@@ -45,7 +45,7 @@ SOLID, TIMES, TURNS = ph.Body.from_moments(1.0, 2.0, 2.5), np.arange(12.0), np.t
 OF_MOTIONS = ("polhode", "herpolhode", "herpolhode_curve", "body_precession", "space_precession", "racket_twist",
               "axis_angles", "cone_angles", "velocity_angles", "rotation_form", "rotation_forms",
               "rotation_period", "turn_per_flip", "precession.fastest_rate", "HeavyTop.from_motion",
-              "keeps_its_tilt", "steady_precession_of")  # fmt: skip
+              "is_steady_precession", "steady_precession_of")  # fmt: skip
 """Making a motion compiles for half a minute, within another traced function not at all."""
 CHAIN = systems.SpinLattice(systems.Lattice([[1.0]], shape=(4,)), bonds=[systems.Bond(0, 0, (1,), 1.0)])
 SPINS = np.ones((12, 4, 1, 1, 1, 3))
@@ -129,9 +129,9 @@ REFUSED = {
     "velocity_distribution": (THREE, lambda x: analysis.velocity_distribution(analysis.MAXWELLIAN, x)),
     "dispersion": (0.3, lambda x: analysis.dispersion(analysis.MAXWELLIAN, 0.3, x)),
     "fastest_growing_wave": (0.3, lambda x: analysis.fastest_growing_wave(analysis.MAXWELLIAN, x)),
-    "fitted_growth": (
+    "fit_growth": (
         np.linspace(0.0, 30.0, 31),
-        lambda x: analysis.fitted_growth(x, np.full(31, 1e-3), 0.3, analysis.PlasmaWave(0.3, 0.0, 0.2, 1.0, 0.0), 30.0),
+        lambda x: analysis.fit_growth(x, np.full(31, 1e-3), 0.3, analysis.PlasmaWave(0.3, 0.0, 0.2, 1.0, 0.0), 30.0),
     ),
     "plasma_wave": (0.3, lambda x: analysis.plasma_wave(analysis.MAXWELLIAN, x)),
     "plane_rotation_exponents": (np.zeros((3, 3)), lambda x: analysis.plane_rotation_exponents(ROTATING, x)),
@@ -213,7 +213,7 @@ REFUSED = {
     "axis_tilt": (FOUR, lambda x: analysis.axis_tilt(TOP, x)),
     "axial_spin": (THREE, lambda x: analysis.axial_spin(TOP, x)),
     "top_period": (THREE, lambda x: analysis.top_period(TOP, x)),
-    "keeps_its_tilt": (THREE, lambda x: analysis.keeps_its_tilt(swinging(x))),
+    "is_steady_precession": (THREE, lambda x: analysis.is_steady_precession(swinging(x))),
     "top_velocity": (0.3, lambda x: analysis.top_velocity(TOP, FOUR, x)),
     "steady_precession_at": (0.3, lambda x: analysis.steady_precession_at(SYMMETRIC_TOP, x, 9.0)),
     "thermal_momentum": (THREE, lambda x: analysis.thermal_momentum(x, 300.0)),
@@ -300,7 +300,7 @@ REFUSED = {
     "damper_loss": (1.0, lambda x: nutation_damping.damper_loss(x, 2.0, 1.0, 0.1, 1.0, 1.0, 0.1)),
     "slosh_frequency": (1.0, lambda x: nutation_damping.slosh_frequency(x, 0.1, 0.2)),
     "coning_momentum": (1.0, lambda x: coning.coning_momentum((1.0, 1.0, 1.5), x, None, 2.0)),
-    "caged_precession": (1.0, lambda x: coning.caged_precession(2.0, x, 0.1, 1.0, 1.0, 9.0)),
+    "precession_with_fixed_frame": (1.0, lambda x: coning.precession_with_fixed_frame(2.0, x, 0.1, 1.0, 1.0, 9.0)),
     "holding_torque": (1.0, lambda x: coning.holding_torque(2.0, x, 0.1, 1.0, 1.0, 9.0, 1.0)),
     "flat_spin_time": (THREE, lambda x: energy_sink.flat_spin_time(THREE, x, 0.1)),
     "sink_rate_by_loss": (THREE, lambda x: energy_sink.sink_rate_by_loss(THREE, x, 0.1)),

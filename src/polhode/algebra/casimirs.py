@@ -18,7 +18,7 @@ from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
 from polhode.rational._sparse import REMEDY, new_terms, null_space
-from polhode.rational._terms import Terms, multiply_together, whole_terms
+from polhode.rational._terms import Terms, exponents_of, multiply_together, whole_terms
 
 LARGEST_DENOMINATOR = 10_000
 MOST_MONOMIALS = 20_000  # writing down the equations takes a minute then
@@ -129,7 +129,7 @@ def _generators(brackets: list[list[dict[int, Fraction]]]) -> list[int]:
 def _invariants(brackets: list[list[dict[int, Fraction]]], generators: list[int], degree: int) -> list[Terms]:
     """Return a basis of the polynomials of one degree that commute with the generators."""
     dim = len(brackets)
-    monomials = [_exponents(m, dim) for m in combinations_with_replacement(range(dim), degree)]
+    monomials = [exponents_of(m, dim) for m in combinations_with_replacement(range(dim), degree)]
     place = {m: n for n, m in enumerate(monomials)}
     # {x_g, Π x_i^{e_i}} = Σ_j e_j x^{e − 1_j} Σ_k c_gj^k x_k, by Leibniz
     rows: dict[tuple[int, int], dict[int, Fraction]] = defaultdict(lambda: defaultdict(Fraction))
@@ -145,10 +145,3 @@ def _invariants(brackets: list[list[dict[int, Fraction]]], generators: list[int]
     distinct = {tuple(sorted((c, v) for c, v in row.items() if v)) for row in rows.values()} - {()}
     matrix = [dict(row) for row in sorted(distinct, key=len)]
     return [{monomials[c]: v for c, v in vector.items()} for vector in null_space(matrix, len(monomials))]
-
-
-def _exponents(indices: tuple[int, ...], dim: int) -> tuple[int, ...]:
-    counts = [0] * dim
-    for i in indices:
-        counts[i] += 1
-    return tuple(counts)

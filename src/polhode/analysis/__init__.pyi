@@ -11,9 +11,9 @@ from .cone import axis_angles as axis_angles
 from .cone import cone_angles as cone_angles
 from .cone import rotation_form as rotation_form
 from .cone import velocity_angles as velocity_angles
-from .coning import caged_precession as caged_precession
 from .coning import coning_momentum as coning_momentum
 from .coning import holding_torque as holding_torque
+from .coning import precession_with_fixed_frame as precession_with_fixed_frame
 from .continuation import Bifurcation as Bifurcation
 from .continuation import Branch as Branch
 from .continuation import Continuation as Continuation
@@ -28,13 +28,13 @@ from .disk_turns import (
     DiskPath as DiskPath,
 )
 from .disk_turns import (
-    filled_to_its_end as filled_to_its_end,
-)
-from .disk_turns import (
     first_turns as first_turns,
 )
 from .disk_turns import (
     last_turns as last_turns,
+)
+from .disk_turns import (
+    resample_until_end as resample_until_end,
 )
 from .disk_turns import (
     rolling_path as rolling_path,
@@ -81,7 +81,7 @@ from .nutation_damping import nutation_time_constant as nutation_time_constant
 from .nutation_damping import slosh_frequency as slosh_frequency
 from .periodic_branches import continue_periodic as continue_periodic
 from .plasma_growth import GrowthFit as GrowthFit
-from .plasma_growth import fitted_growth as fitted_growth
+from .plasma_growth import fit_growth as fit_growth
 from .plasma_waves import MAXWELLIAN as MAXWELLIAN
 from .plasma_waves import Beam as Beam
 from .plasma_waves import PlasmaWave as PlasmaWave
@@ -187,7 +187,7 @@ from .spin_orbit import (
     lyapunov_exponent as lyapunov_exponent,
 )
 from .spin_orbit import (
-    overlap_of as overlap_of,
+    overlap_asphericity as overlap_asphericity,
 )
 from .spin_orbit import (
     overlap_threshold as overlap_threshold,
@@ -214,7 +214,7 @@ from .threshold import stability_threshold as stability_threshold
 from .top_motion import axial_spin as axial_spin
 from .top_motion import axis_in_space as axis_in_space
 from .top_motion import axis_tilt as axis_tilt
-from .top_motion import keeps_its_tilt as keeps_its_tilt
+from .top_motion import is_steady_precession as is_steady_precession
 from .top_motion import steady_precession_of as steady_precession_of
 from .top_motion import top_period as top_period
 from .top_rates import TopRates as TopRates

@@ -15,6 +15,11 @@ ORDERS = range(3, 11)  # of differences: a motion that turns by 0.1 rad between 
 LARGEST_TURN = 1.0  # rad between samples
 
 
+def root_mean_square(vectors: Float64[Array, "... n"]) -> float:
+    """Return the root mean square length of vectors (…, n)."""
+    return float(np.sqrt(np.mean(np.sum(vectors * vectors, axis=-1))))
+
+
 def attitude_noise(times: Float64[Array, "time"], attitude: Float64[Array, "time 4"]) -> float | None:
     """Return the root mean square angle [rad] by which samples (T, 4) scatter about a smooth motion; None if unknown.
 

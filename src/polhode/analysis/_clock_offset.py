@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis._attitude_noise import root_mean_square
 from polhode.errors import InvalidInput
 from polhode.types import Array, Float64
 
@@ -210,7 +211,7 @@ def _refine(motion: Moving, times: Array, attitude: Array, offset: float, turned
         seen = normal[0, 0] - normal[0, 1:] @ normal[0, 1:] / len(left)
         determined = seen > BLURRED * normal[0, 0]
         step = np.linalg.lstsq(design, -left.reshape(-1), rcond=None)[0]
-        rms = float(np.sqrt(np.mean(np.sum(left * left, axis=1))))
+        rms = root_mean_square(left)
         spare = 3.0 - design.shape[1] / len(left)  # numbers of a sample, but for what they are fitted by
         error = rms / np.sqrt(spare * seen) if determined else np.inf
         if not determined:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis._attitude_noise import root_mean_square
 from polhode.types import Array, Float64
 
 HIGHEST_ORDER = 8
@@ -111,4 +112,4 @@ def judge_convergence(
 
 def _size(level: Float64[Array, "time 6"]) -> float:
     with np.errstate(all="ignore"):
-        return float(np.sqrt(np.mean(np.sum(level**2, axis=-1))))
+        return root_mean_square(level)

@@ -1,4 +1,4 @@
-"""Mistakes that engines make in conventions and in equations, each as what the engine would then be right about."""
+"""Mistakes of engines in conventions and equations, each given as the convention or equations used instead."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ class EngineEquations:
 
 
 def list_convention_mistakes(declared: StateConvention) -> dict[str, StateConvention]:
-    """Return what an engine may mean instead of what was declared, by its name in words: one mistake, then pairs."""
+    """Return conventions that an engine may use instead of the declared one, by name: single mistakes, then pairs."""
     other = {"momentum": "angular velocity", "angular velocity": "momentum"}[declared.variable]
     elsewhere = {"body": "space", "space": "body"}[declared.axes]
     symbols = {"momentum": "L", "angular velocity": "ω"}

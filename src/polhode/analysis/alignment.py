@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis._attitude_noise import root_mean_square
 from polhode.arrays import known_numbers_only
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -55,11 +56,11 @@ def fit_alignment(
     chosen = np.unique(np.linspace(0, len(times) - 1, min(len(times), MOST)).round().astype(int))
     middle, half = 0.5 * (times[0] + times[-1]), 0.5 * (times[-1] - times[0])
     some = (times[chosen] - middle) / half, a[chosen], b[chosen]
-    candidate = min(_guess_start(*some), key=lambda fit: _rms(_remainder(*fit, *some)))
+    candidate = min(_guess_start(*some), key=lambda fit: root_mean_square(_remainder(*fit, *some)))
     best, rank = candidate, 0
     for _ in range(ROUNDS):
         candidate, step, rank = _improve(*candidate, *some)
-        if _rms(_remainder(*candidate, *some)) <= _rms(_remainder(*best, *some)):
+        if root_mean_square(_remainder(*candidate, *some)) <= root_mean_square(_remainder(*best, *some)):
             best = candidate
         if step < SETTLED:
             break
@@ -137,7 +138,3 @@ def _left_jacobian(vectors: Array) -> Array:
     second = np.where(angle < 1e-3, 1.0 / 6.0, (safe - np.sin(safe)) / safe**3)
     skew = rotation.hat(vectors)
     return np.eye(3) + first * skew + second * (skew @ skew)
-
-
-def _rms(vectors: Array) -> float:
-    return float(np.sqrt(np.mean(np.sum(vectors * vectors, axis=-1))))

@@ -90,8 +90,8 @@ class Comparison:
         alignment: constant misalignments and rate that explain most of it; None for one time or no difference.
         invariants: of A and B; None where they are not known.
         method: how both came to the same times.
-        interpolation_error: what a spline through every second sample of B misses the others by [rad], more than what
-            the spline through all of them does; None where nothing was interpolated.
+        interpolation_error: error of a spline through every second sample of B at the other samples [rad], which is
+            larger than that of the spline through all; None where nothing was interpolated.
         rounding: angles up to this are of rounding, that of times included [rad].
         noise: root mean square angle by which the samples of both scatter, printed digits included [rad]; None where
             it is not known.

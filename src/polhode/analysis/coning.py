@@ -27,7 +27,7 @@ def coning_momentum(
         moments: (3,) principal moments [kg m²], of which two are equal, A; C is the third.
         nutation: θ [rad], from 0 to π.
         spin: ψ̇ [rad/s].
-        precession: φ̇ [rad/s]; negative for one the other way round L's opposite.
+        precession: φ̇ [rad/s]; a negative one gives the opposite L.
 
     Raises:
         InvalidInput: for a body that is not symmetric, or a sphere, for not exactly two numbers, and for rates that no
@@ -69,7 +69,7 @@ def coning_momentum(
 
 
 @known_numbers_only
-def caged_precession(
+def precession_with_fixed_frame(
     transverse: float, rotor: float, frame: float, mgl: float, tilt: float, spin_rate: float
 ) -> SteadyPrecession | None:
     """Return the rates at which a gyroscope precesses steadily while its frame does not turn about the axis.
@@ -87,7 +87,7 @@ def caged_precession(
     Raises:
         InvalidInput: for moments that no such bodies have, and as ``steady_precession`` does.
 
-    >>> toy = caged_precession(2.0028e-3, 2.57125e-4, 0.0, 0.1750487, math.pi / 2, 90.0 * math.pi)
+    >>> toy = precession_with_fixed_frame(2.0028e-3, 2.57125e-4, 0.0, 0.1750487, math.pi / 2, 90.0 * math.pi)
     >>> print(toy is not None and round(2.0 * math.pi / toy.slow, 4))
     2.6095
     """
@@ -107,10 +107,10 @@ def holding_torque(
     """Return the torque [N m] about the line of nodes that holds a gyroscope in a given steady precession.
 
     Positive lowers the axis, as weight does: sin θ (φ̇ (C_r ψ̇ + (C_r + C_f − A) φ̇ cos θ) − mgl). Zero at the rates of
-    ``caged_precession``.
+    ``precession_with_fixed_frame``.
 
     Args:
-        transverse, rotor, frame, mgl, tilt, spin_rate: as ``caged_precession`` has them; mgl may be zero.
+        transverse, rotor, frame, mgl, tilt, spin_rate: as ``precession_with_fixed_frame`` has them; mgl may be zero.
         precession: φ̇ about the upward vertical [rad/s].
 
     Raises:

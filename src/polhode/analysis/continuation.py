@@ -90,9 +90,9 @@ def continue_equilibria(
 ) -> Continuation:
     """Return the equilibria on one leaf of a family of systems, followed along its parameter.
 
-    Those at both ends are found by ``find_equilibria``, and followed by the length of their branch, round folds too. A
-    branch is left by another where a direction of the energy on the leaf changes its sign. A branch that
-    reaches neither end, nor another branch, is not found.
+    Those at both ends of the range are found by ``find_equilibria`` and followed along their branch, also around folds.
+    Another branch starts where the energy's curvature in a direction of the leaf changes its sign. A branch that
+    reaches neither an end of the range nor another branch is not found.
 
     Args:
         make: the parameter's value → a system; all on one algebra.
@@ -102,7 +102,7 @@ def continue_equilibria(
         casimirs: as functions of one point, real, instead of those that the algebra names or that are found.
 
     Raises:
-        InvalidInput: for limits that are none, systems that are not of one kind or lose energy, or what
+        InvalidInput: for invalid limits, systems that are not of one kind or lose energy, or what
             ``find_equilibria`` refuses.
 
     >>> import polhode as ph, jax.numpy as jnp

@@ -24,7 +24,7 @@ def angle_to_major_axis(
 
     Args:
         momentum: (…, 3) [kg m²/s, principal axes].
-        moments: (3,) principal moments [kg m²]; where the largest stands twice or three times, so do its axes.
+        moments: (3,) principal moments [kg m²]; if two or three are the largest, each of their axes is a major one.
     """
     L, I = np.asarray(momentum, dtype=float), np.asarray(moments, dtype=float)  # noqa: E741
     major = I == I.max()
@@ -45,7 +45,7 @@ def time_constant(stability: Stability) -> float | None:
 
 @known_numbers_only
 def drag_time_constant(moment: float, spin: float, linear: float = 0.0, quadratic: float = 0.0) -> float:
-    """Return I/(c + k|Ω|) [s], in which drag −(c + k|Ω|) Ω at its first strength leaves 1/e of an axis' spin.
+    """Return I/(c + k|Ω|) [s], in which drag −(c + k|Ω|) Ω, as strong as at the start, reduces a spin to 1/e.
 
     Args:
         moment: about the axis [kg m²].
@@ -66,8 +66,8 @@ def drag_time_constant(moment: float, spin: float, linear: float = 0.0, quadrati
 def settling_time(axes: Sequence[Stability], momentum: Real[ArrayLike, "3"], moments: Real[ArrayLike, "3"]) -> float:
     """Return the time [s] by which a body that loses energy inside has settled about its major axis.
 
-    Twelve time constants of the approach, or turns of the start where there is none, and the time in which a start
-    near an axis that is unstable leaves it.
+    Twelve time constants of the approach (twelve turns at the rate of the start if there is no approach), plus the time
+    in which a start near an unstable axis leaves it.
 
     Args:
         axes: verdicts on the principal axes in the order of ascending moments, as of ``damped_axis_stability``.

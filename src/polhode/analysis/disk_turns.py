@@ -120,8 +120,8 @@ def rolling_path(
 
 
 @known_numbers_only
-def filled_to_its_end(trajectory: Trajectory, samples: int) -> Trajectory:
-    """Return a disk's motion, simulated again with all samples before its end if that comes early in those it has.
+def resample_until_end(trajectory: Trajectory, samples: int) -> Trajectory:
+    """Return a disk's motion, simulated again if it ended in the first half of its samples, so that all precede it.
 
     Args:
         trajectory: of one disk, from ``simulate``.

@@ -34,8 +34,8 @@ def flat_spin_time(
 ) -> float | None:
     """Return the time [s] after which L stays within an angle of the major axis; None if it never gets there.
 
-    Zero if it starts there; None on the other axes and on a sphere, which losses do not make the body leave, and on the
-    separatrix.
+    Zero if it starts there. None for a sphere and for a start exactly on another principal axis, as losses change
+    neither motion, and on the separatrix.
 
     Args:
         moments: (3,) principal moments [kg m²], ascending.

@@ -31,8 +31,8 @@ class PeriodicMotion(NamedTuple):
             complex states in real and imaginary parts by turns.
         multipliers: (n,) its eigenvalues, the largest first. One belongs to the direction of the motion and is 1; what
             is conserved adds ones.
-        errors: (n,) what roundings may have made of each. Ones of a family stand in blocks that no basis takes apart,
-            which are off by the root of a rounding.
+        errors: (n,) by how much rounding may have changed each. The ones of a family of motions form Jordan blocks,
+            whose errors are the square root of a rounding error.
     """
 
     state: Double[np.ndarray, "..."]
@@ -68,7 +68,7 @@ def monodromy(
         times: first and last [s].
 
     Raises:
-        InvalidInput: for a batch of states, times that are none, or a motion that ends earlier.
+        InvalidInput: for a batch of states, invalid times, or a motion that ends earlier.
 
     >>> import polhode as ph
     >>> body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))  # about its middle axis, unstable at 3^-½ / s
@@ -86,8 +86,8 @@ def periodic_motion(
 ) -> PeriodicMotion:
     """Return the periodic motion next to a guess, with its Floquet multipliers.
 
-    Newton's method on the state's return; of a whole family it takes the member that is nearest. The period moves too,
-    unless it is that of what drives the system.
+    Newton's method on the state's return; in a family of periodic motions it finds the nearest one. The period is
+    adjusted too, unless it is that of a drive.
 
     Args:
         system: what moves.

@@ -107,7 +107,7 @@ class SpinningEquilibrium:
         case: "cylindrical", "hyperbolic" or "conical".
         axis: (3,) of symmetry, along radius, velocity and normal.
         region: "static" where the energy at this spin has its least value, which proves stability; "gyroscopic" where
-            all motions near it oscillate though it has not, and losses drive it away; else "unstable", or "degenerate".
+            it has not, yet all motions near it oscillate, and losses drive it away; else "unstable", or "degenerate".
         rates: the two frequencies of small motions of the axis [rad/s]; None where one grows.
         growth: largest rate at which neighbours leave [1/s].
     """
@@ -286,7 +286,7 @@ def escape_energy(moments: Real[ArrayLike, "3"], mean_motion: float) -> float:
 
     It is ½ w·Iw + ½ n² (3 R̂·IR̂ − ẑ·Iẑ), whose second part has its least values, at the four attitudes with the largest
     moment across the orbit and the least one down, ½ n² (3 I1 − I3). Its next critical values are those with two axes
-    exchanged; below the lower of them, what a motion can reach falls apart into four pieces, one about each rest.
+    exchanged; below the lower of them, the attitudes within reach form four separate regions, one about each rest.
 
     Args:
         moments: (3,) principal moments [kg m²].

@@ -193,7 +193,7 @@ def angle_from_axis(vectors: Real[ArrayLike, "*times 3"], axis: Real[ArrayLike, 
 
 
 def symmetry_axis(moments: Float64[Array, "3"], rotor: Float64[Array, "3"] | None = None) -> int | None:
-    """Return the axis about which the other two moments are equal, and the rotor's momentum nothing; else None."""
+    """Return the axis of symmetry of the moments, if a rotor's momentum, if any, lies along it too; else None."""
     for k in (2, 0, 1):
         i, j = (k + 1) % 3, (k + 2) % 3
         if moments[i] == moments[j] and (rotor is None or not (rotor[i] or rotor[j])):

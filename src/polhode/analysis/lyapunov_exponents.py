@@ -51,9 +51,10 @@ def lyapunov(
 ) -> LyapunovExponents:
     """Return the Lyapunov exponents of a motion, with errors.
 
-    Small changes move with the linearised flow and are made orthogonal again before they fall together; their growth in
-    nine tenths of the time gives the rates. All of them belong to the state as it is packed: each Casimir, the energy
-    and the direction of the motion add a zero, a body's attitude four. Of a Hamiltonian system they come in pairs ±λ.
+    Small changes move with the linearised flow and are made orthogonal again before they become parallel; their growth
+    in nine tenths of the time gives the rates. All of them belong to the state as it is packed: each Casimir, the
+    energy and the direction of the motion add a zero, a body's attitude four. Of a Hamiltonian system they come in
+    pairs ±λ.
 
     Args:
         system: what moves.
@@ -63,7 +64,7 @@ def lyapunov(
         count: how many of the largest exponents; by default all.
 
     Raises:
-        InvalidInput: for a batch of states, a count that is none, times that are none, or a motion that ends earlier.
+        InvalidInput: for a batch of states, an invalid count, invalid times, or a motion that ends earlier.
         NotConverged: if the motion or its changes leave the finite numbers.
 
     >>> import polhode as ph

@@ -19,6 +19,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.motion._inputs import refuse_not_positive
 from polhode.types import ArrayLike, Real
 
 CALM, RAISE, NEITHER = "calm", "raise", "leave"
@@ -110,7 +111,7 @@ def nutation_time_constant(transverse: float, axial: float, spin: float, loss: f
     >>> nutation_time_constant(1.0, 2.0, 10.0, 0.5), nutation_time_constant(2.0, 1.0, 10.0, 0.5)
     (400.0, -100.0)
     """
-    _check_positive(transverse=transverse, axial=axial, spin=abs(spin), loss=loss)
+    refuse_not_positive(transverse=transverse, axial=axial, spin=abs(spin), loss=loss)
     if transverse == axial:
         raise InvalidInput("a body of equal moments feels no nutation; `transverse` and `axial` must differ.")
     rate = axial * spin / transverse
@@ -140,8 +141,10 @@ def damper_loss(
 
     Source: Cloutier, AIAA J. 7 (1969) 1672; Hughes, *Spacecraft Attitude Dynamics*, §5.3.
     """
-    _check_positive(transverse=transverse, axial=axial, spin=abs(spin), mass=mass, radius=radius, frequency=frequency,
-                    damping=damping)  # fmt: skip
+    refuse_not_positive(
+        transverse=transverse, axial=axial, spin=abs(spin), mass=mass, radius=radius, frequency=frequency,
+        damping=damping,
+    )  # fmt: skip
     nutation = axial * spin / transverse
     felt = nutation - spin
     shaking = radius * nutation * (spin - felt)
@@ -166,13 +169,7 @@ def slosh_frequency(spin: float, pivot: float, length: float) -> float:
 
     Source: Abramson, *The Dynamic Behavior of Liquids in Moving Containers*, NASA SP-106, ch. 6.
     """
-    _check_positive(spin=abs(spin), length=length)
+    refuse_not_positive(spin=abs(spin), length=length)
     if not 0.0 <= pivot < math.inf:
         raise InvalidInput(f"`pivot` must be a distance that is not negative [m]; got {shown(pivot)}.")
     return abs(spin) * math.sqrt((pivot + length) / length)
-
-
-def _check_positive(**values: float) -> None:
-    for name, value in values.items():
-        if not 0.0 < value < math.inf:
-            raise InvalidInput(f"`{name}` must be positive and finite; got {shown(value)}.")

@@ -91,9 +91,9 @@ def continue_periodic(
 ) -> PeriodicBranch:  # fmt: skip
     """Return the periodic motions of a family of systems, followed from a guess at one end of a range of its parameter.
 
-    What each system conserves, as energy and Casimirs, is held at its value at the start, as else there are families of
-    motions at each value of the parameter. The branch is followed by its length, round folds too, until it leaves the
-    range or comes back to where it began.
+    Conserved quantities, such as energy and Casimirs, keep their values at the start; otherwise there would be a whole
+    family of motions at each value of the parameter. The branch is followed by its length, also around folds, until it
+    leaves the range or comes back to where it began.
 
     Args:
         make: the parameter's value → a system.
@@ -104,7 +104,7 @@ def continue_periodic(
         fixed: whether the period is known, as that of a drive that the parameter leaves as it is.
 
     Raises:
-        InvalidInput: for limits that are none, or what ``periodic_motion`` refuses.
+        InvalidInput: for invalid limits, or what ``periodic_motion`` refuses.
         NotConverged: where no periodic motion is found near the guess, or it does not go on along the parameter.
 
     Warns where the branch cannot be followed to an end.

@@ -34,12 +34,12 @@ class GrowthFit(NamedTuple):
 
 
 @known_numbers_only
-def fitted_growth(
+def fit_growth(
     times: Real[ArrayLike, "time"], field: Real[ArrayLike, "time"], wavenumber: float, wave: PlasmaWave, end: float
 ) -> GrowthFit | None:
     """Return the growth of a field's amplitude between the times where it is linear; None where there are too few.
 
-    Of a field that swings the maxima count, of one that does not all values.
+    The line goes through the maxima of a field that oscillates, and through all values of one that does not.
 
     Args:
         times: (T,) ascending.
@@ -53,7 +53,7 @@ def fitted_growth(
 
     >>> t = np.linspace(0.0, 30.0, 301)
     >>> wave = PlasmaWave(0.5, 1.4, -0.15, 1.5, 0.5)
-    >>> fit = fitted_growth(t, 0.01 * np.abs(np.exp(-0.15 * t) * np.cos(1.4 * t)), 0.5, wave, 30.0)
+    >>> fit = fit_growth(t, 0.01 * np.abs(np.exp(-0.15 * t) * np.cos(1.4 * t)), 0.5, wave, 30.0)
     >>> round(fit.growth, 3)
     -0.15
     """

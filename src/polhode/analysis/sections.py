@@ -62,7 +62,7 @@ def section(
         most: how many crossings end the search.
 
     Raises:
-        InvalidInput: for a batch of states, times, a direction or a number that are none, or what has no Taylor series.
+        InvalidInput: for a batch of states, invalid times, direction or number, or rates that have no Taylor series.
         NotConverged: if the motion runs into a singularity before.
 
     >>> import polhode as ph

@@ -86,9 +86,10 @@ class SpinMotion(NamedTuple):
 def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | None = None) -> SpinMotion:
     """Follow one spin from a periapsis on.
 
-    Chaos is a finding: neighbours have parted half a billion times as far as proportion to time would have them.
-    "Regular" says that nothing of it was seen; a chaotic motion may cling to an island for longer than it was followed.
-    On a circular orbit, or of a body with A = B, all motions are those of a pendulum or free, and none is chaotic.
+    Chaos is a finding: neighbours are half a billion times as far apart as they would be if their distance grew in
+    proportion to time. "Regular" means that no chaos was seen; a chaotic motion may cling to an island for longer than
+    it was followed. On a circular orbit, or of a body with A = B, all motions are those of a pendulum or free, and none
+    is chaotic.
 
     The mean rate of a motion that is not chaotic is averaged with weights that vanish smoothly at both ends, and so
     converges faster than any power of the number of orbits.

@@ -170,7 +170,7 @@ def resonance_strength(order: float, eccentricity: float) -> float:
     return 0.0 if abs(strength) < 4e-16 * float(np.abs(values).max()) else strength
 
 
-def overlap_of(zones: Sequence[Resonance]) -> float | None:
+def overlap_asphericity(zones: Sequence[Resonance]) -> float | None:
     """Return the least asphericity ω0 = √(3(B − A)/C) at which two neighbours of these resonances touch.
 
     Half-widths add up to the distance, ω0 (√|H(p)| + √|H(p + ½)|) = ½, by Chirikov's criterion. None where no two

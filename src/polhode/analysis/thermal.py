@@ -19,8 +19,8 @@ def thermal_momentum(
     """Return √(k T I) along each principal axis (…, 3) [kg m²/s], the root mean square at a temperature.
 
     In classical equilibrium the components of L are independent and normal with variance k T I, so that each axis has
-    ½ k T on average. The momentum with these components has the mean energy, 3/2 k T, exactly. About an axis without
-    moment nothing turns.
+    ½ k T on average. The momentum with these components has the mean energy, 3/2 k T, exactly. An axis without
+    moment has no momentum.
 
     Args:
         moments: (…, 3) principal moments [kg m²], not negative.

@@ -68,7 +68,7 @@ def top_period(top: HeavyTop, momentum: Real[ArrayLike, "3"]) -> float | None:
 
 
 @known_numbers_only
-def keeps_its_tilt(motion: LagrangeMotion) -> bool:
+def is_steady_precession(motion: LagrangeMotion) -> bool:
     """Whether one top precesses steadily: at constant tilt, to rounding of the input."""
     low, high = motion.nutation_limits
     if motion.regime not in NUTATING or low is None or high is None:
@@ -80,7 +80,7 @@ def keeps_its_tilt(motion: LagrangeMotion) -> bool:
 def steady_precession_of(motion: LagrangeMotion) -> SteadyPrecession | None:
     """Return the rates at which one top would precess steadily at the tilt and spin that it has at its epoch.
 
-    None where it stands upright or hangs, and where it spins too slowly for any; see ``steady_precession``.
+    None if the axis is vertical, or if the top spins too slowly for steady precession; see ``steady_precession``.
 
     >>> top = LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, 2.5), attitude=(3**0.5 / 2, 0.5, 0.0, 0.0))
     >>> round(steady_precession_of(top).slow, 12)

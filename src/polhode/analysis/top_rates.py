@@ -1,7 +1,7 @@
 """How fast a top precesses and nutates: from its motion, by linearisation, and by the formulas for fast gyroscopes.
 
-A body that is not quite symmetric about the line from the fixed point to the centre of mass is taken for one that is,
-with its mean moment across it, in the last two.
+The last two take a body that is not quite symmetric about the line from the fixed point to the centre of mass as
+symmetric, with the mean of its moments across that line.
 """
 
 from __future__ import annotations

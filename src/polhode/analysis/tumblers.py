@@ -6,7 +6,7 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.motion._inputs import refuse_not_finite
+from polhode.motion._inputs import refuse_not_finite, refuse_not_positive
 from polhode.types import ArrayLike, Float64, Real
 
 
@@ -64,10 +64,8 @@ def internal_damping_time(
         >>> round(internal_damping_time(27.38 * 3600, 340.0) / year / 1e9, 1)  # Apophis
         35.3
     """
-    quantities = {"period": period, "diameter": diameter, "density": density, "rigidity": rigidity,
-             "shape_factor": shape_factor}  # fmt: skip
-    for name, value in quantities.items():
-        if not 0 < value < np.inf:
-            raise InvalidInput(f"`{name}` must be positive and finite; got {shown(value)}.")
+    refuse_not_positive(
+        period=period, diameter=diameter, density=density, rigidity=rigidity, shape_factor=shape_factor
+    )
     rate = 2 * np.pi / period
     return float(rigidity / (density * shape_factor * (0.5 * diameter) ** 2 * rate**3))

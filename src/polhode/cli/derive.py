@@ -11,7 +11,7 @@ from polhode.symbolic.registry import derivation_names, describe_derivation
 
 
 def run_derive(name: str | None, form: str | None, out: Path | None) -> None:
-    """Print or write one derivation, or list those that there are."""
+    """Print or write one derivation, or list the available ones."""
     if name is None:
         if form is not None or out is not None:
             raise InvalidInput("--to and --out are of one derivation; name it. `polhode derive` lists them.")

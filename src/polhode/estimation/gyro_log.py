@@ -28,8 +28,8 @@ class GyroLog:
         acceleration: (m, 3) proper acceleration [m/s², device frame], or None.
         dropped: samples of the gyro that were left out because they were not finite.
         repeats: samples of the gyro that were left out because their time had come before.
-        spread: samples of the gyro that came at a time that was there already and were given times of their own, as
-            the clock is coarser than the sampling.
+        spread: samples of the gyro that repeated an earlier time and were given times of their own, as the
+            clock is coarser than the sampling.
         reordered: whether the samples did not come in the order of time.
     """
 
@@ -85,7 +85,7 @@ def clean_log(
 
 
 def check_sizes(**values: Array) -> None:
-    """Refuse numbers that no log holds, as of columns that are something else.
+    """Refuse numbers larger than those of any log, as from columns with another meaning.
 
     Args:
         values: by name, one of MOST.

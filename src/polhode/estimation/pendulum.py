@@ -147,7 +147,7 @@ class PendulumFit(NamedTuple):
 def fit_pendulum(
     swings: Sequence[Swing], mass: Measured, gravity: Measured = STANDARD
 ) -> PendulumFit:
-    """Return what swings of one body say of its inertia about its centre of mass.
+    """Estimate a body's inertia about its centre of mass from the periods of its swings as a pendulum.
 
     Swings about the same axis are combined; six or more axes that are independent give the tensor, by least squares
     weighted with the covariance of all moments. Pivots whose distances from the centre of mass are unknown are given by

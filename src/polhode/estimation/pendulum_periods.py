@@ -8,7 +8,8 @@ import numpy as np
 
 from polhode.arrays import known_numbers_only
 from polhode.bodies._pivot import STANDARD_GRAVITY
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
+from polhode.motion._inputs import refuse_not_positive
 from polhode.special.elliptic import complete_k
 from polhode.types import Array
 
@@ -42,7 +43,7 @@ def filament_period(
     >>> round(filament_period(0.01, 1.0, 1.0, 0.2, 0.2), 6), round(2 * math.pi * math.sqrt(0.01 / 9.80665 / 0.04), 6)
     (1.003205, 1.003205)
     """
-    _check_positive(moment=moment, mass=mass, length=length, upper=upper, lower=lower, gravity=gravity)
+    refuse_not_positive(moment=moment, mass=mass, length=length, upper=upper, lower=lower, gravity=gravity)
     inertial, rise = _filament_integrand(mass, length, upper, lower, amplitude, gravity)
     return float(2.0 * math.pi * np.mean(np.sqrt((moment + inertial) * rise)))
 
@@ -60,7 +61,7 @@ def filament_moment(
     >>> round(filament_moment(filament_period(0.01, 1.0, 1.0, 0.2, 0.3, 1.0), 1.0, 1.0, 0.2, 0.3, 1.0), 15)
     0.01
     """
-    _check_positive(period=period, mass=mass, length=length, upper=upper, lower=lower, gravity=gravity)
+    refuse_not_positive(period=period, mass=mass, length=length, upper=upper, lower=lower, gravity=gravity)
     inertial, rise = _filament_integrand(mass, length, upper, lower, amplitude, gravity)
     moment = (period / (2.0 * math.pi * float(np.mean(np.sqrt(rise))))) ** 2
     found = period
@@ -96,7 +97,7 @@ def compound_period(
     Raises:
         InvalidInput: for numbers that are not positive, or an amplitude of half a turn and more.
     """
-    _check_positive(moment=moment, mass=mass, distance=distance, gravity=gravity)
+    refuse_not_positive(moment=moment, mass=mass, distance=distance, gravity=gravity)
     return 4.0 * math.sqrt((moment + mass * distance**2) / (mass * gravity * distance)) * quarter_period(amplitude)
 
 
@@ -106,12 +107,12 @@ def compound_moment(
 ) -> float:
     """Return the moment [kg m²] about the centre of mass of a compound pendulum; see ``compound_period``.
 
-    Zero and less where the period is shorter than that of a point mass.
+    Zero or negative if the period is not longer than that of a point mass.
 
     >>> round(compound_moment(compound_period(0.02, 1.0, 0.3, 0.5), 1.0, 0.3, 0.5), 15)
     0.02
     """
-    _check_positive(period=period, mass=mass, distance=distance, gravity=gravity)
+    refuse_not_positive(period=period, mass=mass, distance=distance, gravity=gravity)
     return mass * gravity * distance * (period / (4.0 * quarter_period(amplitude))) ** 2 - mass * distance**2
 
 
@@ -147,9 +148,3 @@ def _filament_integrand(
     inertial = mass * (upper * lower * turn / height) ** 2
     rise = (height + math.sqrt(lowest)) / (2.0 * mass * gravity * upper * lower) / (1.0 - half**2)
     return inertial, rise
-
-
-def _check_positive(**values: float) -> None:
-    for name, value in values.items():
-        if not 0.0 < value < math.inf:
-            raise InvalidInput(f"`{name}` must be positive and finite; got {shown(value)}.")

@@ -26,10 +26,10 @@ TILT = 0.3  # m/s², by which what is felt may change within SHORTEST: a turn of
 def rest_stretches(log: GyroLog) -> list[tuple[float, float]]:
     """Return the start and end [s] of the stretches in which the device lies still, in the order of time.
 
-    Still is where means of the rates over a tenth of a second differ by less than noise lets them, near zero, and near
-    the longest stretch's; where there is an accelerometer it feels a constant weight too. The mean of the rates within
-    is the gyro's bias. Neither a hand nor a flight is so still. A body may turn slowly and steadily, though: a bias
-    above 0.35 rad/s needs the accelerometer, or two rests that show the same before and after a motion.
+    The device is still where means of the rates over a tenth of a second differ by no more than noise explains, and are
+    near zero and near those of the longest stretch; an accelerometer must feel a constant weight too. The mean of the
+    rates within is the gyro's bias. Neither a hand nor a flight is so still. A body may turn slowly and steadily,
+    though: a bias above 0.35 rad/s needs the accelerometer, or two rests that show the same before and after a motion.
 
     Args:
         log: from ``clean_log``.

@@ -51,7 +51,7 @@ class Tumbling:
         energy_ratio: E/E0, E0 = L²/2I3 being the least energy of this angular momentum.
         cone_angle: of the encircled axis with L where L₂ = 0 [rad].
         tilts: least and greatest angle of the encircled axis with L [rad].
-        momentum_rate: L/I3 [rad/s]: the spin about axis 3 after all energy that can go has gone.
+        momentum_rate: L/I3 [rad/s]: the spin about axis 3 once all energy that can be lost is lost.
         precession: mean period of the encircled axis about L [s], P_φ of Kaasalainen 2001 and Pravec et al. 2005.
         rotation: period of the motion along the body's axes [s], P_ψ there.
         long_axis: mean period of the long axis about L [s].

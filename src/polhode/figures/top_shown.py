@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
-from polhode.analysis.top_motion import keeps_its_tilt
+from polhode.analysis.top_motion import is_steady_precession
 from polhode.errors import InvalidInput
 from polhode.errors import shown as in_words
 from polhode.exact.lagrange_top import LagrangeMotion
@@ -41,7 +41,7 @@ class TopShown:
     @property
     def constant_tilt(self) -> bool:
         """Whether the axis goes round at constant tilt."""
-        return self.exact is not None and keeps_its_tilt(self.exact)
+        return self.exact is not None and is_steady_precession(self.exact)
 
     @property
     def axis_in_space(self) -> Float64[Array, "time 3"]:

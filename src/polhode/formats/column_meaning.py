@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis._attitude_noise import root_mean_square
 from polhode.errors import FormatError, InvalidInput
 from polhode.estimation._coarse_clock import is_coarse, spread_evenly
 from polhode.formats.plain_table import PlainTable
@@ -120,9 +121,9 @@ def agreement(
             turns = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(before), after))
             integrated = np.diff(turned[rows], axis=0)
             small = np.linalg.norm(turns, axis=-1) < CLEAR_TURN
-            size = max(_rms(turns[small]), _rms(integrated[small])) if small.any() else 0.0
+            size = max(root_mean_square(turns[small]), root_mean_square(integrated[small])) if small.any() else 0.0
             if size > SEEN_TURN:
-                apart = _rms((turns - integrated)[small]) / size
+                apart = root_mean_square((turns - integrated)[small]) / size
                 return apart if np.isfinite(apart) else None
             stride *= 2
     return None
@@ -146,7 +147,3 @@ def find_direction(
         f"{path}: whether the matrix takes components along the body's axes to those of space, or the other way round, "
         f"is not known, as {why}. Say it by --direction body-to-space|space-to-body."
     )
-
-
-def _rms(values: Float64[Array, "rows 3"]) -> float:
-    return float(np.sqrt(np.mean(np.sum(values * values, axis=-1))))

@@ -139,7 +139,7 @@ def read_rows(
 
 def write_rows(rows: Sequence[Row], kept: Sequence[str] | None, read: Callable[[str], Row],
             write: Callable[[Row], str]) -> str:  # fmt: skip
-    """Return rows as the text of a file: as they were read, where they were and still say the same.
+    """Return rows as the text of a file; rows whose values did not change keep their original text.
 
     Raises:
         InvalidInput: for a row that does not fit into its columns.

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Kernels(NamedTuple):
-    """What goes with a C-kernel, each None for the one next to it."""
+    """Auxiliary kernels of a C-kernel, None for the file next to it; and whose attitude; None for the only one."""
 
     sclk: Path | None = None
     fk: Path | None = None
@@ -38,7 +38,7 @@ class Molecule(NamedTuple):
 
 @dataclass(frozen=True)
 class Content:
-    """What there is to write.
+    """Everything that a format can write about one spec or motion.
 
     Attributes:
         name: of what moves.

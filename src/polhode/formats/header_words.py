@@ -68,7 +68,7 @@ def unit_in(name: str, units: Mapping[str, Iterable[str]]) -> str | None:
 
 
 def components_in(names: Sequence[str]) -> str | None:
-    """Return the letters w, x, y and z that four names end in, where each does in another.
+    """Return the letters w, x, y and z in the order in which four names end in them; None unless all four occur.
 
     >>> components_in(["q_x", "q_y", "q_z", "q_w"]), components_in(["q0", "q1", "q2", "q3"])
     ('xyzw', None)

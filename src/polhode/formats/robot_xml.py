@@ -38,11 +38,11 @@ class Frame(NamedTuple):
     place: Float64[Array, "3"] = np.zeros(3)
 
     def then(self, inner: Frame) -> Frame:
-        """Return where axes stand that stand so in these."""
+        """Compose frames: return one that is given in this frame, expressed in the outer axes."""
         return Frame(self.turn @ inner.turn, self.turn @ inner.place + self.place)
 
     def inverse(self) -> Frame:
-        """Return where the outer axes stand in these."""
+        """Return the frame of the outer axes in these."""
         return Frame(self.turn.T, -self.turn.T @ self.place)
 
 

@@ -17,7 +17,7 @@ def write_motion(moved: ExactMotion | Trajectory, path: str | Path) -> Path:
 
     Args:
         moved: a trajectory of one body or system, or an exact motion of one body, of which ``sample()`` is written.
-        path: ends in .nc or .zarr (datasets with all that is known, along the principal axes), .csv (a table along the
+        path: ends in .nc or .zarr (datasets with all quantities, along the principal axes), .csv (a table along the
             given axes), .aem (CCSDS attitude), .bc (SPICE C-kernel), .glb (glTF animation), or as another package's
             format does.
 

@@ -38,11 +38,11 @@ class _File(NamedTuple):
 
 
 def check_store(folder: Path) -> list[str]:
-    """Return the names of the arrays in a store (format 2), after a look whether it is what polhode writes.
+    """Return the names of the arrays in a store (format 2), after checking that it is one that polhode writes.
 
     Raises:
         FormatError: for links and devices in it, codecs other than ``CODECS``, filters, objects, and arrays or chunks
-            that are larger than what is stored can be.
+            whose declared size exceeds what the stored bytes can hold.
     """
     if os.path.lexists(folder / OF_A_SWEEP):
         _refuse(folder, "is the store of a sweep, which holds numbers of many motions and not one motion. Read it with "
@@ -68,7 +68,7 @@ def check_store(folder: Path) -> list[str]:
 
 
 def check_size(path: Path, declared: int, stored: int) -> None:
-    """Refuse arrays that are larger than what is stored can be.
+    """Refuse arrays whose declared size exceeds what the stored bytes can hold.
 
     Raises:
         FormatError: saying both sizes.

@@ -73,9 +73,9 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         return Memory(jnp.zeros_like(state), zero, zero, jnp.asarray(True), self.no_hint(state))
 
     def beside_jumps(self, t: Scalar, h: Scalar) -> Callable[[Scalar], Scalar] | None:
-        """Return what keeps the times of the stages of a step on the step's own side of the system's jumps.
+        """Return a function that keeps times of a step's stages on the step's side of each jump; None without jumps.
 
-        Composed steps go beyond their end and come back. None where nothing jumps.
+        Composed steps go beyond their end and come back.
         """
         jumps = jnp.asarray(self.system.jumps, float)
         if not jumps.size:

@@ -89,7 +89,7 @@ class TransportNoise(AbstractOrbitSolver):
         return self.change_by(t, h, state, normals)
 
     def change_by(self, t: Scalar, h: Scalar, state: Double[Array, "..."], normals: Float64[Array, "2 m"]) -> Change:
-        """Return what a step does whose noise is made of given normal numbers."""
+        """Return the change over one step whose noise comes from given normal numbers."""
         sizes = jnp.sqrt(0.5 * jnp.abs(h)) * jnp.asarray(normals)
         moved = self._stir(state, jnp.zeros_like(state), sizes[0], self.fields)
         drifted = self.drift.change(t, h, state + moved)

@@ -57,8 +57,8 @@ class Trajectory(Plotted):
         axes: (3, 3) principal axes by columns in those that attitude, momentum and angular velocity are along; None
             where these are the principal axes themselves, or where no others are known. ``along`` turns to others.
         given_axes: (3, 3) principal axes by columns in the given ones, for samples without a frame; else None.
-        memory: with the last state all that it takes to go on to the same bits: the arrays that the method carries
-            along, for ``simulate``; None unless asked for.
+        memory: what is needed, with the last state, to continue the run bit for bit: the arrays that the method
+            carries along, for ``simulate``; None unless asked for.
         ends: how each copy of an integrated batch came to its end, and when; None otherwise.
 
     >>> import polhode as ph
@@ -120,7 +120,7 @@ class Trajectory(Plotted):
     def further_parts(self) -> list[tuple[StatePart, Double[Array, "..."]]]:
         """Return what states have besides attitude, momentum and angular velocity, along the present axes.
 
-        None are returned of states whose components have no names, as a point of a dual.
+        Empty for states whose components have no names, such as a point of a dual.
         """
         if self.layout.names in ((), ("point",)):
             return []

@@ -212,8 +212,8 @@ class AbstractMotion(ExactMotion):
     def state(self, t: Real[ArrayLike, "..."]) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
         """Return attitude (…, 4) and momentum (…, 3) at the times [s]; one evaluation gives both.
 
-        The quaternion equals the given one over its length at the epoch, sign included. Between, its sign is
-        continuous in t except where a rate and time exceed 2⁵⁰ turns.
+        The quaternion equals the given one over its length at the epoch, sign included. At other times its
+        sign is continuous in t, except where a rate times t exceeds 2⁵⁰ turns.
 
         Raises:
             InvalidInput: for times that are not finite.

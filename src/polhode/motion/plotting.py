@@ -18,7 +18,7 @@ class Plotted:
 
     __slots__ = ()
 
-    # each imports the package itself, which hands in what draws and writes, as that knows motions and not motions it
+    # the package is imported inside each method because the code that draws and writes imports motions
 
     def plot(self: Any) -> Figure:
         """Return the picture that shows most of the motion, a matplotlib figure; notebooks show it at once.

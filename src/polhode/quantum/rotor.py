@@ -290,7 +290,7 @@ def warn_of_fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> str |
 
 
 def find_fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> Bool[Array, "n"]:
-    """Return which levels are of a J from the first on of which one lies below the ground state, whose energy is 0."""
+    """Mask the unphysical levels: every J from the first that has a level below the ground state, whose energy is 0."""
     below = energy < -RUNAWAY * np.abs(energy).max(initial=0.0)
     return J >= J[below].min() if below.any() else below
 

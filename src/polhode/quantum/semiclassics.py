@@ -86,7 +86,7 @@ def semiclassical_levels(constants: Real[ArrayLike, "3"], J: int, order: int = 2
 def quantise(
     constants: Three, J: int, order: int
 ) -> tuple[Float64[Array, "n"], Float64[Array, "n"], int]:
-    """Return energies and periods (2J+1,) of levels, and how many of order 2 are of order 1, without room for it.
+    """Return energies and periods (2J+1,) of levels, and how many have order 1 as order 2 does not apply.
 
     Args:
         constants: A > B > C.
@@ -232,7 +232,7 @@ def _gamma_phase(epsilon: Array) -> Array:
 
 
 def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -> tuple[Array, int]:
-    """Return where S + φ − sign δ is π times the quanta (n,), and of how many it is that of order 1."""
+    """Return the energies where S + φ − sign δ is π times the quanta (n,), and how many are of order 1 instead of 2."""
     A, _, C = constants
     low, high = C * G * G, A * G * G
     inset = NEAR_ENDS * (high - low)

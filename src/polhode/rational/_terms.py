@@ -12,6 +12,18 @@ Exponents = tuple[int, ...]
 Terms = dict[Exponents, Fraction]
 
 
+def exponents_of(indices: tuple[int, ...], dim: int) -> Exponents:
+    """Return the exponents of the product of the variables with these indices.
+
+    >>> exponents_of((0, 2, 2), 4)
+    (1, 0, 2, 0)
+    """
+    counts = [0] * dim
+    for i in indices:
+        counts[i] += 1
+    return tuple(counts)
+
+
 def multiply_terms(a: dict[Exponents, Any], b: dict[Exponents, Any]) -> dict[Exponents, Any]:
     """Return the product of two polynomials; coefficients may be any numbers or symbols."""
     product: dict[Exponents, Any] = defaultdict(int)

@@ -146,7 +146,7 @@ def verdicts(
     name: str, title: str, head: str, cell: Callable[[dict[str, Any]], str], rows: Sequence[dict[str, Any]],
     units: dict[str, str] | None = None, key: str = "", more: dict[str, Callable[[dict[str, Any]], str]] | None = None,
 ) -> Table:  # fmt: skip
-    """Return verdicts by what they are on.
+    """Return a table of verdicts, one row for each subject.
 
     Args:
         name: in the JSON.

@@ -32,7 +32,7 @@ class Watch:
         until: end of the run as the spec gives it [s], None where it leaves it out.
         times: (T,) [s] of its samples.
         remedy: what helps, other than a shorter time.
-        runs: what the run and those that tell its error take, in times of the run itself.
+        runs: time of the run and of the further runs that tell its error, over that of the run alone.
     """
 
     def __init__(

@@ -1,6 +1,6 @@
 """The program, libraries and settings on which every bit of a result depends, as a digest.
 
-Who keeps numbers for later, reports or the chunks of a sweep, keeps them under this digest.
+Numbers that are kept for later, in reports or in chunks of a sweep, are stored under this digest.
 """
 
 from __future__ import annotations

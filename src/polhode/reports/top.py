@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.analysis._mechanics import Mechanics
 from polhode.analysis.energy_casimir import Stability
-from polhode.analysis.top_motion import axial_spin, axis_in_space, axis_tilt, keeps_its_tilt, top_period
+from polhode.analysis.top_motion import axial_spin, axis_in_space, axis_tilt, is_steady_precession, top_period
 from polhode.analysis.top_rates import TopRates, gyroscopic_rates, mean_top_rates, steady_top_rates
 from polhode.analysis.top_rests import top_stability
 from polhode.analysis.top_start import steady_precession_at, top_velocity
@@ -74,7 +74,7 @@ class TopReport(MotionReport):
     @property
     def constant_tilt(self) -> bool:
         """Whether the precession is steady: constant tilt to rounding."""
-        return self.exact is not None and keeps_its_tilt(self.exact)
+        return self.exact is not None and is_steady_precession(self.exact)
 
     @property
     def mechanics(self) -> Mechanics:
@@ -112,7 +112,7 @@ class TopReport(MotionReport):
 
     @property
     def mean_rates(self) -> TopRates:
-        """Of the motion."""
+        """Mean rates of precession and nutation of the motion."""
         return mean_top_rates(self.trajectory.times, self.axis_in_space)
 
     def _rates(self) -> list[Table]:
@@ -232,7 +232,7 @@ def build_start(
         lean: of the axis from the upward vertical [rad], or None.
 
     Raises:
-        InvalidInput: for a body without an axis that leans, or a spin at which nothing precesses as it is wanted.
+        InvalidInput: for a body without an axis that leans, or a spin without the steady precession that is asked for.
     """
     attitude = build_attitude(top, attitude, lean)
     if spin is None or not spin.is_of_a_top:

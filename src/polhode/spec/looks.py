@@ -16,7 +16,7 @@ import numpy as np
 from polhode.bodies.surface import Paint, Surface, cuboid, join_surfaces
 from polhode.spec.assembly import turn_of
 from polhode.spec.models import BodyTable, PartTable
-from polhode.spec.surfaces import surface_of_part
+from polhode.spec.surfaces import color_surface, surface_of_part
 from polhode.types import Array, Bool, Float64
 
 PAPER, COVER, TITLE, LEAF = 0xF3ECD8, 0x8C2F39, 0xE8C872, 0xB9AD8F
@@ -153,14 +153,14 @@ def _is_inside(x: Array, y: Array, rings: Sequence[Array]) -> Bool[Array, "n"]:
 def _metal(table: BodyTable, surface: Surface | None) -> Surface:
     """Return the surface as polished metal."""
     assert surface is not None, "the rules let metal go with a mesh or parts only"
-    return replace(_color(surface, ALUMINIUM), paint=Paint(shiny=True))
+    return replace(color_surface(surface, ALUMINIUM), paint=Paint(shiny=True))
 
 
 def _gyroscope(table: BodyTable, surface: Surface | None) -> Surface:
     """Return a brass wheel with a red weight on a steel axle, in a frame of two rings that lean with it."""
     parts = _parts(table)
     colors = [RIVET if part.shape == "box" else STEEL if _is_slender(part) else BRASS for part in parts]
-    pieces = [_color(_drawn_part(part), color) for part, color in zip(parts, colors, strict=True)]
+    pieces = [color_surface(_drawn_part(part), color) for part, color in zip(parts, colors, strict=True)]
     widest = max((part.radius or 0.0) for part in parts)
     wheel = max((part for part in parts if part.shape in ("cylinder", "disk")), key=lambda part: part.radius or 0.0)
     return replace(_paint(pieces, None), paint=Paint(shiny=True, cage=(tuple(wheel.at), 1.12 * widest)))
@@ -173,7 +173,7 @@ def _satellite(table: BodyTable, surface: Surface | None) -> Surface:
     pieces, lines = [], []
     for part in parts:
         color = CELLS if part is clad else FOIL if part.shape == "box" else WHITE
-        pieces.append(_color(_drawn_part(part), color))
+        pieces.append(color_surface(_drawn_part(part), color))
         if part is clad:
             lines += [(line, SEAM, 1.0) for line in _grid_on(part)]
     return _paint(pieces, None, lines)
@@ -251,16 +251,12 @@ def _grid_on(part: PartTable) -> list[Float64[Array, "k 3"]]:
 
 def _block(edges: Array, color: int, place: Array | float = 0.0) -> Surface:
     block = cuboid(edges)
-    return _color(Surface(block.vertices + place, block.faces), color)
+    return color_surface(Surface(block.vertices + place, block.faces), color)
 
 
 def _plate(edges: Array, color: int, place: Array, thin: int, size: Array) -> Surface:
     """Return a plate on a face, as thick as keeps it apart from it."""
     return _block(_with(edges, thin, 2.0 * LIFT * float(np.max(size))), color, place)
-
-
-def _color(surface: Surface, color: int) -> Surface:
-    return replace(surface, colors=np.full(len(surface.vertices), color))
 
 
 def _with(values: Array, k: int, value: float) -> Float64[Array, "3"]:

@@ -160,11 +160,11 @@ def surface_of_atoms(symbols: Sequence[str], positions: Float64[Array, "n 3"]) -
     looks = [_looks().get(symbol, UNKNOWN) for symbol in symbols]
     radii = np.array([radius for radius, _ in looks]) * ANGSTROM
     vertices, faces = ball(24 if len(radii) <= MANY_ATOMS else 12)
-    shown = [_color(Surface(vertices * (BALL * radius * ANGSTROM) + at, faces), color)
+    shown = [color_surface(Surface(vertices * (BALL * radius * ANGSTROM) + at, faces), color)
              for (radius, color), at in zip(looks, positions, strict=True)]  # fmt: skip
     for i, j in KDTree(positions).query_pairs(2.0 * BONDED * radii.max(), output_type="ndarray"):
         if 0.0 < np.linalg.norm(positions[i] - positions[j]) <= BONDED * (radii[i] + radii[j]):
-            shown.append(_color(bar(positions[i], positions[j], BAR), BOND))
+            shown.append(color_surface(bar(positions[i], positions[j], BAR), BOND))
     return join_surfaces(shown)
 
 
@@ -176,5 +176,6 @@ def _looks() -> dict[str, tuple[float, int]]:
     return {symbol: (float(radius), int(color, 16)) for symbol, radius, color in rows}
 
 
-def _color(surface: Surface, color: int) -> Surface:
+def color_surface(surface: Surface, color: int) -> Surface:
+    """Return a surface with all corners of one colour."""
     return replace(surface, colors=np.full(len(surface.vertices), color))

@@ -17,7 +17,7 @@ from typing import Any
 from polhode.algebra.casimirs import check_degree
 from polhode.errors import InvalidInput
 from polhode.rational._sparse import new_terms, null_space
-from polhode.rational._terms import multiply_together, whole_terms
+from polhode.rational._terms import exponents_of, multiply_together, whole_terms
 from polhode.symbolic._gate import sympy
 from polhode.symbolic._polynomials import bracket_terms, from_terms, symbolic_terms, to_terms
 from polhode.symbolic.systems import SymbolicSystem, as_symbolic
@@ -91,7 +91,7 @@ def _commuting(
     field: Any,
 ) -> list[Polynomial]:  # fmt: skip
     """Return a basis of the polynomials of degree 1 up to a given one that commute with H."""
-    monomials = [_exponents(m, dim) for d in range(degree, 0, -1)
+    monomials = [exponents_of(m, dim) for d in range(degree, 0, -1)
                  for m in itertools.combinations_with_replacement(range(dim), d)]  # fmt: skip
     rows: dict[tuple[int, ...], dict[int, Any]] = defaultdict(dict)
     for column, monomial in enumerate(monomials):
@@ -144,10 +144,3 @@ def _as_expression(terms: Polynomial, coordinates: Sequence[Any], field: Any) ->
     whole = {powers: value.numer * common.exquo(value.denom) for powers, value in terms.items()}
     shared = functools.reduce(lambda a, b: a.gcd(b), whole.values())
     return from_terms({powers: sympy.factor(v.exquo(shared).as_expr()) for powers, v in whole.items()}, coordinates)
-
-
-def _exponents(indices: tuple[int, ...], dim: int) -> tuple[int, ...]:
-    counts = [0] * dim
-    for i in indices:
-        counts[i] += 1
-    return tuple(counts)

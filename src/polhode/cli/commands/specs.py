@@ -51,7 +51,7 @@ def new(
         Path | None, typer.Option("--out", metavar="DIR", help="Folder to copy it to (default: the present one).")
     ] = None,
 ) -> None:
-    """Copy a commented spec to begin with, or list those that there are."""
+    """Copy a commented spec to begin with, or list the available ones."""
     from polhode.cli.new import run_new
 
     run_new(example, out)

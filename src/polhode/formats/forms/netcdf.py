@@ -1,4 +1,4 @@
-"""The format ``netcdf``: NetCDF, with all that is known about a motion, bit for bit."""
+"""The format ``netcdf``: NetCDF, with every quantity of a motion, bit for bit."""
 
 from __future__ import annotations
 
@@ -36,6 +36,6 @@ def read(path: Path, kernels: Kernels) -> Trajectory:
 
 
 FORM = Form(
-    "netcdf", "dataset", ".nc", "all that is known, along the principal axes, or levels and lines; bit for bit", write,
+    "netcdf", "dataset", ".nc", "all quantities along the principal axes, or levels and lines; every digit", write,
     read, lambda head: head.startswith(b"\x89HDF"), of_motion=False, is_own=True, has_labels=True,
 )  # fmt: skip

@@ -14,4 +14,4 @@ def write(content: Content, path: Path) -> Path:
     return write_zarr(content.trajectory, path, {"title": content.name} | label_attributes(content.labels))
 
 
-FORM = Form("zarr", "Zarr store", ".zarr", "all that is known, along the principal axes; bit for bit", write)
+FORM = Form("zarr", "Zarr store", ".zarr", "all quantities along the principal axes; every digit", write)

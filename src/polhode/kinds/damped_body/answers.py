@@ -267,7 +267,7 @@ class DampedBodyReport(MotionReport):
             self.start.settling(),
             *self.start.flat_spin(),
             *self._flat_spin_seen(),
-            *accuracy(self.trajectory, "drift of what is kept or balanced"),
+            *accuracy(self.trajectory, "drift of conserved and balanced quantities"),
         ])  # fmt: skip
 
     def _flat_spin_seen(self) -> list[Answer]:

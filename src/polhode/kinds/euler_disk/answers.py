@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from polhode.analysis.disk_turns import DiskPath, filled_to_its_end, first_turns, last_turns, rolling_path
+from polhode.analysis.disk_turns import DiskPath, first_turns, last_turns, resample_until_end, rolling_path
 from polhode.analysis.rolling import (
     SteadyRolling,
     critical_rolling_speed,
@@ -61,7 +61,7 @@ def make_report(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
             times = np.linspace(0.0, PERIODS * rolling_period(disk, start, steady), spec.samples)
         # losses bring it to an end, of which nothing is known yet
         watch = None if table.dissipation else Watch(spec.until, times)
-        trajectory = filled_to_its_end(simulate(disk, start, times, progress=watch), spec.samples)
+        trajectory = resample_until_end(simulate(disk, start, times, progress=watch), spec.samples)
         path = first_turns(trajectory, TURNS, spec.samples)
     by_energy = None if end is None or table.precession is not None else adiabatic_end(disk, table.tilt)
     A, C = float(disk.mechanics.diametral_moment), float(disk.mechanics.axial_moment)

@@ -309,7 +309,7 @@ def _word(exponent: float) -> str:
 
 
 def law_names(table: EulerDiskTable) -> list[str]:
-    """Return the laws of a spec by name, numbered where one stands there twice."""
+    """Return the names of the laws of a spec, numbered by place if they occur more than once."""
     names = [law.law for law in table.dissipation]
     assert all(name in LAWS for name in names)
     return [name if names.count(name) == 1 else f"{name} {k + 1}" for k, name in enumerate(names)]

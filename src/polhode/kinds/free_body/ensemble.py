@@ -47,7 +47,7 @@ class FreeBodies:
 
     @cached_property
     def flip_interval(self) -> Any:
-        """NaN of what cones or tumbles."""
+        """NaN for bodies that do not flip."""
         return np.where(self.form == "flipping", self.motion.flip_interval, math.nan)
 
     @cached_property

@@ -325,7 +325,7 @@ class RigidBodyReport(MotionReport):
                 Answer("from_nadir.start", float(seen.from_nadir[0]), "rad", "given axes from nadir axes at the start"),
                 Answer("from_nadir.largest", float(seen.from_nadir.max()), "rad", "largest, at the samples"),
             ]
-        return Group("Motion", [*answers, *accuracy(self.trajectory, "drift of what is kept or balanced")])
+        return Group("Motion", [*answers, *accuracy(self.trajectory, "drift of conserved and balanced quantities")])
 
     def _energy(self) -> Array:
         for kept in (self.trajectory.balances, self.trajectory.invariants):
@@ -380,7 +380,7 @@ def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, His
     if craft.system.limited:
         limits = "acted" if float(history.load.max()) > 1.0 else "not reached"
         trajectory, history = _thin(trajectory, parts), history.thin(parts)
-    return history.put_into(trajectory), history, limits
+    return history.add_observed(trajectory), history, limits
 
 
 def _thin(trajectory: Trajectory, parts: int) -> Trajectory:

@@ -55,12 +55,12 @@ class History(NamedTuple):
     load: Float64[Array, "samples"]
 
     def thin(self, parts: int) -> History:
-        """Return every so many-th sample; of ``load`` all, as it is looked at between them."""
+        """Return every ``parts``-th sample; ``load`` stays whole, as it is looked at between the samples too."""
         kept = {name: value for name, value in self._asdict().items() if value is not None}
         return self._replace(**{name: value[::parts] for name, value in kept.items() if name != "load"})
 
-    def put_into(self, trajectory: Trajectory) -> Trajectory:
-        """Return the trajectory with what files of it hold of this."""
+    def add_observed(self, trajectory: Trajectory) -> Trajectory:
+        """Return the trajectory with this history's quantities as ``observed``, which files hold."""
         values = {name: getattr(self, where) for name, (where, _) in OBSERVED.items()}
         kept = {name: x for name, x in values.items() if x is not None and 0 not in np.shape(x)}
         quantities = {name: OBSERVED[name][1] for name in kept}

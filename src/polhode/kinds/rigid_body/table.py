@@ -99,7 +99,7 @@ class ControlTable(Chosen, ControlBase):
 
 
 class Unknown(BaseModel):
-    """Stands for what a rule refuses already."""
+    """Placeholder for an entry that a rule refuses."""
 
     model_config = ConfigDict(extra="allow")
 
@@ -135,7 +135,7 @@ def _join_models(
 
 
 def settle(checked: Any) -> RigidBodyTable:
-    """Return the tables as specs keep them: what was read as a class of its own is a name with values."""
+    """Convert entries parsed as classes of their own into names with values, the form in which specs keep them."""
     given = set(checked.model_fields_set)
     values: dict[str, Any] = {name: getattr(checked, name) for name in RigidBodyTable.model_fields}
     for key in LISTS:

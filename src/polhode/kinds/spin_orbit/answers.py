@@ -11,7 +11,7 @@ from typing import ClassVar
 import numpy as np
 
 from polhode.analysis.spin_motion import SpinMotion, spin_motion
-from polhode.analysis.spin_orbit import Resonance, libration_period, overlap_of, overlap_threshold, resonances
+from polhode.analysis.spin_orbit import Resonance, libration_period, overlap_asphericity, overlap_threshold, resonances
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
@@ -66,7 +66,7 @@ class SpinOrbitReport(MotionReport):
     @property
     def threshold(self) -> float | None:
         """Least asphericity at which neighbouring zones touch; None on a circular orbit, which has a single zone."""
-        return overlap_of(self.resonances)
+        return overlap_asphericity(self.resonances)
 
     @property
     def chaos_expected(self) -> bool:

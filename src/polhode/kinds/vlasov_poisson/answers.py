@@ -11,7 +11,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from polhode.analysis.plasma_growth import GrowthFit, fitted_growth
+from polhode.analysis.plasma_growth import GrowthFit, fit_growth
 from polhode.analysis.plasma_waves import Beam, PlasmaWave, fastest_growing_wave, velocity_distribution
 from polhode.integrators import Splitting
 from polhode.kinds.base import Spec
@@ -72,7 +72,7 @@ class PlasmaReport(MotionReport):
         if self.wave is None:
             return None
         end = 0.6 * self.recurrence_time
-        return fitted_growth(np.asarray(self.trajectory.times), self.field, self.table.wavenumber, self.wave, end)
+        return fit_growth(np.asarray(self.trajectory.times), self.field, self.table.wavenumber, self.wave, end)
 
     @property
     def bounce_rate(self) -> float:
