@@ -1,9 +1,12 @@
 """Zeros of polynomials: the first sign change, also where one lies exactly between two intervals that are searched."""
 
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
+import polhode as ph
 from polhode.taylor.kernel_zeros import DEPTH, first_zero
+from taylor.test_coefficients import OwnField
 
 ORDER = 24
 
@@ -36,3 +39,25 @@ def test_the_first_change_is_found_wherever_it_is(falling, grid):
         sign = random.choice([-1.0, 1.0])
         wanted = first_change(roots, high, falling, sign)
         assert found(roots, high, falling, sign) == pytest.approx(wanted, rel=1e-10, nan_ok=True)
+
+
+def turning(t, y):
+    return jnp.stack([y[1], -y[0]])
+
+
+@pytest.mark.parametrize("depth", [1e-6, 1e-12])
+def test_close_crossings_count_once_each(depth):
+    """sin t comes above 1 − d for a while in each of 16 turns; some crossings were counted twice."""
+    section = ph.section(OwnField(turning), [0.0, 1.0], lambda t, y: y[0] - (1.0 - depth), (0.0, 100.0), "either")
+    assert len(section.times) == 32
+    assert np.diff(section.times)[::2] == pytest.approx(2.0 * np.arccos(1.0 - depth), rel=1e-3)
+
+
+def test_zeros_of_order_three_are_found_in_time():
+    section = ph.section(OwnField(turning), [0.0, 1.0], lambda t, y: y[0] ** 3, (0.0, 10.0), "either")
+    assert section.times == pytest.approx(np.pi * np.arange(1, 4), abs=1e-4)
+
+
+def test_a_surface_on_which_a_motion_stays_is_not_crossed():
+    surface = lambda t, y: y[0] ** 2 + y[1] ** 2 - 1.0  # noqa: E731
+    assert not len(ph.section(OwnField(turning), [0.0, 1.0], surface, (0.0, 10.0), "either").times)

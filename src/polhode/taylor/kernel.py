@@ -9,7 +9,16 @@ from __future__ import annotations
 from typing import Any
 
 from polhode.taylor.kernel_invariants import back_onto, compute_outputs, output
-from polhode.taylor.kernel_series import advance_lanes, combination, fit_series, nodes, power_of_two, sample_copy
+from polhode.taylor.kernel_series import (
+    advance_lanes,
+    bound_change,
+    combination,
+    fit_series,
+    nodes,
+    power_of_two,
+    sample_copy,
+    size_of_terms,
+)
 from polhode.taylor.kernel_space import (
     EVENT,
     HITS,
@@ -24,7 +33,7 @@ from polhode.taylor.kernel_space import (
     Lanes,
     Series,
 )
-from polhode.taylor.kernel_zeros import find_reach, first_zero
+from polhode.taylor.kernel_zeros import ROUNDING, find_reach, first_zero
 from polhode.taylor.program import CONSTANT, FIRST, SIZE, SLOTS
 from polhode.taylor.vectors import LANES, borrow, vectors
 from polhode.types import Array
@@ -32,6 +41,7 @@ from polhode.types import Array
 RUNNING, DONE, STOPPED, FULL, FAILED = 0, 1, 2, 3, 4
 SHORTEST = 4e-16  # of the present time: shorter steps do not advance
 CLOSE = 1e-14  # of a step: an event as near to its beginning as that was found at the end of the step before
+MISSED, FARTHEST = 8.0, 1e-6  # times by which a zero was missed, and of a step at most, likewise
 
 
 def advance(rates: Series, integrals: Series, copies: Copies, lanes: Lanes, course: Course, limit: Any) -> None:
@@ -80,7 +90,7 @@ def advance(rates: Series, integrals: Series, copies: Copies, lanes: Lanes, cour
 def in_lanes(series: Series) -> Series:
     """Return a series as a kernel computes with it."""
     own = borrow(series)
-    return Series(own.whole, own.number, own.flat, vectors(own.flat), own.a, own.b, own.code)
+    return Series(own.whole, own.number, own.flat, vectors(own.flat), own.a, own.b, own.code, own.bounded)
 
 
 def seat_copies(copies: Copies, lanes: Lanes, course: Course, following: Any) -> tuple[Any, Any]:
@@ -107,7 +117,7 @@ def seat_copies(copies: Copies, lanes: Lanes, course: Course, following: Any) ->
 
 def expand_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> None:
     """Set the Taylor coefficients of watched functions, in units of time."""
-    whole, watched = rates.whole, vectors(lanes.watched)
+    whole, watched, terms = rates.whole, vectors(lanes.watched), vectors(lanes.terms)
     n, width = whole[SIZE], whole[SLOTS]
     for w in range(lanes.p.shape[0]):
         row, start, to_t = whole[FIRST] + n + w, w * (order + 1), 1.0
@@ -115,6 +125,7 @@ def expand_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> None:
             watched[start + k] = combination(rates, k * width, row) * to_t
             to_t *= forth
         watched[start] = watched[start] + rates.number[whole[CONSTANT] + n + w]
+        terms[w] = ROUNDING * (size_of_terms(rates, row) + abs(rates.number[whole[CONSTANT] + n + w]))
 
 
 def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
@@ -125,6 +136,11 @@ def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane:
             p[w, j] = lanes.watched[(w * (order + 1) + j) * LANES + lane]
     t, left = copies.now[k, TIME], lanes.left[lane]
     h = min(lanes.lengths[lane] * unit, course.longest)
+    for b in range(1, 2 * rates.bounded[0], 2):
+        ahead = min(h, left)
+        reached = unit * bound_change(rates, order, lane, rates.bounded[b], rates.bounded[b + 1], ahead / unit)
+        if reached < ahead:
+            h = reached
     for w in range(p.shape[0]):  # which may shorten the step
         ahead = min(h, left)
         reached = unit * find_reach(p[w], order, ahead / unit, course.reach)
@@ -162,11 +178,14 @@ def event_in(copies: Copies, lanes: Lanes, course: Course, lane: Any, h: Any) ->
         for j in range(1, order + 1):
             others += abs(p[w, j]) * power
             power *= length / unit
-        if abs(p[w, 0]) > others or others == 0.0:  # one that stays at zero changes no sign
+        if abs(p[w, 0]) > others or others <= lanes.terms[w * LANES + lane]:  # one that stays at zero changes no sign
             continue
         low = 0.0
         if copies.counts[k, EVENT] == w and abs(copies.now[k, LATEST] - t) <= CLOSE * length + SHORTEST * abs(t):
-            low = min(CLOSE * length + 4.0 * SHORTEST * abs(t), length)
+            low = CLOSE * length + 4.0 * SHORTEST * abs(t)
+            if p[w, 1] != 0.0:  # what is left of the value there tells by how much the zero was missed
+                low = max(low, min(MISSED * unit * abs(p[w, 0] / p[w, 1]), FARTHEST * length))
+            low = min(low, length)
         zero = course.forth * unit * first_zero(
             p[w], order, low / unit, length / unit, course.falling[w], lanes.work, lanes.waiting
         )  # fmt: skip

@@ -45,6 +45,9 @@ FLOOR = 1e-3  # of the scale: a motion that dies away is computed to this part o
 UNITS = 300  # of time that are tried
 FAR = 256.0  # units: a longer step may be of coefficients that vanished
 TOO_LARGE = 1e250  # for a coefficient, as products of two are summed
+LEFT_OF_ROOT = 0.1  # of what is under a root, in a step
+MOST_EXPONENT = 8.0  # by which an exponent changes in a step
+UNDERFLOW = -700.0  # an exponent, up to which it may come from any lower one
 
 
 def combination(series: Series, base: Any, row: Any) -> Any:
@@ -53,6 +56,16 @@ def combination(series: Series, base: Any, row: Any) -> Any:
     value = spread(0.0)
     for q in range(whole[start], whole[start + 1]):
         value = value + number[factor + q] * z[base + whole[index + q]]
+    return value
+
+
+def size_of_terms(series: Series, row: Any) -> Any:
+    """Return what the terms of a combination add up to where none takes away from another, of order zero."""
+    whole, number, z = series.whole, series.number, series.z
+    start, index, factor = whole[START] + row, whole[INDEX], whole[FACTOR]
+    value = spread(0.0)
+    for q in range(whole[start], whole[start + 1]):
+        value = value + abs(number[factor + q] * z[whole[index + q]])
     return value
 
 
@@ -236,6 +249,26 @@ def of_followers(series: Series, lanes: Lanes, course: Course) -> None:
             part = abs(z[width + i]) if e < 0 else abs(z[(course.order - 2 + e) * width + i])
             largest = where_less(largest, part, part, largest)
         sizes[6 + e] = largest
+
+
+def bound_change(series: Series, order: Any, lane: Any, slot: Any, of_exponential: Any, ahead: Any) -> Any:
+    """Return how far, in units and at most ``ahead``, the argument of a function changes by no more than it may.
+
+    Coefficients tell nothing of an exponential that is too small to be seen yet. And a root's own have no singularity
+    where its argument has a double zero: behind it they are those of the root with the other sign.
+    """
+    flat, width, length = series.flat, series.whole[SLOTS], ahead
+    first = flat[slot * LANES + lane]
+    most = max(MOST_EXPONENT, UNDERFLOW - first) if of_exponential else (1.0 - LEFT_OF_ROOT) * abs(first)
+    while length > 0.0:
+        change, power = 0.0, 1.0
+        for k in range(1, order):
+            power *= length
+            change += abs(flat[(k * width + slot) * LANES + lane]) * power
+        if change <= most:
+            break
+        length *= 0.5
+    return length
 
 
 def power_of_two(x: Any) -> Any:

@@ -26,6 +26,7 @@ class Series(NamedTuple):
         z: the same memory as the numbers that a kernel computes with.
         a, b: factors of products, where they are kept apart.
         code: address of ``straight_line`` code for the program, or 0.
+        bounded: arguments of functions whose change in a step is bounded, see ``Program.bounded``.
     """
 
     whole: Integer[Array, "integers"]
@@ -35,6 +36,7 @@ class Series(NamedTuple):
     a: Float64[np.ndarray, " many"]
     b: Float64[np.ndarray, " many"]
     code: int
+    bounded: Integer[Array, "numbers"]
 
 
 class Exact(NamedTuple):
@@ -122,6 +124,7 @@ class Lanes(NamedTuple):
         later, event, last, lowered: time and event at the end of a step, if that is the last, if the unit was too long.
         due: whether a state is to be put back onto what is conserved, and ``rows`` gradients of that.
         watched: coefficients of what is watched, and ``p`` (W, order + 1) those of one lane.
+        terms: of what is watched: a smaller change than this in a step is rounding.
         work, waiting: see ``kernel_zeros``.
     """
 
@@ -144,6 +147,7 @@ class Lanes(NamedTuple):
     rows: Float64[Array, " many"]
     watched: Float64[Array, " many"]
     p: Float64[Array, "watched orders"]
+    terms: Float64[Array, " many"]
     work: Float64[Array, "orders"]
     waiting: Float64[Array, " many"]
 
@@ -152,7 +156,7 @@ def series_for(program: Program, orders: int, width: int, code: int = 0) -> Seri
     """Return room for so many orders of so many lanes; one copy alone keeps the factors of its products."""
     flat = _zeros((orders * program.slots + 8) * width)
     factors = orders * program.products + 8 if width == 1 else 0
-    return Series(*program, flat, flat, _zeros(factors), _zeros(factors), code)
+    return Series(*program, flat, flat, _zeros(factors), _zeros(factors), code, program.bounded)
 
 
 def exact_for(program: Program | None, numbers: Float64[Array, "numbers"], orders: int) -> Exact:
@@ -174,7 +178,8 @@ def lanes_for(program: Program, exact: Exact, order: int, width: int, watched: i
         numbers(conserved), numbers(conserved), np.ones(width),
         numbers(1), numbers(1), numbers(LENGTHS), numbers(1), marks(), marks(), marks(), numbers(1),
         numbers(conserved * (n + 1)),
-        numbers(watched * (order + 1)), np.zeros((watched, order + 1)), np.zeros(order + 1), np.zeros(2 * DEPTH + 8),
+        numbers(watched * (order + 1)), np.zeros((watched, order + 1)), numbers(watched),
+        np.zeros(order + 1), np.zeros(2 * DEPTH + 8),
     )  # fmt: skip
 
 

@@ -11,6 +11,7 @@ from polhode.types import Array
 DEPTH = 100  # of intervals that wait to be searched
 ROUNDS = 6  # each of which leaves at most an eighth of the powers of ten by which a step is too long
 NEAREST = 1e-300  # of the last time: the first part ends no earlier
+ROUNDING = 1e-15  # of a polynomial's terms: where values are smaller, their signs say nothing
 
 
 def find_reach(p: Array, order: Any, h: Any, reach: Any) -> Any:
@@ -93,12 +94,15 @@ def change_within(
 ) -> Any:  # fmt: skip
     """Return the first sign change between low and high; NaN if none.
 
-    An interval is left where the middle's value exceeds all that the others add up to, searched where it is monotone,
-    and halved otherwise, so that no change is missed. One that lies at the end of an interval, to the bit or within
-    rounding of it, is in neither of the two that meet there: ``was``, a value of the sign before the interval, or zero
-    at the start of a motion from a zero, tells it.
+    An interval is left where the middle's value exceeds all that the others add up to, or where all values are
+    rounding; it is searched where it is monotone, and halved otherwise, so that no change is missed. One that lies at
+    the end of an interval, to the bit or within rounding of it, is in neither of the two that meet there: ``was``, a
+    value of the sign before the interval, or zero at the start of a motion from a zero, tells it.
     """
-    top = 1
+    top, size, power = 1, abs(p[0]), 1.0
+    for k in range(1, order + 1):
+        power *= high
+        size += abs(p[k]) * power
     waiting[0], waiting[1] = low, high
     while top > 0:
         top -= 1
@@ -132,6 +136,8 @@ def change_within(
             if changes_sign(was, after, falling):
                 return zero_between(p, order, left, right)
             was = after if after != 0.0 else was
+            continue
+        if abs(work[0]) + others <= ROUNDING * size:  # as about a zero of order three, which would be halved for hours
             continue
         waiting[2 * top], waiting[2 * top + 1] = centre, right
         waiting[2 * top + 2], waiting[2 * top + 3] = left, centre

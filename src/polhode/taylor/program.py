@@ -74,6 +74,17 @@ class Program(NamedTuple):
         return flags
 
     @property
+    def bounded(self) -> Integer[Array, "numbers"]:
+        """Return how many roots, logarithms (0) and exponentials (1) there are, then each argument's slot, and kind."""
+        kinds, count = self.operations, len(self.operations)
+        arguments, numbers = self.whole[self.whole[ARGUMENT] :][:count], self.number[self.whole[NUMBER] :][:count]
+        exponential = kinds == Operation.EXPONENTIAL
+        root = (kinds == Operation.LOGARITHM) | ((kinds == Operation.POWER) & (numbers % 1.0 != 0.0))
+        some = exponential | root
+        pairs = np.stack([arguments[some], exponential[some]], axis=1)
+        return np.concatenate([[len(pairs)], pairs.ravel()]).astype(np.int64)
+
+    @property
     def form(self) -> int:
         """A number that programs share which differ by factors alone."""
         return hash(self.whole.tobytes())
