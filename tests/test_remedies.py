@@ -206,6 +206,7 @@ def test_a_name_that_is_no_argument_would_be_noticed(case):
 
 @pytest.mark.parametrize("case", [
     ("compare", "`align_clock=True`", "--align-clock"), ("compare", '`offset="-68.5s"`', "--offset=-68.5s"),
+    ("compare", "`align_clock=False`", "--align-clock"), ("fit", "`columns=[x`", "--mapping"),
     ("compare", "as `offset` says", "as --offset says"), ("compare", "`spec_of`", "`spec_of`"),
     ("fit", '`columns={"time": "t", "time_unit": "s"}` of `polhode.fit`', "--time t --time-unit s"),
     ("fit", "`columns` is", "--mapping is"), ("fit", "`rotor=True` or `rotor=False`", "--rotor or --no-rotor"),

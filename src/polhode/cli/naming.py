@@ -75,8 +75,9 @@ def _translate(match: re.Match[str], context: Any) -> str:
 
 def _spell_columns(value: str | None, known: dict[str, Any], context: Any) -> str:
     """Return options of columns: those of a mapping's words, or those that were given."""
-    if value is not None:
-        return " ".join(_spell(known[name], repr(word), context) for name, word in ast.literal_eval(value).items())
+    words = None if value is None else _read_value(value)
+    if isinstance(words, dict) and words.keys() <= known.keys():
+        return " ".join(_spell(known[name], repr(word), context) for name, word in words.items())
     from polhode.cli.columns import ColumnOptions
 
     given = [name for name in ColumnOptions._fields if context.params.get(name) is not None]
@@ -89,14 +90,21 @@ def _spell(option: Any, value: str | None, context: Any) -> str:
     if value is None:
         is_off = option.secondary_opts and context.params.get(option.name) is False
         return option.secondary_opts[0] if is_off else name
-    try:
-        said = ast.literal_eval(value)
-    except (SyntaxError, ValueError):  # as (start, end), which is no value
-        return f"{name} {option.metavar}"
+    said = _read_value(value)
+    if said is None:
+        return f"{name} {option.metavar or value}"
     if isinstance(said, bool):
-        return name if said else option.secondary_opts[0]
+        return name if said or not option.secondary_opts else option.secondary_opts[0]
     many = isinstance(said, tuple | list)
     text = (" " if option.nargs > 1 else ",").join(map(str, said)) if many else str(said)
     if " " in text and not many:
         text = f'"{text}"'
     return f"{name}={text}" if text.startswith("-") else f"{name} {text}"
+
+
+def _read_value(text: str) -> Any:
+    """Return a value of Python; None for what is none, as (start, end)."""
+    try:
+        return ast.literal_eval(text)
+    except (SyntaxError, ValueError, TypeError, MemoryError, RecursionError):
+        return None

@@ -44,9 +44,9 @@ def publish(
     if json:
         ends = {"files": files} | ({} if removed is None else {"removed": removed})
         values = report.as_json_dict()
-        print(as_json({**values, "notes": [*map(as_options, values["notes"]), *remarks], **ends}))
+        print(as_json({**values, "notes": [*map(as_options, [*values["notes"], *remarks])], **ends}))
     else:
-        notes = [*map(as_options, report.notes), *remarks]
+        notes = [*map(as_options, [*report.notes, *remarks])]
         print_report(report.name, report.summary, report.answers, notes, files, removed or (), certificates, following)
 
 
