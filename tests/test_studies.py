@@ -113,6 +113,18 @@ def test_mistakes_of_fits_name_the_argument(files, given, words, monkeypatch):
         ph.fit(*(EXAMPLES / name for name in files), **given)
 
 
+def test_tables_are_compared_by_their_columns(tmp_path):
+    table, words = tmp_path / "a.csv", {"time": "t", "time_unit": "s", "quat": "a,b,c,d", "order": "wxyz"}
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
+    found = motion.sample([0.1 * k for k in range(40)])
+    rows = zip(found.times.tolist(), found.attitude.tolist(), strict=True)
+    table.write_text("t,a,b,c,d\n" + "".join(f"{time},{','.join(map(repr, q))}\n" for time, q in rows))
+    assert ph.compare(table, motion, columns=words).comparison.largest < 1e-12
+    assert ph.compare(table, table, columns=words).comparison.is_rounding
+    with pytest.raises(InvalidInput, match="`columns` must be left out where neither is a file"):
+        ph.compare(found, motion, columns=words)
+
+
 @pytest.mark.long
 def test_files_and_motions_are_compared(capsys, tmp_path):
     spec = EXAMPLES / "t_handle.toml"
