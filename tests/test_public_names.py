@@ -1,9 +1,12 @@
 """What ``dir`` shows of the package and of its rooms is what a user is meant to see."""
 
+import ast
+import importlib
 import inspect
 import json
+from pathlib import Path
 from types import ModuleType
-from typing import Annotated, get_origin
+from typing import get_origin
 
 import pytest
 
@@ -17,13 +20,13 @@ ROOMS = [name for name in dir(ph) if inspect.ismodule(getattr(ph, name))]
 def strangers(room: ModuleType) -> list[str]:
     """Return the names in a room's ``dir`` that are modules, private, or another package's.
 
-    Types of a spec's fields are annotated numbers, which say ``builtins``, from Python 3.12 on ``typing``.
+    Types of a spec's fields and other aliases say ``builtins``, ``typing`` or ``collections.abc``.
     """
     found = []
     for name in dir(room):
         thing = getattr(room, name)
-        annotated = get_origin(thing) is Annotated
-        home = "polhode" if annotated else getattr(thing, "__module__", None) or "polhode"
+        alias = get_origin(thing) is not None
+        home = "polhode" if alias else getattr(thing, "__module__", None) or "polhode"
         if inspect.ismodule(thing) or name.startswith("_") or not home.startswith("polhode"):
             found.append(name)
     return found
@@ -45,3 +48,30 @@ def test_a_leak_is_noticed():
     leaking.__dir__ = lambda: ["hat", "json", "loads"]
     leaking.hat, leaking.json, leaking.loads = ph.rotation.hat, json, json.loads
     assert strangers(leaking) == ["json", "loads"]
+
+
+# ---------------------------------------------------------------- packages of others, which see no more
+
+PLUGIN = Path(__file__).parent / "plugin"
+
+
+def hidden(source: str) -> list[str]:
+    """Return what a file of another package imports of polhode that is no public name of a room, or of the top."""
+    found = []
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            found += [one.name for one in node.names if one.name.startswith("polhode.")]
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "polhode":
+            public = importlib.import_module(node.module).__all__ if node.module.count(".") < 2 else []
+            found += [f"{node.module}.{one.name}" for one in node.names if one.name not in public]
+    return found
+
+
+@pytest.mark.parametrize("file", sorted(PLUGIN.rglob("*.py")), ids=lambda file: f"{file.parent.name}/{file.name}")
+def test_packages_of_others_need_public_names_only(file):
+    assert hidden(file.read_text("utf-8")) == []
+
+
+def test_a_private_import_is_noticed():
+    wrong = "import polhode.spec\nfrom polhode.motion._layout import ATTITUDE\nfrom polhode.kinds import Spec, registry"
+    assert hidden(wrong) == ["polhode.spec", "polhode.motion._layout.ATTITUDE", "polhode.kinds.registry"]

@@ -1,7 +1,8 @@
 """Every message's remedy can be followed: the catalogue of all texts in the package, read from the source.
 
-What a text calls an option is an option of the commands that the text can come from, or of one that it names; what it
-calls a key of a spec is one; what stands in backticks is a name of the code that says it, or of polhode's.
+The library names arguments of Python, in backticks, and the command its options in place of them. What a text calls an
+option is one of the commands that the text can come from, or of one that it names; what it calls a key of a spec is
+one; what stands in backticks is a name of the code that says it, or of polhode's.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ import polhode
 from polhode.bodies.body import Body
 from polhode.cli.commands import app
 from polhode.cli.main import main
+from polhode.cli.naming import COLUMNS, OF_KERNELS, argument_names, as_options, run_as
 from polhode.errors import InvalidInput
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.reading import read_spec
@@ -32,6 +34,8 @@ from polhode.sweeps.plan import SweepTable
 ROOT = Path(polhode.__file__).parent
 EXAMPLE = Path(__file__).parents[1] / "examples" / "t_handle.toml"
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
+ARGUMENT = re.compile(r"`([a-z_]+)(?:=[^`]+)?`")
+WHOLE = re.compile(r"`polhode [^`]*`")
 TICKED = re.compile(r"`([^`\n]+)`")
 TABLES = ("body", "spin", "time", "system", "export", "sweep")
 DOTTED = re.compile(rf"(?<![.\w])({'|'.join(TABLES)})\.([a-z][a-z_0-9]+)")
@@ -59,7 +63,7 @@ FROM = {
 }  # fmt: skip
 DECLARED = ("cli/commands/application.py", "cli/commands/specs.py", "cli/commands/records.py",
             "cli/commands/learning.py", "cli/spectrum_options.py", "cli/source_options.py", "cli/fit_options.py",
-            "cli/tumble_options.py")
+            "cli/tumble_options.py", "cli/naming.py")
 """Where options are declared, with help that speaks of several commands."""
 # words in backticks that are of other packages
 FOREIGN = {"python -m sphinx learn out/learn", "np.polyfit", "float", "dask scheduler", "JAX_ENABLE_X64"}
@@ -137,6 +141,108 @@ def test_options_that_messages_name_are_there():
 @pytest.mark.parametrize("words", ["Choose one with --segment.", "give it with --sclk FILE.tsc.", "Write --offsets."])
 def test_the_catalogue_would_notice(words):
     assert wrong_options((Text("formats/spice_reading.py", 1, words),))
+
+
+# ---------------------------------------------------------------- arguments, which the command calls by its options
+
+
+@cache
+def contexts() -> dict[str, Any]:
+    """Return what the command knows of each of its commands as it runs, without options given."""
+    group: Any = typer.main.get_command(app)
+    return {name: types.SimpleNamespace(command=one, params={}) for name, one in group.commands.items()}
+
+
+def options_outside(texts: Iterator[Text] | tuple[Text, ...]) -> list[str]:
+    """Return the options in texts of the library, which speaks to Python too; whole commands may have some."""
+    return [f"{text.file}:{text.line}: {option}" for text in texts if not text.file.startswith("cli/")
+            for option in OPTION.findall(WHOLE.sub("", text.words)) if option not in OTHERS]  # fmt: skip
+
+
+def test_the_library_speaks_of_arguments():
+    assert options_outside(catalogue()) == []
+    assert options_outside((Text("studies/clocks.py", 1, "Say it by --offset."),)) == ["studies/clocks.py:1: --offset"]
+
+
+UNHEARD = {"analysis/_motion_starts.py": "moments", "course/exercises.py": "to", "formats/urdf.py": "mass",
+           "integrators/_series.py": "order", "kinds/euler_disk/answers.py": "precession",
+           "testing/kinds.py": "figures", "systems/moving_parts.py": "mass"}  # fmt: skip
+"""Names of keys, methods and attributes in texts that do not come from the commands that have such an option."""
+
+
+def wrong_arguments(texts: Iterator[Text] | tuple[Text, ...]) -> list[str]:
+    """Return names in backticks that a command would take for an argument that they are not, or not know as one."""
+    found = []
+    for text in texts:
+        for name in set(ARGUMENT.findall(text.words)) - {COLUMNS, *OF_KERNELS}:
+            having = {command for command, context in contexts().items() if name in argument_names(context)}
+            if text.file.startswith("cli/") or not having:
+                continue
+            own = set(FROM.get(text.file, "").split())
+            if own - having:
+                found.append(f"{text.file}:{text.line}: {own - having} have no option for `{name}`")
+            elif not own and name not in parameters_in(text.file) and UNHEARD.get(text.file) != name:
+                found.append(f"{text.file}:{text.line}: `{name}` would be taken for an option of {having}")
+    return found
+
+
+@cache
+def parameters_in(file: str) -> frozenset[str]:
+    """Return the names of all arguments of a file's functions."""
+    tree = ast.parse((ROOT / file).read_text("utf-8"))
+    return frozenset(node.arg for node in ast.walk(tree) if isinstance(node, ast.arg))
+
+
+def test_the_command_knows_the_arguments_that_messages_name():
+    assert wrong_arguments(catalogue()) == []
+
+
+@pytest.mark.parametrize("case", [("formats/gyro_logs.py", "Say it by `align_clock=True`."),
+                                  ("spec/known_inertia.py", "`about` is far away.")])  # fmt: skip
+def test_a_name_that_is_no_argument_would_be_noticed(case):
+    file, words = case
+    assert len(wrong_arguments((Text(file, 1, words),))) == 1
+
+
+@pytest.mark.parametrize("case", [
+    ("compare", "`align_clock=True`", "--align-clock"), ("compare", '`offset="-68.5s"`', "--offset=-68.5s"),
+    ("compare", "`align_clock=False`", "--align-clock"), ("fit", "`columns=[x`", "--mapping"),
+    ("compare", "as `offset` says", "as --offset says"), ("compare", "`spec_of`", "`spec_of`"),
+    ("fit", '`columns={"time": "t", "time_unit": "s"}` of `polhode.fit`', "--time t --time-unit s"),
+    ("fit", "`columns` is", "--mapping is"), ("fit", "`rotor=True` or `rotor=False`", "--rotor or --no-rotor"),
+    ("fit", "`sclk` of `polhode.formats.read_ck`", "--sclk of `polhode import` and `polhode compare`"),
+    ("fit", "by `windows=[(start, end)]`", "by --window START,END"), ("lines", "`lowest`", "--from"),
+    ("tumble", '`precession="27.38 h"`', '--precession "27.38 h"'),
+    ("tumble", "`moments=(0.61, 0.965, 1)`", "--moments 0.61 0.965 1"), ("lines", "`dipole=(0, 1)`", "--dipole 0,1"),
+])  # fmt: skip
+def test_the_command_says_its_options(case):
+    command, text, said = case
+    assert as_options(text) == text
+    with run_as(contexts()[command]):
+        assert as_options(text) == said
+
+
+def test_python_and_the_command_each_get_their_own_words(tmp_path, capsys):
+    """Functions of Python asked for --align-clock, --precession and --time."""
+    rows = "".join(f"{k},{k + 0.5},0,0\n" for k in range(9))
+    (tmp_path / "z.csv").write_text(f"p,q,r,s\n{rows}")
+    log = str(tmp_path / "z.csv")
+    cases = [
+        (lambda: polhode.tumble("foo"), ["tumble", "foo"], "give `precession`, `rotation` and `moments`.",
+         "give --precession, --rotation and --moments."),
+        (lambda: polhode.fit(log), ["fit", log], '"gyro": "gx,gy,gz", "unit": "deg/s"}` of `polhode.fit`.',
+         "like --time t --time-unit s --gyro gx,gy,gz --unit deg/s."),
+        (lambda: polhode.compare(log, log), ["compare", log, log], 'like `columns={"time": "t", "time_unit": "s", ',
+         "like --time t --time-unit s --quat qw,qx,qy,qz --order wxyz --gyro gx,gy,gz --unit deg/s."),
+        (lambda: polhode.wobble(start="1"), ["wobble", "--from", "1"], "`start` must be a day", "--from must be a day"),
+    ]  # fmt: skip
+    for call, arguments, in_python, on_command_line in cases:
+        with pytest.raises(InvalidInput) as refused:
+            call()
+        assert in_python in str(refused.value) and "--" not in str(refused.value)
+        with pytest.raises(SystemExit):
+            main(arguments)
+        assert on_command_line in (err := capsys.readouterr().err) and "`precession`" not in err
 
 
 # ---------------------------------------------------------------- keys of a spec

@@ -82,7 +82,7 @@ def test_a_free_body_repeats_itself_but_for_a_turn_of_space():
 def test_motions_that_do_not_tell_it(motion, space, words):
     with pytest.raises(InvalidInput, match=words) as caught:
         align_clocks(exactly(motion), seen(motion, 2.0, 1e-3, space=space))
-    assert "--offset" in str(caught.value)
+    assert "`offset`" in str(caught.value)
 
 
 def test_another_motion_is_not_taken_for_it():
@@ -111,7 +111,7 @@ def test_an_offset_with_an_error_as_large_as_the_span_is_none():
     whole = AttitudeHistory("a", times, rotation.from_scipy(leaning(times)))
     other = Rotation.from_rotvec([1.0, 0.0, 0.0]) * leaning(late + 8.4)
     noisy = other * Rotation.from_rotvec(np.random.default_rng(0).normal(0.0, 0.03, (len(late), 3)))
-    with pytest.raises(InvalidInput, match=r"do not determine the offset of the clocks: the best is .* ± .*--offset"):
+    with pytest.raises(InvalidInput, match=r"do not determine the offset of the clocks: the best is .* ± .*`offset`"):
         align_clocks(whole, AttitudeHistory("b", late, rotation.from_scipy(noisy)))
     found = align_clocks(whole, AttitudeHistory("b", late, rotation.from_scipy(other)))
     assert found.turned and found.offset == pytest.approx(8.4, abs=1e-3)

@@ -90,6 +90,12 @@ def test_an_example_of_another_package(capsys, tmp_path, monkeypatch):
     try:
         code, out, _ = run(["new"], capsys)
         assert code == 0 and "(package spherical_pendulum)" in out
+        with monkeypatch.context() as patched:
+            plain = '[system]\nkind = "spherical-pendulum"\nlength = "1 m"\n'
+            patched.setattr(type(registry.find_kind("spherical-pendulum")), "example", plain)
+            code, out, _ = run(["new"], capsys)  # whose comment, which there is none of, was "."
+        what = "A mass on a rod that swings any way under its weight."
+        assert code == 0 and f"spherical-pendulum {what} (package spherical_pendulum)" in out
         code, out, _ = run(["new", "spherical-pendulum"], capsys)
         assert code == 0 and "Next: polhode report spherical-pendulum.toml" in out
         assert read_spec("spherical-pendulum.toml").kind.name == "spherical-pendulum"

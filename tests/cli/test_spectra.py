@@ -88,7 +88,7 @@ def test_nothing_half_written(run, tmp_path):
 def test_too_many_lines_are_refused_before_they_are_computed(run):
     """J³/2 for each component of the dipole: counted 510,045 at J = 100 for one."""
     said = run("lines", EXAMPLES / "formaldehyde.toml", "--j-max", "1000", code="[^0]").err
-    assert "about 500 million lines" in said and "Lower `j_max` to 296" in said
+    assert "about 500 million lines" in said and "Lower --j-max to 296" in said
     with pytest.raises(InvalidInput, match="Lower `j_max` to 205"):
         check_summable(SpecRotor(Rotor((27e9, 14e9, 9e9), dipole=(1e-30, 1e-30, 1e-30)), 10.0, 206))
 

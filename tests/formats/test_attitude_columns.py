@@ -55,7 +55,7 @@ def test_the_direction_of_a_matrix_is_shown_by_rates(read, backward):
     words = {"matrix": names[:9], "gyro": names[9:], "unit": "rad/s"}
     found = read(names, columns, **words)
     assert apart(found, TURNS) < 1e-13 and "as the angular velocity shows" in found.source.attributes["attitude"]
-    with pytest.raises(InvalidInput, match="Say it by --direction body-to-space"):
+    with pytest.raises(InvalidInput, match="Say it by `direction` body-to-space"):
         read(names, columns, matrix=names[:9])
     with pytest.raises(InvalidInput, match="the angular velocity does not show it"):
         read(names, columns * np.array([1.0] * 9 + [3.0, -2.0, 0.4]), **words)
@@ -130,7 +130,7 @@ def test_turns_of_twenty_degrees_a_sample_are_followed(kept):
 
 
 def test_vectors_that_are_too_long(read):
-    with pytest.raises(FormatError, match=r"line 3: the vector part .* got 1\.2 .*--mrp"):
+    with pytest.raises(FormatError, match=r"line 3: the vector part .* got 1\.2 .*`mrp`"):
         read(XYZ, [[0.5, 0, 0], [0, 1.2, 0]], quat=XYZ)
 
 
@@ -179,7 +179,7 @@ def test_scales_that_are_none(scale):
 
 
 def test_counts_are_never_taken_for_rates(read):
-    with pytest.raises(InvalidInput, match="or of raw counts by --scale"):
+    with pytest.raises(InvalidInput, match="or of raw counts by `scale`"):
         read(XYZ, [[2252, 6755, 3753], [1, 2, 3]], gyro=XYZ)
     with pytest.raises(InvalidInput, match="Leave one out"):
         ColumnMapping("t", gyro=XYZ, scale="131 LSB/dps", unit="deg/s")

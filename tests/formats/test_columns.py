@@ -125,7 +125,7 @@ def test_decimal_commas(saved):
     path = saved(text)
     mapping = ColumnMapping("t", gyro="gx,gy,gz", unit="rad/s", decimal="comma")
     assert read_columns(path, mapping).angular_velocity[1].tolist() == [4.25, -5.0, 0.6]
-    assert "line 2, column 1 't [s]'" in (words := refused(path, GYRO)) and "--decimal comma" in words
+    assert "line 2, column 1 't [s]'" in (words := refused(path, GYRO)) and "`decimal` comma" in words
     assert "has a point" in refused(saved(text.replace("4,25", "1.004,25")), mapping)
     assert "Save it with semicolons" in refused(saved("t [s],gx,gy,gz\n0,1,2,3\n"), mapping, InvalidInput)
 
@@ -197,16 +197,16 @@ def test_all_that_is_wrong_with_a_mapping_is_said_at_once(words, wanted):
 
 
 @pytest.mark.parametrize(("text", "mapping", "wanted"), [
-    (RATES, ColumnMapping("time", gyro="gx,gy,gw"), ["no column 'time'", "'gw'", "--unit deg/s|rad/s|rpm"]),
-    (RATES, ColumnMapping("t", gyro="gx,gy,gz"), ["--time-unit s|ms|us|ns|min|h|d", "--unit deg/s|rad/s|rpm"]),
+    (RATES, ColumnMapping("time", gyro="gx,gy,gw"), ["no column 'time'", "'gw'", "`unit` deg/s|rad/s|rpm"]),
+    (RATES, ColumnMapping("t", gyro="gx,gy,gz"), ["`time_unit` s|ms|us|ns|min|h|d", "`unit` deg/s|rad/s|rpm"]),
     (RATES, ColumnMapping("T", time_unit="s", gyro="gx,gy,5", unit="rpm"), ["Did you mean 't'?", "are 1 to 4"]),
     (RATES, ColumnMapping("t", time_unit="s", gyro="gx,gy,t", unit="rpm"), ["column 1 't' is given twice"]),
     ("t,a,a,b\n0,1,2,3\n", ColumnMapping("t", time_unit="s", gyro="a,b,3", unit="rpm"), ["columns 2 and 3"]),
     ("0,1,2,3\n", ColumnMapping("t", time_unit="s", gyro="2,3,4", unit="rpm"), ["give a number from 1 to 4"]),
-    ("t,q0,q1,q2,q3\n0,1,0,0,0\n", ColumnMapping("t", time_unit="s", quat="q0,q1,q2,q3"), ["--order wxyz|xyzw"]),
+    ("t,q0,q1,q2,q3\n0,1,0,0,0\n", ColumnMapping("t", time_unit="s", quat="q0,q1,q2,q3"), ["`order` wxyz|xyzw"]),
     ("t,w,x,y,z\n0,1,0,0,0\n", ColumnMapping("t", time_unit="s", quat="w,x,y,z", order="xyzw"), ["named in the"]),
     ("t,gx [deg/s],gy [rad/s],gz\n0,1,2,3\n", ColumnMapping("t", time_unit="s", gyro="gx,gy,gz"), ["deg/s and rad/s"]),
-    ("t [weeks],gx,gy,gz\n0,1,2,3\n", ColumnMapping("t", gyro="gx,gy,gz", unit="rpm"), ["--time-unit"]),
+    ("t [weeks],gx,gy,gz\n0,1,2,3\n", ColumnMapping("t", gyro="gx,gy,gz", unit="rpm"), ["`time_unit`"]),
 ])  # fmt: skip
 def test_what_the_file_does_not_say_is_not_guessed(saved, text, mapping, wanted):
     with pytest.raises(InvalidInput) as caught:

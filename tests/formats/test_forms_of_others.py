@@ -56,6 +56,11 @@ def test_it_is_exported_imported_compared_and_fitted(folder, capsys):
     assert ph.fit("box.qlog").kind == "attitude fit"
 
 
+def test_the_docs_show_it_as_it_is():
+    page = PLUGIN.parents[1] / "docs" / "add_a_format.md"
+    assert (PLUGIN / "quaternion_log" / "__init__.py").read_text("utf-8") in page.read_text("utf-8")
+
+
 def test_mistakes_name_what_is_wrong(folder, capsys, monkeypatch):
     code, _, err = run(capsys, "export", "box.toml", "--to", "qlg")
     assert code == 2 and "qlog" in err and "Did you mean" in err

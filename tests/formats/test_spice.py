@@ -209,7 +209,7 @@ def test_which_body_is_asked_when_there_are_several(tmp_path):
                     np.zeros((len(ticks), 3)))  # fmt: skip
 
     samples = others(tmp_path / "b.bc", both)
-    with pytest.raises(InvalidInput, match=r"-777001, -777000.*--spice-id"):
+    with pytest.raises(InvalidInput, match=r"-777001, -777000.*`spice_id`"):
         read_ck(tmp_path / "b.bc")
     assert rotation.angle_between(read_ck(tmp_path / "b.bc", spice_id=-777).attitude, samples.attitude).max() <= EXACT
     second = read_ck(tmp_path / "b.bc", spice_id=-777001)

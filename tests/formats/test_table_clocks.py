@@ -106,7 +106,7 @@ def test_a_date_without_a_zone_among_dates_with_one(read, bare):
     stamps[bare] = "2026-03-01 12:00:03"
     with pytest.raises(FormatError, match=f"line {bare + 2}, column 1 't': '2026-03-01 12:00:03' has no") as caught:
         read(stamps)
-    assert "say --time-system UTC if both are in UTC" in str(caught.value)
+    assert "say `time_system` UTC if both are in UTC" in str(caught.value)
     assert read(stamps, time_system="UTC").times[bare] == 3.0
 
 
@@ -160,16 +160,16 @@ def test_a_coarse_clock_is_spread(read):
 
 
 @pytest.mark.parametrize(("stamps", "words", "said"), [
-    (["2020-11-15T00:34:05", "2020-11-15T00:34:06"], {}, "time system of column 1 't' is not known. Say it by --time-"),
-    (["59000.5", "59000.6"], {"time_unit": "mjd"}, "Say it by --time-system UTC"),
-    (["2020-11-15T00:34:05Z", "2020-11-15T00:34:06Z"], {"time_system": "TAI"}, "Leave --time-system out"),
+    (["2020-11-15T00:34:05", "2020-11-15T00:34:06"], {}, "system of column 1 't' is not known. Say it by `time_"),
+    (["59000.5", "59000.6"], {"time_unit": "mjd"}, "Say it by `time_system` UTC"),
+    (["2020-11-15T00:34:05Z", "2020-11-15T00:34:06Z"], {"time_system": "TAI"}, "Leave `time_system` out"),
     (["2020-11-15T00:34:05Z", "2020-11-31T00:34:06Z"], {}, "line 3, column 1 't': has no such day"),
     (["2020-11-15T00:34:05Z", "noon"], {}, "line 3, column 1 't': must be a date"),
     (["2020-12-31T23:59:60Z", "2021-01-01T00:00:01Z"], {}, "line 2, column 1 't': has no such time of day in UTC"),
     (["1971-06-01T00:00:00Z", "1971-06-01T00:00:01Z"], {}, "lies before 1972"),
     (["23:59:50", "25:99:00"], {}, "has no such time"),
     (["23:59:50", "23:59:40"], {}, "is before that of line 2"),
-    (["2020-11-15T00:34:05Z", "2020-11-15T00:34:06Z"], {"time_unit": "s"}, "--time-unit must be left out"),
+    (["2020-11-15T00:34:05Z", "2020-11-15T00:34:06Z"], {"time_unit": "s"}, "`time_unit` must be left out"),
     (["59000.5", "five"], {"time_unit": "mjd", "time_system": "TT"}, "line 3, column 1 't'"),
     (["1e40", "1e41"], {"time_unit": "unix"}, "line 2"),
     (["9e12", "9.1e12"], {"time_unit": "mjd", "time_system": "TT"}, "line 2"),
@@ -181,7 +181,7 @@ def test_stamps_that_are_none(read, stamps, words, said):
 
 
 def test_two_columns_need_units(read):
-    with pytest.raises(InvalidInput, match="need a unit each, like --time-unit s,ns"):
+    with pytest.raises(InvalidInput, match="need a unit each, like `time_unit` s,ns"):
         read(["1,2", "1,3"], header="a,b", time="a,b")
     with pytest.raises(InvalidInput, match="one column has the times"):
         read(["1", "2"], time_unit="s,ns")

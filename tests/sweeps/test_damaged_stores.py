@@ -100,7 +100,7 @@ def check(made, store, forged):
         with in_time():
             found = run(sweep, store)
     except PolhodeError as error:
-        assert len(error.args) == 1 and 20 < len(str(error)) < 1000 and "--out" in str(error), str(error)
+        assert len(error.args) == 1 and 20 < len(str(error)) < 1000 and "`store`" in str(error), str(error)
         return False
     assert forged or found == said
     left = contents(store)

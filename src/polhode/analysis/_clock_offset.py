@@ -84,7 +84,7 @@ def find_clock_offset(
         InvalidInput: where no offset makes them agree, several do, or the motion does not determine it.
     """
     if not speed > 0.0:
-        raise InvalidInput(f"{STILL}. Say it by --offset.")
+        raise InvalidInput(f"{STILL}. Say it by `offset`.")
     some = np.unique(np.linspace(0, len(times) - 1, min(len(times), SEEN)).round().astype(int))
     many = np.unique(np.linspace(0, len(times) - 1, min(len(times), USED)).round().astype(int))
     grid = _offsets(motion, times, speed)
@@ -101,7 +101,7 @@ def find_clock_offset(
             continue
         if not np.isfinite(best.error):
             steady = "the body turns steadily, so that with other axes of space any offset fits" if turned else STILL
-            raise InvalidInput(f"{steady}. Say it by --offset.")
+            raise InvalidInput(f"{steady}. Say it by `offset`.")
         if best.left > EXPLAINED * turns:
             continue
         _check_single(best, fits[1:], speed)
@@ -109,11 +109,11 @@ def find_clock_offset(
             raise InvalidInput(
                 f"the attitudes do not determine the offset of the clocks: the best is {best.offset:.6g} ± "
                 f"{best.error:.2g} s, and its error must be at most a tenth of the {grid[-1] - grid[0]:.6g} s that it "
-                "is sought in. Say it by --offset, or give a log that turns further."
+                "is sought in. Say it by `offset`, or give a log that turns further."
             )
         return best
     raise InvalidInput(f"no offset of the clocks makes the two agree{_word_nearest(nearest, turns)}. Check that both "
-                       "are along the same body axes, or say the offset by --offset.")  # fmt: skip
+                       "are along the same body axes, or say the offset by `offset`.")  # fmt: skip
 
 
 def _word_nearest(nearest: ClockOffset | None, turns: float) -> str:
@@ -138,7 +138,7 @@ def _check_single(best: ClockOffset, others: list[ClockOffset], speed: float) ->
         named = " and ".join(f"{fit.offset:.6g} s, {fit.left:.2g} rad" for fit in also[:3])
         raise InvalidInput(
             f"the offset of the clocks is ambiguous, as the motion nearly repeats itself: {best.offset:.6g} s "
-            f"leaves {best.left:.2g} rad rms, and so nearly do {named}. Say the right one by --offset."
+            f"leaves {best.left:.2g} rad rms, and so nearly do {named}. Say the right one by `offset`."
         )
 
 

@@ -226,7 +226,7 @@ def _make_moving(history: AttitudeHistory) -> Moving:
         return Moving(history.exact, first, last, False)
     if len(history.times) < 3:
         raise InvalidInput(f"{history.name} has {len(history.times)} samples, which are too few to align clocks. Say "
-                           "the offset by --offset.")  # fmt: skip
+                           "the offset by `offset`.")  # fmt: skip
     spline = _spline(history.times, history.attitude)
     return Moving(lambda times: (rotation.from_scipy(spline(times)), spline(times, 1)), first, last, True)
 

@@ -9,7 +9,8 @@ from typing import Any
 import typer
 from typer.core import TyperCommand
 
-from polhode.errors import InvalidInput, shown
+from polhode.cli.naming import as_options, run_as
+from polhode.errors import InvalidInput, PolhodeError, shown
 
 _WHOLE = re.compile(r"[-+]?[0-9]{1,12}")
 
@@ -38,7 +39,10 @@ def whole_number(least: int, most: int) -> Callable[[str | int], int]:
 
 
 class StrictCommand(TyperCommand):
-    """A command that refuses an option given twice; the last would be taken, and the others dropped silently."""
+    """A command that refuses an option given twice; the last would be taken, and the others dropped silently.
+
+    What the library refuses names arguments of Python; the command names its options instead.
+    """
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Return what the parser of the base class returns.
@@ -52,3 +56,16 @@ class StrictCommand(TyperCommand):
             if single and order.count(option) > 1:
                 raise InvalidInput(f"{option.opts[0]} is given {order.count(option)} times. Give it once.")
         return super().parse_args(ctx, args)
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command.
+
+        Raises:
+            PolhodeError: as the command does, in the words of its options.
+        """
+        with run_as(ctx):
+            try:
+                return super().invoke(ctx)
+            except PolhodeError as error:
+                error.args = tuple(map(as_options, error.args))
+                raise

@@ -7,9 +7,8 @@ from pathlib import Path
 
 from polhode.cli.publish import publish
 from polhode.studies.certification import certify_report
-from polhode.studies.naming import as_option
 
 
 def run_certify(path: Path, digits: int, at: Sequence[str], json: bool) -> None:
     """Enclose what describes the motion, and its states at the times asked for, and print it."""
-    publish(certify_report(path, digits, at, as_option), json)
+    publish(certify_report(path, digits, at), json)

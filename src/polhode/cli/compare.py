@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from polhode.cli.columns import ColumnOptions, tables_to_compare
+from polhode.cli.naming import as_options
 from polhode.cli.publish import publish
 from polhode.formats.form import Kernels
 from polhode.studies.clocks import join_offset, parse_offset
@@ -18,4 +20,5 @@ def run_compare(
     """Read both, compare, draw, and print the answers."""
     parsed = parse_offset(join_offset(offset, align))
     report = compare_files(first, second, spec, kernels, tables_to_compare(columns), parsed)
+    report = replace(report, clocks=as_options(report.clocks))  # which names the offset
     publish(report, json, figures=out or Path(f"{first.stem}_and_{second.stem}"))

@@ -12,7 +12,6 @@ from polhode.cli.columns import ColumnOptions, table_to_import
 from polhode.cli.destinations import check_spares
 from polhode.cli.publish import publish
 from polhode.studies.fit import fit_files
-from polhode.studies.naming import as_option
 from polhode.studies.throws import ThrowOptions
 
 NOT_DETERMINED = 3  # exit code, where a report says that the logs do not tell the inertia
@@ -35,12 +34,7 @@ def run_fit(
     unit = columns.unit if columns.mapping is None and columns.words.keys() == {"unit"} else None
     options = options._replace(table=None if unit else table_to_import(columns), unit=unit)
 
-    def name_option(name: str) -> str:
-        if name == "columns":
-            return ", ".join(map(as_option, columns.words or ["mapping"]))
-        return as_option("window" if name == "windows" else name)  # which is given at a time here
-
-    report = fit_files(files, None if free is None else free.split(","), options, name_option, _progress, pendulum)
+    report = fit_files(files, None if free is None else free.split(","), options, _progress, pendulum)
     publish(report, json, out, figures)
     if not report.determined:
         raise typer.Exit(NOT_DETERMINED)

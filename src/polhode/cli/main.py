@@ -89,7 +89,9 @@ def _singular() -> tuple[type[Exception], ...]:
 
 def _say_warning(message: Warning | str, *where: Any, **more: Any) -> None:
     """Say a warning in one line, without the line of code that it came from."""
-    _tell(f"polhode: {one_line(str(message))}\n")
+    from polhode.cli.naming import as_options
+
+    _tell(f"polhode: {as_options(one_line(str(message)))}\n")
 
 
 def _tell(message: str) -> None:

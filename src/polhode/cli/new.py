@@ -25,7 +25,8 @@ def run_new(example: str | None, out: Path | None) -> None:
         for name, path in known.items():
             print(printable(f"{name:<{width}}  {_about(path.read_text('utf-8'))}"))
         for name, kind in foreign.items():
-            print(printable(f"{name:<{width}}  {_about(kind.example)} (package {type(kind).__module__.split('.')[0]})"))
+            about = _about(kind.example) or _first_sentence((type(kind).__doc__ or f"A motion of kind {name}").strip())
+            print(printable(f"{name:<{width}}  {about} (package {type(kind).__module__.split('.')[0]})"))
         print(f"\nNext: {spell_command('new', 't_handle')} copies one of them.")
         return
     asked, folder = example.removesuffix(".toml"), Path() if out is None else out
@@ -80,13 +81,18 @@ def examples() -> dict[str, Path]:
 
 
 def _about(spec: str) -> str:
-    """Return the first sentence of the comment that an example begins with."""
+    """Return the first sentence of the comment that an example begins with; "" without one."""
     lines = []
     for line in spec.splitlines():
         if not line.startswith("#"):
             break
         lines.append(line.lstrip("# "))
-    return " ".join(lines).split(". ")[0].split(": ")[0].rstrip(".") + "."
+    return _first_sentence(" ".join(lines)) if any(lines) else ""
+
+
+def _first_sentence(text: str) -> str:
+    """Return the first sentence of a text, up to a colon."""
+    return " ".join(text.split()).split(". ")[0].split(": ")[0].rstrip(".:") + "."
 
 
 def _list_needed_files(spec: Path) -> list[Path]:

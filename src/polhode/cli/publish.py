@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from polhode.cli.destinations import check_spares
+from polhode.cli.naming import as_options
 from polhode.cli.render import as_json, print_report
 from polhode.errors import InvalidInput
 from polhode.formats.paths import write_together
@@ -43,9 +44,9 @@ def publish(
     if json:
         ends = {"files": files} | ({} if removed is None else {"removed": removed})
         values = report.as_json_dict()
-        print(as_json({**values, "notes": [*values["notes"], *remarks], **ends}))
+        print(as_json({**values, "notes": [*map(as_options, [*values["notes"], *remarks])], **ends}))
     else:
-        notes = [*report.notes, *remarks]
+        notes = [*map(as_options, [*report.notes, *remarks])]
         print_report(report.name, report.summary, report.answers, notes, files, removed or (), certificates, following)
 
 

@@ -8,7 +8,6 @@ from typing import NamedTuple
 from polhode.cli.destinations import check_spares
 from polhode.cli.publish import publish
 from polhode.errors import InvalidInput, shown
-from polhode.studies.naming import as_option
 from polhode.studies.spectrum import levels, spectrum_within
 
 
@@ -38,13 +37,8 @@ def run_lines(path: Path, options: LineOptions, json: bool, out: Path | None = N
     dipole = None if options.dipole is None else _dipole(options.dipole)
     bounds = {"lowest": options.lowest, "highest": options.highest}
     weakest = 0.0 if options.min_intensity is None else options.min_intensity
-    report = spectrum_within(path, options.j_max, options.temperature, bounds, weakest, options.most, dipole, _option)
+    report = spectrum_within(path, options.j_max, options.temperature, bounds, weakest, options.most, dipole)
     publish(report, json, out)
-
-
-def _option(name: str) -> str:
-    """Return how an argument is called here."""
-    return as_option({"lowest": "from", "highest": "to"}.get(name, name))
 
 
 def _dipole(text: str) -> list[float]:

@@ -15,7 +15,6 @@ from polhode.estimation.tumbling import MODES
 from polhode.formats.known_tumblers import known_tumbler, known_tumblers
 from polhode.spec.reach import check_reach
 from polhode.spec.uncertain import quantity
-from polhode.studies.naming import as_option
 from polhode.studies.tumble import AXES, Friction, Given, tumble_report
 
 
@@ -62,7 +61,7 @@ def run_tumble(body: str | None, options: TumbleOptions, json: bool) -> None:
         _friction(options), _angle("--aspect", options.aspect, "60 deg", 180.0),
         _angle("--phase", options.phase, "20 deg", 170.0),
     )  # fmt: skip
-    report = tumble_report(known, inputs, as_option)
+    report = tumble_report(known, inputs)
     publish(report, json, options.out, options.figures)
 
 

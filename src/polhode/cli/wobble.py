@@ -30,5 +30,5 @@ def run_wobble(path: Path | None, options: WobbleOptions, json: bool) -> None:
         window = 6.0 if options.window is None else read_number(options.window)
     except ValueError:
         raise InvalidInput(f"--window must be a number of years, like 6; got {shown(options.window)}.") from None
-    report = wobble_report(path, options.start, options.end, window, ("--from", "--to"))
+    report = wobble_report(path, options.start, options.end, window)
     publish(report, json, options.out, options.figures)

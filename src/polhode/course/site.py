@@ -29,7 +29,7 @@ def built_course(folder: str | Path | None = None) -> Path:
     for page in (Path(folder) / "learn" / "index.html", Path(folder) / "index.html"):
         if page.is_file() and (page.parent / "panels").is_dir():
             return page
-    raise InvalidInput(f"--from must be the folder of a built course or of the built documentation; got "
+    raise InvalidInput(f"`folder` must be the folder of a built course or of the built documentation; got "
                        f"{shown(str(folder))}, which holds no course.")  # fmt: skip
 
 

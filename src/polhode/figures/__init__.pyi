@@ -10,7 +10,10 @@ from .quantum_sphere_figure import quantum_sphere as quantum_sphere
 from .racket_figure import racket_flip as racket_flip
 from .spectrum_figure import spectrum as spectrum
 from .sphere_figure import momentum_sphere as momentum_sphere
+from .style import COLOURS as COLOURS
+from .style import new_figure as new_figure
 from .style import save as save
+from .style import tidy as tidy
 from .tilt_figure import top_motion as top_motion
 from .top_figure import spinning_top as spinning_top
 from .wigner_figure import level_wigner as level_wigner

@@ -21,6 +21,7 @@ from .mesh import read_mesh as read_mesh
 from .mjcf import read_mjcf_inertial as read_mjcf_inertial
 from .mjcf import read_mjcf_robot as read_mjcf_robot
 from .molecule import read_molecule as read_molecule
+from .paths import write_whole as write_whole
 from .polar_motion import PoleSeries as PoleSeries
 from .polar_motion import read_polar_motion as read_polar_motion
 from .rotor_dataset import spectrum_dataset as spectrum_dataset

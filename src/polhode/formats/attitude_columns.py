@@ -105,7 +105,7 @@ def _from_vectors(path: Path, table: PlainTable, values: Array) -> tuple[Array, 
         raise FormatError(
             f"{path}, line {table.lines[row]}: the vector part of a quaternion must be at most 1 long; got "
             f"{lengths[row]:.6g} from {values[row].tolist()}. Check which columns it has; modified Rodrigues "
-            "parameters are given by --mrp."
+            "parameters are given by `mrp`."
         )  # fmt: skip
     return restore_scalars(values / (1.0 + over)[:, None]), float(over.max())
 

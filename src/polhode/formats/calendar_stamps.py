@@ -176,7 +176,7 @@ def _read_moment(text: str, system: str, said: bool) -> tuple[int, int]:
     if zoned and system != "UTC":
         raise ValueError(f"{shown(text)} is in UTC by its zone, and {system} was said")
     if not (zoned or said):
-        raise ValueError(f"{shown(text)} has no zone, and the first date of the column has one; say --time-system UTC "
+        raise ValueError(f"{shown(text)} has no zone, and the first date of the column has one; say `time_system` UTC "
                          "if both are in UTC")  # fmt: skip
     return read_epoch(date, system)
 
@@ -213,11 +213,11 @@ def _system(path: Path, form: TableForm, clock: ClockColumns, row: Sequence[str]
             own = None
     if own and clock.system and own != clock.system:
         raise InvalidInput(f"{path}: {name_column(form, clock.columns[0])} counts in {own}, and {clock.system} is "
-                           "said. Leave --time-system out.")  # fmt: skip
+                           "said. Leave `time_system` out.")  # fmt: skip
     system = own or clock.system
     if system is None:
         raise InvalidInput(f"{path}: the time system of {name_column(form, clock.columns[0])} is not known. Say it by "
-                           "--time-system UTC|TAI|TT|TDB|GPS.")  # fmt: skip
+                           "`time_system` UTC|TAI|TT|TDB|GPS.")  # fmt: skip
     return system
 
 

@@ -145,5 +145,5 @@ def find_direction(
     why = "the file has no angular velocity" if velocity is None else "the angular velocity does not show it"
     raise InvalidInput(
         f"{path}: whether the matrix takes components along the body's axes to those of space, or the other way round, "
-        f"is not known, as {why}. Say it by --direction body-to-space|space-to-body."
+        f"is not known, as {why}. Say it by `direction` body-to-space|space-to-body."
     )

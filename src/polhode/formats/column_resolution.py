@@ -25,7 +25,7 @@ from polhode.formats.plain_table import name_column
 from polhode.formats.table_form import TableForm
 
 COLUMNS_SHOWN = 12  # in a message
-COUNTS_TOO = ", or of raw counts by --scale, like \"131 LSB/(deg/s)\""
+COUNTS_TOO = ", or of raw counts by `scale`, like \"131 LSB/(deg/s)\""
 
 
 class Resolved(NamedTuple):
@@ -56,7 +56,7 @@ def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Reso
     groups = {name: tuple(place for place in group if place is not None) for name, group in places.items()}
     notes: list[str] = []
 
-    def unit(what: str, group: str, said: str | None, units: dict[str, tuple[str, ...]], option: str) -> str:
+    def unit(what: str, group: str, said: str | None, units: dict[str, tuple[str, ...]], name: str) -> str:
         if not groups[group] and said is None:
             return ""
         names = [form.names[place] for place in groups[group]] if form.names else []
@@ -69,16 +69,16 @@ def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Reso
         if len(header_units) == 1:
             return in_header
         why = f"the header names {in_header}" if header_units else "the file does not say it"
-        more = COUNTS_TOO if option == "--unit" and group == "gyro" else ""
-        problems.append(f"the unit of {what} is not known: {why}. Say it by {option} {'|'.join(units)}{more}.")
+        more = COUNTS_TOO if name == "unit" and group == "gyro" else ""
+        problems.append(f"the unit of {what} is not known: {why}. Say it by `{name}` {'|'.join(units)}{more}.")
         return ""
 
     time_units = _find_time_units(path, form, mapping, groups["time"], unit, problems)
     angle_unit = rate_unit = letters = ""
     if mapping.euler:
-        angle_unit = unit("the angles", "attitude", mapping.angle_unit, ANGLE_UNITS, "--unit")
+        angle_unit = unit("the angles", "attitude", mapping.angle_unit, ANGLE_UNITS, "unit")
     if mapping.gyro and not mapping.scale:
-        rate_unit = unit("the angular velocity", "gyro", mapping.rate_unit, RATE_UNITS, "--unit")
+        rate_unit = unit("the angular velocity", "gyro", mapping.rate_unit, RATE_UNITS, "unit")
     names = [form.names[place] for place in groups["attitude"]] if form.names else []
     if mapping.quat and len(groups["attitude"]) == 4:
         letters = _letters(names, mapping.order, problems)
@@ -118,14 +118,14 @@ def _find_time_units(
         named = form.names[places[0]].strip().lower() if form.names else ""
         if seen is None and said is None and bare_name(named) in ("mjd", "jd"):
             seen = bare_name(named)
-        return (seen,) if seen else (unit("the time", "time", said[0] if said else None, TIME_UNITS, "--time-unit"),)
+        return (seen,) if seen else (unit("the time", "time", said[0] if said else None, TIME_UNITS, "time_unit"),)
     if len(places) == 2 and said in (("gps",), ("unix",)):
         return said * 2
     if len(places) == 2 and (said is None or len(said) != 2):
-        problems.append("two columns of times need a unit each, like --time-unit s,ns, or gps for weeks and seconds.")
+        problems.append("two columns of times need a unit each, like `time_unit` s,ns, or gps for weeks and seconds.")
     if len(places) == 1 and said is not None:
-        problems.append(f"--time-unit has {len(said)} units, and one column has the times. Give one, or name both "
-                        "columns by --time.")  # fmt: skip
+        problems.append(f"`time_unit` has {len(said)} units, and one column has the times. Give one, or name both "
+                        "columns by `time`.")  # fmt: skip
     return said or ("",)
 
 
@@ -134,7 +134,7 @@ def _letters(names: list[str], order: str | None, problems: list[str]) -> str:
     letters = components_in(names)
     if order is None and letters is None:
         problems.append("the order of the quaternion is not known: its columns are not named by w, x, y and z. Say it "
-                        f"by --order {'|'.join(ORDERS)}.")  # fmt: skip
+                        f"by `order` {'|'.join(ORDERS)}.")  # fmt: skip
     if order and letters and order != letters:
         problems.append(f"order is {order}, and the columns are named in the order {letters}. Correct one of them.")
     return order or letters or ""

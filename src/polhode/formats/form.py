@@ -87,7 +87,7 @@ class Form:
     Importing such a module must be cheap: its functions import what they need.
 
     Attributes:
-        name: as ``--to`` takes it.
+        name: by which it is asked for, as in `polhode export --to`.
         title: as people call it: "AEM", "C-kernel".
         ending: of the file's name.
         holds: what is in it, and with how many digits.

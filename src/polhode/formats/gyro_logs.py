@@ -31,7 +31,7 @@ from polhode.types import Array
 
 Progress = Callable[[int], None] | None
 """Called with the number of lines read, now and then."""
-EXAMPLE = "--time t --time-unit s --gyro gx,gy,gz --unit deg/s"
+EXAMPLE = '`columns={"time": "t", "time_unit": "s", "gyro": "gx,gy,gz", "unit": "deg/s"}` of `polhode.fit`'
 
 
 class ReadLog(NamedTuple):
@@ -110,7 +110,7 @@ def _read_table(path: Path, mapping: ColumnMapping | None, progress: Progress, r
         assert dialect is not None
         mapping = _make_mapping(form, dialect, rate_unit)
     if not mapping.gyro:
-        raise InvalidInput(f"{path}: its angular velocities are needed. Say their columns by --gyro.")
+        raise InvalidInput(f"{path}: its angular velocities are needed. Say their columns by `gyro`.")
     resolved = resolve_mapping(path, form, mapping)
     decimal = mapping.decimal or detect_decimal(path, form)
     felt = _acceleration(form, dialect, notes) if dialect else None

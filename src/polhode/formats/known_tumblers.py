@@ -63,5 +63,5 @@ def known_tumbler(key: str) -> KnownTumbler:
         near = difflib.get_close_matches(wanted, known, 1)
         meant = f"; did you mean {near[0]}?" if near else "."
         raise InvalidInput(f"no tumbler is called {shown(key)}{meant} Known are {', '.join(known)}; of others give "
-                           "--precession, --rotation and --moments.")  # fmt: skip
+                           "`precession`, `rotation` and `moments`.")  # fmt: skip
     return known[wanted]

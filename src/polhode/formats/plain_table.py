@@ -242,9 +242,9 @@ def _number(path: Path, line: int, form: TableForm, column: int, cell: str, deci
     except ValueError as error:
         remedy = "Correct it, or leave the cell blank."
         if decimal == "point" and _DECIMAL_COMMA.fullmatch(cell):
-            remedy = "If its comma is a decimal one, say so by --decimal comma."
+            remedy = "If its comma is a decimal one, say so by `decimal` comma."
         elif ":" in cell:
-            remedy = "If times are dates or times of day, all of the column must be, and --time-unit must be left out."
+            remedy = "If times are dates or times of day, all of the column must be, and `time_unit` must be left out."
         raise FormatError(f"{where}: {shown(cell)} {error}. {remedy}") from None
 
 

@@ -190,13 +190,13 @@ def _check_row(path: Path, line: int, row: tuple[float, ...], before: float | No
     return row
 
 
-def parse_day(text: str, option: str) -> float:
+def parse_day(text: str, name: str) -> float:
     """Return the modified Julian date of a calendar day like 1976-01-01.
 
     Raises:
-        InvalidInput: for anything else, naming the option.
+        InvalidInput: for anything else, naming the argument.
 
-    >>> parse_day("2000-01-01", "--from")
+    >>> parse_day("2000-01-01", "`start`")
     51544.0
     """
     try:
@@ -204,7 +204,7 @@ def parse_day(text: str, option: str) -> float:
             raise ValueError
         day = np.datetime64(text, "D")
     except ValueError:
-        raise InvalidInput(f"{option} must be a day like 1976-01-01; got {shown(text)}.") from None
+        raise InvalidInput(f"{name} must be a day like 1976-01-01; got {shown(text)}.") from None
     return float((day - np.datetime64("1858-11-17", "D")).astype(int))
 
 

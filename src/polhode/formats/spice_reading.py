@@ -30,7 +30,7 @@ LARGEST_FILE = 2000 * MB  # as much as SPICE addresses by four bytes
 MOST_SECONDS = 6e10  # 1900 years either way of 2000
 EQUAL = 2000  # samples, spread evenly, of types that keep no records at times of their own
 NEEDED = ("It needs the clock kernel (.tsc) of its spacecraft, often a frame kernel (.tf): put them next to it under "
-          "its name, or give --sclk, --fk, --lsk of `polhode import` and `polhode compare`.")  # fmt: skip
+          "its name, or give `sclk`, `fk`, `lsk` of `polhode.formats.read_ck`.")  # fmt: skip
 
 
 def read_ck(
@@ -67,7 +67,7 @@ def read_ck(
              zip(KINDS.items(), (fk, sclk, lsk), strict=True)}  # fmt: skip
     if kernels["clock"] is None:
         raise InvalidInput(f"{path}: needs the clock kernel of its spacecraft. Put it next to this one under its name, "
-                           "or give --sclk of `polhode import` and `polhode compare`.")  # fmt: skip
+                           "or give `sclk` of `polhode.formats.read_ck`.")  # fmt: skip
     segments = check_ck(path)
     with tempfile.TemporaryDirectory(prefix="polhode-") as folder:
         if kernels["leap seconds"] is None:
@@ -111,8 +111,8 @@ def _whose(path: Path, segments: Sequence[Segment], spice_id: int | None) -> int
         return 1000 * spice_id
     held = ", ".join(map(str, numbers[:20])) or "none"
     came = "none was asked for" if spice_id is None else f"got {spice_id}"
-    raise InvalidInput(f"{path}: holds attitudes of the numbers {held}; {came}. Choose one with --spice-id of "
-                       "`polhode import` and `polhode compare`.")  # fmt: skip
+    raise InvalidInput(f"{path}: holds attitudes of the numbers {held}; {came}. Choose one with `spice_id` of "
+                       "`polhode.formats.read_ck`.")  # fmt: skip
 
 
 def _ticks(path: Path, segments: Sequence[Segment]) -> Array:

@@ -1,12 +1,14 @@
 """Motions, exact or sampled: the data that other rooms make and use."""
 
-from polhode.motion._layout import Quantity, StateLayout, StatePart
+from polhode.motion._layout import ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
 from polhode.motion._outcome import Ending, Ends, Outcome, Status
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
 from polhode.motion.frame import BodyFrame
 
 __all__ = [
+    "ATTITUDE",
+    "MOMENTUM",
     "AbstractMotion",
     "BodyFrame",
     "Ending",

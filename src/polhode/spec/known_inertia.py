@@ -32,7 +32,7 @@ def build_known(table: BodyTable | PartTable) -> BuiltBody:
             inertia = given - table.mass * point_inertia(center - np.asarray(table.about))
         if not np.isfinite(inertia).all():
             away = ", ".join(f"{x:g}" for x in table.about)
-            raise InvalidInput(f"`about` at ({away}) m gives moments beyond the range of numbers. Check its unit.")
+            raise InvalidInput(f"inertia about ({away}) m gives moments beyond the range of numbers. Check its unit.")
         _check_about(table, given, inertia, center)
     if not np.isfinite(inertia).all() or np.abs(inertia - inertia.T).max() > ASYMMETRY * np.abs(inertia).max():
         return BuiltBody(Body(table.mass, center, inertia))
@@ -59,7 +59,7 @@ def _check_about(
     if size[0] > 0.0 and least[0] < -1e-3 * size[2]:
         distance = float(np.linalg.norm(center - np.asarray(table.about)))
         raise InvalidInput(
-            f"the inertia about `about` is less than that of the mass alone there, m d² = {table.mass:g} kg × "
+            f"the inertia about the given point is less than that of the mass alone there, m d² = {table.mass:g} kg × "
             f"({distance:.4g} m)² = {table.mass * distance**2:.4g} kg m². Check mass, center_of_mass and about."
         )
 

@@ -66,11 +66,11 @@ def find_place(text: str, body: Body, table: BodyTable, folder: Path) -> Place:
         if through or (point := _point(words)) is None:
             names = [name_of(part, k) for k, part in enumerate(parts)]
             has = f" Its parts are {', '.join(names[:20])}." if names else ""
-            raise InvalidInput(f"--about must be {FORMS}; got {shown(text)}.{has}")
+            raise InvalidInput(f"`about` must be {FORMS}; got {shown(text)}.{has}")
         return Place(f"the point ({words})", point, None)
     point = np.array(body.center_of_mass) if axis in ("1", "2", "3") else np.zeros(3)
     if through and (point := _point(through)) is None:
-        raise InvalidInput(f'--about: a point is three lengths, like "0 cm, 0 cm, 5 cm"; got {shown(through)}.')
+        raise InvalidInput(f'`about`: a point is three lengths, like "0 cm, 0 cm, 5 cm"; got {shown(through)}.')
     kind = "principal axis " if axis in ("1", "2", "3") else "axis "
     where = f" through ({through})" if through else ""
     return Place(f"{kind}{axis}{where}", point, direction)
@@ -98,4 +98,4 @@ def _point(words: str) -> Float64[Array, "3"] | None:
     try:
         return np.array([parse_quantity(piece, "m") for piece in pieces])
     except ValueError as error:
-        raise InvalidInput(f"--about: a coordinate {error}.") from None
+        raise InvalidInput(f"`about`: a coordinate {error}.") from None

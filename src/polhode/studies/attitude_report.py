@@ -99,7 +99,7 @@ class AttitudeReport(StudyReport):
         fit = self.fit
         if fit.degenerate is not None:
             return []
-        remedy = "Look at the residuals by --figures: a torque may act that changes in the body"
+        remedy = "Look at the residuals by `draw`: a torque may act that changes in the body"
         notes = [] if fit.rms < EXACT else about_misfit([fit.residuals], "the intervals are too narrow", remedy)
         if fit.equal:
             notes.append(f"{fit.equal} within their errors: the axes between them are not determined.")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -112,19 +112,18 @@ class CertifyReport(StudyReport):
         }, rows)  # fmt: skip
 
 
-def certify_report(path: Path, digits: int, at: Sequence[str], called: Callable[[str], str]) -> CertifyReport:
+def certify_report(path: Path, digits: int, at: Sequence[str]) -> CertifyReport:
     """Return the report on a spec.
 
     Args:
         path: of the spec.
         digits: of each enclosure.
         at: times of states, quantities like "1e9 s", taken as exact decimals.
-        called: says how the argument of the times is called where it is given, for messages.
 
     Raises:
         InvalidInput: for a kind without a closed form, a time that is none, or as the spec and ``certify`` do.
     """
-    times = {text: _exact_time(text, called("at")) for text in at}
+    times = {text: _exact_time(text) for text in at}
     with name_file_in_errors(path):
         spec = read_spec(path)
         motion = spec.kind.closed_form(spec)
@@ -141,13 +140,13 @@ def certify_report(path: Path, digits: int, at: Sequence[str], called: Callable[
         return CertifyReport(spec.name, found, {text: found.state(time) for text, time in times.items()})
 
 
-def _exact_time(text: str, called: str) -> Fraction:
+def _exact_time(text: str) -> Fraction:
     try:
         found = parse_exactly(text, "s")
     except ValueError as error:
-        raise InvalidInput(f"{called} {error}.") from None
+        raise InvalidInput(f"`at` {error}.") from None
     if found is None:
-        raise InvalidInput(f"{called} must be in a unit that is a decimal of the second, like s; got {shown(text)}.")
+        raise InvalidInput(f"`at` must be in a unit that is a decimal of the second, like s; got {shown(text)}.")
     return found
 
 

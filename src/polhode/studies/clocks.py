@@ -1,4 +1,4 @@
-"""Aligns the clocks of two attitude histories: by their epochs, by ``--offset``, or by assumption."""
+"""Aligns the clocks of two attitude histories: by their epochs, by ``offset``, or by assumption."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Laid(NamedTuple):
     aligned: ClockOffset | None = None
 
 
-def parse_offset(text: str | None, name: str = "--offset") -> Decimal | str | None:
+def parse_offset(text: str | None) -> Decimal | str | None:
     """Return the parsed offset: A's clock at B's zero [s], exactly, START or ALIGN; None where none is given.
 
     Raises:
@@ -43,19 +43,19 @@ def parse_offset(text: str | None, name: str = "--offset") -> Decimal | str | No
         try:
             return exact_number(match["number"]) * IN_DECIMAL_SECONDS[unit]
         except ValueError:
-            raise InvalidInput(f"{name} must be between 1e-30 and 1e30 in size, or 0; got {shown(text)}. Say A's "
+            raise InvalidInput(f"`offset` must be between 1e-30 and 1e30 in size, or 0; got {shown(text)}. Say A's "
                                "time at B's time zero.") from None  # fmt: skip
-    raise InvalidInput(f"{name} must be `{START}`, or a time with its unit like `-68.5 s`; got {shown(text)}.")
+    raise InvalidInput(f"`offset` must be `{START}`, or a time with its unit like `-68.5 s`; got {shown(text)}.")
 
 
-def join_offset(offset: object, align: bool, name: str = "--offset", other: str = "--align-clock") -> str | None:
+def join_offset(offset: object, align: bool) -> str | None:
     """Return the text that asks for an estimated offset, or the offset that was said.
 
     Raises:
         InvalidInput: where both are given.
     """
     if align and offset is not None:
-        raise InvalidInput(f"{name} says the offset that {other} would find. Leave one out.")
+        raise InvalidInput("`offset` says the offset that `align_clock` would find. Leave one out.")
     return ALIGN if align else None if offset is None else str(offset)
 
 
@@ -72,7 +72,7 @@ def lay_side_by_side(a: Source, b: Source, offset: Decimal | str | None) -> Laid
 
     Args:
         a, b: the two.
-        offset: what ``parse_offset`` made of ``--offset``.
+        offset: what ``parse_offset`` returns.
 
     Raises:
         InvalidInput: where nothing shows that both share a clock, and they begin at different times.
@@ -81,9 +81,9 @@ def lay_side_by_side(a: Source, b: Source, offset: Decimal | str | None) -> Laid
     if offset == ALIGN:
         return _align(a, b)
     if offset == START:
-        return _make_laid(a, b, begins[0] - begins[1], "both begin at the same moment, as --offset says")
+        return _make_laid(a, b, begins[0] - begins[1], "both begin at the same moment, as `offset` says")
     if isinstance(offset, Decimal):
-        return _make_laid(a, b, offset, f"B's time zero is at {in_words(offset)} s of A, as --offset says")
+        return _make_laid(a, b, offset, f"B's time zero is at {in_words(offset)} s of A, as `offset` says")
     if a.labels is not None and b.labels is not None:
         epochs = [terrestrial_time(side.labels.epoch, side.labels.time_system) for side in (a, b) if side.labels]
         words = [f"{side.labels.epoch} {side.labels.time_system}" for side in (a, b) if side.labels]
@@ -97,9 +97,9 @@ def lay_side_by_side(a: Source, b: Source, offset: Decimal | str | None) -> Laid
     if abs(float(begins[1] - begins[0])) > same:
         raise InvalidInput(
             f"nothing shows that A and B share a clock: A begins at {_seconds(begins[0])}, B at {_seconds(begins[1])}, "
-            f"and {unsaid}. Say --align-clock to find the offset from the attitudes, --offset {START} if both begin at "
-            f"the same moment, --offset 0s if the clocks are one, else A's time at B's time zero, like "
-            f"--offset={_seconds(begins[0] - begins[1]).replace(' ', '')}."
+            f"and {unsaid}. Say `align_clock=True` to find the offset from the attitudes, `offset=\"{START}\"` if both "
+            f"begin at the same moment, `offset=\"0s\"` if the clocks are one, else A's time at B's time zero, like "
+            f"`offset=\"{_seconds(begins[0] - begins[1]).replace(' ', '')}\"`."
         )
     return _make_laid(a, b, Decimal(0), f"assumed to be one: both begin at {_seconds(begins[0])}, and {unsaid}")
 

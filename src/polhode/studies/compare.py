@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -20,7 +22,7 @@ from polhode.studies.clocks import join_offset, lay_side_by_side, parse_offset
 from polhode.studies.comparison_report import ComparisonReport
 from polhode.studies.naming import name_file_in_errors
 from polhode.studies.sources import TABLE, Source, is_table, kind_in_words, load_body, load_source
-from polhode.studies.tables import Table, describe_reading, list_reading_notes
+from polhode.studies.tables import Table, describe_reading, list_reading_notes, take_columns
 
 SAME_INERTIA = 1e-6  # relative; what seven digits of a file leave
 History = comparison.Source | Path | str
@@ -28,7 +30,7 @@ History = comparison.Source | Path | str
 
 def compare(
     a: History, b: History, *, spec: Path | str | None = None, offset: float | str | None = None,
-    align_clock: bool = False,
+    align_clock: bool = False, columns: Mapping[str, Any] | None = None,
 ) -> ComparisonReport:  # fmt: skip
     """Return the report on how two attitude histories of one body differ.
 
@@ -37,12 +39,14 @@ def compare(
 
     Args:
         a: the reference for times: a history, a trajectory with attitudes, a motion in closed form, or a file
-            with one: spec, dataset, CSV of polhode's, CCSDS AEM, C-kernel with its own kernels next to it.
+            with one: spec, dataset, CSV of polhode's, CCSDS AEM, C-kernel with its own kernels next to it, table.
         b: the other.
         spec: of files, that of the body's spec, for its moments where the two do not tell energy and momentum.
         offset: A's time at B's time zero [s]; of files also a text like "-68.5 s", or "start" if both begin at the same
             moment. Left out, it is 0, and of files what their epochs say.
         align_clock: of two files, whether the offset is estimated from the attitudes.
+        columns: of tables of other programs among the files, words of a mapping by name, like {"time": "t", "quat":
+            "qw,qx,qy,qz"}. Two tables with different columns are read by ``polhode.formats.read_columns`` first.
 
     Raises:
         InvalidInput: for files that cannot be read, for what is not an attitude history, and for two histories that
@@ -56,13 +60,17 @@ def compare(
     """
     if not (offset is None or isinstance(offset, str) or (isinstance(offset, int | float) and math.isfinite(offset))):
         raise InvalidInput(f"`offset` must be a time in seconds, or a text like `-68.5 s`; got {shown(offset)}.")
+    table = take_columns(columns, False)
     if isinstance(a, str | Path) and isinstance(b, str | Path):
         if align_clock:
-            offset = join_offset(offset, align_clock, "`offset`", "`align_clock`")
-        parsed = parse_offset(offset, "`offset`") if offset is None or isinstance(offset, str) else Decimal(offset)
+            offset = join_offset(offset, align_clock)
+        parsed = parse_offset(offset) if offset is None or isinstance(offset, str) else Decimal(offset)
         body = None if spec is None else as_path("spec", spec)
-        return compare_files(as_path("a", a), as_path("b", b), body, offset=parsed)
-    sides = [load_source(Path(side), Kernels()).history if isinstance(side, str | Path) else side for side in (a, b)]
+        return compare_files(as_path("a", a), as_path("b", b), body, tables=(table, table), offset=parsed)
+    if table is not None and not isinstance(a, str | Path) and not isinstance(b, str | Path):
+        raise InvalidInput(f"`columns` must be left out where neither is a file; got {shown(columns)}.")
+    sides = [load_source(Path(side), Kernels(), table).history if isinstance(side, str | Path) else side
+             for side in (a, b)]  # fmt: skip
     if align_clock:
         raise InvalidInput("`align_clock` is for two files. Use polhode.analysis.comparison.align_clocks on histories.")
     if spec is not None or isinstance(offset, str):

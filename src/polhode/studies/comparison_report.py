@@ -44,7 +44,7 @@ class ComparisonReport(StudyReport):
     clocks: str
     aligned: ClockOffset | None = None
     warned: tuple[str, ...] = ()
-    unknown: str = "energy and momentum need the body's moments; give a spec of a free body or top with --spec."
+    unknown: str = "energy and momentum need the body's moments; give a spec of a free body or top with `spec`."
     reading: tuple[Group, ...] = ()
 
     @property

@@ -7,11 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from polhode.errors import InvalidInput, shown
-from polhode.formats.column_mapping import make_mapping
 from polhode.formats.paths import as_path
 from polhode.reports.report import Report, with_inputs
-from polhode.studies.naming import Called, in_python
-from polhode.studies.tables import Table
+from polhode.studies.naming import name_arguments
+from polhode.studies.tables import take_columns
 from polhode.studies.throws import Progress, ThrowOptions, fit_logs
 
 LINES = ".lin"
@@ -60,28 +59,26 @@ def fit(
     lists = {"windows": windows, "weighted": weighted, **({} if free is None else {"free": free})}
     if wrong := [name for name, some in lists.items() if isinstance(some, str) or not isinstance(some, Sequence)]:
         raise InvalidInput(f"`{wrong[0]}` must be a list; got {shown(lists[wrong[0]])}.")
-    if columns is not None and not isinstance(columns, Mapping):
-        raise InvalidInput(f'`columns` must be words by name, like {{"time": "t"}}; got {shown(columns)}.')
-    table = None if columns is None else Table(make_mapping(columns), True)
+    table = take_columns(columns, True)
     options = ThrowOptions(windows, drag, torque, rotor, gain, clip, moment, mass, added_weight,
                            [as_path("weighted", path) for path in weighted], table)  # fmt: skip
     paths = [as_path("files", path) for path in files]
-    return with_inputs(lambda: fit_files(paths, free, options, in_python, pendulum=pendulum))
+    return with_inputs(lambda: fit_files(paths, free, options, pendulum=pendulum))
 
 
 def fit_files(
-    files: Sequence[Path], free: Sequence[str] | None, options: ThrowOptions, called: Called,
-    progress: Progress | None = None, pendulum: bool = False,
+    files: Sequence[Path], free: Sequence[str] | None, options: ThrowOptions, progress: Progress | None = None,
+    pendulum: bool = False,
 ) -> Report:  # fmt: skip
-    """Return the report of ``fit``; ``called`` says how arguments are called where they are given, for messages."""
+    """Return the report of ``fit``."""
     if not files:
         raise InvalidInput("`files` is empty. Name a log, or a spec and its measured lines.")
     if pendulum:
         wrong = [*options.given, *(["free"] if free is not None else [])]
         wrong += ["columns"] if options.table is not None or options.unit is not None else []
         if wrong or len(files) > 1:
-            what = f"{', '.join(map(called, wrong))} cannot go with it" if wrong else f"got {len(files)} files"
-            raise InvalidInput(f"{called('pendulum')} takes one file of periods alone; {what}. Leave out the rest.")
+            what = f"{name_arguments(wrong)} cannot go with it" if wrong else f"got {len(files)} files"
+            raise InvalidInput(f"`pendulum` takes one file of periods alone; {what}. Leave out the rest.")
         from polhode.studies.pendulum import fit_periods
 
         return fit_periods(files[0])
@@ -89,14 +86,13 @@ def fit_files(
         if len(files) != 2:
             raise InvalidInput(f"{files[0]}: a molecule is fitted to one file of lines; got {len(files) - 1}. Write "
                                f"polhode fit SPEC LINES{LINES}; for a pendulum's periods give "
-                               f"{called('pendulum')}.")  # fmt: skip
+                               f"`pendulum`.")  # fmt: skip
         wrong = options.given + (["columns"] if options.table is not None or options.unit is not None else [])
         if wrong:
-            names = ", ".join(map(called, wrong))
-            raise InvalidInput(f"{names} is for gyro logs, and {files[0]} is a molecule. Leave it out.")
+            raise InvalidInput(f"{name_arguments(wrong)} is for gyro logs, and {files[0]} is a molecule. Leave it out.")
         from polhode.studies.line_fit import fit_lines
 
-        return fit_lines(files[0], files[1], free, called)
+        return fit_lines(files[0], files[1], free)
     if free is not None:
-        raise InvalidInput(f"{called('free')} names constants of a molecule, and gyro logs are given. Leave it out.")
-    return fit_logs(files, options, called, progress)
+        raise InvalidInput("`free` names constants of a molecule, and gyro logs are given. Leave it out.")
+    return fit_logs(files, options, progress)

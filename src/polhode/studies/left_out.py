@@ -30,7 +30,7 @@ def left_out_note(flights: Sequence[Flights]) -> list[str]:
     if not left:
         return []
     what = "1 stretch that may be a flight is" if left == 1 else f"{left} stretches that may be flights are"
-    return [f"{what} left out, see the table; --window takes such."]
+    return [f"{what} left out, see the table; `windows` takes such."]
 
 
 def left_out_words(left_out: Sequence[Window]) -> str:

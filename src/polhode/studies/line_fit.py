@@ -20,7 +20,7 @@ from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
 from polhode.reports.spectra import label
 from polhode.reports.wording import uncertain
-from polhode.studies.naming import Called, in_python, warnings_as_notes
+from polhode.studies.naming import warnings_as_notes
 
 MEGA = 1e6  # Hz
 WORST = 8  # observations that are listed
@@ -74,16 +74,13 @@ class LineFitReport(StudyReport):
         return path
 
 
-def fit_lines(
-    path: Path, lines: Path, free: Sequence[str] | None = None, called: Called = in_python
-) -> LineFitReport:
+def fit_lines(path: Path, lines: Path, free: Sequence[str] | None = None) -> LineFitReport:
     """Return the report on a molecule's constants.
 
     Args:
         path: of a spec or of atoms, whose constants the fit starts from.
         lines: file of measured lines, .lin.
         free: names of the constants to fit; None for those of the spec that lines depend on.
-        called: returns how an argument is called where it is given, for messages.
 
     Raises:
         InvalidInput: naming the file, for what cannot be read or fitted.
@@ -98,7 +95,7 @@ def fit_lines(
         names = None if free is None else [name.strip() for name in free]
         if names is not None and not all(names):
             got = shown(",".join(names))
-            raise InvalidInput(f"{called('free')} must be names of constants, like A,B,C,D_J; got {got}.")
+            raise InvalidInput(f"`free` must be names of constants, like A,B,C,D_J; got {got}.")
         fit = fit_rotor(start, measured, names)
     return LineFitReport(spec.name, start, measured, fit, names, [*notes, *more, *others])
 

@@ -1,34 +1,22 @@
-"""How messages name an input: as an argument of Python, or as an option of a command."""
+"""How messages name what was given: arguments, and files."""
 
 from __future__ import annotations
 
 import contextlib
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from polhode.errors import InvalidInput, NotConverged
 
-Called = Callable[[str], str]
-"""Returns how an argument is called where it is given."""
 
+def name_arguments(names: Sequence[str]) -> str:
+    """Return arguments for a message, which names them as Python does; the command says its options instead.
 
-def in_python(name: str) -> str:
-    """Return how an argument is called in Python.
-
-    >>> in_python("added_weight")
-    '`added_weight`'
+    >>> name_arguments(["mass", "added_weight"])
+    '`mass`, `added_weight`'
     """
-    return f"`{name}`"
-
-
-def as_option(name: str) -> str:
-    """Return how an argument is called on the command line.
-
-    >>> as_option("added_weight")
-    '--added-weight'
-    """
-    return f"--{name.replace('_', '-')}"
+    return ", ".join(f"`{name}`" for name in names)
 
 
 @contextlib.contextmanager

@@ -11,7 +11,6 @@ from polhode.estimation.attitude_fit import AttitudeFit
 from polhode.estimation.scale import moments_from_one, moments_from_weight
 from polhode.estimation.throw import ThrowFit
 from polhode.spec.uncertain import quantity
-from polhode.studies.naming import Called
 
 _MOMENT = re.compile(r"\s*I([123])\s*=\s*(.+)")
 _PLACE = re.compile(r"(.+?)\s+at\s+(.+?),(.+?),\s*(\S+)\s+(\S+)\s*")
@@ -44,9 +43,7 @@ class KnownScale(NamedTuple):
         return moments_from_weight(fit, with_weight, *self.weight)
 
 
-def read_scale(
-    moment: str | None, mass: str | None, added_weight: str | None, has_logs: bool, called: Called
-) -> KnownScale:
+def read_scale(moment: str | None, mass: str | None, added_weight: str | None, has_logs: bool) -> KnownScale:
     """Return the known scale of the moments.
 
     Args:
@@ -54,25 +51,24 @@ def read_scale(
         mass: of the body without the weight, like "150 g".
         added_weight: like "20 g at 0, 70, 0 mm".
         has_logs: whether there are logs of throws with the weight.
-        called: returns how an argument is called where it is given, for messages.
 
     Raises:
         InvalidInput: for what cannot be read, and for a weight of which something is missing.
     """
     parts = (mass, added_weight, has_logs)
     if any(parts) and not all(parts):
-        names = f"{called('mass')}, {called('added_weight')} and {called('weighted')}"
+        names = "`mass`, `added_weight` and `weighted`"
         raise InvalidInput(f"{names} belong together: the body's mass, the weight with its place, and logs of throws "
                            "with it. Give all three.")  # fmt: skip
     if any(parts) and moment is not None:
-        raise InvalidInput(f"{called('moment')} and {called('added_weight')} both give the moments. Leave one out.")
+        raise InvalidInput("`moment` and `added_weight` both give the moments. Leave one out.")
     if mass is None or added_weight is None:
-        return KnownScale(None if moment is None else _moment(moment, called("moment")), None)
-    name, match = called("added_weight"), _PLACE.fullmatch(added_weight)
+        return KnownScale(None if moment is None else _moment(moment, "`moment`"), None)
+    name, match = "`added_weight`", _PLACE.fullmatch(added_weight)
     if match is None:
         raise InvalidInput(f'{name} must be like "20 g at 0, 70, 0 mm"; got {shown(added_weight)}.')
     x, y, z = (quantity(name, f"{match[k].strip()} {match[5]}", "m", False) for k in (2, 3, 4))
-    whole = quantity(called("mass"), mass, "kg")
+    whole = quantity("`mass`", mass, "kg")
     return KnownScale(None, Weight(whole, quantity(name, match[1].strip(), "kg"), (x, y, z)))
 
 

@@ -209,8 +209,8 @@ def load_source(path: Path, kernels: Kernels, table: Table | None = None, kind: 
         return _from_spec(path)
     _, recorded, labels = read_recorded(path, kernels, table, kind)
     if kind == TABLE and recorded.attitude is None:
-        raise InvalidInput(f"{path}: a comparison is of attitudes, and only --gyro is given. Name them by --quat, "
-                           "--matrix, --mrp or --euler.")  # fmt: skip
+        raise InvalidInput(f"{path}: a comparison is of attitudes, and only `gyro` is given. Name them by `quat`, "
+                           "`matrix`, `mrp` or `euler`.")  # fmt: skip
     trajectory = recorded.along("given")
     history = replace(
         _history(path, trajectory), resolution=_resolution(kind, recorded),
@@ -263,7 +263,7 @@ def load_body(path: Path) -> SpecBody:
         InvalidInput: for another kind of file, and as reading the spec does.
     """
     if (kind := detect_kind(path)) != SPEC:
-        why = f"is {kind_in_words(kind)}, and --spec wants a spec, whose [body] has the moments"
+        why = f"is {kind_in_words(kind)}, and `spec` wants a spec, whose [body] has the moments"
         raise InvalidInput(f"{path}: {why}. Give a TOML file like those of `polhode report`.")
     spec = read_spec(path)
     with name_file_in_errors(path):

@@ -24,7 +24,7 @@ from polhode.reports.spectra import AREA, frequency, level_table, line_table
 from polhode.spec.reach import check_reach
 from polhode.spec.rotors import SpecRotor, check_summable, complete_rotor, doubts_of_weights
 from polhode.spec.units import parse_quantity, parse_spectroscopic
-from polhode.studies.naming import Called, in_python, warnings_as_notes
+from polhode.studies.naming import warnings_as_notes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -181,34 +181,31 @@ def spectrum(
     >>> ph.spectrum("examples/water_spectrum.toml", highest="1 THz").plot()  # doctest: +SKIP
     """
     bounds = {"lowest": lowest, "highest": highest}
-    return with_inputs(lambda: spectrum_within(molecule, j_max, temperature, bounds, min_intensity, most, dipole,
-                                               in_python))  # fmt: skip
+    return with_inputs(lambda: spectrum_within(molecule, j_max, temperature, bounds, min_intensity, most, dipole))
 
 
 def spectrum_within(
     molecule: Path | str | Spec[Any], j_max: int | None, temperature: float | str | None,
     bounds: Mapping[str, float | str | None], min_intensity: float, most: int, dipole: Sequence[float] | None,
-    called: Called,
 ) -> SpectrumReport:  # fmt: skip
-    """Return the report of ``spectrum``; ``called`` says how arguments are called where they are given."""
-    kelvin = _read_option(called("temperature"), temperature, lambda text: parse_quantity(text, "K"))
-    low, high = (_read_option(called(name), bound, parse_spectroscopic) for name, bound in bounds.items())
+    """Return the report of ``spectrum``."""
+    kelvin = _read_option("`temperature`", temperature, lambda text: parse_quantity(text, "K"))
+    low, high = (_read_option(f"`{name}`", bound, parse_spectroscopic) for name, bound in bounds.items())
     low, high = 0.0 if low is None else low, math.inf if high is None else high
     if low > high:
         ends = " and ".join(map(str, bounds.values()))
-        raise InvalidInput(f"{called('lowest')} must not be above {called('highest')}; got {ends}.")
+        raise InvalidInput(f"`lowest` must not be above `highest`; got {ends}.")
     if isinstance(most, bool) or not isinstance(most, int) or most < 1:
-        raise InvalidInput(f"{called('most')} must be a whole number of lines, 1 or more; got {shown(most)}.")
+        raise InvalidInput(f"`most` must be a whole number of lines, 1 or more; got {shown(most)}.")
     if not isinstance(min_intensity, int | float) or not 0.0 <= min_intensity < math.inf:
-        raise InvalidInput(f"{called('min_intensity')} must be a number of nm² MHz, not negative; got "
+        raise InvalidInput(f"`min_intensity` must be a number of nm² MHz, not negative; got "
                            f"{shown(min_intensity)}.")  # fmt: skip
-    moment = None if dipole is None else _dipole(dipole, called("dipole"))
+    moment = None if dipole is None else _dipole(dipole, "`dipole`")
     with warnings_as_notes(_place(molecule)) as notes:
         spec = _spec(molecule)
         asked = _apply_options(spec.kind.rotor(spec), kelvin, j_max, moment)
         if not asked.rotor.dipole.any():
-            example = f'{called("dipole")} "0,1.857,0"' if called("dipole").startswith("--") else "dipole=(0, 1.857, 0)"
-            raise InvalidInput(f"there is no dipole, and no lines without one. Give it, like {example}.")
+            raise InvalidInput("there is no dipole, and no lines without one. Give it, like `dipole=(0, 1.857, 0)`.")
         check_summable(asked)
         lines = asked.rotor.lines(asked.j_max, asked.temperature)
         partition = float(asked.rotor.partition_function(asked.temperature))

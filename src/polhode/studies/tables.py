@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from polhode.errors import InvalidInput
-from polhode.formats.column_mapping import ColumnMapping
+from polhode.errors import InvalidInput, shown
+from polhode.formats.column_mapping import ColumnMapping, make_mapping
 from polhode.formats.labels import Recording
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
 
 APART = 0.5  # relative; rates that far from how the attitude turns are of another direction, order or unit
-EXAMPLE = "--time t --time-unit s --quat qw,qx,qy,qz --order wxyz --gyro gx,gy,gz --unit deg/s"
+EXAMPLE = ('`columns={"time": "t", "time_unit": "s", "quat": "qw,qx,qy,qz", "order": "wxyz", "gyro": "gx,gy,gz", '
+           '"unit": "deg/s"}`')  # fmt: skip
 
 
 class Table(NamedTuple):
@@ -20,6 +22,19 @@ class Table(NamedTuple):
 
     mapping: ColumnMapping
     only: bool
+
+
+def take_columns(columns: Mapping[str, Any] | None, only: bool) -> Table | None:
+    """Return what the argument `columns` of a function says of a table; None where it is left out.
+
+    Raises:
+        InvalidInput: for what is not words by name, and for words that are not those of a mapping.
+    """
+    if columns is None:
+        return None
+    if not isinstance(columns, Mapping):
+        raise InvalidInput(f'`columns` must be words by name, like {{"time": "t"}}; got {shown(columns)}.')
+    return Table(make_mapping(columns), only)
 
 
 def needs_mapping(path: Path) -> InvalidInput:

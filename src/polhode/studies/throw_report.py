@@ -96,7 +96,7 @@ class ThrowReport(StudyReport):
         if fit.degenerate is None:
             misses = [throw.rates - throw.predicted for throw in fit.throws]
             wider = f"the intervals are widened by {np.sqrt(fit.widened):.2g} for it, which may not be enough"
-            remedy = "Look at the residuals by --figures, and give the free flight by --window"
+            remedy = "Look at the residuals by `draw`, and give the free flight by `windows`"
             notes += about_misfit(misses, wider, remedy)
             notes += _doubts(fit)
             chosen = next((score for score in fit.criterion if score.chosen), None)
@@ -129,7 +129,7 @@ def _doubts(fit: ThrowFit) -> list[str]:
                      "without the wheel's own moment about its axis.")  # fmt: skip
     if fit.with_or_without:
         notes.append("the log hardly distinguishes a body with a wheel from one without: the intervals cover both. "
-                     "Choose by --rotor or --no-rotor.")  # fmt: skip
+                     "Choose by `rotor=True` or `rotor=False`.")  # fmt: skip
     size = float(np.abs(fit.bias.value).max())
     if size > LARGE_BIAS and fit.rest is None:
         notes.append(f"the bias is large, {size:.2g} rad/s, and no rest in the log confirms it: it may stand for "

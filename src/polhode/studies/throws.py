@@ -23,7 +23,7 @@ from polhode.reports.report import Report
 from polhode.spec.uncertain import quantity
 from polhode.studies.attitude_report import AttitudeReport
 from polhode.studies.left_out import left_out_words
-from polhode.studies.naming import Called
+from polhode.studies.naming import name_arguments
 from polhode.studies.scale import read_scale
 from polhode.studies.sources import detect_kind, load_source
 from polhode.studies.tables import Table
@@ -56,13 +56,12 @@ class ThrowOptions(NamedTuple):
         return [name for name, value in values.items() if value is not None and len(np.atleast_1d(value))]
 
 
-def fit_logs(paths: Sequence[Path], options: ThrowOptions, called: Called, progress: Progress | None = None) -> Report:
+def fit_logs(paths: Sequence[Path], options: ThrowOptions, progress: Progress | None = None) -> Report:
     """Return the report on logs of throws, fitted together, or on a log of attitudes.
 
     Args:
         paths: of the logs.
         options: for the logs.
-        called: returns how an argument is called where it is given, for messages.
         progress: called with how far the reading of a log is.
 
     Raises:
@@ -74,15 +73,15 @@ def fit_logs(paths: Sequence[Path], options: ThrowOptions, called: Called, progr
         raise InvalidInput(f"{twice[0]}: is given twice, and a log counts once. Leave it out.")
     kind = _attitude_kind(paths[0], options.table)
     if kind is None:
-        return _fit_throws(paths, options, called, progress)
+        return _fit_throws(paths, options, progress)
     wrong = [name for name in options.given if name not in ("windows", "torque", "moment", "mass", "added_weight")]
     if options.unit is not None:
         wrong.append("unit")
     if wrong or len(paths) > 1:
-        names = ", ".join(called(name) for name in wrong)
-        what = f"{names} {'is' if len(wrong) == 1 else 'are'} for gyro logs" if wrong else f"got {len(paths)} logs"
+        are = "is" if len(wrong) == 1 else "are"
+        what = f"{name_arguments(wrong)} {are} for gyro logs" if wrong else f"got {len(paths)} logs"
         raise InvalidInput(f"{paths[0]}: is a log of attitudes, which is fitted alone, and {what}. Leave it out.")
-    return _fit_attitudes(paths[0], kind, options, called)
+    return _fit_attitudes(paths[0], kind, options)
 
 
 def _attitude_kind(path: Path, table: Table | None) -> str | None:
@@ -95,12 +94,12 @@ def _attitude_kind(path: Path, table: Table | None) -> str | None:
     return kind if kind in forms() else None
 
 
-def _fit_attitudes(path: Path, kind: str, options: ThrowOptions, called: Called) -> AttitudeReport:
-    windows = [_window(span, called) for span in options.windows]
+def _fit_attitudes(path: Path, kind: str, options: ThrowOptions) -> AttitudeReport:
+    windows = [_window(span) for span in options.windows]
     if len(windows) > 1:
-        raise InvalidInput(f"{called('windows')} must be given once at most for a log of attitudes; got "
+        raise InvalidInput(f"`windows` must be given once at most for a log of attitudes; got "
                            f"{len(windows)}.")  # fmt: skip
-    known = read_scale(options.moment, options.mass, options.added_weight, bool(options.weighted), called)
+    known = read_scale(options.moment, options.mass, options.added_weight, bool(options.weighted))
     trajectory = load_source(path, Kernels(), options.table, kind).trajectory
     times, attitude = np.asarray(trajectory.times), np.asarray(trajectory.attitude)
     rates = None if trajectory.angular_velocity is None else np.asarray(trajectory.angular_velocity)
@@ -114,14 +113,10 @@ def _fit_attitudes(path: Path, kind: str, options: ThrowOptions, called: Called)
     return AttitudeReport(path.name, fit, known.moments(fit, None))
 
 
-def _fit_throws(
-    paths: Sequence[Path], options: ThrowOptions, called: Called, progress: Progress | None
-) -> ThrowReport:
+def _fit_throws(paths: Sequence[Path], options: ThrowOptions, progress: Progress | None) -> ThrowReport:
     if options.torque is not None:
-        no = f" and {called('no_torque')} are" if called("torque").startswith("--") else " is"
-        raise InvalidInput(f"{paths[0]}: {called('torque')}{no} for a log of attitudes, and this is a gyro's. Leave it "
-                           "out.")  # fmt: skip
-    known = read_scale(options.moment, options.mass, options.added_weight, bool(options.weighted), called)
+        raise InvalidInput(f"{paths[0]}: `torque` is for a log of attitudes, and this is a gyro's. Leave it out.")
+    known = read_scale(options.moment, options.mass, options.added_weight, bool(options.weighted))
 
     def read(path: Path) -> ReadLog:
         mapping = None if options.table is None else options.table.mapping
@@ -133,10 +128,10 @@ def _fit_throws(
     if clip is None:
         clip = saturation([each.log for each in logs])
     elif isinstance(clip, str):
-        clip = quantity(called("clip"), clip, "rad/s")
+        clip = quantity("`clip`", clip, "rad/s")
     elif not clip > 0.0:
-        raise InvalidInput(f"{called('clip')} must be a positive rate in rad/s; got {shown(clip)}.")
-    flights = _flights(options.windows, names, logs, clip, called)
+        raise InvalidInput(f"`clip` must be a positive rate in rad/s; got {shown(clip)}.")
+    flights = _flights(options.windows, names, logs, clip)
 
     def fit(some: Sequence[ReadLog], windows: Sequence[Sequence[Window]] | None, limit: float | None) -> ThrowFit:
         drag, rotor = ("auto" if asked is None else asked for asked in (options.drag, options.rotor))
@@ -148,41 +143,39 @@ def _fit_throws(
 
 
 def _flights(
-    spans: Sequence[str | tuple[float, float]], names: Sequence[str], logs: Sequence[ReadLog], clip: float | None,
-    called: Called,
+    spans: Sequence[str | tuple[float, float]], names: Sequence[str], logs: Sequence[ReadLog], clip: float | None
 ) -> list[Flights]:  # fmt: skip
     """Return the stretches of each log to fit: the given windows, else all flights found."""
     if spans:
-        return [Flights(windows, []) for windows in _windows(spans, len(logs), called)]
+        return [Flights(windows, []) for windows in _windows(spans, len(logs))]
     flights = [find_flights(read.log, clip) for read in logs]
     if not any(each.windows for each in flights):
         left = left_out_words([one for each in flights for one in each.left_out])
-        how = f"{called('window')} START,END" if called("window").startswith("--") else called("windows")
         raise InvalidInput(f"{', '.join(names)}: no free flight was found: no stretch of {SHORTEST} s feels no weight, "
                            f"or keeps an angular momentum while it turns faster than 1 rad/s.{left} If there is one, "
-                           f"say where by {how}.")  # fmt: skip
+                           f"say where by `windows=[(start, end)]`.")  # fmt: skip
     for read, each in zip(logs, flights, strict=True):
         if not (each.windows or each.left_out):
             each.left_out.append(Window(float(read.log.times[0]), float(read.log.times[-1]), "no free flight in it"))
     return flights
 
 
-def _windows(spans: Sequence[str | tuple[float, float]], logs: int, called: Called) -> list[list[Window]]:
+def _windows(spans: Sequence[str | tuple[float, float]], logs: int) -> list[list[Window]]:
     """Return the windows of each log: all windows for a single log, otherwise one for each log."""
-    windows = [_window(one, called) for one in spans]
+    windows = [_window(one) for one in spans]
     if logs == 1:
         return [windows]
     if len(windows) != logs:
-        raise InvalidInput(f"{called('windows')} must be given once for each log, in their order: {logs} logs, and "
+        raise InvalidInput(f"`windows` must be given once for each log, in their order: {logs} logs, and "
                            f"{len(windows)} windows.")  # fmt: skip
     return [[window] for window in windows]
 
 
-def _window(span: str | tuple[float, float], called: Called) -> Window:
+def _window(span: str | tuple[float, float]) -> Window:
     try:
         start, end = (read_number(part) if isinstance(part, str) else float(part)
                       for part in (span.split(",") if isinstance(span, str) else span))  # fmt: skip
     except (TypeError, ValueError):
-        raise InvalidInput(f"{called('windows')} must be two times in seconds with a comma, like 1.2,1.9; got "
+        raise InvalidInput(f"`windows` must be two times in seconds with a comma, like 1.2,1.9; got "
                            f"{shown(span)}.") from None  # fmt: skip
     return Window(start, end)

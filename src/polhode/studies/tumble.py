@@ -14,7 +14,6 @@ from polhode.estimation.tumbling import MODES, Mode, Tumbling, fit_tumbling, lea
 from polhode.formats.known_tumblers import KnownTumbler, known_tumbler
 from polhode.spec.reach import check_reach
 from polhode.spec.uncertain import Uncertain, uncertain
-from polhode.studies.naming import Called, in_python
 from polhode.studies.tumble_report import TumbleReport
 from polhode.studies.tumbler import Damping, LightCurve
 
@@ -86,7 +85,7 @@ def tumble(
         raise InvalidInput(f"`friction` must be a polhode.studies.tumble.Friction; got {shown(friction)}.")
     known = None if body is None else known_tumbler(str(body))
     inputs = Given(precession, rotation, moments, semi_axes, axis, mode, friction, aspect, phase)
-    return tumble_report(known, inputs, in_python)
+    return tumble_report(known, inputs)
 
 
 class Given(NamedTuple):
@@ -103,18 +102,17 @@ class Given(NamedTuple):
     phase: float = np.pi / 9
 
 
-def tumble_report(known: KnownTumbler | None, inputs: Given, called: Called) -> TumbleReport:
+def tumble_report(known: KnownTumbler | None, inputs: Given) -> TumbleReport:
     """Return the report on a body's motion.
 
     Args:
         known: the catalogued body, if it is one.
         inputs: data that replace those of the catalogue.
-        called: returns how an argument is called where it is given, for messages.
 
     Raises:
         InvalidInput: as ``tumble`` does.
     """
-    periods, moments, errors = _gather_measured(known, inputs, called)
+    periods, moments, errors = _gather_measured(known, inputs)
     motions = fit_tumbling(*periods, moments, inputs.axis, errors if any(errors) else None)
     mode: Mode = inputs.mode or (motions[0].mode if known is None else known.mode)  # type: ignore[assignment]
     chosen = [motion for motion in motions if motion.mode == mode]
@@ -122,7 +120,7 @@ def tumble_report(known: KnownTumbler | None, inputs: Given, called: Called) -> 
         there, limit = motions[0].mode, least_period_ratios(moments)[MODES.index(mode)]
         raise InvalidInput(f"no motion in the {mode} mode has these periods: with these moments the rotation must take "
                            f"more than {limit:.4g} times as long as the precession. There is one in the {there} mode: "
-                           f"{called('mode')} {there}.")  # fmt: skip
+                           f'`mode="{there}"`.')  # fmt: skip
     motion, friction = chosen[0], inputs.friction
     damping = None if friction is None else Damping(internal_damping_time(motion.precession, *friction), *friction)
     return TumbleReport(
@@ -132,35 +130,33 @@ def tumble_report(known: KnownTumbler | None, inputs: Given, called: Called) -> 
     )  # fmt: skip
 
 
-def _gather_measured(
-    known: KnownTumbler | None, inputs: Given, called: Called
-) -> tuple[tuple[float, float], list[float], list[float]]:
+def _gather_measured(known: KnownTumbler | None, inputs: Given) -> tuple[tuple[float, float], list[float], list[float]]:
     """Return both periods [s], the moments by size, and the errors of all five."""
     if inputs.moments is not None and inputs.semi_axes is not None:
-        raise InvalidInput(f"{called('moments')} and {called('semi_axes')} both give the moments. Leave one out.")
+        raise InvalidInput("`moments` and `semi_axes` both give the moments. Leave one out.")
     texts = {"precession": inputs.precession or (known and known.precession),
              "rotation": inputs.rotation or (known and known.rotation)}  # fmt: skip
     moments = inputs.moments
     if moments is None and inputs.semi_axes is None and known is not None:
         moments = known.moments
-    missing = [called(name) for name, text in texts.items() if text is None]
-    missing += [called("moments")] if moments is None and inputs.semi_axes is None else []
+    missing = [f"`{name}`" for name, text in texts.items() if text is None]
+    missing += ["`moments`"] if moments is None and inputs.semi_axes is None else []
     if missing:
         whose = "" if known is None else f" of {known.name}"
         raise InvalidInput(f"{' and '.join(missing)} {'are' if len(missing) > 1 else 'is'} missing{whose}. Give for "
-                           f'example {called("precession")} "27.38 h", {called("rotation")} "263 h" and '
-                           f"{called('moments')} 0.61 0.965 1, or name a known body.")  # fmt: skip
+                           'example `precession="27.38 h"`, `rotation="263 h"` and `moments=(0.61, 0.965, 1)`, '
+                           "or name a known body.")  # fmt: skip
     (first, d_first), (second, d_second) = (
-        uncertain(called(name), text, "s") for name, text in texts.items() if text is not None
+        uncertain(f"`{name}`", text, "s") for name, text in texts.items() if text is not None
     )
     if moments is not None:
-        pairs = sorted(uncertain(called("moments"), x, "kg*m^2", bare=True) for x in moments)
+        pairs = sorted(uncertain("`moments`", x, "kg*m^2", bare=True) for x in moments)
         return (first, second), [x for x, _ in pairs], [d_first, d_second, *(error for _, error in pairs)]
     semi_axes = np.asarray(inputs.semi_axes, float)
-    check_reach(called("semi_axes"), *semi_axes.tolist())
+    check_reach("`semi_axes`", *semi_axes.tolist())
     squares = np.sort(np.square(semi_axes))[::-1]
     if not (np.isfinite(squares).all() and squares[2] > 0):
-        raise InvalidInput(f"{called('semi_axes')} must be three positive numbers; got {shown(inputs.semi_axes)}.")
+        raise InvalidInput(f"`semi_axes` must be three positive numbers; got {shown(inputs.semi_axes)}.")
     return (first, second), (squares.sum() - squares).tolist(), [d_first, d_second, 0.0, 0.0, 0.0]
 
 

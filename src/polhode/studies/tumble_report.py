@@ -66,7 +66,7 @@ class TumbleReport(StudyReport):
         notes = []
         if self.others:
             notes.append(f"the {WORDS[self.others[0].mode]} has the same periods; only a light curve or an image can "
-                         f"decide. --mode {self.others[0].mode} takes the other.")  # fmt: skip
+                         f'decide. `mode="{self.others[0].mode}"` takes the other.')  # fmt: skip
         interval = self.motion.interval
         if interval is not None and interval.admissible < 0.975:
             notes.append(f"only {100 * interval.admissible:.0f} % of the periods and moments within the errors have a "

@@ -40,23 +40,22 @@ def wobble(
     if isinstance(window, bool) or not isinstance(window, int | float):
         raise InvalidInput(f"`window` must be a positive number of years; got {shown(window)}.")
     source = series if series is None or isinstance(series, PoleSeries) else as_path("series", series)
-    return with_inputs(lambda: wobble_report(source, start, end, window, ("`start`", "`end`")))
+    return with_inputs(lambda: wobble_report(source, start, end, window))
 
 
 def wobble_report(
-    series: PoleSeries | Path | str | None, start: str | None, end: str | None, window: float,
-    called: tuple[str, str],
-) -> WobbleReport:  # fmt: skip
-    """Return the report; ``called`` says how start and end are called where they are given, for messages."""
-    first = None if start is None else parse_day(start, called[0])
-    last = None if end is None else parse_day(end, called[1])
+    series: PoleSeries | Path | str | None, start: str | None, end: str | None, window: float
+) -> WobbleReport:
+    """Return the report of ``wobble``."""
+    first = None if start is None else parse_day(start, "`start`")
+    last = None if end is None else parse_day(end, "`end`")
     if first is not None and last is not None and first >= last:
-        raise InvalidInput(f"{called[0]} must be before {called[1]}; got {start} and {end}. Swap them.")
+        raise InvalidInput(f"`start` must be before `end`; got {start} and {end}. Swap them.")
     if not isinstance(series, PoleSeries):
         series = read_polar_motion(None if series is None else Path(series))
     if not window > 0.0:
         raise InvalidInput(f"`window` must be a positive number of years; got {shown(window)}.")
-    used = _between(series, first, last, called)
+    used = _between(series, first, last)
     pole = (used.days * DAY, used.x, used.y)
     line, process = fit_chandler(*pole), fit_chandler_process(*pole)
     period, quality = (float(value) for value in process.estimate.value)
@@ -65,11 +64,11 @@ def wobble_report(
                   euler_chain())  # fmt: skip
 
 
-def _between(series: PoleSeries, start: float | None, end: float | None, called: tuple[str, str]) -> PoleSeries:
+def _between(series: PoleSeries, start: float | None, end: float | None) -> PoleSeries:
     inside = (series.days >= (-1.0 if start is None else start)) & (series.days < (1e9 if end is None else end))
     if not inside.any():
         first, last = (format_day(float(series.days[k])) for k in (0, -1))
-        raise InvalidInput(f"{series.source} has no data between {called[0]} and {called[1]}: its days go from {first} "
+        raise InvalidInput(f"{series.source} has no data between `start` and `end`: its days go from {first} "
                            f"to {last}. Choose among these.")  # fmt: skip
     names = ("days", "x", "y", "x_error", "y_error")
     return replace(series, **{name: getattr(series, name)[inside] for name in names})

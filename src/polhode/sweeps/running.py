@@ -231,7 +231,7 @@ def _compute(evaluator: Evaluator, store: Store, number: int, read: dict[Path, s
     for path, digest in digests.items():
         if read.get(path, digest) != digest:
             raise InvalidInput(f"{path}: changed while the sweep ran, whose samples would be of two kinds. Put it back "
-                               "and run the sweep again, or choose another store with --out.")  # fmt: skip
+                               "and run the sweep again, or choose another folder with `store`.")  # fmt: skip
     store.write(number, chunk)
 
 
@@ -272,7 +272,7 @@ def _cluster(workers: int, scheduler: str | None) -> Iterator[Any]:
             try:
                 client = Client(scheduler, timeout=PATIENCE)
             except (OSError, ValueError, TimeoutError) as error:
-                raise InvalidInput(f"`--scheduler` {scheduler} does not answer ({error}). Start one with `dask "
+                raise InvalidInput(f"`scheduler` {scheduler} does not answer ({error}). Start one with `dask "
                                    "scheduler` and give its address, like tcp://host:8786.") from None  # fmt: skip
             with client:
                 _await_workers(client, scheduler)

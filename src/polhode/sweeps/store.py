@@ -75,8 +75,8 @@ class Store:
             self._check_same()
             return
         if os.path.lexists(self.path):
-            raise InvalidInput(f"{self.path}: is there already, and not the store of a sweep. Choose another name "
-                               "with --out, or move it away.")  # fmt: skip
+            raise InvalidInput(f"{self.path}: is there already, and not the store of a sweep. Choose another folder "
+                               "with `store`, or move it away.")  # fmt: skip
         with write_whole(self.path) as draft:
             for name, content in self.layout.documents.items():
                 (draft / name).parent.mkdir(parents=True, exist_ok=True)
@@ -93,8 +93,8 @@ class Store:
         """Refuse paths that cannot be a store's folder, before anything in it is opened or locked."""
         check_folder(self.path, self.home, {CHUNKS})
         if not os.path.lexists(self.home / PLAN):
-            raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} is gone. Put it back, or choose another store "
-                              "with --out.")  # fmt: skip
+            raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} is gone. Put it back, or choose another folder "
+                              "with `store`.")  # fmt: skip
 
     def _check_same(self) -> None:
         try:
@@ -106,19 +106,19 @@ class Store:
             old = isinstance(plan, dict) and plan.get("format") == 1
             what = f"was made by another version of polhode (format 1, not {FORMAT})" if old else (
                 f"is damaged: {HOME}/{PLAN} is not what a sweep writes")  # fmt: skip
-            raise FormatError(f"{self.path}: {what}. Choose another store with --out, or remove this one.")
+            raise FormatError(f"{self.path}: {what}. Choose another folder with `store`, or remove this one.")
         if plan["fingerprint"] != wanted["fingerprint"]:
             raise InvalidInput(f"{self.path}: holds another sweep: the spec, a file that it names, polhode or a "
-                               "library that it computes with changed since. Choose another store with --out, or "
+                               "library that it computes with changed since. Choose another folder with `store`, or "
                                "remove this one.")  # fmt: skip
         if plan["chunk"] != wanted["chunk"]:
             got = shown(plan["chunk"])
             raise InvalidInput(f"{self.path}: was begun with chunks of {got} samples, not {wanted['chunk']}. Set "
-                               "sweep.chunk to that, or choose another store with --out.")  # fmt: skip
+                               "sweep.chunk to that, or choose another folder with `store`.")  # fmt: skip
         if plan != wanted:
             key = next(key for key in wanted if plan[key] != wanted[key])
             raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} says {key} = {shown(plan[key])}, and this "
-                              f"sweep has {wanted[key]}. Choose another store with --out, or remove this "
+                              f"sweep has {wanted[key]}. Choose another folder with `store`, or remove this "
                               "one.")  # fmt: skip
 
     @contextlib.contextmanager
@@ -306,7 +306,7 @@ def check_room(path: Path, needed: int) -> None:
     if free < SPARE * needed:
         raise InvalidInput(
             f"{path}: the sweep may take {in_bytes(needed)}, and the disk has {in_bytes(free)} free. Take fewer "
-            'samples or outputs, set keep = "statistics", or choose another disk with --out.'
+            'samples or outputs, set keep = "statistics", or choose another disk with `store`.'
         )
 
 
@@ -327,7 +327,7 @@ def reword_errors(path: Path) -> Iterator[None]:
         yield
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be written ({error.strerror or error}). Choose a place that you may write "
-                           "to, with --out.") from None  # fmt: skip
+                           "to, with `store`.") from None  # fmt: skip
 
 
 def _write_through(path: Path) -> None:

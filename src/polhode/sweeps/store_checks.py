@@ -18,7 +18,7 @@ from polhode.sweeps.evaluation import Column
 from polhode.sweeps.layout import COMPRESSOR
 
 AGAIN = "Run the sweep again; what is damaged is computed again."
-ELSEWHERE = "or choose another store with --out."
+ELSEWHERE = "or choose another folder with `store`."
 
 
 def check_folder(store: Path, folder: Path, folders: set[str]) -> None:

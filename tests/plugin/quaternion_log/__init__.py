@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from polhode.formats import Content, Form, Kernels
 
 if TYPE_CHECKING:
-    from polhode.motion._trajectory import Trajectory
+    from polhode.motion import Trajectory
 
 HEAD = b"QLOG 1\n"
 
@@ -28,8 +28,7 @@ def read(path: Path, kernels: Kernels) -> Trajectory:
     """Return the attitudes."""
     import numpy as np
 
-    from polhode.motion._layout import ATTITUDE, StateLayout
-    from polhode.motion._trajectory import Trajectory
+    from polhode.motion import ATTITUDE, StateLayout, Trajectory
 
     table = np.loadtxt(path, skiprows=1, ndmin=2)
     return Trajectory(table[:, 0], table[:, 1:], StateLayout((ATTITUDE,)), attitude=table[:, 1:])

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from polhode.kinds import AbstractKind, SystemTable
-from polhode.spec.rules import Mistake
+from polhode.kinds import AbstractKind, Mistake, SystemTable
 from spherical_pendulum.table import PendulumTable
 
 if TYPE_CHECKING:
-    from polhode.kinds.base import Figures, Spec
+    from polhode.kinds import Figures, Spec
     from spherical_pendulum.answers import PendulumReport
     from spherical_pendulum.panel import PendulumPanel
 

@@ -9,9 +9,9 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
+from polhode import simulate
 from polhode.kinds import Answer, Group, MotionReport, Spec, Table, accuracy
-from polhode.motion._trajectory import Trajectory
-from polhode.simulation import simulate
+from polhode.motion import Trajectory
 from spherical_pendulum.system import SphericalPendulum
 from spherical_pendulum.table import PendulumTable
 

@@ -4,12 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from polhode.bodies.surface import Surface
-from polhode.kinds.panel import KindPanel
-from polhode.motion._trajectory import Trajectory
-from polhode.viewer.encoding import pack
-from polhode.viewer.panels import Panel
-from polhode.viewer.samples import Samples
+from polhode.kinds import KindPanel, Panel, Samples, Surface, pack
+from polhode.motion import Trajectory
 
 
 class PendulumPanel(KindPanel):

@@ -6,8 +6,8 @@ from typing import Any, ClassVar
 
 import jax.numpy as jnp
 
-from polhode.motion._layout import Quantity, StateLayout, StatePart
-from polhode.systems.base import AbstractSystem
+from polhode.motion import Quantity, StateLayout, StatePart
+from polhode.systems import AbstractSystem
 
 Array = Any
 NAMES = (("x", "m"), ("y", "m"), ("z", "m"), ("v_x", "m s-1"), ("v_y", "m s-1"), ("v_z", "m s-1"))

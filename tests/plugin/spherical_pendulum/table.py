@@ -6,9 +6,7 @@ from typing import ClassVar
 
 from pydantic import Field
 
-from polhode.bodies._pivot import STANDARD_GRAVITY
-from polhode.spec.fields import Acceleration, Lean, Length, Rate
-from polhode.spec.models import SystemTable
+from polhode.kinds import STANDARD_GRAVITY, Acceleration, Lean, Length, Rate, SystemTable
 
 
 class PendulumTable(SystemTable):

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 
 from polhode.errors import InvalidInput
-from polhode.figures import style
-from polhode.formats.paths import write_whole
+from polhode.figures import COLOURS, new_figure, tidy
+from polhode.formats import write_whole
 from polhode.reports import Answer, Group, StudyReport, Table
 
 if TYPE_CHECKING:
@@ -51,11 +51,11 @@ class SwingReport(StudyReport):
 
 
 def _drawn(report: SwingReport) -> Figure:
-    figure = style.new_figure()
+    figure = new_figure()
     axes = figure.subplots()
-    axes.plot(1e3 * np.asarray(report.residuals), ".", color=style.BLUE)
+    axes.plot(1e3 * np.asarray(report.residuals), ".", color=COLOURS["palette"][0])
     axes.set_ylabel("residual  [ms]")
-    style.tidy(axes)
+    tidy(axes)
     return figure
 
 
