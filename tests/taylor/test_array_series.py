@@ -11,7 +11,8 @@ from polhode import systems
 from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint, Taylor
 from polhode.taylor import array_rules, array_series
-from polhode.taylor.array_series import coefficients
+from polhode.taylor.array_series import coefficients, run_arrays
+from polhode.taylor.runs import choose_precision
 from sweeping import first
 from taylor.test_coefficients import OwnField, by_flint
 
@@ -131,3 +132,19 @@ def test_branches_go_by_series_of_single_numbers():
     found = ph.simulate(fluid, state, np.array([0.0, 1.0]), Taylor)
     other = ph.simulate(fluid, state, np.array([0.0, 1.0]), diffrax.Dopri8(), tolerance=1e-10)
     assert np.abs(found.states - other.states).max() < 1e-8 * np.abs(found.states).max()
+
+
+def bump(t, y):
+    return jnp.stack([1.0 + 0.0 * y[0], jnp.exp(-(((y[0] - 50.123) / 2.0) ** 2))])
+
+
+@pytest.mark.long_cases("written out")
+@pytest.mark.parametrize("orders", ["a loop", "written out"])
+def test_steps_end_before_hidden_changes(orders, monkeypatch):
+    """A bump far ahead, whose coefficients cannot be seen, and a root whose argument has a double zero; see there."""
+    monkeypatch.setattr(array_series, "LARGE", 0 if orders == "written out" else array_series.LARGE)
+    by = choose_precision(None)
+    seen = run_arrays(OwnField(bump), np.zeros(2), np.array([0.0, 100.0]), by.order, by.reach)
+    assert seen.states[-1, 1] == pytest.approx(2.0 * np.sqrt(np.pi), rel=1e-13)
+    root = OwnField(lambda t, y: jnp.stack([0.0 * y[0] - 1.0, jnp.sqrt(y[0] ** 2)]))
+    assert np.isnan(run_arrays(root, np.array([1.0, 0.0]), np.array([0.0, 2.0]), by.order, by.reach).end)

@@ -109,6 +109,13 @@ class Unrolled:
         return [find_place(v) for v in jaxpr.outvars]
 
 
+def is_bounded(step: Step) -> tuple[bool, bool]:
+    """Return whether the argument of a root or logarithm must change by little in a step, and of an exponential."""
+    name = step.equation.primitive.name
+    root = name in ("log", "sqrt", "rsqrt", "cbrt") or (name == "pow" and not isinstance(step.rule, _WholePower))
+    return root and step.rule is not None, name == "exp" and step.rule is not None
+
+
 def _find_rule(equation: Any, moving: tuple[int, ...], constants: list[Any]) -> Callable[..., list[Array]]:
     name = equation.primitive.name
     if _is_affine(equation, moving):

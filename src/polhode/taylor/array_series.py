@@ -20,8 +20,9 @@ from polhode.motion._outcome import Status
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
-from polhode.taylor.array_rules import Affine, Unrolled, add_order, bind, is_first
+from polhode.taylor.array_rules import Affine, Unrolled, add_order, bind, is_bounded, is_first
 from polhode.taylor.expressions import Untraceable
+from polhode.taylor.kernel_series import LEFT_OF_ROOT, MOST_EXPONENT
 from polhode.taylor.runs import Precision, Runs
 from polhode.types import Array, ArrayOrFloat, Double, Float64
 
@@ -104,20 +105,26 @@ def coefficients(
     Raises:
         Untraceable: if the rates are made of operations that have no rule.
     """
+    return _coefficients_and_changes(system, state, t, unit, order)[0]
+
+
+def _coefficients_and_changes(
+    system: AbstractSystem, state: Array, t: Float64[ArrayOrFloat, ""], unit: Float64[ArrayOrFloat, ""], order: int
+) -> tuple[Array, Array]:  # fmt: skip
     write = _write_quickly if np.size(state) < LARGE else _write_thoroughly
     return write(system, state, t, unit, order)
 
 
-def _write_orders(system: AbstractSystem, state: Array, t: Array, unit: Array, order: int) -> Array:
-    """Return the coefficients by operations that are written out for each order."""
+def _write_orders(system: AbstractSystem, state: Array, t: Array, unit: Array, order: int) -> tuple[Array, Array]:
+    """Return coefficients and ``changes`` by operations that are written out for each order."""
     recurrence = _Recurrence(system, state, t, unit, order)
     for k in range(1, order):
         recurrence.advance(k)
-    return jnp.stack(recurrence.series[recurrence.state])
+    return jnp.stack(recurrence.series[recurrence.state]), recurrence.changes(order)
 
 
-def _write_loop(system: AbstractSystem, state: Array, t: Array, unit: Array, order: int) -> Array:
-    """Return the coefficients by a loop over orders, which adds zeros too, but compiles many times faster."""
+def _write_loop(system: AbstractSystem, state: Array, t: Array, unit: Array, order: int) -> tuple[Array, Array]:
+    """Return coefficients and ``changes`` by a loop over orders, which adds zeros too, but compiles much faster."""
     recurrence = _Recurrence(system, state, t, unit, order)
     series, unrolled = recurrence.series, recurrence.unrolled
     others = [None if unrolled.is_moving(place) else value for place, value in enumerate(series)]
@@ -131,7 +138,9 @@ def _write_loop(system: AbstractSystem, state: Array, t: Array, unit: Array, ord
         recurrence.advance(k)
         return {place: recurrence.series[place] for place in kept}
 
-    return jax.lax.fori_loop(1, order, advance, kept)[recurrence.state]
+    kept = jax.lax.fori_loop(1, order, advance, kept)
+    recurrence.series = [kept.get(place, value) for place, value in enumerate(others)]
+    return kept[recurrence.state], recurrence.changes(order)
 
 
 class _Recurrence:
@@ -158,6 +167,21 @@ class _Recurrence:
             if step.rule is not None and not isinstance(step.rule, Affine):
                 places.update(step.results, (step.arguments[k] for k in step.moving))
         return places
+
+    def changes(self, order: int) -> Array:
+        """Return bounds of how arguments of roots, logarithms and exponentials change, as parts of what they may.
+
+        The k-th of an argument's row is of its coefficient of order k; see ``kernel_series.bound_change``.
+        """
+        found = []
+        for step in self.unrolled.steps:
+            of_root, of_exponential = is_bounded(step)
+            if of_root or of_exponential:
+                series = self.series[step.arguments[0]]
+                sizes = jnp.abs(jnp.stack(series[:order]) if isinstance(series, list) else series[:order])
+                most = MOST_EXPONENT if of_exponential else (1.0 - LEFT_OF_ROOT) * sizes[0]
+                found.append(jnp.max((sizes / most).reshape(order, -1), axis=1).at[0].set(0.0))
+        return jnp.stack(found) if found else jnp.zeros((0, order))
 
     def advance(self, k: Any) -> None:
         """Compute the coefficients of an order, and those of the state of the next one."""
@@ -210,8 +234,10 @@ def run_arrays(
     states[0] = state
     now, sample, steps = Place(first, np.asarray(state), 1.0) if place is None else place, 1, 0
     while sample < len(times):
-        series, unit, h = _fit_series(system, now, forth, order, reach, abs(last - now.time), scale)
-        h = _short(min(h, longest))
+        left = abs(last - now.time)
+        series, changes, unit, h = _fit_series(system, now, forth, order, reach, left, scale)
+        h = min(h, longest)
+        h = _short(_bound_changes(changes, min(h, left), unit) if len(changes) else h)
         later = now.time + forth * h
         if not h > SHORTEST * abs(now.time):
             return ArrayRun(states, math.nan, steps, now)
@@ -227,12 +253,12 @@ def run_arrays(
 
 def _fit_series(
     system: AbstractSystem, now: Place, forth: float, order: int, reach: float, left: float, scale: Any
-) -> tuple[Array, float, float]:
-    """Return the coefficients by a unit of time that fits them, the unit, and the length of a step [s]."""
-    unit, lowered, series, length = now.unit, False, np.zeros(0), math.nan
+) -> tuple[Array, Array, float, float]:
+    """Return coefficients and ``changes`` by a unit of time that fits them, the unit, and the length of a step [s]."""
+    unit, lowered, series, changes, length = now.unit, False, np.zeros(0), np.zeros(0), math.nan
     for _ in range(UNITS):
-        series = coefficients(system, now.state, np.float64(now.time), np.float64(forth * unit), order)
-        series = np.asarray(series)
+        times = np.float64(now.time), np.float64(forth * unit)
+        series, changes = map(np.asarray, _coefficients_and_changes(system, now.state, *times, order))
         with np.errstate(all="ignore"):
             sizes = np.array([np.max(np.abs(series[k]) / scale) for k in (0, order - 2, order - 1, order)])
             start, lasts = max(float(sizes[0]), FLOOR), sizes[1:]
@@ -244,7 +270,16 @@ def _fit_series(
             unit = min(unit * 2.0**16, 2.0 * _power_of_two(left))
         else:
             break
-    return series, unit, length * unit
+    return series, changes, unit, length * unit
+
+
+def _bound_changes(changes: Array, h: float, unit: float) -> float:
+    """Return a step, h at most, in which arguments of roots, logarithms and exponentials change by what they may."""
+    powers = np.arange(changes.shape[1])
+    with np.errstate(all="ignore"):
+        while h > 0.0 and not np.max(changes @ (h / unit) ** powers) <= 1.0:
+            h *= 0.5
+    return h
 
 
 def _at(series: Array, h: float) -> Array:
