@@ -178,8 +178,10 @@ class Trajectory(Plotted):
         Raises:
             InvalidInput: for other words, and for an exact motion along given axes, whose moments say these.
 
+        >>> import numpy as np
         >>> import polhode as ph
-        >>> read = ph.Trajectory([0.0, 1.0], np.zeros((2, 0)), angular_velocity=np.array([[0.0, 0.0, 2.0]] * 2))
+        >>> turning = np.array([[0.0, 0.0, 2.0], [0.0, 0.0, 2.0]])
+        >>> read = ph.Trajectory(np.array([0.0, 1.0]), turning, angular_velocity=turning)
         >>> box = ph.shapes.box(1.0, (0.1, 0.2, 0.3))  # whose moments descend along x, y, z
         >>> read.with_frame(box.frame).along("principal").angular_velocity[0].tolist()
         [2.0, 0.0, 0.0]
