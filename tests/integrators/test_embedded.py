@@ -196,12 +196,34 @@ def test_an_event_that_ceases_to_be_a_number_ends_the_motion_there(stepper):
         (lambda t, y: y[:1], None, r"in its shape; got shape \(1,\) for \(2,\)"),
         (lambda t, y: y[0], None, r"in its shape; got shape \(\)"),
         (lambda t, y: 1j * y, None, "complex rates of change of a real state"),
-        (None, lambda t, y: y[:1], r"one number at a time and a state; end has shape \(1,\)"),
+        (None, lambda t, y: y[:1], r"event 'end' must be one real number at a time and a state.*got shape \(1,\)"),
+        (None, lambda t, y: y[0] < 0.5, "got one of type bool. Give what is compared instead"),
+        (None, lambda t, y: y[0] + 1j, "got one of type complex128"),
+        (None, lambda t, y: None, "got None. Write it with jax.numpy"),
+        (None, lambda t, y: jnp.log(-y[0]), "number at the start; end is NaN there. Start where"),
     ],
 )
 def test_rates_and_events_of_a_wrong_form_are_refused(rates, event, words, stepper):
     with pytest.raises(InvalidInput, match=words):
         ph.simulate(Decaying(rates, event), [1.0, 2.0], [0.0, 1.0], stepper)
+
+
+class Listed(Decaying):
+    """One whose event has no name."""
+
+    @property
+    def events(self) -> Any:
+        return [self.event]
+
+
+@pytest.mark.parametrize(
+    "run",
+    [ph.simulate, ph.solve, lambda system, *given: ph.section(system, given[0], lambda t, y: y[0] - 0.5, given[1])],
+    ids=["simulate", "solve", "section"],
+)
+def test_events_without_names_are_refused(run):
+    with pytest.raises(InvalidInput, match=r"`events` of Listed must be functions .*, {name: function}; got \["):
+        run(Listed(event=lambda t, y: y[0] - 0.5), jnp.asarray([1.0]), [0.0, 1.0])
 
 
 @pytest.mark.sweep

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 import jax.numpy as jnp
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, Double, Float64
 
@@ -36,11 +39,38 @@ def distances(system: AbstractSystem, t: Float64[Array, ""], state: Double[Array
     """Return the system's events at a state, positive until their zero.
 
     Raises:
-        InvalidInput: for an event that is not one number.
+        InvalidInput: for events that are not functions by name, or one that is not one real number.
     """
-    values = {name: event(t, state) for name, event in system.events.items()}
-    for name, value in values.items():
-        if jnp.shape(value) != ():
-            shape = jnp.shape(value)
-            raise InvalidInput(f"an event must be one number at a time and a state; {name} has shape {shape}.")
-    return jnp.stack(list(values.values()))
+    events = system.events
+    if not isinstance(events, Mapping) or not all(map(callable, events.values())):
+        raise InvalidInput(
+            f"`events` of {type(system).__name__} must be functions of time and state by name, {{name: function}}; got "
+            f"{shown(events)}."
+        )
+    return jnp.stack([one_number(f"the event {shown(name)}", event(t, state)) for name, event in events.items()])
+
+
+def one_number(what: str, value: Any) -> Float64[Array, ""]:
+    """Return the value, at a time and a state, of a function whose zeros are sought.
+
+    Args:
+        what: subject of the message.
+        value: as the user's function gives it.
+
+    Raises:
+        InvalidInput: for what is not one real number, as comparisons are none.
+    """
+    rule = f"{what} must be one real number at a time and a state, whose zeros are sought; got"
+    try:
+        number = jnp.asarray(value)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"{rule} {shown(value)}. Write it with jax.numpy.") from None
+    if number.shape != ():
+        raise InvalidInput(f"{rule} shape {number.shape}. Choose one component, as state[0], or put them together.")
+    constant = isinstance(value, int) and not isinstance(value, bool)
+    if not constant and not jnp.issubdtype(number.dtype, jnp.floating):
+        raise InvalidInput(
+            f"{rule} one of type {number.dtype}. Give what is compared instead, as state[0] - 0.5 for state[0] > 0.5; "
+            "of complex numbers the real or the imaginary part."
+        )
+    return number.astype(float)
