@@ -15,7 +15,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import integrators
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
@@ -44,6 +44,7 @@ from polhode.solving import (
     turning_rates,
 )
 from polhode.systems._agreement import check_agreement, moves_by_generator
+from polhode.systems._checks import advancing_times
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.systems.trajectories import make_trajectory
 from polhode.types import Array, ArrayLike, Bool, Real
@@ -135,7 +136,7 @@ def simulate(
     """
     if not isinstance(system, AbstractSystem):
         raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
-    state, times = system.check_state(state), _check_times(times)
+    state, times = system.check_state(state), advancing_times(times)
     if 0 in np.shape(state):
         raise InvalidInput(f"`state` has no copies to move; got shape {np.shape(state)}. Give at least one.")
     for name, value, unit in (("step", step, " time [s]"), ("tolerance", tolerance, " number")):
@@ -401,17 +402,3 @@ def _meter(wanted: Any) -> Any:
     if wanted is None or isinstance(wanted, bool | np.bool_):
         return diffrax.TqdmProgressMeter() if wanted else None
     return wanted
-
-
-def _check_times(times: Array) -> np.ndarray:
-    refuse_single_precision(times=times)
-    try:
-        values = np.asarray(times, dtype=float)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"`times` must be numbers [s]; got {shown(times)}.") from None
-    if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all():
-        raise InvalidInput(f"`times` must be at least two finite times (T,); got shape {values.shape}.")
-    gaps = np.sign(np.diff(values))
-    if not (gaps * gaps[0] > 0).all():
-        raise InvalidInput("`times` must advance in one direction, without repetitions.")
-    return values
