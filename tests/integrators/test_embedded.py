@@ -195,6 +195,9 @@ def test_an_event_that_ceases_to_be_a_number_ends_the_motion_there(stepper):
     [
         (lambda t, y: y[:1], None, r"in its shape; got shape \(1,\) for \(2,\)"),
         (lambda t, y: y[0], None, r"in its shape; got shape \(\)"),
+        (lambda t, y: [y[1], -y[0]], None, r"array; got a list. Join the rates by jnp.stack\(\[…\]\), in .* \(2,\)"),
+        (lambda t, y: [y[1], -t * y[0]], None, "as an array; got a list"),
+        (lambda t, y: None, None, "as an array; got a NoneType. Return the rates, in the state's shape"),
         (lambda t, y: 1j * y, None, "complex rates of change of a real state"),
         (None, lambda t, y: y[:1], r"event 'end' must be one real number at a time and a state.*got shape \(1,\)"),
         (None, lambda t, y: y[0] < 0.5, "got one of type bool. Give what is compared instead"),

@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from typing import Any
 
 import jax.numpy as jnp
+import numpy as np
 
+from polhode.arrays import is_jax
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, Double, Float64
@@ -18,9 +20,15 @@ def rates_of_change(
     """Return the rates of change of a state (*shape), without broadcasting or dropped imaginary parts.
 
     Raises:
-        InvalidInput: for rates of another shape, or complex rates of a real state.
+        InvalidInput: for what is no array, rates of another shape, or complex rates of a real state.
     """
     field = system.vector_field(t, state)
+    if not (is_jax(field) or isinstance(field, np.ndarray | np.generic | float | int | complex)):
+        remedy = "Join the rates by jnp.stack([…])" if isinstance(field, list | tuple) else "Return the rates"
+        raise InvalidInput(
+            f"`vector_field` of {type(system).__name__} must give the rates of change of a state as an array; got a "
+            f"{type(field).__name__}. {remedy}, in the state's shape {jnp.shape(state)}."
+        )
     shape, wanted = jnp.shape(field), jnp.shape(state)
     if shape != wanted:
         raise InvalidInput(
