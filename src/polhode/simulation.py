@@ -45,6 +45,7 @@ from polhode.solving import (
 )
 from polhode.systems._agreement import check_agreement, moves_by_generator
 from polhode.systems._checks import advancing_times
+from polhode.systems._forms import check_finite_rates
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.systems.trajectories import make_trajectory
 from polhode.types import Array, ArrayLike, Bool, Real
@@ -233,6 +234,8 @@ def _by_adaptive_steps(
         error = np.full(np.shape(motion.successful), np.inf)
     elif asked.estimate_error and not (asked.throw and not np.all(motion.successful)):
         error = adaptive_error(named, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
+    if asked.throw and not np.all(motion.successful):
+        check_finite_rates(system, times[0], state)
     return _finish(system, type(solver).__name__, motion, error, asked.throw)
 
 
@@ -252,6 +255,8 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
                                  asked.memory)  # fmt: skip
         known = asked.estimate_error and bool(np.any(motion.successful))
         error = series_error(named, method, state, times, motion, asked.step, asked.tolerance) if known else None
+    if asked.throw and not np.all(motion.successful):
+        check_finite_rates(system, times[0], state)
     if by_default and not np.all(motion.successful):
         raise NoSeries("its motion comes to a singularity.", ~np.ravel(motion.successful))
     trajectory = _finish(system, type(method).__name__, motion, error, asked.throw)
@@ -316,6 +321,7 @@ def _by_equal_steps(
         method = eqx.tree_at(lambda solver: solver.system, method, system)
     rates = _rates(system, state, times)
     if not np.isfinite(rates).all():
+        check_finite_rates(system, times[0], state)
         raise InvalidInput(
             f"`state` is too large: the rate of turning of {type(system).__name__} at it overflows. "
             "Choose units in which it is nearer to one."

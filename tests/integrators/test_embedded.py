@@ -15,7 +15,7 @@ import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.integrators import _embedded as embedded
 from polhode.integrators._sampled import sample_motion
-from polhode.motion._outcome import Status
+from polhode.motion._outcome import Ending, Status
 from polhode.systems import AbstractSystem
 from sweeping import first
 
@@ -209,6 +209,32 @@ def test_an_event_that_ceases_to_be_a_number_ends_the_motion_there(stepper):
 def test_rates_and_events_of_a_wrong_form_are_refused(rates, event, words, stepper):
     with pytest.raises(InvalidInput, match=words):
         ph.simulate(Decaying(rates, event), [1.0, 2.0], [0.0, 1.0], stepper)
+
+
+@pytest.mark.parametrize(
+    ("rates", "states", "words"),
+    [
+        (lambda t, y: jnp.log(y), [1.0, -1.0], r"`vector_field` of Decaying must be finite .*; got \[0.0, nan\]"),
+        (lambda t, y: jnp.sqrt(y) * t, [1.0, -1.0], r"at the start; got \[0.0, nan\] at 0 s. Start elsewhere"),
+        (lambda t, y: 1.0 / y, [1.0, 0.0], r"got \[1.0, inf\]"),
+        (lambda t, y: jnp.abs(y) / jnp.abs(y), [1.0, 0.0], r"got \[1.0, nan\]"),
+        (lambda t, y: jnp.log(y), [[1.0, 1.0], [1.0, -1.0]], r"at the start in 1 of 2 copies, first \(1,\); got"),
+    ],
+)
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+def test_rates_that_are_no_numbers_at_the_start_are_refused(rates, states, words):
+    with pytest.raises(InvalidInput, match=words):
+        ph.simulate(Decaying(rates), states, [0.0, 1.0])
+
+
+def test_rates_that_are_no_numbers_at_the_start_are_refused_by_each_method(stepper):
+    system = Decaying(lambda t, y: jnp.log(y))
+    with pytest.raises(InvalidInput, match="must be finite at the start"):
+        ph.simulate(system, [-1.0], [0.0, 1.0], stepper)
+    with pytest.raises(InvalidInput, match="must be finite at the start"):
+        ph.section(system, [-1.0], lambda t, y: y[0], [0.0, 1.0])
+    found = ph.simulate(system, [-1.0], [0.0, 1.0], stepper, throw=False)
+    assert found.outcome.ending is Ending.NOT_CONVERGED
 
 
 class Listed(Decaying):

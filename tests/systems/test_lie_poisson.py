@@ -13,6 +13,7 @@ import polhode as ph
 from polhode import algebra as lie
 from polhode import systems
 from polhode.errors import InvalidInput
+from polhode.integrators import LieMidpoint
 from polhode.integrators import _equal_steps as equal_steps
 from polhode.systems import LiePoisson
 from specimens import ALGEBRAS, SYSTEMS, named
@@ -97,6 +98,14 @@ def test_every_system_and_algebra_has_the_hash_of_its_contents(specimen):
 
 def test_other_moments_have_another_hash():
     assert hash(ph.systems.FreeRigidBody((1.0, 2.0, 3.0))) != hash(ph.systems.FreeRigidBody((1.0, 2.0, 2.5)))
+
+
+@pytest.mark.parametrize("method", [None, LieMidpoint])
+def test_a_gradient_that_is_no_number_at_the_start_is_named(method):
+    system = LiePoisson(lie.SO3(), lambda L: jnp.sqrt(L[0] - 1.0))
+    words = r"`velocity`, the gradient of the energy, of LiePoisson must be finite at the start; got \[nan, 0.0, 0.0\]"
+    with pytest.raises(InvalidInput, match=words):
+        ph.simulate(system, MOMENTUM, TIMES, method)
 
 
 @pytest.mark.parametrize("algebra", [each for each in ALGEBRAS if each.element_rule], ids=lambda each: each.name)

@@ -14,7 +14,7 @@ from polhode.integrators._adaptive import check_events
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators._series import check_sizes
 from polhode.motion._outcome import Status
-from polhode.systems._forms import one_number
+from polhode.systems._forms import check_finite_rates, one_number
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import choose_precision, find_crossings
@@ -100,6 +100,7 @@ def section(
                 f"contain {error}. Simulate it with close samples instead, and look for changes of sign."
             ) from None
     if crossings.status == Status.NOT_CONVERGED:
+        check_finite_rates(system, ends[0], start)
         raise NotConverged(
             f"the motion of {type(system).__name__} runs into a singularity before {ends[1]:g} s. Give an earlier last "
             "time."

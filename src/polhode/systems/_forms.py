@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterator, Mapping
 from typing import Any
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import is_jax
+from polhode.arrays import compiled_for_few_calls, is_jax
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractSystem
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64
+
+LARGE = 1e150  # squares of larger numbers overflow
 
 
 def rates_of_change(
@@ -41,6 +45,36 @@ def rates_of_change(
             "`check_state` so that states are complex."
         )
     return jnp.asarray(field)
+
+
+def check_finite_rates(system: AbstractSystem, t: float, state: Double[Array, "..."]) -> None:
+    """Refuse states (batch…, …) from which nothing can move, as their rates of change are not finite.
+
+    States so large that their squares overflow are left to others.
+    """
+    batch = jnp.shape(state)[: jnp.ndim(state) - system.state_axes]
+    if np.abs(np.asarray(state)).max(initial=0.0) > LARGE:
+        return
+    for what, function in _rates_by_name(system):
+        each = function
+        for _ in batch:
+            each = jax.vmap(each, (None, 0))
+        rates = np.asarray(compiled_for_few_calls(each)(jnp.asarray(float(t)), jnp.asarray(state)))
+        wrong = np.argwhere(~np.isfinite(rates.reshape(*batch, -1)).all(axis=-1))
+        if len(wrong):
+            which = f" in {len(wrong)} of {math.prod(batch)} copies, first {tuple(wrong[0].tolist())}" if batch else ""
+            raise InvalidInput(
+                f"{what} of {type(system).__name__} must be finite at the start{which}; got "
+                f"{shown(rates[tuple(wrong[0])].tolist())} at {t:g} s. Start elsewhere, or write it so that it is "
+                "finite there: no root or logarithm of what is negative, no division by zero."
+            )
+
+
+def _rates_by_name(system: AbstractSystem) -> Iterator[tuple[str, Any]]:
+    """Yield functions of time and state that a motion takes its rates from, with what they are called."""
+    if isinstance(system, AbstractLiePoissonSystem):
+        yield "`velocity`, the gradient of the energy,", lambda t, state: system.velocity(system.parts(state).point)
+    yield "`vector_field`", lambda t, state: rates_of_change(system, t, state)
 
 
 def distances(system: AbstractSystem, t: Float64[Array, ""], state: Double[Array, "..."]) -> Float64[Array, "events"]:
