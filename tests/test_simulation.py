@@ -4,6 +4,7 @@ import functools
 import warnings
 
 import diffrax
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -203,3 +204,12 @@ def test_what_cannot_go_on_is_refused():
     ):
         with pytest.raises(InvalidInput, match=words):
             ph.simulate(body, (0.1, 1.0, 0.3), (0.0, 0.4, 0.7, 1.0), **given)
+
+
+def test_derivatives_of_simulate_by_what_a_function_encloses_say_so():
+    def last(rate):
+        system = systems.LiePoisson(lie.SO3(), lambda L: rate * L[2] ** 2 + L[0] ** 2)
+        return ph.simulate(system, MOMENTUM, TIMES).states[-1, 0]
+
+    with pytest.raises(InvalidInput, match="given to `simulate` must not enclose a number that JAX traces"):
+        jnp.asarray(jax.grad(last)(0.7))

@@ -19,6 +19,7 @@ from polhode.arrays import in_jax_numpy, is_traced, is_tracing, refuse_single_pr
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import TOLERANCE
+from polhode.integrators._enclosed import refuse_derivatives_by_enclosed
 from polhode.integrators._sampled import Observe, Sampled, as_floats, sample_by_either_mode
 from polhode.integrators._series import Taylor, is_series
 from polhode.integrators._series_operation import series_solution
@@ -76,6 +77,7 @@ class Solution(NamedTuple):
     memory: Memory | None = None
 
 
+@refuse_derivatives_by_enclosed
 def solve(
     system: AbstractSystem,
     state: Real[ArrayLike, "..."],
