@@ -74,7 +74,6 @@ def test_an_event_ends_the_search():
     ({"surface": lambda t, point: point[0] > 0.0, "direction": "either"}, "got one of type bool"),
     ({"surface": lambda t, point: point[0] + 1j}, "the real or the imaginary part"),
     ({"surface": lambda t, point: None}, "got None. Write it with jax.numpy"),
-    ({"surface": 3.0}, "`surface` must be a function of time and state; got 3.0"),
     ({"surface": lambda t, point: jnp.log(point[0] - 9.0)}, "`surface` must be a finite number.*got nan at the start"),
 ])  # fmt: skip
 def test_what_makes_no_section(change, said):

@@ -137,9 +137,9 @@ class AbstractLieAlgebra(HashableModule):
         """Return the element x with δF = ⟨δμ, x⟩ from a function's partial derivatives as JAX gives them."""
         return gradient
 
-    def project(self, element: Double[Array, "..."]) -> Double[Array, "..."]:
+    def project(self, matrix: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return the part of any array (…, *element_shape) that lies in the dual."""
-        return element if self._is_filled else self.from_dual_vector(self.to_dual_vector(element))
+        return matrix if self._is_filled else self.from_dual_vector(self.to_dual_vector(matrix))
 
     def batch_shape(self, value: ArrayLike) -> tuple[int, ...]:
         """Return the leading axes of an array of elements.

@@ -89,8 +89,8 @@ class DualNumbers(AbstractLieAlgebra):
         w, theta = (self.algebra.from_dual_vector(half) for half in jnp.split(jnp.asarray(vector), 2, axis=-1))
         return self._join(theta, w)
 
-    def project(self, element: Double[Array, "..."]) -> Double[Array, "..."]:
-        return self.algebra.project(element)  # which is linear: that of each part
+    def project(self, matrix: Double[Array, "..."]) -> Double[Array, "..."]:
+        return self.algebra.project(matrix)  # which is linear: that of each part
 
     def from_gradient(self, gradient: Double[Array, "..."]) -> Double[Array, "..."]:
         # dF/dΘ pairs with x₁, dF/dW with x₀

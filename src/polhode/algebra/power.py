@@ -132,8 +132,8 @@ class Power(AbstractLieAlgebra):
         values = self._split(vector)
         return self.algebra.from_dual_vector(values if self.weights is None else values / self.weights[..., None])
 
-    def project(self, element: Double[Array, "..."]) -> Double[Array, "..."]:
-        return self.algebra.project(element)
+    def project(self, matrix: Double[Array, "..."]) -> Double[Array, "..."]:
+        return self.algebra.project(matrix)
 
     def from_gradient(self, gradient: Double[Array, "..."]) -> Double[Array, "..."]:
         element = self.algebra.from_gradient(gradient)

@@ -86,8 +86,8 @@ def advancing_times(value: Real[ArrayLike, "time"]) -> Float64[np.ndarray, "time
     if (wrong := np.flatnonzero(~(gaps * (gaps[0] or 1.0) > 0))).size:
         before, here = times[wrong[0] : wrong[0] + 2].tolist()
         raise InvalidInput(
-            f"`times` must advance in one direction, without repetitions; got {here!r} after {before!r} at index "
-            f"{wrong[0] + 1}. Sort them, and leave out what stands twice."
+            f"`times` must advance in one direction, without repetitions; got {shown(here)} after {shown(before)} at "
+            f"index {wrong[0] + 1}. Sort them, and leave out what stands twice."
         )
     return times
 

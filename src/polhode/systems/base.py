@@ -330,7 +330,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         state = as_finite_state(state, self.algebra.dtype)
         if self.parts(state).attitude is not None:
             return check_unit_attitude(state)
-        return check_on_dual(self.algebra, state) if self.algebra.element_rule else state
+        return _check_on_dual(self.algebra, state) if self.algebra.element_rule else state
 
     @property
     def carries_attitude(self) -> bool:
@@ -385,7 +385,7 @@ def check_unit_attitude(state: Float64[Array, "*batch n"]) -> Float64[Array, "*b
     return state
 
 
-def check_on_dual(algebra: AbstractLieAlgebra, state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
+def _check_on_dual(algebra: AbstractLieAlgebra, state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
     """Return points of an algebra's dual.
 
     Raises:
@@ -399,8 +399,8 @@ def check_on_dual(algebra: AbstractLieAlgebra, state: Double[Array, "*shape"]) -
     if off > OUTSIDE:
         raise InvalidInput(
             f"`state` must lie on the dual of {algebra.name}, whose points are {algebra.element_rule}; an entry is off "
-            f"by {off:.3g} of the largest. Take the part there by `system.algebra.project(state)`, or make a state by "
-            "`system.algebra.from_dual_vector(coordinates)`."
+            f"by {off:.3g} of the largest. Take the part there by `project(state)` of the algebra, or make a state "
+            "by its `from_dual_vector(coordinates)`."
         )
     return state
 
