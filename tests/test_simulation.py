@@ -4,6 +4,7 @@ import functools
 import warnings
 
 import diffrax
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -146,7 +147,9 @@ def test_as_dataset_and_netcdf(tmp_path):
         (lambda: ph.simulate(body, START, ["a", "b"]), "must be numbers"),
         (lambda: systems.BodyInPotential(MOMENTS, lambda up: up), "real scalar"),
         (lambda: systems.BodyInPotential(MOMENTS, lambda up: np.sin(up[2])), "jax.numpy"),
-        (lambda: ph.simulate(body, START, [0.0, 1.0, 0.5]), "one direction"),
+        (lambda: ph.simulate(body, START, [0.0, 1.0, 0.5]), "one direction.*; got 0.5 after 1.0 at index 2. Sort them"),
+        (lambda: ph.simulate(body, START, [1.0, 1.0]), "got 1.0 after 1.0 at index 1"),
+        (lambda: ph.simulate(body, START, [0.0, np.nan]), r"`times` must be finite \[s\]; got nan at index 1"),
         (lambda: ph.simulate(body, START, TIMES, step=0.0), "`step` must be a positive"),
         (lambda: ph.simulate(body, START, TIMES, step=-1.0), "`step` must be a positive"),
         (lambda: ph.simulate(body, START, TIMES, step=np.nan), "`step` must be a positive"),
@@ -201,3 +204,12 @@ def test_what_cannot_go_on_is_refused():
     ):
         with pytest.raises(InvalidInput, match=words):
             ph.simulate(body, (0.1, 1.0, 0.3), (0.0, 0.4, 0.7, 1.0), **given)
+
+
+def test_derivatives_of_simulate_by_what_a_function_encloses_say_so():
+    def last(rate):
+        system = systems.LiePoisson(lie.SO3(), lambda L: rate * L[2] ** 2 + L[0] ** 2)
+        return ph.simulate(system, MOMENTUM, TIMES).states[-1, 0]
+
+    with pytest.raises(InvalidInput, match="given to `simulate` must not enclose a number that JAX traces"):
+        jnp.asarray(jax.grad(last)(0.7))

@@ -257,7 +257,9 @@ def test_traced_numbers_that_make_no_sense_give_none():
         ({"method": ADAPTIVE, "save": ph.Fold(lambda v, t, x: v, 0.0)}, "as a Fold goes with"),
         ({"save": 0}, "every how many-th"),
         ({"save": 9}, "1 to 8; got 9"),
-        ({"times": [0.0, 1.0, 0.5]}, "one direction"),
+        ({"times": [0.0, 1.0, 0.5]}, "one direction.*; got 0.5 after 1.0 at index 2"),
+        ({"times": [0.0, np.inf]}, "must be finite .*; got inf at index 1"),
+        ({"times": ["a", "b"]}, "must be numbers"),
         ({"times": [[0.0, 1.0]]}, "at least two times"),
         ({"state": np.ones(5)}, r"shape \(…, 3\)"),
         ({"method": Splitting(BODY, jnp.asarray(0.1)), "step": 0.1}, "made with its own"),
@@ -312,3 +314,57 @@ def test_the_memory_of_another_method_is_refused():
         ph.solve(system, state, TIMES, method, 0.05, order=2, memory=memory)
     with pytest.raises(InvalidInput, match="start over"):
         ph.solve(BODY, START, TIMES, ADAPTIVE, memory=memory)
+
+
+class Turning(AbstractSystem):
+    """A circle, at a rate that a function of the state gives."""
+
+    rate: Any
+
+    def vector_field(self, t: Any, state: Any) -> Any:
+        return self.rate(state) * jnp.stack([state[1], -state[0]])
+
+    def invariants(self, state: Any) -> dict[str, Any]:
+        return {}
+
+
+def turned(rate, method, enclosed):
+    """Return cos 2r; the rate r is a variable of the function, or its argument."""
+    function = (lambda state: rate) if enclosed else jax.tree_util.Partial(lambda rate, state: rate, rate)
+    return ph.solve(Turning(function), jnp.array([1.0, 0.0]), [0.0, 2.0], method).end_state[0]
+
+
+def spun(rate, method, enclosed):
+    """The same of two components that turn about the third."""
+    energy = lambda rate, L: rate * L[2] + 0.0 * L[0]  # noqa: E731
+    function = (lambda L: energy(rate, L)) if enclosed else jax.tree_util.Partial(energy, rate)
+    system = systems.LiePoisson(ph.algebra.SO3(), function)
+    return ph.solve(system, jnp.array([1.0, 0.0, 0.3]), [0.0, 2.0], method).end_state[0]
+
+
+BY = {"grad": jax.grad, "jacfwd": jax.jacfwd, "jit of grad": lambda f: jax.jit(jax.grad(f)),
+      "grad of jit": lambda f: jax.grad(jax.jit(f)),
+      "grad of vmap": lambda f: jax.grad(lambda x: jax.vmap(f)(x * jnp.ones(2))[0])}  # fmt: skip
+
+
+@pytest.mark.long_cases("jacfwd", "jit of grad", "grad of jit", "grad of vmap")
+@pytest.mark.parametrize("by", BY)
+@pytest.mark.parametrize(
+    ("end", "method"),
+    [(turned, ADAPTIVE), (turned, ph.integrators.Taylor), (spun, LieMidpoint), (spun, ph.integrators.Taylor)],
+    ids=["adaptive", "Taylor", "equal steps", "Taylor on a dual"],
+)
+def test_derivatives_by_what_a_function_encloses_are_refused(end, method, by):
+    """They would be without the part that goes by the function."""
+    with pytest.raises(InvalidInput, match=r"must not enclose a number that JAX traces.*Partial\(function"):
+        BY[by](lambda rate: end(rate, method, True))(0.7)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("end", "method"), [(turned, ADAPTIVE), (spun, LieMidpoint)], ids=["adaptive", "equal steps"])
+def test_values_may_depend_on_what_a_function_encloses(end, method):
+    """Compiled, or one of a batch."""
+    close = 1e-3 if end is spun else 1e-10
+    for rate in (jax.jit, jax.vmap)[: 2 if end is spun else 1]:
+        found = rate(lambda rate: end(rate, method, True))(0.7 * jnp.ones((2,) if rate is jax.vmap else ()))
+        assert np.abs(found - np.cos(1.4)).max() < close

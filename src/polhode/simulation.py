@@ -15,7 +15,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import integrators
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
@@ -44,6 +44,8 @@ from polhode.solving import (
     turning_rates,
 )
 from polhode.systems._agreement import check_agreement, moves_by_generator
+from polhode.systems._checks import advancing_times
+from polhode.systems._forms import check_finite_rates
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.systems.trajectories import make_trajectory
 from polhode.types import Array, ArrayLike, Bool, Real
@@ -135,7 +137,7 @@ def simulate(
     """
     if not isinstance(system, AbstractSystem):
         raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
-    state, times = system.check_state(state), _check_times(times)
+    state, times = system.check_state(state), advancing_times(times)
     if 0 in np.shape(state):
         raise InvalidInput(f"`state` has no copies to move; got shape {np.shape(state)}. Give at least one.")
     for name, value, unit in (("step", step, " time [s]"), ("tolerance", tolerance, " number")):
@@ -232,6 +234,8 @@ def _by_adaptive_steps(
         error = np.full(np.shape(motion.successful), np.inf)
     elif asked.estimate_error and not (asked.throw and not np.all(motion.successful)):
         error = adaptive_error(named, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
+    if asked.throw and not np.all(motion.successful):
+        check_finite_rates(system, times[0], state)
     return _finish(system, type(solver).__name__, motion, error, asked.throw)
 
 
@@ -251,6 +255,8 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
                                  asked.memory)  # fmt: skip
         known = asked.estimate_error and bool(np.any(motion.successful))
         error = series_error(named, method, state, times, motion, asked.step, asked.tolerance) if known else None
+    if asked.throw and not np.all(motion.successful):
+        check_finite_rates(system, times[0], state)
     if by_default and not np.all(motion.successful):
         raise NoSeries("its motion comes to a singularity.", ~np.ravel(motion.successful))
     trajectory = _finish(system, type(method).__name__, motion, error, asked.throw)
@@ -315,6 +321,7 @@ def _by_equal_steps(
         method = eqx.tree_at(lambda solver: solver.system, method, system)
     rates = _rates(system, state, times)
     if not np.isfinite(rates).all():
+        check_finite_rates(system, times[0], state)
         raise InvalidInput(
             f"`state` is too large: the rate of turning of {type(system).__name__} at it overflows. "
             "Choose units in which it is nearer to one."
@@ -401,17 +408,3 @@ def _meter(wanted: Any) -> Any:
     if wanted is None or isinstance(wanted, bool | np.bool_):
         return diffrax.TqdmProgressMeter() if wanted else None
     return wanted
-
-
-def _check_times(times: Array) -> np.ndarray:
-    refuse_single_precision(times=times)
-    try:
-        values = np.asarray(times, dtype=float)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"`times` must be numbers [s]; got {shown(times)}.") from None
-    if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all():
-        raise InvalidInput(f"`times` must be at least two finite times (T,); got shape {values.shape}.")
-    gaps = np.sign(np.diff(values))
-    if not (gaps * gaps[0] > 0).all():
-        raise InvalidInput("`times` must advance in one direction, without repetitions.")
-    return values

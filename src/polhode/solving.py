@@ -19,6 +19,7 @@ from polhode.arrays import in_jax_numpy, is_traced, is_tracing, refuse_single_pr
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import TOLERANCE
+from polhode.integrators._enclosed import refuse_derivatives_by_enclosed
 from polhode.integrators._sampled import Observe, Sampled, as_floats, sample_by_either_mode
 from polhode.integrators._series import Taylor, is_series
 from polhode.integrators._series_operation import series_solution
@@ -26,6 +27,7 @@ from polhode.integrators._step_results import Memory
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps
 from polhode.motion._outcome import Status
 from polhode.systems._agreement import MOMENTS_OF_TIME, moves_by_generator
+from polhode.systems._checks import advancing_times
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.taylor.runs import choose_precision
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
@@ -75,6 +77,7 @@ class Solution(NamedTuple):
     memory: Memory | None = None
 
 
+@refuse_derivatives_by_enclosed
 def solve(
     system: AbstractSystem,
     state: Real[ArrayLike, "..."],
@@ -170,13 +173,11 @@ def _check(system: AbstractSystem, state: Array, times: Array) -> tuple[Array, A
         state = system.check_state(state)
     elif isinstance(system, AbstractLiePoissonSystem):
         system.parts(state)
-    times = jnp.asarray(times, float) if is_traced(times) else np.asarray(times, float)
+    if not is_traced(times):
+        return state, advancing_times(times)
+    times = jnp.asarray(times, float)
     if times.ndim != 1 or len(times) < 2:
         raise InvalidInput(f"`times` must be at least two times (T,); got shape {times.shape}.")
-    if not is_traced(times):
-        gaps = np.diff(times)
-        if not (np.isfinite(gaps).all() and (gaps * np.sign(gaps[0]) > 0.0).all()):
-            raise InvalidInput("`times` must be finite and advance in one direction, without repetitions.")
     return state, times
 
 

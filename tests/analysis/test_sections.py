@@ -69,6 +69,12 @@ def test_an_event_ends_the_search():
     ({"state": 1e-200 * MOMENTUM}, "`state` must be of a size within"),
     ({"most": 0}, "`most` must be a positive whole number"),
     ({"surface": lambda t, point: jnp.floor(point[0]) - 0.5}, "needs Taylor series, .* Simulate it with close samples"),
+    ({"surface": lambda t, point: point}, r"`surface` must be one real number .*got shape \(3,\). Choose"),
+    ({"surface": lambda t, point: point[0] > 0.0}, "got one of type bool. Give what is compared instead"),
+    ({"surface": lambda t, point: point[0] > 0.0, "direction": "either"}, "got one of type bool"),
+    ({"surface": lambda t, point: point[0] + 1j}, "the real or the imaginary part"),
+    ({"surface": lambda t, point: None}, "got None. Write it with jax.numpy"),
+    ({"surface": lambda t, point: jnp.log(point[0] - 9.0)}, "`surface` must be a finite number.*got nan at the start"),
 ])  # fmt: skip
 def test_what_makes_no_section(change, said):
     given = {"state": MOMENTUM, "surface": lambda t, point: point[0], "times": SPAN} | change

@@ -15,7 +15,7 @@ import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.integrators import _embedded as embedded
 from polhode.integrators._sampled import sample_motion
-from polhode.motion._outcome import Status
+from polhode.motion._outcome import Ending, Status
 from polhode.systems import AbstractSystem
 from sweeping import first
 
@@ -195,13 +195,64 @@ def test_an_event_that_ceases_to_be_a_number_ends_the_motion_there(stepper):
     [
         (lambda t, y: y[:1], None, r"in its shape; got shape \(1,\) for \(2,\)"),
         (lambda t, y: y[0], None, r"in its shape; got shape \(\)"),
+        (lambda t, y: [y[1], -y[0]], None, r"array; got a list. Join the rates by jnp.stack\(\[…\]\), in .* \(2,\)"),
+        (lambda t, y: [y[1], -t * y[0]], None, "as an array; got a list"),
+        (lambda t, y: None, None, "as an array; got a NoneType. Return the rates, in the state's shape"),
         (lambda t, y: 1j * y, None, "complex rates of change of a real state"),
-        (None, lambda t, y: y[:1], r"one number at a time and a state; end has shape \(1,\)"),
+        (None, lambda t, y: y[:1], r"event 'end' must be one real number at a time and a state.*got shape \(1,\)"),
+        (None, lambda t, y: y[0] < 0.5, "got one of type bool. Give what is compared instead"),
+        (None, lambda t, y: y[0] + 1j, "got one of type complex128"),
+        (None, lambda t, y: None, "got None. Write it with jax.numpy"),
+        (None, lambda t, y: jnp.log(-y[0]), "number at the start; end is NaN there. Start where"),
     ],
 )
 def test_rates_and_events_of_a_wrong_form_are_refused(rates, event, words, stepper):
     with pytest.raises(InvalidInput, match=words):
         ph.simulate(Decaying(rates, event), [1.0, 2.0], [0.0, 1.0], stepper)
+
+
+@pytest.mark.parametrize(
+    ("rates", "states", "words"),
+    [
+        (lambda t, y: jnp.log(y), [1.0, -1.0], r"`vector_field` of Decaying must be finite .*; got \[0.0, nan\]"),
+        (lambda t, y: jnp.sqrt(y) * t, [1.0, -1.0], r"at the start; got \[0.0, nan\] at 0 s. Start elsewhere"),
+        (lambda t, y: 1.0 / y, [1.0, 0.0], r"got \[1.0, inf\]"),
+        (lambda t, y: jnp.abs(y) / jnp.abs(y), [1.0, 0.0], r"got \[1.0, nan\]"),
+        (lambda t, y: jnp.log(y), [[1.0, 1.0], [1.0, -1.0]], r"at the start in 1 of 2 copies, first \(1,\); got"),
+    ],
+)
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+def test_rates_that_are_no_numbers_at_the_start_are_refused(rates, states, words):
+    with pytest.raises(InvalidInput, match=words):
+        ph.simulate(Decaying(rates), states, [0.0, 1.0])
+
+
+def test_rates_that_are_no_numbers_at_the_start_are_refused_by_each_method(stepper):
+    system = Decaying(lambda t, y: jnp.log(y))
+    with pytest.raises(InvalidInput, match="must be finite at the start"):
+        ph.simulate(system, [-1.0], [0.0, 1.0], stepper)
+    with pytest.raises(InvalidInput, match="must be finite at the start"):
+        ph.section(system, [-1.0], lambda t, y: y[0], [0.0, 1.0])
+    found = ph.simulate(system, [-1.0], [0.0, 1.0], stepper, throw=False)
+    assert found.outcome.ending is Ending.NOT_CONVERGED
+
+
+class Listed(Decaying):
+    """One whose event has no name."""
+
+    @property
+    def events(self) -> Any:
+        return [self.event]
+
+
+@pytest.mark.parametrize(
+    "run",
+    [ph.simulate, ph.solve, lambda system, *given: ph.section(system, given[0], lambda t, y: y[0] - 0.5, given[1])],
+    ids=["simulate", "solve", "section"],
+)
+def test_events_without_names_are_refused(run):
+    with pytest.raises(InvalidInput, match=r"`events` of Listed must be functions .*, {name: function}; got \["):
+        run(Listed(event=lambda t, y: y[0] - 0.5), jnp.asarray([1.0]), [0.0, 1.0])
 
 
 @pytest.mark.sweep

@@ -218,6 +218,17 @@ def test_gradients_come_back_along_the_motion(backs):
     assert backs == [True]
 
 
+@pytest.mark.long_cases("jit", "vmap")
+@pytest.mark.parametrize("of", [lambda g: g, jax.jit, lambda g: lambda x: jax.vmap(g)(jnp.stack([x, 2.0 * x]))[0]],
+                         ids=["grad", "jit", "vmap"])  # fmt: skip
+def test_gradients_of_a_system_without_numbers_of_its_own(of, backs):
+    """A Hamiltonian that is a function with its moments inside leaves nothing but the start to differentiate by."""
+    body = systems.LiePoisson(ph.algebra.SO3(), lambda L: 0.5 * jnp.sum(L**2 / jnp.array([1.0, 2.0, 3.0])))
+    found = of(jax.grad(lambda x: ph.solve(body, x, [0.0, 5.0], Taylor).end_state[0]))(START)
+    wanted = jax.grad(lambda x: exact(MOMENTS, x)[-1, 0])(START)
+    assert np.abs(found - wanted).max() < 1e-13 * np.abs(wanted).max() and all(backs) and backs
+
+
 @pytest.mark.long
 def test_gradients_of_a_batch_whose_system_all_share(backs):
     starts = jnp.stack([START, 3.0 * START, jnp.array([0.0, 0.0, 2.0])])  # the last one stands still

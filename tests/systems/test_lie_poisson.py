@@ -1,5 +1,6 @@
 """A Hamiltonian as data: what is compiled serves again, and methods can be jitted."""
 
+import re
 from typing import Any
 
 import equinox as eqx
@@ -10,6 +11,9 @@ import pytest
 
 import polhode as ph
 from polhode import algebra as lie
+from polhode import systems
+from polhode.errors import InvalidInput
+from polhode.integrators import LieMidpoint
 from polhode.integrators import _equal_steps as equal_steps
 from polhode.systems import LiePoisson
 from specimens import ALGEBRAS, SYSTEMS, named
@@ -94,3 +98,36 @@ def test_every_system_and_algebra_has_the_hash_of_its_contents(specimen):
 
 def test_other_moments_have_another_hash():
     assert hash(ph.systems.FreeRigidBody((1.0, 2.0, 3.0))) != hash(ph.systems.FreeRigidBody((1.0, 2.0, 2.5)))
+
+
+@pytest.mark.parametrize("method", [None, LieMidpoint])
+def test_a_gradient_that_is_no_number_at_the_start_is_named(method):
+    system = LiePoisson(lie.SO3(), lambda L: jnp.sqrt(L[0] - 1.0))
+    words = r"`velocity`, the gradient of the energy, of LiePoisson must be finite at the start; got \[nan, 0.0, 0.0\]"
+    with pytest.raises(InvalidInput, match=words):
+        ph.simulate(system, MOMENTUM, TIMES, method)
+
+
+@pytest.mark.parametrize("algebra", [each for each in ALGEBRAS if each.element_rule], ids=lambda each: each.name)
+def test_states_off_the_dual_are_refused(algebra):
+    """Alone and in a batch; what is rounded to single precision, or to eight digits, passes."""
+    rng = np.random.default_rng(3)
+    system = LiePoisson(algebra, lambda mu: jnp.sum(jnp.abs(mu) ** 2))
+    states = np.asarray(algebra.from_dual_vector(jnp.asarray(rng.normal(size=(2, algebra.dim)))))
+    single = states.astype("complex64" if np.iscomplexobj(states) else "float32").astype(states.dtype)
+    for fine in (states, single, np.round(states, 8), 1e300 * states, 1e-300 * states, 0.0 * states):
+        np.testing.assert_array_equal(system.check_state(fine), fine)
+    wrong = rng.normal(size=states.shape) + (1j * rng.normal(size=states.shape) if np.iscomplexobj(states) else 0.0)
+    np.testing.assert_allclose(system.check_state(algebra.project(jnp.asarray(wrong))), algebra.project(wrong))
+    for off in (wrong[0], np.stack([states[0], wrong[1]]), states[0] + 1e-4 * wrong[0]):
+        with pytest.raises(InvalidInput, match=r"off by [\d.e-]+ of the largest. Take the part there by") as found:
+            system.check_state(off)
+        assert algebra.element_rule in str(found.value) and algebra.name in str(found.value)
+
+
+@pytest.mark.parametrize(
+    ("system", "shape"), [(systems.Manakov((1.0, 2.0, 3.0, 4.0)), (4, 4)), (systems.SphereFluid(5), (5, 5))]
+)
+def test_motions_of_matrices_start_on_the_dual(system, shape):
+    with pytest.raises(InvalidInput, match=f"must lie on the dual of {re.escape(system.algebra.name)}"):
+        ph.simulate(system, np.random.default_rng(0).normal(size=shape), [0.0, 3.0])

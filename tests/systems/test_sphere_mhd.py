@@ -202,7 +202,7 @@ def test_energies_add_up_and_maps_show_the_functions():
      (lambda: SphereMHD(8).from_harmonics({(8, 0): 1.0}, {}), "`vorticity`.*1 ≤ l < 8"),
      (lambda: SphereMHD(8).from_harmonics({}, {(2, 0): 1j}), "`potential`.*real for m = 0"),
      (lambda: SphereMHD(8).random([0.0, 1.0], [0.0, -1.0]), "`magnetic`"),
-     (lambda: lie.DualNumbers(lie.SO3()).project(jnp.zeros((2, 3))), "not matrices")],
+     (lambda: lie.DualNumbers(lie.SO3()).odd_part(jnp.zeros((2, 3))), "not matrices")],
 )  # fmt: skip
 def test_what_is_refused(call, said):
     with pytest.raises(InvalidInput, match=said):

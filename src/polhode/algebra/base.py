@@ -9,6 +9,7 @@ Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, ch. 9, 13.
 from __future__ import annotations
 
 import abc
+import math
 from functools import cached_property
 from typing import Any
 
@@ -70,6 +71,17 @@ class AbstractLieAlgebra(HashableModule):
         return ()
 
     @property
+    def element_rule(self) -> str:
+        """What arrays of ``element_shape`` are in the algebra, as "antisymmetric"; empty where all of them are."""
+        return "" if self._is_filled else f"combinations of the {self.dim} of a basis"
+
+    @property
+    def _is_filled(self) -> bool:
+        """Whether every array of an element's shape is one."""
+        parts = 2 if jnp.issubdtype(self.dtype, jnp.complexfloating) else 1
+        return parts * math.prod(self.element_shape) == self.dim
+
+    @property
     def body_parts(self) -> tuple[StatePart, ...]:
         """The parts of a point of the dual for a rigid body, whose attitude is in the group; else empty."""
         return ()
@@ -124,6 +136,10 @@ class AbstractLieAlgebra(HashableModule):
     def from_gradient(self, gradient: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return the element x with δF = ⟨δμ, x⟩ from a function's partial derivatives as JAX gives them."""
         return gradient
+
+    def project(self, matrix: Double[Array, "..."]) -> Double[Array, "..."]:
+        """Return the part of any array (…, *element_shape) that lies in the dual."""
+        return matrix if self._is_filled else self.from_dual_vector(self.to_dual_vector(matrix))
 
     def batch_shape(self, value: ArrayLike) -> tuple[int, ...]:
         """Return the leading axes of an array of elements.

@@ -52,6 +52,10 @@ class DualNumbers(AbstractLieAlgebra):
         return f"DualNumbers({self.algebra.name})"
 
     @property
+    def element_rule(self) -> str:
+        return self.algebra.element_rule
+
+    @property
     def casimir_names(self) -> tuple[str, ...]:
         names = self.algebra.casimir_names
         return (*names, *(f"d {name}" for name in names))
@@ -85,6 +89,9 @@ class DualNumbers(AbstractLieAlgebra):
         w, theta = (self.algebra.from_dual_vector(half) for half in jnp.split(jnp.asarray(vector), 2, axis=-1))
         return self._join(theta, w)
 
+    def project(self, matrix: Double[Array, "..."]) -> Double[Array, "..."]:
+        return self.algebra.project(matrix)  # which is linear: that of each part
+
     def from_gradient(self, gradient: Double[Array, "..."]) -> Double[Array, "..."]:
         # dF/dΘ pairs with x₁, dF/dW with x₀
         by_theta, by_w = self._split(gradient)
@@ -116,10 +123,6 @@ class DualNumbers(AbstractLieAlgebra):
         return self._lift(self.algebra.cayley_change, x, mu)
 
     # ------------------------------------------------------------------ of matrices, by products
-
-    def project(self, matrix: Double[Array, "..."]) -> Double[Array, "..."]:
-        """Return the part of pairs of matrices (…, 2, n, n) that lies in the algebra."""
-        return self._lift(self._of_matrices("project"), matrix)
 
     def odd_part(self, matrix: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return the part of pairs of matrices (…, 2, n, n) in the algebra, but for the trace."""

@@ -45,7 +45,7 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
 
     @abc.abstractmethod
     def project(self, matrix: Element) -> Element:
-        """Return the part of any matrix (…, size, size) that lies in the algebra."""
+        """Return the part of any matrix (…, size, size) that lies in the algebra, and so in its dual."""
 
     @property
     def size(self) -> int:
@@ -178,6 +178,10 @@ class AbstractOrthogonalAlgebra(AbstractMatrixAlgebra):
         basis[own, rows, columns] = -self.form[rows] * self.form[columns]
         return basis
 
+    @property
+    def element_rule(self) -> str:
+        return "matrices x with xᵀη + ηx = 0, η = diag({})".format(", ".join(f"{x:g}" for x in self.form))
+
     def project(self, matrix: Element) -> Element:
         return self.odd_part(matrix)
 
@@ -218,6 +222,10 @@ class SO(AbstractOrthogonalAlgebra):
     @property
     def form(self) -> Float64[np.ndarray, "n"]:
         return np.ones(self.n)
+
+    @property
+    def element_rule(self) -> str:
+        return "antisymmetric matrices"
 
     @property
     def _pfaffian_name(self) -> str:
@@ -261,6 +269,10 @@ class SU(AbstractMatrixAlgebra):
             matrices.append(np.diag([-0.5j] * k + [0.5j * k] + [0.0] * (self.n - k - 1)))
         return np.array(matrices)
 
+    @property
+    def element_rule(self) -> str:
+        return "antihermitian matrices without a trace"
+
     def project(self, matrix: Element) -> Element:
         return traceless(self.odd_part(matrix))
 
@@ -299,6 +311,10 @@ class SL(AbstractMatrixAlgebra):
         matrices = [units[i, j] for i in range(self.n) for j in range(self.n) if i != j]
         matrices += [np.diag([1.0] * k + [-float(k)] + [0.0] * (self.n - k - 1)) for k in range(1, self.n)]
         return np.array(matrices)
+
+    @property
+    def element_rule(self) -> str:
+        return "matrices without a trace"
 
     def project(self, matrix: Element) -> Element:
         return traceless(matrix)
@@ -354,6 +370,10 @@ class Sp(AbstractMatrixAlgebra):
                     one[row + i, column + j] = one[row + j, column + i] = 1.0
                     matrices.append(one)
         return np.array(matrices)
+
+    @property
+    def element_rule(self) -> str:
+        return "matrices [[a, b], [c, −aᵀ]] with symmetric b and c"
 
     def project(self, matrix: Element) -> Element:
         return self.odd_part(matrix)

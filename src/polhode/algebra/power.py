@@ -93,6 +93,10 @@ class Power(AbstractLieAlgebra):
         return f"{self.algebra.name}^{'×'.join(map(str, self.shape))}"
 
     @property
+    def element_rule(self) -> str:
+        return self.algebra.element_rule
+
+    @property
     def casimir_names(self) -> tuple[str, ...]:
         return tuple(f"{name} of {k}" for k in range(self.copies) for name in self.algebra.casimir_names)
 
@@ -127,6 +131,9 @@ class Power(AbstractLieAlgebra):
     def from_dual_vector(self, vector: Float64[Array, "... {self.dim}"]) -> Double[Array, "..."]:
         values = self._split(vector)
         return self.algebra.from_dual_vector(values if self.weights is None else values / self.weights[..., None])
+
+    def project(self, matrix: Double[Array, "..."]) -> Double[Array, "..."]:
+        return self.algebra.project(matrix)
 
     def from_gradient(self, gradient: Double[Array, "..."]) -> Double[Array, "..."]:
         element = self.algebra.from_gradient(gradient)

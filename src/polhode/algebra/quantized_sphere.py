@@ -99,6 +99,10 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         values = self.spectrum(x)
         return (values[..., -1] - values[..., 0]) / self.hbar
 
+    @property
+    def element_rule(self) -> str:
+        return "antihermitian matrices without a trace"
+
     def project(self, matrix: Element) -> Element:
         return traceless(self.odd_part(matrix))
 

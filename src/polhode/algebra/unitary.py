@@ -39,6 +39,10 @@ class U(AbstractMatrixAlgebra):
         centre = -0.5j * np.eye(self.n)[None]
         return np.concatenate([SU(self.n).basis, centre]) if self.n > 1 else centre
 
+    @property
+    def element_rule(self) -> str:
+        return "antihermitian matrices"
+
     def project(self, matrix: Element) -> Element:
         return self.odd_part(matrix)
 

@@ -21,6 +21,7 @@ from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 SHARE = math.exp(-1.3)  # of the disc in which a series is bounded, that a step reaches: the least work
+LARGEST_SLOPE = 1e150  # of the rates of change; squares of larger ones overflow
 LOOKED = 400  # places of the motion at which its growth is estimated beforehand
 SPARE = 8.0  # e-folds by which a proof may be worse than that estimate
 WIDENED = 1.25  # of a box, from one trial to the next
@@ -323,6 +324,13 @@ def _look_ahead(
     forth = 1.0 if times[-1] > times[0] else -1.0
     J = forth * np.stack([np.asarray(slopes(jnp.asarray(t), jnp.asarray(x))) for t, x in zip(path, flat, strict=True)])
     largest = np.abs(flat).max() or 1.0
+    wrong = ~(np.abs(J).max(axis=(1, 2)) < LARGEST_SLOPE)
+    if wrong.any():
+        here, before = path[np.argmax(wrong)], path[max(np.argmax(wrong) - 1, 0)]
+        raise NotConverged(
+            f"the rates of change of {type(system).__name__} have no finite derivative at {here:g} s: up to "
+            f"{before:g} s they have. Give an earlier last time, before the motion comes to a singularity."
+        )
 
     def growth(w: Array) -> float:
         scaled = J * w[None, None, :] / w[None, :, None]

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import compiled_for_few_calls, known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._adaptive import check_events
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators._series import check_sizes
 from polhode.motion._outcome import Status
+from polhode.systems._forms import check_finite_rates, one_number
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import choose_precision, find_crossings
@@ -85,6 +87,7 @@ def section(
     if not (isinstance(most, int) and most > 0):
         raise InvalidInput(f"`most` must be a positive whole number; got {shown(most)}.")
     check_sizes(np.asarray(start)[None])
+    _check_surface(surface, ends[0], start)
     check_events(system, ends[0], start)
     through = surface if direction != "rising" else _negative(surface)
     with keep_interrupts() as check:
@@ -97,12 +100,26 @@ def section(
                 f"contain {error}. Simulate it with close samples instead, and look for changes of sign."
             ) from None
     if crossings.status == Status.NOT_CONVERGED:
+        check_finite_rates(system, ends[0], start)
         raise NotConverged(
             f"the motion of {type(system).__name__} runs into a singularity before {ends[1]:g} s. Give an earlier last "
             "time."
         )
     event = tuple(system.events)[crossings.event] if crossings.status == Status.EVENT else None
     return Section(crossings.times, crossings.states, crossings.end, event)
+
+
+def _check_surface(surface: Any, t: float, start: Double[Array, "..."]) -> None:
+    """Refuse what is not a function of time and state with one real number at the start."""
+    if not callable(surface):
+        raise InvalidInput(f"`surface` must be a function of time and state; got {shown(surface)}.")
+    value = compiled_for_few_calls(lambda t, state: one_number("`surface`", surface(t, state)))
+    at_start = float(value(jnp.asarray(t), jnp.asarray(start)))
+    if not np.isfinite(at_start):
+        raise InvalidInput(
+            f"`surface` must be a finite number along the motion; got {at_start} at the start. Begin where it is one, "
+            "or write it otherwise, as a product for a quotient."
+        )
 
 
 def _negative(surface: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:

@@ -17,6 +17,10 @@ from polhode.types import Array, ArrayLike, Float64
 CALLED = frozenset({"jax", "jaxlib", "numpy", "scipy", "equinox", "diffrax", "optimistix", "lineax", "beartype",
                     "jaxtyping", "contextlib", "functools", "typing", "inspect"})  # fmt: skip
 """Packages between polhode's code, or a user's, and an error."""
+ENCLOSED = (
+    "must not enclose a number that JAX traces, as a variable of a lambda: no derivative goes by it. Make it a field "
+    "of the system, or give jax.tree_util.Partial(function, number) instead of the function."
+)
 Parameters = ParamSpec("Parameters")
 Result = TypeVar("Result")
 
@@ -205,9 +209,11 @@ def in_jax_numpy(what: str) -> Iterator[None]:
     except TypeError as error:
         import jax
 
+        place = _own_place(error)
+        if _is_of_enclosed(error, place):
+            raise InvalidInput(f"{what} {ENCLOSED}") from error
         if not isinstance(error, jax.errors.JAXTypeError):
             raise
-        place = _own_place(error)
         if place is not None:
             raise InvalidInput(
                 f"JAX cannot compile what polhode does at {place}. If one of the {what} is a function of NumPy itself, "
@@ -218,6 +224,17 @@ def in_jax_numpy(what: str) -> Iterator[None]:
             f"{what} must be written with jax.numpy, as JAX compiles and differentiates them: no NumPy, `float` or "
             "`if` on what depends on the state or the time. Write jnp.sum for np.sum, and jnp.where for `if`."
         ) from error
+
+
+def _is_of_enclosed(error: TypeError, place: str | None) -> bool:
+    """Whether an error is about a traced number from outside of what JAX compiles, which a function encloses."""
+    import jax
+
+    said = str(error)
+    if "No constant handler for type" in said and "Tracer" in said:
+        return True
+    # of a number of its own JAX adds in which function it is traced
+    return isinstance(error, jax.errors.JAXTypeError) and place is not None and "while tracing the function" not in said
 
 
 def _own_place(error: BaseException) -> str | None:

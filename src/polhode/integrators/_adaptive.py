@@ -236,6 +236,11 @@ def check_events(system: AbstractSystem, t: float, state: Double[Array, "..."]) 
         past = np.argwhere(~(distance > 0.0))
         if len(past):
             which = f" in {len(past)} of {math.prod(batch)} copies, first {tuple(past[0].tolist())}," if batch else ""
+            if np.isnan(distance[tuple(past[0])]):
+                raise InvalidInput(
+                    f"an event must be a number at the start; {name} is NaN there{which.rstrip(',')}. Start where it "
+                    "is positive, or write it so that it is a number everywhere."
+                )
             raise InvalidInput(
                 f"`state` is{which} at or past the event that ends the motion: {name}. Start before it happens."
             )

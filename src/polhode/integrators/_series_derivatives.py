@@ -195,7 +195,7 @@ class Motion:
         if many or not self.comes_back or math.prod(asked) > math.prod(own):
             return self._by_columns(primals, weights)
         start, late, numbers, scales, weights = (
-            np.broadcast_to(x, (*asked, x.shape[-1])).reshape(-1, x.shape[-1]) for x in arguments
+            np.broadcast_to(x, (*asked, x.shape[-1])).reshape(math.prod(asked), x.shape[-1]) for x in arguments
         )
         cotangents = [np.full((len(start), size), np.nan) for size in self.inputs]
         good = np.ones(len(start), bool)
@@ -211,7 +211,7 @@ class Motion:
             rest = [x[~good] for x in (start, late, numbers, scales)]
             for x, part in zip(cotangents, self._by_columns(rest, weights[~good]), strict=True):
                 x[~good] = part
-        return tuple(x.reshape(*asked, -1) for x in cotangents)
+        return tuple(x.reshape(*asked, x.shape[-1]) for x in cotangents)
 
     def _by_columns(self, arguments: Any, weights: Array) -> tuple[Array, ...]:
         cotangents = np.einsum("...mn,...m->...n", self.jacobian(*arguments)[1], weights)

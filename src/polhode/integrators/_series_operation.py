@@ -8,14 +8,16 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.arrays import is_traced
 from polhode.arrays.elementwise import Elementwise
+from polhode.arrays.namespaces import ENCLOSED
 from polhode.errors import InvalidInput
 from polhode.integrators._series_derivatives import Sensitive, Skeleton, make_operation
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.machine import TRACING, Form
 from polhode.taylor.runs import Precision
-from polhode.taylor.structure import split_numbers
+from polhode.taylor.structure import Structure, split_numbers
 from polhode.types import Array, Double, Float64
 
 
@@ -66,11 +68,26 @@ def series_solution(
     try:
         operation = make_operation(Sensitive(skeleton, range(0)), len(times), precision, longest)
     except (Untraceable, *TRACING) as error:
+        if isinstance(error, TRACING) and _encloses_traced(structure, form):
+            raise InvalidInput(f"the functions of {name} {ENCLOSED}") from None
         raise InvalidInput(
             f"{name} has no Taylor series in its numbers, which `solve` needs: {str(error).splitlines()[0]}. Leave out "
             "`method`, or call `simulate`."
         ) from None
     return _place(system, skeleton, operation, state, times, parameters)
+
+
+def _encloses_traced(structure: Structure, form: Form) -> bool:
+    """Whether rates of change contain traced numbers that are no fields of the system."""
+
+    def rates(t: Any, numbers: Any, parameters: Any) -> Any:
+        return structure.with_numbers(parameters).vector_field(t, form.state(numbers))
+
+    shapes = [jax.ShapeDtypeStruct(shape, float) for shape in ((), (form.size,), (structure.size,))]
+    try:
+        return is_traced(*jax.make_jaxpr(rates)(*shapes).consts)
+    except TRACING:
+        return False
 
 
 def _place(

@@ -23,6 +23,7 @@ from jax.interpreters import partial_eval
 from polhode.arrays import compiled_quickly
 from polhode.errors import InvalidInput, shown
 from polhode.systems._component_sizes import component_sizes
+from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, ArrayLike, Double, Float64
 
@@ -209,7 +210,7 @@ class _Rates:
 
 @compiled_quickly
 def _evaluate(system: AbstractSystem, states: Array, times: Array) -> Array:
-    rates = jax.vmap(lambda t, y: system.vector_field(t, y))(jnp.asarray(times), jnp.asarray(states))
+    rates = jax.vmap(lambda t, y: rates_of_change(system, t, y))(jnp.asarray(times), jnp.asarray(states))
     rates = rates.reshape(times.shape[0], -1)
     return jnp.concatenate([rates.real, rates.imag], axis=-1) if jnp.iscomplexobj(rates) else rates
 

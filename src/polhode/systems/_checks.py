@@ -63,6 +63,35 @@ def checked_times(name: str, value: Real[ArrayLike, "..."]) -> np.ndarray:
     return times
 
 
+def advancing_times(value: Real[ArrayLike, "time"]) -> Float64[np.ndarray, "time"]:
+    """Return the `times` of a motion: at least two (T,) [s], which advance in one direction.
+
+    Raises:
+        InvalidInput: otherwise.
+    """
+    refuse_single_precision(times=value)
+    try:
+        times = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"`times` must be numbers [s]; got {shown(value)}. {_remedy(value)}".rstrip()) from None
+    if times.ndim != 1 or len(times) < 2:
+        raise InvalidInput(
+            f"`times` must be at least two times (T,), the first that of the start; got shape {times.shape}."
+        )
+    if (wrong := np.flatnonzero(~np.isfinite(times))).size:
+        raise InvalidInput(
+            f"`times` must be finite [s]; got {times[wrong[0]]} at index {wrong[0]}. Check where it comes from."
+        )
+    gaps = np.sign(np.diff(times))
+    if (wrong := np.flatnonzero(~(gaps * (gaps[0] or 1.0) > 0))).size:
+        before, here = times[wrong[0] : wrong[0] + 2].tolist()
+        raise InvalidInput(
+            f"`times` must advance in one direction, without repetitions; got {shown(here)} after {shown(before)} at "
+            f"index {wrong[0] + 1}. Sort them, and leave out what stands twice."
+        )
+    return times
+
+
 def checked_vector(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
     """Return three finite numbers as an array.
 

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-import jax.numpy as jnp
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
 
-from polhode.errors import InvalidInput
-from polhode.systems.base import AbstractSystem
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.arrays import compiled_for_few_calls, is_jax
+from polhode.errors import InvalidInput, shown
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64
+
+LARGE = 1e150  # squares of larger numbers overflow
 
 
 def rates_of_change(
@@ -15,9 +24,15 @@ def rates_of_change(
     """Return the rates of change of a state (*shape), without broadcasting or dropped imaginary parts.
 
     Raises:
-        InvalidInput: for rates of another shape, or complex rates of a real state.
+        InvalidInput: for what is no array, rates of another shape, or complex rates of a real state.
     """
     field = system.vector_field(t, state)
+    if not (is_jax(field) or isinstance(field, np.ndarray | np.generic | float | int | complex)):
+        remedy = "Join the rates by jnp.stack([…])" if isinstance(field, list | tuple) else "Return the rates"
+        raise InvalidInput(
+            f"`vector_field` of {type(system).__name__} must give the rates of change of a state as an array; got a "
+            f"{type(field).__name__}. {remedy}, in the state's shape {jnp.shape(state)}."
+        )
     shape, wanted = jnp.shape(field), jnp.shape(state)
     if shape != wanted:
         raise InvalidInput(
@@ -32,15 +47,72 @@ def rates_of_change(
     return jnp.asarray(field)
 
 
+def check_finite_rates(system: AbstractSystem, t: float, state: Double[Array, "..."]) -> None:
+    """Refuse states (batch…, …) from which nothing can move, as their rates of change are not finite.
+
+    States so large that their squares overflow are left to others.
+    """
+    batch = jnp.shape(state)[: jnp.ndim(state) - system.state_axes]
+    if np.abs(np.asarray(state)).max(initial=0.0) > LARGE:
+        return
+    for what, function in _rates_by_name(system):
+        each = function
+        for _ in batch:
+            each = jax.vmap(each, (None, 0))
+        rates = np.asarray(compiled_for_few_calls(each)(jnp.asarray(float(t)), jnp.asarray(state)))
+        wrong = np.argwhere(~np.isfinite(rates.reshape(*batch, -1)).all(axis=-1))
+        if len(wrong):
+            which = f" in {len(wrong)} of {math.prod(batch)} copies, first {tuple(wrong[0].tolist())}" if batch else ""
+            raise InvalidInput(
+                f"{what} of {type(system).__name__} must be finite at the start{which}; got "
+                f"{shown(rates[tuple(wrong[0])].tolist())} at {t:g} s. Start elsewhere, or write it so that it is "
+                "finite there: no root or logarithm of what is negative, no division by zero."
+            )
+
+
+def _rates_by_name(system: AbstractSystem) -> Iterator[tuple[str, Any]]:
+    """Yield functions of time and state that a motion takes its rates from, with what they are called."""
+    if isinstance(system, AbstractLiePoissonSystem):
+        yield "`velocity`, the gradient of the energy,", lambda t, state: system.velocity(system.parts(state).point)
+    yield "`vector_field`", lambda t, state: rates_of_change(system, t, state)
+
+
 def distances(system: AbstractSystem, t: Float64[Array, ""], state: Double[Array, "..."]) -> Float64[Array, "events"]:
     """Return the system's events at a state, positive until their zero.
 
     Raises:
-        InvalidInput: for an event that is not one number.
+        InvalidInput: for events that are not functions by name, or one that is not one real number.
     """
-    values = {name: event(t, state) for name, event in system.events.items()}
-    for name, value in values.items():
-        if jnp.shape(value) != ():
-            shape = jnp.shape(value)
-            raise InvalidInput(f"an event must be one number at a time and a state; {name} has shape {shape}.")
-    return jnp.stack(list(values.values()))
+    events = system.events
+    if not isinstance(events, Mapping) or not all(map(callable, events.values())):
+        raise InvalidInput(
+            f"`events` of {type(system).__name__} must be functions of time and state by name, {{name: function}}; got "
+            f"{shown(events)}."
+        )
+    return jnp.stack([one_number(f"the event {shown(name)}", event(t, state)) for name, event in events.items()])
+
+
+def one_number(what: str, value: Any) -> Float64[Array, ""]:
+    """Return the value, at a time and a state, of a function whose zeros are sought.
+
+    Args:
+        what: subject of the message.
+        value: as the user's function gives it.
+
+    Raises:
+        InvalidInput: for what is not one real number, as comparisons are none.
+    """
+    rule = f"{what} must be one real number at a time and a state, whose zeros are sought; got"
+    try:
+        number = jnp.asarray(value)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"{rule} {shown(value)}. Write it with jax.numpy.") from None
+    if number.shape != ():
+        raise InvalidInput(f"{rule} shape {number.shape}. Choose one component, as state[0], or put them together.")
+    constant = isinstance(value, int) and not isinstance(value, bool)
+    if not constant and not jnp.issubdtype(number.dtype, jnp.floating):
+        raise InvalidInput(
+            f"{rule} one of type {number.dtype}. Give what is compared instead, as state[0] - 0.5 for state[0] > 0.5; "
+            "of complex numbers the real or the imaginary part."
+        )
+    return number.astype(float)

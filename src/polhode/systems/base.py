@@ -14,7 +14,7 @@ import numpy as np
 from polhode import rotation
 from polhode.algebra._functions import Function
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import compiled_for_few_calls, known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import (
     ATTITUDE,
@@ -33,6 +33,7 @@ Components = tuple[Double[Array, "*shape"], ...]
 Flow = Callable[[Float64[Array, ""], Components], Components]
 Event = Callable[[Float64[Array, ""], Double[Array, "..."]], Float64[Array, ""]]
 UNIT = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
+OUTSIDE = 1e-6  # of a point's size, likewise: single precision leaves some 1e-7 of a trace
 
 
 class Parts(NamedTuple):
@@ -323,10 +324,13 @@ class AbstractLiePoissonSystem(AbstractSystem):
         """Return states as an array of the algebra's kind.
 
         Raises:
-            InvalidInput: for wrong shapes, values that are not finite, an attitude that is not a unit quaternion.
+            InvalidInput: for wrong shapes, values that are not finite, an attitude that is not a unit quaternion, and
+                matrices that do not lie on the algebra's dual.
         """
         state = as_finite_state(state, self.algebra.dtype)
-        return state if self.parts(state).attitude is None else check_unit_attitude(state)
+        if self.parts(state).attitude is not None:
+            return check_unit_attitude(state)
+        return _check_on_dual(self.algebra, state) if self.algebra.element_rule else state
 
     @property
     def carries_attitude(self) -> bool:
@@ -379,6 +383,31 @@ def check_unit_attitude(state: Float64[Array, "*batch n"]) -> Float64[Array, "*b
     if not np.all(np.abs(np.linalg.norm(np.asarray(state)[..., :4], axis=-1) - 1.0) < UNIT):
         raise InvalidInput("`state` must begin with a unit quaternion (w, x, y, z); divide it by its norm.")
     return state
+
+
+def _check_on_dual(algebra: AbstractLieAlgebra, state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
+    """Return points of an algebra's dual.
+
+    Raises:
+        InvalidInput: if one of them does not lie there.
+    """
+    own = tuple(range(-len(algebra.element_shape), 0))
+    points = np.asarray(state)
+    size = np.max(np.abs(points), axis=own, keepdims=True, initial=0.0)
+    points = points / np.where(size > 0.0, size, 1.0)  # sums of extreme sizes overflow
+    off = float(np.max(np.abs(points - np.asarray(_project(algebra, points))), initial=0.0))
+    if off > OUTSIDE:
+        raise InvalidInput(
+            f"`state` must lie on the dual of {algebra.name}, whose points are {algebra.element_rule}; an entry is off "
+            f"by {off:.3g} of the largest. Take the part there by `project(state)` of the algebra, or make a state "
+            "by its `from_dual_vector(coordinates)`."
+        )
+    return state
+
+
+@compiled_for_few_calls
+def _project(algebra: AbstractLieAlgebra, points: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
+    return algebra.project(points)
 
 
 def components(state: Double[Array, "*shape n"]) -> Components:

@@ -8,6 +8,7 @@ import jax.numpy as jnp
 
 from polhode.arrays import known_numbers_only, refuse_single_precision
 from polhode.errors import InvalidInput, shown
+from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem, Balance, Event
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
@@ -58,7 +59,7 @@ class Variations(AbstractSystem):
         axis = jnp.ndim(state) - self.state_axes
         own, *changes = jnp.moveaxis(state, axis, 0)
         # δ̇ = Df(x) δ: f is linearised once for all changes
-        rates, pushed = jax.linearize(lambda x: self.system.vector_field(t, x), own)
+        rates, pushed = jax.linearize(lambda x: rates_of_change(self.system, t, x), own)
         return jnp.moveaxis(jnp.concatenate([rates[None], jax.vmap(pushed)(jnp.stack(changes))]), 0, axis)
 
     def invariants(self, state: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:

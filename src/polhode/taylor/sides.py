@@ -195,6 +195,7 @@ class Branches:
         return [tuple(map(bool, row)) for row in signs]
 
 
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")  # what is no number tells no side
 def settle(
     branches_of: Callable[[Signs], Branches], y: Float64[np.ndarray, "copies n"], signs: list[Signs], crossed: Array,
     forth: float,

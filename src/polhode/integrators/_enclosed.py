@@ -1,0 +1,91 @@
+"""Refuses derivatives of motions by numbers that functions enclose, which would be wrong."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Any, ParamSpec, TypeVar
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax.custom_derivatives import SymbolicZero
+
+from polhode.arrays import is_traced
+from polhode.arrays.namespaces import ENCLOSED
+from polhode.errors import InvalidInput
+from polhode.systems.base import AbstractSystem
+
+Parameters = ParamSpec("Parameters")
+Result = TypeVar("Result")
+REMEMBERED = 256  # systems
+_plain: set[Any] = set()
+"""Those that are known to enclose no traced numbers, by their parts and shapes."""
+
+
+def refuse_derivatives_by_enclosed(solve: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
+    """Make a function of a system, whose result has an ``end_state``, refuse derivatives by what the system encloses.
+
+    Methods have derivatives of their own, by the state and the arrays of the system; to them what a function encloses
+    is a constant. Values, compiled or batched, may depend on it.
+    """
+
+    @functools.wraps(solve)
+    def guarded(*args: Parameters.args, **kwargs: Parameters.kwargs) -> Result:
+        solution = solve(*args, **kwargs)
+        system: Any = args[0] if args else kwargs["system"]
+        enclosed = _find_enclosed(system, solution)
+        return _guard(solution, enclosed, type(system).__name__) if enclosed else solution
+
+    return guarded
+
+
+def _find_enclosed(system: AbstractSystem, solution: Any) -> list[Any]:
+    """Return the traced numbers that a system's rates of change contain, and that are none of its arrays."""
+    end = solution.end_state
+    one = jax.ShapeDtypeStruct(end.shape[end.ndim - system.state_axes :], end.dtype)
+    arrays, rest = eqx.partition(system, lambda x: eqx.is_array(x) or isinstance(x, np.ndarray))
+    leaves, tree = jax.tree.flatten(rest)
+    key = tree, one, *leaves, *(x.shape for x in jax.tree.leaves(arrays))
+    try:
+        if key in _plain:
+            return []
+    except TypeError:  # a part that cannot be hashed
+        key = None
+
+    def rates(t: Any, state: Any, arrays: Any) -> Any:
+        return eqx.combine(arrays, rest).vector_field(t, state)
+
+    consts = jax.make_jaxpr(rates)(jnp.zeros(()), one, arrays).consts
+    found = [x for x in consts if is_traced(x)]
+    if key is not None and not found:
+        if len(_plain) >= REMEMBERED:
+            _plain.clear()
+        _plain.add(key)
+    return found
+
+
+def _guard(solution: Result, enclosed: list[Any], name: str) -> Result:
+    """Return the same, of which a derivative by what is enclosed raises."""
+    arrays, rest = eqx.partition(solution, eqx.is_inexact_array)
+
+    @jax.custom_jvp
+    def same(arrays: Any, enclosed: Any) -> Any:
+        return arrays
+
+    def rule(primals: Any, tangents: Any) -> tuple[Any, Any]:
+        if not all(isinstance(x, SymbolicZero) for x in jax.tree.leaves(tangents[1], is_leaf=_is_zero)):
+            raise InvalidInput(f"the functions of {name} {ENCLOSED}")
+        return primals[0], jax.tree.map(_as_array, tangents[0], is_leaf=_is_zero)
+
+    same.defjvp(rule, symbolic_zeros=True)
+    return eqx.combine(same(arrays, enclosed), rest)
+
+
+def _is_zero(tangent: Any) -> bool:
+    return isinstance(tangent, SymbolicZero)
+
+
+def _as_array(tangent: Any) -> Any:
+    return jnp.zeros(tangent.shape, tangent.dtype) if _is_zero(tangent) else tangent
