@@ -38,7 +38,8 @@ from polhode.taylor.program import Program
 LOADED = 0.1  # s that slower runs take before a kernel is loaded
 WRITTEN, LONGEST = 1e-3, 4000  # or code is written for each operation of a program, and the longest that it is for
 EXTENDED = 2  # for one copy with twice as many digits; other forms are named by how many copies they move at a time
-COMPILED = {1: 2.0, lanes.LANES: 6.0, EXTENDED: 3.0}  # or compiled
+# or compiled: as long as that takes, so that no run costs more than twice what the better choice would have
+COMPILED = {1: 10.0, lanes.LANES: 12.0, EXTENDED: 12.0}
 COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, kernel_zeros, kernel_invariants, kernel
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON),
            EXTENDED: (vectors, kernel_products, doubledouble, *COMMON, kernel_extended)}  # fmt: skip
