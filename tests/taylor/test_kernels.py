@@ -196,8 +196,8 @@ def test_a_kernel_is_taken_once_it_is_worth_it(monkeypatch):
     monkeypatch.setattr(kernels, "_is_on_disk", lambda width: False)
     one, eight = kernels.compile_kernel(1), kernels.compile_kernel(lanes.LANES)
     for by_python, one_by_one, copies, use in (
-        (0.0, 0.0, 100, kernels.python_kernel(1)), (1.9, 0.0, 1, kernels.python_kernel(1)), (2.1, 0.0, 100, one),
-        (2.1, 5.9, 100, one), (2.1, 6.1, 7, one), (2.1, 6.1, 8, eight),
+        (0.0, 0.0, 100, kernels.python_kernel(1)), (9.9, 0.0, 1, kernels.python_kernel(1)),
+        (10.1, 0.0, 100, one), (10.1, 11.9, 100, one), (10.1, 12.1, 7, one), (10.1, 12.1, 8, eight),
     ):  # fmt: skip
         monkeypatch.setattr(kernels._Spent, "by_python", by_python)
         monkeypatch.setattr(kernels._Spent, "one_by_one", one_by_one)

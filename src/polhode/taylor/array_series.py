@@ -168,7 +168,7 @@ class _Recurrence:
                 places.update(step.results, (step.arguments[k] for k in step.moving))
         return places
 
-    def changes(self, order: int) -> Array:
+    def changes(self, order: int) -> Float64[Array, "functions orders"]:
         """Return bounds of how arguments of roots, logarithms and exponentials change, as parts of what they may.
 
         The k-th of an argument's row is of its coefficient of order k; see ``kernel_series.bound_change``.
