@@ -13,7 +13,8 @@ import numpy as np
 from polhode.taylor import kernel_series
 from polhode.taylor.kernel_series import FLOOR, TOO_LARGE
 from polhode.taylor.kernel_space import Course, Lanes, Series
-from polhode.taylor.program import SIZE, SLOTS
+from polhode.taylor.kernel_zeros import ROUNDING
+from polhode.taylor.program import CONSTANT, FACTOR, FIRST, INDEX, SIZE, SLOTS, START
 from polhode.types import Array, Float64
 
 
@@ -48,6 +49,24 @@ def measure_coefficients(series: Series, lanes: Lanes, course: Course) -> None:
         sizes[5:9] = 0.0
 
 
+def expand_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> None:
+    """Set the Taylor coefficients of watched functions, in units of time."""
+    whole, number = rates.whole, rates.number
+    rows, n, count = _all_rows(rates, order), whole[SIZE], order + 1
+    to_t = np.full(count, forth) ** np.arange(count)
+    for w in range(lanes.p.shape[0]):
+        row, constant = whole[FIRST] + n + w, number[whole[CONSTANT] + n + w]
+        first, last = whole[whole[START] + row : whole[START] + row + 2]
+        value, size = np.zeros(count), 0.0
+        for q in range(first, last):
+            term = number[whole[FACTOR] + q] * rows[:, whole[whole[INDEX] + q]]
+            value, size = value + term, size + abs(term[0])
+        value = value * to_t
+        value[0] += constant
+        lanes.watched[w * count : (w + 1) * count] = value
+        lanes.terms[w] = ROUNDING * (size + abs(constant))
+
+
 def _evaluate(series: Series, order: int, h: Any) -> Float64[Array, "... n"]:
     rows = _rows(series, order)
     value = rows[order]
@@ -58,5 +77,10 @@ def _evaluate(series: Series, order: int, h: Any) -> Float64[Array, "... n"]:
 
 def _rows(series: Series, order: int) -> Float64[Array, "orders n"]:
     """Return the coefficients of the state."""
+    return _all_rows(series, order)[:, : series.whole[SIZE]]
+
+
+def _all_rows(series: Series, order: int) -> Float64[Array, "orders slots"]:
+    """Return the coefficients of all nodes."""
     width = int(series.whole[SLOTS])
-    return series.flat[: (order + 1) * width].reshape(order + 1, width)[:, : series.whole[SIZE]]
+    return series.flat[: (order + 1) * width].reshape(order + 1, width)
