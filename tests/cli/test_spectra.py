@@ -114,7 +114,7 @@ def test_a_dipole_for_atoms(run):
 
 
 @pytest.mark.parametrize(("arguments", "said"), [
-    (("lines", EXAMPLES / "water.xyz"), "no lines without one. Give it, like --dipole"),
+    (("lines", EXAMPLES / "water.xyz"), "without a dipole has no lines. Give one, like --dipole"),
     (("lines", EXAMPLES / "water.xyz", "--dipole", "1,2"), "--dipole must be three numbers"),
     (("lines", EXAMPLES / "formaldehyde.toml", "--from", "3"), "--from needs a unit"),
     (("lines", EXAMPLES / "formaldehyde.toml", "--from", "3 GHz", "--to", "2 GHz"), "must not be above --to"),
@@ -216,7 +216,7 @@ def test_mistakes_of_fits_and_exports(run, measured, tmp_path, monkeypatch):
         (("fit", path, measured, "--free", "A,,B"), "--free must be names"),
         (("fit", path, measured, "--out", measured), "is the file that is read"),
         (("export", EXAMPLES / "euler_disk.toml", "--to", "cat"), "there is no molecule"),
-        (("export", EXAMPLES / "water.toml", "--to", "cat"), "no lines without one"),
+        (("export", EXAMPLES / "water.toml", "--to", "cat"), "without a dipole has no lines"),
     ):  # fmt: skip
         told = run(*arguments, code="2")
         assert said in told.err.replace("\n│ ", "") and "Traceback" not in told.err

@@ -32,13 +32,13 @@ def refuse_derivatives_by_enclosed(solve: Callable[Parameters, Result]) -> Calla
     """
 
     @functools.wraps(solve)
-    def guarded(*args: Parameters.args, **kwargs: Parameters.kwargs) -> Result:
+    def solve_guarded(*args: Parameters.args, **kwargs: Parameters.kwargs) -> Result:
         solution = solve(*args, **kwargs)
         system: Any = args[0] if args else kwargs["system"]
         enclosed = _find_enclosed(system, solution)
         return _guard(solution, enclosed, type(system).__name__) if enclosed else solution
 
-    return guarded
+    return solve_guarded
 
 
 def _find_enclosed(system: AbstractSystem, solution: Any) -> list[Any]:

@@ -78,7 +78,7 @@ def series_solution(
 
 
 def _encloses_traced(structure: Structure, form: Form) -> bool:
-    """Whether rates of change contain traced numbers that are no fields of the system."""
+    """Whether rates of change contain traced numbers that are not fields of the system."""
 
     def rates(t: Any, numbers: Any, parameters: Any) -> Any:
         return structure.with_numbers(parameters).vector_field(t, form.state(numbers))

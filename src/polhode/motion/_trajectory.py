@@ -189,10 +189,9 @@ class Trajectory(Plotted):
         if along not in ("given", "principal"):
             raise InvalidInput(f'`along` must be "given" or "principal", the axes of the samples; got {shown(along)}.')
         if self.motion is not None and (along == "given" or self.axes is not None):
-            raise InvalidInput(
-                "the samples are of an exact motion, whose body is known. Make it by `from_body`, or, if its moments "
-                'are the body\'s, give along="principal".'
-            )
+            remedy = "Make the motion by `from_body`." if self.axes is not None else (
+                'Make it by `from_body`, or, if its moments are the body\'s, give along="principal".')  # fmt: skip
+            raise InvalidInput(f"the samples are of an exact motion, whose body is known. {remedy}")
         samples = self if self.frame is None else self.along(along)
         return replace(samples, frame=frame, axes=np.asarray(frame.axes) if along == "given" else None, given_axes=None)
 

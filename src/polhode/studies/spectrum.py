@@ -205,7 +205,7 @@ def spectrum_within(
         spec = _spec(molecule)
         asked = _apply_options(spec.kind.rotor(spec), kelvin, j_max, moment)
         if not asked.rotor.dipole.any():
-            raise InvalidInput("there is no dipole, and no lines without one. Give it, like `dipole=(0, 1.857, 0)`.")
+            raise InvalidInput("a molecule without a dipole has no lines. Give one, like `dipole=(0, 1.857, 0)`.")
         check_summable(asked)
         lines = asked.rotor.lines(asked.j_max, asked.temperature)
         partition = float(asked.rotor.partition_function(asked.temperature))

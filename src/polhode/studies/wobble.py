@@ -55,7 +55,7 @@ def wobble_report(
         series = read_polar_motion(None if series is None else Path(series))
     if not window > 0.0:
         raise InvalidInput(f"`window` must be a positive number of years; got {shown(window)}.")
-    used = _between(series, first, last)
+    used = _cut_between(series, first, last)
     pole = (used.days * DAY, used.x, used.y)
     line, process = fit_chandler(*pole), fit_chandler_process(*pole)
     period, quality = (float(value) for value in process.estimate.value)
@@ -64,7 +64,7 @@ def wobble_report(
                   euler_chain())  # fmt: skip
 
 
-def _between(series: PoleSeries, start: float | None, end: float | None) -> PoleSeries:
+def _cut_between(series: PoleSeries, start: float | None, end: float | None) -> PoleSeries:
     inside = (series.days >= (-1.0 if start is None else start)) & (series.days < (1e9 if end is None else end))
     if not inside.any():
         first, last = (format_day(float(series.days[k])) for k in (0, -1))

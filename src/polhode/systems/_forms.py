@@ -24,7 +24,7 @@ def rates_of_change(
     """Return the rates of change of a state (*shape), without broadcasting or dropped imaginary parts.
 
     Raises:
-        InvalidInput: for what is no array, rates of another shape, or complex rates of a real state.
+        InvalidInput: for rates that are not an array, rates of another shape, or complex rates of a real state.
     """
     field = system.vector_field(t, state)
     if not (is_jax(field) or isinstance(field, np.ndarray | np.generic | float | int | complex)):

@@ -26,7 +26,7 @@ class Series(NamedTuple):
         z: the same memory as the numbers that a kernel computes with.
         a, b: factors of products, where they are kept apart.
         code: address of ``straight_line`` code for the program, or 0.
-        bounded: arguments of functions whose change in a step is bounded, see ``Program.bounded``.
+        bounded: arguments of functions whose change in a step is bounded, see ``Program.bounded_arguments``.
     """
 
     whole: Integer[Array, "integers"]
@@ -156,7 +156,7 @@ def series_for(program: Program, orders: int, width: int, code: int = 0) -> Seri
     """Return room for so many orders of so many lanes; one copy alone keeps the factors of its products."""
     flat = _zeros((orders * program.slots + 8) * width)
     factors = orders * program.products + 8 if width == 1 else 0
-    return Series(*program, flat, flat, _zeros(factors), _zeros(factors), code, program.bounded)
+    return Series(*program, flat, flat, _zeros(factors), _zeros(factors), code, program.bounded_arguments)
 
 
 def exact_for(program: Program | None, numbers: Float64[Array, "numbers"], orders: int) -> Exact:

@@ -74,7 +74,7 @@ class Program(NamedTuple):
         return flags
 
     @property
-    def bounded(self) -> Integer[Array, "numbers"]:
+    def bounded_arguments(self) -> Integer[Array, "numbers"]:
         """Return how many roots, logarithms (0) and exponentials (1) there are, then each argument's slot, and kind."""
         kinds, count = self.operations, len(self.operations)
         arguments, numbers = self.whole[self.whole[ARGUMENT] :][:count], self.number[self.whole[NUMBER] :][:count]

@@ -15,7 +15,7 @@ def write(content: Content, path: Path) -> Path:
     molecule = content.rotor()
     lines = molecule.lines()
     if lines is None:
-        raise InvalidInput("there is no dipole, and no lines without one. Give it, like "
+        raise InvalidInput("a molecule without a dipole has no lines. Give one, like "
                            'dipole = ["0 D", "1.857 D", "0 D"].')  # fmt: skip
     write_cat(catalogue_of(lines, degrees=2 if molecule.rotor.is_linear else 3), path)
     return path
