@@ -160,7 +160,7 @@ def test_levels_and_lines_are_those_of_the_commands(capsys, tmp_path):
     assert ph.spectrum(ph.read_spec(water), highest=1e12, temperature="250 K", j_max=6).json() == found.json()
     with pytest.raises(InvalidInput, match="`lowest` must not be above `highest`; got 2 THz and 1 THz"):
         ph.spectrum(water, lowest="2 THz", highest="1 THz")
-    with pytest.raises(InvalidInput, match=r"Give it, like `dipole=\(0, 1.857, 0\)`"):
+    with pytest.raises(InvalidInput, match=r"Give one, like `dipole=\(0, 1.857, 0\)`"):
         ph.spectrum(EXAMPLES / "water.xyz")
     with pytest.raises(InvalidInput, match="`dipole` must be three numbers in debye"):
         ph.spectrum(water, dipole=(1.0, 2.0))
