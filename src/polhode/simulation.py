@@ -26,9 +26,9 @@ from polhode.integrators._series import (
     goes_by_arrays,
     has_short_series,
     is_series,
-    series_error,
     series_to_tolerance,
     solve_by_series,
+    solve_with_error,
 )
 from polhode.integrators.probing import find_undeclared_jumps, jumps_along, jumps_between, name_jumps
 from polhode.motion._outcome import Ending, Ends, Outcome, Status
@@ -240,7 +240,7 @@ def _by_adaptive_steps(
 
 
 def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked) -> Trajectory:
-    by_default = method is None
+    by_default, state = method is None, np.asarray(state)  # parts of which take JAX longer
     if by_default and not has_short_series(system, state):
         raise NoSeries(f"the rates of change of {type(system).__name__} are too many operations.")
     method = Taylor(asked.order) if method in (None, Taylor) else method
@@ -251,10 +251,8 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
         arguments = named, method, state, times, meter, asked.step, asked.tolerance, asked.every
         motion, error = series_to_tolerance(*arguments)
     else:
-        motion = solve_by_series(named, method, state, times, meter, asked.step, asked.tolerance, asked.every,
-                                 asked.memory)  # fmt: skip
-        known = asked.estimate_error and bool(np.any(motion.successful))
-        error = series_error(named, method, state, times, motion, asked.step, asked.tolerance) if known else None
+        arguments = named, method, state, times, meter, asked.step, asked.tolerance, asked.every, asked.memory
+        motion, error = solve_with_error(*arguments) if asked.estimate_error else (solve_by_series(*arguments), None)
     if asked.throw and not np.all(motion.successful):
         check_finite_rates(system, times[0], state)
     if by_default and not np.all(motion.successful):

@@ -14,8 +14,8 @@ ORDER = 11
 POINTER = ctypes.POINTER(ctypes.c_double)
 
 
-def random_program(seed):
-    """Return a program of random operations on random ones before them."""
+def random_program(seed, kinds=8):
+    """Return a program of random operations on random ones before them; the first three kinds are sums and products."""
     rng = np.random.default_rng(seed)
     tape = Tape(int(rng.integers(1, 6)))
     known = tape.state()
@@ -27,8 +27,14 @@ def random_program(seed):
             3: lambda x=x: (x * x + 1.0) ** -1.5, 4: lambda x=x: exponential((x * x + 1.0) ** -1.0),
             5: lambda x=x: logarithm(x * x + 2.0), 6: lambda x=x: sine_and_cosine(x)[int(rng.integers(2))],
             7: lambda x=x: x * x,
-        }[int(rng.integers(8))]())  # fmt: skip
+        }[int(rng.integers(kinds))]())  # fmt: skip
     return make_program(tape, [known[k] * (1.0 / (k + 1.0)) + 0.1 for k in rng.integers(len(known), size=tape.size)])
+
+
+def call(code, series, units):
+    run = ctypes.CFUNCTYPE(None, *[POINTER] * 4, ctypes.c_int64, POINTER)
+    arrays = (x.ctypes.data_as(POINTER) for x in (series.flat, series.a, series.b, series.number))
+    run(code.address)(*arrays, ORDER, units.ctypes.data_as(POINTER))
 
 
 def by_tables_and_by_code(program, width):
@@ -41,10 +47,10 @@ def by_tables_and_by_code(program, width):
         series.flat[: start.size] = start
         seen = series._replace(z=space["vectors"](series.flat))
         if by_code:
-            space["nodes"](seen, 0)
-            run = ctypes.CFUNCTYPE(None, *[POINTER] * 4, ctypes.c_int64, POINTER)
-            arrays = (x.ctypes.data_as(POINTER) for x in (series.flat, series.a, series.b, program.number))
-            run(straight_line.generate(program, width).address)(*arrays, ORDER, units.ctypes.data_as(POINTER))
+            code = straight_line.generate(program, width)
+            if code.begins:
+                space["nodes"](seen, 0)
+            call(code, series, units)
         else:
             space["coefficients"](seen, ORDER, units)
         found.append(series.flat)
@@ -58,6 +64,31 @@ def test_random_programs_have_the_same_bits(seed, width):
     by_tables, by_code = by_tables_and_by_code(random_program(seed), width)
     np.testing.assert_array_equal(by_code, by_tables)
     assert np.isfinite(by_tables).all()
+
+
+@pytest.mark.parametrize("width", [1, lanes.LANES])
+@pytest.mark.parametrize("seed", range(5))
+def test_sums_and_products_begin_with_order_zero(seed, width):
+    program = random_program(seed, kinds=3)
+    assert program.is_of_products and straight_line.generate(program, width).begins == 0
+    by_tables, by_code = by_tables_and_by_code(program, width)
+    np.testing.assert_array_equal(by_code, by_tables)
+
+
+@pytest.mark.parametrize("width", [1, lanes.LANES])
+@pytest.mark.parametrize("seed", range(5))
+def test_values_have_the_same_bits(seed, width):
+    program = random_program(seed, kinds=3)
+    space, count = kernels.python_kernel(width).advance.__globals__, program.outputs
+    series = series_for(program, 1, width, None, count)
+    series.flat[: program.size * width] = np.random.default_rng(seed).normal(size=program.size * width)
+    seen = series._replace(z=space["vectors"](series.flat))
+    space["compute_outputs"](seen, space["vectors"](series.flat.copy()))
+    wanted = np.ravel([np.asarray(space["output"](seen, o)) for o in range(count)])
+    call(straight_line.generate_values(program, width), series, np.ones(width))
+    begin = program.slots * width
+    np.testing.assert_array_equal(series.flat[begin : begin + count * width], wanted)
+    assert np.isfinite(wanted).all() and np.ptp(wanted) > 0.0
 
 
 @pytest.mark.parametrize("width", [1, lanes.LANES])

@@ -115,6 +115,11 @@ class AbstractLieAlgebra(HashableModule):
         values = self.casimirs(mu)
         return {name: values[..., k] for k, name in enumerate(self.casimir_names)}
 
+    @property
+    def casimirs_of_copies(self) -> tuple[str, ...]:
+        """Which of ``named_casimirs`` have a value for each copy."""
+        return ()
+
     # ------------------------------------------------------------------ coordinates
 
     def to_vector(self, x: Double[Array, "..."]) -> Float64[Array, "... {self.dim}"]:

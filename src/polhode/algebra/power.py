@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 import numpy as np
 
@@ -116,6 +117,13 @@ class Power(AbstractLieAlgebra):
     def named_casimirs(self, mu: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
         batch = self.batch_shape(mu)
         return {name: values.reshape(*batch, -1) for name, values in self.algebra.named_casimirs(mu).items()}
+
+    @property
+    def casimirs_of_copies(self) -> tuple[str, ...]:
+        one = self.algebra
+        if not one.casimirs_of_copies:
+            return one.casimir_names
+        return tuple(jax.eval_shape(one.named_casimirs, jax.ShapeDtypeStruct(one.element_shape, one.dtype)))
 
     def to_vector(self, x: Double[Array, "..."]) -> Float64[Array, "... {self.dim}"]:
         return self._flat(self.algebra.to_vector(x))

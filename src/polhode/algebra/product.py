@@ -65,6 +65,10 @@ class Product(AbstractLieAlgebra):
             for name, values in f.named_casimirs(f.from_dual_vector(part)).items()
         }
 
+    @property
+    def casimirs_of_copies(self) -> tuple[str, ...]:
+        return tuple(f"{name} of {k}" for k, factor in enumerate(self.factors) for name in factor.casimirs_of_copies)
+
     def exp_change(self, x: Operand, mu: Operand) -> Vector:
         def one(f: AbstractLieAlgebra, a: Array, b: Array) -> Array:
             return f.to_dual_vector(f.exp_change(f.from_vector(a), f.from_dual_vector(b)))

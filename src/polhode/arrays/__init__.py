@@ -13,7 +13,7 @@ from polhode.arrays.derivatives import (
     stop_gradient,
 )
 from polhode.arrays.elementwise import Elementwise, closed_forms
-from polhode.arrays.few_calls import compiled_for_few_calls, compiled_quickly
+from polhode.arrays.few_calls import arrays_for_few_calls, compiled_for_few_calls, compiled_quickly
 from polhode.arrays.loops import (
     barrier,
     choose,
@@ -42,6 +42,7 @@ __all__ = [
     "COMPLEX_STEP",
     "Elementwise",
     "always",
+    "arrays_for_few_calls",
     "as_float64",
     "barrier",
     "choose",

@@ -44,22 +44,42 @@ def compiled_for_few_calls(function: Function) -> Function:
 
     That is for a few calls. Shapes alone decide, so that the same call has the same bits.
     """
+    import jax.numpy as jnp
+
+    return _computed_by_numpy(function, jnp.array)  # copies: a value may be one of the arguments
+
+
+def arrays_for_few_calls(function: Function) -> Function:
+    """Return the same with NumPy's arrays as results, which are made faster than JAX's; JAX's while it traces."""
+    return _computed_by_numpy(function, np.array)
+
+
+def _computed_by_numpy(function: Function, convert: Callable[[Any], Any]) -> Function:
     import jax
-    from equinox import is_array
 
     compiled = compiled_quickly(function)
-    written = lru_cache(maxsize=KEPT)(lambda tree, kinds: _write(function, tree, kinds))
+    written = lru_cache(maxsize=KEPT)(lambda tree, kinds: _write(function, tree, kinds, convert))
+
+    def compile_and_call(*args: Any, **kwargs: Any) -> Any:
+        results = compiled(*args, **kwargs)
+        return results if is_tracing() else jax.tree.map(lambda x: convert(x) if _is_array(x) else x, results)
 
     @wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:
         leaves, tree = jax.tree.flatten((args, kwargs))
-        arrays = list(filter(is_array, leaves))
+        arrays = list(filter(_is_array, leaves))
         if is_tracing() or not _are_few(arrays):
-            return compiled(*args, **kwargs)
+            return compile_and_call(*args, **kwargs)
         compute = written(tree, tuple(map(_kind, leaves)))
-        return compiled(*args, **kwargs) if compute is None else compute(arrays)
+        return compile_and_call(*args, **kwargs) if compute is None else compute(arrays)
 
     return call  # type: ignore[return-value]
+
+
+def _is_array(leaf: Any) -> bool:
+    import equinox as eqx
+
+    return eqx.is_array(leaf) or isinstance(leaf, np.ndarray)
 
 
 def _are_few(arrays: list[Any]) -> bool:
@@ -69,16 +89,15 @@ def _are_few(arrays: list[Any]) -> bool:
 
 def _kind(leaf: Any) -> tuple[Any, ...]:
     """Return shape and type of an array, or the type and value of what is static, as 1, 1.0 and True are equal."""
-    import equinox as eqx
-
-    return (leaf.shape, leaf.dtype) if eqx.is_array(leaf) else (type(leaf), leaf, None)
+    return (leaf.shape, leaf.dtype) if _is_array(leaf) else (type(leaf), leaf, None)
 
 
-def _write(function: Callable[..., Any], tree: Any, kinds: tuple[tuple[Any, ...], ...]) -> Callable[..., Any] | None:
+def _write(
+    function: Callable[..., Any], tree: Any, kinds: tuple[tuple[Any, ...], ...], convert: Callable[[Any], Any]
+) -> Callable[..., Any] | None:
     """Return a function of the arrays among the leaves of arguments, computed by NumPy; None where NumPy cannot."""
     import equinox as eqx
     import jax
-    import jax.numpy as jnp
 
     from polhode.arrays.steps import NoSteps, Steps
 
@@ -101,7 +120,7 @@ def _write(function: Callable[..., Any], tree: Any, kinds: tuple[tuple[Any, ...]
     structure = jax.tree.structure(results)
 
     def compute(arrays: list[Any]) -> Any:
-        values = [jnp.array(x) for x in steps(arrays)]  # copies: a value may be one of the arguments
+        values = [convert(x) for x in steps(arrays)]
         return eqx.combine(jax.tree.unflatten(structure, values), static[0])
 
     return compute

@@ -26,6 +26,7 @@ from polhode.types import Array, Bool, Double, Float64
 
 LOWEST, HIGHEST = 4, 60  # orders
 PRECISIONS = "double", "extended"
+TOGETHER = 1 << 22  # numbers of samples, up to which runs for comparison are made side by side
 COMPARED = 64  # times at least, at which runs are compared, as they may meet by chance at a few samples
 ROUNDS = 6  # of shorter steps
 LARGEST = 20_000  # operations of the rates of change, beyond which tracing takes longer than what it may save
@@ -164,6 +165,36 @@ def solve_by_series(
     return AdaptiveMotion(np.append(kept[before], runs.end[0]), rows, received, event, fine, steps, ends)
 
 
+def solve_with_error(
+    system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    meter: Any = None, step: float | None = None, tolerance: float | None = None, every: int = 1,
+    memory: Sequence[Array] | None = None,
+) -> tuple[AdaptiveMotion, Float64[Array, "*batch"] | None]:  # fmt: skip
+    """Return the motion, and its estimated error unless every copy failed.
+
+    Raises:
+        InvalidInput, NotConverged: as ``solve_by_series``.
+    """
+    # the times of comparison are samples of the motion already, unless an event adds a sample of its own
+    samples, parts = (times, 1) if every > 1 or system.events else _refine(times)
+    motion = solve_by_series(system, method, state, samples, meter, step, tolerance, every, memory)
+    known = bool(np.any(motion.successful))
+    error = series_error(system, method, state, samples, motion, step, tolerance) if known else None
+    axis = np.ndim(motion.successful)
+    thin = motion._replace(
+        times=motion.times[::parts],
+        states=motion.states[(slice(None),) * axis + (slice(None, None, parts),)],
+        received={name: np.asarray(value)[..., ::parts] for name, value in motion.received.items()},
+    )
+    return thin, error
+
+
+def _refine(times: Float64[np.ndarray, "time"]) -> tuple[Float64[np.ndarray, "more"], int]:
+    """Return enough times for a comparison, and into how many parts each interval is divided."""
+    parts = max(1, math.ceil(COMPARED / (len(times) - 1)))
+    return np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1]), parts
+
+
 def series_error(
     system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     motion: AdaptiveMotion, step: float | None = None, tolerance: float | None = None,
@@ -173,25 +204,34 @@ def series_error(
     A run of higher order, with steps that are shorter, shows what series leave out. Two from starts a rounding away
     show what roundings grow to. All are compared at many times, which cost next to nothing.
     """
-    parts = max(1, math.ceil(COMPARED / (len(times) - 1)))
-    fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
+    fine = _refine(times)[0]
     precision = choose_precision(tolerance, method.order, method.is_extended)
     better = precision._replace(order=precision.order + FINER, reach=CLOSER * precision.reach)
     batch = np.shape(state)[: np.ndim(state) - system.state_axes]
     longest = math.inf if step is None else float(step)
 
-    def again(start: Array, by: Precision) -> Runs:
-        states = np.reshape(np.asarray(start), (-1, *np.shape(start)[len(batch) :]))
-        return _run_or_refuse(system, states, fine, fine[-1], by, longest, None)[0]
+    def again(starts: Sequence[Array], by: Precision) -> list[Runs]:
+        states = np.concatenate([np.reshape(np.asarray(x), (-1, *np.shape(x)[len(batch) :])) for x in starts])
+        if len(starts) > 1 and states.size * len(fine) > TOGETHER:
+            return [run for start in starts for run in again([start], by)]
+        try:
+            runs = _run_or_refuse(system, states, fine, fine[-1], by, longest, None)[0]
+        except NoSeries as error:
+            if error.copies is not None:
+                error.copies = np.reshape(error.copies, (len(starts), copies)).any(axis=0)
+            raise
+        return [runs.part(k * copies, (k + 1) * copies) for k in range(len(starts))]
 
-    # a run has the same bits whatever its samples
-    known = np.array_equal(motion.times, fine)
-    first, second = _as_copies(motion, batch) if known else again(state, precision), again(state, better)
+    # a run has the same bits whatever its samples, and whatever moves beside it
+    known, copies = np.array_equal(motion.times, fine), math.prod(batch)
+    first = _as_copies(motion, batch) if known else again([state], precision)[0]
+    # roundings are not those of doubles with extended precision
+    kicked = [] if method.is_extended else starts_a_rounding_away(system, state)
+    second, *others = again([state, *kicked], better)
     off, failed = _apart(system, fine, first, second)
     grown = np.zeros_like(off)
-    # roundings are not those of doubles with extended precision
-    for kicked in () if method.is_extended else starts_a_rounding_away(system, state):
-        gap, lost = _apart(system, fine, second, again(kicked, better))
+    for other in others:
+        gap, lost = _apart(system, fine, second, other)
         grown, failed = np.maximum(grown, gap), failed | lost
     # what a rounding could make of the motion, it has not made where runs by other steps are much nearer to each other;
     # but they may be so by chance, and the mean of both is between the two cases
@@ -213,8 +253,9 @@ def series_to_tolerance(
     local, error, arguments = tolerance, np.inf, (system, method, state, times)
     least = EXTENDED_LOCAL if method.is_extended else LOCAL
     for k in range(ROUNDS):
-        motion = solve_by_series(*arguments, meter, step, local, every)
-        errors = series_error(*arguments, motion, step, local)
+        motion, errors = solve_with_error(*arguments, meter, step, local, every)
+        if errors is None:
+            return motion, np.full(motion.successful.shape, np.inf)
         error = float(np.max(np.where(motion.successful, errors, 0.0), initial=0.0))
         if error <= tolerance:
             return motion, errors

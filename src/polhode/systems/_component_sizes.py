@@ -6,16 +6,16 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import compiled_for_few_calls
+from polhode.arrays import arrays_for_few_calls
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, Double, Float64
 
 
 def component_sizes(system: AbstractSystem, states: Double[Array, "copies ..."]) -> Float64[np.ndarray, "copies ..."]:
     """Return ``system.scales`` of each of the states (C, *shape), one for each component."""
-    return np.asarray(_sizes(system, jnp.asarray(states)))
+    return np.asarray(_sizes(system, np.asarray(states)))
 
 
-@compiled_for_few_calls
+@arrays_for_few_calls
 def _sizes(system: AbstractSystem, states: Array) -> Array:
     return jnp.real(jax.vmap(lambda state: jnp.broadcast_to(system.scales(state), jnp.shape(state)))(states))

@@ -306,10 +306,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         of_body = {"energy": ENERGY} if parts else {}
         if parts == (MOMENTUM,):
             of_body |= {"|L|²": MOMENTUM_SQUARED, "momentum_space": MOMENTUM_SPACE}
-        point = jax.ShapeDtypeStruct(self.algebra.element_shape, self.algebra.dtype)
-        casimirs = jax.eval_shape(self.algebra.named_casimirs, point)
-        of_copies = {name: Quantity("", name, of_copies=True) for name, value in casimirs.items() if value.ndim}
-        return of_body | of_copies
+        return of_body | {name: Quantity("", name, of_copies=True) for name in self.algebra.casimirs_of_copies}
 
     def layout(self, state: Double[Array, "..."]) -> StateLayout:
         """Return the attitude, where the state has it, and the point of the dual."""

@@ -10,7 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import compiled_for_few_calls
+from polhode.arrays import arrays_for_few_calls
 from polhode.motion._outcome import Ends, Outcome
 from polhode.motion._trajectory import Trajectory
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
@@ -27,7 +27,7 @@ def make_trajectory(
     """Return samples (batch…, T, …) as a trajectory with all that the system says of them."""
     axis = jnp.ndim(states) - 1 - system.state_axes
     states = np.asarray(states)
-    said = jax.device_get(_all_said(system, jnp.asarray(times), jnp.asarray(states)))
+    said = _all_said(system, np.asarray(times), states)
     invariants: dict[str, Array] = {name: np.asarray(value) for name, value in said.invariants.items()}
     # what holds on other leaves only is NaN on this one
     invariants = {name: value for name, value in invariants.items() if not np.isnan(value).all()}
@@ -86,13 +86,13 @@ class _Said(NamedTuple):
     vectors: tuple[Array | None, ...]
 
 
-@compiled_for_few_calls  # in one, as all of them begin with the same steps
+@arrays_for_few_calls  # in one, as all of them begin with the same steps
 def _all_said(system: AbstractSystem, times: Array, states: Array) -> _Said:
     balances = {name: balance.value for name, balance in system.balances(times, states).items()}
     return _Said(system.invariants(states), balances, tuple(system.vectors(states)))
 
 
-@compiled_for_few_calls
+@arrays_for_few_calls
 def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
     """Return Σ |x ∂C/∂x| of each invariant C but vectors at states: the size of its terms, which may cancel in it.
 

@@ -18,7 +18,7 @@ from numba.core.typing.templates import AbstractTemplate, infer_global, signatur
 from numba.extending import intrinsic, lower_builtin, models, register_model
 from numba.np.arrayobj import make_array
 
-from polhode.taylor.straight_line import SIGNATURE
+from polhode.taylor.llvm_writer import SIGNATURE
 from polhode.taylor.vectors import WIDTH
 
 DOUBLE = ir.DoubleType()

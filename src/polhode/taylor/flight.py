@@ -74,7 +74,7 @@ def outcome(
     copies: Copies,
 ) -> tuple[Integer[Array, "copies"], Integer[Array, "copies"], Float64[Array, "copies"]]:
     """Return status, the event that ended each or −1, and the time of the end, or NaN; nothing is left after that."""
-    stopped, fine = copies.status == kernel.STOPPED, np.isin(copies.status, (kernel.DONE, kernel.FULL))
+    stopped, fine = copies.status == kernel.STOPPED, (copies.status == kernel.DONE) | (copies.status == kernel.FULL)
     status = np.where(stopped, Status.EVENT, np.where(fine, Status.COMPLETED, Status.NOT_CONVERGED))
     event = np.where(stopped, copies.counts[:, EVENT], -1)
     end = np.where(stopped | fine, copies.now[:, TIME], math.nan)
@@ -84,13 +84,14 @@ def outcome(
 
 
 def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, running: Array, most: int) -> None:
-    code, limit = write_code(use, machine.program), min(most, max(1, use.stretch // machine.program.length))
+    code, values = write_code(use, machine.program, machine.integrals)
+    limit = min(most, max(1, use.stretch // machine.program.length))
     orders, watched, conserved = course.order + 1, len(course.falling), copies.wanted.shape[1]
 
     def fill(low: int, high: int) -> None:
         part = slice(running[low], running[high - 1] + 1)
-        rates = series_for(machine.program, orders, use.lanes, 0 if code is None else code.address)
-        integrals = series_for(machine.integrals, 1, use.lanes)
+        rates = series_for(machine.program, orders, use.lanes, code)
+        integrals = series_for(machine.integrals, 1, use.lanes, values, machine.integrals.outputs)
         exact = exact_for(machine.exact, machine.numbers, PAIRS)
         lanes = lanes_for(machine.program, exact, course.order, use.lanes, watched, conserved)
         with np.errstate(all="ignore"):

@@ -90,7 +90,7 @@ def advance(rates: Series, integrals: Series, copies: Copies, lanes: Lanes, cour
 def in_lanes(series: Series) -> Series:
     """Return a series as a kernel computes with it."""
     own = borrow(series)
-    return Series(own.whole, own.number, own.flat, vectors(own.flat), own.a, own.b, own.code, own.bounded)
+    return Series(own.whole, own.number, own.flat, vectors(own.flat), own.a, own.b, own.code, own.begins, own.bounded)
 
 
 def seat_copies(copies: Copies, lanes: Lanes, course: Course, following: Any) -> tuple[Any, Any]:

@@ -8,8 +8,8 @@ import numpy as np
 
 from polhode.taylor.kernel_series import combination, nodes
 from polhode.taylor.kernel_space import NOBODY, Lanes, Series
-from polhode.taylor.program import CONSTANT, FIRST, SIZE
-from polhode.taylor.vectors import LANES, spread, square_root, vectors, where_less
+from polhode.taylor.program import CONSTANT, FIRST, SIZE, SLOTS
+from polhode.taylor.vectors import LANES, run_code, spread, square_root, vectors, where_less
 from polhode.types import Array
 
 INDEPENDENT = 0.01  # of a squared gradient, that must be left beside the other gradients
@@ -58,10 +58,11 @@ def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
             left = left + rows[row + i] * rows[row + i]
         length = square_root(left)
         small = where_less(abs(off), FARTHEST * length, length, infinite)
-        kept = where_less(INDEPENDENT * square, left, small, infinite)  # infinite where the gradient is left out
+        # zero where the gradient is left out
+        inverse = 1.0 / where_less(INDEPENDENT * square, left, small, infinite)
         for i in range(n):
-            rows[row + i] = where_less(kept, infinite, rows[row + i] / kept, none)
-        rows[row + n] = where_less(kept, infinite, off / kept, none)
+            rows[row + i] = where_less(none, inverse, rows[row + i] * inverse, none)
+        rows[row + n] = where_less(none, inverse, off * inverse, none)
     for c in range(count):
         row = c * (n + 1)
         for i in range(n):
@@ -73,9 +74,14 @@ def compute_outputs(integrals: Series, y: Array) -> None:
     """Compute what ``output`` gives, at states."""
     for i in range(integrals.whole[SIZE]):
         integrals.z[i] = y[i]
-    nodes(integrals, 0)
+    if integrals.code != 0:
+        run_code(integrals.code, integrals.flat, integrals.a, integrals.b, integrals.number, 0, integrals.flat)
+    else:
+        nodes(integrals, 0)
 
 
 def output(integrals: Series, o: Any) -> Any:
     whole = integrals.whole
+    if integrals.code != 0:
+        return integrals.z[whole[SLOTS] + o]
     return combination(integrals, 0, whole[FIRST] + o) + integrals.number[whole[CONSTANT] + o]

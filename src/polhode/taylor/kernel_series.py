@@ -44,6 +44,7 @@ from polhode.types import Array
 FLOOR = 1e-3  # of the scale: a motion that dies away is computed to this part of its first size
 UNITS = 300  # of time that are tried
 FAR = 256.0  # units: a longer step may be of coefficients that vanished
+LEAST = 1e-300  # ratio, whose logarithm is a number
 TOO_LARGE = 1e250  # for a coefficient, as products of two are summed
 LEFT_OF_ROOT = 0.1  # of what is under a root, in a step
 MOST_EXPONENT = 8.0  # by which an exponent changes in a step
@@ -166,7 +167,8 @@ def coefficients(series: Series, order: Any, units: np.ndarray) -> None:
     """Set the coefficients of the state up to an order, of powers of the time over units that are powers of two."""
     whole, number, z, unit = series.whole, series.number, series.z, vectors(units)[0]
     if series.code != 0:
-        nodes(series, 0)
+        if series.begins:
+            nodes(series, 0)
         run_code(series.code, series.flat, series.a, series.b, number, order, units)
         return
     width, first, constant = whole[SLOTS], whole[FIRST], whole[CONSTANT]
@@ -199,7 +201,7 @@ def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
             last = lengths[(2 + e) * LANES + lane]
             if last > 0.0:
                 # radius of convergence by the root test, (|x|/|x_k|)^(1/k) of the last orders: Jorba & Zou 2005, §3.2
-                best = min(best, (lengths[LANES + lane] / last) ** (1.0 / (order - 2 + e)))
+                best = min(best, math.log(lengths[LANES + lane] / last) / (order - 2 + e))
             elif last != last:
                 best = np.nan
                 break
@@ -208,13 +210,13 @@ def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
             if last > TOO_LARGE * max(size, 1.0):
                 best = np.nan
             elif size > 0.0 and last > 0.0:  # what comes from nothing is as smooth as the motion that drives it
-                best = min(best, (size / last) ** (1.0 / (order - 2 + e)))
+                best = min(best, math.log(max(size / last, LEAST)) / (order - 2 + e))
         if best == np.inf:  # a polynomial, of which earlier ones may overflow
             for k in range(order - 2):
                 for i in range(whole[SIZE]):
                     if not abs(flat[(k * width + i) * LANES + lane]) <= TOO_LARGE * scales[i * LANES + lane]:
                         best = np.nan
-        lengths[lane] = best * reach
+        lengths[lane] = math.exp(best) * reach
 
 
 def measure_coefficients(series: Series, lanes: Lanes, course: Course) -> None:

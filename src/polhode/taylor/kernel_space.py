@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from polhode.taylor.kernel_zeros import DEPTH
 from polhode.taylor.program import Program
 from polhode.types import Array, Bool, Float64, Integer
+
+if TYPE_CHECKING:
+    from polhode.taylor.llvm_writer import Code  # which needs Numba
 
 LINE = 64  # bytes of the cache
 NOBODY = -1  # in a lane
@@ -25,7 +28,7 @@ class Series(NamedTuple):
         flat: coefficients of one order after the other, each of all nodes, each of all lanes.
         z: the same memory as the numbers that a kernel computes with.
         a, b: factors of products, where they are kept apart.
-        code: address of ``straight_line`` code for the program, or 0.
+        code: address of ``straight_line`` code for the program, or 0, and ``begins`` the first order that it computes.
         bounded: arguments of functions whose change in a step is bounded, see ``Program.bounded_arguments``.
     """
 
@@ -36,6 +39,7 @@ class Series(NamedTuple):
     a: Float64[np.ndarray, " many"]
     b: Float64[np.ndarray, " many"]
     code: int
+    begins: int
     bounded: Integer[Array, "numbers"]
 
 
@@ -152,11 +156,13 @@ class Lanes(NamedTuple):
     waiting: Float64[Array, " many"]
 
 
-def series_for(program: Program, orders: int, width: int, code: int = 0) -> Series:
-    """Return room for so many orders of so many lanes; one copy alone keeps the factors of its products."""
-    flat = _zeros((orders * program.slots + 8) * width)
+def series_for(program: Program, orders: int, width: int, code: Code | None = None, outputs: int = 0) -> Series:
+    """Return room for so many orders of so many lanes, and outputs; one copy keeps the factors of its products."""
+    flat = _zeros((orders * program.slots + outputs + 8) * width)
     factors = orders * program.products + 8 if width == 1 else 0
-    return Series(*program, flat, flat, _zeros(factors), _zeros(factors), code, program.bounded_arguments)
+    address, begins = (0, 0) if code is None else code[:2]
+    a, b = _zeros(factors), _zeros(factors)
+    return Series(program.whole, program.number, flat, flat, a, b, address, begins, program.bounded_arguments)
 
 
 def exact_for(program: Program | None, numbers: Float64[Array, "numbers"], orders: int) -> Exact:
@@ -165,7 +171,7 @@ def exact_for(program: Program | None, numbers: Float64[Array, "numbers"], order
         return Exact(np.zeros(0, np.int64), _zeros(0), _zeros(0), _zeros(0), np.zeros(0, np.int64))
     high, low = _zeros(orders * program.slots), _zeros(orders * program.slots)
     high[program.size - len(numbers) : program.size] = numbers
-    return Exact(*program, high, low, program.still(len(numbers)))
+    return Exact(program.whole, program.number, high, low, program.still(len(numbers)))
 
 
 def lanes_for(program: Program, exact: Exact, order: int, width: int, watched: int, conserved: int) -> Lanes:

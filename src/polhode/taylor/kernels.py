@@ -90,14 +90,16 @@ def choose_kernel(copies: int, extended: bool = False) -> Kernel:
     return compile_kernel(1)
 
 
-def write_code(use: Kernel, program: Program) -> Any:
-    """Return ``straight_line.Code`` of a program that has run for as long as it takes to write that, else None."""
+def write_code(use: Kernel, program: Program, integrals: Program) -> tuple[Any, Any]:
+    """Return ``Code`` of a program that has run for as long as it takes to write that, else None; and of integrals."""
     spent = _Spent.by_program.get(program.form, 0.0)
     if program.length > LONGEST or spent < WRITTEN * program.length:
-        return None
-    from polhode.taylor.straight_line import generate
+        return None, None
+    from polhode.taylor.straight_line import generate, generate_values
 
-    return generate(program, use.lanes)
+    # Python's own steps take longer than what this saves
+    simple = use.is_compiled and integrals.outputs and integrals.is_of_products
+    return generate(program, use.lanes), generate_values(integrals, use.lanes) if simple else None
 
 
 def note(use: Kernel, copies: int, program: Program, seconds: float) -> None:

@@ -6,7 +6,8 @@ come affine combinations, then products in blocks of eight, then functions.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -21,7 +22,8 @@ CODE, OUT, ARGUMENT, LEFT, RIGHT, START, INDEX, NUMBER, FACTOR, CONSTANT = range
 HEADER = 15
 
 
-class Program(NamedTuple):
+@dataclass(frozen=True, eq=False)  # a program is equal to itself alone, so that what is made of it can be kept
+class Program:
     """A program for a kernel, in two flat arrays, as compiled functions take two arguments faster than twenty.
 
     Attributes:
@@ -48,7 +50,7 @@ class Program(NamedTuple):
         """How many numbers the state has."""
         return int(self.whole[SIZE])
 
-    @property
+    @cached_property
     def moving(self) -> Bool[Array, "n"]:
         """Which components have rates that are not constant."""
         rows = int(self.whole[START]) + int(self.whole[FIRST]) + np.arange(self.size + 1)
@@ -73,7 +75,7 @@ class Program(NamedTuple):
                 flags[out] = flags[first]
         return flags
 
-    @property
+    @cached_property
     def bounded_arguments(self) -> Integer[Array, "numbers"]:
         """Return how many roots, logarithms (0) and exponentials (1) there are, then each argument's slot, and kind."""
         kinds, count = self.operations, len(self.operations)
@@ -84,20 +86,39 @@ class Program(NamedTuple):
         pairs = np.stack([arguments[some], exponential[some]], axis=1)
         return np.concatenate([[len(pairs)], pairs.ravel()]).astype(np.int64)
 
-    @property
+    @cached_property
     def form(self) -> int:
         """A number that programs share which differ by factors alone."""
         return hash(self.whole.tobytes())
 
-    @property
+    @cached_property
+    def form_of_code(self) -> tuple[bytes, bytes, bytes]:
+        """All that machine code for it depends on: its integers, factors that are 1 or −1, and sizes of blocks."""
+        factors = self.number[self.whole[FACTOR] : self.whole[CONSTANT]]
+        signs = np.where(np.abs(factors) == 1.0, factors, 0.0).astype(np.int8)
+        counts = self.number[self.whole[NUMBER] : self.whole[FACTOR]].astype(np.int64)
+        counts *= self.operations == Operation.PRODUCT  # other operations have a constant or an exponent there
+        return self.whole.tobytes(), signs.tobytes(), counts.tobytes()
+
+    @cached_property
     def operations(self) -> Integer[Array, "operations"]:
         """The operations in order."""
         return self.whole[self.whole[CODE] : self.whole[CODE] + self.whole[OPERATIONS]]
 
-    @property
+    @cached_property
     def length(self) -> int:
         """About how many operations there are, with the sums of terms that the state's rates are."""
         return self.size + len(self.operations) + self.products
+
+    @cached_property
+    def is_of_products(self) -> bool:
+        """Whether it is of sums and products alone."""
+        return bool(np.isin(self.operations, (Operation.AFFINE, Operation.PRODUCT)).all())
+
+    @property
+    def outputs(self) -> int:
+        """How many outputs there are."""
+        return len(self.number) - int(self.whole[CONSTANT])
 
     @property
     def products(self) -> int:

@@ -9,10 +9,9 @@ from functools import partial
 from typing import NamedTuple
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import compiled_for_few_calls
+from polhode.arrays import arrays_for_few_calls
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems.base import AbstractSystem, Event
 from polhode.taylor import kernel
@@ -83,6 +82,10 @@ class Runs(NamedTuple):
     end_received: Float64[Array, "copies balances"]
     steps: Integer[Array, "copies"]
     balances: tuple[str, ...]
+
+    def part(self, first: int, last: int) -> Runs:
+        """Return those of some copies."""
+        return Runs(*(x[first:last] for x in self[:-1]), self.balances)  # type: ignore[arg-type]
 
 
 class Plan(NamedTuple):
@@ -326,14 +329,14 @@ def _scales(system: AbstractSystem, states: Array, t: float, machine: Machine, s
     scale = np.full((len(states), size), np.inf)
     own = own.reshape(len(states), -1)
     scale[:, : form.size] = np.repeat(own, 2, axis=1) if form.is_complex else own
-    values = _balances_at(system, jnp.asarray(states), jnp.asarray(t)) if machine.balances else {}
+    values = _balances_at(system, np.asarray(states), np.asarray(t)) if machine.balances else {}
     for k, name in enumerate(machine.balances):
         value = np.abs(np.asarray(values[name]))
         scale[:, form.size + k] = np.where(value > 0.0, value, 1.0)
     return scale
 
 
-@compiled_for_few_calls
+@arrays_for_few_calls
 def _balances_at(system: AbstractSystem, states: Array, t: Array) -> dict[str, Array]:
     """Return values (C,) of balances at states (C, *shape)."""
     return jax.vmap(lambda state: {name: balance.value for name, balance in system.balances(t, state).items()})(states)

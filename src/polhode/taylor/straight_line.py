@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from llvmlite import binding, ir
+from llvmlite import ir
 
 from polhode.taylor.expressions import Operation
+from polhode.taylor.llvm_writer import DOUBLE, INTEGER, VECTOR, Code, Writer, host_features
 from polhode.taylor.program import (
     ARGUMENT,
     CODE,
@@ -35,146 +36,91 @@ from polhode.taylor.program import (
 )
 from polhode.taylor.vectors import WIDTH
 
-DOUBLE, INTEGER = ir.DoubleType(), ir.IntType(64)
-VECTOR = ir.VectorType(DOUBLE, WIDTH)
-ADDRESS = DOUBLE.as_pointer()
-SIGNATURE = ir.FunctionType(ir.VoidType(), [ADDRESS] * 4 + [INTEGER, ADDRESS])
-ALIGNED = 8  # bytes, to which all addresses are
+KEPT = 256  # codes
 BLOCKS = 4  # of products of one copy, whose sums are made together
 Terms = Callable[[Any, Any], list[Any]]
 
 
-class Code(NamedTuple):
-    """A compiled function, and what keeps it in memory.
-
-    Attributes:
-        address: of a function of the coefficients, both stores of factors, the program's numbers, order and units.
-        engine: of LLVM.
-    """
-
-    address: int
-    engine: Any
-
-
 def generate(program: Program, lanes: int) -> Code:
-    """Return the code that computes coefficients of so many copies at a time; see ``kernel_series.coefficients``."""
-    factors = program.number[program.whole[FACTOR] : program.whole[CONSTANT]]
-    signs = np.where(np.abs(factors) == 1.0, factors, 0.0).astype(np.int8)
-    counts = program.number[program.whole[NUMBER] : program.whole[FACTOR]].astype(np.int64)
-    counts *= program.operations == Operation.PRODUCT  # other operations have a constant or an exponent there
-    return _compile(program.whole.tobytes(), signs.tobytes(), counts.tobytes(), lanes)
+    """Return the code that computes coefficients of so many copies at a time; see ``kernel_series.coefficients``.
+
+    It begins with order zero where the program is of sums and products alone.
+    """
+    return _compile(*program.form_of_code, lanes, 0)
 
 
-@lru_cache(maxsize=128)
-def _compile(whole: bytes, signs: bytes, counts: bytes, lanes: int) -> Code:
+def generate_values(program: Program, lanes: int) -> Code:
+    """Return the code that computes a program's outputs, and puts them behind the nodes of order zero.
+
+    The program has some, and is of sums and products alone.
+    """
+    return _compile(*program.form_of_code, lanes, program.outputs)
+
+
+@lru_cache(maxsize=KEPT)
+def _compile(whole: bytes, signs: bytes, counts: bytes, lanes: int, outputs: int) -> Code:
     tables = np.frombuffer(whole, np.int64), np.frombuffer(signs, np.int8), np.frombuffer(counts, np.int64)
     written = _Writer(*tables, lanes)
-    binding.initialize_native_target()
-    binding.initialize_native_asmprinter()
-    module = binding.parse_assembly(str(written.module))
-    module.verify()
-    target = binding.Target.from_default_triple()
-    machine = target.create_target_machine(cpu=binding.get_host_cpu_name(), features=_features().flatten(), opt=2)
-    engine = binding.create_mcjit_compiler(module, machine)
-    engine.finalize_object()
-    return Code(engine.get_function_address("coefficients"), engine)
+    return written.compile(written.write_values(outputs) if outputs else written.write_coefficients())
 
 
 def most_together() -> int:
     """Return how many products' sums fit the registers of this machine."""
-    return 12 if _features().get("avx512f") else 3
-
-
-def _features() -> Any:
-    try:
-        return binding.get_host_cpu_features()
-    except RuntimeError:  # LLVM does not know this machine
-        return binding.FeatureMap()
+    return 12 if host_features().get("avx512f") else 3
 
 
 def _parts(whole: list[Any], size: int) -> list[list[Any]]:
     return [whole[low : low + size] for low in range(0, len(whole), size)]
 
 
-class _Writer:
-    """A function of LLVM in the making."""
+class _Writer(Writer):
+    """The writer of a program's code."""
 
     def __init__(self, whole: Any, signs: Any, counts: Any, lanes: int) -> None:
+        super().__init__(lanes)
         # as llvmlite writes constants from Python's integers, not from NumPy's
         self.whole, self.signs, self.counts = whole.tolist(), signs.tolist(), counts.tolist()
-        self.lanes = lanes
-        self.kind = VECTOR if lanes == WIDTH else DOUBLE
         self.row = self.whole[SLOTS] * lanes
-        self.module = ir.Module()
-        self.module.triple = binding.get_default_triple()
-        function = ir.Function(self.module, SIGNATURE, "coefficients")
-        for argument in function.args:
-            if argument.type == ADDRESS:
-                argument.add_attribute("noalias")
-        self.flat, self.a, self.b, self.number, self.order, units = function.args
-        self.builder = ir.IRBuilder(function.append_basic_block())
-        self.unit = self._load(units, 0)
-        self._outputs(self.flat, None)
-        self._loop(INTEGER(1), self.order, 1, [], self._of_order)
-        self.builder.ret_void()
+
+    def write_coefficients(self) -> int:
+        """Write the coefficients of the state, and return the first order that this computes."""
+        unit = self.load(self.units, 0)
+        operations = self.whole[self.whole[CODE] :][: self.whole[OPERATIONS]]
+        begins = int(not {*operations} <= {Operation.AFFINE, Operation.PRODUCT})
+        if not begins:
+            self._of_order(None, self.flat)
+        self._rates(self.flat, None, unit)
+
+        def of_order(k: Any) -> list[Any]:
+            now = self._locate_row(k)
+            self._of_order(k, now)
+            self._rates(now, k, unit)
+            return []
+
+        self.loop(INTEGER(1), self.order, 1, [], of_order)
+        return begins
+
+    def write_values(self, outputs: int) -> int:
+        """Write nodes of order zero, and so many outputs."""
+        self._of_order(None, self.flat)
+        for o in range(outputs):
+            self.store(self._output(self.flat, o, True), self.flat, self.row + o * self.lanes)
+        return 0
 
     # ------------------------------------------------------------------ numbers
 
-    def _load(self, base: Any, place: int, kind: Any = None) -> Any:
-        kind = kind or self.kind
-        at = self.builder.gep(base, [INTEGER(place)])
-        return self.builder.load(self.builder.bitcast(at, kind.as_pointer()), align=ALIGNED)
-
-    def _store(self, value: Any, base: Any, place: int) -> None:
-        at = self.builder.gep(base, [INTEGER(place)])
-        self.builder.store(value, self.builder.bitcast(at, value.type.as_pointer()), align=ALIGNED)
-
-    def _spread(self, x: Any) -> Any:
-        """Return one number for all copies."""
-        if self.kind is DOUBLE:
-            return x
-        one = self.builder.insert_element(ir.Constant(VECTOR, ir.Undefined), x, ir.IntType(32)(0))
-        places = ir.Constant(ir.VectorType(ir.IntType(32), WIDTH), [0] * WIDTH)
-        return self.builder.shuffle_vector(one, ir.Constant(VECTOR, ir.Undefined), places)
-
     def _z(self, row: Any, slot: int) -> Any:
         """Return the coefficient of a node, of the order whose row begins there."""
-        return self._load(row, slot * self.lanes)
-
-    def _load_number(self, place: int) -> Any:
-        """Return one of the program's numbers."""
-        return self.builder.load(self.builder.gep(self.number, [INTEGER(place)]))
+        return self.load(row, slot * self.lanes)
 
     def _locate_row(self, j: Any) -> Any:
         return self.builder.gep(self.flat, [self.builder.mul(j, INTEGER(self.row))])
 
-    def _loop(
-        self, first: Any, stop: Any, step: int, carried: Sequence[Any], body: Callable[..., Sequence[Any]]
-    ) -> list[Any]:
-        """Write a loop over first, first + step, … < stop, and return what it carries on in the end."""
-        before, builder = self.builder.block, self.builder
-        head, inside, after = (builder.append_basic_block() for _ in range(3))
-        builder.branch(head)
-        builder.position_at_end(head)
-        j = builder.phi(INTEGER)
-        values = [builder.phi(value.type) for value in carried]
-        j.add_incoming(first, before)
-        for phi, value in zip(values, carried, strict=True):
-            phi.add_incoming(value, before)
-        builder.cbranch(builder.icmp_signed("<", j, stop), inside, after)
-        builder.position_at_end(inside)
-        results = body(j, *values)
-        j.add_incoming(builder.add(j, INTEGER(step)), builder.block)
-        for phi, value in zip(values, results, strict=True):
-            phi.add_incoming(value, builder.block)
-        builder.branch(head)
-        builder.position_at_end(after)
-        return values
-
     # ------------------------------------------------------------------ one order
 
-    def _of_order(self, k: Any) -> list[Any]:
-        whole, now = self.whole, self._locate_row(k)
+    def _of_order(self, k: Any | None, now: Any) -> None:
+        """Write all nodes of an order, of order zero where k is None."""
+        whole = self.whole
         products: list[int] = []
         for q in range(whole[OPERATIONS]):
             operation = Operation(whole[whole[CODE] + q])
@@ -188,48 +134,61 @@ class _Writer:
             products = []
             out, x = whole[whole[OUT] + q], whole[whole[ARGUMENT] + q]
             if operation is Operation.AFFINE:
-                self._store(self._combination(now, x), now, out * self.lanes)
+                value = self._combination(now, x)
+                if k is None:
+                    value = self.builder.fadd(value, self.spread(self.load_number(whole[NUMBER] + q)))
+                self.store(value, now, out * self.lanes)
             else:
                 self._function(operation, k, now, out, x, whole[NUMBER] + q)
         self._products(k, now, products)
-        self._outputs(now, k)
-        return []
 
     def _combination(self, row: Any, number: int) -> Any:
         whole, builder = self.whole, self.builder
-        value = self._spread(DOUBLE(0.0))
+        value = self.spread(DOUBLE(0.0))
         first, last = whole[whole[START] + number : whole[START] + number + 2]
         for q in range(first, last):
             z, sign = self._z(row, whole[whole[INDEX] + q]), self.signs[q]
             if sign == 0:
-                z = builder.fmul(self._spread(self._load_number(whole[FACTOR] + q)), z)
+                z = builder.fmul(self.spread(self.load_number(whole[FACTOR] + q)), z)
             if q == first:
                 value = builder.fneg(z) if sign < 0 else z
             else:
                 value = builder.fsub(value, z) if sign < 0 else builder.fadd(value, z)
         return value
 
-    def _outputs(self, now: Any, k: Any) -> None:
+    def _output(self, row: Any, o: int, with_constant: bool) -> Any:
+        value = self._combination(row, self.whole[FIRST] + o)
+        if with_constant:
+            value = self.builder.fadd(value, self.spread(self.load_number(self.whole[CONSTANT] + o)))
+        return value
+
+    def _rates(self, now: Any, k: Any | None, unit: Any) -> None:
         """Write the state's next coefficients; of the first order where k is None."""
-        whole, builder = self.whole, self.builder
-        divisor = None if k is None else self._spread(builder.sitofp(builder.add(k, INTEGER(1)), DOUBLE))
-        for i in range(whole[SIZE]):
-            value = self._combination(now, whole[FIRST] + i)
-            if divisor is None:
-                value = builder.fadd(value, self._spread(self._load_number(whole[CONSTANT] + i)))
-            value = builder.fmul(value, self.unit)
-            self._store(value if divisor is None else builder.fdiv(value, divisor), now, self.row + i * self.lanes)
+        builder = self.builder
+        divisor = None if k is None else self.spread(builder.sitofp(builder.add(k, INTEGER(1)), DOUBLE))
+        for i in range(self.whole[SIZE]):
+            value = builder.fmul(self._output(now, i, k is None), unit)
+            self.store(value if divisor is None else builder.fdiv(value, divisor), now, self.row + i * self.lanes)
 
     # ------------------------------------------------------------------ products
 
-    def _products(self, k: Any, now: Any, blocks: list[int]) -> None:
+    def _products(self, k: Any | None, now: Any, blocks: list[int]) -> None:
         """Write all products of a level: of eight copies each by itself, of one copy eight at a time."""
         whole = self.whole
         if self.lanes == WIDTH:
             ones = [(whole[whole[LEFT] + m], whole[whole[RIGHT] + m], whole[whole[OUT] + q] + p)
                     for q in blocks for p, m in enumerate(self._members(q))]  # fmt: skip
+            if k is None:
+                for left, right, out in ones:
+                    self.store(self.builder.fmul(self._z(now, left), self._z(now, right)), now, out * WIDTH)
+                return
             for part in _parts(ones, most_together()):
                 self._sums(k, now, self._of_copies(part), [out * WIDTH for _, _, out in part])
+            return
+        if k is None:
+            for q in blocks:
+                left, right = self._keep(INTEGER(0), now, whole[whole[ARGUMENT] + q])
+                self.store(self.builder.fmul(left, right), now, whole[whole[OUT] + q])
             return
         for part in _parts(blocks, BLOCKS):
             firsts = [whole[whole[ARGUMENT] + q] for q in part]
@@ -260,14 +219,17 @@ class _Writer:
 
         return terms
 
-    def _keep(self, k: Any, now: Any, first: int) -> None:
-        """Write where a block's factors are kept; see ``kernel_products``."""
+    def _keep(self, k: Any, now: Any, first: int) -> list[Any]:
+        """Write where a block's factors are kept, and return them; see ``kernel_products``."""
+        kept = []
         for table, store in ((LEFT, self.a), (RIGHT, self.b)):
             value = ir.Constant(VECTOR, ir.Undefined)
             for lane in range(WIDTH):
                 factor = self._z(now, self.whole[self.whole[table] + first + lane])
                 value = self.builder.insert_element(value, factor, ir.IntType(32)(lane))
-            self._store(value, self._locate_kept_row(store, k), first)
+            self.store(value, self._locate_kept_row(store, k), first)
+            kept.append(value)
+        return kept
 
     def _locate_kept_row(self, store: Any, order: Any) -> Any:
         return self.builder.gep(store, [self.builder.mul(order, INTEGER(self.whole[PRODUCTS]))])
@@ -275,7 +237,7 @@ class _Writer:
     def _of_blocks(self, firsts: Sequence[int]) -> Terms:
         def terms(left: Any, right: Any) -> list[Any]:
             lefts, rights = self._locate_kept_row(self.a, left), self._locate_kept_row(self.b, right)
-            return [self.builder.fmul(self._load(lefts, m, VECTOR), self._load(rights, m, VECTOR)) for m in firsts]
+            return [self.builder.fmul(self.load(lefts, m, VECTOR), self.load(rights, m, VECTOR)) for m in firsts]
 
         return terms
 
@@ -290,7 +252,7 @@ class _Writer:
             return [builder.fadd(s, t) for s, t in zip(sums, more, strict=True)]
 
         before_last = builder.sub(k, one)
-        sums = self._loop(one, before_last, 2, start, inner)
+        sums = self.loop(one, before_last, 2, start, inner)
         before = builder.block
         even, after = builder.append_basic_block(), builder.append_basic_block()
         builder.cbranch(builder.trunc(k, ir.IntType(1)), after, even)
@@ -303,13 +265,13 @@ class _Writer:
             phi.add_incoming(without, before)
             phi.add_incoming(last, even)
         for phi, other, place in zip(phis, sums[count:], places, strict=True):
-            self._store(builder.fadd(phi, other), now, place)
+            self.store(builder.fadd(phi, other), now, place)
 
     # ------------------------------------------------------------------ functions
 
     def _function(self, operation: Operation, k: Any, now: Any, out: int, x: int, number: int) -> None:
         """Write the recurrence of a function of node x; see ``kernel_series.function``."""
-        builder, zero, one = self.builder, self._spread(DOUBLE(0.0)), INTEGER(1)
+        builder, zero, one = self.builder, self.spread(DOUBLE(0.0)), INTEGER(1)
         whole_k, first = builder.sitofp(k, DOUBLE), self._z(self.flat, x)
 
         def past(j: Any) -> tuple[Any, Any]:
@@ -318,7 +280,7 @@ class _Writer:
             return builder.sitofp(late, DOUBLE), self._z(self._locate_row(late), x)
 
         def weigh(weight: Any, j: Any, node: int, z: Any) -> Any:
-            return builder.fmul(self._spread(weight), builder.fmul(self._z(self._locate_row(j), node), z))
+            return builder.fmul(self.spread(weight), builder.fmul(self._z(self._locate_row(j), node), z))
 
         def of_power(j: Any, total: Any) -> list[Any]:
             late, z = past(j)
@@ -334,48 +296,48 @@ class _Writer:
 
         def of_sine(j: Any, sine: Any, cosine: Any) -> list[Any]:
             late, z = past(j)
-            weight, row = builder.fmul(self._spread(late), z), self._locate_row(j)
+            weight, row = builder.fmul(self.spread(late), z), self._locate_row(j)
             return [builder.fadd(sine, builder.fmul(weight, self._z(row, out + 1))),
                     builder.fsub(cosine, builder.fmul(weight, self._z(row, out)))]  # fmt: skip
 
         if operation is Operation.POWER:
-            exponent = self._load_number(number)
-            (total,) = self._loop(INTEGER(0), k, 1, [zero], of_power)
-            results = [builder.fdiv(total, builder.fmul(self._spread(whole_k), first))]
+            exponent = self.load_number(number)
+            (total,) = self.loop(INTEGER(0), k, 1, [zero], of_power)
+            results = [builder.fdiv(total, builder.fmul(self.spread(whole_k), first))]
         elif operation is Operation.EXPONENTIAL:
-            (total,) = self._loop(INTEGER(0), k, 1, [zero], of_exponential)
-            results = [builder.fdiv(total, self._spread(whole_k))]
+            (total,) = self.loop(INTEGER(0), k, 1, [zero], of_exponential)
+            results = [builder.fdiv(total, self.spread(whole_k))]
         elif operation is Operation.LOGARITHM:
-            (total,) = self._loop(one, k, 1, [zero], of_logarithm)
-            rest = builder.fdiv(total, self._spread(whole_k))
+            (total,) = self.loop(one, k, 1, [zero], of_logarithm)
+            rest = builder.fdiv(total, self.spread(whole_k))
             results = [builder.fdiv(builder.fsub(self._z(now, x), rest), first)]
         elif operation is Operation.ECCENTRIC:
-            results = self._orbital(k, now, out, x, self._spread(self._load_number(number)))
+            results = self._orbital(k, now, out, x, self.spread(self.load_number(number)))
         else:
-            totals = self._loop(INTEGER(0), k, 1, [zero, zero], of_sine)
-            results = [builder.fdiv(total, self._spread(whole_k)) for total in totals]
+            totals = self.loop(INTEGER(0), k, 1, [zero, zero], of_sine)
+            results = [builder.fdiv(total, self.spread(whole_k)) for total in totals]
         for place, value in enumerate(results):
-            self._store(value, now, (out + place) * self.lanes)
+            self.store(value, now, (out + place) * self.lanes)
 
     def _orbital(self, k: Any, now: Any, out: int, x: int, eccentricity: Any) -> list[Any]:
         """Write the recurrence of a place in an orbit; see ``kernel_series.orbital``."""
-        builder, zero, one = self.builder, self._spread(DOUBLE(0.0)), INTEGER(1)
-        by_k = self._spread(builder.sitofp(k, DOUBLE))
+        builder, zero, one = self.builder, self.spread(DOUBLE(0.0)), INTEGER(1)
+        by_k = self.spread(builder.sitofp(k, DOUBLE))
 
         def of_anomaly(j: Any, total: Any) -> list[Any]:
             past = self._z(self._locate_row(builder.sub(k, j)), out + 2)
             term = builder.fmul(self._z(self._locate_row(j), out), past)
-            weighted = builder.fmul(self._spread(builder.sitofp(j, DOUBLE)), term)
+            weighted = builder.fmul(self.spread(builder.sitofp(j, DOUBLE)), term)
             return [builder.fadd(total, builder.fmul(eccentricity, weighted))]
 
         def of_sine(j: Any, sine: Any, cosine: Any) -> list[Any]:
-            weight = builder.fmul(self._spread(builder.sitofp(j, DOUBLE)), self._z(self._locate_row(j), out))
+            weight = builder.fmul(self.spread(builder.sitofp(j, DOUBLE)), self._z(self._locate_row(j), out))
             row = self._locate_row(builder.sub(k, j))
             return [builder.fadd(sine, builder.fmul(weight, self._z(row, out + 2))),
                     builder.fsub(cosine, builder.fmul(weight, self._z(row, out + 1)))]  # fmt: skip
 
-        (total,) = self._loop(one, k, 1, [builder.fmul(by_k, self._z(now, x))], of_anomaly)
+        (total,) = self.loop(one, k, 1, [builder.fmul(by_k, self._z(now, x))], of_anomaly)
         anomaly = builder.fdiv(total, builder.fmul(by_k, self._z(self.flat, out + 3)))
-        self._store(anomaly, now, out * self.lanes)
-        totals = self._loop(one, builder.add(k, one), 1, [zero, zero], of_sine)
+        self.store(anomaly, now, out * self.lanes)
+        totals = self.loop(one, builder.add(k, one), 1, [zero, zero], of_sine)
         return [anomaly, *(builder.fdiv(of, by_k) for of in totals)]

@@ -34,7 +34,10 @@ def check_algebra(algebra: AbstractLieAlgebra, seed: int = 0) -> None:
     weights = jnp.asarray(rng.normal(size=(3, algebra.dim)))
     hold_all(partial(_structure, algebra), EXACT, x, y, z, mu)
     hold("one name a Casimir", len(algebra.casimir_names), algebra.casimirs(mu).shape[-1], 0.0)
-    named = [jnp.reshape(value, (*algebra.batch_shape(mu), -1)) for value in algebra.named_casimirs(mu).values()]
+    by_name, batch = algebra.named_casimirs(mu), algebra.batch_shape(mu)
+    copied = {name for name, value in by_name.items() if jnp.ndim(value) > len(batch)}
+    hold("Casimirs of which each copy has one", len(copied ^ {*algebra.casimirs_of_copies}), 0, 0.0)
+    named = [jnp.reshape(value, (*batch, -1)) for value in by_name.values()]
     together = jnp.concatenate([algebra.casimirs(mu)[..., :0], *named], axis=-1)
     hold("Casimirs by name are the Casimirs", jnp.sort(together), jnp.sort(algebra.casimirs(mu)), EXACT)
     hold_all(partial(_group, algebra), EXACT, SMALL * x, SMALL * y, mu)

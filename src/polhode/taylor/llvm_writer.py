@@ -1,0 +1,111 @@
+"""A function of LLVM in the making: numbers of one copy or of eight in memory, sums of them, and loops."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from llvmlite import binding, ir
+
+from polhode.taylor.vectors import WIDTH
+
+DOUBLE, INTEGER = ir.DoubleType(), ir.IntType(64)
+VECTOR = ir.VectorType(DOUBLE, WIDTH)
+ADDRESS = DOUBLE.as_pointer()
+SIGNATURE = ir.FunctionType(ir.VoidType(), [ADDRESS] * 4 + [INTEGER, ADDRESS])
+ALIGNED = 8  # bytes, to which all addresses are
+NAME = "run"
+
+
+class Code(NamedTuple):
+    """A compiled function, and what keeps it in memory.
+
+    Attributes:
+        address: of a function of the coefficients, both stores of factors, the program's numbers, order and units.
+        begins: the first order that it computes.
+        engine: of LLVM.
+    """
+
+    address: int
+    begins: int
+    engine: Any
+
+
+def host_features() -> Any:
+    """Return what LLVM knows of this machine's instructions."""
+    try:
+        return binding.get_host_cpu_features()
+    except RuntimeError:  # LLVM does not know this machine
+        return binding.FeatureMap()
+
+
+class Writer:
+    """A function of LLVM with ``SIGNATURE``, of so many copies side by side."""
+
+    def __init__(self, lanes: int) -> None:
+        self.lanes, self.kind = lanes, VECTOR if lanes == WIDTH else DOUBLE
+        self.module = ir.Module()
+        self.module.triple = binding.get_default_triple()
+        function = ir.Function(self.module, SIGNATURE, NAME)
+        for argument in function.args:
+            if argument.type == ADDRESS:
+                argument.add_attribute("noalias")
+        self.flat, self.a, self.b, self.number, self.order, self.units = function.args
+        self.builder = ir.IRBuilder(function.append_basic_block())
+
+    def compile(self, begins: int) -> Code:
+        """Return the machine code."""
+        self.builder.ret_void()
+        binding.initialize_native_target()
+        binding.initialize_native_asmprinter()
+        module = binding.parse_assembly(str(self.module))
+        module.verify()
+        target, features = binding.Target.from_default_triple(), host_features().flatten()
+        machine = target.create_target_machine(cpu=binding.get_host_cpu_name(), features=features, opt=2)
+        engine = binding.create_mcjit_compiler(module, machine)
+        engine.finalize_object()
+        return Code(engine.get_function_address(NAME), begins, engine)
+
+    def load(self, base: Any, place: int, kind: Any = None) -> Any:
+        kind = kind or self.kind
+        at = self.builder.gep(base, [INTEGER(place)])
+        return self.builder.load(self.builder.bitcast(at, kind.as_pointer()), align=ALIGNED)
+
+    def store(self, value: Any, base: Any, place: int) -> None:
+        at = self.builder.gep(base, [INTEGER(place)])
+        self.builder.store(value, self.builder.bitcast(at, value.type.as_pointer()), align=ALIGNED)
+
+    def load_number(self, place: int) -> Any:
+        """Return one of the program's numbers."""
+        return self.builder.load(self.builder.gep(self.number, [INTEGER(place)]))
+
+    def spread(self, x: Any) -> Any:
+        """Return one number for all copies."""
+        if self.kind is DOUBLE:
+            return x
+        one = self.builder.insert_element(ir.Constant(VECTOR, ir.Undefined), x, ir.IntType(32)(0))
+        places = ir.Constant(ir.VectorType(ir.IntType(32), WIDTH), [0] * WIDTH)
+        return self.builder.shuffle_vector(one, ir.Constant(VECTOR, ir.Undefined), places)
+
+    def loop(
+        self, first: Any, stop: Any, step: int, carried: Sequence[Any], body: Callable[..., Sequence[Any]]
+    ) -> list[Any]:
+        """Write a loop over first, first + step, … < stop, and return what it carries on in the end."""
+        before, builder = self.builder.block, self.builder
+        head, inside, after = (builder.append_basic_block() for _ in range(3))
+        builder.branch(head)
+        builder.position_at_end(head)
+        j = builder.phi(INTEGER)
+        values = [builder.phi(value.type) for value in carried]
+        j.add_incoming(first, before)
+        for phi, value in zip(values, carried, strict=True):
+            phi.add_incoming(value, before)
+        builder.cbranch(builder.icmp_signed("<", j, stop), inside, after)
+        builder.position_at_end(inside)
+        results = body(j, *values)
+        j.add_incoming(builder.add(j, INTEGER(step)), builder.block)
+        for phi, value in zip(values, results, strict=True):
+            phi.add_incoming(value, builder.block)
+        builder.branch(head)
+        builder.position_at_end(after)
+        return values
