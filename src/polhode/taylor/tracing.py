@@ -321,7 +321,8 @@ def _rearrange(x: list[Array], parameters: dict[str, Any], equation: Any) -> lis
             numbered.append(places.reshape(a.shape))
         else:
             numbered.append(a)
-    return [_each(lambda k: elements[int(k)], places) for places in by_numbers(equation, numbered)]
+    # places have the type of what moves, which may be complex
+    return [_each(lambda k: elements[int(k)], np.real(places)) for places in by_numbers(equation, numbered)]
 
 
 @_rule("scatter-add", "scatter_add", "cumsum", "triangular_solve", "reduce_window_sum", "fft")
