@@ -130,6 +130,28 @@ def test_an_inertia_that_is_not_turned_is_named():
     assert "not turned" in named
 
 
+@pytest.mark.long
+@pytest.mark.parametrize("gyroscopic", [0.0, 1.0])
+@pytest.mark.parametrize("variable", ["momentum", "angular velocity"])
+def test_an_inertia_along_space_axes_is_named_whatever_the_start(variable, gyroscopic):
+    """Of a step that keeps nothing between calls, and so does not know the attitude of the start."""
+    inverse = np.linalg.inv(MOMENTS)
+
+    def slopes(q, L):
+        w = inverse @ L
+        return engines.product(np.array([0.0, *w]) / 2.0, q), gyroscopic * engines.cross(L, w)
+
+    def step(q, rate, h):
+        L = rate if variable == "momentum" else MOMENTS @ rate
+        q, L = rk4(slopes)(q, L, h)
+        return q, L if variable == "momentum" else inverse @ L
+
+    (named,) = only(judge(step, 0.05, MOMENTS, axes="space", variable=variable, steps=FEW)).mistakes
+    # ω that stays in space stays in the body, too
+    words = "not turned" if gyroscopic or variable == "momentum" else "gyroscopic term missing"
+    assert words in named and ("Euler's equations" in named) == bool(gyroscopic)
+
+
 def test_engines_may_keep_rates_along_space_axes():
     found = only(judge(engines.in_space_axes(MOMENTS), 0.02, axes="space", steps=3000))
     assert found.right and not found.momentum.is_seen

@@ -12,6 +12,8 @@ from polhode.testing import judge_file, reference_motions
 from testing import engines
 from testing.engines import equations, midpoint, rk4, semi_implicit
 
+TENSOR = np.array([[2.0, 0.1, 0.2], [0.1, 2.6, -0.1], [0.2, -0.1, 3.1]])
+NAMES = [motion.name for motion in reference_motions(kind="free body", up_to=20.0)]
 FLIPS = "flips, 10 deg to the first axis"
 
 
@@ -46,6 +48,35 @@ def test_three_steps_in_a_file_give_the_order(tmp_path):
     assert found.right and found.convergence.order == pytest.approx(2.0, abs=0.05)
 
 
+@pytest.mark.long_after(6)
+@pytest.mark.parametrize("radians", [0.1, 0.04])
+@pytest.mark.parametrize("name", [name for name in NAMES if "far apart" not in name][::10])  # where RK4 explodes
+def test_a_right_engine_with_long_steps_is_not_called_wrong(tmp_path, name, radians):
+    """At a motion's fastest, a step may turn the body by far more than on average; then more is left open."""
+    found = judged(tmp_path, [written(rk4, radians / 2**k, name) for k in range(3)])
+    assert found.verdict in ("right", "undecided"), found.summary
+    if found.verdict == "undecided":
+        assert "shorter steps" in found.summary
+
+
+def rounded(run, write):
+    return run | {key: [[float(write(x)) for x in row] for row in run[key]] for key in ("attitudes", "momenta")}
+
+
+@pytest.mark.parametrize("write", [lambda x: f"{x:.6f}", lambda x: f"{x:.6g}", lambda x: f"{np.float32(x):.9g}"])
+def test_printed_digits_are_no_mistake(tmp_path, write):
+    halved = [rounded(written(rk4, h), write) for h in (0.04, 0.02, 0.01)]
+    assert judged(tmp_path, halved).verdict == "right"
+    off = [rounded(written(rk4, h, gyroscopic=0.99), write) for h in (0.04, 0.02, 0.01)]
+    assert judged(tmp_path, off).verdict == "unexplained"
+
+
+def test_two_decimals_decide_nothing(tmp_path):
+    report = judged(tmp_path, [rounded(written(rk4, h, "short-axis 4"), lambda x: f"{x:.2f}")
+                               for h in (0.04, 0.02, 0.01)])
+    assert report.verdict == "undecided" and "Write more digits" in report.summary
+
+
 @pytest.mark.parametrize("digits", [17, 14])
 def test_three_steps_of_a_motion_without_a_name_do_so_too(tmp_path, digits):
     runs = [written(semi_implicit, h) for h in (0.04, 0.02, 0.01)]
@@ -73,6 +104,31 @@ def test_mistakes_in_a_file_are_named(tmp_path, change, words):
     for runs in ([written(rk4, 0.02, change=change)], halved):
         (named,) = only(judged(tmp_path, runs)).mistakes
         assert words in named
+
+
+@pytest.mark.long_after(1)
+@pytest.mark.parametrize("change, words", [
+    (lambda q, L: (np.roll(q, -1), L), "xyzw"), (lambda q, L: (q * np.array([1, -1, -1, -1]), L), "inverse"),
+    (lambda q, L: (q, np.degrees(L)), "degrees"), (lambda q, L: (q, engines.matrix(q) @ L), "space axes for body"),
+    (lambda q, L: (q, np.linalg.solve(TENSOR, L)), "ω given for L"),
+])  # fmt: skip
+def test_mistakes_that_the_start_has_too_are_named(tmp_path, change, words):
+    """As of an engine that writes everything in one convention."""
+    q, L = engines.unit(np.array([0.1, 0.7, -0.3, 0.5])), np.array([0.6, -0.9, 1.1])
+    halved = []
+    for dt in (0.04, 0.02, 0.01):
+        step, rows, state = rk4(equations(TENSOR)), [], (q, L)
+        for _ in range(round(6.0 / dt)):
+            state = step(*state, dt)
+            rows.append(change(*state))
+        attitudes, momenta = zip(*rows, strict=True)
+        start = dict(zip(("attitude", "momentum"), (x.tolist() for x in change(q, L)), strict=True))
+        halved.append({"inertia": TENSOR.tolist(), **start, "dt": dt,
+                       "times": [dt * (k + 1) for k in range(len(rows))],
+                       "attitudes": np.array(attitudes).tolist(), "momenta": np.array(momenta).tolist()})  # fmt: skip
+    for runs in (halved, halved[2:]):
+        (named,) = only(judged(tmp_path, runs)).mistakes
+        assert words in named and "in the start too" in named
 
 
 def test_wrong_equations_in_a_file_are_named(tmp_path):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -13,7 +14,7 @@ from polhode.types import Array, Float64
 
 HIGHEST_ORDER = 8
 OFF = 0.2  # that an observed order may miss a whole number by
-ASYMPTOTIC = 0.25  # of the error: what the limit of halved steps may be unsure by, or steps are too long to tell
+FALLS = 1.5  # times by which errors that still go to zero fall at least as a step is halved
 SEEN = 1e-3  # rad a radian turned: a limit with a larger uncertainty gives no verdict
 
 
@@ -28,6 +29,7 @@ class Convergence(NamedTuple):
         unsure: a mistake that moves the states by less than this is not seen; as the errors.
         by_rounding: whether all errors are of rounding.
         momentum_order: that of the momentum alone, which may be higher; None where rounding hides it.
+        open: whether shorter steps might still lead to the reference, or elsewhere.
     """
 
     converges: bool
@@ -37,6 +39,7 @@ class Convergence(NamedTuple):
     unsure: float
     by_rounding: bool = False
     momentum_order: float | None = None
+    open: bool = False
 
 
 def departures(
@@ -65,7 +68,8 @@ def judge_convergence(
     """Return what states with steps dt, dt/2, dt/4, … show.
 
     The order is that of the differences between successive levels, which a wrong limit does not touch. The limit is
-    Richardson's; it is unsure by what it moved between the last two levels.
+    Richardson's; it is unsure by what it moved between the last two levels. While that is more than a part in a
+    thousand of what the body turned, steps are too long to tell.
 
     Args:
         levels: of each step (T, 6), the departures from the reference at the same times.
@@ -87,7 +91,8 @@ def judge_convergence(
     if not np.isfinite(errors[-3:]).all():
         return Convergence(False, None, errors, None, np.inf)
     if all(error <= least for error, least in zip(errors, floors, strict=True)):
-        return Convergence(floor <= SEEN * max(turned, 1.0), None, errors, errors[-1], floor, True)
+        told = floor <= SEEN * max(turned, 1.0)
+        return Convergence(told, None, errors, errors[-1], floor, True, open=not told)
     if len(levels) < 3:
         return Convergence(False, None, errors, None, np.inf)
     coarse, middle, fine = levels[-3:]
@@ -98,16 +103,16 @@ def judge_convergence(
     order = float(np.log2(before / after)) if before > 0.0 else 0.0
     whole = round(order)
     if not (1 <= whole <= HIGHEST_ORDER and abs(order - whole) <= OFF):
-        return Convergence(False, order, errors, None, np.inf)
+        falling = all(a >= FALLS * b for a, b in pairwise(errors[-3:]))
+        return Convergence(False, order, errors, None, np.inf, open=falling)
     divisor = 2.0**whole - 1.0
     limit, earlier = fine - (middle - fine) / divisor, middle - (coarse - middle) / divisor
     unsure = _size(limit - earlier) + floor
     distance = _size(limit)
-    asymptotic = unsure <= max(ASYMPTOTIC * errors[-1], 2.0 * floor) and unsure <= SEEN * max(turned, 1.0)
+    near, told = distance <= unsure, unsure <= SEEN * max(turned, 1.0)
     own = [_size(change[:, 3:]) for change in (coarse - middle, middle - fine)]
     of_momentum = float(np.log2(own[0] / own[1])) if own[1] > floor else None
-    converges = bool(asymptotic and distance <= unsure)
-    return Convergence(converges, order, errors, distance, unsure, momentum_order=of_momentum)
+    return Convergence(near and told, order, errors, distance, unsure, False, of_momentum, near and not told)
 
 
 def _size(level: Float64[Array, "time 6"]) -> float:

@@ -15,6 +15,7 @@ from polhode.types import Array, Float64
 
 VARIABLES, AXES = ("momentum", "angular velocity"), ("body", "space")
 TOLERANCE = 1e-12
+ALIGNED = 1e-9  # an attitude that differs from none by less, of its quaternion's scalar
 
 
 @dataclass(frozen=True)
@@ -81,6 +82,8 @@ class EngineEquations:
         in_space: whether q̇ = f (0, ω) q/2, as if body rates were along space axes.
         damping: c [1/s].
         frozen: whether L stays in space while ω = I⁻¹L is that of the start, in space: the inertia is not turned.
+        along_space: "momentum" or "angular velocity" where the inertia is along space axes as it should be along the
+            body's, L̇ = g L × ω and q̇ = (0, ω) q/2 with all components in space; this is what the engine writes of it.
     """
 
     gyroscopic: float = 1.0
@@ -88,6 +91,7 @@ class EngineEquations:
     in_space: bool = False
     damping: float = 0.0
     frozen: bool = False
+    along_space: str = ""
 
     def solve(
         self, inertia: Float64[Array, "3 3"], attitude: Float64[Array, "4"], momentum: Float64[Array, "3"],
@@ -112,17 +116,25 @@ class EngineEquations:
             (w, x, y_, z), L = y[:4], y[4:] * size
             omega = inverse @ L
             a, b, c = 0.5 * self.factor * omega
-            s = -1.0 if self.in_space else 1.0
+            s = -1.0 if self.in_space or self.along_space else 1.0
             turn = [-x * a - y_ * b - z * c, w * a + s * (y_ * c - z * b), w * b + s * (z * a - x * c),
                     w * c + s * (x * b - y_ * a)]  # fmt: skip
             return np.concatenate([turn, (self.gyroscopic * np.cross(L, omega) - self.damping * L) / size])
 
-        start = np.concatenate([attitude, momentum / size])
+        by_rate, first = self.along_space == "angular velocity", momentum
+        if self.along_space:
+            first = rotation.rotate(attitude, inverse @ momentum if by_rate else momentum)
+            first = inertia @ first if by_rate else first
+        start = np.concatenate([attitude, first / size])
         done = solve_ivp(slope, (times[0], times[-1]), start, "DOP853", t_eval=times, rtol=TOLERANCE, atol=1e-13)
         if not done.success:
             raise NotConverged(f"the equations could not be followed: {done.message}")
-        q = done.y[:4].T
-        return q / np.linalg.norm(q, axis=-1, keepdims=True), done.y[4:].T * size
+        q, L = done.y[:4].T, done.y[4:].T * size
+        q = q / np.linalg.norm(q, axis=-1, keepdims=True)
+        if self.along_space:  # as a reader has it that turns what the engine writes
+            L = rotation.rotate(rotation.conjugate(q), L @ inverse if by_rate else L)
+            L = L @ inertia if by_rate else L
+        return q, np.asarray(L)
 
 
 def list_convention_mistakes(declared: StateConvention) -> dict[str, StateConvention]:
@@ -141,20 +153,30 @@ def list_convention_mistakes(declared: StateConvention) -> dict[str, StateConven
     return {name: replace(declared, **change) for name, change in {**single, **pairs}.items()}
 
 
-def list_equation_mistakes(damping: float = 0.0) -> dict[str, EngineEquations]:
+def list_equation_mistakes(
+    variable: str, attitude: Float64[Array, "4"], damping: float = 0.0
+) -> dict[str, EngineEquations]:  # fmt: skip
     """Return wrong equations that engines solve, by their names in words.
 
     Args:
+        variable: which an engine writes, see ``StateConvention``.
+        attitude: (4,) of the start; where it is none, body axes are those of space, and two mistakes are one.
         damping: rate at which |L| decays in the engine [1/s]; no damping is looked for where it is 0.
     """
+    kept = EngineEquations(gyroscopic=0.0, along_space=variable)
     found = {
         "gyroscopic term missing: ω constant along body axes": EngineEquations(gyroscopic=0.0),
         "inertia not turned with the body: ω constant while L is": EngineEquations(frozen=True),
+        "inertia not turned with the body: along space axes as it should be along the body's": kept,
+        "inertia not turned with the body: Euler's equations along space axes": replace(kept, gyroscopic=1.0),
         "gyroscopic term with the wrong sign": EngineEquations(gyroscopic=-1.0),
         "factor ½ missing in the quaternion's rate": EngineEquations(factor=2.0),
         "factor ½ twice in the quaternion's rate": EngineEquations(factor=0.5),
         "rates along body axes turn the attitude as if along space axes": EngineEquations(in_space=True),
     }
+    # where the engine writes ω, it stays along body axes as well
+    if variable == "angular velocity" or abs(attitude[0]) > 1.0 - ALIGNED:
+        found = {name: one for name, one in found.items() if one is not kept}
     if damping:
         found[f"angular damping: L decays by {damping:.4g} of itself a second"] = EngineEquations(damping=damping)
     return found

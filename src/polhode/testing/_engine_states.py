@@ -5,13 +5,13 @@ from __future__ import annotations
 import difflib
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from polhode.analysis._engine_mistakes import StateConvention
+from polhode.analysis._engine_mistakes import VARIABLES, StateConvention
 from polhode.bodies._inertia import principal_axes
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.opening import read_text
@@ -36,12 +36,26 @@ class GivenMotion:
         inertia: (3, 3) [kg m², body axes].
         attitude: (4,) unit quaternion wxyz, body → space.
         momentum: (3,) [kg m²/s, body axes].
+        variable: by which a run gives a start of its own, "momentum" or "angular velocity"; empty for a known motion.
     """
 
     name: str
     inertia: Float64[Array, "3 3"]
     attitude: Float64[Array, "4"]
     momentum: Float64[Array, "3"]
+    variable: str = ""
+
+    def read_by(self, other: StateConvention, declared: StateConvention) -> GivenMotion:
+        """Return the start as it is where the run gave it, too, in another convention than the declared one."""
+        own = StateConvention(self.variable)  # starts are along the body's axes
+        change: dict[str, Any] = {"scalar_last": other.scalar_last, "inverse": other.inverse, "degrees": other.degrees}
+        if other.variable != declared.variable:
+            change["variable"] = next(x for x in VARIABLES if x != self.variable)
+        if other.axes != declared.axes and declared.axes == own.axes:
+            change["axes"] = other.axes
+        written = own.encode(self.attitude, self.momentum, self.inertia)
+        attitude, momentum = replace(own, **change).decode(*written, self.inertia)
+        return replace(self, attitude=attitude, momentum=momentum)
 
 
 @dataclass(frozen=True, eq=False)
@@ -210,13 +224,12 @@ def _given_motion(run: dict[str, Any], of_spec: GivenMotion | None, label: str) 
         attitude = _numbers(run, "attitude", (4,))
         if not abs(np.linalg.norm(attitude) - 1.0) <= 1e-6:
             raise InvalidInput(f"`attitude` must have length 1; got {shown(run['attitude'])}. Divide it by its norm.")
-        if "angular_velocity" in run:
-            momentum = inertia @ _numbers(run, "angular_velocity", (3,))
-        else:
-            momentum = _numbers(run, "momentum", (3,))
+        by_rate = "angular_velocity" in run
+        momentum = inertia @ _numbers(run, "angular_velocity", (3,)) if by_rate else _numbers(run, "momentum", (3,))
         if not (momentum.any() and np.isfinite(momentum).all()):
             raise InvalidInput(f"a body must turn at the start; got L = {shown(momentum.tolist())}.")
-        return GivenMotion(label, inertia, attitude / np.linalg.norm(attitude), momentum)
+        unit = attitude / np.linalg.norm(attitude)
+        return GivenMotion(label, inertia, unit, momentum, VARIABLES[by_rate])
     if "motion" in run:
         known = {motion.name: motion for motion in reference_motions()}
         motion = known.get(str(run["motion"]))

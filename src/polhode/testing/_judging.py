@@ -113,18 +113,18 @@ def judge_engine(
     runs = {name: run.finite_part() for name, run in whole.items()}
     ends = {name: find_spin_end(run) for name, run in runs.items()}
     unseen = find_unseen(engine.convention, engine.inertia, attitude, momentum, span * np.arange(SAMPLES + 1) / SAMPLES)
-    run = runs[GIVEN]
-    return Judgement(GIVEN, run, dt, convergence.converges, convergence, tuple(explained), unseen, *measure(run), ends,
+    run, right = runs[GIVEN], None if convergence.open and not explained else convergence.converges
+    return Judgement(GIVEN, run, dt, right, convergence, tuple(explained), unseen, *measure(run), ends,
                      dict(runs), explained=next(iter(explained.values()), None), stops=stops,
                      length_change=find_length_change(run.lengths, run.eps))  # fmt: skip
 
 
 def measure(run: EngineRun) -> tuple[Drift, Drift, Growth]:
     """Return the drifts of energy and |L|, and the growth of the attitude's error."""
-    rounding = 4.0 * run.eps * np.sqrt(run.steps + 1.0) + 16.0 * run.eps
+    rounding = 4.0 * run.eps * np.sqrt(run.steps + 1.0) + 16.0 * run.eps + 2.0 * run.printed
     with np.errstate(all="ignore"):
         energy, norm = (measure_drift(x, run.turned, rounding) for x in (run.energy, run.momentum_norm))
-        growth = measure_growth(run.angle, run.turned, run.eps * (16.0 + run.steps / 2.0))
+        growth = measure_growth(run.angle, run.turned, run.eps * (16.0 + run.steps / 2.0) + 2.0 * run.printed)
     return energy, norm, growth
 
 
@@ -191,7 +191,8 @@ def find_mistakes(
                 continue
         return {name: one for name, one in found.items() if one.converges}
 
-    return explain({**single, **list_equation_mistakes(damping)}) or explain(pairs)
+    equations = list_equation_mistakes(engine.convention.variable, attitude, damping)
+    return explain({**single, **equations}) or explain(pairs)
 
 
 def find_unseen(
@@ -208,7 +209,7 @@ def find_unseen(
             states = other.decode(*convention.encode(*exact, inertia), inertia)
             if np.abs(departures(*states, *exact)).max() <= bound:
                 found.append(name)
-    for name, equations in list_equation_mistakes().items():
+    for name, equations in list_equation_mistakes(convention.variable, attitude).items():
         if np.abs(departures(*equations.solve(inertia, attitude, momentum, times), *exact)).max() <= bound:
             found.append(name)
     return tuple(found)

@@ -20,7 +20,7 @@ from polhode.analysis._engine_run import EngineRun, exact_motion, find_spin_end,
 from polhode.errors import InvalidInput, NotConverged
 from polhode.testing._engine_states import WrittenStates
 from polhode.testing._judging import GIVEN, Judgement, find_unseen, measure
-from polhode.testing._stepping import find_eps, find_length_change
+from polhode.testing._stepping import find_eps, find_length_change, find_printed_unit
 from polhode.types import Array, Float64
 
 SHORT = 10.0  # rad; states up to there are compared, later ones amplify any error
@@ -77,6 +77,52 @@ def _by_halved_steps(group: Sequence[WrittenStates]) -> list[WrittenStates]:
 
 
 def _judge_one(one: WrittenStates, halved: Sequence[WrittenStates]) -> Judgement:
+    """Judge by the start as it is meant to be; where it is not right, with mistakes of convention in the start, too.
+
+    These are looked for first, as equations take long to solve for a start in degrees.
+    """
+    found, refusal = None, None
+    try:
+        found = _judge_as_read(one, halved, search=not one.given.variable)
+    except InvalidInput as error:
+        refusal = error
+    if one.given.variable and not (found and found.right):
+        found = _judge_with_start(one, halved, found) or (found and _judge_as_read(one, halved))
+    if found is None:
+        assert refusal is not None
+        raise refusal
+    return found
+
+
+def _judge_with_start(
+    one: WrittenStates, halved: Sequence[WrittenStates], plain: Judgement | None
+) -> Judgement | None:  # fmt: skip
+    """Return the judgement with the first mistakes of convention that explain states and start; None without any."""
+    bound = plain.residual / FALLS if plain is not None and plain.residual else np.inf
+    conventions = list_convention_mistakes(one.convention)
+    for pairs in (False, True):
+        explained: dict[str, Judgement] = {}
+        for name, other in conventions.items():
+            if (" and " in name) != pairs:
+                continue
+            read = [replace(run, given=run.given.read_by(other, one.convention), convention=other)
+                    for run in halved or [one]]  # fmt: skip
+            try:
+                found = _judge_as_read(read[0], read if halved else (), search=False)
+            except (InvalidInput, NotConverged):
+                continue
+            if found.right or (found.residual or np.inf) <= min(found.allowed or 0.0, bound):
+                explained[f"{name}, in the start too"] = found
+        if explained:
+            found = next(iter(explained.values()))
+            left = found.residual if found.convergence is None else found.convergence
+            whole = {} if plain is None else {"residual": plain.residual, "allowed": plain.allowed}
+            return replace(plain or found, right=False, mistakes=tuple(explained), explained=left, **whole)
+    return None
+
+
+def _judge_as_read(one: WrittenStates, halved: Sequence[WrittenStates], search: bool = True) -> Judgement:
+    """Judge states and start as they are, and look for mistakes in the states alone that explain them, if wanted."""
     given, run = one.given, as_run(one, one.convention)
     short = _short_part(run)
     if halved:
@@ -87,10 +133,11 @@ def _judge_one(one: WrittenStates, halved: Sequence[WrittenStates]) -> Judgement
             left = _converge(halved, common, equations, lambda given: convention or given.convention)
             return left if left.converges else None
 
-        explained = {} if found.converges else _find(one, explain)
-        verdict = {"right": found.converges, "convergence": found, **_told(explained)}
+        explained = _find(one, explain) if search and not found.converges else {}
+        right = None if found.open and not explained else found.converges
+        verdict = {"right": right, "convergence": found, **_told(explained)}
     else:
-        verdict = _judge_by_one_step(one, run, short)
+        verdict = _judge_by_one_step(one, run, short, search)
     times = np.concatenate([[0.0], run.times[1 : short + 1]])
     unseen = find_unseen(one.convention, given.inertia, given.attitude, given.momentum, times)
     energy, norm, growth = measure(run)
@@ -106,7 +153,8 @@ def _told(explained: Mapping[str, Convergence | float]) -> dict[str, object]:
 
 def _length_change(states: Sequence[WrittenStates]) -> float:
     """Return the change of length of the quaternions in the run where it is largest."""
-    changes = [find_length_change(np.linalg.norm(one.quaternions, axis=-1), find_eps(one.quaternions))
+    changes = [find_length_change(np.linalg.norm(one.quaternions, axis=-1),
+                                  max(find_eps(one.quaternions), find_printed_unit(one.quaternions)))
                for one in states]  # fmt: skip
     return max(changes, key=abs)
 
@@ -115,8 +163,12 @@ def as_run(one: WrittenStates, convention: StateConvention) -> EngineRun:
     """Return the states after the exact start, read by a convention."""
     q, L = convention.decode(one.quaternions, one.rates, one.given.inertia)
     steps = len(one.times) if one.dt is None else max(1, round(float(one.times[-1]) / one.dt))
+    # a turn is twice the change of a unit quaternion
+    largest = float(np.abs(one.rates).max()) or 1.0
+    printed = 2.0 * find_printed_unit(one.quaternions) + find_printed_unit(one.rates) / largest
     return EngineRun(one.given.inertia, np.concatenate([[0.0], one.times]), np.vstack([one.given.attitude, q]),
-                     np.vstack([one.given.momentum, L]), find_eps(one.quaternions, one.rates), steps)  # fmt: skip
+                     np.vstack([one.given.momentum, L]), find_eps(one.quaternions, one.rates), steps,
+                     printed)  # fmt: skip
 
 
 def _short_part(run: EngineRun) -> int:
@@ -129,11 +181,11 @@ def _short_part(run: EngineRun) -> int:
     return last
 
 
-def _judge_by_one_step(one: WrittenStates, run: EngineRun, short: int) -> dict[str, object]:
+def _judge_by_one_step(one: WrittenStates, run: EngineRun, short: int, search: bool) -> dict[str, object]:
     part = slice(1, short + 1)
     rate = float(run.turned[short] / run.times[short])
     steps = short if one.dt is None else float(run.times[short]) / one.dt
-    rounding = run.eps * (16.0 + steps / 2.0)
+    rounding = run.eps * (16.0 + steps / 2.0) + 2.0 * run.printed
     slack = SEEN if one.dt is None else min(0.02, FIRST_ORDER * one.dt * rate)
     allowed = max(rounding, slack * float(run.turned[short]))
 
@@ -151,7 +203,7 @@ def _judge_by_one_step(one: WrittenStates, run: EngineRun, short: int) -> dict[s
         left = residual(convention, equations)
         return left if left <= bound else None
 
-    explained = _find(one, explain, _measure_damping(run, short))
+    explained = _find(one, explain, _measure_damping(run, short)) if search else {}
     right = False if explained or not plain <= allowed else None
     return {"right": right, "convergence": None, "residual": plain, "allowed": allowed, **_told(explained)}
 
@@ -169,10 +221,11 @@ def _find(
     damping: float = 0.0,
 ) -> dict[str, Left]:  # fmt: skip
     """Return the mistakes that explain the states, with what is left; pairs are looked for where no single one does."""
-    conventions = list_convention_mistakes(one.convention)
+    conventions, of_equations = list_convention_mistakes(one.convention), (
+        one.convention.variable, one.given.attitude, damping)  # fmt: skip
     single: list[tuple[str, StateConvention | None, EngineEquations | None]]
     single = [(name, other, None) for name, other in conventions.items() if " and " not in name]
-    single += [(name, None, other) for name, other in list_equation_mistakes(damping).items()]
+    single += [(name, None, other) for name, other in list_equation_mistakes(*of_equations).items()]
     pairs = [(name, other, None) for name, other in conventions.items() if " and " in name]
     for tried in (single, pairs):
         found = {}
@@ -225,5 +278,5 @@ def _converge(
         kept = _nearest(run.times, times)
         levels.append(departures(run.attitude[kept], run.momentum[kept], *exact))
         steps = float(times[-1]) / (one.dt or 1.0)
-        floors.append(run.eps * (16.0 + steps / 2.0) + (0.0 if equations is None else 1e-10))
+        floors.append(run.eps * (16.0 + steps / 2.0) + run.printed + (0.0 if equations is None else 1e-10))
     return judge_convergence(levels, floors, float(turned_angle(motion, from_start)[-1]))

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
 from typing import Any
 
 import numpy as np
@@ -14,6 +16,8 @@ from polhode.errors import InvalidInput, one_line, shown
 from polhode.types import Array, Float64
 
 Step = Callable[[Any, Any, float], tuple[Any, Any]]
+FEWEST = 12  # different numbers, from which on their digits tell how they were printed
+MOST_DIGITS = 9  # significant ones; more are as good as all
 LENGTH = 1e-5  # by which a quaternion's length may miss 1 before a report says so
 
 
@@ -116,7 +120,8 @@ class SteppedEngine:
             lengths = np.linalg.norm(kept_q, axis=-1)
         attitudes[0], momenta[0] = attitude, momentum
         times = dt * every * np.arange(len(attitudes))
-        return SteppedRun(self.inertia, times, attitudes, momenta, find_eps(*first), count, lengths, stop)
+        return SteppedRun(self.inertia, times, attitudes, momenta, find_eps(*first), count,
+                          lengths=lengths, stop=stop)  # fmt: skip
 
 
 def _find_fault(q: Any, rate: Any) -> str:
@@ -148,12 +153,33 @@ def _check_answer(answer: Any) -> tuple[Any, Any]:
     return answer[0], answer[1]
 
 
+def find_printed_unit(values: Float64[Array, "..."]) -> float:
+    """Return the unit of the last digit with which numbers were printed, of the largest of them; 0 for all digits.
+
+    Few different numbers, such as those of a momentum that stays, tell nothing of digits.
+    """
+    numbers = np.unique(np.abs(values[values != 0.0]))
+    if len(numbers) < FEWEST:
+        return 0.0
+    digits = max(len(Decimal(repr(x)).normalize().as_tuple().digits) for x in numbers.tolist())
+    if digits > MOST_DIGITS:
+        return 0.0
+    return 10.0 ** (math.floor(math.log10(numbers[-1])) + 1 - digits)
+
+
 def find_eps(*values: Any) -> float:
-    """Return the rounding unit of numbers: that of their type, or of float32 where all of them are numbers of it."""
+    """Return the rounding unit of numbers: that of their type, or of float32 where all of them are numbers of it.
+
+    Numbers of float32 are also recognized when they were printed with the nine digits that tell them apart.
+    """
     types = [np.asarray(value).dtype for value in values]
     coarsest = max((np.finfo(t).eps for t in types if np.issubdtype(t, np.floating)), default=np.finfo(float).eps)
     arrays = [np.asarray(value, dtype=float) for value in values]
     with np.errstate(all="ignore"):
-        if all(np.array_equal(a, a.astype(np.float32), equal_nan=True) for a in arrays):
+        if all(np.array_equal(a, a.astype(np.float32), equal_nan=True) or _is_single_printed(a) for a in arrays):
             coarsest = max(coarsest, np.finfo(np.float32).eps)
     return float(coarsest)
+
+
+def _is_single_printed(values: Float64[Array, "..."]) -> bool:
+    return all(float(f"{np.float32(x):.9g}") == x for x in np.ravel(values).tolist())

@@ -94,7 +94,7 @@ class JudgeReport(StudyReport):
             notes.append("several mistakes explain the states equally well; another motion may tell them apart.")
         if len(self.judgements) > 1 and (change := max((one.length_change for one in self.judgements), key=abs)):
             notes.append(_word_length(change, ""))
-        if any(one.right is None for one in self.judgements):
+        if any(one.right is None and one.convergence is None for one in self.judgements):
             notes.append("states of one step size do not tell an error of the method from a mistake of the same size; "
                          "give the same motion with dt, dt/2 and dt/4.")  # fmt: skip
         return notes
@@ -141,7 +141,7 @@ def describe_verdict(one: Judgement) -> str:
     found, stop = one.convergence, _word_stop(one, step=True)
     right = f"Right with short steps, but at dt = {one.dt:.4g} s {stop}" if stop else "Right"
     if one.right and (found is None or found.by_rounding):
-        return f"{right}: exact to rounding."
+        return f"{right}: exact to {'the digits that it printed' if one.run.printed else 'rounding'}."
     if one.right and found is not None:
         other = found.momentum_order
         more = f", in momentum {other:.2f}" if other is not None and abs(other - (found.order or 0.0)) > 0.5 else ""
@@ -152,6 +152,8 @@ def describe_verdict(one: Judgement) -> str:
     if stop and _is_lost(one):
         return f"Wrong: {stop}, at dt = {one.dt:.4g} s; with shorter steps, too, its states do not stay finite."
     after = f" {stop[:1].upper()}{stop[1:]}." if stop else ""
+    if one.right is None and found is not None:
+        return f"Undecided: {_word_open(found)}{after}"
     if one.right is None:
         return (f"Undecided: the states are off by {one.residual:.2g}, which a method of order 1 or better may be with "
                 f"such steps (up to {one.allowed:.2g}).{after}")  # fmt: skip
@@ -162,6 +164,18 @@ def describe_verdict(one: Judgement) -> str:
                 f"motion.{after}")  # fmt: skip
     errors = ", ".join(_error(x, 2) for x in found.errors)
     return f"Unexplained: shorter steps do not converge; the errors are {errors}.{after}"
+
+
+def _word_open(found: Convergence) -> str:
+    """Return why the states do not tell, with the remedy."""
+    if found.by_rounding:
+        return (f"the states are exact as far as their digits show, to {found.unsure:.1e}, which is too little for a "
+                "verdict. Write more digits, or take fewer steps.")  # fmt: skip
+    if found.limit is None:
+        errors = ", ".join(_error(x, 2) for x in found.errors)
+        return f"the errors fall with shorter steps ({errors}), but not yet as a power of the step. Give shorter steps."
+    return (f"with shorter steps it comes as near to the exact motion as such steps show, within {found.unsure:.1e}. "
+            "Give shorter steps.")  # fmt: skip
 
 
 def _word_explained(one: Judgement) -> str:
