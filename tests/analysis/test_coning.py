@@ -61,6 +61,15 @@ def test_a_spec_by_nutation_and_precession(tmp_path):
     assert values["axes"][2]["angle_to_momentum"][0] == pytest.approx(math.radians(30.0), rel=1e-9)
 
 
+@pytest.mark.parametrize(("nutation", "along"), [("90 deg", False), ("180 deg", True)])
+def test_a_right_angle_is_one(tmp_path, nutation, along):
+    """Its cosine in doubles, 6e-17, would let L come back in the body after 3e9 years."""
+    report = ph.report(write(tmp_path, f'nutation = "{nutation}"\nprecession = "10 rpm"\n'))
+    momentum = np.abs(np.asarray(report.trajectory.momentum))
+    assert (np.count_nonzero(momentum[0]), "comes back" in report.summary) == (1, False)
+    assert report.values()["regime"] == "permanent"
+
+
 def test_a_body_with_losses_starts_the_same(tmp_path):
     spec = SPEC.replace("[spin]", '[system]\nkind = "damped-body"\ndamping = 0.01\n[time]\nuntil = "1 s"\n[spin]')
     report = ph.report(write(tmp_path, 'nutation = "30 deg"\nprecession = "4 rev/s"\n', spec))

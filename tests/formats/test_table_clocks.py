@@ -173,6 +173,9 @@ def test_a_coarse_clock_is_spread(read):
     (["59000.5", "five"], {"time_unit": "mjd", "time_system": "TT"}, "line 3, column 1 't'"),
     (["1e40", "1e41"], {"time_unit": "unix"}, "line 2"),
     (["9e12", "9.1e12"], {"time_unit": "mjd", "time_system": "TT"}, "line 2"),
+    (["1772366400000000000", "1772366401000000000"], {"time_unit": "unix"}, "in unix; unix-ns may be meant"),
+    (["1772366400000000000", "1772366401000000000"], {}, "count from a day of a calendar, mjd|jd|gps"),
+    (["01/03/2026 12:00:00", "01/03/2026 12:00:01"], {}, "neither a number nor a date or time of day. Write dates"),
 ])  # fmt: skip
 def test_stamps_that_are_none(read, stamps, words, said):
     with pytest.raises((InvalidInput, FormatError)) as caught:

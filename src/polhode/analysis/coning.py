@@ -10,6 +10,7 @@ from polhode.arrays import known_numbers_only
 from polhode.bodies._pivot import axis_of_symmetry
 from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, steady_precession
+from polhode.special._circular import cosine_and_sine
 from polhode.types import Array, ArrayLike, Float64, Real
 
 
@@ -59,12 +60,13 @@ def coning_momentum(
         nutation = math.acos(cosine)
     elif precession is None:
         assert spin is not None
-        across = (A - C) * math.cos(nutation)
-        if abs(across) <= 1e-15 * A:
+        across = (A - C) * float(cosine_and_sine(nutation)[0])
+        if across == 0.0:
             raise InvalidInput("a body that cones at a right angle has no spin; give its precession.")
         precession = C * spin / across
     L = np.zeros(3)
-    L[k], L[(k + 1) % 3] = A * precession * math.cos(nutation), A * precession * math.sin(nutation)
+    along, aside = map(float, cosine_and_sine(nutation))
+    L[k], L[(k + 1) % 3] = A * precession * along, A * precession * aside
     return L
 
 

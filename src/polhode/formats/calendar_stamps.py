@@ -35,6 +35,7 @@ GPS_ZERO = 3657 * 86400  # s from 1970-01-01 to 1980-01-06, both of a uniform sy
 WEEK = 604_800  # s
 ROLLOVER = 1024  # weeks, after which receivers of the first signal begin again
 HALF_DAY = 43_200  # s; times of day that fall by more have passed midnight
+LAST_DAY = 2_932_897  # from 1970, with which the year 10000 begins
 PER_UNIX = {"unix": 1, "unix-ms": 10**3, "unix-us": 10**6, "unix-ns": 10**9}
 Rows = Sequence[tuple[int, tuple[str, ...]]]
 """Numbers of lines, and the cells in the columns of times."""
@@ -65,6 +66,18 @@ def kind_of_cells(path: Path, form: TableForm, column: int) -> str | None:
     for text in islice(read_texts(path, form, column), SEEN):
         if text.lower() not in MISSING:
             return DATE if is_date(text) else TIME_OF_DAY if is_time_of_day(text) else None
+    return None
+
+
+def first_odd_cell(path: Path, form: TableForm, column: int) -> str | None:
+    """Return the first cell of a column that is not blank, unless it is a number."""
+    for text in islice(read_texts(path, form, column), SEEN):
+        if text.lower() not in MISSING:
+            try:
+                float(text.replace(",", "."))
+            except ValueError:
+                return text
+            return None
     return None
 
 
@@ -238,6 +251,9 @@ def _instant(kind: str, numbers: Sequence[Decimal], system: str) -> tuple[int, i
     scale = PER_UNIX[kind]
     seconds = numbers[0] / scale + (numbers[1] * IN_DECIMAL_SECONDS["ns"] if len(numbers) == 2 else 0)
     day = int((seconds / 86400).to_integral_value(ROUND_FLOOR))
+    if not abs(day) < LAST_DAY:
+        finer = f"; {list(PER_UNIX)[-1]} may be meant" if scale < 10**9 else ""
+        raise ValueError(f"must be a time before the year 10000; got {numbers[0]} in {kind}{finer}")
     return _split(_midnight(day, system) + (seconds - 86400 * day))
 
 

@@ -8,10 +8,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from polhode.errors import InvalidInput, shown
-from polhode.formats.calendar_stamps import ClockColumns, kind_of_cells
+from polhode.formats.calendar_stamps import ClockColumns, first_odd_cell, kind_of_cells
 from polhode.formats.column_mapping import ORDERS, ColumnMapping
 from polhode.formats.header_words import (
     ANGLE_UNITS,
+    CALENDARS,
     ENTRIES,
     RATE_UNITS,
     TIME_UNITS,
@@ -26,6 +27,7 @@ from polhode.formats.table_form import TableForm
 
 COLUMNS_SHOWN = 12  # in a message
 COUNTS_TOO = ", or of raw counts by `scale`, like \"131 LSB/(deg/s)\""
+CALENDARS_TOO = f", or, of times that count from a day of a calendar, {'|'.join(CALENDARS)}"
 
 
 class Resolved(NamedTuple):
@@ -69,7 +71,7 @@ def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Reso
         if len(header_units) == 1:
             return in_header
         why = f"the header names {in_header}" if header_units else "the file does not say it"
-        more = COUNTS_TOO if name == "unit" and group == "gyro" else ""
+        more = {"gyro": COUNTS_TOO, "time": CALENDARS_TOO}.get(group, "")
         problems.append(f"the unit of {what} is not known: {why}. Say it by `{name}` {'|'.join(units)}{more}.")
         return ""
 
@@ -118,6 +120,10 @@ def _find_time_units(
         named = form.names[places[0]].strip().lower() if form.names else ""
         if seen is None and said is None and bare_name(named) in ("mjd", "jd"):
             seen = bare_name(named)
+        if seen is None and said is None and (odd := first_odd_cell(path, form, places[0])):
+            problems.append(f"{name_column(form, places[0])} begins with {shown(odd)}, which is neither a number nor a "
+                            "date or time of day. Write dates like 2026-03-01T12:00:00.")  # fmt: skip
+            return ("",)
         return (seen,) if seen else (unit("the time", "time", said[0] if said else None, TIME_UNITS, "time_unit"),)
     if len(places) == 2 and said in (("gps",), ("unix",)):
         return said * 2

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import math
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -28,6 +27,7 @@ from polhode.spec.mistakes import as_message, list_mistakes
 from polhode.spec.models import BodyTable, SpinTable
 from polhode.spec.parsing import read_tables
 from polhode.spec.rules import find_broken_body_rules
+from polhode.special._circular import cosine_and_sine
 from polhode.types import Array, Float64
 
 ROBOTS = {
@@ -174,7 +174,7 @@ def build_spin(
     index = about - 1 if isinstance(about, int) else "xyz".index(str(about))
     rate, tilt = np.broadcast_arrays(np.asarray(table.rate, dtype=float), np.asarray(table.tilt, dtype=float))
     direction = np.zeros((*rate.shape, 3))
-    direction[..., index], direction[..., (index + 1) % 3] = _cosine_and_sine(tilt)
+    direction[..., index], direction[..., (index + 1) % 3] = cosine_and_sine(tilt)
     direction = direction if isinstance(about, int) else _components(direction, axes)
     return compute_momentum(moments, rate[..., None] * direction), attitude
 
@@ -212,13 +212,3 @@ def compute_momentum(
         raise InvalidInput(f"the spin ({rates}) rad/s along the principal axes gives a momentum beyond the range of "
                            "numbers. Check the rate and its unit.")  # fmt: skip
     return momentum
-
-
-def _cosine_and_sine(angle: Array) -> tuple[Array, Array]:
-    """Return both, exact for whole quarter turns, whose angle itself is not."""
-    quarters = angle / (0.5 * math.pi)
-    nearest = np.round(quarters)
-    whole = (nearest != 0.0) & (np.abs(quarters - nearest) <= 4.0 * np.finfo(float).eps * np.abs(quarters))
-    k = (nearest % 4.0).astype(int)
-    cosine, sine = np.array([1.0, 0.0, -1.0, 0.0])[k], np.array([0.0, 1.0, 0.0, -1.0])[k]
-    return np.where(whole, cosine, np.cos(angle)), np.where(whole, sine, np.sin(angle))

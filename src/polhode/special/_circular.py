@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from polhode.arrays import is_jax, namespace, nearest, split_halves
 from polhode.special._doubledouble import two_sum
-from polhode.types import Array, ArrayOrFloat, Float64
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64
 
 Operand = Float64[ArrayOrFloat, "*#shape"]
 Result = Float64[ArrayOrFloat, "*shape"]
+EPS = float(np.finfo(float).eps)
 SplitRate = tuple[Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."]]
 
 # Taylor coefficients of sin 2πx and cos 2πx in powers of x². At the end of an eighth of a turn, 2πx = π/4, the first
@@ -43,6 +46,17 @@ def sine_cosine_turns(x: Operand) -> tuple[Result, Result]:
     odd = (n == 1.0) | (n == 3.0)
     s, c = xp.where(odd, c, s), xp.where(odd, s, c)
     return xp.where(n >= 2.0, -s, s), xp.where((n == 1.0) | (n == 2.0), -c, c)
+
+
+def cosine_and_sine(angle: Float64[ArrayLike, "*shape"]) -> tuple[Float64[np.ndarray, "*shape"], ...]:
+    """Return both of angles [rad], exact for whole quarter turns, whose angle itself is not."""
+    angle = np.asarray(angle, dtype=float)
+    quarters = angle / (0.5 * math.pi)
+    nearest_one = np.round(quarters)
+    whole = (nearest_one != 0.0) & (np.abs(quarters - nearest_one) <= 4.0 * EPS * np.abs(quarters))
+    k = (nearest_one % 4.0).astype(int)
+    cosine, sine = np.array([1.0, 0.0, -1.0, 0.0])[k], np.array([0.0, 1.0, 0.0, -1.0])[k]
+    return np.where(whole, cosine, np.cos(angle)), np.where(whole, sine, np.sin(angle))
 
 
 def _horner(coefficients: list[float], x: Array) -> ArrayOrFloat:

@@ -83,8 +83,8 @@ class AbstractMovingPart(AbstractMounted):
     def bound(self, frame: BodyFrame) -> Self:
         if self.moves_mass and frame.mass is None:
             raise InvalidInput(
-                f"a {type(self).__name__} moves the centre of mass, and so needs the mass of the whole body. Use "
-                "`RigidBody.from_body` with a `Body` that has a `mass`."
+                f"a {type(self).__name__} moves the centre of mass, and so needs the mass of the whole body. Give the "
+                "body its `mass` beside the moments; in Python that is of the `Body` for `RigidBody.from_body`."
             )
         return self
 

@@ -107,8 +107,9 @@ class Propellant(AbstractMount):
 
     def bound(self, frame: BodyFrame) -> Self:
         if frame.mass is None:
-            raise InvalidInput("a Propellant changes the mass, and so needs that of the whole body. Use "
-                               "`RigidBody.from_body` with a `Body` that has a `mass`.")  # fmt: skip
+            raise InvalidInput("a Propellant changes the mass, and so needs that of the whole body. Give the body its "
+                               "`mass` beside the moments; in Python that is of the `Body` for "
+                               "`RigidBody.from_body`.")  # fmt: skip
         if not float(self.full) < frame.mass:
             raise InvalidInput(f"the propellant, {float(self.full):g} kg, must be part of the body, whose `mass` is "
                                f"{frame.mass:g} kg. Give the mass of all together.")  # fmt: skip
