@@ -46,15 +46,17 @@ def compiled_for_few_calls(function: Function) -> Function:
     """
     import jax.numpy as jnp
 
-    return _computed_by_numpy(function, jnp.array)  # copies: a value may be one of the arguments
+    return _computed_by_numpy(function, jnp.array, lambda x: x)  # copies: a value may be one of the arguments
 
 
 def arrays_for_few_calls(function: Function) -> Function:
     """Return the same with NumPy's arrays as results, which are made faster than JAX's; JAX's while it traces."""
-    return _computed_by_numpy(function, np.array)
+    return _computed_by_numpy(function, np.array, np.asarray)
 
 
-def _computed_by_numpy(function: Function, convert: Callable[[Any], Any]) -> Function:
+def _computed_by_numpy(
+    function: Function, convert: Callable[[Any], Any], of_compiled: Callable[[Any], Any]
+) -> Function:  # fmt: skip
     import jax
 
     compiled = compiled_quickly(function)
@@ -62,7 +64,7 @@ def _computed_by_numpy(function: Function, convert: Callable[[Any], Any]) -> Fun
 
     def compile_and_call(*args: Any, **kwargs: Any) -> Any:
         results = compiled(*args, **kwargs)
-        return results if is_tracing() else jax.tree.map(lambda x: convert(x) if _is_array(x) else x, results)
+        return results if is_tracing() else jax.tree.map(lambda x: of_compiled(x) if _is_array(x) else x, results)
 
     @wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:

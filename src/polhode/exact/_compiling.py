@@ -47,6 +47,7 @@ class Entry:
 
     def __init__(self, what: str, dispatcher: Any) -> None:
         self.what, self.dispatcher = what, dispatcher
+        self._is_ready = False  # the dispatcher's own list takes longer to ask than a short run
         entry = self
 
         class Listener(event.Listener):
@@ -59,9 +60,10 @@ class Entry:
         event.register("numba:compile", Listener())
 
     def __call__(self, *arguments: Any) -> Any:
-        if not self.dispatcher.signatures:
+        if not self._is_ready:
             with self._alone():
                 self.dispatcher.compile(tuple(map(typeof, arguments)))
+            self._is_ready = True
         return self.dispatcher(*arguments)
 
     @contextmanager

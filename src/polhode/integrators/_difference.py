@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 from typing import Any, TypeGuard
 
-import jax.numpy as jnp
 import numpy as np
 
 from polhode.systems._component_sizes import component_sizes
@@ -80,12 +79,12 @@ def starts_a_rounding_away(system: AbstractSystem, state: Double[Array, "..."]) 
 def _perturb(system: AbstractLiePoissonSystem, point: Array, rng: np.random.Generator) -> Array:
     """Return a point of the dual, off by a rounding of its size."""
     algebra = system.algebra
-    vector = np.array(algebra.to_dual_vector(jnp.asarray(point)))
+    vector = np.array(algebra.to_dual_vector(point))
     for part in parts_with_units(system, point) if len(algebra.element_shape) == 1 else [(...,)]:
         largest = np.abs(vector[part]).max(axis=-1, keepdims=True)  # whose square may be no number
         size = largest * np.linalg.norm(vector[part] / np.where(largest > 0.0, largest, 1.0), axis=-1, keepdims=True)
         vector[part] += EPS * size * _unit(rng, vector[part].shape[-1]) * (vector[part] != 0.0)  # as a saddle may need
-    return algebra.from_dual_vector(jnp.asarray(vector))
+    return np.asarray(algebra.from_dual_vector(vector))
 
 
 def _unit(rng: np.random.Generator, length: int) -> Array:
