@@ -419,7 +419,10 @@ def test_clocks_that_nothing_says_are_one_are_refused_until_told(logs, capsys):
     found = values_of(["compare", "free.toml", "boot.csv", *COLUMNS, "--align-clock"], capsys)
     assert found["angle"]["largest"] <= 2e-6 and abs(found["clock_offset"]["value"] + 68.497369) < 1e-6
     assert found["clock_offset"]["error"] < 1e-6 and "by the attitudes" in found["clocks"]
-    code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS, "--align-clock", "--offset", "0 s"], capsys)
+    found = values_of(["compare", "free.toml", "boot.csv", *COLUMNS, "--align-clock", "--offset", "-68 s"], capsys)
+    assert abs(found["clock_offset"]["value"] + 68.497369) < 1e-6
+    assert "nearest to the -68 s of --offset" in found["clocks"] and not found["clock_offset"]["supposes_body_axes"]
+    code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS, "--align-clock", "--offset", "start"], capsys)
     assert code == 2 and "Leave one out" in err
     for wrong in ("68", "soon", "nan s", "1_0 s", "3 kg"):
         code, _, err = run(["compare", "free.toml", "boot.csv", *COLUMNS, f"--offset={wrong}"], capsys)

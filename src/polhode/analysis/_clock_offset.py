@@ -1,8 +1,10 @@
 """The offset between the clocks of two attitude histories, where their attitudes show it.
 
 The histories are laid over each other at all offsets, first with their axes as given, then with the axes of space of
-one turned by a constant, as a log without a compass has them. The best offset is refined by Gauss and Newton's steps.
-Where another fits nearly as well, the motion looks alike at all times, or the samples turn too little to tell an
+one turned by a constant, as a log without a compass has them. Gauss and Newton's steps refine the best offsets, and
+then fit a constant turn of the body axes along, as no sensor sits quite straight: R_B(t) = S R_A(t + offset) M. Where
+the motion does not tell that turn from an offset, the axes are supposed to agree, and the result says so. Where
+another offset fits nearly as well, the motion looks alike at all times, or the samples turn too little to tell an
 offset, none is returned.
 """
 
@@ -25,14 +27,23 @@ CANDIDATES = 12  # offsets that are refined
 ROUNDS = 25
 SETTLED = 1e-13  # of the usual step between samples
 ALIKE = 3.0  # times what the best offset leaves: one that leaves less may be the right one
-FITS = 0.3  # rad, rms; what leaves more is another motion
+FITS = 0.3  # rad, rms; what leaves more is another motion, and axes turned by more are other axes
 EXPLAINED = 0.3  # of how far the samples turn, rms; what leaves more does not follow them, however little it is
 KNOWN = 0.1  # of the span that offsets are sought in; an error that is larger leaves them all possible
-BLURRED = 1e-6  # of the information on an offset; where less is left beside a turned space, the motion has none
+TOLD = 0.1  # rad that the body turns within an offset's error: a turn of axes larger than that is not told from it
+BLURRED = 1e-6  # of the information on an offset; where less is left beside turned axes, the motion has none
 LEAST_NOISE = 1e-12  # rad, rms; rounding, below which residuals are not compared
+PROVEN = 12.0  # fall of χ² by three more unknowns: noise alone does as much once in 140 times
+SAME = 1e-7  # of the largest singular value; below, two unknowns have the same effect to what steps can resolve
+SEEN_ALONE = 1e-2  # of the same; turns seen less are not measured
+STEADY = 1e-11  # rad; steps of axes below no longer change an offset
+CLEARLY = 0.5  # of the distance to the second: an offset as near as that is the one that is meant
+COARSE = 0.25 * (0.5 * TURN) ** 2  # of agreement, lost where an offset lies between two that are tried
+UNSEEN = 2.0  # times the turn that two axes show: a third exceeds twice that error once in 30, so few axes tell little
 OVERLAP = 0.5  # of the shorter history
 
 STILL = "the attitude does not change, so that it shows no offset of the clocks"
+ONE = np.array([1.0, 0.0, 0.0, 0.0])
 
 Evaluate = Callable[[Float64[Array, "time"]], tuple[Float64[Array, "time 4"], Float64[Array, "time 3"]]]
 """Attitudes and angular velocities [rad/s, body axes] at times."""
@@ -61,38 +72,96 @@ class ClockOffset(NamedTuple):
         error: its standard error, of independent residuals [s].
         left: root mean square angle that remains [rad].
         turned: whether the axes of space had to be turned by a constant.
+        supposed: whether the body axes are supposed to agree, as no constant turn of them could be fitted along.
+        agreeing: the offset and its error [s] if they do agree, where one was fitted along and none shows; else None.
     """
 
     offset: float
     error: float
     left: float
     turned: bool
+    supposed: bool = False
+    agreeing: tuple[float, float] | None = None
 
 
-def find_clock_offset(
-    motion: Moving, times: Float64[Array, "time"], attitude: Float64[Array, "time 4"], speed: float
-) -> ClockOffset:
-    """Return the time of a motion at the time zero of samples (T, 4).
+class Wanted(NamedTuple):
+    """How messages name offsets, and which of several is wanted.
+
+    Attributes:
+        word: an offset in words.
+        near: an offset that the right one is near [s]; None where nothing is known of it.
+    """
+
+    word: Callable[[float], str]
+    near: float | None = None
+
+
+class Samples(NamedTuple):
+    """What is laid over a motion: times (T,) [s] and attitudes (T, 4), body → space."""
+
+    times: Float64[Array, "time"]
+    attitude: Float64[Array, "time 4"]
+
+
+class Fit(NamedTuple):
+    """An offset, with turns of axes fitted along: S q_B(t) M = q_A(t + offset).
+
+    Attributes:
+        offset: [s].
+        free: whether S is fitted, and whether M is.
+        share: agreement at the offset of the search that it began with, at most 1.
+        space, body: S and M (4,).
+        left: root mean square angle that remains [rad].
+        error: of the offset, by the covariance of all that is fitted [s].
+        spare: numbers that the samples have, three each, beyond what is fitted.
+    """
+
+    offset: float
+    free: tuple[bool, bool]
+    share: float
+    space: Float64[Array, "4"] = ONE
+    body: Float64[Array, "4"] = ONE
+    left: float = np.inf
+    error: float = np.inf
+    spare: float = 0.0
+
+
+class Rule(NamedTuple):
+    """When an offset is known.
+
+    Attributes:
+        speed: how fast the body turns at most [rad/s].
+        span: that offsets are sought in [s].
+        wanted: which of several is meant.
+        missed: the best agreement of those that were not looked at, 0 if none.
+    """
+
+    speed: float
+    span: float
+    wanted: Wanted
+    missed: float
+
+
+def find_clock_offset(motion: Moving, samples: Samples, speed: float, wanted: Wanted) -> ClockOffset:
+    """Return the time of a motion at the time zero of samples.
 
     Args:
         motion: what the samples are of.
-        times: of the samples [s].
-        attitude: body → space.
+        samples: the other history.
         speed: how fast the body turns at most [rad/s].
+        wanted: which of several offsets is meant.
 
     Raises:
         InvalidInput: where no offset makes them agree, several do, or the motion does not determine it.
     """
     if not speed > 0.0:
         raise InvalidInput(f"{STILL}. Say it by `offset`.")
-    some = np.unique(np.linspace(0, len(times) - 1, min(len(times), SEEN)).round().astype(int))
-    many = np.unique(np.linspace(0, len(times) - 1, min(len(times), USED)).round().astype(int))
-    grid = _offsets(motion, times, speed)
-    nearest, turns = None, _spread(attitude[many])
+    some, many = _take(samples, SEEN), _take(samples, USED)
+    grid = _offsets(motion, samples.times, speed)
+    nearest, turns = None, _spread(many.attitude)
     for turned in (False, True):
-        starts = _search(motion, times[some], attitude[some], grid, turned)
-        fits = [_refine(motion, times[many], attitude[many], start, turned) for start in starts]
-        fits = sorted((fit for fit in fits if fit is not None), key=lambda fit: fit.left)
+        starts, missed = _search(motion, some, grid, turned, wanted.near)
+        fits = _sort([_refine(motion, many, start) for start in starts])
         if not fits:
             continue
         best = fits[0]
@@ -104,42 +173,121 @@ def find_clock_offset(
             raise InvalidInput(f"{steady}. Say it by `offset`.")
         if best.left > EXPLAINED * turns:
             continue
-        _check_single(best, fits[1:], speed)
-        if best.error > KNOWN * (grid[-1] - grid[0]):
-            raise InvalidInput(
-                f"the attitudes do not determine the offset of the clocks: the best is {best.offset:.6g} ± "
-                f"{best.error:.2g} s, and its error must be at most a tenth of the {grid[-1] - grid[0]:.6g} s that it "
-                "is sought in. Say it by `offset`, or give a log that turns further."
-            )
-        return best
-    raise InvalidInput(f"no offset of the clocks makes the two agree{_word_nearest(nearest, turns)}. Check that both "
-                       "are along the same body axes, or say the offset by `offset`.")  # fmt: skip
+        return _settle(motion, many, fits, Rule(speed, float(grid[-1] - grid[0]), wanted, missed))
+    raise InvalidInput(f"no offset of the clocks makes the two agree{_word_nearest(nearest, turns, wanted)}. Check "
+                       "that both are along the same body axes, or say the offset by `offset`.")  # fmt: skip
 
 
-def _word_nearest(nearest: ClockOffset | None, turns: float) -> str:
+def _word_nearest(nearest: Fit | None, turns: float, wanted: Wanted) -> str:
     """Return how well the best offset fits samples that turn so far [rad, rms], after a colon; "" without one."""
     if nearest is None:
         return ""
-    turned = ", with the axes of space turned by a constant" if nearest.turned else ""
-    return (f": the best, {nearest.offset:.6g} s{turned}, leaves {nearest.left:.2g} rad rms, and the samples turn by "
-            f"{turns:.2g} rad rms")  # fmt: skip
+    turned = ", with the axes of space turned by a constant" if nearest.free[0] else ""
+    return (f": the best, {wanted.word(nearest.offset)} s{turned}, leaves {nearest.left:.2g} rad rms, and the samples "
+            f"turn by {turns:.2g} rad rms")  # fmt: skip
 
 
-def _check_single(best: ClockOffset, others: list[ClockOffset], speed: float) -> None:
-    """Refuse an offset that is not the only one.
+def _settle(motion: Moving, samples: Samples, fits: list[Fit], rule: Rule) -> ClockOffset:
+    """Return the offset with those turns of axes fitted along that the motion tells from it.
+
+    Axes that are supposed to agree, while the rest shows them turned about other axes, are likely to be turned as far
+    about the one that is not seen; the error covers that.
+
+    Args:
+        motion: what the samples are of.
+        samples: the other history.
+        fits: with the body axes as given, the best first.
+        rule: when an offset is known.
 
     Raises:
-        InvalidInput: where others, far from it, leave nearly as little.
+        InvalidInput: where several offsets fit even with the body axes as given, or the error is too large.
     """
-    limit = ALIKE * max(best.left, LEAST_NOISE)
-    apart = max(TURN / speed, 10.0 * best.error)
-    also = [fit for fit in others if fit.left < limit and abs(fit.offset - best.offset) > apart]
-    if also:
-        named = " and ".join(f"{fit.offset:.6g} s, {fit.left:.2g} rad" for fit in also[:3])
+    turned = fits[0].free[0]
+    askew = _fit_along(motion, samples, fits, (turned, True), rule)
+    best = _choose(askew or fits, rule)
+    lean = _find_lean(motion, samples, best, (not turned, not askew))
+    if lean and askew and not turned:
+        tilted = _fit_along(motion, samples, askew, (True, True), rule)
+        best, lean = (_choose(tilted, rule), 0.0) if tilted else (best, lean)
+    error = best.error * float(np.hypot(1.0, UNSEEN * lean * np.sqrt(best.spare) / best.left)) if lean else best.error
+    if error > KNOWN * rule.span:
         raise InvalidInput(
-            f"the offset of the clocks is ambiguous, as the motion nearly repeats itself: {best.offset:.6g} s "
-            f"leaves {best.left:.2g} rad rms, and so nearly do {named}. Say the right one by `offset`."
+            f"the attitudes do not determine the offset of the clocks: the best is {rule.wanted.word(best.offset)} ± "
+            f"{error:.2g} s, and its error must be at most a tenth of the {rule.span:.6g} s that it "
+            "is sought in. Say it by `offset`, or give a log that turns further."
         )
+    held = min(fits, key=lambda fit: abs(fit.offset - best.offset))
+    straight = bool(askew) and best.free[0] == turned and not _find_lean(motion, samples, held, (False, True))
+    agreeing = (held.offset, held.error) if straight else None
+    return ClockOffset(best.offset, error, best.left, best.free[0], not askew, agreeing)
+
+
+def _fit_along(motion: Moving, samples: Samples, fits: list[Fit], free: tuple[bool, bool], rule: Rule) -> list[Fit]:
+    """Return fits with more turns of axes, the best first; none where they do not leave one offset."""
+    # one that the turns lead astray is kept as it was: it still leaves no more than that
+    wider = _sort([_refine(motion, samples, fit._replace(free=free)) or fit for fit in fits if fit.left < FITS])
+    best = _pick(wider, rule)
+    told = best is not None and best.free == free and best.error * rule.speed < TOLD
+    return wider if told else []
+
+
+def _sort(fits: list[Fit | None]) -> list[Fit]:
+    """Return those that converged, the best first."""
+    return sorted((fit for fit in fits if fit is not None), key=lambda fit: fit.left)
+
+
+def _list_alike(fits: list[Fit], rule: Rule) -> list[Fit]:
+    """Return the best offset, and those far from it and from each other that leave nearly as little."""
+    best = fits[0]
+    limit = ALIKE * max(best.left, LEAST_NOISE)
+    apart = max(TURN / rule.speed, 10.0 * best.error)
+    alike: list[Fit] = [best]
+    for fit in fits[1:]:
+        if fit.left < limit and all(abs(fit.offset - other.offset) > apart for other in alike):
+            alike.append(fit)
+    return alike
+
+
+def _pick(fits: list[Fit], rule: Rule) -> Fit | None:
+    """Return the offset that fits, of several the one that is wanted; None where that is open."""
+    alike = _list_alike(fits, rule)
+    near = rule.wanted.near
+    if len(alike) == 1 or near is None:
+        return alike[0] if len(alike) == 1 else None
+    first, second = sorted(alike, key=lambda fit: abs(fit.offset - near))[:2]
+    return first if abs(first.offset - near) < CLEARLY * abs(second.offset - near) else None
+
+
+def _choose(fits: list[Fit], rule: Rule) -> Fit:
+    """Return the offset that fits, of several the one that is wanted.
+
+    Raises:
+        InvalidInput: where that is open, with all that were found.
+    """
+    best = _pick(fits, rule)
+    if best is not None:
+        return best
+    alike = sorted(_list_alike(fits, rule), key=lambda fit: fit.offset)
+    word, near = rule.wanted.word, rule.wanted.near
+    least = "at least " if rule.missed > min(fit.share for fit in alike) - COARSE else ""
+    listed = f"{', '.join(word(fit.offset) for fit in alike[:-1])} and {word(alike[-1].offset)} s"
+    left = [f"{choice(fit.left for fit in alike):.2g}" for choice in (min, max)]
+    span = left[0] if left[0] == left[1] else f"{left[0]} to {left[1]}"
+    more = "; others, as good, were not looked at" if least else ""
+    open_still = "" if near is None else f" No one of them is clearly the nearest to {word(near)} s."
+    raise InvalidInput(
+        f"the offset of the clocks is ambiguous, as the motion nearly repeats itself: {least}{len(alike)} offsets fit "
+        f"nearly as well as each other, {listed}, and leave {span} rad rms{more}.{open_still} Say about where the "
+        f'right one lies by `offset`, like `offset="{word(alike[0].offset)}s"`: beside `align_clock=True`, the nearest '
+        "is taken."
+    )
+
+
+def _take(samples: Samples, count: int) -> Samples:
+    """Return so many samples, evenly chosen."""
+    length = len(samples.times)
+    chosen = np.unique(np.linspace(0, length - 1, min(length, count)).round().astype(int))
+    return Samples(samples.times[chosen], samples.attitude[chosen])
 
 
 def _spread(attitude: Array) -> float:
@@ -157,8 +305,27 @@ def _offsets(motion: Moving, times: Array, speed: float) -> Array:
     return np.linspace(first, last, count)
 
 
-def _search(motion: Moving, times: Array, attitude: Array, grid: Array, turned: bool) -> list[float]:
-    """Return the most promising offsets, local maxima of the agreement over a grid of them."""
+def _search(motion: Moving, samples: Samples, grid: Array, turned: bool, near: float | None) -> tuple[list[Fit], float]:
+    """Return the most promising offsets, local maxima of the agreement over a grid of them, and the best agreement of
+    those left out. Where one is near the wanted, half of them are the nearest.
+    """
+    share = _agreement(motion, samples, grid, turned)
+    padded = np.concatenate([[-2.0], share, [-2.0]])
+    peaks = np.flatnonzero((share >= padded[:-2]) & (share >= padded[2:]) & (share >= 0.0))
+    peaks = peaks[np.argsort(share[peaks])[::-1]]
+    some, rest = peaks[:CANDIDATES], peaks[CANDIDATES:]
+    if near is not None and len(rest):
+        half = CANDIDATES // 2
+        others = peaks[half:]
+        order = np.argsort(np.abs(grid[others] - near), kind="stable")
+        some, rest = np.concatenate([peaks[:half], others[order[:half]]]), others[order[half:]]
+    starts = [Fit(float(grid[k]), (turned, False), float(share[k])) for k in some]
+    return starts, float(np.max(share[rest], initial=0.0))
+
+
+def _agreement(motion: Moving, samples: Samples, grid: Array, turned: bool) -> Array:
+    """Return the mean square cosine of half the angle that is left at each offset; -1 where too little overlaps."""
+    times, attitude = samples
     step = float(grid[1] - grid[0]) if len(grid) > 1 else 1.0
     places = np.round((times - times[0]) / step).astype(int)
     begin = float(grid[0] + times[0])
@@ -174,51 +341,94 @@ def _search(motion: Moving, times: Array, attitude: Array, grid: Array, turned: 
         if sums is None:
             agreement += (there @ quaternion) ** 2
         else:
-            product = rotation.multiply(np.where(ok[:, None], there, [1.0, 0, 0, 0]), rotation.conjugate(quaternion))
+            product = rotation.multiply(np.where(ok[:, None], there, ONE), rotation.conjugate(quaternion))
             sums += ok[:, None, None] * product[:, :, None] * product[:, None, :]
     if sums is not None:
         agreement = np.linalg.eigvalsh(sums)[:, -1]
-    share = np.where(weight >= OVERLAP * len(times), agreement / np.maximum(weight, 1), -1.0)
-    padded = np.concatenate([[-2.0], share, [-2.0]])
-    peaks = np.flatnonzero((share >= padded[:-2]) & (share >= padded[2:]) & (share >= 0.0))
-    best = peaks[np.argsort(share[peaks])[::-1][:CANDIDATES]]
-    return [float(grid[k]) for k in best]
+    return np.where(weight >= OVERLAP * len(times), agreement / np.maximum(weight, 1), -1.0)
 
 
-def _refine(motion: Moving, times: Array, attitude: Array, offset: float, turned: bool) -> ClockOffset | None:
-    """Return an offset improved from a start; None where it leaves the span, or does not converge."""
-    space = np.array([1.0, 0.0, 0.0, 0.0])
-    usual = float(np.median(np.diff(times)))
-    error = rms = np.inf
+class _Laid(NamedTuple):
+    """Samples laid over the motion: what is left (N, 3), and what the offset, S and M each change of it (N, 3, n)."""
+
+    left: Array
+    by_offset: Array
+    by_space: Array
+    by_body: Array
+
+    def columns(self, free: tuple[bool, bool]) -> Array:
+        """Return the effect of the turns that are free, (3 N, n)."""
+        blocks = [block for block, is_free in zip((self.by_space, self.by_body), free, strict=True) if is_free]
+        return np.concatenate([np.zeros((len(self.left), 3, 0)), *blocks], axis=2).reshape(3 * len(self.left), -1)
+
+
+def _lay(motion: Moving, samples: Samples, fit: Fit, is_new: bool) -> tuple[_Laid, Fit] | None:
+    """Return what is left at an offset, and the fit, with a first S where it has none; None where little overlaps."""
+    moved, count = samples.times + fit.offset, len(samples.times)
+    inside = (moved >= motion.first) & (moved <= motion.last) if motion.is_bounded else np.ones(count, dtype=bool)
+    if inside.sum() < OVERLAP * count or inside.sum() < 3:
+        return None
+    there, velocity = motion.at(moved[inside])
+    here = samples.attitude[inside]
+    if is_new and fit.free == (True, False):
+        products = rotation.multiply(there, rotation.conjugate(here))
+        fit = fit._replace(space=np.linalg.eigh(products.T @ products)[1][:, -1])
+    here = rotation.multiply(rotation.multiply(fit.space, here), fit.body)
+    left = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(here), there))
+    by_space = -np.swapaxes(rotation.as_matrix(there), 1, 2)
+    return _Laid(left, velocity[:, :, None], by_space, np.broadcast_to(-np.eye(3), by_space.shape)), fit
+
+
+def _refine(motion: Moving, samples: Samples, fit: Fit) -> Fit | None:
+    """Return a fit improved from a start; None where it leaves the span, does not converge, or needs body axes that
+    are no longer nearly the same.
+    """
+    usual = float(np.median(np.diff(samples.times)))
     for k in range(ROUNDS):
-        moved = times + offset
-        inside = (moved >= motion.first) & (moved <= motion.last) if motion.is_bounded else np.ones(len(times), bool)
-        if inside.sum() < OVERLAP * len(times) or inside.sum() < 3:
+        known = _lay(motion, samples, fit, k == 0)
+        if known is None:
             return None
-        there, velocity = motion.at(moved[inside])
-        here = attitude[inside]
-        if turned and k == 0:
-            products = rotation.multiply(there, rotation.conjugate(here))
-            space = np.linalg.eigh(products.T @ products)[1][:, -1]
-        here = rotation.multiply(space, here)
-        left = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(here), there))
-        columns = [velocity[:, :, None]]
-        if turned:
-            columns.append(-np.swapaxes(rotation.as_matrix(there), 1, 2))
-        design = np.concatenate(columns, axis=2).reshape(-1, 4 if turned else 1)
-        normal = design.T @ design
-        # what the space's turn leaves of it; that block of the normal equations is the number of samples times 1
-        seen = normal[0, 0] - normal[0, 1:] @ normal[0, 1:] / len(left)
-        determined = seen > BLURRED * normal[0, 0]
-        step = np.linalg.lstsq(design, -left.reshape(-1), rcond=None)[0]
-        rms = root_mean_square(left)
-        spare = 3.0 - design.shape[1] / len(left)  # numbers of a sample, but for what they are fitted by
-        error = rms / np.sqrt(spare * seen) if determined else np.inf
+        laid, fit = known
+        first, others = laid.by_offset.reshape(-1), laid.columns(fit.free)
+        speed = float(np.sqrt(np.mean(first**2))) or 1.0
+        alone = first - others @ np.linalg.lstsq(others, first, rcond=SAME)[0]
+        rms, spare = root_mean_square(laid.left), float(len(first) - 1 - others.shape[1])
+        determined = alone @ alone > BLURRED * (first @ first)
+        error = rms * np.sqrt(len(laid.left) / (spare * (alone @ alone))) if determined else np.inf
+        fit = fit._replace(left=rms, error=float(error), spare=spare)
         if not determined:
-            return ClockOffset(offset, np.inf, rms, turned)
-        if abs(step[0]) < SETTLED * usual + 4.0 * np.spacing(abs(offset)):
-            return ClockOffset(offset, error, rms, turned)
-        offset += float(step[0])
-        if turned:
-            space = rotation.normalize(rotation.multiply(rotation.from_rotation_vector(step[1:]), space))
-    return ClockOffset(offset, error, rms, turned) if rms < FITS else None
+            return fit
+        design = np.concatenate([first[:, None] / speed, others], axis=1)
+        step = np.linalg.lstsq(design, -laid.left.reshape(-1), rcond=SAME)[0]
+        move, turns = float(step[0]) / speed, step[1:]
+        if abs(move) < SETTLED * usual + 4.0 * np.spacing(abs(fit.offset)) and np.abs(turns).max(initial=0.0) < STEADY:
+            return fit
+        fit = _step(fit, move, turns)
+        if fit.free[1] and rotation.angle_between(fit.body, ONE) > FITS:
+            return None
+    return fit if fit.left < FITS else None
+
+
+def _step(fit: Fit, move: float, turns: Array) -> Fit:
+    """Return a fit moved by a step of its offset and of those turns that are free."""
+    space, body = fit.space, fit.body
+    if fit.free[0]:
+        space = rotation.normalize(rotation.multiply(rotation.from_rotation_vector(turns[:3]), space))
+    if fit.free[1]:
+        body = rotation.normalize(rotation.multiply(body, rotation.from_rotation_vector(turns[-3:])))
+    return fit._replace(offset=fit.offset + move, space=space, body=body)
+
+
+def _find_lean(motion: Moving, samples: Samples, fit: Fit, new: tuple[bool, bool]) -> float:
+    """Return by how much axes that are not fitted are turned [rad], where what is left shows that they are, else 0."""
+    known = _lay(motion, samples, fit, False)
+    if known is None or not any(new):
+        return 0.0
+    laid, _ = known
+    others = np.concatenate([laid.by_offset.reshape(-1, 1), laid.columns(fit.free)], axis=1)
+    added, left = laid.columns(new), laid.left.reshape(-1)
+    added = added - others @ np.linalg.lstsq(others, added, rcond=SAME)[0]
+    turns = np.linalg.lstsq(added, left, rcond=SEEN_ALONE)[0]
+    explained = float(np.sum((added @ turns) ** 2))
+    noise = max((float(left @ left) - explained) / max(fit.spare - len(turns), 1.0), LEAST_NOISE**2)
+    return float(np.linalg.norm(turns)) if explained > PROVEN * noise else 0.0

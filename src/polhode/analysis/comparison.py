@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from decimal import Decimal
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from polhode import rotation
 from polhode.analysis._attitude_noise import attitude_noise
-from polhode.analysis._clock_offset import ClockOffset, Moving, find_clock_offset
+from polhode.analysis._clock_offset import ClockOffset, Moving, Samples, Wanted, find_clock_offset
 from polhode.analysis._mechanics import Mechanics, invariants_along
 from polhode.analysis.alignment import Alignment, fit_alignment
 from polhode.arrays import is_traced
@@ -24,6 +25,7 @@ NOISY = 2.0  # times the noise of the samples: what leaves no more is noise, as 
 PEAK = 6.0  # times the noise, which the largest of a million samples of it stays below
 ENDS = 16  # samples at either end whose rates a spline does not know; its error there falls to a quarter with each
 ROUNDING = 1e-12  # rad; errors below are of rounding, and nothing is fitted to them
+FEW_DIGITS = 1e4  # s; offsets below are told apart by six digits
 MARGIN = 2.0  # on what rounding of times may miss: the bound is met exactly by a steady turn, and speeds are estimates
 
 
@@ -199,8 +201,19 @@ def _noise(a: AttitudeHistory, b: AttitudeHistory) -> float | None:
     return None if len(known) < 2 else float(np.hypot(known[0], known[1]))
 
 
-def align_clocks(a: AttitudeHistory, b: AttitudeHistory) -> ClockOffset:
+def align_clocks(
+    a: AttitudeHistory, b: AttitudeHistory, *, near: float | None = None, shift: Decimal = Decimal(0)
+) -> ClockOffset:
     """Return A's time at B's time zero where the attitudes show it, with its error.
+
+    A constant turn of the body axes is fitted along where the motion tells it from an offset, else the axes are
+    supposed to agree.
+
+    Args:
+        a: the one that times are counted by.
+        b: the other.
+        near: about where the offset lies [s], which decides where several fit.
+        shift: what messages add to an offset, as times may be counted from stamps [s].
 
     Raises:
         InvalidInput: where no offset makes the two agree, several do, or the motion does not determine it.
@@ -213,11 +226,20 @@ def align_clocks(a: AttitudeHistory, b: AttitudeHistory) -> ClockOffset:
     True
     """
     a, b = (_sort_by_time(one) for one in (a, b))
-    speed = max(a.speed, b.speed)
-    if b.exact is not None and a.exact is None:
-        found = find_clock_offset(_make_moving(b), np.asarray(a.times), np.asarray(a.attitude), speed)
-        return found._replace(offset=-found.offset)
-    return find_clock_offset(_make_moving(a), np.asarray(b.times), np.asarray(b.attitude), speed)
+    back = b.exact is not None and a.exact is None
+    sign = -1.0 if back else 1.0
+    moving, seen = (b, a) if back else (a, b)
+    wanted = Wanted(lambda offset: _word_offset(Decimal(sign * offset) + shift), None if near is None else sign * near)
+    samples = Samples(np.asarray(seen.times), np.asarray(seen.attitude))
+    found = find_clock_offset(_make_moving(moving), samples, max(a.speed, b.speed), wanted)
+    agreeing = None if found.agreeing is None else (sign * found.agreeing[0], found.agreeing[1])
+    return found._replace(offset=sign * found.offset, agreeing=agreeing)
+
+
+def _word_offset(offset: Decimal) -> str:
+    """Return an offset [s] in words, to six digits and at least to a hundredth of a second."""
+    value = float(offset)
+    return f"{value:.6g}" if abs(value) < FEW_DIGITS else f"{offset:.2f}"
 
 
 def _make_moving(history: AttitudeHistory) -> Moving:

@@ -9,7 +9,7 @@ from polhode.cli.columns import ColumnOptions, tables_to_compare
 from polhode.cli.naming import as_options
 from polhode.cli.publish import publish
 from polhode.formats.form import Kernels
-from polhode.studies.clocks import join_offset, parse_offset
+from polhode.studies.clocks import parse_clocks
 from polhode.studies.compare import compare_files
 
 
@@ -18,7 +18,7 @@ def run_compare(
     columns: ColumnOptions, offset: str | None = None, align: bool = False,
 ) -> None:  # fmt: skip
     """Read both, compare, draw, and print the answers."""
-    parsed = parse_offset(join_offset(offset, align))
+    parsed = parse_clocks(offset, align)
     report = compare_files(first, second, spec, kernels, tables_to_compare(columns), parsed)
     report = replace(report, clocks=as_options(report.clocks))  # which names the offset
     publish(report, json, figures=out or Path(f"{first.stem}_and_{second.stem}"))

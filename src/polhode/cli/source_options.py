@@ -15,8 +15,10 @@ ClockOffset = Annotated[
                  help="A's time at B's time zero, like -68.5s; or start: both begin at the same moment."),
 ]  # fmt: skip
 AlignClock = Annotated[
-    bool, typer.Option("--align-clock", help="Find the offset of the clocks from the attitudes, with its error.")
-]
+    bool,
+    typer.Option("--align-clock",
+                 help="Find the offset of the clocks from the attitudes; of several, the nearest to --offset."),
+]  # fmt: skip
 ClockKernel = Annotated[
     Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel (default: next to it, .tsc).")
 ]

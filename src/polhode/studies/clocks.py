@@ -16,8 +16,17 @@ from polhode.formats.stamps import IN_DECIMAL_SECONDS, exact_number, in_words
 from polhode.formats.time_scales import terrestrial_time
 from polhode.studies.sources import Source
 
-START, ALIGN = "start", "align"
+START = "start"
+SUPPOSED = ("; it supposes that both have the same body axes, as the motion does not tell a turn of these from an "
+            "offset")  # fmt: skip
+MUCH_BETTER = 0.5  # of the error; an offset that supposes more and gains less is not worth a line
 _TIME = re.compile(r"\s*(?P<number>[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(?P<unit>[A-Za-zµμ]+)\s*")
+
+
+class Align(NamedTuple):
+    """That the offset is found from the attitudes; of several, the one that is nearest to another [s]."""
+
+    near: Decimal | None = None
 
 
 class Laid(NamedTuple):
@@ -29,13 +38,29 @@ class Laid(NamedTuple):
     aligned: ClockOffset | None = None
 
 
-def parse_offset(text: str | None) -> Decimal | str | None:
-    """Return the parsed offset: A's clock at B's zero [s], exactly, START or ALIGN; None where none is given.
+def parse_clocks(offset: str | float | None, align: bool) -> Decimal | str | Align | None:
+    """Return how clocks are related: A's clock at B's zero [s], exactly, START, or that it is to be found; None where
+    nothing is said.
+
+    Raises:
+        InvalidInput: for an offset that is neither a time nor START, and for START where it is to be found.
+    """
+    parsed = _parse_offset(offset) if offset is None or isinstance(offset, str) else Decimal(offset)
+    if not align:
+        return parsed
+    if isinstance(parsed, str):
+        raise InvalidInput(f"`offset` says by `{START}` the offset that `align_clock` would find. Leave one out, or "
+                           "say a time that it is near.")  # fmt: skip
+    return Align(parsed)
+
+
+def _parse_offset(text: str | None) -> Decimal | str | None:
+    """Return the parsed offset: A's clock at B's zero [s], exactly, or START; None where none is given.
 
     Raises:
         InvalidInput: for what is neither.
     """
-    if text is None or text in (START, ALIGN):
+    if text is None or text == START:
         return text
     match = _TIME.fullmatch(text)
     unit = find_unit(match["unit"], TIME_UNITS) if match else None
@@ -48,17 +73,6 @@ def parse_offset(text: str | None) -> Decimal | str | None:
     raise InvalidInput(f"`offset` must be `{START}`, or a time with its unit like `-68.5 s`; got {shown(text)}.")
 
 
-def join_offset(offset: object, align: bool) -> str | None:
-    """Return the text that asks for an estimated offset, or the offset that was said.
-
-    Raises:
-        InvalidInput: where both are given.
-    """
-    if align and offset is not None:
-        raise InvalidInput("`offset` says the offset that `align_clock` would find. Leave one out.")
-    return ALIGN if align else None if offset is None else str(offset)
-
-
 def _is_number(text: str) -> bool:
     try:
         float(text)
@@ -67,19 +81,19 @@ def _is_number(text: str) -> bool:
     return True
 
 
-def lay_side_by_side(a: Source, b: Source, offset: Decimal | str | None) -> Laid:
+def lay_side_by_side(a: Source, b: Source, offset: Decimal | str | Align | None) -> Laid:
     """Return the relation between A's and B's times.
 
     Args:
         a, b: the two.
-        offset: what ``parse_offset`` returns.
+        offset: what ``parse_clocks`` returns.
 
     Raises:
         InvalidInput: where nothing shows that both share a clock, and they begin at different times.
     """
     begins = [side.begin + Decimal(float(side.history.times[0])) for side in (a, b)]
-    if offset == ALIGN:
-        return _align(a, b)
+    if isinstance(offset, Align):
+        return _align(a, b, offset.near)
     if offset == START:
         return _make_laid(a, b, begins[0] - begins[1], "both begin at the same moment, as `offset` says")
     if isinstance(offset, Decimal):
@@ -104,14 +118,22 @@ def lay_side_by_side(a: Source, b: Source, offset: Decimal | str | None) -> Laid
     return _make_laid(a, b, Decimal(0), f"assumed to be one: both begin at {_seconds(begins[0])}, and {unsaid}")
 
 
-def _align(a: Source, b: Source) -> Laid:
-    """Return the offset that the attitudes show."""
-    found = align_clocks(a.history, b.history)
-    begins = Decimal(found.offset) + a.begin - b.begin
-    turned = ", with the axes of space turned by a constant" if found.turned else ""
-    words = (f"B's time zero is at {_measured(begins, found.error)} s of A, by the attitudes{turned}, which leave "
-             f"{found.left:.2g} rad rms")  # fmt: skip
-    return Laid(found.offset, words, found._replace(offset=float(begins)))
+def _align(a: Source, b: Source, near: Decimal | None) -> Laid:
+    """Return the offset that the attitudes show, of several the one nearest to another."""
+    shift = a.begin - b.begin
+    found = align_clocks(a.history, b.history, near=None if near is None else float(near - shift), shift=shift)
+    begins, agreeing = Decimal(found.offset) + shift, None
+    axes = "turned by a constant" if found.turned else "as given"
+    beside = SUPPOSED if found.supposed else " beside a constant turn of the body axes"
+    if found.agreeing is not None:
+        alone, error = Decimal(found.agreeing[0]) + shift, found.agreeing[1]
+        agreeing = float(alone), error
+        if error < MUCH_BETTER * found.error:
+            beside += f"; if both have the same body axes, at {_measured(alone, error)} s"
+    chosen = "" if near is None else f"; of several, the nearest to the {in_words(near)} s of `offset` is taken"
+    words = (f"B's time zero is at {_measured(begins, found.error)} s of A, by the attitudes with the axes of space "
+             f"{axes}, which leave {found.left:.2g} rad rms{beside}{chosen}")  # fmt: skip
+    return Laid(found.offset, words, found._replace(offset=float(begins), agreeing=agreeing))
 
 
 def _measured(value: Decimal, error: float) -> str:

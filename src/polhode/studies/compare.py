@@ -18,7 +18,7 @@ from polhode.formats.form import Kernels
 from polhode.formats.labels import plain as same_name
 from polhode.formats.paths import as_path
 from polhode.reports.answer import Group
-from polhode.studies.clocks import join_offset, lay_side_by_side, parse_offset
+from polhode.studies.clocks import Align, lay_side_by_side, parse_clocks
 from polhode.studies.comparison_report import ComparisonReport
 from polhode.studies.naming import name_file_in_errors
 from polhode.studies.sources import TABLE, Source, is_table, kind_in_words, load_body, load_source
@@ -44,7 +44,8 @@ def compare(
         spec: of files, that of the body's spec, for its moments where the two do not tell energy and momentum.
         offset: A's time at B's time zero [s]; of files also a text like "-68.5 s", or "start" if both begin at the same
             moment. Left out, it is 0, and of files what their epochs say.
-        align_clock: of two files, whether the offset is estimated from the attitudes.
+        align_clock: of two files, whether the offset is estimated from the attitudes. Where several fit, the nearest to
+            `offset` is taken, which then need not be exact.
         columns: of tables of other programs among the files, words of a mapping by name, like {"time": "t", "quat":
             "qw,qx,qy,qz"}. Two tables with different columns are read by ``polhode.formats.read_columns`` first.
 
@@ -62,9 +63,7 @@ def compare(
         raise InvalidInput(f"`offset` must be a time in seconds, or a text like `-68.5 s`; got {shown(offset)}.")
     table = take_columns(columns, False)
     if isinstance(a, str | Path) and isinstance(b, str | Path):
-        if align_clock:
-            offset = join_offset(offset, align_clock)
-        parsed = parse_offset(offset) if offset is None or isinstance(offset, str) else Decimal(offset)
+        parsed = parse_clocks(offset, align_clock)
         body = None if spec is None else as_path("spec", spec)
         return compare_files(as_path("a", a), as_path("b", b), body, tables=(table, table), offset=parsed)
     if table is not None and not isinstance(a, str | Path) and not isinstance(b, str | Path):
@@ -85,7 +84,7 @@ def compare(
 
 def compare_files(
     first: Path, second: Path, spec: Path | None = None, kernels: Kernels | None = None,
-    tables: tuple[Table | None, Table | None] = (None, None), offset: Decimal | str | None = None,
+    tables: tuple[Table | None, Table | None] = (None, None), offset: Decimal | str | Align | None = None,
 ) -> ComparisonReport:  # fmt: skip
     """Return the report on how the attitude histories of two files differ.
 
@@ -95,7 +94,8 @@ def compare_files(
         spec: of the body, for its moments.
         kernels: clock, frame and leap-second kernels for C-kernels.
         tables: what is said of the columns of each, where it is a table of another tool.
-        offset: A's clock at B's zero [s], or "start" if both begin at the same moment; None to find it out.
+        offset: A's clock at B's zero [s], "start" if both begin at the same moment, or that the attitudes show it; None
+            for what the epochs say.
 
     Raises:
         InvalidInput: for files that cannot be read or have no time in common.

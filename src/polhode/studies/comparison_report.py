@@ -108,10 +108,13 @@ class ComparisonReport(StudyReport):
         found = self.aligned
         if found is None:
             return []
+        agreeing = None if found.agreeing is None else dict(zip(("value", "error"), found.agreeing, strict=True))
         return [
             Answer("clock_offset.value", found.offset, "s"),
             Answer("clock_offset.error", found.error, "s"),
             Answer("clock_offset.turned", found.turned),
+            Answer("clock_offset.supposes_body_axes", found.supposed),
+            Answer("clock_offset.if_body_axes_agree", agreeing, "s"),
         ]
 
     def _angle(self) -> Group:
