@@ -8,7 +8,7 @@ import numpy as np
 
 from polhode.arrays import is_jax, namespace, nearest, split_halves
 from polhode.special._doubledouble import two_sum
-from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64
+from polhode.types import Array, ArrayOrFloat, Float64
 
 Operand = Float64[ArrayOrFloat, "*#shape"]
 Result = Float64[ArrayOrFloat, "*shape"]
@@ -48,7 +48,7 @@ def sine_cosine_turns(x: Operand) -> tuple[Result, Result]:
     return xp.where(n >= 2.0, -s, s), xp.where((n == 1.0) | (n == 2.0), -c, c)
 
 
-def cosine_and_sine(angle: Float64[ArrayLike, "*shape"]) -> tuple[Float64[np.ndarray, "*shape"], ...]:
+def cosine_and_sine(angle: Float64[ArrayOrFloat, "*shape"]) -> tuple[Float64[np.ndarray, "*shape"], ...]:
     """Return both of angles [rad], exact for whole quarter turns, whose angle itself is not."""
     angle = np.asarray(angle, dtype=float)
     quarters = angle / (0.5 * math.pi)
