@@ -272,6 +272,88 @@ def test_mistakes_in_a_file(tmp_path, change, words):
         ph.fit(path, pendulum=True)
 
 
+JIG_FILE = FILE.replace('moment = "4.0e-4 ± 1e-5 kg*m^2"', 'periods = ["12.31 s", "12.33 s"]')
+
+
+def written(tmp_path, text):
+    path = tmp_path / "drone.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def moment_of(tmp_path, text):
+    return ph.fit(written(tmp_path, text), pendulum=True).values()["moments"][0]["moment"]
+
+
+def small_filament_moment(period, mass, amplitude):
+    """Return mgR²T²/(16K²h) of long filaments; the rise is less than a thousandth of the moment here."""
+    return mass * G * 0.2**2 / 1.5 * (period / (4 * float(mpmath.ellipk(math.sin(amplitude / 2) ** 2)))) ** 2
+
+
+def test_a_jig_is_timed_like_the_swings(tmp_path):
+    """Ten oscillations of the jig in each of its timings, from the same amplitude, unless it has its own."""
+    amplitude, period = math.radians(15.0), np.mean([19.62, 19.58, 19.60, 19.63]) / 10.0
+    whole = filament_moment(period, 1.603, 1.5, 0.2, 0.2, amplitude)
+    shared = moment_of(tmp_path, JIG_FILE)
+    assert shared == pytest.approx(whole - filament_moment(1.232, 0.08, 1.5, 0.2, 0.2, amplitude), rel=1e-12)
+    assert whole - shared == pytest.approx(small_filament_moment(1.232, 0.08, amplitude), rel=5e-3)
+    five = moment_of(tmp_path, JIG_FILE.replace('mass = "80 ± 1 g"', 'mass = "80 ± 1 g"\nturns = 20'))
+    assert five == pytest.approx(whole - filament_moment(0.616, 0.08, 1.5, 0.2, 0.2, amplitude), rel=1e-12)
+    wide = moment_of(tmp_path, JIG_FILE.replace('mass = "80 ± 1 g"', 'mass = "80 ± 1 g"\namplitude = "60 deg"'))
+    assert wide == pytest.approx(whole - filament_moment(1.232, 0.08, 1.5, 0.2, 0.2, math.radians(60)), rel=1e-12)
+
+
+def test_a_jig_of_one_swing_is_timed_like_that_swing(tmp_path):
+    head, _, tail = JIG_FILE.partition("[pendulum.jig]\n")
+    jig, _, swing = tail.partition("[[swing]]\n")
+    own = f"{head}[[swing]]\n{swing}turns = 10\n[swing.jig]\n{jig}".replace("turns = 10\namplitude", "amplitude", 1)
+    assert moment_of(tmp_path, own) == moment_of(tmp_path, JIG_FILE)
+
+
+def test_a_jig_slows_down_like_the_swings(tmp_path):
+    """On a pivot, θ̈ = −m′gd′ sin θ/I′ − cθ̇ of the jig alone too: its decay is taken out of its period."""
+    mass, moment, d = 1.0, 0.02, 0.3
+
+    def timed(whole, leverage, drag):
+        swing = lambda t, s: [s[1], -G * leverage * math.sin(s[0]) / whole - drag * s[1]]  # noqa: E731
+        turns = lambda t, s: s[1]  # noqa: E731
+        found = solve_ivp(swing, (0, 30), [1.2, 0.0], "DOP853", events=turns, rtol=1e-11, atol=1e-12)
+        keep = found.t_events[0] > 0.1
+        return float(found.t_events[0][keep][19]), float(abs(found.y_events[0][keep][19, 0]))
+
+    alone, last_alone = timed(0.05, 0.5 * 0.2, 0.03)
+    both, last = timed(0.05 + moment + mass * d**2, 0.5 * 0.2 + mass * d, 0.03)
+    text = f"""
+mass = "1 kg"
+[pendulum]
+kind = "compound"
+distance = "0.3 m"
+turns = 10
+amplitude = "1.2 rad"
+last_amplitude = "{last!r} rad"
+[pendulum.jig]
+mass = "0.5 kg"
+distance = "0.2 m"
+periods = "{alone!r} ± 1e-3 s"
+last_amplitude = "{last_alone!r} rad"
+[[swing]]
+periods = "{both!r} ± 1e-3 s"
+"""
+    assert moment_of(tmp_path, text) == pytest.approx(moment, rel=2e-3)
+    own = f'last_amplitude = "{last_alone!r} rad"'
+    same = moment_of(tmp_path, text.replace(own, f'last_amplitude = "{last!r} rad"'))
+    assert moment_of(tmp_path, text.replace(own, "")) == same
+    # a jig that keeps its amplitude would have another moment
+    assert abs(moment_of(tmp_path, text.replace(own, 'last_amplitude = "1.2 rad"')) / moment - 1.0) > 1e-2
+    with pytest.raises(InvalidInput, match=r"jig.last_amplitude: must be positive and at most the jig's amplitude"):
+        moment_of(tmp_path, text.replace('[pendulum.jig]', '[pendulum.jig]\namplitude = "5 deg"'))
+
+
+def test_every_size_without_error_is_named(tmp_path):
+    notes = ph.fit(written(tmp_path, JIG_FILE.replace("80 ± 1 g", "80 g")), pendulum=True).notes
+    assert any("taken as exact: jig.mass" in note for note in notes)
+
+
 def test_the_file_is_taken_alone(tmp_path):
     path = tmp_path / "drone.toml"
     path.write_text(FILE, encoding="utf-8")

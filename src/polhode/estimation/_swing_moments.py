@@ -1,15 +1,12 @@
-"""From moments of single swings to axes, a tensor and a centre of mass: weighted least squares with all errors."""
+"""From moments of single swings to axes and a tensor: weighted least squares with all errors."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from scipy.optimize import minimize_scalar
-from scipy.stats import chi2
 
 from polhode.errors import InvalidInput, shown
 from polhode.estimation._estimate import Estimate
@@ -20,7 +17,6 @@ SAME = 1e-9  # sine of an angle between axes below which they are one
 RANK = 1e-6  # of singular values, below which six directions do not determine a tensor
 STEP, LEAST_STEP = 1e-6, 1e-9  # relative, of central differences
 ROUNDED = 1e-15  # of a moment, by which its own computation is off
-PLAUSIBLE = 1e-3  # probability of a misfit, below which a place of the centre is excluded
 
 
 def unit_vector(axis: Sequence[float]) -> Float64[Array, "3"]:
@@ -113,69 +109,17 @@ def fit_tensor(
     )  # fmt: skip
 
 
-def find_center(
-    moments_at: Callable[[float], Estimate], axes: Array, places: Array, reach: Array
-) -> tuple[Estimate, Estimate, Estimate, float]:
-    """Return the place of the centre of mass on the pivots' scale, the moments there, the common one, and the misfit.
-
-    A centre s gives the swings moments; the right one gives them all the same. Each moment is positive where the pivot
-    is nearer than ``reach``, the length of the simple pendulum of its period, which bounds s.
-
-    Raises:
-        InvalidInput: for pivots of several axes or at one place, and where no or several places explain the periods.
-    """
-    if len(places) < 2 or np.ptp(places) == 0.0:
-        raise InvalidInput("the place of the centre of mass follows from pivots at two places at least. Give a second "
-                           "swing, or the distance.")  # fmt: skip
-    if max(np.linalg.norm(np.cross(axes[0], axis)) for axis in axes) > SAME:
-        raise InvalidInput("pivots on one scale must swing about the same axis; give distances for several axes.")
-    design = np.ones((len(places), 1))
-
-    def misfit(place: float) -> float:
-        moments = moments_at(place)
-        return _least_squares(design, moments.value, moments.covariance)[2]
-
-    def settle(place: float) -> tuple[Estimate, Array, Array, float]:
-        """Return the moments at a place, and by least squares the step to the best one with the common moment there."""
-        step = 1e-5 * float(np.min(reach))
-        moments = moments_at(place)
-        slope = (moments_at(place + step).value - moments_at(place - step).value) / (2.0 * step)
-        # moments less the common one, linear in the place and in that
-        both = np.stack([-slope, np.ones(len(places))], axis=1)
-        return moments, *_least_squares(both, moments.value, moments.covariance)
-
-    low, high = float(np.max(places - reach)), float(np.min(places + reach))
-    borders = [low, *sorted(p for p in set(places.tolist()) if low < p < high), high]
-    found = []
-    for left, right in pairwise(borders):
-        inside = 1e-9 * (right - left)
-        # χ² may have two minima between pivots, where the moments of two swings cross twice
-        ends = np.linspace(left + inside, right - inside, 9)
-        starts = [(ends[k], ends[k + 1]) for k in range(8)]
-        for a, b in starts:
-            sharp = {"xatol": 1e-12 * (right - left)}
-            best: Any = minimize_scalar(misfit, bounds=(a, b), method="bounded", options=sharp)
-            edge = 1e-6 * (b - a)
-            # the search ends at half of the digits, where timings without noise still seem to disagree
-            if a + edge < best.x < b - edge and chi2.sf(settle(best.x)[3], max(len(places) - 2, 1)) > PLAUSIBLE:
-                found.append(float(best.x))
-    found = [s for k, s in enumerate(found) if all(abs(s - t) > 1e-6 * (high - low) for t in found[:k])]
-    if len(found) != 1:
-        said = "no place" if not found else " or ".join(f"{s:.4g} m" for s in found)
-        raise InvalidInput(f"the periods allow {said} of the centre of mass on the pivots' scale. Give the distance of "
-                           "each pivot from the centre, or a further pivot.")  # fmt: skip
-    s = found[0]
-    moments, value, joint, misfit_left = settle(s)
-    freedom = moments.degrees_of_freedom
-    center = Estimate(("center",), np.array([s + value[0]]), joint[:1, :1], freedom)
-    return center, moments, Estimate(("axis 1",), value[1:], joint[1:, 1:], freedom), misfit_left
+def whiten(covariance: Array) -> Callable[[Array], Array]:
+    """Return what makes numbers of this covariance independent, with errors of one."""
+    scale = math.sqrt(float(np.trace(covariance)) / len(covariance))
+    root = np.linalg.cholesky(covariance / scale**2 + 1e-14 * np.eye(len(covariance))) * scale
+    return lambda value: np.linalg.solve(root, value)
 
 
 def _least_squares(design: Array, value: Array, covariance: Array) -> tuple[Array, Array, float]:
     """Return the solution of least χ², its covariance and χ²."""
-    scale = math.sqrt(float(np.trace(covariance)) / len(value))
-    root = np.linalg.cholesky(covariance / scale**2 + 1e-14 * np.eye(len(value))) * scale
-    A, b = np.linalg.solve(root, design), np.linalg.solve(root, value)
+    solve = whiten(covariance)
+    A, b = solve(design), solve(value)
     solution, *_ = np.linalg.lstsq(A, b, rcond=None)
     return solution, np.linalg.inv(A.T @ A), float(np.sum((A @ solution - b) ** 2))
 

@@ -19,9 +19,9 @@ import numpy as np
 from polhode.bodies._pivot import STANDARD_GRAVITY
 from polhode.errors import InvalidInput, shown
 from polhode.estimation._estimate import Estimate
+from polhode.estimation._swing_center import find_center
 from polhode.estimation._swing_moments import (
     combine_moments,
-    find_center,
     fit_tensor,
     propagate,
     unit_vector,
@@ -83,8 +83,10 @@ class Jig(NamedTuple):
         mass: [kg].
         moment: about the vertical on filaments, about the pivot on a pivot [kg m²]; None where its period gives it.
         period: of the jig alone in the same rig [s]; None where its moment is known.
-        amplitude: of that swing [rad].
+        amplitude: of that swing at the start [rad].
         distance: from the pivot to the jig's centre of mass [m]; of no use on filaments, where it hangs centred.
+        last_amplitude: of the jig's swing at the end [rad]; None where it stays.
+        turns: oscillations between the two.
     """
 
     mass: Measured
@@ -92,6 +94,8 @@ class Jig(NamedTuple):
     period: Measured | None = None
     amplitude: float = 0.0
     distance: Measured = Measured(0.0)
+    last_amplitude: float | None = None
+    turns: float = 1.0
 
 
 class Swing(NamedTuple):
@@ -151,7 +155,8 @@ def fit_pendulum(
 
     Swings about the same axis are combined; six or more axes that are independent give the tensor, by least squares
     weighted with the covariance of all moments. Pivots whose distances from the centre of mass are unknown are given by
-    their places on a scale, at least two about the same axis: then the place of the centre is fitted too.
+    their places on a scale, at least two about the same axis: then the place of the centre is fitted too. With two, up
+    to three places explain the periods, which is refused; three pivots tell it.
 
     Args:
         swings: at least one.
@@ -178,10 +183,9 @@ def fit_pendulum(
                                "other.")  # fmt: skip
         axes = np.stack([unit_vector(swing.axis) for swing in swings])
         places = np.array([swing.rig.place for swing in searched if isinstance(swing.rig, Pivot)])
-        reach = [float(gravity.value * (swing.period.value / (4.0 * quarter_period(swing.amplitude))) ** 2)
-                 for swing in swings]  # fmt: skip
+        reach = [gravity.value * _squared_per_quarter(swing, swing.period.value) for swing in swings]
         moments_at = lambda s: propagate(swings, mass, gravity, lambda *x: _moment(*x, center=s))  # noqa: E731
-        center, moments, combined, misfit = find_center(moments_at, axes, places, np.array(reach))
+        center, moments, combined, misfit = find_center(moments_at, mass.value, axes, places, np.array(reach))
         return PendulumFit(moments, axes[:1], combined, None, None, None, misfit, len(swings) - 2, 0.0, center)
     moments = propagate(swings, mass, gravity, _moment)
     if (low := np.flatnonzero(moments.value <= 0.0)).size:
@@ -217,29 +221,25 @@ def _moment(swing: Swing, mass: float, gravity: float, value: dict[int, float], 
         far = swing.rig.distance
         distance = abs((center or 0.0) - swing.rig.place) if far is None else get(far)
         leverage = mass * distance + (0.0 if jig is None else jig_mass * get(jig.distance))
-        whole = gravity * leverage * (_undamped_period(swing, get(swing.period)) / (4.0 * _mean_quarter(swing))) ** 2
+        whole = gravity * leverage * _squared_per_quarter(swing, get(swing.period))
         if jig is not None and jig.period is not None:
-            per_quarter = get(jig.period) / (4.0 * quarter_period(jig.amplitude))
-            alone = gravity * jig_mass * get(jig.distance) * per_quarter**2
+            alone = gravity * jig_mass * get(jig.distance) * _squared_per_quarter(jig, get(jig.period))
         else:
             alone = 0.0 if jig is None or jig.moment is None else get(jig.moment)
         return whole - alone - mass * distance**2
     rig, whole_mass = swing.rig, mass + jig_mass
     sizes = get(rig.length), get(rig.upper), get(rig.lower)
-    period = _undamped_period(swing, get(swing.period))
-    angles, weights = _amplitudes(swing)
-    whole = sum(w * filament_moment(period, whole_mass, *sizes, angle, gravity)
-                for angle, w in zip(angles, weights, strict=True))  # fmt: skip
+    whole = _on_filaments(swing, get(swing.period), whole_mass, sizes, gravity)
     alone = 0.0 if jig is None or jig.moment is None else get(jig.moment)
     if jig is not None and jig.period is not None:
-        alone = filament_moment(get(jig.period), jig_mass, *sizes, jig.amplitude, gravity)
+        alone = _on_filaments(jig, get(jig.period), jig_mass, sizes, gravity)
     offset = get(rig.offset)
     common = mass * offset / whole_mass  # of the common centre of mass
     whole *= 1.0 - common**2 / (sizes[1] * sizes[2])
     return whole - alone - mass * jig_mass / whole_mass * offset**2
 
 
-def _amplitudes(swing: Swing) -> tuple[Array, Array]:
+def _amplitudes(swing: Swing | Jig) -> tuple[Array, Array]:
     """Return amplitudes and weights (n,) of the mean over a decay, which falls by the same factor in each period."""
     if swing.last_amplitude is None or not swing.amplitude:
         return np.array([swing.amplitude]), np.array([1.0])
@@ -248,12 +248,24 @@ def _amplitudes(swing: Swing) -> tuple[Array, Array]:
     return swing.amplitude ** (1.0 - part) * swing.last_amplitude**part, 0.5 * weights
 
 
-def _mean_quarter(swing: Swing) -> float:
+def _squared_per_quarter(swing: Swing | Jig, period: float) -> float:
+    """Return (T/4K)² of an undamped period, which is a moment over the weight times its lever."""
     angles, weights = _amplitudes(swing)
-    return float(sum(w * quarter_period(float(angle)) for angle, w in zip(angles, weights, strict=True)))
+    quarter = float(sum(w * quarter_period(float(angle)) for angle, w in zip(angles, weights, strict=True)))
+    return (_undamped_period(swing, period) / (4.0 * quarter)) ** 2
 
 
-def _undamped_period(swing: Swing, period: float) -> float:
+def _on_filaments(
+    swing: Swing | Jig, period: float, mass: float, sizes: tuple[float, float, float], gravity: float
+) -> float:
+    """Return the moment of all that swings on filaments, the mean over the decay."""
+    undamped, (angles, weights) = _undamped_period(swing, period), _amplitudes(swing)
+    length, upper, lower = sizes
+    return float(sum(w * filament_moment(undamped, mass, length, upper, lower, float(angle), gravity)
+                     for angle, w in zip(angles, weights, strict=True)))  # fmt: skip
+
+
+def _undamped_period(swing: Swing | Jig, period: float) -> float:
     """Return the period without linear drag, T/√(1 + (Λ/2π)²), Λ the logarithmic decrement of a period."""
     if swing.last_amplitude is None:
         return period
@@ -288,6 +300,7 @@ def _check_swing(swing: Swing) -> None:
             "a period needs an error, or nothing can be said of the moment's. Give one, like 2.31 ± 0.01 s, or several "
             "timings."
         )
-    last = swing.last_amplitude
-    if last is not None and not 0.0 < last <= swing.amplitude:
-        raise InvalidInput(f"the last amplitude must be positive and at most the first; got {shown(last)} rad.")
+    for of, one in (("", swing), (" of the jig", swing.jig)):
+        last = None if one is None else one.last_amplitude
+        if one is not None and last is not None and not 0.0 < last <= one.amplitude:
+            raise InvalidInput(f"the last amplitude{of} must be positive and at most the first; got {shown(last)} rad.")

@@ -76,7 +76,7 @@ def filament_moment(
     if found > period * (1.0 + 1e-12):
         raise InvalidInput(
             f"the period {period:.6g} s is too short: rising and falling alone takes {found:.6g} s on these filaments. "
-            "Check mass, lengths and amplitude."
+            "Check the timing, the count of oscillations in it, mass, lengths and amplitude."
         )
     return moment
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
@@ -14,7 +14,7 @@ from pydantic import BeforeValidator, Field, PlainValidator, ValidationError
 from polhode.bodies._pivot import STANDARD_GRAVITY
 from polhode.errors import InvalidInput, shown
 from polhode.estimation.pendulum import Filaments, Jig, Measured, Pivot, Swing
-from polhode.spec.fields import Angle, Length, is_number, one_of
+from polhode.spec.fields import Angle, Coordinate, is_number, one_of
 from polhode.spec.mistakes import as_message, list_mistakes
 from polhode.spec.models import Strict
 from polhode.spec.parsing import read_tables
@@ -23,6 +23,7 @@ from polhode.spec.uncertain import uncertain
 
 BIFILAR, TRIFILAR, COMPOUND = "bifilar", "trifilar", "compound"
 SIZES = {BIFILAR: ("spacing", "upper_spacing"), TRIFILAR: ("radius", "upper_radius"), COMPOUND: ("distance", "pivot")}
+OF_JIG = ("turns", "amplitude", "last_amplitude")  # keys of the rig that the jig's own swing takes
 CENTRED = Measured(0.0)
 FEWEST = 2  # timings whose scatter gives an error
 BLUNDER = 0.2  # of the median timing: by more, one is mistyped or of another number of turns
@@ -77,13 +78,17 @@ Turns = Annotated[float, BeforeValidator(_turns)]
 
 
 class JigTable(Strict):
-    """What holds the body, by its moment or by its own swing in the same rig."""
+    """What holds the body, by its moment or by its own swing in the same rig.
+
+    Its turns and amplitudes are those of the table that it stands in, unless it has its own.
+    """
 
     mass: MeasuredMass = Field(description='give it like "80 ± 1 g"')
     moment: MeasuredMoment | None = None
     periods: Timings | None = None
-    turns: Turns = 1.0
-    amplitude: Angle = 0.0
+    turns: Turns | None = None
+    amplitude: Angle | None = None
+    last_amplitude: Angle | None = None
     distance: MeasuredLength | None = None
 
 
@@ -98,7 +103,7 @@ class RigTable(Strict):
     upper_radius: MeasuredLength | None = None
     offset: MeasuredLength | None = None
     distance: MeasuredLength | None = None
-    pivot: Length | None = None
+    pivot: Coordinate | None = None
     amplitude: Angle | None = None
     last_amplitude: Angle | None = None
     turns: Turns | None = None
@@ -156,24 +161,40 @@ def read_swings(path: Path) -> Measurements:
         file = PendulumFile.model_validate(tables)
     except ValidationError as error:
         raise InvalidInput(*as_message(path, list_mistakes(error, PendulumFile))) from None
-    merged = [_merge(file.pendulum, swing) for swing in file.swing]
+    jig = _fill_jig(file.pendulum.jig, dict(file.pendulum))
+    merged = [_merge(file.pendulum.model_copy(update={"jig": jig}), swing) for swing in file.swing]
     every = list(zip(file.swing, merged, strict=True))
     if mistakes := [one for k, (swing, keys) in enumerate(every) for one in _broken_rules(keys, swing, k)]:
         raise InvalidInput(*as_message(path, mistakes))
     build = _Builder({})
     swings = [build.swing(keys, swing) for swing, keys in every]
-    exact = {"mass": None} if not file.mass.error else {}
-    exact |= {name: None for keys in merged for name, value in keys.items()
-              if isinstance(value, Measured) and not value.error}  # fmt: skip
     counts = [len(swing.periods) for swing in file.swing]
     return Measurements(file.name or path.stem, file.mass, file.gravity, swings, [keys["kind"] for keys in merged],
-                        counts, list(exact))  # fmt: skip
+                        counts, _list_exact(file.mass, merged))  # fmt: skip
 
 
 def _merge(shared: RigTable, own: SwingTable) -> dict[str, Any]:
     """Return the keys of a swing: its own, and those of all swings where it has none."""
-    return {name: getattr(shared, name) if getattr(own, name) is None else getattr(own, name)
+    keys = {name: getattr(shared, name) if getattr(own, name) is None else getattr(own, name)
             for name in RigTable.model_fields}  # fmt: skip
+    return keys if own.jig is None else {**keys, "jig": _fill_jig(own.jig, keys)}
+
+
+def _fill_jig(jig: JigTable | None, keys: Mapping[str, Any]) -> JigTable | None:
+    """Return a jig with the keys of its own swing from the table that it stands in, where it has none."""
+    if jig is None:
+        return None
+    return jig.model_copy(update={name: keys[name] for name in OF_JIG if getattr(jig, name) is None})
+
+
+def _list_exact(mass: Measured, merged: list[dict[str, Any]]) -> list[str]:
+    """Return the names of all sizes without an error; a dict keeps their order."""
+    named = {"mass": None} if not mass.error else {}
+    for keys in merged:
+        every = {**keys, **({} if keys["jig"] is None else {f"jig.{name}": value for name, value in keys["jig"]})}
+        named |= {name: None for name, value in every.items() if isinstance(value, Measured) and not value.error}
+        named |= {} if keys["pivot"] is None else {"pivot": None}
+    return list(named)
 
 
 def _broken_rules(keys: dict[str, Any], swing: SwingTable, k: int) -> Iterator[Mistake]:
@@ -203,6 +224,8 @@ def _broken_rules(keys: dict[str, Any], swing: SwingTable, k: int) -> Iterator[M
     if (jig.moment is None) == (jig.periods is None):
         yield (*place, "jig"), "needs moment, or periods of its own swing in the same rig, one of the two"
     yield from (((*place, "jig", "periods"), fault) for fault in _faults(jig.periods or []))
+    if jig.last_amplitude is not None and not 0.0 < jig.last_amplitude <= (jig.amplitude or 0.0):
+        yield (*place, "jig", "last_amplitude"), "must be positive and at most the jig's amplitude"
     if (jig.distance is None) == (kind == COMPOUND):
         wanted = "needs distance, from the pivot to the jig's own centre of mass" if kind == COMPOUND else (
             "goes without distance on filaments, where it hangs centred")  # fmt: skip
@@ -239,8 +262,10 @@ class _Builder:
 
 
 def _jig(table: JigTable) -> Jig:
-    period = None if table.periods is None else _mean(table.periods, table.turns)
-    return Jig(table.mass, table.moment, period, table.amplitude, table.distance or CENTRED)
+    turns = table.turns or 1.0
+    period = None if table.periods is None else _mean(table.periods, turns)
+    return Jig(table.mass, table.moment, period, table.amplitude or 0.0, table.distance or CENTRED,
+               table.last_amplitude, turns)  # fmt: skip
 
 
 def _faults(timings: list[Measured]) -> Iterator[str]:
