@@ -12,6 +12,7 @@ from polhode.arrays.steps import NoSteps, Steps, split_scan
 A = np.random.default_rng(0).uniform(0.2, 1.5, (2, 3, 4))
 B = np.random.default_rng(1).uniform(0.2, 1.5, (2, 3, 4))
 WHOLE = np.array([7, -7, 5])
+PLACES = np.array([2, 0, 1, 9])  # one of them beyond
 OPERATIONS = {
     "div": (lambda a, b: a / b, A, B),
     "div of whole numbers": (lambda a: jax.lax.div(a, jnp.array([2, 2, -3])), WHOLE),
@@ -77,6 +78,18 @@ OPERATIONS = {
     "pad between and less": (lambda a: jax.lax.pad(a, 7.0, ((-1, 2, 1), (2, -1, 0), (1, -2, 3))), A),
     "pad what is empty": (lambda a: jnp.pad(a[:, :0], ((0, 0), (1, 2), (0, 1))), A),
     "tile": (lambda a: jnp.tile(a, (2, 1, 3)), A),
+    "gather": (lambda a: a[np.array([[1, 0], [0, 1]]), :, np.array([3, -1])], A),
+    "gather of windows": (lambda a: jax.vmap(lambda k: jax.lax.dynamic_slice(a, (0, k, k), (2, 2, 3)))(PLACES), A),
+    "gather that fills": (lambda a: jnp.asarray(a).at[:, PLACES - 1].get(mode="fill", wrap_negative_indices=False), A),
+    "gather of copies": (lambda a: jnp.take_along_axis(a, np.argsort(A, axis=2), axis=2), A),
+    "gather whole numbers": (lambda a: jnp.asarray(a).at[PLACES].get(mode="fill"), WHOLE),
+    "scatter": (lambda a, b: jnp.asarray(a).at[:, np.array([2, 0])].set(b[:, :2]), A, B),
+    "scatter that clips": (lambda a: jnp.asarray(a).at[:, PLACES].set(7.0, mode="clip"), A),
+    "scatter-add": (lambda a, b: jnp.asarray(a).at[np.array([1, 1]), :, np.array([2, 2])].add(b[:, :, 0]), A, B),
+    "scatter_add": (lambda a: jnp.asarray(a).at[:, PLACES].add(2.0, mode="drop"), A),
+    "scatter-add of a derivative": (jax.grad(lambda a: jnp.sum(a[:, PLACES % 3] ** 3)), A),
+    "dynamic_slice": (lambda a: jax.lax.dynamic_slice(a, (0, jnp.argmax(a[0, :, 0]), 5), (1, 2, 2)), A),
+    "dynamic_update_slice": (lambda a, b: jax.lax.dynamic_update_slice(a, b[:1, :2], (-1, 2, 0)), A, B),
     "slice": (lambda a: a[:, 1:, ::2], A), "concatenate": (lambda a, b: jnp.concatenate([a, b], axis=1), A, B),
     "convert_element_type": (lambda a: a.astype(int), 9.0 * A),
     "select_n": (lambda a, b: jnp.where(a > b, a, b), A, B),
@@ -88,6 +101,7 @@ OPERATIONS = {
     "while": (lambda a: jax.lax.while_loop(lambda s: jnp.sum(s) < 100.0, lambda s: 1.5 * s + a, a), A),
     "cond": (lambda a: jax.lax.cond(jnp.sum(a) > 1e3, lambda: a, lambda: 2.0 * a), A),
     "switch": (lambda a: jax.lax.switch(a[0] - 5, [lambda: 1.0 * a, lambda: 2.0 * a, lambda: 3.0 * a]), WHOLE),
+    "unstack": (lambda a: sum(x * k for k, x in enumerate(jnp.unstack(a, axis=1))), A),
     "a rule of its own": (lambda a: jax.nn.relu(a - 0.7), A),
     "a call within": (lambda a: jnp.linalg.norm(a, axis=-1), A),
     "stack": (lambda a, b: jnp.stack([a, b], axis=-1), A, B),

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode.arrays.gathering import gather, scatter, take_dynamic_slice, update_dynamic_slice
 from polhode.types import Array, Shaped
 
 
@@ -195,4 +196,10 @@ BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
     "concatenate": lambda x, p: np.concatenate(x, axis=p["dimension"]),
     "convert_element_type": lambda x, p: x[0].astype(p["new_dtype"]),
     "select_n": lambda x, p: _select(x),
+    "gather": gather,
+    "scatter": scatter(lambda result, places, values: result.__setitem__(places, values)),
+    "scatter-add": scatter(np.add.at),
+    "scatter_add": scatter(np.add.at),
+    "dynamic_slice": take_dynamic_slice,
+    "dynamic_update_slice": update_dynamic_slice,
 }
