@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     Array = np.ndarray[Any, Any] | jax.Array
     ArrayOrFloat = Any
+    FloatOrArray = float | Array
     from typing import Self as Self
 else:
     Self = Any  # which beartype takes on methods of classes alone that it decorates itself
@@ -32,6 +33,8 @@ else:
     """
     ArrayOrFloat = Any | float
     """An array, or one float of Python's, as elementwise functions take it."""
+    FloatOrArray = Any | float
+    """What a motion answers: a float of one known body, an array of a batch or of traced numbers."""
 
 ArrayLike = Any
 """What a function makes an array of: an array, a number, or nested lists or tuples of these."""

@@ -22,6 +22,11 @@ assert_type(attitude, Array)
 assert_type(momentum, Array)
 assert_type(momentum.shape, Any | tuple[int, ...])
 speed = float(np.linalg.norm(motion.angular_velocity(1.0)))
+assert_type(motion.energy, float | Array)
+assert_type(motion.period, float | Array | None)
+assert_type(motion.tumbling_periods, tuple[float | Array | None, float | Array | None])
+assert_type(motion.regime, str | Array)
+assert_type(motion.encircled_axis, int | Array | None)
 trajectory = motion.sample(times)
 assert_type(trajectory, Trajectory)
 assert_type(trajectory.times, Array)
@@ -48,6 +53,10 @@ assert_type(ph.FreeMotion.from_body(both, angular_velocity=(0.0, 1.0, 0.01)), ph
 # a top
 top = ph.LagrangeMotion(moments=(1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, 2.5), attitude=(0.75**0.5, 0.5, 0.0, 0.0))
 assert_type(top.rotation_matrix(times), Array)
+assert_type(top.energy, float | Array)
+assert_type(top.nutation_limits, tuple[float | Array | None, float | Array | None])
+assert_type(top.nutation_period, float | Array | None)
+assert_type(top.regime, str | Array)
 
 # a system
 system = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))

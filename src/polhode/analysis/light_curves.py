@@ -9,7 +9,7 @@ import numpy as np
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body.motion import FreeMotion
-from polhode.motion._inputs import refuse_not_finite
+from polhode.motion._inputs import number_of, refuse_not_finite
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
 PRECESSION_ORDERS, ROTATION_SAMPLES = 32, 64  # of the brightness over both angles; doubled until the rest is small
@@ -163,7 +163,7 @@ def light_curve_lines(
 
 def _series(motion: FreeMotion, semi_axes: ArrayLike, sun: Array, observer: Array, turns: int, samples: int) -> Array:
     """Return the Fourier coefficients (turns, samples) of the magnitude over both angles."""
-    period, turn = float(motion.period), float(motion.precession_per_period)
+    period, turn = number_of(motion.period), number_of(motion.precession_per_period)
     begin = float(motion.epoch)
     times = begin + period * np.arange(samples) / samples
     R = np.asarray(motion.rotation_matrix(times))

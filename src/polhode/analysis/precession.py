@@ -53,7 +53,7 @@ def turn_per_flip(motion: FreeMotion) -> float | None:
 def fastest_rate(motion: FreeMotion) -> float:
     """Return the fastest mean rate of one body's motion [rad/s]: about L, along the polhode, or of a steady turn."""
     periods = (finite(motion.period), rotation_period(motion))
-    return max(motion.precession_rate or 0.0, *(2.0 * math.pi / (period or math.inf) for period in periods))
+    return max(float(motion.precession_rate or 0.0), *(2.0 * math.pi / (period or math.inf) for period in periods))
 
 
 @known_numbers_only
@@ -61,4 +61,4 @@ def space_precession(motion: FreeMotion) -> Precession | None:
     """Return how the encircled axis turns about L in space; always along L. For a symmetric body the rate is |L|/I1."""
     if motion.precession_rate is None or motion.encircled_axis is None:
         return None
-    return Precession("space", abs(motion.precession_rate), "along the angular momentum")
+    return Precession("space", abs(float(motion.precession_rate)), "along the angular momentum")

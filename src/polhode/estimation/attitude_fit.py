@@ -21,6 +21,7 @@ from polhode.estimation._throw_models import D_MOMENTS, compute_moments, compute
 from polhode.estimation._torqued_states import estimate_torqued_start, integrate_torqued
 from polhode.estimation.gyro_log import check_sizes
 from polhode.exact.free_body.motion import FreeMotion
+from polhode.motion._inputs import name_of
 from polhode.types import Array, ArrayLike, Float64, Real
 
 STEP = 0.3  # rad, over which rates are taken for the start, so that noise of the attitude does not swamp them
@@ -169,7 +170,8 @@ def _make_result(
     )
     torque = _torque(x, covariance, axes, inertia, solution.freedom) if system.torque else None
     return AttitudeFit(inertia.ratios, inertia.axes, inertia.turn, inertia.joint, inertia.equal, torque, motion,
-                       motion.regime, t, residuals, rms, sigma, rate_sigma, scores, None, singular)  # fmt: skip
+                       name_of(motion.regime), t, residuals, rms, sigma, rate_sigma, scores, None,
+                       singular)  # fmt: skip
 
 
 def _torque(x: Array, covariance: Array, axes: Array, inertia: Principal, freedom: float) -> Estimate:

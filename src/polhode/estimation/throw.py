@@ -22,6 +22,7 @@ from polhode.estimation._unmodelled import Settled, allow_for_unmodelled
 from polhode.estimation.flight import Window, check_windows, free_flights
 from polhode.estimation.gyro_log import GyroLog
 from polhode.exact.free_body.motion import FreeMotion
+from polhode.motion._inputs import name_of
 from polhode.types import Array, Float64
 
 BIAS = ("bias x", "bias y", "bias z")
@@ -332,7 +333,7 @@ def _motion(inertia: Principal, best: Solution, k: int, throw: Throw) -> tuple[F
         return None, None
     rates = inertia.order.T @ best.parameters[best.model.places[f"start {k}"]]
     motion = FreeMotion(inertia.moments, momentum=inertia.moments * rates, epoch=throw.epoch)
-    return motion, motion.regime
+    return motion, name_of(motion.regime)
 
 
 def _make_empty_fit(cut: list[Any], start: Start, level: float | None) -> ThrowFit:

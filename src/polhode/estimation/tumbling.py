@@ -13,7 +13,7 @@ from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation._estimate import Estimate
 from polhode.exact.free_body.motion import FreeMotion
-from polhode.motion._inputs import refuse_not_finite
+from polhode.motion._inputs import number_of, refuse_not_finite
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Mode = Literal["short-axis", "long-axis"]
@@ -271,7 +271,7 @@ def _make_motion(mode: Mode, solved: _Solved, rotation: float, interval: Tumblin
     start = solved.momentum[0]
     upright = Rotation.align_vectors([0.0, 0.0, 1.0], start)[0].as_quat(scalar_first=True)
     motion = FreeMotion(moments, momentum=rate * start, attitude=upright)
-    precession = float(2 * np.pi / (motion.precession_per_period / motion.period))
+    precession = 2 * np.pi / (number_of(motion.precession_per_period) / number_of(motion.period))
     # an axis that L does not circle turns by the precession less or plus one turn in a period
     turn, roll = 1.0 / precession, 1.0 / rotation
     long = 1.0 / (turn - roll) if mode == "short-axis" else precession

@@ -66,7 +66,7 @@ def inertia_ellipsoid(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Fi
     scene.line(own, style.BLUE, 1.8, over=4.0)
     _direction(scene, own)
     _mark(scene, own[0])
-    _legend(scene, motion.regime, bool(family), bool(great))
+    _legend(scene, motion.regime in ("permanent", "spherical"), bool(family), bool(great))
     sizes = ", ".join(f"{x / 10.0**power:.4g}" for x in semi)
     scene.axes.set_title(f"Inertia ellipsoid, body axes\nsemi-axes 1/√I: {sizes}  [{style.factor(power)}"
                          "(kg m²)$^{-1/2}$]", fontsize=style.FONT, color=style.DARK)  # fmt: skip
@@ -111,8 +111,7 @@ def _mark(scene: Scene, point: Array) -> None:
                     alpha=1.0 if scene.is_visible(point) else 0.4)  # fmt: skip
 
 
-def _legend(scene: Scene, regime: str, family: bool, great: bool) -> None:
-    still = regime in ("permanent", "spherical")
+def _legend(scene: Scene, still: bool, family: bool, great: bool) -> None:
     dot: Any = {"marker": "o", "ls": "", "ms": 4, "mec": "white"} if still else {"lw": 1.8}
     handles = [scene.axes.plot([], [], color=style.BLUE, label="this motion", **dot)[0]]
     if great:

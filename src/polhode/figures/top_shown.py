@@ -119,6 +119,6 @@ def sample_axis(top: TopShown) -> Followed:
         words = f", first {end - start:.3g} s" if top.constant_tilt else f", first {PERIODS} nutations"
     attitude, momentum = exact.state(np.linspace(start, end, SAMPLES))
     # at constant tilt the path itself is the circle
-    limits = [] if top.constant_tilt else [x for x in exact.nutation_limits if x is not None and abs(x) < 1.0]
+    limits = [] if top.constant_tilt else [float(x) for x in exact.nutation_limits if x is not None and abs(x) < 1.0]
     up, L, omega = (rotation.rotate(attitude, v) for v in ([0.0, 0.0, 1.0], momentum, momentum / exact.moments))
     return Followed(attitude, up, L, omega, limits, words)

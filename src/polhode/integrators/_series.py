@@ -218,7 +218,7 @@ def series_error(
             runs = _run_or_refuse(system, states, fine, fine[-1], by, longest, None)[0]
         except NoSeries as error:
             if error.copies is not None:
-                error.copies = np.reshape(error.copies, (len(starts), copies)).any(axis=0)
+                error.copies = np.any(np.reshape(error.copies, (len(starts), copies)), axis=0)
             raise
         return [runs.part(k * copies, (k + 1) * copies) for k in range(len(starts))]
 

@@ -12,7 +12,7 @@ import numpy as np
 from polhode.arrays import as_float64, compiled, is_jax, is_traced, namespace
 from polhode.errors import InvalidInput, shown
 from polhode.rotation import UNIT_TOLERANCE
-from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real, Shaped
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, FloatOrArray, Integer, Real, Shaped
 
 SYMMETRY = 1e-9  # of a matrix, relative: an inertia tensor that was typed in or computed
 MOST_RADIANS = 1e27  # of a phase, which has 104 bits
@@ -219,19 +219,34 @@ def checked_sample_times(xp: Any, times: Real[ArrayLike, "time"]) -> Float64[Arr
     return times
 
 
-def plain_answer(value: Float64[ArrayOrFloat, "*batch"]) -> Float64[ArrayOrFloat, "*batch"] | None:
+def plain_number(value: Float64[ArrayOrFloat, "*batch"]) -> Float64[FloatOrArray, "*batch"]:
+    """Return a float for one concrete body; the array as it is otherwise."""
+    return value if np.ndim(value) or is_traced(value) else float(value)
+
+
+def plain_answer(value: Float64[ArrayOrFloat, "*batch"]) -> Float64[FloatOrArray, "*batch"] | None:
     """Return a float for one concrete body, None where it is undefined; the array as it is otherwise."""
-    if np.ndim(value) or is_traced(value):
-        return value
-    number = float(value)
-    return None if math.isnan(number) else number
+    number = plain_number(value)
+    return None if isinstance(number, float) and math.isnan(number) else number
 
 
-def named_code(code: Array, names: tuple[str, ...]) -> Any:
+def named_code(code: Integer[Array, "*batch"], names: tuple[str, ...]) -> str | Integer[Array, "*batch"]:
     """Return the name of one concrete body's code; the codes as they are otherwise."""
     return code if np.ndim(code) or is_traced(code) else names[int(code)]
 
 
-def finite(answer: float | None) -> float | None:
+def finite(answer: Float64[FloatOrArray, ""] | None) -> float | None:
     """Return one body's answer where it is a finite number, None where it is infinite or undefined."""
-    return answer if answer is not None and math.isfinite(answer) else None
+    return float(answer) if answer is not None and math.isfinite(answer) else None
+
+
+def number_of(answer: Float64[FloatOrArray, ""] | None) -> float:
+    """Return one body's answer that is known to be defined."""
+    assert answer is not None
+    return float(answer)
+
+
+def name_of(regime: str | Integer[Array, ""]) -> str:
+    """Return the name of one body's regime."""
+    assert isinstance(regime, str)
+    return regime

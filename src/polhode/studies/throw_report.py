@@ -225,7 +225,7 @@ def _throws(fit: ThrowFit, names: Sequence[str]) -> Table:
         rows.append({
             "log": names[throw.log], "window": [throw.window.start, throw.window.end],
             "found_by": throw.window.reason, "samples": len(throw.times), "regime": throw.regime,
-            "period": None if motion is None else float(motion.period),
+            "period": None if motion is None else motion.period,
             "fastest": float(np.linalg.norm(throw.rates, axis=1).max()),
         })  # fmt: skip
     return Table("throws", "Throws", {

@@ -13,11 +13,20 @@ from polhode.arrays import compiled, is_traced, namespace
 from polhode.bodies.body import Body, check_is_body
 from polhode.exact.free_body import _evaluation as evaluation
 from polhode.exact.free_body import _geometry as geometry
-from polhode.motion._inputs import cached_unless_traced, finite, known, named_code, one_of, plain_answer, spin_of
+from polhode.motion._inputs import (
+    cached_unless_traced,
+    finite,
+    known,
+    named_code,
+    one_of,
+    plain_answer,
+    plain_number,
+    spin_of,
+)
 from polhode.motion._invariants import drift, norm
 from polhode.motion._layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
 from polhode.motion.base import AbstractMotion
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Float64, FloatOrArray, Integer, Real
 
 Spin = Real[ArrayLike, "*#batch 3"] | None
 Attitude = Real[ArrayLike, "*#batch 4"]
@@ -162,21 +171,21 @@ class FreeMotion(AbstractMotion):
         return evaluation.characteristics(self.moments, self._principal[0])
 
     @property
-    def energy(self) -> Any:
+    def energy(self) -> Float64[FloatOrArray, "*batch"]:
         """Kinetic energy E = Σ L_i²/2I_i [J]."""
         momentum = self._principal[0]
         xp = namespace(self.moments, momentum)
         with np.errstate(all="ignore"):
             energy = 0.5 * xp.sum(momentum / self.moments * momentum, axis=-1)
-        return plain_answer(energy)
+        return plain_number(energy)
 
     @property
-    def momentum_norm(self) -> Any:
+    def momentum_norm(self) -> Float64[FloatOrArray, "*batch"]:
         """|L| [kg m²/s], the Casimir's root."""
-        return plain_answer(self._size)
+        return plain_number(self._size)
 
     @property
-    def regime(self) -> Any:
+    def regime(self) -> str | Integer[Array, "*batch"]:
         """One of "rest", "spherical", "permanent", "symmetric", "short-axis", "long-axis", "separatrix".
 
         "spherical": all moments are equal; "permanent": the body turns steadily about a principal axis; "symmetric":
@@ -187,23 +196,23 @@ class FreeMotion(AbstractMotion):
         return named_code(self._numbers.regime, geometry.REGIMES)
 
     @property
-    def encircled_axis(self) -> Any:
+    def encircled_axis(self) -> int | Integer[Array, "*batch"] | None:
         """Index 0, 1, 2 of the principal axis that the polhode encircles; None (in batches −1) where there is none."""
         axis = self._numbers.encircled_axis
         return axis if np.ndim(axis) or is_traced(axis) else (int(axis) if axis >= 0 else None)
 
     @property
-    def modulus(self) -> Any:
+    def modulus(self) -> Float64[FloatOrArray, "*batch"] | None:
         """Modulus k of the elliptic functions, k² = AP/BQ."""
         return plain_answer(self._numbers.modulus)
 
     @property
-    def period(self) -> Any:
+    def period(self) -> Float64[FloatOrArray, "*batch"] | None:
         """Polhode period T = 4K/λ [s], after which L is back along the body's axes."""
         return plain_answer(self._numbers.period)
 
     @property
-    def flip_interval(self) -> Any:
+    def flip_interval(self) -> Float64[FloatOrArray, "*batch"] | None:
         """T/2 [s]: from one reversal of L along the intermediate axis to the next; none for a symmetric body.
 
         L of a body that only cones swings so too; ``analysis.cone.rotation_form`` tells which body turns over.
@@ -213,40 +222,40 @@ class FreeMotion(AbstractMotion):
         return plain_answer(xp.where(symmetric, math.nan, 0.5 * self._numbers.period))
 
     @property
-    def precession_rate(self) -> Any:
+    def precession_rate(self) -> Float64[FloatOrArray, "*batch"] | None:
         """Mean rate ω at which the encircled axis turns about L, in space [rad/s], positive along L."""
         return plain_answer(self._numbers.precession_rate)
 
     @property
-    def precession_per_period(self) -> Any:
+    def precession_per_period(self) -> Float64[FloatOrArray, "*batch"] | None:
         """ωT [rad]: azimuth about L gained by the encircled axis in a period, unreduced, positive."""
         return plain_answer(self._numbers.precession_per_period)
 
     @property
-    def solid_angle(self) -> Any:
+    def solid_angle(self) -> Float64[FloatOrArray, "*batch"] | None:
         """Solid angle Ω ∈ [0, 2π) of the cap that the polhode cuts off about the encircled axis [sr]."""
         return plain_answer(self._numbers.solid_angle)
 
     @property
-    def geometric_phase(self) -> Any:
+    def geometric_phase(self) -> Float64[FloatOrArray, "*batch"] | None:
         """−Ω (short-axis mode) or +Ω (long-axis mode) [rad]; with 2ET/|L| it makes ωT, up to 2π (Montgomery 1991)."""
         xp = namespace(self._numbers.period)
         sense = xp.where(self._encircles_smallest(), 1.0, -1.0)
         return plain_answer(sense * self._numbers.solid_angle)
 
     @property
-    def action(self) -> Any:
+    def action(self) -> Float64[FloatOrArray, "*batch"] | None:
         """|L| Ω/2π [J s]: the area of the cap on the momentum sphere over 2π|L|."""
         return plain_answer(self._size * self._numbers.solid_angle / (2.0 * math.pi))
 
     @property
-    def tumbling_periods(self) -> tuple[Any, Any]:
+    def tumbling_periods(self) -> tuple[Float64[FloatOrArray, "*batch"] | None, Float64[FloatOrArray, "*batch"] | None]:
         """(P_φ, P_ψ) = (2π/ω, T) [s], the convention of asteroid observers in either mode."""
         with np.errstate(over="ignore", divide="ignore"):  # slower than numbers go: infinite
             return plain_answer(2.0 * math.pi / self._numbers.precession_rate), self.period
 
     @property
-    def long_axis_period(self) -> Any:
+    def long_axis_period(self) -> Float64[FloatOrArray, "*batch"] | None:
         """P1 [s]: mean period of the axis of least inertia about L; 1/P1 = 1/P_φ − 1/P_ψ where L does not circle it."""
         xp = namespace(self._numbers.period)
         with np.errstate(over="ignore", divide="ignore"):  # slower than numbers go: infinite

@@ -24,13 +24,14 @@ from polhode.motion._inputs import (
     named_code,
     one_of,
     plain_answer,
+    plain_number,
     refuse_not_finite,
     spin_of,
 )
 from polhode.motion._invariants import drift, norm
 from polhode.motion._layout import ENERGY, Quantity
 from polhode.motion.base import AbstractMotion
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Float64, FloatOrArray, Integer, Real
 
 Spin = Real[ArrayLike, "*#batch 3"] | None
 Attitude = Real[ArrayLike, "*#batch 4"]
@@ -207,27 +208,27 @@ class LagrangeMotion(AbstractMotion):
         return evaluation.characteristics(self._arguments)
 
     @property
-    def energy(self) -> Any:
+    def energy(self) -> Float64[FloatOrArray, "*batch"]:
         """Energy ½ L·I⁻¹L + mgl cos θ [J]; zero potential is the axis level with the pivot."""
         momentum, attitude = self._principal
         xp = namespace(self.moments, momentum)
         kinetic = 0.5 * xp.sum(momentum / self.moments * momentum, axis=-1)
-        return plain_answer(kinetic + self.mgl * _vertical(xp, attitude))
+        return plain_number(kinetic + self.mgl * _vertical(xp, attitude))
 
     @property
-    def vertical_momentum(self) -> Any:
+    def vertical_momentum(self) -> Float64[FloatOrArray, "*batch"]:
         """p_φ = (R L)_z [kg m²/s], kept because the vertical is a symmetry of the weight."""
         momentum, attitude = self._principal
         xp = namespace(attitude, momentum)
-        return plain_answer(rotation.rotate(attitude / norm(xp, attitude)[..., None], momentum)[..., 2])
+        return plain_number(rotation.rotate(attitude / norm(xp, attitude)[..., None], momentum)[..., 2])
 
     @property
-    def axial_momentum(self) -> Any:
+    def axial_momentum(self) -> Float64[FloatOrArray, "*batch"]:
         """p_ψ = L3 = I3 ω3 [kg m²/s], kept because the axis is a symmetry of the body."""
-        return plain_answer(self._principal[0][..., 2])
+        return plain_number(self._principal[0][..., 2])
 
     @property
-    def regime(self) -> Any:
+    def regime(self) -> str | Integer[Array, "*batch"]:
         """One of "rest", "sleeping", "hanging", "steady", "free", "planar", "undulating", "cusp", "loop", "separatrix".
 
         "sleeping" and "hanging" spin upright, centre of mass above or below the pivot; "steady" keeps its tilt; "free"
@@ -238,32 +239,32 @@ class LagrangeMotion(AbstractMotion):
         return named_code(self._numbers.regime, geometry.REGIMES)
 
     @property
-    def nutation_limits(self) -> tuple[Any, Any]:
+    def nutation_limits(self) -> tuple[Float64[FloatOrArray, "*batch"] | None, Float64[FloatOrArray, "*batch"] | None]:
         """(min, max) of cos θ."""
         return plain_answer(self._numbers.lowest), plain_answer(self._numbers.highest)
 
     @property
-    def nutation_period(self) -> Any:
+    def nutation_period(self) -> Float64[FloatOrArray, "*batch"] | None:
         """T [s]: the tilt's period; of a steady top, that of its smallest nutations."""
         return plain_answer(self._numbers.period)
 
     @property
-    def precession_per_period(self) -> Any:
+    def precession_per_period(self) -> Float64[FloatOrArray, "*batch"] | None:
         """Δφ [rad]: azimuth gained by the axis in a period, unreduced; half a turn where it passes a vertical."""
         return plain_answer(self._numbers.precession_per_period)
 
     @property
-    def spin_per_period(self) -> Any:
+    def spin_per_period(self) -> Float64[FloatOrArray, "*batch"] | None:
         """Δψ [rad]: turn of the body about its axis in a period, from the line of nodes, unreduced."""
         return plain_answer(self._numbers.spin_per_period)
 
     @property
-    def precession_rate(self) -> Any:
+    def precession_rate(self) -> Float64[FloatOrArray, "*batch"] | None:
         """Mean rate of the azimuth Δφ/T [rad/s]."""
         return plain_answer(self._numbers.precession_rate)
 
     @property
-    def spin_rate(self) -> Any:
+    def spin_rate(self) -> Float64[FloatOrArray, "*batch"] | None:
         """Mean rate of the body's own turn Δψ/T [rad/s]; ω3 is this plus the precession's share along the axis."""
         return plain_answer(self._numbers.spin_rate)
 

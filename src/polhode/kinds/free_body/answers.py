@@ -219,8 +219,8 @@ def free_body_report(
         InvalidInput: for a body with a vanishing moment, or values that are not finite.
     """
     motion = _motion_of(body, momentum, attitude)
-    sizes = (motion.energy, motion.momentum_norm)
-    if any(x is None or (x and not 1.0 / LARGEST < x < LARGEST) for x in sizes) or (sizes[1] and not sizes[0]):
+    energy, size = float(motion.energy), float(motion.momentum_norm)
+    if any(x and not 1.0 / LARGEST < x < LARGEST for x in (energy, size)) or (size and not energy):
         raise InvalidInput(
             f"the spin must give an energy and |L| within 1e±200, or none; its momentum is "
             f"{np.asarray(momentum).tolist()} kg m²/s. Check the rate and its unit."
@@ -231,7 +231,7 @@ def free_body_report(
         body=body,
         motion=motion,
         trajectory=replace(motion.sample(times), frame=body.frame),
-        stability=axis_stability(motion.moments, motion.momentum_norm),
+        stability=axis_stability(motion.moments, size),
         herpolhode=herpolhode(motion),
         precession_body=body_precession(motion),
         precession_space=space_precession(motion),

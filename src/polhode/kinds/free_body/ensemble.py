@@ -48,7 +48,7 @@ class FreeBodies:
     @cached_property
     def flip_interval(self) -> Any:
         """NaN for bodies that do not flip."""
-        return np.where(self.form == "flipping", self.motion.flip_interval, math.nan)
+        return np.where(self.form == "flipping", np.asarray(self.motion.flip_interval), math.nan)
 
     @cached_property
     def steady(self) -> Any:
@@ -83,18 +83,19 @@ def _find_encircled(bodies: FreeBodies) -> Any:
 
 
 def _turn_per_flip(bodies: FreeBodies) -> Any:
-    turn = bodies.motion.precession_per_period
+    turn = np.asarray(bodies.motion.precession_per_period)
     return np.where(np.isnan(bodies.flip_interval), math.nan, 0.5 * turn)
 
 
 def _sense(bodies: FreeBodies) -> Any:
     against = bodies.motion.encircled_axis == np.argmin(bodies.motion.moments, axis=-1)
     words = np.where(against, "against the spin", "with the spin")
-    return np.where(np.isfinite(bodies.motion.period), words, "")
+    return np.where(np.isfinite(np.asarray(bodies.motion.period)), words, "")
 
 
 def _in_space(bodies: FreeBodies) -> Any:
-    return np.where(bodies.motion.encircled_axis >= 0, np.abs(bodies.motion.precession_rate), math.nan)
+    axis, rate = np.asarray(bodies.motion.encircled_axis), np.asarray(bodies.motion.precession_rate)
+    return np.where(axis >= 0, np.abs(rate), math.nan)
 
 
 NUMBERS: dict[str, Callable[[FreeBodies], Any]] = {
@@ -112,7 +113,7 @@ NUMBERS: dict[str, Callable[[FreeBodies], Any]] = {
     "rotation_period": lambda bodies: np.where(bodies.steady, 2.0 * math.pi / bodies.speed, math.nan),
     "flip_interval": lambda bodies: bodies.flip_interval,
     "twist_per_flip": _turn_per_flip,
-    "precession.body.rate": lambda bodies: 2.0 * math.pi / bodies.motion.period,
+    "precession.body.rate": lambda bodies: 2.0 * math.pi / np.asarray(bodies.motion.period),
     "precession.body.sense": _sense,
     "precession.space.rate": _in_space,
     "precession_rate": lambda bodies: bodies.motion.precession_rate,

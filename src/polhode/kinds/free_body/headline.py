@@ -8,7 +8,9 @@ import numpy as np
 
 from polhode.analysis.cone import axis_angles, cone_angles, rotation_form
 from polhode.exact.free_body import FreeMotion
+from polhode.motion._inputs import number_of
 from polhode.reports.wording import angles, in_its_unit
+from polhode.types import Float64, FloatOrArray
 
 ALONG = 1e-12  # rad; an axis as near to L counts as the one that the body spins about
 
@@ -37,32 +39,42 @@ def _steady(motion: FreeMotion) -> str:
 
 
 def _describe_coning(motion: FreeMotion) -> str:
-    axis = motion.encircled_axis
+    axis = _encircled(motion)
     return (
         f"Spin about axis {axis + 1}{_rank(motion, axis)}, which cones (nutates): it leans {_cone(motion)} from "
-        f"the angular momentum L and goes round it every {in_its_unit(motion.tumbling_periods[0])}; in the body L goes "
-        f"round it every {in_its_unit(motion.period)}."
+        f"the angular momentum L and goes round it every {_time(motion.tumbling_periods[0])}; in the body L goes "
+        f"round it every {_time(motion.period)}."
     )
 
 
 def _describe_tumbling(motion: FreeMotion) -> str:
-    axis = motion.encircled_axis
+    axis = _encircled(motion)
     return (
         f"Tumbling: axis {axis + 1}{_rank(motion, axis)} leans {_cone(motion)} from the angular momentum L and "
-        f"goes round it every {in_its_unit(motion.tumbling_periods[0])}, while the body rolls about that axis: L is "
-        f"back in the body every {in_its_unit(motion.period)}."
+        f"goes round it every {_time(motion.tumbling_periods[0])}, while the body rolls about that axis: L is "
+        f"back in the body every {_time(motion.period)}."
     )
 
 
 def _describe_flipping(motion: FreeMotion) -> str:
     moments = np.asarray(motion.moments)
-    middle, axis = int(np.argsort(moments, kind="stable")[1]), motion.encircled_axis
-    turns = 0.5 * motion.precession_per_period / (2.0 * math.pi)
+    middle, axis = int(np.argsort(moments, kind="stable")[1]), _encircled(motion)
+    turns = 0.5 * number_of(motion.precession_per_period) / (2.0 * math.pi)
     return (
         f"Flipping: the body turns over along axis {middle + 1}, its intermediate one, every "
-        f"{in_its_unit(motion.flip_interval)}, {turns:.3g} turns about the angular momentum L; axis "
+        f"{_time(motion.flip_interval)}, {turns:.3g} turns about the angular momentum L; axis "
         f"{axis + 1}{_rank(motion, axis)} leans {_cone(motion)} from L."
     )
+
+
+def _time(answer: Float64[FloatOrArray, ""] | None) -> str:
+    return in_its_unit(number_of(answer))
+
+
+def _encircled(motion: FreeMotion) -> int:
+    axis = motion.encircled_axis
+    assert isinstance(axis, int)
+    return axis
 
 
 def _cone(motion: FreeMotion) -> str:

@@ -20,7 +20,7 @@ from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, sleep
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.lagrange_top.table import LagrangeTopTable
 from polhode.kinds.registry import other_kind
-from polhode.motion._inputs import finite
+from polhode.motion._inputs import finite, name_of
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy
 from polhode.reports.answer import Answer, Group
@@ -61,7 +61,7 @@ class LagrangeTopReport(TopReport):
         exact, period = self.exact, finite(self.exact.nutation_period)
         if self.constant_tilt and exact.precession_rate is not None:
             return f"The top precesses steadily at constant tilt, at {exact.precession_rate:.6g} rad/s."
-        words = _REGIMES[exact.regime]
+        words = _REGIMES[name_of(exact.regime)]
         if exact.regime == "sleeping" and abs(self.spin) < self.threshold:
             words = "The top stands upright, spinning too slowly to sleep: the least push fells it."
         if period is None:
@@ -85,14 +85,15 @@ class LagrangeTopReport(TopReport):
     def motion(self) -> Group:
         exact, planar = self.exact, self.exact.regime == "planar"
         low, high = exact.nutation_limits
-        limits = None if low is None else f"{math.degrees(math.acos(low)):.8g}°, constant" if self.constant_tilt else (
-            f"{math.degrees(math.acos(high)):.8g}° to {math.degrees(math.acos(low)):.8g}°"
+        limits = None if low is None or high is None else (
+            f"{math.degrees(math.acos(low)):.8g}°, constant" if self.constant_tilt
+            else f"{math.degrees(math.acos(high)):.8g}° to {math.degrees(math.acos(low)):.8g}°"
         )  # fmt: skip
         varying = lambda label: "" if self.constant_tilt else label  # noqa: E731
         steady = None if self.steady is None else self.steady._asdict()
         rates = ", ".join(f"{name} {x:.8g} rad/s" for name, x in (steady or {}).items() if x is not None)
         return Group("Motion", [
-            Answer("regime", exact.regime, "", "regime", "", "steady" if self.constant_tilt else exact.regime),
+            Answer("regime", exact.regime, "", "regime", "", "steady" if self.constant_tilt else name_of(exact.regime)),
             Answer("spin", self.spin, "rad/s", "spin about the axis"),
             Answer("sleeping_threshold", self.threshold, "rad/s", "least spin to sleep, upright"),
             Answer("start_tilt", float(self.tilt[0]), "rad"),

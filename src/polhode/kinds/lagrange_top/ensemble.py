@@ -36,7 +36,7 @@ NUMBERS: dict[str, Callable[[LagrangeMotion], Any]] = {
         sleeping_threshold((float(moments[0]), float(moments[1]), float(moments[2])), float(mgl))
         for moments, mgl in zip(motion.moments, motion.mgl, strict=True)
     ],
-    "nutation_limits": lambda motion: np.stack(motion.nutation_limits, axis=-1),
+    "nutation_limits": lambda motion: np.stack([np.asarray(limit) for limit in motion.nutation_limits], axis=-1),
     "nutation_period": lambda motion: motion.nutation_period,
     "precession_per_period": lambda motion: motion.precession_per_period,
     "spin_per_period": lambda motion: motion.spin_per_period,
