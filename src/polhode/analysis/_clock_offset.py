@@ -356,7 +356,7 @@ class _Laid(NamedTuple):
     by_space: Array
     by_body: Array
 
-    def columns(self, free: tuple[bool, bool]) -> Array:
+    def columns(self, free: tuple[bool, bool]) -> Float64[Array, "rows turns"]:
         """Return the effect of the turns that are free, (3 N, n)."""
         blocks = [block for block, is_free in zip((self.by_space, self.by_body), free, strict=True) if is_free]
         return np.concatenate([np.zeros((len(self.left), 3, 0)), *blocks], axis=2).reshape(3 * len(self.left), -1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -148,7 +149,7 @@ def _solve_stretch(
 
 def _fit_place(moments: Estimate, slope: Array, at: float, stretch: tuple[float, float]) -> _Place:
     """Return the step from a place, and the common moment, that fit moments with these slopes by least squares."""
-    solve = whiten(moments.covariance)
+    solve = partial(whiten, moments.covariance)
     ones, rise, value = solve(np.stack([np.ones(len(slope)), slope, moments.value], axis=1)).T
     weight = float(ones @ ones)
     mean, mean_rise = float(ones @ value) / weight, float(ones @ rise) / weight

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -109,16 +110,16 @@ def fit_tensor(
     )  # fmt: skip
 
 
-def whiten(covariance: Array) -> Callable[[Array], Array]:
-    """Return what makes numbers of this covariance independent, with errors of one."""
+def whiten(covariance: Float64[Array, "n n"], values: Float64[Array, "n ..."]) -> Float64[Array, "n ..."]:
+    """Return numbers of this covariance, or what they are made of, as independent ones with errors of one."""
     scale = math.sqrt(float(np.trace(covariance)) / len(covariance))
     root = np.linalg.cholesky(covariance / scale**2 + 1e-14 * np.eye(len(covariance))) * scale
-    return lambda value: np.linalg.solve(root, value)
+    return np.linalg.solve(root, values)
 
 
 def _least_squares(design: Array, value: Array, covariance: Array) -> tuple[Array, Array, float]:
     """Return the solution of least χ², its covariance and χ²."""
-    solve = whiten(covariance)
+    solve = partial(whiten, covariance)
     A, b = solve(design), solve(value)
     solution, *_ = np.linalg.lstsq(A, b, rcond=None)
     return solution, np.linalg.inv(A.T @ A), float(np.sum((A @ solution - b) ** 2))
