@@ -180,13 +180,12 @@ def solve_with_error(
     motion = solve_by_series(system, method, state, samples, meter, step, tolerance, every, memory)
     known = bool(np.any(motion.successful))
     error = series_error(system, method, state, samples, motion, step, tolerance) if known else None
-    axis = np.ndim(motion.successful)
-    thin = motion._replace(
-        times=motion.times[::parts],
-        states=motion.states[(slice(None),) * axis + (slice(None, None, parts),)],
-        received={name: np.asarray(value)[..., ::parts] for name, value in motion.received.items()},
-    )
-    return thin, error
+    if parts == 1:
+        return motion, error
+    kept = (slice(None),) * np.ndim(motion.successful) + (slice(None, None, parts),)
+    received = {name: np.array(value[kept]) for name, value in motion.received.items()}
+    # copies, as a view would keep all samples in memory
+    return motion._replace(times=np.array(times), states=np.array(motion.states[kept]), received=received), error
 
 
 def _refine(times: Float64[np.ndarray, "time"]) -> tuple[Float64[np.ndarray, "more"], int]:
