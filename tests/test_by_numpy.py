@@ -84,6 +84,7 @@ OPERATIONS = {
     "gather of copies": (lambda a: jnp.take_along_axis(a, np.argsort(A, axis=2), axis=2), A),
     "gather whole numbers": (lambda a: jnp.asarray(a).at[PLACES].get(mode="fill"), WHOLE),
     "scatter": (lambda a, b: jnp.asarray(a).at[:, np.array([2, 0])].set(b[:, :2]), A, B),
+    "scatter of one number": (lambda a: jnp.asarray(a).at[jnp.argmax(a)].set(7), WHOLE),
     "scatter that clips": (lambda a: jnp.asarray(a).at[:, PLACES].set(7.0, mode="clip"), A),
     "scatter-add": (lambda a, b: jnp.asarray(a).at[np.array([1, 1]), :, np.array([2, 2])].add(b[:, :, 0]), A, B),
     "scatter_add": (lambda a: jnp.asarray(a).at[:, PLACES].add(2.0, mode="drop"), A),

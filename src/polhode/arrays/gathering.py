@@ -102,7 +102,7 @@ def _place(
             inside &= given == first
         elif axis in between[0]:
             first = np.indices(batch)[between[1][list(between[0]).index(axis)]]
-        first = first.reshape(*batch, *(1,) * len(window))
+        first = np.reshape(first, (*batch, *(1,) * len(window)))
         along = [1] * len(window)
         if axis in window:
             along[window.index(axis)] = size
