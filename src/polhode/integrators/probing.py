@@ -170,7 +170,9 @@ def _changes(
     values = rates(np.ravel(tried), np.repeat(np.arange(spans), each + 1)).reshape(spans, each + 1, -1)
     low, high = np.ravel(tried[:, :-1]), np.ravel(tried[:, 1:])
     size = np.max(np.abs(values), initial=0.0, where=np.isfinite(values))
-    changes = np.ravel(np.nan_to_num(np.abs(np.diff(values, axis=1)).max(axis=-1), nan=size))
+    # of equal times, or smooth changes about the least one would be seen and unseen by turns
+    longer = np.abs(np.diff(tried, axis=1)) * (each / np.abs(np.diff(times))[:, None])
+    changes = np.ravel(np.nan_to_num(np.abs(np.diff(values, axis=1)).max(axis=-1), nan=size) / longer)
     least, usual = STILL * size, float(np.median(changes))
     # what moves all the time is seen by every step; there only what stands out from its surroundings jumps
     beside = np.maximum(np.roll(changes, 2), np.roll(changes, -2))
