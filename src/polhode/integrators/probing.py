@@ -25,12 +25,14 @@ from polhode.errors import InvalidInput, shown
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
-from polhode.types import Array, ArrayLike, Double, Float64
+from polhode.types import Array, ArrayLike, Bool, Double, Float64, Integer
 
 TRIALS = 1 << 17  # times that are tried
 NUMBERS = 1 << 23  # evaluated at most, times by components
 TOGETHER = 512  # times evaluated in one call; any other number of them would be compiled anew
 STILL = 1e-13  # of the largest rate: changes below it are rounding
+MANY, ROUGH = 256, 1e-6  # edges, of changes so small against the largest rate, that are taken for those of rounding
+CLEAR = 64.0  # times which a change stands out from it
 ABOVE = 8.0  # of the usual change between two trials, from which on something acts
 INNER = np.array([0.25, 0.5, 0.75])  # places within a smooth change
 INSIDE = len(INNER)  # cells between trials that it must have for them
@@ -177,7 +179,11 @@ def _changes(
     # what moves all the time is seen by every step; there only what stands out from its surroundings jumps
     beside = np.maximum(np.roll(changes, 2), np.roll(changes, -2))
     acts = changes > (np.maximum(least, ABOVE * np.maximum(usual, beside)) if usual > least else least)
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], acts.view(np.int8), [0]])))
+    edges = _edges(acts)
+    if len(edges) > MANY and (little := float(np.median(changes[acts]))) < ROUGH * size:
+        # rates that are small differences of large terms have the rounding of these
+        acts &= changes > CLEAR * little
+        edges = _edges(acts)
     begins, ends = edges[::2], edges[1::2] - 1  # first and last cell of each run in which something acts
     if len(edges) > MOST:
         return len(begins)
@@ -189,6 +195,11 @@ def _changes(
     inside = low[begins[long]] + INNER[:, None] * (high[ends[long]] - low[begins[long]])
     jumps = [_bisect(rates, low[cells], high[cells], which[cells]), low[begins], high[ends], np.ravel(inside)]
     return jumps_between(times, np.concatenate(jumps))
+
+
+def _edges(acts: Bool[np.ndarray, "cells"]) -> Integer[np.ndarray, "edges"]:
+    """Return where runs of cells in which something acts begin and end, by turns."""
+    return np.flatnonzero(np.diff(np.concatenate([[0], acts.view(np.int8), [0]])))
 
 
 class _Rates:
