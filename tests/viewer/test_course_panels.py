@@ -350,7 +350,8 @@ def test_what_the_keyboard_does_not_reach_or_the_address_forgets_is_seen(shown):
     page.tab.evaluate("document.querySelector('label[for=tilt]').removeAttribute('for')")
     assert parts_out_of_reach(page) == ["rate", "tilt"]
     page = shown("book")
-    page.tab.evaluate("panel.remember = () => {}")
+    page.settle()  # else the address that it writes as it opens would have the change
+    page.tab.evaluate("void (panel.remember = () => {})")
     page.tab.locator("#rate").focus()
     page.tab.keyboard.press("ArrowRight")
     page.settle()

@@ -127,6 +127,10 @@ class AbstractSystem(HashableModule):
         """
         return {}
 
+    def balanced(self, t: Real[ArrayLike, "..."], state: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
+        """Return the values of ``balances``; a system whose rates take long to trace may override it."""
+        return {name: balance.value for name, balance in self.balances(t, state).items()}
+
     @property
     def series_of_arrays(self) -> bool:
         """Whether Taylor series of whole arrays move it by default."""

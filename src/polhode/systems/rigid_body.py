@@ -98,48 +98,69 @@ class AbstractRigidBody(AbstractRigidMotion):
             values["momentum_space"] = rotation.rotate(body.attitude, body.momentum)
         return values
 
+    def balanced(self, t: Time, state: States) -> dict[str, Float64[Array, "..."]]:
+        return self._balanced(jnp.asarray(t), self._moment(self._as_given(self.parts(state))))
+
+    def _balanced(self, t: Array, now: Moment) -> dict[str, Array]:
+        if not self._is_acted_on:
+            return {} if self.conserves_energy else {"energy": self._energy(now)}
+        values = {"kinetic_energy": self._energy(now), "|L|²": jnp.sum(now.body.momentum**2, axis=-1)}
+        gravity = self._gravity_of_integral(now)
+        return values if gravity is None else values | {"jacobi_integral": self._jacobi_integral(gravity, t, now)}
+
     def balances(self, t: Time, state: States) -> dict[str, Balance]:
         """Return energy and |L|² with their powers, and with gravity on a circular orbit the Jacobi integral.
 
         Under torques the energy is called kinetic, as the potential of what causes them is not in it.
         """
         now, t = self._moment(self._as_given(self.parts(state))), jnp.asarray(t)
-        body, energy, inner = now.body, self._energy(now), self._inner_power(t, now)
-        if not self._is_acted_on:
-            return {} if self.conserves_energy else {"energy": Balance(energy, inner)}
-        torque, loads = self._loads(t, now)
-        balances = {
-            "kinetic_energy": Balance(energy, self._outer_power(now, torque, loads) + inner),
-            "|L|²": Balance(jnp.sum(body.momentum**2, axis=-1), 2.0 * jnp.sum(torque * body.momentum, axis=-1)),
-        }
-        gravity = [torque for torque in self.torques if isinstance(torque, GravityGradient)]
-        if body.attitude is not None and len(gravity) == 1 and gravity[0].circular and not self.tanks:
-            rest = self._outer_power(now, torque, loads) + inner
-            balances["jacobi_integral"] = self._jacobi_integral(gravity[0], t, now, torque, rest)
-        return balances
+        values = self._balanced(t, now)
+        if not values:
+            return {}
+        inner, rates = self._inner_power(t, now), {}
+        if self._is_acted_on:
+            torque, loads = self._loads(t, now)
+            power = self._outer_power(now, torque, loads) + inner
+            rates = {"kinetic_energy": power, "|L|²": 2.0 * jnp.sum(torque * now.body.momentum, axis=-1)}
+            if (gravity := self._gravity_of_integral(now)) is not None:
+                rates["jacobi_integral"] = self._jacobi_rate(gravity, t, now, torque, power)
+        return {name: Balance(value, rates.get(name, inner)) for name, value in values.items()}
 
-    def _jacobi_integral(self, gravity: GravityGradient, t: Array, now: Moment, torque: Array, power: Array) -> Balance:
+    def _gravity_of_integral(self, now: Moment) -> GravityGradient | None:
+        """Return the gravity with which the body has a Jacobi integral."""
+        gravity = [torque for torque in self.torques if isinstance(torque, GravityGradient)]
+        alone = now.body.attitude is not None and len(gravity) == 1 and gravity[0].circular and not self.tanks
+        return gravity[0] if alone else None
+
+    def _jacobi_integral(self, gravity: GravityGradient, t: Array, now: Moment) -> Array:
         """Return H − ν·L, with H = T + V and the orbit's ν.
 
-        V = ½ GM/R³ (3 R̂·JR̂ − tr J) is the work of gravity on the body as it is, but for a constant; it changes by
-        −τ·w − Q·q̇, with w = Ω − ν the velocity relative to the orbit's frame, and ν·L by ν·τ.
+        V = ½ GM/R³ (3 R̂·JR̂ − tr J) is the work of gravity on the body as it is, but for a constant.
+        """
+        attitude = now.body.attitude
+        assert attitude is not None, "gravity needs the attitude"
+        orbital = now.velocity - gravity.relative_velocity(attitude, now.velocity)
+        inertia, (strength, centre) = self._momentary_inertia(now), gravity.pull(t, attitude)
+        pulled = 3.0 * jnp.sum(centre * jnp.sum(inertia * centre[..., None, :], axis=-1), axis=-1)
+        if now.arrangement is not None:
+            pulled = pulled - (jnp.trace(inertia, axis1=-2, axis2=-1) - jnp.sum(self.moments))
+        return self._energy(now) + 0.5 * strength * pulled - jnp.sum(orbital * now.body.momentum, axis=-1)
+
+    def _jacobi_rate(self, gravity: GravityGradient, t: Array, now: Moment, torque: Array, power: Array) -> Array:
+        """Return the rate of H − ν·L.
+
+        V changes by −τ·w − Q·q̇, with w = Ω − ν the velocity relative to the orbit's frame, and ν·L by ν·τ.
         """
         attitude = now.body.attitude
         assert attitude is not None, "gravity needs the attitude"
         relative = gravity.relative_velocity(attitude, now.velocity)
-        orbital, inertia = now.velocity - relative, self._momentary_inertia(now)
-        strength, centre = gravity.pull(t, attitude)
-        pulled = 3.0 * jnp.sum(centre * jnp.sum(inertia * centre[..., None, :], axis=-1), axis=-1)
-        if now.arrangement is not None:
-            pulled = pulled - (jnp.trace(inertia, axis1=-2, axis2=-1) - jnp.sum(self.moments))
-        value = self._energy(now) + 0.5 * strength * pulled - jnp.sum(orbital * now.body.momentum, axis=-1)
         if now.arrangement is None:
             pull, loads = gravity.torque(t, attitude, now.velocity), []
         else:
             pull, loads = self._gravity(gravity, t, now)
-        rate = power - jnp.sum(torque * orbital, axis=-1) - jnp.sum(pull * relative, axis=-1)
+        rate = power - jnp.sum(torque * (now.velocity - relative), axis=-1) - jnp.sum(pull * relative, axis=-1)
         rate = rate - sum((a * b for a, b in zip(loads, now.rates, strict=True)), 0.0)
-        return Balance(value, rate - jnp.sum(pull * self._drift(now), axis=-1))
+        return rate - jnp.sum(pull * self._drift(now), axis=-1)
 
     def vectors(self, state: Float64[Array, "*batch n"]) -> Vectors:
         body = self.parts(state)

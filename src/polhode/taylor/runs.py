@@ -339,4 +339,4 @@ def _scales(system: AbstractSystem, states: Array, t: float, machine: Machine, s
 @arrays_for_few_calls
 def _balances_at(system: AbstractSystem, states: Array, t: Array) -> dict[str, Array]:
     """Return values (C,) of balances at states (C, *shape)."""
-    return jax.vmap(lambda state: {name: balance.value for name, balance in system.balances(t, state).items()})(states)
+    return jax.vmap(lambda state: system.balanced(t, state))(states)
