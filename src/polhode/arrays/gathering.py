@@ -43,7 +43,7 @@ def gather(x: list[Array], parameters: dict[str, Any]) -> Shaped[Array, "..."]:
     return np.transpose(found, _axes_of(found.ndim, of.offset_dims))
 
 
-def scatter(put: Callable[[Array, tuple[Array, ...], Array], None]) -> Callable[..., Shaped[Array, "..."]]:
+def scatter(put: Callable[[np.ndarray, Any, Any], None]) -> Callable[..., Shaped[Array, "..."]]:
     """Return a form of ``scatter``, of an array, starts and windows to put there."""
 
     def scattered(x: list[Array], parameters: dict[str, Any]) -> Array:

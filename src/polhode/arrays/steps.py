@@ -129,7 +129,7 @@ def _computation(equation: Any) -> Callable[[list[Array], Any], Any]:
         ends = np.cumsum(parameters["sizes"])[:-1]
         return lambda x, p: np.split(x[0], ends, p["axis"])
     if name == "unstack":
-        return lambda x, p: list(np.moveaxis(x[0], p["axis"], 0))
+        return lambda x, p: list(np.moveaxis(np.asarray(x[0]), p["axis"], 0))
     if name not in BY_NUMPY:
         raise NoSteps(name)
     return BY_NUMPY[name]
