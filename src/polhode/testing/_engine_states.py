@@ -6,6 +6,7 @@ import difflib
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from polhode.analysis._engine_mistakes import VARIABLES, StateConvention
 from polhode.bodies._inertia import principal_axes
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.opening import read_text
+from polhode.testing._stepping import find_printed_unit
 from polhode.testing.motion_table import reference_motions
 from polhode.types import Array, Float64
 
@@ -78,6 +80,13 @@ class WrittenStates:
     rates: Float64[Array, "time 3"]
     convention: StateConvention
     number: int
+
+    @cached_property
+    def printed(self) -> float:
+        """Unit of the last digit that was printed, relative to the states; 0 for all digits."""
+        largest = float(np.abs(self.rates).max()) or 1.0
+        # a turn is twice the change of a unit quaternion
+        return 2.0 * find_printed_unit(self.quaternions) + find_printed_unit(self.rates) / largest
 
     @property
     def label(self) -> str:

@@ -163,12 +163,9 @@ def as_run(one: WrittenStates, convention: StateConvention) -> EngineRun:
     """Return the states after the exact start, read by a convention."""
     q, L = convention.decode(one.quaternions, one.rates, one.given.inertia)
     steps = len(one.times) if one.dt is None else max(1, round(float(one.times[-1]) / one.dt))
-    # a turn is twice the change of a unit quaternion
-    largest = float(np.abs(one.rates).max()) or 1.0
-    printed = 2.0 * find_printed_unit(one.quaternions) + find_printed_unit(one.rates) / largest
     return EngineRun(one.given.inertia, np.concatenate([[0.0], one.times]), np.vstack([one.given.attitude, q]),
                      np.vstack([one.given.momentum, L]), find_eps(one.quaternions, one.rates), steps,
-                     printed)  # fmt: skip
+                     one.printed)  # fmt: skip
 
 
 def _short_part(run: EngineRun) -> int:

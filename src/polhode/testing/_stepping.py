@@ -161,9 +161,11 @@ def find_printed_unit(values: Float64[Array, "..."]) -> float:
     numbers = np.unique(np.abs(values[values != 0.0]))
     if len(numbers) < FEWEST:
         return 0.0
-    digits = max(len(Decimal(repr(x)).normalize().as_tuple().digits) for x in numbers.tolist())
-    if digits > MOST_DIGITS:
-        return 0.0
+    digits = 0
+    for number in numbers.tolist():
+        digits = max(digits, len(Decimal(repr(number)).normalize().as_tuple().digits))
+        if digits > MOST_DIGITS:
+            return 0.0
     return 10.0 ** (math.floor(math.log10(numbers[-1])) + 1 - digits)
 
 
