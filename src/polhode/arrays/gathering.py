@@ -8,11 +8,14 @@ a value that fills, or are dropped.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, SupportsIndex
 
 import numpy as np
 
 from polhode.types import Array, Bool, Integer, Shaped
+
+Axes = Sequence[SupportsIndex]
+"""Of an array; JAX names some by NumPy's integers."""
 
 
 class _Windows(NamedTuple):
@@ -84,8 +87,7 @@ def _dynamic(shape: Sequence[int], starts: Sequence[Array], sizes: Sequence[int]
 
 
 def _place(
-    shape: Sequence[int], starts: Array, named: Sequence[int], sizes: Sequence[int], left_out: Sequence[int],
-    between: tuple[Sequence[int], Sequence[int]],
+    shape: Sequence[int], starts: Array, named: Axes, sizes: Sequence[int], left_out: Axes, between: tuple[Axes, Axes]
 ) -> _Windows:  # fmt: skip
     """Return windows of some sizes; ``named`` are the axes of the array that starts (batch…, axis) are along.
 
@@ -110,7 +112,7 @@ def _place(
     return _Windows(places, inside, len(window))
 
 
-def _axes_of(count: int, of_window: Sequence[int]) -> list[int]:
+def _axes_of(count: int, of_window: Axes) -> list[int]:
     """Return the order of axes (batch…, window…) in which those of windows are where they are wanted."""
     batch, order = count - len(of_window), []
     windows, rest = iter(range(batch, count)), iter(range(batch))

@@ -34,7 +34,9 @@ def mass_properties(
     vertices, faces = check_mesh(vertices, faces, several, repair or repaired)
     volume, center, second = volume_moments(vertices[faces])
     whole = float(mass if mass is not None else density * volume)  # type: ignore[operator]
-    return MassProperties(whole, center, whole / volume * inertia_of_second(second))
+    with np.errstate(all="ignore"):  # a mass that is too large is refused by what takes it
+        inertia = whole / volume * inertia_of_second(second)
+    return MassProperties(whole, center, inertia)
 
 
 def sheet_properties(
