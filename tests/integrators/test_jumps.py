@@ -113,6 +113,22 @@ def test_a_gate_that_fades_is_not_made_of_jumps():
     assert found.statistics["steps"] < 150 and abs(found.states[-1, 0] - 1.0) < 1e-14
 
 
+class Ripple(AbstractSystem):
+    """ẏ is one, and a little more in every second of many short intervals."""
+
+    def vector_field(self, t, state):
+        return 1.0 + 1e-8 * (jnp.sin(97.3 * t) > 0.0) + 0.0 * state
+
+    def invariants(self, state):
+        return {}
+
+
+def test_many_small_switches_are_not_taken_for_rounding():
+    found = find_undeclared_jumps(Ripple(), jnp.zeros(1), np.array([0.0, 10.0]))
+    true = np.pi / 97.3 * np.arange(1, int(973.0 / np.pi) + 1)
+    assert len(true) > 300 and np.abs(found[:, None] - true).min(axis=0).max() < 1e-12
+
+
 def test_what_switches_as_often_as_times_are_tried_is_seen():
     """At equal trials, 1 ms apart, it was always off, and nothing was known of it."""
 

@@ -380,9 +380,7 @@ def _lay(motion: Moving, samples: Samples, fit: Fit, is_new: bool) -> tuple[_Lai
 
 
 def _refine(motion: Moving, samples: Samples, fit: Fit) -> Fit | None:
-    """Return a fit improved from a start; None where it leaves the span, does not converge, or needs body axes that
-    are no longer nearly the same.
-    """
+    """Return a fit improved from a start; None if it leaves the span, does not converge, or turns body axes too far."""
     usual = float(np.median(np.diff(samples.times)))
     for k in range(ROUNDS):
         known = _lay(motion, samples, fit, k == 0)

@@ -14,7 +14,7 @@ from polhode.types import Array, Float64
 
 HIGHEST_ORDER = 8
 OFF = 0.2  # that an observed order may miss a whole number by
-FALLS = 1.5  # times by which errors that still go to zero fall at least as a step is halved
+FALLS = 1.5  # factor by which errors fall at least when the step is halved, if they still go to zero
 SEEN = 1e-3  # rad a radian turned: a limit with a larger uncertainty gives no verdict
 
 

@@ -15,7 +15,7 @@ from polhode.types import Array, Float64
 
 VARIABLES, AXES = ("momentum", "angular velocity"), ("body", "space")
 TOLERANCE = 1e-12
-ALIGNED = 1e-9  # an attitude that differs from none by less, of its quaternion's scalar
+ALIGNED = 1e-9  # an attitude whose scalar part is this close to ±1 is the identity
 
 
 @dataclass(frozen=True)
@@ -82,8 +82,8 @@ class EngineEquations:
         in_space: whether q̇ = f (0, ω) q/2, as if body rates were along space axes.
         damping: c [1/s].
         frozen: whether L stays in space while ω = I⁻¹L is that of the start, in space: the inertia is not turned.
-        along_space: "momentum" or "angular velocity" where the inertia is along space axes as it should be along the
-            body's, L̇ = g L × ω and q̇ = (0, ω) q/2 with all components in space; this is what the engine writes of it.
+        along_space: what the engine writes, "momentum" or "angular velocity", if it uses the body's inertia along space
+            axes: L̇ = g L × ω and q̇ = (0, ω) q/2 with all components in space. Empty if it does not.
     """
 
     gyroscopic: float = 1.0
@@ -160,14 +160,14 @@ def list_equation_mistakes(
 
     Args:
         variable: which an engine writes, see ``StateConvention``.
-        attitude: (4,) of the start; where it is none, body axes are those of space, and two mistakes are one.
+        attitude: (4,) of the start; if it is the identity, two of the mistakes are the same.
         damping: rate at which |L| decays in the engine [1/s]; no damping is looked for where it is 0.
     """
     kept = EngineEquations(gyroscopic=0.0, along_space=variable)
     found = {
         "gyroscopic term missing: ω constant along body axes": EngineEquations(gyroscopic=0.0),
         "inertia not turned with the body: ω constant while L is": EngineEquations(frozen=True),
-        "inertia not turned with the body: along space axes as it should be along the body's": kept,
+        "inertia not turned with the body: used along space axes": kept,
         "inertia not turned with the body: Euler's equations along space axes": replace(kept, gyroscopic=1.0),
         "gyroscopic term with the wrong sign": EngineEquations(gyroscopic=-1.0),
         "factor ½ missing in the quaternion's rate": EngineEquations(factor=2.0),

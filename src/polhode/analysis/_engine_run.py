@@ -32,7 +32,7 @@ class EngineRun:
         momentum: (T, 3) [kg m²/s, body axes].
         eps: rounding unit of the engine's type of number.
         steps: the number of steps it took.
-        printed: unit of the last digit that states were printed with, relative to them; 0 where all digits are there.
+        printed_unit: unit of the last printed digit, relative to the states; 0 if all digits are there.
     """
 
     inertia: Float64[Array, "3 3"]
@@ -41,7 +41,7 @@ class EngineRun:
     momentum: Float64[Array, "time 3"]
     eps: float
     steps: int
-    printed: float = 0.0
+    printed_unit: float = 0.0
 
     @cached_property
     def motion(self) -> FreeMotion:

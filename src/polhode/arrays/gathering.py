@@ -42,14 +42,14 @@ def gather(x: list[Array], parameters: dict[str, Any]) -> Shaped[Array, "..."]:
     found = array[tuple(windows.places)]
     if parameters["mode"].name == "FILL_OR_DROP" and not windows.inside.all():
         inside = windows.inside.reshape(windows.inside.shape + (1,) * windows.axes)
-        found = np.where(inside, found, _filling(parameters["fill_value"], array.dtype))
+        found = np.where(inside, found, _choose_filling(parameters["fill_value"], array.dtype))
     return np.transpose(found, _axes_of(found.ndim, of.offset_dims))
 
 
 def scatter(put: Callable[[np.ndarray, Any, Any], None]) -> Callable[..., Shaped[Array, "..."]]:
     """Return a form of ``scatter``, of an array, starts and windows to put there."""
 
-    def scattered(x: list[Array], parameters: dict[str, Any]) -> Array:
+    def compute(x: list[Array], parameters: dict[str, Any]) -> Array:
         array, starts, updates = x
         of = parameters["dimension_numbers"]
         between = of.operand_batching_dims, of.scatter_indices_batching_dims
@@ -66,7 +66,7 @@ def scatter(put: Callable[[np.ndarray, Any, Any], None]) -> Callable[..., Shaped
             put(result, tuple(np.broadcast_to(one, moved.shape)[kept] for one in windows.places), moved[kept])
         return result
 
-    return scattered
+    return compute
 
 
 def take_dynamic_slice(x: list[Array], parameters: dict[str, Any]) -> Shaped[Array, "..."]:
@@ -121,7 +121,7 @@ def _axes_of(count: int, of_window: Axes) -> list[int]:
     return order
 
 
-def _filling(value: Any, dtype: Any) -> Any:
+def _choose_filling(value: Any, dtype: Any) -> Any:
     """Return what fills where nothing is: NaN, or of whole numbers the one farthest from all others."""
     if value is not None:
         return np.asarray(value, dtype)

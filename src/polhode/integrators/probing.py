@@ -31,8 +31,9 @@ TRIALS = 1 << 17  # times that are tried
 NUMBERS = 1 << 23  # evaluated at most, times by components
 TOGETHER = 512  # times evaluated in one call; any other number of them would be compiled anew
 STILL = 1e-13  # of the largest rate: changes below it are rounding
-MANY, ROUGH = 256, 1e-6  # edges, of changes so small against the largest rate, that are taken for those of rounding
-CLEAR = 64.0  # times which a change stands out from it
+MANY, ROUGH = 256, 1e-6  # edges, and changes against the largest rate: so many that are so small may be rounding
+DENSE = 0.1  # of the trials between the first and the last: rounding changes that many of them, and switches do not
+CLEAR = 64.0  # times the usual change by rounding, from which on a change is none of it
 ABOVE = 8.0  # of the usual change between two trials, from which on something acts
 INNER = np.array([0.25, 0.5, 0.75])  # places within a smooth change
 INSIDE = len(INNER)  # cells between trials that it must have for them
@@ -180,10 +181,11 @@ def _changes(
     beside = np.maximum(np.roll(changes, 2), np.roll(changes, -2))
     acts = changes > (np.maximum(least, ABOVE * np.maximum(usual, beside)) if usual > least else least)
     edges = _edges(acts)
-    if len(edges) > MANY and (little := float(np.median(changes[acts]))) < ROUGH * size:
-        # rates that are small differences of large terms have the rounding of these
-        acts &= changes > CLEAR * little
-        edges = _edges(acts)
+    if len(edges) > MANY and acts.sum() > DENSE * (edges[-1] - edges[0]):
+        little = float(np.median(changes[acts]))
+        if little < ROUGH * size:  # rates that are small differences of large terms have the rounding of these
+            acts &= changes > CLEAR * little
+            edges = _edges(acts)
     begins, ends = edges[::2], edges[1::2] - 1  # first and last cell of each run in which something acts
     if len(edges) > MOST:
         return len(begins)

@@ -127,7 +127,9 @@ class AbstractSystem(HashableModule):
         """
         return {}
 
-    def balanced(self, t: Real[ArrayLike, "..."], state: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
+    def balance_values(
+        self, t: Real[ArrayLike, "..."], state: Double[Array, "..."]
+    ) -> dict[str, Float64[Array, "..."]]:  # fmt: skip
         """Return the values of ``balances``; a system whose rates take long to trace may override it."""
         return {name: balance.value for name, balance in self.balances(t, state).items()}
 

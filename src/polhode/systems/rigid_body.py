@@ -98,10 +98,10 @@ class AbstractRigidBody(AbstractRigidMotion):
             values["momentum_space"] = rotation.rotate(body.attitude, body.momentum)
         return values
 
-    def balanced(self, t: Time, state: States) -> dict[str, Float64[Array, "..."]]:
-        return self._balanced(jnp.asarray(t), self._moment(self._as_given(self.parts(state))))
+    def balance_values(self, t: Time, state: States) -> dict[str, Float64[Array, "..."]]:
+        return self._balance_values(jnp.asarray(t), self._moment(self._as_given(self.parts(state))))
 
-    def _balanced(self, t: Array, now: Moment) -> dict[str, Array]:
+    def _balance_values(self, t: Array, now: Moment) -> dict[str, Array]:
         if not self._is_acted_on:
             return {} if self.conserves_energy else {"energy": self._energy(now)}
         values = {"kinetic_energy": self._energy(now), "|L|²": jnp.sum(now.body.momentum**2, axis=-1)}
@@ -114,7 +114,7 @@ class AbstractRigidBody(AbstractRigidMotion):
         Under torques the energy is called kinetic, as the potential of what causes them is not in it.
         """
         now, t = self._moment(self._as_given(self.parts(state))), jnp.asarray(t)
-        values = self._balanced(t, now)
+        values = self._balance_values(t, now)
         if not values:
             return {}
         inner, rates = self._inner_power(t, now), {}

@@ -88,7 +88,7 @@ class _Said(NamedTuple):
 
 @arrays_for_few_calls  # in one, as all of them begin with the same steps
 def _all_said(system: AbstractSystem, times: Array, states: Array) -> _Said:
-    return _Said(system.invariants(states), system.balanced(times, states), tuple(system.vectors(states)))
+    return _Said(system.invariants(states), system.balance_values(times, states), tuple(system.vectors(states)))
 
 
 @arrays_for_few_calls

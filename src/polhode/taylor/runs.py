@@ -339,4 +339,4 @@ def _scales(system: AbstractSystem, states: Array, t: float, machine: Machine, s
 @arrays_for_few_calls
 def _balances_at(system: AbstractSystem, states: Array, t: Array) -> dict[str, Array]:
     """Return values (C,) of balances at states (C, *shape)."""
-    return jax.vmap(lambda state: system.balanced(t, state))(states)
+    return jax.vmap(lambda state: system.balance_values(t, state))(states)

@@ -82,7 +82,7 @@ class WrittenStates:
     number: int
 
     @cached_property
-    def printed(self) -> float:
+    def printed_unit(self) -> float:
         """Unit of the last digit that was printed, relative to the states; 0 for all digits."""
         largest = float(np.abs(self.rates).max()) or 1.0
         # a turn is twice the change of a unit quaternion

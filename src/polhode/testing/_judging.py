@@ -121,10 +121,10 @@ def judge_engine(
 
 def measure(run: EngineRun) -> tuple[Drift, Drift, Growth]:
     """Return the drifts of energy and |L|, and the growth of the attitude's error."""
-    rounding = 4.0 * run.eps * np.sqrt(run.steps + 1.0) + 16.0 * run.eps + 2.0 * run.printed
+    rounding = 4.0 * run.eps * np.sqrt(run.steps + 1.0) + 16.0 * run.eps + 2.0 * run.printed_unit
     with np.errstate(all="ignore"):
         energy, norm = (measure_drift(x, run.turned, rounding) for x in (run.energy, run.momentum_norm))
-        growth = measure_growth(run.angle, run.turned, run.eps * (16.0 + run.steps / 2.0) + 2.0 * run.printed)
+        growth = measure_growth(run.angle, run.turned, run.eps * (16.0 + run.steps / 2.0) + 2.0 * run.printed_unit)
     return energy, norm, growth
 
 

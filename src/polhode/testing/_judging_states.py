@@ -165,7 +165,7 @@ def as_run(one: WrittenStates, convention: StateConvention) -> EngineRun:
     steps = len(one.times) if one.dt is None else max(1, round(float(one.times[-1]) / one.dt))
     return EngineRun(one.given.inertia, np.concatenate([[0.0], one.times]), np.vstack([one.given.attitude, q]),
                      np.vstack([one.given.momentum, L]), find_eps(one.quaternions, one.rates), steps,
-                     one.printed)  # fmt: skip
+                     one.printed_unit)  # fmt: skip
 
 
 def _short_part(run: EngineRun) -> int:
@@ -182,7 +182,7 @@ def _judge_by_one_step(one: WrittenStates, run: EngineRun, short: int, search: b
     part = slice(1, short + 1)
     rate = float(run.turned[short] / run.times[short])
     steps = short if one.dt is None else float(run.times[short]) / one.dt
-    rounding = run.eps * (16.0 + steps / 2.0) + 2.0 * run.printed
+    rounding = run.eps * (16.0 + steps / 2.0) + 2.0 * run.printed_unit
     slack = SEEN if one.dt is None else min(0.02, FIRST_ORDER * one.dt * rate)
     allowed = max(rounding, slack * float(run.turned[short]))
 
@@ -275,5 +275,5 @@ def _converge(
         kept = _nearest(run.times, times)
         levels.append(departures(run.attitude[kept], run.momentum[kept], *exact))
         steps = float(times[-1]) / (one.dt or 1.0)
-        floors.append(run.eps * (16.0 + steps / 2.0) + run.printed + (0.0 if equations is None else 1e-10))
+        floors.append(run.eps * (16.0 + steps / 2.0) + run.printed_unit + (0.0 if equations is None else 1e-10))
     return judge_convergence(levels, floors, float(turned_angle(motion, from_start)[-1]))

@@ -141,7 +141,7 @@ def describe_verdict(one: Judgement) -> str:
     found, stop = one.convergence, _word_stop(one, step=True)
     right = f"Right with short steps, but at dt = {one.dt:.4g} s {stop}" if stop else "Right"
     if one.right and (found is None or found.by_rounding):
-        return f"{right}: exact to {'the digits that were printed' if one.run.printed else 'rounding'}."
+        return f"{right}: exact to {'the digits that were printed' if one.run.printed_unit else 'rounding'}."
     if one.right and found is not None:
         other = found.momentum_order
         more = f", in momentum {other:.2f}" if other is not None and abs(other - (found.order or 0.0)) > 0.5 else ""

@@ -39,39 +39,39 @@ def _steady(motion: FreeMotion) -> str:
 
 
 def _describe_coning(motion: FreeMotion) -> str:
-    axis = _encircled(motion)
+    axis = _find_encircled_axis(motion)
     return (
         f"Spin about axis {axis + 1}{_rank(motion, axis)}, which cones (nutates): it leans {_cone(motion)} from "
-        f"the angular momentum L and goes round it every {_time(motion.tumbling_periods[0])}; in the body L goes "
-        f"round it every {_time(motion.period)}."
+        f"the angular momentum L and goes round it every {_word_time(motion.tumbling_periods[0])}; in the body L goes "
+        f"round it every {_word_time(motion.period)}."
     )
 
 
 def _describe_tumbling(motion: FreeMotion) -> str:
-    axis = _encircled(motion)
+    axis = _find_encircled_axis(motion)
     return (
         f"Tumbling: axis {axis + 1}{_rank(motion, axis)} leans {_cone(motion)} from the angular momentum L and "
-        f"goes round it every {_time(motion.tumbling_periods[0])}, while the body rolls about that axis: L is "
-        f"back in the body every {_time(motion.period)}."
+        f"goes round it every {_word_time(motion.tumbling_periods[0])}, while the body rolls about that axis: L is "
+        f"back in the body every {_word_time(motion.period)}."
     )
 
 
 def _describe_flipping(motion: FreeMotion) -> str:
     moments = np.asarray(motion.moments)
-    middle, axis = int(np.argsort(moments, kind="stable")[1]), _encircled(motion)
+    middle, axis = int(np.argsort(moments, kind="stable")[1]), _find_encircled_axis(motion)
     turns = 0.5 * number_of(motion.precession_per_period) / (2.0 * math.pi)
     return (
         f"Flipping: the body turns over along axis {middle + 1}, its intermediate one, every "
-        f"{_time(motion.flip_interval)}, {turns:.3g} turns about the angular momentum L; axis "
+        f"{_word_time(motion.flip_interval)}, {turns:.3g} turns about the angular momentum L; axis "
         f"{axis + 1}{_rank(motion, axis)} leans {_cone(motion)} from L."
     )
 
 
-def _time(answer: Float64[FloatOrArray, ""] | None) -> str:
+def _word_time(answer: Float64[FloatOrArray, ""] | None) -> str:
     return in_its_unit(number_of(answer))
 
 
-def _encircled(motion: FreeMotion) -> int:
+def _find_encircled_axis(motion: FreeMotion) -> int:
     axis = motion.encircled_axis
     assert isinstance(axis, int)
     return axis
