@@ -34,11 +34,13 @@ class RollingDissipation(eqx.Module):
     """A law of dissipation.
 
     Attributes:
+        name: of the law in specs and on pages; empty for one that they do not know.
         exponent: n of α ∝ (t0 − t)^n; negative where there is no finite t0 and α ∝ t^n.
         vertical: whether its couple is vertical and brakes the turning of the disk on its contact; otherwise the couple
             is horizontal and brakes the contact point on its way round the rim.
     """
 
+    name: ClassVar[str] = ""
     exponent: eqx.AbstractClassVar[float]
     vertical: eqx.AbstractClassVar[bool]
 
@@ -56,6 +58,7 @@ class AirLayer(RollingDissipation):
     Source: Moffatt (2000), eq. 4.
     """
 
+    name: ClassVar[str] = "air-layer"
     exponent: ClassVar[float] = 1 / 3
     vertical: ClassVar[bool] = False
     viscosity: Float64[Array, ""]
@@ -78,6 +81,7 @@ class BoundaryLayer(RollingDissipation):
     Source: Bildsten (2002).
     """
 
+    name: ClassVar[str] = "boundary-layer"
     exponent: ClassVar[float] = 4 / 9
     vertical: ClassVar[bool] = False
     coefficient: Float64[Array, ""]
@@ -100,6 +104,7 @@ class ViscousContourFriction(RollingDissipation):
     Source: Leine (2009), §4.
     """
 
+    name: ClassVar[str] = "viscous-contour-friction"
     exponent: ClassVar[float] = 1 / 2
     vertical: ClassVar[bool] = False
     coefficient: Float64[Array, ""]
@@ -122,6 +127,7 @@ class DryContourFriction(RollingDissipation):
     Source: Leine (2009), §4.
     """
 
+    name: ClassVar[str] = "dry-contour-friction"
     exponent: ClassVar[float] = 2 / 3
     vertical: ClassVar[bool] = False
     coefficient: Float64[Array, ""]
@@ -142,6 +148,7 @@ class RollingCouple(RollingDissipation):
         arm: k, its lever arm [m].
     """
 
+    name: ClassVar[str] = "rolling-couple"
     exponent: ClassVar[float] = 2.0
     vertical: ClassVar[bool] = False
     arm: Float64[Array, ""]
@@ -167,6 +174,7 @@ class DrillingFriction(RollingDissipation):
     Source: Leine (2009), §4.
     """
 
+    name: ClassVar[str] = "drilling-friction"
     exponent: ClassVar[float] = -2.0
     vertical: ClassVar[bool] = True
     arm: Float64[Array, ""]
@@ -178,6 +186,11 @@ class DrillingFriction(RollingDissipation):
     def power(self, disk: RollingMechanics, tilt: Operand, precession: Operand) -> Float64[Array, "*shape"]:
         # Ωα² ∝ α^(3/2), q = −3/2: n = −2
         return self.arm * disk.mass * disk.gravity * precession * tilt**2
+
+
+LAWS: tuple[type[RollingDissipation], ...] = (
+    AirLayer, BoundaryLayer, ViscousContourFriction, DryContourFriction, RollingCouple, DrillingFriction,
+)  # fmt: skip
 
 
 def couples(

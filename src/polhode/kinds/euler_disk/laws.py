@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from importlib import import_module
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 from pydantic import BeforeValidator, Field
@@ -21,26 +20,23 @@ class Law(NamedTuple):
     """A law as a spec knows it.
 
     Attributes:
-        model: the law's class in ``systems.rolling_dissipation``, imported when it is built, as reading a spec needs no
-            JAX.
         key: the name of the law's constant.
         unit: of it, empty for a plain number.
         example: how a spec writes it.
     """
 
-    model: str
     key: str
     unit: str
     example: str
 
 
 LAWS = {
-    "air-layer": Law("AirLayer", "viscosity", "Pa*s", '"1.8e-5 Pa*s"'),
-    "boundary-layer": Law("BoundaryLayer", "coefficient", "W*s^2.5", '"2e-9 W*s^2.5"'),
-    "viscous-contour-friction": Law("ViscousContourFriction", "coefficient", "W*s^2", '"2e-8 W*s^2"'),
-    "dry-contour-friction": Law("DryContourFriction", "coefficient", "", "1e-4"),
-    "rolling-couple": Law("RollingCouple", "arm", "m", '"20 um"'),
-    "drilling-friction": Law("DrillingFriction", "arm", "m", '"0.1 mm"'),
+    "air-layer": Law("viscosity", "Pa*s", '"1.8e-5 Pa*s"'),
+    "boundary-layer": Law("coefficient", "W*s^2.5", '"2e-9 W*s^2.5"'),
+    "viscous-contour-friction": Law("coefficient", "W*s^2", '"2e-8 W*s^2"'),
+    "dry-contour-friction": Law("coefficient", "", "1e-4"),
+    "rolling-couple": Law("arm", "m", '"20 um"'),
+    "drilling-friction": Law("arm", "m", '"0.1 mm"'),
 }
 KEYS = ("viscosity", "coefficient", "arm")
 
@@ -73,9 +69,10 @@ class LawTable(Strict):
 
     def build(self) -> RollingDissipation:
         """Return the law."""
-        law = LAWS[self.law]
-        model = getattr(import_module("polhode.systems.rolling_dissipation"), law.model)
-        return model(getattr(self, law.key))
+        from polhode.systems.rolling_dissipation import LAWS as MODELS  # with JAX, which reading a spec does without
+
+        model: Any = next(model for model in MODELS if model.name == self.law)
+        return model(getattr(self, LAWS[self.law].key))
 
 
 def law_rules(law: dict[str, Any]) -> Iterator[str]:
@@ -83,7 +80,7 @@ def law_rules(law: dict[str, Any]) -> Iterator[str]:
     name = law.get("law")
     if not isinstance(name, str) or name not in LAWS:
         return
-    _, wanted, _, example = LAWS[name]
+    wanted, _, example = LAWS[name]
     if wanted not in law:
         yield f"{name} needs {wanted}, like {example}"
     for key in KEYS:

@@ -11,7 +11,7 @@ from polhode.kinds.euler_disk.laws import LAWS
 from polhode.kinds.euler_disk.report import EulerDiskReport
 from polhode.kinds.panel import KindPanel
 from polhode.motion._trajectory import Trajectory
-from polhode.systems import rolling_dissipation
+from polhode.systems.rolling_dissipation import LAWS as MODELS
 from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
@@ -35,16 +35,15 @@ class EulerDiskPanel(KindPanel):
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
         """Return the disk, its losses and its start; None with a law that specs do not know."""
         disk, body = trajectory.source, trajectory.source.mechanics
-        names = {getattr(rolling_dissipation, law.model): name for name, law in LAWS.items()}
-        laws = [(names.get(type(law)), law) for law in disk.dissipation]
-        if trajectory.batch_shape or not len(trajectory) or any(name is None for name, _ in laws):
+        laws = disk.dissipation
+        if trajectory.batch_shape or not len(trajectory) or any(type(law) not in MODELS for law in laws):
             return None
         moments = [float(body.diametral_moment), float(body.axial_moment)]
         return {
             "solver": "EulerDisk", "mass": float(body.mass), "radius": float(body.radius),
             "half_thickness": float(body.half_thickness), "diametral_moment": moments[0], "axial_moment": moments[1],
             "gravity": float(body.gravity),
-            "dissipation": {name: float(getattr(law, LAWS[str(name)].key)) for name, law in laws},
+            "dissipation": {law.name: float(getattr(law, LAWS[law.name].key)) for law in laws},
             "start": np.asarray(trajectory.states, dtype=float)[0].tolist(), "epoch": float(trajectory.times[0]),
         }  # fmt: skip
 
