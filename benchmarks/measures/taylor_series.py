@@ -13,8 +13,9 @@ import numpy as np
 from measure import Row, compared, median, missing
 
 from polhode import certify, systems
-from polhode.taylor.expressions import Expression, Operation, Tape
+from polhode.taylor.expressions import Expression, Tape
 from polhode.taylor.jaxprs import write_jaxpr
+from polhode.taylor.operations import Operation
 from polhode.taylor.runs import Precision, choose_precision, run_copies
 from polhode.taylor.tracing import evaluate
 

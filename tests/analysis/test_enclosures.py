@@ -68,6 +68,8 @@ CLOSED = {
     "cube root": (lambda t, x: -jnp.cbrt(x), None),
     "logarithm": (lambda t, x: -x * jnp.log(x), lambda x, t: mpmath.exp(mpmath.log(x) * mpmath.exp(-t))),
     "sine": (lambda t, x: jnp.sin(x), lambda x, t: 2 * mpmath.atan(mpmath.exp(t) * mpmath.tan(x / 2))),
+    "tanh": (lambda t, x: -jnp.tanh(x), lambda x, t: mpmath.asinh(mpmath.sinh(x) * mpmath.exp(-t))),
+    "less one": (lambda t, x: jnp.expm1(-x), lambda x, t: mpmath.log1p(mpmath.expm1(x) * mpmath.exp(-t))),
     "driven": (lambda t, x: x * jnp.cos(t), lambda x, t: x * mpmath.exp(mpmath.sin(t))),
     "logistic": (lambda t, x: x * (1.0 - x), lambda x, t: x / (x + (1 - x) * mpmath.exp(-t))),
 }

@@ -38,6 +38,8 @@ FIELDS = {
                lambda t, y: [1 / (y[0] * y[0].sqrt()) + y[1].sqrt(), y[0].rsqrt() - 1 / (y[1] * y[1])]),
     "functions": (lambda t, y: jnp.stack([jnp.exp(-y[0]) * jnp.sin(y[1]), jnp.log(3.0 + y[0]) + jnp.cos(y[1] * t)]),
                   lambda t, y: [(-y[0]).exp() * y[1].sin(), (3 + y[0]).log() + (y[1] * t).cos()]),
+    "hyperbolic": (lambda t, y: jnp.stack([jnp.tanh(y[0] * y[1]), jnp.expm1(-y[0])]),
+                   lambda t, y: [1 - 2 / ((2 * y[0] * y[1]).exp() + 1), (-y[0]).exp() - 1]),
     "loops": (lambda t, y: scanned(y) * y, lambda t, y: [2 * y[0] * y[0], (2 * y[0] + 2 * y[1]) * y[1]]),
 }  # fmt: skip
 START = [0.7, 1.3]

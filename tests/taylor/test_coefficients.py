@@ -72,6 +72,14 @@ class Series:
         return ((2 * x).exp() - 1) / ((2 * x).exp() + 1)
 
     @staticmethod
+    def expm1(x):
+        return x.exp() - 1
+
+    @staticmethod
+    def log1p(x):
+        return (1 + x).log()
+
+    @staticmethod
     def sinh(x):
         return (x.exp() - (-x).exp()) / 2
 
@@ -87,6 +95,7 @@ FIELDS = {
     "circular": two(lambda m, t, y: [m.sin(2.0 * y[1]) * y[0], m.cos(y[0]) - m.sin(y[0])]),
     "tangent": two(lambda m, t, y: [0.1 * jnp.tan(y[1]), y[0]], lambda m, t, y: [0.1 * y[1].tan(), y[0]]),
     "exponential and logarithm": two(lambda m, t, y: [-m.exp(-0.5 * y[0]), m.log(1.0 + y[0] * y[1])]),
+    "less or more one": two(lambda m, t, y: [m.expm1(-0.5 * y[0] * y[1]), m.log1p(-0.3 * y[1])]),
     "hyperbolic": two(lambda m, t, y: [m.tanh(y[1]), m.sinh(-0.5 * y[0])]),
     "time": two(lambda m, t, y: [m.cos(3.0 * t) * y[1], t * t - y[0]]),
 }  # fmt: skip

@@ -21,7 +21,8 @@ class OfAllFunctions(systems.AbstractSystem):
         a, b, c, d = state
         return jnp.stack([
             jnp.exp(-(a**2)) * jnp.sin(b) + jnp.cos(t), jnp.sqrt(1.0 + c**2) * a,
-            jnp.log(3.0 + a**2) - b / (2.0 + c**2), 0.0 * d,
+            jnp.log(3.0 + a**2) - b / (2.0 + c**2) + 0.1 * jnp.tanh(a * b) - 0.1 * jnp.log1p(c**2) * jnp.expm1(-(b**2)),
+            0.0 * d,
         ])  # fmt: skip
 
     def invariants(self, state):
@@ -100,7 +101,8 @@ def test_compiled_or_not_the_bits_are_the_same(by):
     assert_same_bits(plain, motions())
 
 
-@pytest.mark.parametrize(("function", "start"), [(jnp.exp, 800.0), (jnp.sin, np.inf), (jnp.log, -1.0)])
+@pytest.mark.parametrize(("function", "start"), [(jnp.exp, 800.0), (jnp.sin, np.inf), (jnp.log, -1.0),
+                                                 (jnp.expm1, 800.0), (jnp.log1p, -2.0), (jnp.log1p, -1.0)])
 @pytest.mark.parametrize("width", [1, lanes.LANES])
 def test_functions_of_what_they_are_not_for_end_no_run_in_an_error_of_pythons(by, width, function, start):
     class Of(systems.AbstractSystem):

@@ -6,7 +6,15 @@ import numpy as np
 import pytest
 
 from polhode.taylor import kernels, lanes, straight_line
-from polhode.taylor.expressions import Tape, exponential, logarithm, sine_and_cosine
+from polhode.taylor.expressions import (
+    Tape,
+    exponential,
+    exponential_minus_one,
+    hyperbolic_tangent,
+    logarithm,
+    logarithm_of_one_plus,
+    sine_and_cosine,
+)
 from polhode.taylor.kernel_space import series_for
 from polhode.taylor.program import make_program
 
@@ -14,7 +22,7 @@ ORDER = 11
 POINTER = ctypes.POINTER(ctypes.c_double)
 
 
-def random_program(seed, kinds=8):
+def random_program(seed, kinds=11):
     """Return a program of random operations on random ones before them; the first three kinds are sums and products."""
     rng = np.random.default_rng(seed)
     tape = Tape(int(rng.integers(1, 6)))
@@ -26,7 +34,8 @@ def random_program(seed, kinds=8):
             1: lambda x=x, y=y: x * y, 2: lambda x=x, y=y: x * y,
             3: lambda x=x: (x * x + 1.0) ** -1.5, 4: lambda x=x: exponential((x * x + 1.0) ** -1.0),
             5: lambda x=x: logarithm(x * x + 2.0), 6: lambda x=x: sine_and_cosine(x)[int(rng.integers(2))],
-            7: lambda x=x: x * x,
+            7: lambda x=x: x * x, 8: lambda x=x: hyperbolic_tangent(x),
+            9: lambda x=x: exponential_minus_one((x * x + 1.0) ** -1.0), 10: lambda x=x: logarithm_of_one_plus(x * x),
         }[int(rng.integers(kinds))]())  # fmt: skip
     return make_program(tape, [known[k] * (1.0 / (k + 1.0)) + 0.1 for k in rng.integers(len(known), size=tape.size)])
 

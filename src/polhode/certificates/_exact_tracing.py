@@ -19,7 +19,8 @@ import numpy as np
 from polhode.rational._polynomials import RationalPolynomial
 from polhode.rational._polynomials import total as sum_polynomials
 from polhode.rational.numbers import read_short
-from polhode.taylor.expressions import Complex, Expression, Operation, Tape, Untraceable
+from polhode.taylor.expressions import Complex, Expression, Tape, Untraceable
+from polhode.taylor.operations import Operation
 from polhode.taylor.structure import split_numbers
 from polhode.taylor.tracing import evaluate
 from polhode.types import Array

@@ -54,9 +54,9 @@ class Taylor:
     """Taylor series of the motion, by steps that reach as far as the series converges fast.
 
     Coefficients follow from recurrences in the operations that the rates of change are made of: sums, products, powers,
-    exponentials, logarithms, sines and cosines. Rates with other functions are refused. A branch, as in an absolute
-    value or a limit, is followed on the side where the state is, and a step ends where it comes to the other side;
-    motions that go along such a border, or only touch it, are refused.
+    exponentials, logarithms, circular and hyperbolic functions. Rates with other functions are refused. A branch, as in
+    an absolute value or a limit, is followed on the side where the state is, and a step ends where it comes to the
+    other side; motions that go along such a border, or only touch it, are refused.
     Samples lie on the series, so that they cost and change no steps. After each step the state is put back onto
     energy, Casimirs and what else the system says is conserved, where rounding has moved it away.
 

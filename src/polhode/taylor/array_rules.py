@@ -21,6 +21,7 @@ from jax.extend.core import Literal
 from polhode.arrays.steps import split_scan
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.jaxprs import INNER
+from polhode.taylor.operations import squared_secant
 from polhode.types import Array, Shaped
 
 AFFINE = frozenset((
@@ -113,7 +114,7 @@ def is_bounded(step: Step) -> tuple[bool, bool]:
     """Return whether the argument of a root or logarithm must change by little in a step, and of an exponential."""
     name = step.equation.primitive.name
     root = name in ("log", "sqrt", "rsqrt", "cbrt") or (name == "pow" and not isinstance(step.rule, _WholePower))
-    return root and step.rule is not None, name == "exp" and step.rule is not None
+    return root and step.rule is not None, name in ("exp", "expm1", "tanh") and step.rule is not None
 
 
 def _find_rule(equation: Any, moving: tuple[int, ...], constants: list[Any]) -> Callable[..., list[Array]]:
@@ -306,9 +307,10 @@ def _exponential(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[A
     def rule(arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
         x = arguments[0]
         if is_first(k):
-            return [jnp.exp(x[0])]
-        # u̇ = u ẋ: k u_k = Σ_{j<k} (k−j) u_j x_{k−j}
-        return [_convolve(own[0], x, k, lambda j: k - j) / k]
+            return bind(equation, [x[0]])
+        # u = eˣ: u̇ = u ẋ, k u_k = Σ_{j<k} (k−j) u_j x_{k−j}; u = eˣ − 1: u̇ = (u + 1) ẋ
+        value = _convolve(own[0], x, k, lambda j: k - j) / k
+        return [value if equation.primitive.name == "exp" else value + x[k]]
 
     return rule
 
@@ -322,6 +324,21 @@ def _logarithm(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Arr
         return [(x[k] - _convolve(own[0], x, k, lambda j: j) / k) / x[0]]
 
     return rule
+
+
+class _Tanh:
+    """tanh x, with 1/cosh² x as a second result."""
+
+    more = 1
+
+    def __call__(self, arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
+        x, (tanh, square) = arguments[0], own
+        if is_first(k):
+            return [jnp.tanh(x[0]), squared_secant(x[0], jnp)]
+        # u̇ = v ẋ, v̇ = −2 u u̇
+        value = _convolve(square, x, k, lambda j: k - j) / k
+        known = add_order(tanh, value, k)
+        return [value, -2.0 * _convolve(known, known, k, lambda j: k - j) / k]
 
 
 class _Circular:
@@ -344,6 +361,7 @@ class _Circular:
 
 RULES: dict[str, Callable[..., Any]] = {
     "mul": _product, "dot_general": _product, "square": _product, "div": _quotient, "exp": _exponential,
+    "expm1": _exponential, "tanh": lambda *_: _Tanh(),
     "log": _logarithm, "sin": lambda *_: _Circular(True), "cos": lambda *_: _Circular(False),
     "integer_pow": lambda equation, moving: _power(equation.params["y"])(equation, moving), "sqrt": _power(0.5),
     "rsqrt": _power(-0.5), "cbrt": _power(1.0 / 3.0),

@@ -19,9 +19,10 @@ import numpy as np
 
 from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
-from polhode.taylor.expressions import Expression, Operation, Tape, Untraceable, gradient
+from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import uses_first, write_jaxpr
 from polhode.taylor.machine import TRACING, Form, tape_value
+from polhode.taylor.operations import Operation
 from polhode.taylor.program import find_needed
 from polhode.taylor.tracing import evaluate
 from polhode.types import Array, Float64
@@ -174,6 +175,14 @@ def _first(node: Any, z: list[Ball]) -> Ball:
             return x.sin()
         case Operation.COSINE:
             return x.cos()
+        case Operation.TANH:
+            return x.tanh()
+        case Operation.SQUARED_SECANT:
+            return x.sech() ** 2
+        case Operation.EXPONENTIAL_MINUS_ONE:
+            return x.expm1()
+        case Operation.LOGARITHM_OF_ONE_PLUS:
+            return _analytic(x + 1, "log") if hasattr(x, "complex_rad") else x.log1p()
         case Operation.ECCENTRIC:
             return eccentric_anomaly(x, node.number)
         case Operation.ECCENTRIC_SINE:
@@ -255,11 +264,17 @@ def _next(node: Any, z: list[list[Ball]], place: int, k: int, still: list[bool])
                 term = own[j] * x[k - j]
                 total += term * (k - j) * node.number - term * j
             return total / (k * x[0])
-        case Operation.EXPONENTIAL:
-            return sum(((k - j) * (own[j] * x[k - j]) for j in range(k)), x[0] * 0) / k
-        case Operation.LOGARITHM:
+        case Operation.EXPONENTIAL | Operation.EXPONENTIAL_MINUS_ONE:
+            total = sum(((k - j) * (own[j] * x[k - j]) for j in range(k)), x[0] * 0) / k
+            return total if node.operation is Operation.EXPONENTIAL else total + x[k]
+        case Operation.LOGARITHM | Operation.LOGARITHM_OF_ONE_PLUS:
             total = sum((j * (own[j] * x[k - j]) for j in range(1, k)), x[0] * 0)
-            return (x[k] - total / k) / x[0]
+            return (x[k] - total / k) / (x[0] if node.operation is Operation.LOGARITHM else 1 + x[0])
+        case Operation.TANH:
+            return sum(((k - j) * (x[k - j] * z[place + 1][j]) for j in range(k)), x[0] * 0) / k
+        case Operation.SQUARED_SECANT:
+            tanh = z[place - 1]
+            return sum(((k - j) * (tanh[k - j] * tanh[j]) for j in range(k)), x[0] * 0) * -2 / k
         case Operation.SINE:
             return sum(((k - j) * (x[k - j] * z[place + 1][j]) for j in range(k)), x[0] * 0) / k
         case Operation.ECCENTRIC:

@@ -76,7 +76,8 @@ def of_lanes() -> dict[str, Any]:
     declarations = {"borrow": _declare_borrow, "run_code": _run_code, "vectors": _declare_view(KIND), "spread": _spread,
             "where_less": _where_less, "square_root": _square_root}  # fmt: skip
     each = {"raise_power": math.pow, "exponential": math.exp, "logarithm": math.log, "sine": math.sin,
-            "cosine": math.cos}  # fmt: skip
+            "cosine": math.cos, "exponential_minus_one": math.expm1, "logarithm_of_one_plus": math.log1p,
+            "hyperbolic_tangent": math.tanh}  # fmt: skip
     return {name: intrinsic(declaration) for name, declaration in declarations.items()} | {
         name: intrinsic(_of_each(of, 2 if name == "raise_power" else 1)) for name, of in each.items()
     }

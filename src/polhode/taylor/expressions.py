@@ -1,7 +1,7 @@
 """Affine expressions of nodes, and the tape of nodes that a vector field is made of.
 
 A node is a component of the state, or the result of one operation on nodes: an affine combination, a product, a power,
-an exponential, a logarithm, a sine with its cosine, a place in Kepler's orbit. Taylor coefficients of each obey a
+a function such as a sine with its cosine, a place in Kepler's orbit. Taylor coefficients of each obey a
 recurrence in those of its arguments, so that a field which is a tape needs nothing else to be integrated.
 
 Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Moore, *Methods and Applications of Interval Analysis*, §3.4.
@@ -9,15 +9,13 @@ Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Moore, *Methods and Applica
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Callable, Iterable
-from enum import IntEnum
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from polhode.taylor.kernel_kepler import eccentric_anomaly_at
+from polhode.taylor.operations import ALONG, COMPANIONS, IN_ORBIT, Node, Operation, value_of
 from polhode.types import Array, Bool
 
 MOST_NODES = 40_000  # of a tape; larger fields are better stepped by operations on whole arrays
@@ -32,44 +30,6 @@ class Untraceable(Exception):
     def __init__(self, what: str, copies: Bool[Array, "copies"] | None = None) -> None:
         super().__init__(what)
         self.copies = copies
-
-
-class Operation(IntEnum):
-    """The operation of a node."""
-
-    AFFINE = 0
-    PRODUCT = 1
-    POWER = 2
-    EXPONENTIAL = 3
-    LOGARITHM = 4
-    SINE = 5
-    COSINE = 6  # of the sine before it, with which it shares the recurrence
-    ECCENTRIC = 7  # E of M = E − e sin E
-    ECCENTRIC_SINE = 8  # sin E, which stands behind E
-    ECCENTRIC_COSINE = 9  # cos E, behind that
-
-
-# nodes that come with another one
-COMPANIONS = {Operation.SINE: (Operation.COSINE,),
-              Operation.ECCENTRIC: (Operation.ECCENTRIC_SINE, Operation.ECCENTRIC_COSINE)}  # fmt: skip
-ALONG = frozenset(itertools.chain(*COMPANIONS.values()))
-IN_ORBIT = frozenset({Operation.ECCENTRIC, *COMPANIONS[Operation.ECCENTRIC]})
-
-
-class Node(NamedTuple):
-    """One operation.
-
-    Attributes:
-        operation: which.
-        arguments: numbers of nodes.
-        coefficients: of the arguments of an affine combination, as many.
-        number: what an affine combination adds, the exponent of a power, or an eccentricity.
-    """
-
-    operation: Operation
-    arguments: tuple[int, ...]
-    coefficients: tuple[float, ...] = ()
-    number: float = 0.0
 
 
 class Tape:
@@ -204,31 +164,6 @@ class Tape:
         return Expression(self, {node: 1.0})
 
 
-def value_of(node: Node, x: list[Any]) -> Any:
-    """Return the value of a node, of numbers or arrays of its arguments."""
-    match node.operation:
-        case Operation.AFFINE:
-            return node.number + sum(c * v for c, v in zip(node.coefficients, x, strict=True))
-        case Operation.PRODUCT:
-            return x[0] * x[1]
-        case Operation.POWER:
-            return np.float64(x[0]) ** node.number if isinstance(x[0], float) else x[0] ** node.number
-        case Operation.EXPONENTIAL:
-            return np.exp(x[0])
-        case Operation.LOGARITHM:
-            return np.log(x[0])
-        case Operation.SINE:
-            return np.sin(x[0])
-        case Operation.COSINE:
-            return np.cos(x[0])
-        case Operation.ECCENTRIC:
-            return np.vectorize(eccentric_anomaly_at, otypes=[float])(x[0], node.number)
-        case Operation.ECCENTRIC_SINE:
-            return np.sin(x[1])
-        case Operation.ECCENTRIC_COSINE:
-            return np.cos(x[1])
-
-
 def gradient(x: Expression) -> list[Expression]:
     """Return the derivatives of an expression by the components of the state, as expressions of the same tape."""
     tape = x.tape
@@ -266,6 +201,14 @@ def _slopes(tape: Tape, place: int, node: Node) -> list[tuple[int, Any]]:
             return [(node.arguments[0], Expression(tape, {place + 1: 1.0}))]
         case Operation.COSINE:  # whose second argument only says which sine goes with it
             return [(node.arguments[0], -z[1])]
+        case Operation.TANH:
+            return [(node.arguments[0], Expression(tape, {place + 1: 1.0}))]
+        case Operation.SQUARED_SECANT:  # the tanh stands before it
+            return [(node.arguments[0], own * z[1] * -2.0)]
+        case Operation.EXPONENTIAL_MINUS_ONE:
+            return [(node.arguments[0], own + 1.0)]
+        case Operation.LOGARITHM_OF_ONE_PLUS:
+            return [(node.arguments[0], (z[0] + 1.0) ** -1.0)]
         case Operation.ECCENTRIC:
             cosine = Expression(tape, {place + 2: 1.0})
             # dE/dM = 1/(1 − e cos E)
@@ -429,18 +372,34 @@ def sine_and_cosine(x: Expression) -> tuple[Expression, Expression]:
     return sine, Expression(x.tape, {place + 1: 1.0})
 
 
+def apply(operation: Operation, function: Callable[[float], float], x: Expression) -> Expression:
+    """Return a function of an expression by its operation, or of a number by itself."""
+    return x.tape.unary(operation, x) if x.terms else x.tape.constant(function(x.constant))
+
+
 def exponential(x: Expression) -> Expression:
     """Return eˣ."""
-    if not x.terms:
-        return x.tape.constant(math.exp(x.constant))
-    return x.tape.unary(Operation.EXPONENTIAL, x)
+    return apply(Operation.EXPONENTIAL, math.exp, x)
+
+
+def exponential_minus_one(x: Expression) -> Expression:
+    """Return eˣ − 1 with all its digits."""
+    return apply(Operation.EXPONENTIAL_MINUS_ONE, math.expm1, x)
 
 
 def logarithm(x: Expression) -> Expression:
     """Return log x."""
-    if not x.terms:
-        return x.tape.constant(math.log(x.constant))
-    return x.tape.unary(Operation.LOGARITHM, x)
+    return apply(Operation.LOGARITHM, math.log, x)
+
+
+def logarithm_of_one_plus(x: Expression) -> Expression:
+    """Return log(1 + x) with all its digits."""
+    return apply(Operation.LOGARITHM_OF_ONE_PLUS, math.log1p, x)
+
+
+def hyperbolic_tangent(x: Expression) -> Expression:
+    """Return tanh x."""
+    return apply(Operation.TANH, math.tanh, x)
 
 
 def eccentric_anomaly(mean_anomaly: Expression, eccentricity: float) -> Expression:

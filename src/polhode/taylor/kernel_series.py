@@ -21,6 +21,9 @@ from polhode.taylor.program import (
     FIRST,
     INDEX,
     NUMBER,
+    OF_EXPONENTIAL,
+    OF_ROOT,
+    OF_TANH,
     OPERATIONS,
     OUT,
     SIZE,
@@ -31,7 +34,10 @@ from polhode.taylor.vectors import (
     LANES,
     cosine,
     exponential,
+    exponential_minus_one,
+    hyperbolic_tangent,
     logarithm,
+    logarithm_of_one_plus,
     raise_power,
     run_code,
     sine,
@@ -84,24 +90,28 @@ def function(
             total = total + (exponent * (k - j) - j) * (z[u] * z[y])
             u, y = u + width, y - width
         z[base + out] = total / (k * z[x])
-    elif operation == 3:
+    elif operation == 3 or operation == 12:
         if k == 0:
-            z[base + out] = exponential(z[x])
+            z[base + out] = exponential(z[x]) if operation == 3 else exponential_minus_one(z[x])
             return
-        # u = e^x: u̇ = u ẋ, k u_k = Σ_{j<k} (k−j) u_j x_{k−j}
+        # u = e^x: u̇ = u ẋ, k u_k = Σ_{j<k} (k−j) u_j x_{k−j}; u = e^x − 1: u̇ = (u + 1) ẋ
+        if operation == 12:
+            total = total + k * z[base + x]
         for j in range(k):
             total = total + (k - j) * (z[u] * z[y])
             u, y = u + width, y - width
         z[base + out] = total / k
-    elif operation == 4:
+    elif operation == 4 or operation == 13:
         if k == 0:
-            z[base + out] = logarithm(z[x])
+            z[base + out] = logarithm(z[x]) if operation == 4 else logarithm_of_one_plus(z[x])
             return
-        # u = ln x: x u̇ = ẋ, k x₀ u_k = k x_k − Σ_{0<j<k} j u_j x_{k−j}
+        # u = ln x: x u̇ = ẋ, k x₀ u_k = k x_k − Σ_{0<j<k} j u_j x_{k−j}; u = ln(1 + x): (1 + x) u̇ = ẋ
         for j in range(1, k):
             u, y = u + width, y - width
             total = total + j * (z[u] * z[y])
-        z[base + out] = (z[base + x] - total / k) / z[x]
+        z[base + out] = (z[base + x] - total / k) / (z[x] if operation == 4 else 1.0 + z[x])
+    elif operation == 10:
+        hyperbolic(z, base, width, k, out, x)
     elif operation == 7:
         orbital(flat, z, base, width, k, out, x, exponent)
     else:
@@ -118,6 +128,23 @@ def function(
             u, y = u + width, y - width
         z[base + out] = of_sine / k
         z[base + out + 1] = of_cosine / k
+
+
+def hyperbolic(z: Array, base: Any, width: Any, k: Any, out: Any, x: Any) -> None:
+    """Set the k-th coefficients of u = tanh x and v = 1/cosh² x, by u̇ = v ẋ and v̇ = −2 u u̇."""
+    if k == 0:
+        # 1 − tanh² loses its digits where tanh is almost 1
+        small = exponential(-2.0 * abs(z[x]))
+        z[out] = hyperbolic_tangent(z[x])
+        z[out + 1] = 4.0 * small / ((1.0 + small) * (1.0 + small))
+        return
+    total, square = spread(0.0), spread(0.0)
+    for j in range(k):
+        total = total + (k - j) * (z[(k - j) * width + x] * z[j * width + out + 1])
+    z[base + out] = total / k
+    for j in range(k):
+        square = square + (k - j) * (z[(k - j) * width + out] * z[j * width + out])
+    z[base + out + 1] = -2.0 * square / k
 
 
 def orbital(
@@ -253,15 +280,21 @@ def of_followers(series: Series, lanes: Lanes, course: Course) -> None:
         sizes[6 + e] = largest
 
 
-def bound_change(series: Series, order: Any, lane: Any, slot: Any, of_exponential: Any, ahead: Any) -> Any:
+def bound_change(series: Series, order: Any, lane: Any, slot: Any, kind: Any, ahead: Any) -> Any:
     """Return how far, in units and at most ``ahead``, the argument of a function changes by no more than it may.
 
-    Coefficients tell nothing of an exponential that is too small to be seen yet. And a root's own have no singularity
+    Coefficients tell nothing of an exponential that is too small to be seen yet, such as the distance of a tanh from 1.
+    And a root's own have no singularity
     where its argument has a double zero: behind it they are those of the root with the other sign.
     """
     flat, width, length = series.flat, series.whole[SLOTS], ahead
     first = flat[slot * LANES + lane]
-    most = max(MOST_EXPONENT, UNDERFLOW - first) if of_exponential else (1.0 - LEFT_OF_ROOT) * abs(first)
+    if kind == OF_EXPONENTIAL:
+        most = max(MOST_EXPONENT, UNDERFLOW - first)
+    elif kind == OF_TANH:  # 1 ∓ tanh x = 2 e^(∓2x)/(1 + e^(∓2x))
+        most = 0.5 * max(MOST_EXPONENT, UNDERFLOW + 2.0 * abs(first))
+    else:
+        most = (1.0 - LEFT_OF_ROOT) * abs(first if kind == OF_ROOT else 1.0 + first)
     while length > 0.0:
         change, power = 0.0, 1.0
         for k in range(1, order):

@@ -48,6 +48,18 @@ def logarithm(x: Any) -> Float64[Array, "8"]:
     return np.array([one.logarithm(value) for value in x])
 
 
+def exponential_minus_one(x: Any) -> Float64[Array, "8"]:
+    return np.array([one.exponential_minus_one(value) for value in x])
+
+
+def logarithm_of_one_plus(x: Any) -> Float64[Array, "8"]:
+    return np.array([one.logarithm_of_one_plus(value) for value in x])
+
+
+def hyperbolic_tangent(x: Any) -> Float64[Array, "8"]:
+    return np.array([one.hyperbolic_tangent(value) for value in x])
+
+
 def sine(x: Any) -> Float64[Array, "8"]:
     return np.array([one.sine(value) for value in x])
 

@@ -16,8 +16,9 @@ import numpy as np
 from polhode.arrays import in_jax_numpy
 from polhode.systems._forms import distances, rates_of_change
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
-from polhode.taylor.expressions import Expression, Operation, Tape, Untraceable, gradient
+from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import operations_on, uses_first, write_jaxpr
+from polhode.taylor.operations import Operation
 from polhode.taylor.program import Program, make_program
 from polhode.taylor.sides import Branches, Sides, Signs
 from polhode.taylor.structure import Structure, itself, take_structure

@@ -11,7 +11,8 @@ from functools import cached_property
 
 import numpy as np
 
-from polhode.taylor.expressions import ALONG, COMPANIONS, Expression, Node, Operation, Tape
+from polhode.taylor.expressions import Expression, Tape
+from polhode.taylor.operations import ALONG, COMPANIONS, Node, Operation
 from polhode.taylor.vectors import WIDTH
 from polhode.types import Array, Bool, Float64, Integer
 
@@ -20,6 +21,8 @@ BLOCK = WIDTH  # products at a time
 SIZE, SLOTS, OPERATIONS, PRODUCTS, FIRST = range(5)
 CODE, OUT, ARGUMENT, LEFT, RIGHT, START, INDEX, NUMBER, FACTOR, CONSTANT = range(5, 15)
 HEADER = 15
+# functions whose arguments change by little in a step: roots and logarithms, exponentials, tanh, the logarithm of 1 + x
+OF_ROOT, OF_EXPONENTIAL, OF_TANH, OF_ONE_PLUS = range(4)
 
 
 @dataclass(frozen=True, eq=False)  # a program is equal to itself alone, so that what is made of it can be kept
@@ -77,13 +80,21 @@ class Program:
 
     @cached_property
     def bounded_arguments(self) -> Integer[Array, "numbers"]:
-        """Return how many roots, logarithms (0) and exponentials (1) there are, then each argument's slot, and kind."""
+        """Return how many arguments with bounded changes there are, then each one's slot and kind of function.
+
+        See ``kernel_series.bound_change``.
+        """
         kinds, count = self.operations, len(self.operations)
         arguments, numbers = self.whole[self.whole[ARGUMENT] :][:count], self.number[self.whole[NUMBER] :][:count]
-        exponential = kinds == Operation.EXPONENTIAL
-        root = (kinds == Operation.LOGARITHM) | ((kinds == Operation.POWER) & (numbers % 1.0 != 0.0))
-        some = exponential | root
-        pairs = np.stack([arguments[some], exponential[some]], axis=1)
+        bounds = np.full(count, -1)
+        for operation, kind in (
+            (Operation.LOGARITHM, OF_ROOT), (Operation.LOGARITHM_OF_ONE_PLUS, OF_ONE_PLUS), (Operation.TANH, OF_TANH),
+            (Operation.EXPONENTIAL, OF_EXPONENTIAL), (Operation.EXPONENTIAL_MINUS_ONE, OF_EXPONENTIAL),
+        ):  # fmt: skip
+            bounds[kinds == operation] = kind
+        bounds[(kinds == Operation.POWER) & (numbers % 1.0 != 0.0)] = OF_ROOT
+        some = bounds >= 0
+        pairs = np.stack([arguments[some], bounds[some]], axis=1)
         return np.concatenate([[len(pairs)], pairs.ravel()]).astype(np.int64)
 
     @cached_property

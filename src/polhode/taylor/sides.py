@@ -15,7 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from polhode.taylor.expressions import Expression, Node, Operation, Tape, Untraceable, value_of
+from polhode.taylor.expressions import Expression, Tape, Untraceable
+from polhode.taylor.operations import Node, Operation, squared_secant, value_of
 from polhode.types import Array, Float64
 
 Signs = tuple[bool, ...]
@@ -111,6 +112,14 @@ def _slope(node: Node, value: Any, x: list[Any], dx: list[Any]) -> Any:
             return np.cos(x[0]) * dx[0]
         case Operation.COSINE:
             return -np.sin(x[0]) * dx[0]
+        case Operation.TANH:
+            return squared_secant(x[0]) * dx[0]
+        case Operation.SQUARED_SECANT:
+            return -2.0 * value * x[1] * dx[0]
+        case Operation.EXPONENTIAL_MINUS_ONE:
+            return (value + 1.0) * dx[0]
+        case Operation.LOGARITHM_OF_ONE_PLUS:
+            return dx[0] / (1.0 + x[0])
         case Operation.ECCENTRIC:
             return dx[0] / (1.0 - node.number * np.cos(value))
         case Operation.ECCENTRIC_SINE:

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from llvmlite import ir
 
-from polhode.taylor.expressions import Operation
 from polhode.taylor.llvm_writer import DOUBLE, INTEGER, VECTOR, Code, Writer, host_features
+from polhode.taylor.operations import Operation
 from polhode.taylor.program import (
     ARGUMENT,
     CODE,
@@ -304,13 +304,19 @@ class _Writer(Writer):
             exponent = self.load_number(number)
             (total,) = self.loop(INTEGER(0), k, 1, [zero], of_power)
             results = [builder.fdiv(total, builder.fmul(self.spread(whole_k), first))]
-        elif operation is Operation.EXPONENTIAL:
+        elif operation in (Operation.EXPONENTIAL, Operation.EXPONENTIAL_MINUS_ONE):
+            if operation is not Operation.EXPONENTIAL:
+                zero = builder.fadd(zero, builder.fmul(self.spread(whole_k), self._z(now, x)))
             (total,) = self.loop(INTEGER(0), k, 1, [zero], of_exponential)
             results = [builder.fdiv(total, self.spread(whole_k))]
-        elif operation is Operation.LOGARITHM:
+        elif operation in (Operation.LOGARITHM, Operation.LOGARITHM_OF_ONE_PLUS):
+            if operation is not Operation.LOGARITHM:
+                first = builder.fadd(self.spread(DOUBLE(1.0)), first)
             (total,) = self.loop(one, k, 1, [zero], of_logarithm)
             rest = builder.fdiv(total, self.spread(whole_k))
             results = [builder.fdiv(builder.fsub(self._z(now, x), rest), first)]
+        elif operation is Operation.TANH:
+            results = self._hyperbolic(k, now, out, x)
         elif operation is Operation.ECCENTRIC:
             results = self._orbital(k, now, out, x, self.spread(self.load_number(number)))
         else:
@@ -318,6 +324,25 @@ class _Writer(Writer):
             results = [builder.fdiv(total, self.spread(whole_k)) for total in totals]
         for place, value in enumerate(results):
             self.store(value, now, (out + place) * self.lanes)
+
+    def _hyperbolic(self, k: Any, now: Any, out: int, x: int) -> list[Any]:
+        """Write the recurrence of tanh x and 1/cosh² x; see ``kernel_series.hyperbolic``."""
+        builder, by_k = self.builder, self.spread(self.builder.sitofp(k, DOUBLE))
+
+        def convolve(moving: int, other: int) -> Any:
+            """Return Σ_{j<k} (k−j) x_{k−j} y_j of two nodes."""
+
+            def term(j: Any, total: Any) -> list[Any]:
+                late = builder.sub(k, j)
+                product = builder.fmul(self._z(self._locate_row(late), moving), self._z(self._locate_row(j), other))
+                return [builder.fadd(total, builder.fmul(self.spread(builder.sitofp(late, DOUBLE)), product))]
+
+            return self.loop(INTEGER(0), k, 1, [self.spread(DOUBLE(0.0))], term)[0]
+
+        tanh = builder.fdiv(convolve(x, out + 1), by_k)
+        self.store(tanh, now, out * self.lanes)
+        twice = builder.fmul(self.spread(DOUBLE(-2.0)), convolve(out, out))
+        return [tanh, builder.fdiv(twice, by_k)]
 
     def _orbital(self, k: Any, now: Any, out: int, x: int, eccentricity: Any) -> list[Any]:
         """Write the recurrence of a place in an orbit; see ``kernel_series.orbital``."""

@@ -25,7 +25,10 @@ from polhode.taylor.expressions import (
     Untraceable,
     eccentric_anomaly,
     exponential,
+    exponential_minus_one,
+    hyperbolic_tangent,
     logarithm,
+    logarithm_of_one_plus,
     sine_and_cosine,
     total,
 )
@@ -170,10 +173,6 @@ def _place_in_orbit(mean_anomaly: Array, eccentricity: Array) -> Array:
 NAMED["solve_kepler"] = _place_in_orbit
 
 
-def _hyperbolic(sign: float) -> Callable[[Expression], Expression]:
-    return lambda a: (exponential(a) + sign * exponential(-a)) * 0.5
-
-
 RULES["sin"] = _elementary(lambda a: sine_and_cosine(a)[0])
 RULES["cos"] = _elementary(lambda a: sine_and_cosine(a)[1])
 RULES["tan"] = _elementary(lambda a: sine_and_cosine(a)[0] / sine_and_cosine(a)[1])
@@ -181,11 +180,13 @@ RULES["exp"] = _elementary(exponential)
 # of a mean anomaly, and what is a function of the place in an orbit goes on smoothly beyond a turn
 NAMED["_whole_turns"] = lambda mean_anomaly: np.zeros(mean_anomaly.shape)
 RULES["log"] = _elementary(logarithm)
-RULES["log1p"] = _elementary(lambda a: logarithm(a + 1.0))
-RULES["sinh"], RULES["cosh"] = _elementary(_hyperbolic(-1.0)), _elementary(_hyperbolic(1.0))
-# of exponentials that cannot overflow where the function is one
+RULES["log1p"] = _elementary(logarithm_of_one_plus)
+RULES["expm1"] = _elementary(exponential_minus_one)
+# of two with the same sign, so that a small one keeps its digits
+RULES["sinh"] = _elementary(lambda a: (exponential_minus_one(a) - exponential_minus_one(-a)) * 0.5)
+RULES["cosh"] = _elementary(lambda a: (exponential(a) + exponential(-a)) * 0.5)
+RULES["tanh"] = _elementary(hyperbolic_tangent)
 RULES["logistic"] = _elementary(lambda a: 1.0 / (exponential(-a) + 1.0))
-RULES["tanh"] = _elementary(lambda a: 1.0 - 2.0 / (exponential(a * 2.0) + 1.0))
 
 
 # ---------------------------------------------------------------------- branches

@@ -68,6 +68,18 @@ def logarithm(x: Any) -> Any:
     return math.log(x) if x > 0.0 else np.log(x)
 
 
+def exponential_minus_one(x: Any) -> Any:
+    return np.expm1(x) if x > 700.0 else math.expm1(x)
+
+
+def logarithm_of_one_plus(x: Any) -> Any:
+    return math.log1p(x) if x > -1.0 else np.log1p(x)
+
+
+def hyperbolic_tangent(x: Any) -> Any:
+    return math.tanh(x)
+
+
 def sine(x: Any) -> Any:
     return math.sin(x) if abs(x) < np.inf else np.nan
 
