@@ -1,6 +1,7 @@
 """What coefficients at the beginning of a step do not show: roots of double zeros, and exponentials still too small."""
 
 import jax.numpy as jnp
+import mpmath
 import numpy as np
 import pytest
 from scipy.integrate import quad
@@ -8,7 +9,7 @@ from scipy.integrate import quad
 import polhode as ph
 from polhode import systems
 from polhode.errors import NotConverged
-from polhode.integrators import Taylor
+from polhode.integrators import Taylor, _series
 from polhode.taylor import flight, kernel_series, kernels
 from taylor.test_coefficients import OwnField
 
@@ -90,3 +91,20 @@ def test_drag_brings_a_body_to_rest_and_a_torque_takes_it_on():
                                                        systems.ConstantTorque((0.0, 0.0, -1.0))])  # fmt: skip
     run = ph.simulate(body, body.pack(angular_velocity=(0.0, 0.0, 1.0)), [0.0, 4.0])
     assert run.momentum[-1, 2] / 3.0 == pytest.approx(-np.tanh((4.0 - 0.75 * np.pi) / 3.0), abs=1e-10)
+
+
+@pytest.mark.parametrize("by_arrays", [False, True])
+def test_sines_that_cancel_in_a_smooth_motion(by_arrays, monkeypatch):
+    """θ̈ = −½ w² sin 2(θ − t), by sines of θ and of t: φ = θ − t librates, sin φ = k cd(wt, k). It was off by 1 rad."""
+    monkeypatch.setattr(_series, "LARGEST", 0 if by_arrays else _series.LARGEST)
+    w, times = 0.2, np.array([0.0, 20.0, 62.8])
+
+    def field(t, y):
+        (s, c), (s_t, c_t) = ((jnp.sin(2.0 * x), jnp.cos(2.0 * x)) for x in (y[1], y[0]))
+        return jnp.stack([1.0 + 0.0 * y[0], y[2], -0.5 * w**2 * (s * c_t - c * s_t)])
+
+    found = ph.simulate(OwnField(field), [0.0, 0.02, 1.0], times)
+    k = mpmath.sin(0.02)
+    wanted = [float(mpmath.asin(k * mpmath.ellipfun("cd", w * t, m=k**2))) for t in times]
+    error = np.abs(found.states[:, 1] - times - wanted).max()
+    assert error < 1e-12 and error / 62.8 < 30.0 * found.error_estimate < 1e-12

@@ -15,6 +15,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.arrays import compiled_for_few_calls
 from polhode.integrators._composition import stages
 from polhode.systems.kepler_orbit import ratio_from_eccentric, solve_kepler, true_from_eccentric
 from polhode.systems.spin_orbit import SpinOrbit
@@ -55,7 +56,7 @@ def tabulate(system: SpinOrbit, steps: int) -> Table:
     return Table(jnp.asarray(drifts[:-1]), kicks, phases, jnp.asarray(drifts[-1]))
 
 
-@jax.jit
+@compiled_for_few_calls
 def _kicks(anomalies: Array, sizes: Array, e: Array, asphericity: Array) -> tuple[Array, Array]:
     """Return strengths and phases of kicks at mean anomalies."""
     eccentric = solve_kepler(anomalies, e)

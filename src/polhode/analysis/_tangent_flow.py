@@ -8,12 +8,12 @@ import numpy as np
 from polhode.arrays import refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
-from polhode.integrators._adaptive import solve_adaptively
-from polhode.integrators._series import Taylor, has_series, solve_by_series
+from polhode.integrators._adaptive import AdaptiveMotion, solve_adaptively
+from polhode.integrators._series import NoSeries, Taylor, has_series, solve_by_series
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps
 from polhode.systems.base import AbstractSystem
 from polhode.systems.variations import Variations
-from polhode.types import ArrayLike, Complex128, Double, Float64, Real
+from polhode.types import Array, ArrayLike, Complex128, Double, Float64, Real
 
 EPS = float(np.finfo(float).eps)
 
@@ -50,11 +50,7 @@ class TangentFlow:
         stacked = np.concatenate([state[None], own])
         if count not in self._by_series:
             self._by_series[count] = has_series(varied, stacked, self._times)
-        arguments = stacked, np.array([now, end])
-        if self._by_series[count]:
-            motion = solve_by_series(varied, Taylor(), *arguments)
-        else:
-            motion = solve_adaptively(varied, diffrax.Dopri8(), *arguments)
+        motion = self._move(varied, stacked, np.array([now, end]))
         if motion.event is not None:
             raise InvalidInput(
                 f"`times` must be within the motion of {type(self._system).__name__}, which ends at "
@@ -62,6 +58,14 @@ class TangentFlow:
             )
         after = np.asarray(motion.states[-1])
         return after[0], np.ascontiguousarray(after[1:]).reshape(count, -1).view(float).T
+
+    def _move(self, varied: Variations, stacked: Array, ends: Float64[np.ndarray, "2"]) -> AdaptiveMotion:
+        if self._by_series[varied.count]:
+            try:
+                return solve_by_series(varied, Taylor(), stacked, ends)
+            except NoSeries:  # as along a border of branches
+                self._by_series[varied.count] = False
+        return solve_adaptively(varied, diffrax.Dopri8(), stacked, ends)
 
     def flat(self, state: Double[np.ndarray, "..."]) -> Float64[np.ndarray, "n"]:
         """Return a state's real numbers."""

@@ -12,7 +12,7 @@ import numpy as np
 from polhode.analysis._reasons import SettlesOnCircle, SphereOfRests
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.first_method import first_method
-from polhode.arrays import known_numbers_only
+from polhode.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.double_bracket import DoubleBracket
 from polhode.systems.torqued_body import TorquedBody
@@ -51,13 +51,20 @@ def damped_axis_stability(
     if isinstance(system, TorquedBody):
         system = TorquedBody(system.moments, [torque for torque in system.torques if not torque.needs_attitude])
 
+    rates = [np.asarray(_turning_rates(system, norm, axis)) for axis in np.eye(3)]
+    first, second, third = (_verdict(rates[k], np.asarray(system.moments), k) for k in range(3))
+    return first, second, third
+
+
+@compiled_for_few_calls
+def _turning_rates(system: DoubleBracket | TorquedBody, norm: float, direction: Array) -> Array:
+    """Return the derivative (3, 3) of the rate at which the direction of L turns, by that direction."""
+
     def turning_rate(direction: Array) -> Array:
         field = system.vector_field(0.0, norm * direction) / norm
         return field - direction * jnp.sum(field * direction)
 
-    rates = [np.asarray(jax.jacfwd(turning_rate)(jnp.asarray(axis))) for axis in np.eye(3)]
-    first, second, third = (_verdict(rates[k], np.asarray(system.moments), k) for k in range(3))
-    return first, second, third
+    return jax.jacfwd(turning_rate)(direction)
 
 
 def _verdict(rates: Array, moments: Array, k: int) -> Stability:

@@ -38,7 +38,7 @@ from polhode.integrators.probing import depends_on_time, jumps_between
 from polhode.motion._outcome import Ends, Status
 from polhode.systems._forms import distances
 from polhode.systems.base import AbstractSystem
-from polhode.types import Array, Bool, Double, Float64
+from polhode.types import Array, Bool, Double, Float64, Integer
 
 TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left
 STRETCH = 20_000  # steps in one call, which take from a tenth of a second to some seconds
@@ -63,6 +63,7 @@ class AdaptiveMotion(NamedTuple):
         steps: how many were taken, by the copy that took most.
         ends: how each copy ended.
         memory: of one motion by series of arrays, with which it goes on to the same bits, else None.
+        steps_of_copies: (batch…) how many each copy took, of a motion by series.
     """
 
     times: Float64[np.ndarray, "kept"]
@@ -73,6 +74,7 @@ class AdaptiveMotion(NamedTuple):
     steps: int
     ends: Ends
     memory: tuple[Array, ...] | None = None
+    steps_of_copies: Integer[Array, "*batch"] | None = None
 
 
 def solve_adaptively(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from typing import Any, TypeGuard
 
 import numpy as np
@@ -13,7 +14,6 @@ from polhode.types import Array, Double, Float64
 
 LARGE = 0.05  # of the state's size: runs that differ by more are not in the regime of small errors
 EPS = float(np.finfo(float).eps)
-KICKS = 2  # starts a rounding away
 LUCK = 100.0  # by which two runs may by chance be nearer to each other than to the true motion
 
 
@@ -56,8 +56,10 @@ def parts_with_units(system: AbstractLiePoissonSystem, state: Double[Array, "...
     return [(..., slice(begin, end)) for begin, end in itertools.pairwise(borders)]
 
 
-def starts_a_rounding_away(system: AbstractSystem, state: Double[Array, "..."]) -> list[Double[Array, "..."]]:
-    """Return starts (batch…, …), each off by a rounding of each part that has a unit of its own.
+def starts_a_rounding_away(
+    system: AbstractSystem, state: Double[Array, "..."], roundings: Sequence[float] = (1.0, 1.0)
+) -> list[Double[Array, "..."]]:
+    """Return starts (batch…, …), each off by so many roundings of each part that has a unit of its own.
 
     All copies of a batch are moved along the same direction, so that none depends on where it stands.
     """
@@ -68,22 +70,24 @@ def starts_a_rounding_away(system: AbstractSystem, state: Double[Array, "..."]) 
         sizes = np.where(np.isinf(sizes), np.abs(np.asarray(state)), sizes)
         # what is zero stays so, as it may have to be; the rest has the rounding of its part, however small it is
         sizes = np.where(np.asarray(state) != 0.0, sizes, 0.0)
-        return [np.asarray(state) + EPS * sizes * rng.normal(size=own) for _ in range(KICKS)]
-    attitude, point = system.parts(state)
+        return [np.asarray(state) + EPS * many * sizes * rng.normal(size=own) for many in roundings]
+    attitude, point = system.parts(np.asarray(state))
     return [
-        join_state(None if attitude is None else attitude + EPS * _unit(rng, 4), _perturb(system, point, rng))
-        for _ in range(KICKS)
+        join_state(None if attitude is None else attitude + EPS * many * _unit(rng, 4),
+                   _perturb(system, point, rng, EPS * many))
+        for many in roundings
     ]
 
 
-def _perturb(system: AbstractLiePoissonSystem, point: Array, rng: np.random.Generator) -> Array:
-    """Return a point of the dual, off by a rounding of its size."""
+def _perturb(system: AbstractLiePoissonSystem, point: Array, rng: np.random.Generator, share: float) -> Array:
+    """Return a point of the dual, off by a share of its size."""
     algebra = system.algebra
     vector = np.array(algebra.to_dual_vector(point))
     for part in parts_with_units(system, point) if len(algebra.element_shape) == 1 else [(...,)]:
         largest = np.abs(vector[part]).max(axis=-1, keepdims=True)  # whose square may be no number
         size = largest * np.linalg.norm(vector[part] / np.where(largest > 0.0, largest, 1.0), axis=-1, keepdims=True)
-        vector[part] += EPS * size * _unit(rng, vector[part].shape[-1]) * (vector[part] != 0.0)  # as a saddle may need
+        moved = share * size * _unit(rng, vector[part].shape[-1])
+        vector[part] += moved * (vector[part] != 0.0)  # zeros stay, as a saddle may need
     return np.asarray(algebra.from_dual_vector(vector))
 
 

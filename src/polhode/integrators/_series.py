@@ -33,6 +33,8 @@ LARGEST = 20_000  # operations of the rates of change, beyond which tracing take
 SMALLEST = 1e-150  # state, and one over it the largest: beyond, products of its numbers vanish or overflow
 FINER, CLOSER = 4, 0.8  # orders more, and times the reach, of the run by which the error of the series is seen
 SAFETY = 4.0  # of the estimate, as a few other runs see most of what roundings grow to, not all
+KICKS = 1.0, 64.0  # roundings; where the motion grows or contracts at first, a single one may be rounded away
+MORE_STEPS = 1.1  # than the motion has, from which on they are taken to be others
 LUCK = 10.0  # by which runs with other roundings may by chance be nearer to each other than to the true motion
 FEWEST = 4.0  # roundings of the last step and of the sample itself
 
@@ -117,7 +119,7 @@ def has_series(system: AbstractSystem, state: Double[Array, "*shape"], times: tu
         check_sizes(np.asarray(state)[None])
         if goes_by_arrays(system, state):
             return False
-        build_machine(system, state, times)
+        build_machine(system, state, times, signs=())
     except (NoSeries, Untraceable):
         return False
     return True
@@ -154,7 +156,7 @@ def solve_by_series(
         carried = None
         if place is not None and not batch:
             carried = tuple(map(np.asarray, (times[-1] - place.time, place.state, place.unit)))
-        return AdaptiveMotion(kept, shaped(runs.states), received, None, fine, steps, ends, carried)
+        return AdaptiveMotion(kept, shaped(runs.states), received, None, fine, steps, ends, carried, shaped(runs.steps))
     before = np.abs(kept - times[0]) < abs(float(runs.end[0]) - times[0])
     # one row more, for the event itself
     received = {
@@ -162,7 +164,8 @@ def solve_by_series(
     }
     rows = np.concatenate([runs.states[0][before], runs.end_state])
     event = tuple(system.events)[int(runs.event[0])]
-    return AdaptiveMotion(np.append(kept[before], runs.end[0]), rows, received, event, fine, steps, ends)
+    times = np.append(kept[before], runs.end[0])
+    return AdaptiveMotion(times, rows, received, event, fine, steps, ends, steps_of_copies=shaped(runs.steps))
 
 
 def solve_with_error(
@@ -209,12 +212,13 @@ def series_error(
     batch = np.shape(state)[: np.ndim(state) - system.state_axes]
     longest = math.inf if step is None else float(step)
 
-    def again(starts: Sequence[Array], by: Precision) -> list[Runs]:
+    def again(starts: Sequence[Array], by: Precision, late: Sequence[float] = (0.0,)) -> list[Runs]:
         states = np.concatenate([np.reshape(np.asarray(x), (-1, *np.shape(x)[len(batch) :])) for x in starts])
         if len(starts) > 1 and states.size * len(fine) > TOGETHER:
-            return [run for start in starts for run in again([start], by)]
+            return [run for start, each in zip(starts, late, strict=True) for run in again([start], by, [each])]
         try:
-            runs = _run_or_refuse(system, states, fine, fine[-1], by, longest, None)[0]
+            each = np.repeat(late, copies) if any(late) else None
+            runs = _run_or_refuse(system, states, fine, fine[-1], by, longest, None, late=each)[0]
         except NoSeries as error:
             if error.copies is not None:
                 error.copies = np.any(np.reshape(error.copies, (len(starts), copies)), axis=0)
@@ -225,17 +229,20 @@ def series_error(
     known, copies = np.array_equal(motion.times, fine), math.prod(batch)
     first = _as_copies(motion, batch) if known else again([state], precision)[0]
     # roundings are not those of doubles with extended precision
-    kicked = [] if method.is_extended else starts_a_rounding_away(system, state)
-    second, *others = again([state, *kicked], better)
+    kicked = [] if method.is_extended else starts_a_rounding_away(system, state, KICKS)
+    second, *others = again([state, *kicked], better, [0.0, *KICKS[: len(kicked)]])
     off, failed = _apart(system, fine, first, second)
     grown = np.zeros_like(off)
-    for other in others:
+    for kick, other in zip(KICKS, others, strict=False):
         gap, lost = _apart(system, fine, second, other)
-        grown, failed = np.maximum(grown, gap), failed | lost
+        grown, failed = np.maximum(grown, gap / kick), failed | lost
     # what a rounding could make of the motion, it has not made where runs by other steps are much nearer to each other;
-    # but they may be so by chance, and the mean of both is between the two cases
+    # but they may be so by chance, and the mean of both is between the two cases. Of the same steps, as where a longest
+    # one, jumps or borders make them, roundings are the same too
     between = np.sqrt(np.minimum(off, 1.0) * np.minimum(grown, 1.0))
-    grown = np.minimum(SAFETY * grown, np.maximum(LUCK * off, SAFETY * between))
+    has_own_steps = second.steps > MORE_STEPS * np.ravel(first.steps)
+    seen = np.where(has_own_steps, np.maximum(LUCK * off, SAFETY * between), np.inf)
+    grown = np.minimum(SAFETY * grown, seen)
     error = np.where(off > LARGE, off, np.max([SAFETY * off, grown, np.full(off.shape, FEWEST * EPS)], axis=0))
     return np.where(failed, np.inf, error).reshape(batch)
 
@@ -274,12 +281,13 @@ class _Seen(NamedTuple):
     status: Array
     event: Array
     end: Array
+    steps: Array
 
 
 def _as_copies(motion: AdaptiveMotion, batch: tuple[int, ...]) -> _Seen:
     ends = motion.ends
     copies = [np.reshape(x, (-1, *np.shape(x)[len(batch) :]))
-              for x in (motion.states, ends.status, ends.event, ends.time)]  # fmt: skip
+              for x in (motion.states, ends.status, ends.event, ends.time, motion.steps_of_copies)]  # fmt: skip
     return _Seen(*copies)
 
 
@@ -301,7 +309,7 @@ def _apart(
 
 def _by_arrays_or_tape(
     system: AbstractSystem, states: Array, times: np.ndarray, precision: Precision, longest: float,
-    check: Callable[[float], None], place: Place | None,
+    check: Callable[[float], None], place: Place | None, late: Float64[np.ndarray, "copies"] | None,
 ) -> tuple[Runs, Place | None]:  # fmt: skip
     """Return runs by series of whole arrays where these pay and exist, otherwise by series of single numbers."""
     if goes_by_arrays(system, states):
@@ -310,7 +318,7 @@ def _by_arrays_or_tape(
         except Untraceable:
             if place is not None:
                 raise
-    return run_copies(system, states, times, precision, longest, check), None
+    return run_copies(system, states, times, precision, longest, check, late=late), None
 
 
 def _find_place(memory: Sequence[Array], states: Double[Array, "copies ..."], first: float) -> Place:
@@ -326,7 +334,7 @@ def _find_place(memory: Sequence[Array], states: Double[Array, "copies ..."], fi
 
 def _run_or_refuse(
     system: AbstractSystem, states: Array, times: np.ndarray, last: float, precision: Precision, longest: float,
-    meter: Any, place: Place | None = None,
+    meter: Any, place: Place | None = None, late: Float64[np.ndarray, "copies"] | None = None,
 ) -> tuple[Runs, Place | None]:  # fmt: skip
     """Return runs up to a last time, which need not be a sample, and where to resume; or say why there are none."""
     with keep_interrupts() as check:
@@ -339,7 +347,7 @@ def _run_or_refuse(
 
         whole = times if times[-1] == last else np.append(times, last)
         try:
-            runs, place = _by_arrays_or_tape(system, states, whole, precision, longest, report_progress, place)
+            runs, place = _by_arrays_or_tape(system, states, whole, precision, longest, report_progress, place, late)
         except Untraceable as error:
             instead = ('Give `precision` "double".' if precision.extended
                        else "Leave out `method`, or give a solver of diffrax.")  # fmt: skip

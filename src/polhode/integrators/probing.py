@@ -23,7 +23,7 @@ from jax.interpreters import partial_eval
 from polhode.arrays import compiled_quickly
 from polhode.errors import InvalidInput, shown
 from polhode.systems._component_sizes import component_sizes
-from polhode.systems._forms import rates_of_change
+from polhode.systems._forms import FURTHER, rates_of_change
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, ArrayLike, Bool, Double, Float64, Integer
 
@@ -40,9 +40,9 @@ INSIDE = len(INNER)  # cells between trials that it must have for them
 MOST = 1 << 14  # beginnings and ends at which steps are made to end; of more a warning tells
 COPIES = 8  # of a batch that are tried: the first by all trials, the others by as many together
 BISECTIONS = 60
+BESIDE = 4.0 * float(np.finfo(float).eps)  # of a time, within which bisection ends at a jump
 SHIFT = 0.25  # of the time between two trials, by which each is moved at most
 REMEMBERED = 256  # systems
-FURTHER = "further_jumps"  # the field of those that a system does not name itself
 
 
 System = TypeVar("System", bound=AbstractSystem)
@@ -109,7 +109,8 @@ def find_undeclared_jumps(
     copies = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))
     ends = np.asarray(times, dtype=float)[[0, -1]]
     chosen = _choose_copies(len(copies))
-    return _together(ends, [_changes(system, copies[[k]], ends, trials) for k, trials in chosen], warned=True)
+    found = _together(ends, [_changes(system, copies[[k]], ends, trials) for k, trials in chosen], warned=True)
+    return _without_named(system, ends, found)
 
 
 def jumps_along(
@@ -130,7 +131,19 @@ def jumps_along(
         there = np.isfinite(copies[k]).reshape(len(times), -1).all(axis=-1)
         if there.sum() > 1:
             jumps.append(_changes(system, copies[k][there][:-1], times[there], trials))
-    return _together(times, jumps)
+    return _without_named(system, times, _together(times, jumps))
+
+
+def _without_named(
+    system: AbstractSystem, times: Float64[np.ndarray, "time"], found: Float64[np.ndarray, "found"]
+) -> Float64[np.ndarray, "further"]:
+    """Return those of the jumps found that the system does not name: bisection may end a rounding beside these."""
+    named = jumps_between(times, system.jumps)
+    if not len(named) or not len(found):
+        return found
+    place = np.searchsorted(named, found)
+    near = np.stack([named[np.maximum(place - 1, 0)], named[np.minimum(place, len(named) - 1)]])
+    return found[np.abs(near - found).min(axis=0) > BESIDE * np.abs(found)]
 
 
 def _choose_copies(copies: int) -> list[tuple[int, int]]:
@@ -262,10 +275,11 @@ def _make_naming_class(kind: type[AbstractSystem]) -> type[AbstractSystem]:
     """Return the class of the same systems with further jumps, one for each class, as what it computes is compiled."""
 
     def jumps(self: Any) -> Array:
-        own = jnp.ravel(jnp.asarray(kind.jumps.fget(self), float))  # type: ignore[attr-defined]
+        own = jnp.ravel(jnp.asarray(super(made, self).jumps, float))  # a property, or an array of the class
         return jnp.concatenate([own, getattr(self, FURTHER)])
 
     more = {"jumps": property(jumps), FURTHER: None, "__annotations__": {FURTHER: Any}, "__module__": kind.__module__,
             "__qualname__": kind.__qualname__, "__doc__": kind.__doc__}  # fmt: skip
     making: Any = type(kind)
-    return making(kind.__name__, (kind,), more)
+    made = making(kind.__name__, (kind,), more)
+    return made

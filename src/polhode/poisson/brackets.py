@@ -12,9 +12,10 @@ from collections.abc import Callable
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import in_jax_numpy, known_false, refuse_single_precision
+from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Double, Float64
 
@@ -108,7 +109,7 @@ def as_points(algebra: AbstractLieAlgebra, mu: ArrayLike) -> Double[Array, "..."
     except (TypeError, ValueError):
         raise InvalidInput(f"a point of the dual of {algebra.name} must be numbers; got {shown(mu)}.") from None
     algebra.batch_shape(mu)
-    if known_false(jnp.isfinite(mu).all()):
+    if not (is_traced(mu) or np.isfinite(np.asarray(mu)).all()):
         raise InvalidInput(f"a point of the dual of {algebra.name} must be finite; got NaN or an infinity.")
     return mu
 

@@ -15,6 +15,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64
 
+FURTHER = "further_jumps"  # the field of those jumps that a system does not name itself, see ``integrators.probing``
 LARGE = 1e150  # squares of larger numbers overflow
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from polhode import rotation
 from polhode.algebra._functions import Function
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
-from polhode.arrays import compiled_for_few_calls, known_numbers_only, refuse_single_precision
+from polhode.arrays import compiled_for_few_calls, known_numbers_only, namespace, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import (
     ATTITUDE,
@@ -106,11 +106,13 @@ class AbstractSystem(HashableModule):
         title: its name.
         kind: the kind of spec whose pictures show it, by its name; empty for none.
         has_vertical: whether space has an upward direction, as under gravity.
+        count_of_changes: how many small changes of its first part a state carries, which jump where rates do.
     """
 
     title: ClassVar[str] = "Motion"
     kind: ClassVar[str] = ""
     has_vertical: ClassVar[bool] = False
+    count_of_changes = 0
 
     @abc.abstractmethod
     def vector_field(self, t: Real[ArrayLike, "..."], state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
@@ -420,7 +422,7 @@ def components(state: Double[Array, "*shape n"]) -> Components:
 
 def join_state(attitude: Float64[Array, "... 4"] | None, point: Double[Array, "..."]) -> Double[Array, "..."]:
     """Return the packed state, or change of one, of attitude and point."""
-    return point if attitude is None else jnp.concatenate([attitude, point], axis=-1)
+    return point if attitude is None else namespace(attitude, point).concatenate([attitude, point], axis=-1)
 
 
 def attitude_change(

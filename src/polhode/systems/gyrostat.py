@@ -9,7 +9,7 @@ import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.arrays import known_numbers_only
+from polhode.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.systems._checks import checked_number, checked_vector
 from polhode.systems.base import AbstractLiePoissonSystem, Flow
@@ -78,14 +78,19 @@ class Gyrostat(AbstractLiePoissonSystem):
         """
         if self.rotor_moment is None:
             raise InvalidInput("`rotor_moment` of the gyrostat must be given to find how fast its rotor turns.")
-        # h = Jσ of a driven rotor, h = J (σ + Ω·a) of a free one, solved for σ
-        size = jnp.sqrt(jnp.sum(self.rotor**2))
-        along = velocity @ (self.rotor / jnp.where(size > 0.0, size, 1.0))
-        return size / self.rotor_moment - (along if self.free else 0.0 * along)
+        return _rotor_rate(self.rotor, self.rotor_moment, self.free, velocity)
 
     @property
     def flows(self) -> dict[str, Flow]:
         return {f"rotation about axis {k + 1}": axis_flow(self.moments, k, 1, self.rotor[k]) for k in range(3)}
+
+
+@compiled_for_few_calls
+def _rotor_rate(rotor: Array, rotor_moment: float, free: bool, velocity: Array) -> Array:
+    # h = Jσ of a driven rotor, h = J (σ + Ω·a) of a free one, solved for σ
+    size = jnp.sqrt(jnp.sum(rotor**2))
+    along = velocity @ (rotor / jnp.where(size > 0.0, size, 1.0))
+    return size / rotor_moment - (along if free else 0.0 * along)
 
 
 class TorquedGyrostat(AbstractRigidBody):

@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_numbers_only
+from polhode.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems._checks import checked_number
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
@@ -61,7 +61,7 @@ class KeplerOrbit(eqx.Module):
     ) -> None:  # fmt: skip
         self.mean_motion = checked_number("mean_motion", mean_motion, above=0.0, unit="rad/s")
         self.eccentricity = checked_number("eccentricity", eccentricity, least=0.0)
-        if not self.eccentricity < 1.0:
+        if not float(self.eccentricity) < 1.0:
             raise InvalidInput(
                 f"`eccentricity` must be below 1; got {shown(eccentricity)}. Only ellipses come round again."
             )
@@ -113,8 +113,7 @@ class KeplerOrbit(eqx.Module):
     @property
     def rate_at_periapsis(self) -> Float64[Array, ""]:
         """ḟ [rad/s] where it is fastest, n √(1 + e)/(1 − e)^(3/2), Kepler's second law."""
-        e = self.eccentricity
-        return self.mean_motion * jnp.sqrt(1.0 + e) / ((1.0 - e) * jnp.sqrt(1.0 - e))
+        return _rate_at_periapsis(self.mean_motion, self.eccentricity)
 
     @property
     def period(self) -> Float64[Array, ""]:
@@ -200,6 +199,11 @@ class KeplerOrbit(eqx.Module):
     def _in_space(self, vector: Array) -> Array:
         """Return vectors (…, 3) of the orbit's own axes along those of space."""
         return vector if self.plane is None else rotation.rotate(self.plane, vector)
+
+
+@compiled_for_few_calls
+def _rate_at_periapsis(mean_motion: Array, e: Array) -> Array:
+    return mean_motion * jnp.sqrt(1.0 + e) / ((1.0 - e) * jnp.sqrt(1.0 - e))
 
 
 def ratio_from_eccentric(

@@ -55,7 +55,7 @@ class SpinOrbit(AbstractSystem):
         self, asphericity: float, eccentricity: float, mean_motion: float = 1.0, mean_anomaly: float = 0.0
     ) -> None:
         self.asphericity = checked_number("asphericity", asphericity, least=0.0)
-        if not self.asphericity**2 <= 3.0 * (1.0 + 1e-12):
+        if not float(self.asphericity) <= math.sqrt(3.0) * (1.0 + 1e-12):
             raise InvalidInput(
                 f"`asphericity` must be at most √3, as B − A ≤ C; got {shown(asphericity)}. It is √(3(B − A)/C)."
             )

@@ -43,6 +43,10 @@ class Variations(AbstractSystem):
         return self.system.state_axes + 1
 
     @property
+    def count_of_changes(self) -> int:
+        return self.count
+
+    @property
     def events(self) -> dict[str, Event]:
         return {name: lambda t, state, event=event: event(t, self.first(state))
                 for name, event in self.system.events.items()}  # fmt: skip

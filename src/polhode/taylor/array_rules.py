@@ -21,6 +21,7 @@ from jax.extend.core import Literal
 from polhode.arrays.steps import split_scan
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.jaxprs import INNER
+from polhode.taylor.kernel_series import MOST_ANGLE, MOST_EXPONENT
 from polhode.taylor.operations import squared_secant
 from polhode.types import Array, Shaped
 
@@ -110,11 +111,14 @@ class Unrolled:
         return [find_place(v) for v in jaxpr.outvars]
 
 
-def is_bounded(step: Step) -> tuple[bool, bool]:
-    """Return whether the argument of a root or logarithm must change by little in a step, and of an exponential."""
+def bound_of_argument(step: Step) -> float | None:
+    """Return by how much the argument of a function may change in a step: any (None), or a part of itself (0)."""
     name = step.equation.primitive.name
-    root = name in ("log", "sqrt", "rsqrt", "cbrt") or (name == "pow" and not isinstance(step.rule, _WholePower))
-    return root and step.rule is not None, name in ("exp", "expm1", "tanh") and step.rule is not None
+    if step.rule is None or (name == "pow" and isinstance(step.rule, _WholePower)):
+        return None
+    bounds = {"exp": MOST_EXPONENT, "expm1": MOST_EXPONENT, "tanh": 0.5 * MOST_EXPONENT, "sin": MOST_ANGLE,
+              "cos": MOST_ANGLE}  # fmt: skip
+    return bounds.get(name, 0.0 if name in ("log", "sqrt", "rsqrt", "cbrt", "pow") else None)
 
 
 def _find_rule(equation: Any, moving: tuple[int, ...], constants: list[Any]) -> Callable[..., list[Array]]:

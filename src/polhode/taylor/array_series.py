@@ -20,9 +20,9 @@ from polhode.motion._outcome import Status
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
-from polhode.taylor.array_rules import Affine, Unrolled, add_order, bind, is_bounded, is_first
+from polhode.taylor.array_rules import Affine, Unrolled, add_order, bind, bound_of_argument, is_first
 from polhode.taylor.expressions import Untraceable
-from polhode.taylor.kernel_series import LEFT_OF_ROOT, MOST_EXPONENT
+from polhode.taylor.kernel_series import LEFT_OF_ROOT
 from polhode.taylor.runs import Precision, Runs
 from polhode.types import Array, ArrayOrFloat, Double, Float64
 
@@ -169,17 +169,17 @@ class _Recurrence:
         return places
 
     def changes(self, order: int) -> Float64[Array, "functions orders"]:
-        """Return bounds of how arguments of roots, logarithms and exponentials change, as parts of what they may.
+        """Return bounds of how arguments of roots, exponentials and sines change, as parts of what they may.
 
         The k-th of an argument's row is of its coefficient of order k; see ``kernel_series.bound_change``.
         """
         found = []
         for step in self.unrolled.steps:
-            of_root, of_exponential = is_bounded(step)
-            if of_root or of_exponential:
+            bound = bound_of_argument(step)
+            if bound is not None:
                 series = self.series[step.arguments[0]]
                 sizes = jnp.abs(jnp.stack(series[:order]) if isinstance(series, list) else series[:order])
-                most = MOST_EXPONENT if of_exponential else (1.0 - LEFT_OF_ROOT) * sizes[0]
+                most = bound or (1.0 - LEFT_OF_ROOT) * sizes[0]
                 found.append(jnp.max((sizes / most).reshape(order, -1), axis=1).at[0].set(0.0))
         return jnp.stack(found) if found else jnp.zeros((0, order))
 

@@ -156,6 +156,7 @@ def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane:
         if copies.counts[k, HITS] == copies.hits.shape[1]:
             return FULL
         later, last = t + h, False
+        h = later - t  # the state is that of the time which is kept
     lanes.later[lane], lanes.event[lane], lanes.last[lane], lanes.steps[lane] = later, event, last, h / unit
     first = following = copies.counts[k, NEXT]
     # a sample at the end of a step has its state, put back onto what is conserved

@@ -21,6 +21,7 @@ from polhode.taylor.program import (
     FIRST,
     INDEX,
     NUMBER,
+    OF_ANGLE,
     OF_EXPONENTIAL,
     OF_ROOT,
     OF_TANH,
@@ -54,6 +55,7 @@ LEAST = 1e-300  # ratio, whose logarithm is a number
 TOO_LARGE = 1e250  # for a coefficient, as products of two are summed
 LEFT_OF_ROOT = 0.1  # of what is under a root, in a step
 MOST_EXPONENT = 8.0  # by which an exponent changes in a step
+MOST_ANGLE = 4.0  # rad by which an angle does, of which there are sines
 UNDERFLOW = -700.0  # an exponent, up to which it may come from any lower one
 
 
@@ -283,14 +285,17 @@ def of_followers(series: Series, lanes: Lanes, course: Course) -> None:
 def bound_change(series: Series, order: Any, lane: Any, slot: Any, kind: Any, ahead: Any) -> Any:
     """Return how far, in units and at most ``ahead``, the argument of a function changes by no more than it may.
 
-    Coefficients tell nothing of an exponential that is too small to be seen yet, such as the distance of a tanh from 1.
-    And a root's own have no singularity
-    where its argument has a double zero: behind it they are those of the root with the other sign.
+    Series of sines end in roundings e^Δ times their own where the angle changes by Δ, and if these cancel in the rates,
+    the coefficients of a smooth motion do not show it. Coefficients tell nothing of an exponential that is too small to
+    be seen yet, such as the distance of a tanh from 1. And a root's own have no singularity where its argument has a
+    double zero: behind it they are those of the root with the other sign.
     """
     flat, width, length = series.flat, series.whole[SLOTS], ahead
     first = flat[slot * LANES + lane]
     if kind == OF_EXPONENTIAL:
         most = max(MOST_EXPONENT, UNDERFLOW - first)
+    elif kind == OF_ANGLE:
+        most = MOST_ANGLE
     elif kind == OF_TANH:  # 1 ∓ tanh x = 2 e^(∓2x)/(1 + e^(∓2x))
         most = 0.5 * max(MOST_EXPONENT, UNDERFLOW + 2.0 * abs(first))
     else:

@@ -21,8 +21,8 @@ BLOCK = WIDTH  # products at a time
 SIZE, SLOTS, OPERATIONS, PRODUCTS, FIRST = range(5)
 CODE, OUT, ARGUMENT, LEFT, RIGHT, START, INDEX, NUMBER, FACTOR, CONSTANT = range(5, 15)
 HEADER = 15
-# functions whose arguments change by little in a step: roots and logarithms, exponentials, tanh, the logarithm of 1 + x
-OF_ROOT, OF_EXPONENTIAL, OF_TANH, OF_ONE_PLUS = range(4)
+# functions whose arguments change by little in a step: roots and logarithms, exponentials, tanh, log(1 + x), sines
+OF_ROOT, OF_EXPONENTIAL, OF_TANH, OF_ONE_PLUS, OF_ANGLE = range(5)
 
 
 @dataclass(frozen=True, eq=False)  # a program is equal to itself alone, so that what is made of it can be kept
@@ -90,6 +90,7 @@ class Program:
         for operation, kind in (
             (Operation.LOGARITHM, OF_ROOT), (Operation.LOGARITHM_OF_ONE_PLUS, OF_ONE_PLUS), (Operation.TANH, OF_TANH),
             (Operation.EXPONENTIAL, OF_EXPONENTIAL), (Operation.EXPONENTIAL_MINUS_ONE, OF_EXPONENTIAL),
+            (Operation.SINE, OF_ANGLE), (Operation.ECCENTRIC, OF_ANGLE),
         ):  # fmt: skip
             bounds[kinds == operation] = kind
         bounds[(kinds == Operation.POWER) & (numbers % 1.0 != 0.0)] = OF_ROOT

@@ -13,14 +13,16 @@ import numpy as np
 
 from polhode.arrays import arrays_for_few_calls
 from polhode.systems._component_sizes import component_sizes
+from polhode.systems._forms import FURTHER
 from polhode.systems.base import AbstractSystem, Event
 from polhode.taylor import kernel
 from polhode.taylor.flight import begin_flight, fly, outcome
-from polhode.taylor.kernel_space import HITS, STEPS, Copies, Course
+from polhode.taylor.kernel_space import HITS, STEPS, Copies, Course, series_for
+from polhode.taylor.kernels import python_kernel
 from polhode.taylor.machine import Machine, build_machine
 from polhode.taylor.program import Program
 from polhode.taylor.sides import Signs
-from polhode.taylor.switching import Watched, fly_past_branches
+from polhode.taylor.switching import Watched, fly_past_branches, time_of_roundings
 from polhode.types import Array, Double, Float64, Integer
 
 ORDER, LOCAL = 24, 1e-19  # to rounding: of an order at which errors of single steps do not add up with one sign
@@ -91,7 +93,8 @@ class Runs(NamedTuple):
 class Plan(NamedTuple):
     """The plan shared by all copies: where steps must end, the machine up to there, and the reach of steps.
 
-    ``build`` gives the machine between two borders for other sides of branches.
+    ``build`` gives the machine between two borders for other sides of branches; ``late`` and ``changes`` are as in
+    ``switching.Watched``, and the times of those jumps that were ``found`` are known to a rounding.
     """
 
     borders: list[float]
@@ -101,6 +104,9 @@ class Plan(NamedTuple):
     longest: float
     forth: float
     build: Callable[..., Machine]
+    late: Float64[np.ndarray, "copies"] | None = None
+    changes: int = 0
+    found: frozenset[float] = frozenset()
 
 
 def _plan(
@@ -117,7 +123,8 @@ def _plan(
         # else the others by the sides where the motion comes to them
     else:
         machines = [build(between) for between in itertools.pairwise(borders)]
-    return Plan(borders, machines, times, precision, longest, forth, build)
+    return Plan(borders, machines, times, precision, longest, forth, build, changes=system.count_of_changes,
+                found=frozenset(np.ravel(getattr(system, FURTHER, ())).tolist()))  # fmt: skip
 
 
 def run_copies(
@@ -128,6 +135,7 @@ def run_copies(
     longest: float = math.inf,
     check: Callable[[float], None] = lambda share: None,
     scales: Float64[Array, "copies n"] | None = None,
+    late: Float64[np.ndarray, "copies"] | None = None,
 ) -> Runs:
     """Return the motions of states at times, which need not be ends of steps.
 
@@ -139,11 +147,12 @@ def run_copies(
         longest: step [s].
         check: called with the share that is done, between parts of a long run.
         scales: sizes of the components, infinite of those that have none of their own; by default the system's.
+        late: (C,) roundings of the time by which each copy passes borders of branches too late, to show their effect.
 
     Raises:
         Untraceable: if the system's rates are not made of operations that have a recurrence.
     """
-    plan = _plan(system, states[0], times, precision, longest, branching=True)
+    plan = _plan(system, states[0], times, precision, longest, branching=True)._replace(late=late)
     form, program = plan.machines[0].form, plan.machines[0].program
     y = np.zeros((len(states), program.size))
     y[:, : form.size] = form.flat(states)
@@ -283,10 +292,15 @@ def _fly_through(plan: Plan, copies: Copies, check: Callable[[float], None], wat
         falling[-1], stops[-1] = watch.falling, False
     first, last = plan.borders[0], plan.borders[-1]
     share = lambda t: (t - first) / (last - first)  # noqa: E731
-    watched = Watched(falling, stops, 1 if watch is None else watch.most, _enlarge)
+    watched = Watched(falling, stops, 1 if watch is None else watch.most, _enlarge, plan.late, plan.changes,
+                      plan.machines[0].form.size)  # fmt: skip
     signs: Signs = ()
     for k, between in enumerate(itertools.pairwise(plan.borders)):
         machine = plan.machines[k] if k < len(plan.machines) else plan.build(between, signs=signs)
+        if plan.late is not None and between[0] in plan.found:
+            before = plan.machines[k - 1] if k <= len(plan.machines) else machine
+            jump = _rates(machine, copies.y) - _rates(before, copies.y)
+            copies.y[:] -= time_of_roundings(k, between[0], plan.late)[:, None] * jump
         course_of = partial(_course, plan, between[1])
         if machine.branches is not None:
             copies, signs = fly_past_branches(copies, machine, partial(plan.build, between), course_of, check, share,
@@ -299,6 +313,13 @@ def _fly_through(plan: Plan, copies: Copies, check: Callable[[float], None], wat
             copies.status[0] = kernel.RUNNING
             fly(copies, machine, course, check, share)
     return copies
+
+
+def _rates(machine: Machine, y: Float64[np.ndarray, "copies n"]) -> Float64[np.ndarray, "copies n"]:
+    """Return the rates of copies by a machine for any sides."""
+    rates, series = np.zeros_like(y), series_for(machine.program, 1, 1)
+    python_kernel(1).conserved_values(series, y, np.zeros(len(y[0]) + 1), rates)
+    return rates
 
 
 def _enlarge(copies: Copies) -> Copies:

@@ -158,6 +158,24 @@ class Branches:
         extend_values(self._tape, components, values)
         return [*components, *values]
 
+    def slope_along(self, branch: int, y: Float64[np.ndarray, "1 n"], direction: Float64[np.ndarray, "n"]) -> float:
+        """Return the derivative of a branch's difference at one copy, along a direction of its components."""
+        known, slopes = self._values(y), direction.tolist()
+        self._append_slopes(known, slopes)
+        difference = next(x for k, x in self._moving if k == branch)
+        return float(combine(Expression(self._tape, difference.terms), slopes)[0])
+
+    def _append_slopes(self, known: list[Any], slopes: list[Any]) -> None:
+        """Append the derivatives of nodes to those of the components."""
+        for node in self._tape.nodes:
+            x, dx = [known[k] for k in node.arguments], [slopes[k] for k in node.arguments]
+            slopes.append(_slope(node, known[len(slopes)], x, dx))
+
+    def rates_at(self, y: Float64[np.ndarray, "1 n"]) -> Float64[np.ndarray, "n"]:
+        """Return the rates of one copy on these sides."""
+        known = self._values(y)
+        return np.array([combine(rate, known)[0] for rate in self._rates])
+
     def hold(self, y: Float64[np.ndarray, "copies n"]) -> bool:
         """Return whether copies are on these sides, or at their borders, within rounding."""
         known = self._values(y)
@@ -190,9 +208,7 @@ class Branches:
         sizes = sizes_of(self._tape, known)
         slopes: list[Any] = [combine(rate, known)[0] for rate in self._rates]
         signs = np.tile(self.signs, (len(y), 1))
-        for node in self._tape.nodes:
-            x, dx = [known[k] for k in node.arguments], [slopes[k] for k in node.arguments]
-            slopes.append(_slope(node, known[len(slopes)], x, dx))
+        self._append_slopes(known, slopes)
         with np.errstate(invalid="ignore"):
             for k, difference in self._moving:
                 value, size = combine(difference, known, sizes)

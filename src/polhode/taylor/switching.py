@@ -14,10 +14,12 @@ from polhode.taylor.flight import fly
 from polhode.taylor.kernel_space import EVENT, HITS, STEPS, TIME, Copies, Course
 from polhode.taylor.machine import Machine
 from polhode.taylor.sides import Branches, Signs, settle
-from polhode.types import Array, Bool, Integer
+from polhode.types import Array, Bool, Float64, Integer
 
 HELD, STRANDED = -1, -2  # the status of copies that wait while others move, and of those that series take no further
 MOST_CROSSINGS = 20_000  # of a copy, from which on other steps take less time
+ROUNDED = 0.25 * float(np.finfo(float).eps)  # of a time, as the root mean square of its rounding
+SIGNS = np.random.default_rng(0).choice([-1.0, 1.0], 1024)  # of roundings, one crossing after another
 MOST_AT_ONCE = 16  # at the same time
 SETTLED, MOST_STEPS = 50, 100_000  # steps since the last crossing, after which a border may not be near, and at most
 APPROACHED = "a branch on something that moves, whose border the motion approaches and never crosses"
@@ -33,12 +35,18 @@ class Watched(NamedTuple):
         stops: (W,) whether they end the motion.
         most: how many of those that do not are noted.
         enlarge: makes room for more of them.
+        late: (C,) roundings of the time by which copies cross borders too late, to show what that makes; or None.
+        changes: how many small changes of its first components a state has behind these.
+        size: of a state.
     """
 
     falling: Bool[Array, "watched"]
     stops: Bool[Array, "watched"]
     most: int
     enlarge: Callable[[Copies], Copies]
+    late: Float64[np.ndarray, "copies"] | None = None
+    changes: int = 0
+    size: int = 0
 
 
 def fly_past_branches(
@@ -71,6 +79,11 @@ def fly_past_branches(
     if (lost := journey.copies.status == STRANDED).any():
         raise Untraceable(journey.reason, lost)
     return journey.copies, journey.signs[0]
+
+
+def time_of_roundings(number: int, t: float, count: Any) -> Any:
+    """Return by how much [s] the time of a jump is off by so many roundings, by turns too early and too late."""
+    return SIGNS[number % len(SIGNS)] * ROUNDED * abs(t) * count
 
 
 class _Journey:
@@ -155,7 +168,28 @@ class _Journey:
                     self._settle(np.array([k]), crossed)
             return
         for k, each in zip(some, found, strict=True):
+            if crossed[k] >= 0 and (self.watched.late is not None or self.watched.changes):
+                self._jump(k, int(crossed[k]), branches_of(self.signs[k]), branches_of(each))
             self.signs[k] = each
+
+    def _jump(self, k: int, crossed: int, before: Branches, after: Branches) -> None:
+        """Let small changes jump where rates do, and show what a rounding of the time of crossing makes."""
+        y, count = self.copies.y, self.watched.changes
+        rates = before.rates_at(y[[k]])
+        jump = after.rates_at(y[[k]]) - rates
+        if not jump.any():
+            return
+        if count:
+            # δ⁺ = δ⁻ + (f⁺ − f⁻) (∇g·δ⁻)/(∇g·f⁻) at g = 0, as a neighbour crosses earlier or later (Aizerman &
+            # Gantmakher, Quart. J. Mech. Appl. Math. 11 (1958) 407)
+            n = self.watched.size // (1 + count)
+            pace = before.slope_along(crossed, y[[k]], rates)
+            for first in range(n, (1 + count) * n, n):
+                direction = np.zeros_like(rates)
+                direction[:n] = y[k, first : first + n]
+                y[k, first : first + n] += jump[:n] * (before.slope_along(crossed, y[[k]], direction) / pace)
+        if self.watched.late is not None:
+            y[k] -= time_of_roundings(int(self.crossings[k]), self.copies.now[k, TIME], self.watched.late[k]) * jump
 
     def _check_distance(self, branches: Branches, some: Integer[np.ndarray, "some"]) -> None:
         """Take copies out that come ever nearer to a border, where steps would shrink to nothing."""

@@ -8,10 +8,12 @@ import numpy as np
 
 from polhode.analysis.spin_motion import steps_for
 from polhode.analysis.spin_orbit import poincare_section
+from polhode.arrays import compiled_for_few_calls
 from polhode.bodies.surface import Surface
 from polhode.kinds.panel import KindPanel
 from polhode.motion._trajectory import Trajectory
 from polhode.simulation import simulate
+from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.types import Array
 from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
@@ -25,13 +27,19 @@ def _series(name: str, values: Array) -> dict[str, Any]:
     return {"name": name, "values": pack(values, "f4")}
 
 
+@compiled_for_few_calls
+def _places(orbit: KeplerOrbit, times: Array) -> Array:
+    """Return where the moon is (…, 3), in units of the semi-major axis."""
+    return orbit.direction(times) * orbit.distance_ratio(times)[..., None]
+
+
 class SpinOrbitPanel(KindPanel):
     """The picture of a spin on an orbit on a page."""
 
     def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
         """Return the moon on its orbit, seen from above."""
         system, orbit = trajectory.source, trajectory.source.orbit
-        place = np.asarray(orbit.direction(samples.times)) * np.asarray(orbit.distance_ratio(samples.times))[:, None]
+        place = np.asarray(_places(orbit, samples.times))
         return [{
             "type": "orbit", "place": pack(place[:, :2]),
             "angle": pack(trajectory.layout.part(samples.states, "angle")),
