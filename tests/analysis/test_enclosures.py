@@ -164,3 +164,35 @@ def test_without_the_terms_it_bounds_the_rest_of_a_proof_does_not_hold(monkeypat
 def test_what_cannot_be_proved_is_refused(call, error, words):
     with pytest.raises(error, match=words):
         call()
+
+
+class Spring(ph.systems.AbstractSystem):
+    """ẍ = −k x, with its number as Python has it."""
+
+    k: float
+
+    def vector_field(self, t, state):
+        return jnp.stack([state[1], -self.k * state[0]])
+
+    def invariants(self, state):
+        return {}
+
+
+@pytest.mark.parametrize(("other", "span"), [(1.01, 5.0), (1.0 + 1e-9, 5.0), (0.99, 2.0)])
+def test_plain_numbers_of_another_system_count_and_zeros_are_passed(other, span):
+    """They were left out, and the ball held neither system's neighbours; where x came to zero there was no bound."""
+    found = ph.certify(Spring(1.0), [1.0, 0.0], [0.0, span], other=Spring(other))
+    with mpmath.workprec(200):
+        for k in (1.0, other, 0.5 * (1.0 + other)):
+            w = mpmath.sqrt(mpmath.mpf(k))
+            exact = [mpmath.cos(w * span), -w * mpmath.sin(w * span)]
+            off = [abs(mpmath.mpf(float(x)) - y) for x, y in zip(found.states[-1], exact, strict=True)]
+            assert all(x <= mpmath.mpf(float(r)) for x, r in zip(off, found.radii[-1], strict=True))
+    assert found.radii[-1].max() < 20.0 * abs(other - 1.0) * span
+
+
+@pytest.mark.parametrize("other", [Spring(2), Scalar(lambda t, x: -2.0 * x)], ids=["a whole number", "a function"])
+def test_other_functions_and_whole_numbers_are_refused(other):
+    system = Spring(1.0) if isinstance(other, Spring) else Scalar(lambda t, x: -x)
+    with pytest.raises(InvalidInput, match=r"`other` must be a .* of which only real numbers in its fields differ"):
+        ph.certify(system, [1.0, 0.0], [0.0, 1.0], other=other)

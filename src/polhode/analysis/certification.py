@@ -84,7 +84,7 @@ def certify(
         times: of a system: (T,) [s], in one direction; the first is the start's.
         radius: of a system: that is wanted, relative to the largest number of the start, 1e-15 if left out; that of the
             doubles given is added, and so is what numbers within limits change.
-        other: a system of the same form, with other numbers.
+        other: a system of the same form, with other real numbers in its fields.
         state_radii: of the state's shape or one number: by how much the start may be off; of complex states, each of
             real and imaginary part.
         digits: of a motion: decimals of each enclosure, 25 if left out, at most 10000; of numbers relative to
@@ -98,8 +98,8 @@ def certify(
     Raises:
         InvalidInput: for a batch, for arguments of a system with a motion or the other way round, and for exact numbers
             that are not those of the motion. Of systems: for times out of order, jumps or events between the times,
-            rates that have no Taylor series, or another system of which more than numbers differs, or numbers that the
-            rates look at, as the eccentricity of an orbit.
+            rates that have no Taylor series or branch on what moves, as absolute values do, another system of which
+            more than real numbers differs, or numbers that the rates look at, as the eccentricity of an orbit.
         NotConverged: if the motion of a system runs into a singularity, or needs more digits than are reasonable.
 
     >>> import polhode as ph

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -67,6 +68,8 @@ def enclose_by_series(
     """Return enclosures of a system's motion; ``certify`` says what the arguments are."""
     start, times = _check_arguments(system, state, times, radius)
     flint = import_flint()
+    if other is not None:
+        system, other = _with_numbers_as_arrays(system), _with_numbers_as_arrays(other)
     try:
         balls = BallSystem(system, start)
     except Untraceable as error:
@@ -117,7 +120,7 @@ class _Proof:
         """Return a bound of the weighted norm of changes of what moves but for the time."""
         total = self.flint.arb(0)
         for x, w in zip(changes, self.weights, strict=False):
-            total += (x / w) ** 2
+            total += (x.abs_upper() / w) ** 2  # a square of a ball around zero reaches below it
         return total.sqrt().upper()
 
     def run(self) -> Enclosure:
@@ -355,9 +358,11 @@ def _limits(system: AbstractSystem, other: AbstractSystem | None, balls: BallSys
     one = balls.parameters
     if other is None:
         return one, np.zeros(len(one))
-    if jax.tree.structure(other) != jax.tree.structure(system):
+    if not (jax.tree.structure(other) == jax.tree.structure(system) and _have_same_rest(system, other)):
         raise InvalidInput(
-            f"`other` must be a {type(system).__name__} of the same form, with other numbers; got {shown(other)}."
+            f"`other` must be a {type(system).__name__} of the same form, of which only real numbers in its fields "
+            f"differ; got {shown(other)}. What a function or a whole number says differently cannot be enclosed: make "
+            "it a field, like `rate: float`."
         )
     if not balls.exact:
         raise InvalidInput(
@@ -371,6 +376,18 @@ def _limits(system: AbstractSystem, other: AbstractSystem | None, balls: BallSys
     if radii[balls.looked_at].any():
         raise InvalidInput("`other` must have the same eccentricity: Kepler's equation is solved for one number.")
     return middle, radii
+
+
+def _with_numbers_as_arrays(system: AbstractSystem) -> AbstractSystem:
+    """Return a system whose plain real numbers are arrays, as the numbers are that may differ."""
+    return jax.tree.map(lambda x: np.float64(x) if type(x) is float else x, system)
+
+
+def _have_same_rest(system: AbstractSystem, other: AbstractSystem) -> bool:
+    """Return whether all but the real numbers is the same."""
+    one, two = (jax.tree.leaves(eqx.filter(each, eqx.is_inexact_array, inverse=True)) for each in (system, other))
+    pairs = zip(one, two, strict=False)
+    return len(one) == len(two) and all(x is y or (type(x) is type(y) and np.array_equal(x, y)) for x, y in pairs)
 
 
 def _check_radii(value: ArrayLike | None, balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
