@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 import warnings
 from collections.abc import Sequence
@@ -15,7 +14,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import integrators
-from polhode.arrays import known_numbers_only
+from polhode.arrays import is_positive, known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
@@ -138,10 +137,12 @@ def simulate(
     if not isinstance(system, AbstractSystem):
         raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
     state, times = system.check_state(state), advancing_times(times)
+    if np.ndim(state) < system.state_axes:
+        raise InvalidInput(f"`state` must be a list of numbers, as [1.0]; got the single number {shown(float(state))}.")
     if 0 in np.shape(state):
         raise InvalidInput(f"`state` has no copies to move; got shape {np.shape(state)}. Give at least one.")
     for name, value, unit in (("step", step, " time [s]"), ("tolerance", tolerance, " number")):
-        if value is not None and not (np.ndim(value) == 0 and math.isfinite(value) and value > 0):
+        if value is not None and not is_positive(value):
             raise InvalidInput(f"`{name}` must be a positive finite{unit}; got {shown(value)}.")
     if tolerance is not None and tolerance < EPS:
         raise InvalidInput(

@@ -9,10 +9,12 @@ from scipy.spatial.transform import Rotation
 import polhode as ph
 from polhode.algebra import Heisenberg
 from polhode.errors import InvalidInput, NotConverged
+from polhode.integrators import Taylor
 from polhode.motion import Status
 from polhode.systems import LiePoisson, RigidBody, SolarPressure, Wheel
 from polhode.taylor import machine, sides, switching
 from polhode.taylor.expressions import Untraceable
+from taylor.test_coefficients import OwnField
 
 SAME = 1e-12
 
@@ -195,3 +197,17 @@ def test_sides_that_never_agree_are_refused():
 
     with pytest.raises(Untraceable, match="lead back to each other"):
         sides.settle(Never, np.zeros((2, 1)), [(True,), (False,)], np.array([-1, 0]), 1.0)
+
+
+def test_a_limited_bump_is_not_stepped_over():
+    """Of the limits, one side's number was compared with the other as if they depended on the time: other steps."""
+    field = lambda t, y: jnp.stack([1.0 + 0.0 * y[0], jnp.clip(1.0 - jnp.abs(y[0] - 500.0), 0.0, 1.0)])  # noqa: E731
+    found = ph.simulate(OwnField(field), [0.0, 0.0], [0.0, 1000.0])
+    assert found.states[-1].tolist() == [1000.0, 1.0]
+
+
+def test_a_node_that_is_infinite_ends_the_series_at_once():
+    """cosh² of 500 is no number, and shorter units of time were tried for ever."""
+    field = lambda t, y: jnp.stack([1.0 + 0.0 * y[0], 1.0 / jnp.cosh(y[0] - 500.0) ** 2])  # noqa: E731
+    with pytest.raises(NotConverged):
+        ph.simulate(OwnField(field), [0.0, 0.0], [0.0, 1000.0], Taylor)

@@ -107,4 +107,4 @@ def test_sines_that_cancel_in_a_smooth_motion(by_arrays, monkeypatch):
     k = mpmath.sin(0.02)
     wanted = [float(mpmath.asin(k * mpmath.ellipfun("cd", w * t, m=k**2))) for t in times]
     error = np.abs(found.states[:, 1] - times - wanted).max()
-    assert error < 1e-12 and error / 62.8 < 30.0 * found.error_estimate < 1e-12
+    assert error < (2e-11 if by_arrays else 1e-13) and error / 62.8 < 30.0 * found.error_estimate < 1e-8

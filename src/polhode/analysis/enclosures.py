@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode.analysis._exact_arithmetic import import_flint
 from polhode.analysis._tangent_flow import one_state
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import is_positive, refuse_single_precision
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.simulation import simulate
@@ -416,7 +416,7 @@ def _check_arguments(
     gaps = np.sign(np.diff(values)) if values.ndim == 1 else np.zeros(1)
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all() or not (gaps * gaps[:1] > 0).all():
         raise InvalidInput(f"`times` must be at least two finite times [s] in one direction; got {shown(times)}.")
-    if not (np.ndim(radius) == 0 and 0.0 < radius < 1.0):
+    if not (is_positive(radius) and radius < 1.0):
         raise InvalidInput(f"`radius` must be a positive number below one; got {shown(radius)}.")
     jumps = np.ravel(np.asarray(system.jumps, float))
     low, high = sorted((values[0], values[-1]))

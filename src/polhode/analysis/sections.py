@@ -102,8 +102,8 @@ def section(
     if crossings.status == Status.NOT_CONVERGED:
         check_finite_rates(system, ends[0], start)
         raise NotConverged(
-            f"the motion of {type(system).__name__} runs into a singularity before {ends[1]:g} s. Give an earlier last "
-            "time."
+            f"the motion of {type(system).__name__}, or `surface` along it, runs into a singularity before "
+            f"{ends[1]:g} s. Give an earlier last time, or a `surface` that stays finite, as a product for a quotient."
         )
     event = tuple(system.events)[crossings.event] if crossings.status == Status.EVENT else None
     return Section(crossings.times, crossings.states, crossings.end, event)

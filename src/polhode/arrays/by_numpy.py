@@ -22,10 +22,13 @@ def by_numbers(equation: Any, arguments: list[Array]) -> list[Shaped[Array, "...
         with np.errstate(all="ignore"):  # JAX says nothing of infinite numbers either
             results = BY_NUMPY[name](arguments, equation.params)
         return [np.asarray(results, equation.outvars[0].aval.dtype)]
+    import jax
     import jax.numpy as jnp
 
     results = equation.primitive.bind(*[jnp.asarray(a) for a in arguments], **equation.params)
-    return [np.asarray(x) for x in (results if equation.primitive.multiple_results else [results])]
+    results = results if equation.primitive.multiple_results else [results]
+    # keys of JAX's random numbers are no arrays of NumPy
+    return [x if jnp.issubdtype(x.dtype, jax.dtypes.extended) else np.asarray(x) for x in results]
 
 
 def spread(x: Array, parameters: dict[str, Any]) -> Shaped[Array, "..."]:

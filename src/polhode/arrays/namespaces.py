@@ -87,6 +87,16 @@ def namespace(*values: Any) -> Any:
     return np
 
 
+def is_positive(value: Any) -> bool:
+    """Return whether something is one positive finite number, and no truth value or text."""
+    if isinstance(value, bool | np.bool_ | str | bytes) or np.ndim(value) != 0:
+        return False
+    try:
+        return 0.0 < float(value) < np.inf
+    except (TypeError, ValueError):
+        return False
+
+
 def always(x: Any, value: float) -> bool:
     """Return whether x is a single NumPy number equal to ``value``, so that an operation with it may be left out."""
     return isinstance(x, np.ndarray) and x.ndim == 0 and bool(x == value)

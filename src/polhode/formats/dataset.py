@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from polhode.errors import InvalidInput, not_installed
+from polhode.errors import InvalidInput, not_installed, shown
 from polhode.formats.dataset_rules import COMPLEX_PART, COMPONENTS, COUNTED, MEMORY, UNITS
 from polhode.formats.labels import AttitudeLabels, find_labels
 from polhode.formats.opening import MB, read_file
@@ -41,8 +41,14 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
         trajectory: plain arrays; its frame is added, with the mass properties. One with a frame that is sampled from a
             motion made by ``from_body`` is turned to the principal axes; others are along them already.
         attributes: global attributes to add.
+
+    Raises:
+        InvalidInput: for what is not a trajectory.
     """
     import xarray as xr
+
+    if not isinstance(trajectory, Trajectory):
+        raise InvalidInput(f"`trajectory` must be a Trajectory, as `simulate` gives it; got {shown(trajectory)}.")
 
     return xr.Dataset(*_describe(trajectory, attributes))
 

@@ -123,11 +123,12 @@ class Tape:
         Raises:
             Untraceable: for what moves, where no sides of branches are taken.
         """
-        if self.sides is None:
-            return self.decide(holds(self.at_instants(x), self.at_instants(y)))
         difference = (x if isinstance(x, Expression) else self.constant(float(x))) - y
         if not difference.terms:
-            return self.sides.is_known(bool(holds(difference.constant, 0.0)))
+            answer = bool(holds(difference.constant, 0.0))
+            return answer if self.sides is None else self.sides.is_known(answer)
+        if self.sides is None:
+            return self.decide(holds(self.at_instants(x), self.at_instants(y)))
         if len(self.instants):
             try:
                 return self.sides.is_known(self.decide(holds(self.at_instants(x), self.at_instants(y))))

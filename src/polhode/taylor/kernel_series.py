@@ -333,12 +333,20 @@ def fit_series(series: Series, lanes: Lanes, course: Course) -> None:
             if lanes.which[lane] == NOBODY:
                 continue
             if not length >= 0.0:
-                if not unit < 1e-280:
+                if not unit < 1e-280 and has_values(series, lane):
                     units[lane], lowered[lane], settled = unit * 2.0**-8, 1, False  # they overflow
             elif length > FAR and unit < left[lane] and lowered[lane] == 0:  # the last ones may have vanished
                 units[lane], settled = min(unit * 2.0**16, power_of_two(left[lane]) * 2.0), False
         if settled:
             break
+
+
+def has_values(series: Series, lane: Any) -> Any:
+    """Return whether all nodes have values; where one is infinite, no unit of time makes a series."""
+    for slot in range(series.whole[SLOTS]):
+        if not abs(series.flat[slot * LANES + lane]) < np.inf:
+            return False
+    return True
 
 
 def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:

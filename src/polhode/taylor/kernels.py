@@ -46,8 +46,9 @@ MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_l
 ENTRIES = ("advance", "conserved_values")
 AT_ONCE = "advance_lanes", "measure_coefficients", "sample_copy", "expand_watched"
 # all other functions are made part of those that call them
-CALLED = ("function", "orbital", "hyperbolic", "eccentric_anomaly_at", "reach_of", "first_zero", "change_within",
-          "changes_sign", "zero_between", "bound_change", "first_coefficients", "power_of_pair")  # fmt: skip
+CALLED = ("function", "orbital", "hyperbolic", "eccentric_anomaly_at", "has_values", "reach_of", "first_zero",
+          "change_within", "changes_sign", "zero_between", "bound_change", "first_coefficients",
+          "power_of_pair")  # fmt: skip
 WHAT = {1: "Taylor series", lanes.LANES: "Taylor series of many copies", EXTENDED: "Taylor series of more digits"}
 Function = Any  # of Numba's or of Python's own
 
