@@ -88,6 +88,8 @@ def load_mesh(path: str | Path, unit: float | None = None, repair: bool = False)
         vertices, faces, changes = repair_mesh(near, index, holes=True)
     except InvalidInput as error:
         raise InvalidInput(f"{path}: {error}") from None
+    if len(faces) == 0:
+        raise FormatError(f"{path}: holds no triangle with an area; it may be cut short. Export it again.")
     return LoadedMesh(vertices * unit, faces, _say(changes, merged))
 
 

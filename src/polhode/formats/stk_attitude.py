@@ -182,7 +182,8 @@ def _attitudes(path: Path, group: _Group, numbers: Array) -> tuple[Array, Array 
         attitude, _ = nearest_rotations(path, [line for line, _ in group.rows], np.swapaxes(to_body, 1, 2))
         return attitude, np.radians(numbers[:, 9:]) if group.kind == "dcmangvels" else None
     order = [0, 1, 2, 3] if group.kind == "quatscalarfirst" else [3, 0, 1, 2]
-    lengths = np.linalg.norm(numbers[:, :4], axis=1)
+    with np.errstate(over="ignore"):  # of damaged numbers; infinite is too far from one
+        lengths = np.linalg.norm(numbers[:, :4], axis=1)
     if (far := ~(np.abs(lengths - 1.0) <= FAR_FROM_UNIT)).any():
         row = int(np.argmax(far))
         raise FormatError(f"{path}, line {group.rows[row][0]}: a quaternion must have length 1 to {FAR_FROM_UNIT:g}; "

@@ -169,7 +169,7 @@ class _Journey:
             return
         for k, each in zip(some, found, strict=True):
             if crossed[k] >= 0 and (self.watched.late is not None or self.watched.changes):
-                self._jump(k, int(crossed[k]), branches_of(self.signs[k]), branches_of(each))
+                self._jump(int(k), int(crossed[k]), branches_of(self.signs[k]), branches_of(each))
             self.signs[k] = each
 
     def _jump(self, k: int, crossed: int, before: Branches, after: Branches) -> None:
