@@ -1,5 +1,6 @@
 """Forms of files register themselves, those of other packages too."""
 
+import dataclasses
 import re
 from importlib.metadata import EntryPoint
 from pathlib import Path
@@ -10,7 +11,7 @@ import pytest
 import polhode as ph
 import polhode.cli.commands  # whose help lists the forms that are there now
 from polhode.cli.main import main
-from polhode.errors import FormatError
+from polhode.errors import FormatError, InvalidInput
 from polhode.formats import form_registry
 from polhode.studies.sources import detect_kind
 
@@ -80,8 +81,8 @@ def test_mistakes_name_what_is_wrong(folder, capsys, monkeypatch):
         ("0 1 0 0 0\n1 nan 0 0 0\n", "the attitude of sample 1 is not a unit quaternion"),
         ("0 2 0 0 0\n1 2 0 0 0\n", "the attitude of sample 0 is not a unit quaternion"),
         ("1 1 0 0 0\n0 1 0 0 0\n", "has times that fall"),
-        ("", "cannot be read as a QLOG|holds no samples"),
-        ("0 1 0 0\n1 1 0 0 0\n", "cannot be read as a QLOG"),
+        ("", "cannot be read as the format qlog of another package|holds no samples"),
+        ("0 1 0 0\n1 1 0 0 0\n", "cannot be read as the format qlog of another package"),
     ],
 )
 def test_what_its_reader_lets_pass_is_refused(folder, text, words, capsys):
@@ -123,3 +124,51 @@ def test_the_table_in_the_documents_has_every_form():
     rows = re.findall(r"^\| `(\w+)` \| `([^`]+)`", text, re.MULTILINE)
     own = {(form.name, form.ending) for form in form_registry.forms().values() if form.write and form.name != "qlog"}
     assert set(rows) == own
+
+
+class Odd(Exception):
+    """What nobody expects."""
+
+
+def half_written(content, path):
+    path.write_bytes(b"half")
+    raise Odd("out of ideas")
+
+
+def readers():
+    """Yield readers of a package that is broken, and what is said of each."""
+    def raising(error):
+        def read(path, kernels):
+            raise error
+        return read
+
+    yield raising(Odd("out of ideas")), r"bad\.qlog: cannot be read as the format qlog of another package \(Odd: out of"
+    yield raising(RuntimeError("out of ideas")), r"bad\.qlog: cannot be read as the format qlog .* \(RuntimeError: out"
+    yield raising(FormatError("has no samples; a QLOG needs two.")), r"bad\.qlog: has no samples; a QLOG needs two"
+    yield lambda path, kernels: None, r"bad\.qlog: the format qlog of another package gives None, not a Trajectory"
+
+
+@pytest.mark.parametrize(("read", "words"), list(readers()), ids=["own error", "runtime", "format", "none"])
+def test_readers_that_fail_in_any_way_are_told_in_words(folder, capsys, monkeypatch, read, words):
+    broken = dataclasses.replace(form_registry.forms()["qlog"], read=read)
+    monkeypatch.setitem(form_registry.forms(), "qlog", broken)
+    (folder / "bad.qlog").write_bytes(b"QLOG 1\n0 1 0 0 0\n")
+    code, out, err = run(capsys, "import", "bad.qlog")
+    assert code == 2 and not out and re.search(words, err) and err.count("\n") == 1
+
+
+@pytest.mark.parametrize(("write", "words"), [
+    (half_written, "box.qlog: the format qlog of another package cannot write it (Odd: out of ideas)"),
+    (lambda content, path: path, "box.qlog: the format qlog of another package wrote nothing"),
+])  # fmt: skip
+def test_writers_that_fail_leave_what_was_there(folder, capsys, monkeypatch, write, words):
+    """Half a file stood in place of the old one, and other formats of the same command stayed."""
+    broken = dataclasses.replace(form_registry.forms()["qlog"], write=write)
+    monkeypatch.setitem(form_registry.forms(), "qlog", broken)
+    (folder / "box.qlog").write_bytes(b"old")
+    code, _, err = run(capsys, "export", "box.toml", "--to", "csv", "--to", "qlog")
+    assert code == 2 and words in err and err.count("\n") == 1
+    with pytest.raises(InvalidInput, match=re.escape(words.partition(": ")[2])):
+        ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample().save(folder / "box.qlog")
+    assert (folder / "box.qlog").read_bytes() == b"old"
+    assert sorted(path.name for path in folder.iterdir()) == ["box.qlog", "box.toml"]

@@ -85,11 +85,10 @@ def _lines(asked: SpecRotor) -> Lines | None:
 
 def _write(form: Form, content: Content, place: Path) -> Path:
     """Write one file; warnings of its writer go to standard error."""
-    assert form.write is not None
     try:
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always", UserWarning)
-            written = form.write(content, place)
+            written = form.save(content, place)
     except FormatError:
         raise
     except InvalidInput as error:

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, PolhodeError, one_line
+from polhode.formats.paths import write_whole
 
 if TYPE_CHECKING:
     from polhode.bodies.body import Body
@@ -119,3 +120,31 @@ class Form:
     resolution: float = 0.0
     is_table: bool = False
     named: Callable[[Path], bool] | None = None
+
+    @property
+    def is_ours(self) -> bool:
+        """Whether it is this package's; writers and readers of others may raise and return anything."""
+        return getattr(self.write or self.read, "__module__", "").startswith("polhode.")
+
+    def save(self, content: Content, path: Path) -> Path:
+        """Write the file, whole or not at all, and return its path.
+
+        Raises:
+            InvalidInput: for what the form cannot hold, a path that cannot be written to, and whatever a writer of
+                another package raises.
+        """
+        assert self.write is not None
+        if self.is_ours:
+            return self.write(content, path)  # which has its own draft, and may write files beside it
+        with write_whole(path) as draft:
+            try:
+                self.write(content, draft)
+            except (PolhodeError, OSError):
+                raise
+            except Exception as error:
+                what = f"{type(error).__name__}: {one_line(str(error))}"
+                raise InvalidInput(f"{path}: the format {self.name} of another package cannot write it ({what}). "
+                                   "Update the package.") from error  # fmt: skip
+            if not draft.exists():
+                raise InvalidInput(f"{path}: the format {self.name} of another package wrote nothing. Update it.")
+        return path

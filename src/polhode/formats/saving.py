@@ -49,4 +49,4 @@ def write_content(content: Content, path: Path) -> Path:
     if form is None or form.write is None:
         raise InvalidInput(f"{path}: must end in {', '.join(sorted(forms))}, the formats of motions; "
                            f"got {shown(path.suffix)}. Rename it.")  # fmt: skip
-    return form.write(content, path)
+    return form.save(content, path)

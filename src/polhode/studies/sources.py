@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -182,12 +183,20 @@ def _read_form(form: Form, path: Path, kernels: Kernels) -> Trajectory:
         FormatError: for what cannot be read, holds nothing, or is no attitude.
     """
     assert form.read is not None
+    unexpected = (ValueError, IndexError, KeyError, TypeError, ArithmeticError) if form.is_ours else Exception
     try:
-        trajectory = form.read(path, kernels)
-    except (ValueError, IndexError, KeyError, TypeError, ArithmeticError) as error:
-        if isinstance(error, PolhodeError):
-            raise
-        raise FormatError(f"{path}: cannot be read as {kind_in_words(form.name)} ({error}). Check the file.") from error
+        with contextlib.nullcontext() if form.is_ours else name_file_in_errors(path):
+            trajectory = form.read(path, kernels)
+    except (PolhodeError, OSError):
+        raise
+    except unexpected as error:
+        as_what, why = kind_in_words(form.name), one_line(str(error))
+        if not form.is_ours:
+            as_what, why = f"the format {form.name} of another package", f"{type(error).__name__}: {why}"
+        raise FormatError(f"{path}: cannot be read as {as_what} ({why}). Check the file.") from error
+    if not isinstance(trajectory, Trajectory):
+        raise FormatError(f"{path}: the format {form.name} of another package gives {shown(trajectory)}, not a "
+                          "Trajectory. Update the package.")  # fmt: skip
     times = np.asarray(trajectory.times)
     if not form.is_own and not len(times):
         raise FormatError(f"{path}: holds no samples. Check the file.")
