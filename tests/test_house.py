@@ -30,7 +30,8 @@ def slow_in_the_sweep(cases, slow):
             for name, case in names.items()]  # fmt: skip
 
 
-@pytest.mark.parametrize("page", slow_in_the_sweep(PAGES, {"python.md", "euler_disk.md", "symbolic.md", "tops.md"}))
+@pytest.mark.long_cases("python.md", "euler_disk.md", "symbolic.md", "tops.md")
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_python_in_the_docs_runs(page):
     exec(compile("\n".join(FENCE.findall(page.read_text("utf-8"))), page.name, "exec"), {})
 

@@ -263,7 +263,8 @@ def _take_samples(source: Any, name: str) -> AttitudeHistory | None:
     if isinstance(source, AbstractMotion):
         return None
     got = "a trajectory without attitudes" if isinstance(source, Trajectory) else shown(source)
-    raise InvalidInput(f"`{name}` must be an AttitudeHistory, a Trajectory with attitudes, or a motion; got {got}.")
+    raise InvalidInput(f"`{name}` must be a file, an AttitudeHistory, a Trajectory with attitudes, or a motion; "
+                       f"got {got}.")  # fmt: skip
 
 
 def _sort_by_time(history: AttitudeHistory) -> AttitudeHistory:

@@ -219,5 +219,6 @@ def _remarks(log: GyroLog) -> list[str]:
         remarks.append(f"the clock is rounded: {log.spread} samples come at a time that was there already, with other "
                      "values; they are taken at equal steps.")  # fmt: skip
     if log.dropped:
-        remarks.append(f"{log.dropped} lines without finite values are left out.")
+        remarks.append(f"{log.dropped} lines without finite values are left out." if log.dropped > 1
+                       else "1 line without finite values is left out.")  # fmt: skip
     return remarks

@@ -85,7 +85,8 @@ def check_is_file(path: Path, kind: str, limit: int | None = None) -> None:
     try:
         status = path.stat()
     except (OSError, ValueError):
-        why = f"no such {kind} file. Check the path; in a spec it counts from the spec's own folder."
+        within = "" if "spec" in kind else "; in a spec it counts from the spec's own folder"
+        why = f"no such {kind} file. Check the path{within}."
         raise InvalidInput(f"{path}: {why}") from None
     _check(path, kind, status, limit)
     for seen in _recordings.get():

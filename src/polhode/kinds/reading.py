@@ -95,7 +95,7 @@ def build_spec(tables: dict[str, Any], path: Path) -> Spec:
 def report(spec: Spec[Any] | str | Path) -> SystemReport:
     """Return the answers about the motion of a spec, or of a file that holds one.
 
-    Its ``summary`` and ``notes`` are worded, ``answers()``, ``values()`` and ``as_json_dict()`` are data, and
+    ``summary``, ``notes`` and ``answers`` are its text; ``values()`` and ``json()`` give the numbers, and
     ``trajectory`` is the motion, of kinds that have one.
 
     Raises:

@@ -12,6 +12,7 @@ from polhode.formats.opening import MB, read_text
 
 LARGEST = MB  # bytes; some thousand parts
 DEEPEST = 16  # lists and tables inside each other; a spec has five
+ATOMS = ".xyz", ".pdb", ".mol"  # endings
 DOTS = 32  # in one key: tomllib takes a time that grows with their square
 _DOT = re.compile(r"\.[ \t]*[\w-]")
 _QUOTED_DOT = re.compile(r"[\"'][ \t]*\.|\.[ \t]*[\"']")
@@ -31,6 +32,11 @@ def read_tables(path: Path, kind: str = "spec") -> dict[str, Any]:
     try:
         tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
+        if path.suffix.lower() in ATOMS:
+            raise FormatError(
+                f'{path}: holds atoms, and is no {kind}. Write a spec with molecule = "{path.name}" under [body], or '
+                "give the file to `polhode levels`."
+            ) from None
         raise FormatError(f"{path}: is not TOML ({error}). {REMEDY}") from None
     except ValueError:  # Python reads no whole number of more than some thousand digits
         raise FormatError(f"{path}: has a number of too many digits. {REMEDY}") from None

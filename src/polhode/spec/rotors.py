@@ -23,6 +23,7 @@ SAME_PLACE = 1e-12  # m, a hundredth of an ångström: how far an atom may be fr
 RARE = 8.0  # E/kT of the lowest level of a J beyond which lines are weak
 MOST_LINES = 13_000_000  # of a list, which takes some gigabytes
 MOST_SUMMED_J = 600  # of a partition function, whose time grows as its cube: some seconds
+LEAST_CONSTANT = 1.0  # Hz; of the heaviest molecules some kHz
 LARGEST = 1e20  # Hz and debye, beyond any molecule; intensities have cubes of frequencies
 FEWEST_J, MOST_J = 10, 60  # of the largest J where a spec does not say it; lines grow as its cube
 
@@ -81,7 +82,13 @@ def rotor_of_body(
         masses = isotopic_masses(symbols) if masses is None else masses
         body = Body.from_atoms(symbols, positions, masses)
         atoms = Atoms(symbols, masses, (positions - body.center_of_mass) @ body.principal_axes)
-    return Rotor.from_body(body, **options), atoms
+    rotor = Rotor.from_body(body, **options)
+    if atoms is None and rotor.constants[1] < LEAST_CONSTANT:
+        raise InvalidInput(
+            f"the body is no molecule: its rotational constant B would be {rotor.constants[1]:.2g} Hz. Give molecule "
+            "or rotational_constants under [body]; the motion of other bodies is classical, see `polhode report`."
+        )
+    return rotor, atoms
 
 
 def doubts_of_weights(rotor: Rotor, atoms: Atoms | None) -> tuple[str, ...]:

@@ -142,7 +142,7 @@ def levels(molecule: Path | str | Spec[Any], *, j_max: int | None = None) -> Lev
 
     >>> import polhode as ph
     >>> ph.levels("examples/water_spectrum.toml", j_max=2).summary  # doctest: +SKIP
-    'Constants 835.840288 GHz, 435.351717 GHz, 278.138699 GHz; 9 levels to J = 2.'
+    'Constants 835.840288 GHz, 435.351717 GHz, 278.1387 GHz; 9 levels to J = 2.'
     """
     return with_inputs(lambda: _levels(molecule, j_max))
 

@@ -25,7 +25,7 @@ def wobble(
     """Return a report on the Earth's wobble: the Chandler period, amplitude and Q with errors, and the seasons.
 
     Args:
-        series: polar motion as ``read_polar_motion`` gives it, or its file; C04 of the extra ``data`` if left out.
+        series: polar motion as ``read_polar_motion`` gives it, or its file; C04 of astropy-iers-data if left out.
         start, end: first day to use, and the day before which to stop, like "1976-01-01".
         window: length of sliding windows [years].
 

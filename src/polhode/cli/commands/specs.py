@@ -102,7 +102,7 @@ def certify(
     spec: SpecPath,
     json: AsJson = False,
     digits: Annotated[
-        int, typer.Option("--digits", metavar="N", parser=whole_number(1, 1000), help="Decimals (default: 25).")
+        int, typer.Option("--digits", metavar="N", parser=whole_number(1, 1000), help="Decimals.")
     ] = 25,
     at: Annotated[
         list[str] | None, typer.Option("--at", metavar="T", help='Time of a state, like "1e9 s"; may be repeated.')
