@@ -108,6 +108,13 @@ def test_many_mutated_specs(folder, any_type, start):
 
 
 FOUND = {
+    "the sum of an inertia and its transpose overflows": """
+[body]
+inertia = [["1e308 J*s^2", "1 J*s^2", "0 J*s^2"], ["1 J*s^2", "3 J*s^2", "0 J*s^2"], ["0 J*s^2", "0 J*s^2", "3 J*s^2"]]
+mass = "2 kg"
+about = ["1 m", "0 m", "0 m"]
+center_of_mass = ["1 m", "0 m", "0.1 m"]
+""",
     "momentum overflows": """
 [body]
 moments = ["0.61e15 kg*m^2", "0.965e15 kg*m^2", "1.0e15 kg*m^2"]

@@ -54,7 +54,7 @@ def _check_about(
 ) -> None:  # fmt: skip
     """Refuse an inertia about a point that is less than that of the mass alone, seen from there."""
     assert table.about is not None and table.mass is not None
-    least, size = (np.linalg.eigvalsh(0.5 * (one + one.T)) for one in (inertia, given))
+    least, size = (np.linalg.eigvalsh(0.5 * one + 0.5 * one.T) for one in (inertia, given))
     # a little less may be the rounding of what was typed, of which the body speaks
     if size[0] > 0.0 and least[0] < -1e-3 * size[2]:
         distance = float(np.linalg.norm(center - np.asarray(table.about)))
