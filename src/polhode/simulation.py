@@ -106,8 +106,8 @@ def simulate(
         step: largest step [s]; by default Taylor's and diffrax's own, of other methods that in which each copy's
             fastest rotation at the start turns by 0.2 rad at order 8, 0.1 at order 6, 0.05 at lower orders.
         order: of the method, by default its own.
-        progress: whether to show it on standard error; by default for long runs on a terminal. Or what is told of it:
-            an object with the methods of diffrax's progress meters, which may end the run by an exception.
+        progress: whether to show it on standard error, by default for long runs on a terminal; or an object with the
+            methods of diffrax's progress meters, which receives it and may end the run by an exception.
         throw: raise if an implicit step fails in any copy; otherwise the outcome says so, and the states of that copy
             after it are infinite.
         tolerance: of the error relative to the state's size, instead of a step. Steps are shortened until

@@ -15,7 +15,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import integrators
-from polhode.arrays import in_jax_numpy, is_traced, is_tracing, refuse_single_precision
+from polhode.arrays import in_jax_numpy, is_positive, is_traced, is_tracing, refuse_single_precision
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import TOLERANCE
@@ -101,7 +101,8 @@ def solve(
     ulps of its size. Second derivatives are forward ones of either mode. Those of diffrax's solvers go back from
     checkpoints, and have first derivatives only. What a function encloses is not differentiated by: give parameters as
     fields of a system or of an ``equinox.Module``. The exact flows of bodies with a potential have forward derivatives
-    only; ``LieMidpoint`` has both.
+    only; ``LieMidpoint`` has both. Where rates jump with the state, as by a sign, derivatives leave out that the time of
+    the jump moves, and are wrong; corners are right. ``analysis.monodromy`` has such jumps.
 
     Steps end at the system's ``jumps`` under every transformation. Others are sought, as by ``simulate``, only where
     state, times and system are known numbers, and at the start alone.
@@ -137,7 +138,7 @@ def solve(
     state, times = _check(system, state, times)
     for name, value in (("step", step), ("tolerance", tolerance)):
         refuse_single_precision(**{name: value})
-        if value is not None and (jnp.ndim(value) or not (is_traced(value) or 0.0 < float(value) < np.inf)):
+        if value is not None and (jnp.ndim(value) or not (is_traced(value) or is_positive(value))):
             raise InvalidInput(f"`{name}` must be one positive finite number; got {shown(value)}.")
     every, observe = _to_save(save, len(times))
     with in_jax_numpy("systems and functions given to `solve`"):
