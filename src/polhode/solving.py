@@ -101,8 +101,8 @@ def solve(
     ulps of its size. Second derivatives are forward ones of either mode. Those of diffrax's solvers go back from
     checkpoints, and have first derivatives only. What a function encloses is not differentiated by: give parameters as
     fields of a system or of an ``equinox.Module``. The exact flows of bodies with a potential have forward derivatives
-    only; ``LieMidpoint`` has both. Where rates jump with the state, as by a sign, derivatives leave out that the time of
-    the jump moves, and are wrong; corners are right. ``analysis.monodromy`` has such jumps.
+    only; ``LieMidpoint`` has both. Where rates jump with the state, as by a sign, derivatives leave out that the time
+    of the jump moves, and are wrong; corners are right. ``analysis.monodromy`` has such jumps.
 
     Steps end at the system's ``jumps`` under every transformation. Others are sought, as by ``simulate``, only where
     state, times and system are known numbers, and at the start alone.
