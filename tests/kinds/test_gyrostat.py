@@ -1,13 +1,16 @@
 """Reports on gyrostats: against equations of motion written again, equilibria as roots of a polynomial, bad specs."""
 
+import functools
 import json
 
+import mpmath
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 import polhode as ph
 from polhode.analysis import mean_winding_rate, steady_rotations
+from polhode.analysis._steady_points import steady_points
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import read_spec
@@ -194,6 +197,31 @@ def test_steady_rotations_are_all_and_none_but_the_roots_of_a_polynomial():
         assert kinds.count("minimum") + kinds.count("maximum") - kinds.count("saddle") == 2
         assert all((e.verdict.verdict == "unstable") == (e.extremum == "saddle") for e in found)
     assert counts == {2, 4, 6}
+
+
+@pytest.mark.parametrize("rotor", [(1e-12, 0.0, 0.3), (0.2, 1e-9, 1e-15), (1e-7, 1e-7, 1e-7), (0.9, -0.8, 1e-10)])
+@pytest.mark.parametrize("moments", [(1.0, 2.0, 2.6), (2.0, 2.0 + 1e-7, 3.0)])
+def test_no_steady_rotation_is_missed_however_small_a_part_of_the_rotor(moments, rotor):
+    """Against the polynomial's roots by 80 digits; a part that is zero adds its own."""
+    found = steady_points(np.array(moments), np.array(rotor), 1.5)
+    with mpmath.workdps(80):
+        parts = [(mpmath.mpf(i), mpmath.mpf(h)) for i, h in zip(moments, rotor, strict=True) if h]
+        coefficients = [mpmath.mpf(0)]
+        product = lambda ways: functools.reduce(np.polymul, ways, np.array([mpmath.mpf(1)]))  # noqa: E731
+        ways = [np.polymul([-i, mpmath.mpf(1)], [-i, mpmath.mpf(1)]) for i, _ in parts]
+        for k, (_, h) in enumerate(parts):
+            coefficients = np.polyadd(coefficients, h**2 * product(ways[:k] + ways[k + 1 :]))
+        coefficients = np.polysub(coefficients, mpmath.mpf(1.5) ** 2 * product(ways))
+        roots = mpmath.polyroots(list(coefficients), maxsteps=2000, extraprec=600)
+        real = [mpmath.re(x) for x in roots if abs(mpmath.im(x)) < mpmath.mpf(10) ** -60]
+        wanted = [[float(h / (1 - x * i)) for i, h in zip(moments, map(mpmath.mpf, rotor), strict=True)] for x in real]
+    own = [k for k, h in enumerate(rotor) if not h]
+    for k in own:  # Π_k is free at λ = 1/I_k
+        rest = 2.25 - sum((h / (1.0 - i / moments[k])) ** 2 for i, h in zip(moments, rotor, strict=True) if h)
+        assert rest < 0.0 or np.abs(found[:, k]).max() == pytest.approx(np.sqrt(rest))
+    assert len(found) == len(wanted) + 2 * len(own)
+    for point in wanted:
+        assert np.abs(found - point).max(axis=1).min() < 1e-13
 
 
 @pytest.mark.long

@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis._steady_points import steady_points
 from polhode.analysis.energy_casimir import Stability
-from polhode.analysis.equilibria import find_equilibria
 from polhode.analysis.stability import stability
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
@@ -75,7 +75,7 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
         return []
     moments, rotor = np.asarray(gyrostat.moments), np.asarray(gyrostat.rotor)
     rotations = []
-    for point, circle in _points(gyrostat, moments, rotor, norm):
+    for point, circle in _points(moments, rotor, norm):
         velocity = (point - rotor) / moments
         # Ω = λ Π at a critical point of the energy on the sphere
         multiplier = float(velocity @ point) / norm**2
@@ -90,14 +90,11 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
     return sorted(rotations, key=lambda rotation: rotation.energy)
 
 
-def _points(gyrostat: Gyrostat, moments: Array, rotor: Array, norm: float) -> list[tuple[Array, bool]]:
+def _points(moments: Array, rotor: Array, norm: float) -> list[tuple[Array, bool]]:
     """Return the equilibria (3,) on the sphere |L| = norm, and whether each stands for a circle of them."""
     k = symmetry_axis(moments, rotor)
     if k is None:
-        # the search starts where the body does not rest
-        start = -rotor / np.abs(rotor).max() if rotor.any() else np.eye(3)[0]
-        equilibria = find_equilibria(gyrostat, norm * start / np.linalg.norm(start))
-        return [(point, False) for point in equilibria]
+        return [(point, False) for point in steady_points(moments, rotor, norm)]
     if (moments == moments[0]).all() and not rotor.any():
         return [(norm * np.eye(3)[0], True)]
     pole, side = np.eye(3)[k], np.eye(3)[(k + 1) % 3]

@@ -286,6 +286,7 @@ class _Seen(NamedTuple):
 
 def _as_copies(motion: AdaptiveMotion, batch: tuple[int, ...]) -> _Seen:
     ends = motion.ends
+    assert motion.steps_of_copies is not None
     copies = [np.reshape(x, (-1, *np.shape(x)[len(batch) :]))
               for x in (motion.states, ends.status, ends.event, ends.time, motion.steps_of_copies)]  # fmt: skip
     return _Seen(*copies)

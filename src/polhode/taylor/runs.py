@@ -299,7 +299,7 @@ def _fly_through(plan: Plan, copies: Copies, check: Callable[[float], None], wat
         machine = plan.machines[k] if k < len(plan.machines) else plan.build(between, signs=signs)
         if plan.late is not None and between[0] in plan.found:
             before = plan.machines[k - 1] if k <= len(plan.machines) else machine
-            jump = _rates(machine, copies.y) - _rates(before, copies.y)
+            jump = np.subtract(*(_rates(one, np.asarray(copies.y)) for one in (machine, before)))
             copies.y[:] -= time_of_roundings(k, between[0], plan.late)[:, None] * jump
         course_of = partial(_course, plan, between[1])
         if machine.branches is not None:

@@ -174,7 +174,7 @@ class _Journey:
 
     def _jump(self, k: int, crossed: int, before: Branches, after: Branches) -> None:
         """Let small changes jump where rates do, and show what a rounding of the time of crossing makes."""
-        y, count = self.copies.y, self.watched.changes
+        y, count, t = np.asarray(self.copies.y), self.watched.changes, float(self.copies.now[k, TIME])
         rates = before.rates_at(y[[k]])
         jump = after.rates_at(y[[k]]) - rates
         if not jump.any():
@@ -189,7 +189,7 @@ class _Journey:
                 direction[:n] = y[k, first : first + n]
                 y[k, first : first + n] += jump[:n] * (before.slope_along(crossed, y[[k]], direction) / pace)
         if self.watched.late is not None:
-            y[k] -= time_of_roundings(int(self.crossings[k]), self.copies.now[k, TIME], self.watched.late[k]) * jump
+            y[k] -= time_of_roundings(int(self.crossings[k]), t, self.watched.late[k]) * jump
 
     def _check_distance(self, branches: Branches, some: Integer[np.ndarray, "some"]) -> None:
         """Take copies out that come ever nearer to a border, where steps would shrink to nothing."""
