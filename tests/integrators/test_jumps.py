@@ -290,3 +290,24 @@ def test_a_pulse_that_nobody_met_leaves_a_doubt():
     """The estimate was exactly 0.0, which would say that the motion is exact."""
     _, found = gained(RigidBody(MOMENTS, torques=[Pulse(123.456, 1e-6, 0.5)]), 0.0, SPAN)
     assert found.error_estimate > 0.0
+
+
+@pytest.mark.parametrize("kind", ["a field", "of the class"])
+def test_jumps_may_be_a_field_or_of_the_class(kind):
+    """Those that are found join them, where there was only a way for properties."""
+
+    class Late(ph.systems.AbstractSystem):
+        def vector_field(self, t, state):
+            return jnp.where((t > 1.0) & (t < 2.3), 1.0, 0.0) + 0.0 * state
+
+        def invariants(self, state):
+            return {}
+
+    class Field(Late):
+        jumps: object = None
+
+    class OfClass(Late):
+        jumps = np.array([1.0])
+
+    system = Field(np.array([1.0])) if kind == "a field" else OfClass()
+    assert ph.simulate(system, [0.0], [0.0, 5.0]).states[-1, 0] == pytest.approx(1.3, rel=1e-14)

@@ -261,13 +261,20 @@ def name_jumps(system: System, jumps: Float64[np.ndarray, "jumps"]) -> System:
     """Return a system that moves alike and names these jumps beside its own; itself if there are none."""
     if not len(jumps):
         return system
-    kind = type(system)
+    kind, fields = type(system), {field.name: getattr(system, field.name) for field in dataclasses.fields(system)}
+    if "jumps" in fields:  # a field of its own, which takes them
+        fields["jumps"] = jnp.concatenate([jnp.ravel(jnp.asarray(system.jumps, float)), jnp.asarray(jumps)])
+        return _with_fields(kind, fields)
     known = getattr(system, FURTHER, None)
-    named: Any = object.__new__(kind if known is not None else _make_naming_class(kind))
-    for field in dataclasses.fields(system):
-        object.__setattr__(named, field.name, getattr(system, field.name))
-    object.__setattr__(named, FURTHER, jnp.asarray(jumps if known is None else np.concatenate([known, jumps])))
-    return named
+    fields[FURTHER] = jnp.asarray(jumps if known is None else np.concatenate([known, jumps]))
+    return _with_fields(kind if known is not None else _make_naming_class(kind), fields)
+
+
+def _with_fields(kind: Any, fields: dict[str, Any]) -> Any:
+    made: Any = object.__new__(kind)
+    for name, value in fields.items():
+        object.__setattr__(made, name, value)
+    return made
 
 
 @cache
