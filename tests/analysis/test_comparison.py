@@ -49,7 +49,7 @@ def test_motions_and_trajectories_are_compared_as_they_are():
 @pytest.mark.usefixtures("any_type")
 def test_what_has_no_attitude_is_not_compared():
     samples = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample(np.linspace(0.0, 5.0, 101))
-    with pytest.raises(InvalidInput, match="`b` must be an AttitudeHistory, a Trajectory"):
+    with pytest.raises(InvalidInput, match="`b` must be a file, an AttitudeHistory, a Trajectory"):
         compare(samples, "motion.nc")
 
 

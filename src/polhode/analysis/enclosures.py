@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from types import FunctionType
 from typing import Any, NamedTuple
 
 import equinox as eqx
@@ -386,8 +387,17 @@ def _with_numbers_as_arrays(system: AbstractSystem) -> AbstractSystem:
 def _have_same_rest(system: AbstractSystem, other: AbstractSystem) -> bool:
     """Return whether all but the real numbers is the same."""
     one, two = (jax.tree.leaves(eqx.filter(each, eqx.is_inexact_array, inverse=True)) for each in (system, other))
-    pairs = zip(one, two, strict=False)
-    return len(one) == len(two) and all(x is y or (type(x) is type(y) and np.array_equal(x, y)) for x, y in pairs)
+    return len(one) == len(two) and all(map(_is_same, one, two))
+
+
+def _is_same(x: Any, y: Any) -> bool:
+    """Return whether two parts are equal; functions are if they come from one place and enclose the same."""
+    if x is y:
+        return True
+    if isinstance(x, FunctionType) and isinstance(y, FunctionType):
+        enclosed = [[cell.cell_contents for cell in each.__closure__ or ()] for each in (x, y)]
+        return x.__code__ is y.__code__ and x.__defaults__ == y.__defaults__ and all(map(_is_same, *enclosed))
+    return type(x) is type(y) and np.array_equal(x, y)
 
 
 def _check_radii(value: ArrayLike | None, balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:

@@ -34,7 +34,9 @@ SMALLEST = 1e-150  # state, and one over it the largest: beyond, products of its
 FINER, CLOSER = 4, 0.8  # orders more, and times the reach, of the run by which the error of the series is seen
 SAFETY = 4.0  # of the estimate, as a few other runs see most of what roundings grow to, not all
 KICKS = 1.0, 64.0  # roundings; where the motion grows or contracts at first, a single one may be rounded away
-MORE_STEPS = 1.1  # than the motion has, from which on they are taken to be others
+MORE_STEPS = 1.1  # times those of the motion, from which on they are taken to be others
+FEW_STEPS = 20  # of which a tenth more is none
+CLOSE = 1e-3  # of what roundings could make: runs that are so close to each other may have the same roundings
 LUCK = 10.0  # by which runs with other roundings may by chance be nearer to each other than to the true motion
 FEWEST = 4.0  # roundings of the last step and of the sample itself
 
@@ -240,7 +242,8 @@ def series_error(
     # but they may be so by chance, and the mean of both is between the two cases. Of the same steps, as where a longest
     # one, jumps or borders make them, roundings are the same too
     between = np.sqrt(np.minimum(off, 1.0) * np.minimum(grown, 1.0))
-    has_own_steps = second.steps > MORE_STEPS * np.ravel(first.steps)
+    taken = np.ravel(first.steps)
+    has_own_steps = (second.steps > MORE_STEPS * taken) | (off > CLOSE * np.where(taken < FEW_STEPS, 0.0, grown))
     seen = np.where(has_own_steps, np.maximum(LUCK * off, SAFETY * between), np.inf)
     grown = np.minimum(SAFETY * grown, seen)
     error = np.where(off > LARGE, off, np.max([SAFETY * off, grown, np.full(off.shape, FEWEST * EPS)], axis=0))
