@@ -5,10 +5,12 @@ from pathlib import Path
 import jaxtyping
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 import polhode as ph
 from polhode.errors import InvalidInput
 from polhode.formats import read_csv, read_dataset
+from polhode.formats.figure_file import save_figure
 from polhode.viewer.page import NotebookPage
 
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
@@ -29,6 +31,14 @@ def test_each_has_a_page(report):
     spec = ph.read_spec(HANDLE)
     assert report.show(surface=spec.picture).page == ph.show(spec).page
     assert MOTION.show(summary="how it turns", notes=["slowly"]).page.count("how it turns") == 1
+
+
+def test_each_has_one_picture(report, tmp_path):
+    """A report's is the first of its own, the same as the file that `draw` writes."""
+    for moved in (MOTION, MOTION.sample(TIMES), report):
+        assert isinstance(ph.plot(moved), Figure)
+    drawn = save_figure(ph.plot(report), tmp_path / "plot.png").read_bytes()
+    assert drawn == report.draw(tmp_path)[0].read_bytes()
 
 
 def test_a_page_of_a_report_says_what_the_report_says(report):

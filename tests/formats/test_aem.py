@@ -255,7 +255,7 @@ def test_motions_that_the_format_cannot_hold(tmp_path):
     cases = [
         (replace(good, attitude=None), {}, "holds attitudes"),
         (batch, {}, "holds one body"),
-        (good.taken(slice(0)), {}, "at least one sample"),
+        (good.select(slice(0)), {}, "at least one sample"),
         (replace(good, angular_velocity=None), {"rates": "derivative"}, "angular velocity"),
         (good, {"rates": "Derivative"}, "`rates` must be"),
         (replace(good, times=np.array([0.0, 1.0, 1.0])), {}, "sample 2 does not come after sample 1"),

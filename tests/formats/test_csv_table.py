@@ -67,7 +67,7 @@ def test_what_has_no_attitude(tmp_path):
 
 
 def test_empty_trajectories(tmp_path):
-    empty = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample([0.0]).taken(slice(0, 0))
+    empty = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample([0.0]).select(slice(0, 0))
     found = formats.read_csv(formats.write_csv(empty, tmp_path / "empty.csv"))
     assert found.times.shape == (0,) and found.attitude.shape == (0, 4)
 

@@ -132,7 +132,7 @@ def test_motions_with_states_of_their_own(tmp_path):
 
 @pytest.mark.parametrize("ending", WAYS)
 def test_empty_trajectories(tmp_path, ending):
-    empty = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample([0.0]).taken(slice(0, 0))
+    empty = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).sample([0.0]).select(slice(0, 0))
     found = formats.read_dataset(WAYS[ending](empty, tmp_path / f"empty.{ending}"))
     assert found.times.shape == (0,) and found.attitude.shape == (0, 4)
 

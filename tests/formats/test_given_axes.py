@@ -51,7 +51,7 @@ def test_turns_go_round(turned):
         for name in ("momentum", "angular_velocity"):
             space = [ph.rotation.rotate(x.attitude, getattr(x, name)) for x in (begin, found)]
             assert np.abs(space[0] - space[1]).max() <= 20 * EXACT * np.abs(space[0]).max()
-        again = found.resampled(TIMES)
+        again = found.resample(TIMES)
         assert np.abs(again.states - found.states).max() <= 20 * EXACT * np.abs(found.states).max()
         back = found.along("given").along("principal").along("given")
         assert np.abs(back.states - begin.along("given").states).max() <= 20 * EXACT * np.abs(back.states).max()
@@ -111,4 +111,4 @@ def test_one_body_with_attitude_and_samples():
         two = replace(trajectory, attitude=np.zeros((2, 50, 4)), momentum=None, angular_velocity=None)
         single_attitude(two, "A file")
     with pytest.raises(InvalidInput, match="A file needs at least one sample"):
-        single_attitude(trajectory.taken(slice(0)), "A file")
+        single_attitude(trajectory.select(slice(0)), "A file")

@@ -43,8 +43,8 @@ def test_motions_without_one_attitude_each_time():
     with pytest.raises(InvalidInput, match="batch"):
         as_rotation(ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((4, 1, 3))).sample(np.linspace(0.0, 1.0, 3)))
     with pytest.raises(InvalidInput, match="sample 2 does not come after"):
-        as_rotation_spline(replace(TRAJECTORY.taken(slice(3)), times=np.array([0.0, 1.0, 1.0])))
+        as_rotation_spline(replace(TRAJECTORY.select(slice(3)), times=np.array([0.0, 1.0, 1.0])))
     with pytest.raises(InvalidInput, match="got one"):
-        as_rotation_spline(TRAJECTORY.taken(slice(1)))
+        as_rotation_spline(TRAJECTORY.select(slice(1)))
     with pytest.raises(InvalidInput, match="at least one sample"):
-        as_rotation(TRAJECTORY.taken(slice(0)))
+        as_rotation(TRAJECTORY.select(slice(0)))

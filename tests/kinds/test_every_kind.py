@@ -96,7 +96,7 @@ def bent_kind(kind, **bent):
         ("free-body", {"has_attitude": False}, "`has_attitude` says whether"),
         ("free-body", {"answers_without_motion": lambda self, spec: [Group("", [Answer("energy", 1.0)])]},
          "what takes no motion is what the report says; energy differs"),
-        ("heavy-top", {"motion": lambda self, spec: SpecMotion(spec.report().trajectory.taken(slice(9)), None)},
+        ("heavy-top", {"motion": lambda self, spec: SpecMotion(spec.report().trajectory.select(slice(9)), None)},
          "`motion` gives the motion of the report, to the bit"),
         ("spin-orbit", {"_scripts": lambda self: ()}, "none makes"),
     ],

@@ -89,11 +89,11 @@ def test_outcomes_in_words(outcome, words, tmp_path, motion):
 
 def test_other_times_of_an_exact_motion_keep_the_frame(motion):
     frame = ph.shapes.box(2.0, (1.0, 2.0, 3.0)).frame
-    found = dataclasses.replace(motion.sample([0.0, 1.0]), frame=frame).resampled([0.25, 7.0])
+    found = dataclasses.replace(motion.sample([0.0, 1.0]), frame=frame).resample([0.25, 7.0])
     assert found.frame is frame and found.times.tolist() == [0.25, 7.0]
     assert np.array_equal(found.momentum, motion.momentum(np.array([0.25, 7.0])))
     with pytest.raises(InvalidInput, match="not of an exact motion"):
-        dataclasses.replace(found, source=None).resampled([1.0])
+        dataclasses.replace(found, source=None).resample([1.0])
 
 
 def test_samples_of_a_file_take_the_axes_of_a_body(tmp_path):

@@ -183,7 +183,7 @@ def test_what_cannot_be_shown_is_said(tmp_path):
     batch = ph.FreeMotion((1.0, 2.0, 3.0), momentum=[[0.3, 1.8, 1.5], [0.0, 1.0, 1.0]]).sample(TIMES)
     with pytest.raises(InvalidInput, match=r"one body; got a batch of shape \(2,\)"):
         write_page(batch, tmp_path / "page.html")
-    empty = MOTION.sample(TIMES).taken(slice(0))
+    empty = MOTION.sample(TIMES).select(slice(0))
     with pytest.raises(InvalidInput, match="trajectory is empty"):
         write_page(empty, tmp_path / "page.html")
     nothing = replace(MOTION.sample(TIMES), source=Recording(labels=AttitudeLabels()), attitude=None, momentum=None)

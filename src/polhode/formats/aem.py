@@ -67,7 +67,7 @@ def write_aem(
     whole, picoseconds = later(epoch, trajectory.times)
     _check_ascending(np.asarray(trajectory.times), whole, picoseconds)
     if exact_motion(trajectory) is not None:
-        again = trajectory.resampled(since(epoch, whole, picoseconds))
+        again = trajectory.resample(since(epoch, whole, picoseconds))
         trajectory = again if trajectory.angular_velocity is not None else replace(again, angular_velocity=None)
     trajectory = trajectory.along("given")
     columns = _columns(trajectory, np.asarray(trajectory.attitude), rates)

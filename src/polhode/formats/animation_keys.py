@@ -49,7 +49,7 @@ def make_keys(
         clock = _evenly(lasts, fastest * lasts * speed / FINE)
     clock, kept = np.unique(clock.astype(np.float32), return_index=True)
     clock = clock.astype(float)
-    keyed = trajectory.taken(kept) if motion is None else trajectory.resampled(times[0] + speed * clock)
+    keyed = trajectory.select(kept) if motion is None else trajectory.resample(times[0] + speed * clock)
     if (farthest := farthest_turn(keyed)) >= FARTHEST:
         raise InvalidInput(
             f"the keys of the animation are too far apart: {farthest:.3g} rad from one to the next, where less than "

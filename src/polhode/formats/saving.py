@@ -12,11 +12,11 @@ from polhode.motion._trajectory import Trajectory
 from polhode.motion.exact import ExactMotion
 
 
-def write_motion(moved: ExactMotion | Trajectory, path: str | Path) -> Path:
+def write_motion(motion: ExactMotion | Trajectory, path: str | Path) -> Path:
     """Write a motion into a file that appears whole or not at all, and return its path.
 
     Args:
-        moved: a trajectory of one body or system, or an exact motion of one body, of which ``sample()`` is written.
+        motion: a trajectory of one body or system, or an exact motion of one body, of which ``sample()`` is written.
         path: ends in .nc or .zarr (datasets with all quantities, along the principal axes), .csv (a table along the
             given axes), .aem (CCSDS attitude), .bc (SPICE C-kernel), .glb (glTF animation), or as another package's
             format does.
@@ -30,10 +30,10 @@ def write_motion(moved: ExactMotion | Trajectory, path: str | Path) -> Path:
     ...     len(ph.formats.read_csv(write_motion(motion, f"{folder}/motion.csv")))
     2000
     """
-    if not isinstance(moved, ExactMotion | Trajectory):
-        raise InvalidInput(f"`moved` must be a motion or a trajectory; got {shown(moved)}.")
+    if not isinstance(motion, ExactMotion | Trajectory):
+        raise InvalidInput(f"`motion` must be a motion or a trajectory; got {shown(motion)}.")
     place = as_path("path", path)
-    trajectory = moved if isinstance(moved, Trajectory) else moved.sample()
+    trajectory = motion if isinstance(motion, Trajectory) else motion.sample()
     title = getattr(trajectory.source, "title", "")
     return write_content(Content(title or "motion", None, trajectory), place)
 

@@ -24,7 +24,7 @@ Shown = AbstractMotion | Trajectory | Spec[Any] | Report
 
 
 def write_page(
-    moved: Shown,
+    motion: Shown,
     path: str | Path,
     *,
     name: str | None = None,
@@ -35,7 +35,7 @@ def write_page(
     """Write a motion as one HTML file that opens from disk; the file appears whole or not at all.
 
     Args:
-        moved: an exact motion or a trajectory of one body, or a report on a motion or a spec, whose page says what the
+        motion: an exact motion or a trajectory of one body, or a report on a motion or a spec, whose page says what the
             report says.
         path: the file; its folder must exist.
         name: heading of the page; the object's or the system's name if left out.
@@ -54,7 +54,7 @@ def write_page(
     ...     path.stat().st_size < 1_500_000
     True
     """
-    return write_page_text(_page(moved, name, summary, surface, notes), Path(path))
+    return write_page_text(_page(motion, name, summary, surface, notes), Path(path))
 
 
 def write_page_text(page: Page, path: Path) -> Path:
@@ -65,7 +65,7 @@ def write_page_text(page: Page, path: Path) -> Path:
 
 
 def show(
-    moved: Shown,
+    motion: Shown,
     *,
     name: str | None = None,
     summary: str = "",
@@ -76,7 +76,7 @@ def show(
     """Return a motion's page for a notebook to show, as the last line of a cell.
 
     Args:
-        moved: an exact motion or a trajectory of one body, or a report on a motion or a spec, whose page says what the
+        motion: an exact motion or a trajectory of one body, or a report on a motion or a spec, whose page says what the
             report says.
         name: heading of the page; the object's or the system's name if left out.
         summary: a sentence below it.
@@ -87,22 +87,22 @@ def show(
     Raises:
         InvalidInput: as ``write_page`` does.
     """
-    return NotebookPage(_page(moved, name, summary, surface, notes).text, height)
+    return NotebookPage(_page(motion, name, summary, surface, notes).text, height)
 
 
 def _page(
-    moved: Shown, name: str | None, summary: str, surface: Surface | None, notes: Sequence[str]
+    motion: Shown, name: str | None, summary: str, surface: Surface | None, notes: Sequence[str]
 ) -> Page:
-    if isinstance(moved, Spec | Report) and (summary or notes):
+    if isinstance(motion, Spec | Report) and (summary or notes):
         raise InvalidInput("`summary` and `notes` are what a report says, and a spec has its own. Leave them out.")
-    if isinstance(moved, Spec):
-        moved.kind.check_page()
-        return page_of_answers(moved.report(), name or moved.name, moved.picture if surface is None else surface)
-    if isinstance(moved, Report):
-        return _page_of_any_report(moved, name or moved.name, surface)
-    if isinstance(moved, AbstractMotion):
-        moved = moved.sample()
-    return make_page(moved, name=name, summary=summary, surface=surface, notes=notes, content=_content)
+    if isinstance(motion, Spec):
+        motion.kind.check_page()
+        return page_of_answers(motion.report(), name or motion.name, motion.picture if surface is None else surface)
+    if isinstance(motion, Report):
+        return _page_of_any_report(motion, name or motion.name, surface)
+    if isinstance(motion, AbstractMotion):
+        motion = motion.sample()
+    return make_page(motion, name=name, summary=summary, surface=surface, notes=notes, content=_content)
 
 
 def _page_of_any_report(report: Report, name: str, surface: Surface | None) -> Page:

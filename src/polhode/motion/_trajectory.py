@@ -134,7 +134,7 @@ class Trajectory(Plotted):
                 found.append((part, values))
         return found
 
-    def resampled(self, times: ArrayLike) -> Trajectory:
+    def resample(self, times: ArrayLike) -> Trajectory:
         """Return the exact motion of the samples at other times [s], along the same axes.
 
         Raises:
@@ -165,7 +165,7 @@ class Trajectory(Plotted):
         """
         given_axes = self.given_axes if self.frame is None else np.asarray(self.frame.axes)
         given_axes = self.axes if given_axes is None else given_axes
-        return self.standing(chosen_axes(axes, given_axes))
+        return self.turn_to(chosen_axes(axes, given_axes))
 
     def with_frame(self, frame: BodyFrame, along: Literal["given", "principal"] = "given") -> Trajectory:
         """Return the same samples as those of a body, which files of other programs do not say.
@@ -195,7 +195,7 @@ class Trajectory(Plotted):
         samples = self if self.frame is None else self.along(along)
         return replace(samples, frame=frame, axes=np.asarray(frame.axes) if along == "given" else None, given_axes=None)
 
-    def standing(self, axes: Float64[Array, "3 3"] | None) -> Trajectory:
+    def turn_to(self, axes: Float64[Array, "3 3"] | None) -> Trajectory:
         """Return the same samples along axes in which the columns of ``axes`` are the principal ones."""
         own = self.axes
         if own is axes or (axes is not None and own is not None and np.array_equal(axes, own)):
@@ -228,9 +228,9 @@ class Trajectory(Plotted):
                 f"no sample lies between {start:g} s and {end:g} s; they run from {times[0]:g} s to {times[-1]:g} s. "
                 "Choose times within."
             )
-        return self.taken(np.flatnonzero(inside))
+        return self.select(np.flatnonzero(inside))
 
-    def taken(self, rows: Integer[Array, "rows"] | slice) -> Trajectory:
+    def select(self, rows: Integer[Array, "rows"] | slice) -> Trajectory:
         """Return the samples of these indices along the time axis, in their order."""
         axis = len(self.batch_shape)
         at = (slice(None),) * axis + (rows,)

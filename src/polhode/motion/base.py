@@ -295,7 +295,7 @@ class AbstractMotion(ExactMotion):
             source=self._standing(None),
             given_axes=self.given_axes,
         )
-        return trajectory.standing(self.axes)
+        return trajectory.turn_to(self.axes)
 
     def along(self: Motion, axes: str | Real[ArrayLike, "3 3"]) -> Motion:
         """Return the same motion with vectors and attitude along other axes of the body.

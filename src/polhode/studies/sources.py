@@ -292,7 +292,7 @@ def _from_spec(path: Path) -> Source:
     if moved.trajectory.motion is not None:
 
         def exact(times: Any) -> tuple[Any, Any]:
-            samples = moved.trajectory.resampled(times).along("given")
+            samples = moved.trajectory.resample(times).along("given")
             return samples.attitude, samples.angular_velocity
 
         history = replace(history, exact=exact)
