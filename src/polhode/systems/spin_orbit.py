@@ -71,6 +71,10 @@ class SpinOrbit(AbstractSystem):
         return cls(asphericity, float(orbit.eccentricity), float(orbit.mean_motion), float(orbit.mean_anomaly_at_start))
 
     @property
+    def names_all_jumps(self) -> bool:
+        return type(self).vector_field is SpinOrbit.vector_field  # which is smooth
+
+    @property
     def eccentricity(self) -> Float64[Array, ""]:
         """Eccentricity e of the orbit."""
         return self.orbit.eccentricity
