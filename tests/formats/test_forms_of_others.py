@@ -54,7 +54,7 @@ def test_it_is_exported_imported_compared_and_fitted(folder, capsys):
     code, out, _ = run(capsys, "import", "box.qlog")
     assert code == 0 and "QLOG with 31 attitudes" in out and (folder / "box_imported.nc").is_file()
     assert ph.compare("box.toml", "box.qlog").comparison.largest < 1e-12
-    assert ph.fit("box.qlog").kind == "attitude fit"
+    assert ph.fit("box.qlog").kind == "attitude-fit"
 
 
 def test_the_docs_show_it_as_it_is():

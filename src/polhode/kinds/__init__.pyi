@@ -28,7 +28,7 @@ from .base import NextStep as NextStep
 from .base import Spec as Spec
 from .base import SpecMotion as SpecMotion
 from .panel import KindPanel as KindPanel
-from .pictures import Content as Content
+from .pictures import PageContent as PageContent
 from .pictures import Panel as Panel
 from .pictures import Samples as Samples
 from .pictures import Surface as Surface

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
     from polhode.motion.base import AbstractMotion
     from polhode.spec.rotors import SpecRotor
-    from polhode.viewer.panels import Content
+    from polhode.viewer.panels import PageContent
     from polhode.viewer.samples import Samples
 
 
@@ -302,16 +302,16 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         self.check_page()
         return (self.panel() or KindPanel()).shown(report)
 
-    def content_of_report(self, report: SystemReport, samples: Samples, surface: Surface | None) -> Content:
+    def content_of_report(self, report: SystemReport, samples: Samples, surface: Surface | None) -> PageContent:
         """Return the pictures on the page of a report without a motion of its own; see ``KindPanel.content``."""
         return replace((self.panel() or KindPanel()).content(report, samples, surface), scripts=self._scripts())
 
-    def content(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content | None:
+    def content(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> PageContent | None:
         """Return the kind's own pictures of a page; None if it has none. Arguments as ``KindPanel.panels`` has them."""
         panel = self.panel()
         if panel is None:
             return None
-        from polhode.viewer.panels import Content, choose_content, keeps_motion_of
+        from polhode.viewer.panels import PageContent, choose_content, keeps_motion_of
 
         # the page goes on by the equations of the class that names the kind, which an heir may have changed
         names_it = next(one for one in type(trajectory.source).__mro__ if "kind" in vars(one))
@@ -319,7 +319,7 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         panels = panel.panels(trajectory, samples, surface)
         if panels is None:
             return replace(choose_content(trajectory.source, samples, surface, trajectory.frame), model=model)
-        return Content(panels, self._scripts(), model, **panel.plots(trajectory, samples))
+        return PageContent(panels, self._scripts(), model, **panel.plots(trajectory, samples))
 
     def _scripts(self) -> tuple[str, ...]:
         drawn = resources.files(type(self).__module__) / "panel.js"

@@ -17,7 +17,7 @@ from polhode.reports.base import MotionReport, SystemReport
 from polhode.reports.report import Report
 from polhode.viewer.encoding import with_powers
 from polhode.viewer.page import NotebookPage, Page, make_page
-from polhode.viewer.panels import Content
+from polhode.viewer.panels import PageContent
 from polhode.viewer.samples import Samples
 
 Shown = AbstractMotion | Trajectory | Spec[Any] | Report
@@ -145,7 +145,7 @@ def page_of_answers(report: SystemReport, name: str, surface: Surface | None) ->
                    content=lambda _, samples, drawn: kind.content_of_report(report, samples, drawn))  # fmt: skip
 
 
-def _content(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> Content | None:
+def _content(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> PageContent | None:
     """Return the own pictures of the motion's kind."""
     kind = kind_of_source(trajectory.source)
     return None if kind is None else kind.content(trajectory, samples, surface)

@@ -9,7 +9,7 @@ from polhode.errors import InvalidInput
 if TYPE_CHECKING:
     from polhode.bodies.surface import Surface
     from polhode.motion._trajectory import Trajectory
-    from polhode.viewer.panels import Content, Panel
+    from polhode.viewer.panels import PageContent, Panel
     from polhode.viewer.samples import Samples
 
 
@@ -31,7 +31,7 @@ class KindPanel:
         return None
 
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
-        """Return ``plots`` and ``scatters`` of ``Content``, by name; without them Ω, angles or parts are plotted."""
+        """Return ``plots`` and ``scatters`` of ``PageContent``, by name; by default Ω, angles or parts are plotted."""
         return {}
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
@@ -50,7 +50,7 @@ class KindPanel:
         """
         raise InvalidInput(f"a report of kind {report.kind} has nothing that moves to show.")
 
-    def content(self, report: Any, samples: Samples, surface: Surface | None) -> Content:
+    def content(self, report: Any, samples: Samples, surface: Surface | None) -> PageContent:
         """Return the pictures on the page of a report without a motion of its own.
 
         Raises:

@@ -2,7 +2,7 @@
 
 from polhode.bodies.surface import Surface
 from polhode.viewer.encoding import pack
-from polhode.viewer.panels import Content, Panel
+from polhode.viewer.panels import PageContent, Panel
 from polhode.viewer.samples import Samples
 
-__all__ = ["Content", "Panel", "Samples", "Surface", "pack"]
+__all__ = ["PageContent", "Panel", "Samples", "Surface", "pack"]

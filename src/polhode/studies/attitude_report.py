@@ -42,7 +42,7 @@ class AttitudeReport(StudyReport):
         moments: I1, I2, I3 [kg m²]; None where only their ratios are known.
     """
 
-    kind: ClassVar[str] = "attitude fit"
+    kind: ClassVar[str] = "attitude-fit"
     data_file: ClassVar[str] = "fit.nc"
     name: str
     fit: AttitudeFit

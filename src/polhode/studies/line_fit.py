@@ -40,7 +40,7 @@ class LineFitReport(StudyReport):
         warned: warnings of the readers and the fit.
     """
 
-    kind: ClassVar[str] = "line fit"
+    kind: ClassVar[str] = "line-fit"
     data_file: ClassVar[str] = "fit.par"
     name: str
     start: Rotor

@@ -30,7 +30,7 @@ class PendulumReport(StudyReport):
         fit: the numbers.
     """
 
-    kind: ClassVar[str] = "pendulum fit"
+    kind: ClassVar[str] = "pendulum-fit"
     measured: Measurements
     fit: PendulumFit
 

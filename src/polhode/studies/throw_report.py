@@ -52,7 +52,7 @@ class ThrowReport(StudyReport):
         moments: I1, I2, I3 [kg m²]; None where only their ratios are known.
     """
 
-    kind: ClassVar[str] = "throw fit"
+    kind: ClassVar[str] = "throw-fit"
     data_file: ClassVar[str] = "fit.nc"
     fit: ThrowFit
     names: Sequence[str]

@@ -18,7 +18,14 @@ from polhode.motion._trajectory import Trajectory
 from polhode.reports.wording import unit_in_words
 from polhode.types import Array
 from polhode.viewer.encoding import as_script_json, pack, with_powers
-from polhode.viewer.panels import Content, choose_content, choose_title, choose_up, find_free_moments, keeps_motion_of
+from polhode.viewer.panels import (
+    PageContent,
+    choose_content,
+    choose_title,
+    choose_up,
+    find_free_moments,
+    keeps_motion_of,
+)
 from polhode.viewer.samples import Samples, take_samples
 
 UNTRUSTED = "Here stands the page of a motion. Run this cell, or trust the notebook, to see it."
@@ -72,7 +79,7 @@ class Page(NamedTuple):
 
 def make_page(
     trajectory: Trajectory, *, name: str | None, summary: str, surface: Surface | None,
-    notes: Sequence[str], content: Callable[[Trajectory, Samples, Surface | None], Content | None],
+    notes: Sequence[str], content: Callable[[Trajectory, Samples, Surface | None], PageContent | None],
     scatters: Sequence[dict[str, Any]] = (),
 ) -> Page:  # fmt: skip
     """Return the content of a page of one motion.

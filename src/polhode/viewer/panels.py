@@ -28,7 +28,7 @@ AXIS = np.array([0.0, 0.0, 1.0])
 
 
 @dataclass(frozen=True)
-class Content:
+class PageContent:
     """The pictures of a motion on a page.
 
     Attributes:
@@ -54,7 +54,7 @@ class Content:
 
 def choose_content(
     source: Any, samples: Samples, surface: Surface | None, frame: BodyFrame | None = None
-) -> Content:
+) -> PageContent:
     """Return the pictures for any body, the body first, as its system or exact motion determines.
 
     Args:
@@ -65,17 +65,17 @@ def choose_content(
     """
     moments = find_moments(source)
     if is_mechanical(source) and source.has_vertical:
-        return Content(top_panels(source, samples, moments, surface, frame))
+        return PageContent(top_panels(source, samples, moments, surface, frame))
     panels = body_panels(samples, moments, surface)
     if samples.momentum is None or not np.linalg.norm(samples.momentum, axis=-1).any():
-        return Content(panels)
+        return PageContent(panels)
     if find_free_moments(source, samples) is None:
         levels = moments if _turns_as_one(samples, moments) else None
-        return Content([*panels, sphere_of_levels(samples.momentum, levels)])
+        return PageContent([*panels, sphere_of_levels(samples.momentum, levels)])
     panels.append(_sphere_of_polhodes())
     if samples.attitude is not None:
         panels.append({"type": "poinsot"})
-    return Content(panels)
+    return PageContent(panels)
 
 
 def is_mechanical(source: Any) -> bool:

@@ -25,7 +25,7 @@ from polhode.reports.spectra import WAVE_NUMBER, frequency, label, wave_number
 from polhode.reports.wording import in_its_unit
 from polhode.types import Array, Float64
 from polhode.viewer.encoding import pack
-from polhode.viewer.panels import Content, body_panels
+from polhode.viewer.panels import PageContent, body_panels
 from polhode.viewer.samples import Samples
 
 MIDDLE_IS_Z = Representation.IIr  # x, y, z = c, a, b
@@ -178,7 +178,7 @@ class QuantumRotorPanel(KindPanel):
         trajectory = motion.sample(np.linspace(0.0, span, SAMPLES))
         return trajectory if report.frame is None else replace(trajectory, frame=report.frame)
 
-    def content(self, report: QuantumRotorReport, samples: Samples, surface: Surface | None) -> Content:
+    def content(self, report: QuantumRotorReport, samples: Samples, surface: Surface | None) -> PageContent:
         """Return the body, the sphere of the levels' polhodes and, up to J = 60, the Wigner function."""
         directions, above = _polhodes(report)
         families = [
@@ -197,4 +197,4 @@ class QuantumRotorPanel(KindPanel):
         panels[0] |= VIEW
         units = {"energy": [constants.h * WAVE_NUMBER, "cm⁻¹"], "momentum": [constants.hbar, "ħ"]}
         words = {"axes": axes, "units": units}
-        return Content(panels, model=_model(report, directions), solved=True, words=words)
+        return PageContent(panels, model=_model(report, directions), solved=True, words=words)
