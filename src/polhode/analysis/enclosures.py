@@ -397,7 +397,7 @@ def _is_same(x: Any, y: Any) -> bool:
     if isinstance(x, FunctionType) and isinstance(y, FunctionType):
         enclosed = [[cell.cell_contents for cell in each.__closure__ or ()] for each in (x, y)]
         return x.__code__ is y.__code__ and x.__defaults__ == y.__defaults__ and all(map(_is_same, *enclosed))
-    return type(x) is type(y) and np.array_equal(x, y)
+    return type(x) is type(y) and bool(np.array_equal(np.asarray(x), np.asarray(y)))
 
 
 def _check_radii(value: ArrayLike | None, balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
