@@ -17,7 +17,7 @@ import numpy as np
 
 from polhode.types import Array, Float64
 
-FARTHEST = 700.0  # logarithm of a distance from a pole, beyond which there is no double
+FARTHEST = 700.0  # of the logarithm of a distance from a pole: its exponential is still a double
 HALVINGS = 200  # of an interval, until it is empty
 Factors = Callable[[float], Float64[Array, "3"]]
 
@@ -54,7 +54,7 @@ def _roots(moments: Array, h: Array) -> list[tuple[Factors, float]]:
     behind: Factors = lambda u: (smallest - moments) / smallest - moments / smallest * math.exp(u)  # noqa: E731
     found = [(f, _halve(lambda u, f=f: _excess(h, f(u)), -FARTHEST, FARTHEST)) for f in (before, behind)]
     for low, high in itertools.pairwise(each):
-        factors = _between(moments, low, high)
+        factors = _make_factors(moments, low, high)
         # the least value is where the derivative by λ, 2 Σ I_i Π_i²/(1 − λI_i), changes its sign
         slope = lambda u, f=factors: -float(np.sum(np.where(h, moments * h**2 / f(u) ** 3, 0.0)))  # noqa: E731
         least = _halve(slope, -FARTHEST, FARTHEST)
@@ -65,7 +65,7 @@ def _roots(moments: Array, h: Array) -> list[tuple[Factors, float]]:
     return found
 
 
-def _between(moments: Array, low: float, high: float) -> Factors:
+def _make_factors(moments: Array, low: float, high: float) -> Factors:
     """Return the factors between the poles 1/low and 1/high, at shares s and 1 − s of the way for s/(1 − s) = eᵘ."""
     width = (low - high) / (low * high)
 

@@ -27,7 +27,7 @@ def by_numbers(equation: Any, arguments: list[Array]) -> list[Shaped[Array, "...
 
     results = equation.primitive.bind(*[jnp.asarray(a) for a in arguments], **equation.params)
     results = results if equation.primitive.multiple_results else [results]
-    # keys of JAX's random numbers are no arrays of NumPy
+    # NumPy cannot hold JAX's random keys
     return [x if jnp.issubdtype(x.dtype, jax.dtypes.extended) else np.asarray(x) for x in results]
 
 

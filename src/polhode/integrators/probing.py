@@ -262,11 +262,11 @@ def name_jumps(system: System, jumps: Float64[np.ndarray, "jumps"]) -> System:
     if not len(jumps):
         return system
     kind, fields = type(system), {field.name: getattr(system, field.name) for field in dataclasses.fields(system)}
+    known = getattr(system, FURTHER, None)
+    fields[FURTHER] = jnp.asarray(jumps if known is None else np.concatenate([known, jumps]))
     if "jumps" in fields:  # a field of its own, which takes them
         fields["jumps"] = jnp.concatenate([jnp.ravel(jnp.asarray(system.jumps, float)), jnp.asarray(jumps)])
         return _with_fields(kind, fields)
-    known = getattr(system, FURTHER, None)
-    fields[FURTHER] = jnp.asarray(jumps if known is None else np.concatenate([known, jumps]))
     return _with_fields(kind if known is not None else _make_naming_class(kind), fields)
 
 

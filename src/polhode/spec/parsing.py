@@ -34,7 +34,7 @@ def read_tables(path: Path, kind: str = "spec") -> dict[str, Any]:
     except tomllib.TOMLDecodeError as error:
         if path.suffix.lower() in ATOMS:
             raise FormatError(
-                f'{path}: holds atoms, and is no {kind}. Write a spec with molecule = "{path.name}" under [body], or '
+                f'{path}: holds atoms; it is not a {kind}. Write a spec with molecule = "{path.name}" under [body], or '
                 "give the file to `polhode levels`."
             ) from None
         raise FormatError(f"{path}: is not TOML ({error}). {REMEDY}") from None

@@ -85,8 +85,8 @@ def rotor_of_body(
     rotor = Rotor.from_body(body, **options)
     if atoms is None and rotor.constants[1] < LEAST_CONSTANT:
         raise InvalidInput(
-            f"the body is no molecule: its rotational constant B would be {rotor.constants[1]:.2g} Hz. Give molecule "
-            "or rotational_constants under [body]; the motion of other bodies is classical, see `polhode report`."
+            f"the body is not a molecule: its rotational constant B would be {rotor.constants[1]:.2g} Hz. Give "
+            "molecule or rotational_constants under [body]; other bodies move classically, see `polhode report`."
         )
     return rotor, atoms
 

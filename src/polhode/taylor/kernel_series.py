@@ -55,7 +55,7 @@ LEAST = 1e-300  # ratio, whose logarithm is a number
 TOO_LARGE = 1e250  # for a coefficient, as products of two are summed
 LEFT_OF_ROOT = 0.1  # of what is under a root, in a step
 MOST_EXPONENT = 8.0  # by which an exponent changes in a step
-MOST_ANGLE = 4.0  # rad by which an angle does, of which there are sines
+MOST_ANGLE = 4.0  # rad by which the argument of a sine changes in a step
 UNDERFLOW = -700.0  # an exponent, up to which it may come from any lower one
 
 
