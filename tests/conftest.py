@@ -214,6 +214,27 @@ def windows(browser):
     return Windows(browser)
 
 
+@pytest.fixture(scope="module")
+def plugin():
+    """Have packages of others on the path, found by their entry points as installed ones are, during one file's tests.
+
+    What lists them keeps its list: without asking anew, later files found the plugin's format among polhode's own.
+    """
+    from polhode.formats import form_registry
+    from polhode.kinds import registry
+    from polhode.spec import named
+
+    folder = Path(__file__).parent / "plugin"
+    lists = (registry._others, named._others, form_registry.forms)
+    sys.path.insert(0, str(folder))
+    for listed in lists:
+        listed.cache_clear()
+    yield folder
+    sys.path.remove(str(folder))
+    for listed in lists:
+        listed.cache_clear()
+
+
 @pytest.fixture
 def any_type():
     """What a user's call without a type checker does."""

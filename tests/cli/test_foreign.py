@@ -3,7 +3,6 @@
 import json
 import sys
 from importlib.metadata import EntryPoint
-from pathlib import Path
 
 import pytest
 
@@ -11,12 +10,10 @@ import polhode as ph
 from polhode.cli import foreign
 from polhode.cli.main import main
 
-PLUGIN = Path(__file__).parents[1] / "plugin"
-
 
 @pytest.fixture(autouse=True)
-def plugin(monkeypatch):
-    monkeypatch.syspath_prepend(str(PLUGIN))
+def anew(plugin):
+    """Have each test import the package anew."""
     yield
     for name in [name for name in sys.modules if name.startswith("swing_timer")]:
         del sys.modules[name]

@@ -83,25 +83,20 @@ def test_they_are_in_the_wheel(tmp_path):
     assert "polhode/examples/t_handle.stl" in names and "polhode/bodies/atomic_weights.csv" in names
 
 
-def test_an_example_of_another_package(capsys, tmp_path, monkeypatch):
+def test_an_example_of_another_package(capsys, tmp_path, monkeypatch, plugin):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.syspath_prepend(str(Path(__file__).parents[1] / "plugin"))
-    registry._others.cache_clear()
-    try:
-        code, out, _ = run(["new"], capsys)
-        assert code == 0 and "(package spherical_pendulum)" in out
-        with monkeypatch.context() as patched:
-            plain = '[system]\nkind = "spherical-pendulum"\nlength = "1 m"\n'
-            patched.setattr(type(registry.find_kind("spherical-pendulum")), "example", plain)
-            code, out, _ = run(["new"], capsys)  # whose comment, which there is none of, was "."
-        what = "A mass on a rod that swings any way under its weight."
-        assert code == 0 and f"spherical-pendulum {what} (package spherical_pendulum)" in out
-        code, out, _ = run(["new", "spherical-pendulum"], capsys)
-        assert code == 0 and "Next: polhode report spherical-pendulum.toml" in out
-        assert read_spec("spherical-pendulum.toml").kind.name == "spherical-pendulum"
-        code, _, err = run(["new", "spherical-pendulum"], capsys)
-        assert code == 2 and "is there already, and nothing was copied" in err
-        code, _, err = run(["new", "spherical-pendulm"], capsys)
-        assert code == 2 and "did you mean spherical-pendulum?" in err
-    finally:
-        registry._others.cache_clear()
+    code, out, _ = run(["new"], capsys)
+    assert code == 0 and "(package spherical_pendulum)" in out
+    with monkeypatch.context() as patched:
+        plain = '[system]\nkind = "spherical-pendulum"\nlength = "1 m"\n'
+        patched.setattr(type(registry.find_kind("spherical-pendulum")), "example", plain)
+        code, out, _ = run(["new"], capsys)  # whose comment, which there is none of, was "."
+    what = "A mass on a rod that swings any way under its weight."
+    assert code == 0 and f"spherical-pendulum {what} (package spherical_pendulum)" in out
+    code, out, _ = run(["new", "spherical-pendulum"], capsys)
+    assert code == 0 and "Next: polhode report spherical-pendulum.toml" in out
+    assert read_spec("spherical-pendulum.toml").kind.name == "spherical-pendulum"
+    code, _, err = run(["new", "spherical-pendulum"], capsys)
+    assert code == 2 and "is there already, and nothing was copied" in err
+    code, _, err = run(["new", "spherical-pendulm"], capsys)
+    assert code == 2 and "did you mean spherical-pendulum?" in err

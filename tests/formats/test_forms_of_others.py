@@ -27,13 +27,11 @@ samples = 31
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch):
+def folder(tmp_path, monkeypatch, plugin):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.syspath_prepend(str(PLUGIN))
-    form_registry.forms.cache_clear()
     (tmp_path / "box.toml").write_text(SPEC)
     yield tmp_path
-    form_registry.forms.cache_clear()
+    form_registry.forms.cache_clear()  # which a test has changed
 
 
 def run(capsys, *arguments):

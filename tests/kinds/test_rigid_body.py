@@ -87,11 +87,7 @@ def test_the_axis_of_a_spinning_satellite_rests_and_swings_at_the_rates_that_are
 
 
 @pytest.mark.long
-def test_another_packages_torque_is_named_by_its_entry_point(tmp_path, monkeypatch):
-    monkeypatch.syspath_prepend(str(Path(__file__).parents[1] / "plugin"))
-    from polhode.spec import named
-
-    named._others.cache_clear()
+def test_another_packages_torque_is_named_by_its_entry_point(tmp_path, plugin):
     text = HEAD + '[body]\nmoments = ["2 kg*m^2", "2 kg*m^2", "2 kg*m^2"]\n' + (
         '[spin]\nangular_velocity = ["0.3 rad/s", "0 rad/s", "0.4 rad/s"]\n'
         '[[torque]]\ntype = "bdot-coils"\ngain = "4e7 A*m^2*s/T"\nfield = ["30 uT", "0 T", "0 T"]\n'
@@ -102,7 +98,6 @@ def test_another_packages_torque_is_named_by_its_entry_point(tmp_path, monkeypat
     assert np.linalg.norm(found.history.velocity[-1]) == pytest.approx(math.hypot(0.3, 0.4 * math.exp(-100 * rate)))
     with pytest.raises(InvalidInput, match="did you mean bdot-coils"):
         spec(tmp_path, text.replace("bdot-coils", "bdot-coil"))
-    named._others.cache_clear()
 
 
 @pytest.mark.long

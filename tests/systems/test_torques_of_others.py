@@ -1,6 +1,5 @@
 """A torque that another package brings goes where ours go, without a change to any file of ours."""
 
-from pathlib import Path
 
 import equinox as eqx
 import jax
@@ -20,8 +19,7 @@ START = np.array([0.3, 0.0, 0.4])
 
 
 @pytest.fixture
-def coils(monkeypatch):
-    monkeypatch.syspath_prepend(str(Path(__file__).parents[1] / "plugin"))
+def coils(plugin):
     from bdot_coils import BDotCoils
 
     return BDotCoils
