@@ -132,7 +132,7 @@ def test_files_and_motions_are_compared(capsys, tmp_path):
     found = ph.compare(motion, motion.motion)
     assert found.comparison.is_rounding and found.kind == "comparison" and "comparison" in found.figures()
     by_files = ph.compare(spec, spec)
-    said = said_by(capsys, "compare", spec, spec, "--out", tmp_path / "out")
+    said = said_by(capsys, "compare", spec, spec, "--figures", tmp_path / "out")
     assert said.pop("files") == [str(tmp_path / "out" / "comparison.png")] and said == json.loads(by_files.json())
     assert ph.compare(str(spec), by_files_history(spec)).comparison.is_rounding
     with pytest.raises(InvalidInput, match="`offset` must be a time in seconds where not both are files; got 'start'"):

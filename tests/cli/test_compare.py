@@ -335,7 +335,7 @@ REFUSED = [
     (["compare", "box.toml", "box.bc", "--sclk", "none.tsc"], "none.tsc"),
     (["compare", "box.toml", "box.bc", "--spice-id", "-5"], "-321000"),
     (["compare", "box.toml", "box.bc", "--spec", "wheel.toml"], "neither of a free body nor of a top"),
-    (["compare", "wheel.toml", "box.bc", "--out", "box.toml"], "box.toml"),
+    (["compare", "wheel.toml", "box.bc", "--figures", "box.toml"], "box.toml"),
     (["import", "box.toml"], "is no AEM"),
     (["import", "box.bc", "--spec", "box.aem"], "box.aem: is an AEM, and --spec wants a spec"),
     (["compare", "box.aem", "box.bc", "--spec", "own.nc"], "own.nc: is a dataset, and --spec wants a spec"),

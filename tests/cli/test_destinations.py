@@ -73,7 +73,7 @@ QUICK = [("sweep", place) for place in PLACES] + [(name, ".") for name in COMMAN
 @pytest.mark.parametrize(("name", "place"), only(QUICK, CASES))
 def test_odd_destinations(folder, capsys, name, place):
     before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
-    option = "--figures" if name == "figures of tumble" else "--out"
+    option = "--figures" if name in ("compare", "figures of tumble") else "--out"
     with pytest.raises(SystemExit) as ended:
         main([*COMMANDS[name], option, place])
     code, errors = ended.value.code or 0, capsys.readouterr().err

@@ -63,7 +63,7 @@ def test_a_closed_output_is_an_error(spec, tmp_path, arguments):
 @pytest.mark.parametrize("arguments", [["body", "no\x1b[31m.toml"], ["body", os.fsdecode(b"\xff\x1b.toml")],
                                        ["export", "case.toml", "--to", "\x1b[31mcsv"], ["bo\x1bdy"],
                                        ["body", "--\x1b[31mx"],
-                                       ["report", "case.toml", "--figures", "[red]\x1b"]])  # fmt: skip
+                                       ["report", "case.toml", "--figure-format", "[red]\x1b"]])  # fmt: skip
 def test_messages_hold_nothing_that_a_terminal_obeys(spec, capfd, arguments):
     code, out, err = run(arguments, capfd)
     assert code == 2 and out == "" and err and "\x1b" not in err and "Traceback" not in err

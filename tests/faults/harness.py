@@ -29,7 +29,7 @@ FIGURES = ("momentum_sphere", "inertia_ellipsoid", "components", "herpolhode")
 COMMANDS = {
     ("report", "case.toml", "--html"): [*(f"case/{n}.png" for n in FIGURES), "case/motion.nc", "case/page.html"],
     ("view", "case.toml", "--no-open"): ["case.html"],
-    ("compare", "case.toml", "other.toml", "--out", "both"): ["both/comparison.png"],
+    ("compare", "case.toml", "other.toml", "--figures", "both"): ["both/comparison.png"],
     **{("export", "case.toml", "--to", form): [f"case.{ending}" for ending in endings.split()] for form, endings in {
         "csv": "csv", "netcdf": "nc", "zarr": "zarr", "aem": "aem", "ck": "bc tf tsc tls", "gltf": "glb",
         "urdf": "urdf",

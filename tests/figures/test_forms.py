@@ -66,7 +66,7 @@ def test_all_forms_of_all_figures_are_what_they_say(spec, tmp_path):
 
 @pytest.mark.sweep
 def test_the_command_writes_the_forms_asked_for_and_clears_its_own(spec, capsys, tmp_path):
-    code, out, _ = run(["report", spec, "--json", "--figures", "svg,PDF", "--figures", "svg"], capsys)
+    code, out, _ = run(["report", spec, "--json", "--figure-format", "svg,PDF", "--figure-format", "svg"], capsys)
     assert code == 0
     written = [name.split("/")[-1] for name in json.loads(out)["files"]]
     assert sorted(written) == sorted([f"{n}.{f}" for n in NAMES for f in ("svg", "pdf")] + ["motion.nc"])
@@ -89,7 +89,7 @@ def test_the_command_writes_the_forms_asked_for_and_clears_its_own(spec, capsys,
 
 @pytest.mark.parametrize("forms", ["jpg", "png,", "svg,eps", ""])
 def test_forms_that_are_none(spec, capsys, tmp_path, forms):
-    code, out, err = run(["report", spec, "--figures", forms], capsys)
+    code, out, err = run(["report", spec, "--figure-format", forms], capsys)
     said = "png, svg, pdf" if forms else "an argument is empty"
     assert code == 2 and out == "" and said in err
     assert [p.name for p in tmp_path.iterdir()] == ["case.toml"]

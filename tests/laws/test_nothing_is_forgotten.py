@@ -127,7 +127,7 @@ CALLED_BY_OTHERS = {
     "systems.euler_disk.rolling_parts",
     "analysis.enclosures.enclose_by_series",
     "analysis.energy_casimir.Stability", "analysis.energy_casimir.energy_casimir", "analysis.spin_motion.steps_for",
-    "analysis.spin_orbit.make_table", "analysis.spin_orbit.scale_start", "analysis.spin_orbit.check_count",
+    "analysis.spin_orbit.make_kicks", "analysis.spin_orbit.scale_start", "analysis.spin_orbit.check_count",
     "analysis.stability.scaled_field", "bodies.atoms.atomic_masses", "bodies.atoms.isotopic_masses",
     "bodies.atoms.is_element", "bodies.atoms.mass_properties",
     "bodies.body.check_is_body",

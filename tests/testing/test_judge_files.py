@@ -218,7 +218,7 @@ def test_a_motion_of_which_a_run_is_refused_counts_once(tmp_path):
 def test_a_file_of_refused_runs_alone_ends_with_exit_code_2(tmp_path):
     runs = [written(midpoint, h, until=2.0) | {"times": [1, 2]} for h in (0.04, 0.02)]
     judged(tmp_path, runs)
-    outcome = run_command(["judge", "states.json", "--out", "pictures"], tmp_path)
+    outcome = run_command(["judge", "states.json", "--figures", "pictures"], tmp_path)
     assert outcome.code == 2 and not outcome.raised and not outcome.left
     assert "Nothing was judged: 2 runs were refused." in outcome.out
     assert f"states.json: no run could be judged; run 1 ({FLIPS}): `times` must be four" in outcome.error

@@ -83,7 +83,7 @@ ph.figures.save(motion.plot(), "motion.png")
 
 # measurements
 found = ph.fit("one.csv", "other.csv", drag=True)
-print(found.summary, found.json())
+print(found.summary, found.json(), found.fit)
 difference = ph.compare("one.nc", "other.nc")
 print(difference.summary)
 print(ph.tumble("apophis").values())

@@ -25,7 +25,7 @@ TURN = 2.0 * math.pi
 ORDER = 6
 
 
-class Table(NamedTuple):
+class Kicks(NamedTuple):
     """One orbit: drift, kick, drift, kick, …, and one drift more.
 
     Attributes:
@@ -41,7 +41,7 @@ class Table(NamedTuple):
     last_drift: Float64[Array, ""]
 
 
-def tabulate(system: SpinOrbit, steps: int) -> Table:
+def tabulate(system: SpinOrbit, steps: int) -> Kicks:
     """Return the orbit in a number of steps, each of nine kicks."""
     e = system.eccentricity
     edges = TURN * np.arange(steps + 1) / steps
@@ -53,7 +53,7 @@ def tabulate(system: SpinOrbit, steps: int) -> Table:
     sizes, middles = sizes.ravel(), middles.ravel()
     kicks, phases = _kicks(middles - TURN * np.round(middles / TURN), sizes, e, system.asphericity)
     drifts = 0.5 * (np.append(0.0, sizes) + np.append(sizes, 0.0))
-    return Table(jnp.asarray(drifts[:-1]), kicks, phases, jnp.asarray(drifts[-1]))
+    return Kicks(jnp.asarray(drifts[:-1]), kicks, phases, jnp.asarray(drifts[-1]))
 
 
 @compiled_for_few_calls
@@ -66,7 +66,7 @@ def _kicks(anomalies: Array, sizes: Array, e: Array, asphericity: Array) -> tupl
 
 
 @partial(jax.jit, static_argnames="periods")
-def section(table: Table, states: Float64[Array, "*batch 2"], periods: int) -> Float64[Array, "{periods} *batch 3"]:
+def section(kicks: Kicks, states: Float64[Array, "*batch 2"], periods: int) -> Float64[Array, "{periods} *batch 3"]:
     """Return (θ, p) after each period and the whole turns taken out of θ since the last (periods, …, 3), |θ| ≤ π."""
 
     def kick(state: tuple[Array, Array], row: tuple[Array, ...]) -> tuple[tuple[Array, Array], None]:
@@ -75,8 +75,8 @@ def section(table: Table, states: Float64[Array, "*batch 2"], periods: int) -> F
         return (q, p - strength * jnp.sin(2.0 * q - phase)), None
 
     def orbit(state: tuple[Array, Array], _: None) -> tuple[tuple[Array, Array], Array]:
-        (q, p), _ = jax.lax.scan(kick, state, table[:3])
-        whole = q + table.last_drift * p
+        (q, p), _ = jax.lax.scan(kick, state, kicks[:3])
+        whole = q + kicks.last_drift * p
         q = _wrap_angle(whole)
         return (q, p), jnp.stack([q, p, jnp.round((whole - q) / TURN)], axis=-1)
 
@@ -85,7 +85,7 @@ def section(table: Table, states: Float64[Array, "*batch 2"], periods: int) -> F
 
 @partial(jax.jit, static_argnames=("periods", "renormalise"))
 def carry_neighbours(
-    table: Table,
+    kicks: Kicks,
     states: Float64[Array, "*batch 2"],
     neighbours: Float64[Array, "*batch 2 k"],
     periods: int,
@@ -94,7 +94,7 @@ def carry_neighbours(
     """Return neighbours after all periods (…, 2, k), and by the logarithm of what they grew in each (periods, …, k).
 
     Args:
-        table: of the orbit.
+        kicks: of the orbit.
         states: (…, 2) angle θ and p.
         neighbours: (…, 2, k) small differences from the states.
         periods: how many orbits.
@@ -111,8 +111,8 @@ def carry_neighbours(
 
     def orbit(state: tuple[Array, ...], _: None) -> tuple[tuple[Array, ...], Array]:
         before = jnp.hypot(state[2], state[3])
-        (q, p, dq, dp), _ = jax.lax.scan(kick, state, table[:3])
-        q, dq = _wrap_angle(q + table.last_drift * p), dq + table.last_drift * dp
+        (q, p, dq, dp), _ = jax.lax.scan(kick, state, kicks[:3])
+        q, dq = _wrap_angle(q + kicks.last_drift * p), dq + kicks.last_drift * dp
         growth = jnp.hypot(dq, dp) / before
         if renormalise:
             length = jnp.hypot(dq, dp)

@@ -12,7 +12,7 @@ from polhode.analysis.spin_orbit import (
     STEPS,
     check_count,
     lyapunov_exponent,
-    make_table,
+    make_kicks,
     resonance_strength,
     scale_start,
 )
@@ -114,7 +114,7 @@ def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | No
     verdict = _verdict(exponents * TURN * np.arange(1, orbits + 1) / n)
     if e == 0.0 or float(system.asphericity) == 0.0:
         verdict = "regular"
-    points = np.asarray(section(make_table(system, steps), start, orbits))
+    points = np.asarray(section(make_kicks(system, steps), start, orbits))
     angles = np.append(float(start[0]), points[:, 0] + TURN * np.cumsum(points[:, 2]))
     advance = np.diff(angles) / TURN
     if verdict == "chaotic":

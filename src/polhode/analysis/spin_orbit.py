@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.analysis._periapsis_map import Table, carry_neighbours, section, tabulate
+from polhode.analysis._periapsis_map import Kicks, carry_neighbours, section, tabulate
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.special.elliptic import complete_k
@@ -66,8 +66,8 @@ def poincare_section(
     >>> libration.shape, bool(abs(libration[:, 0]).max() < 0.2)
     ((201, 2), True)
     """
-    start, table = scale_start(system, states), make_table(system, steps)
-    points = section(table, start, check_count("periods", periods))[..., :2]
+    start, kicks = scale_start(system, states), make_kicks(system, steps)
+    points = section(kicks, start, check_count("periods", periods))[..., :2]
     points = np.moveaxis(np.concatenate([np.asarray(start)[None], np.asarray(points)]), 0, -2)
     return points * np.array([1.0, float(system.mean_motion)])
 
@@ -84,9 +84,9 @@ def tangent_map(
         periods: how many orbits.
         steps: per orbit, as in ``poincare_section``.
     """
-    start, table = scale_start(system, states), make_table(system, steps)
+    start, kicks = scale_start(system, states), make_kicks(system, steps)
     sides = jnp.broadcast_to(jnp.eye(2), (*start.shape, 2))
-    grown, _ = carry_neighbours(table, start, sides, check_count("periods", periods), False)
+    grown, _ = carry_neighbours(kicks, start, sides, check_count("periods", periods), False)
     return np.asarray(grown)
 
 
@@ -107,9 +107,9 @@ def lyapunov_exponent(
 
     Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137; Benettin et al., Meccanica 15 (1980) 9.
     """
-    start, table = scale_start(system, states), make_table(system, steps)
+    start, kicks = scale_start(system, states), make_kicks(system, steps)
     side = jnp.full((*start.shape, 1), math.sqrt(0.5))
-    _, growth = carry_neighbours(table, start, side, check_count("periods", periods), True)
+    _, growth = carry_neighbours(kicks, start, side, check_count("periods", periods), True)
     times = TURN / float(system.mean_motion) * np.arange(1, periods + 1)
     return np.moveaxis(np.cumsum(np.asarray(growth)[..., 0], axis=0), 0, -1) / times
 
@@ -195,7 +195,7 @@ def overlap_threshold(eccentricity: Real[ArrayLike, "*shape"]) -> Float64[Array,
     return 1.0 / (2.0 + np.sqrt(14.0 * np.asarray(eccentricity, dtype=float)))
 
 
-def make_table(system: SpinOrbit, steps: int | None) -> Table:
+def make_kicks(system: SpinOrbit, steps: int | None) -> Kicks:
     default = math.ceil(STEPS / math.sqrt(1.0 - float(system.eccentricity)))
     return tabulate(system, default if steps is None else check_count("steps", steps))
 

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.column_mapping import ColumnMapping, make_mapping
 from polhode.spec.parsing import read_tables
-from polhode.studies.tables import Table
+from polhode.studies.tables import TableMapping
 
 SIDES = ("a", "b")
 
@@ -38,7 +38,7 @@ class ColumnOptions(NamedTuple):
         return {name: value for name, value in self._asdict().items() if value is not None and name != "mapping"}
 
 
-def table_to_import(options: ColumnOptions) -> Table | None:
+def table_to_import(options: ColumnOptions) -> TableMapping | None:
     """Return the mapping of the file to import; None without options for columns.
 
     Raises:
@@ -50,10 +50,10 @@ def table_to_import(options: ColumnOptions) -> Table | None:
     if sides := [side for side in SIDES if side in words]:
         why = f"has a table [{sides[0]}], which is for `polhode compare`"
         raise InvalidInput(f"{options.mapping}: {why}. Leave it out.")
-    return Table(_make_mapping(words, _place(options)), True)
+    return TableMapping(_make_mapping(words, _place(options)), True)
 
 
-def tables_to_compare(options: ColumnOptions) -> tuple[Table | None, Table | None]:
+def tables_to_compare(options: ColumnOptions) -> tuple[TableMapping | None, TableMapping | None]:
     """Return the mappings of A and of B; None for a file without one.
 
     Raises:
@@ -66,12 +66,12 @@ def tables_to_compare(options: ColumnOptions) -> tuple[Table | None, Table | Non
     for side, value in own.items():
         if not isinstance(value, dict):
             raise InvalidInput(f"{options.mapping}: [{side}] must be a table of words of a mapping.")
-    tables: list[Table | None] = []
+    tables: list[TableMapping | None] = []
     for side in SIDES:
         settings = {**words, **own.get(side, {})}
         needed = side in own or not own  # with one side alone, the other needs no mapping
         where = f"{_place(options)}[{side}]: " if side in own else _place(options)
-        tables.append(Table(_make_mapping(settings, where), side in own) if needed else None)
+        tables.append(TableMapping(_make_mapping(settings, where), side in own) if needed else None)
     return tables[0], tables[1]
 
 

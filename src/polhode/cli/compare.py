@@ -14,11 +14,11 @@ from polhode.studies.compare import compare_files
 
 
 def run_compare(
-    first: Path, second: Path, json: bool, out: Path | None, spec: Path | None, kernels: Kernels,
+    first: Path, second: Path, json: bool, figures: Path | None, spec: Path | None, kernels: Kernels,
     columns: ColumnOptions, offset: str | None = None, align: bool = False,
 ) -> None:  # fmt: skip
     """Read both, compare, draw, and print the answers."""
     parsed = parse_clocks(offset, align)
     report = compare_files(first, second, spec, kernels, tables_to_compare(columns), parsed)
     report = replace(report, clocks=as_options(report.clocks))  # which names the offset
-    publish(report, json, figures=out or Path(f"{first.stem}_and_{second.stem}"))
+    publish(report, json, figures=figures or Path(f"{first.stem}_and_{second.stem}"))

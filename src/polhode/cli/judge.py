@@ -9,14 +9,14 @@ from polhode.errors import InvalidInput
 from polhode.testing.judge import judge_file
 
 
-def run_judge(path: Path, json: bool, out: Path | None, spec: Path | None) -> None:
+def run_judge(path: Path, json: bool, figures: Path | None, spec: Path | None) -> None:
     """Judge the file, draw where asked for, and print the verdicts.
 
     Raises:
         InvalidInput: if every run was refused, after the report has been printed.
     """
     report = judge_file(path, spec)
-    publish(report, json, figures=out if report.judgements else None)
+    publish(report, json, figures=figures if report.judgements else None)
     if not report.judgements:
         case, reason = report.refused[0]
         others = " The report says why the others were refused." if len(report.refused) > 1 else ""

@@ -14,34 +14,34 @@ from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import known_figures, next_steps
 from polhode.reports.base import SystemReport
 
-FORMS = ("png", "svg", "pdf")
+FIGURE_FORMATS = ("png", "svg", "pdf")
 
 
-def figure_forms(named: list[str]) -> list[str]:
-    """Return the forms of figures asked for, each once; an item may be several with commas between.
+def read_figure_formats(named: list[str]) -> list[str]:
+    """Return the formats of figures asked for, each once; an item may be several with commas between.
 
     Raises:
-        InvalidInput: for forms that figures are not written in.
+        InvalidInput: for formats that figures are not written in.
     """
-    forms = [form.strip().lower().removeprefix(".") for item in named for form in item.split(",")]
-    if unknown := [form for form in forms if form not in FORMS]:
-        known = ", ".join(FORMS)
+    formats = [name.strip().lower().removeprefix(".") for item in named for name in item.split(",")]
+    if unknown := [name for name in formats if name not in FIGURE_FORMATS]:
+        known = ", ".join(FIGURE_FORMATS)
         got = shown(unknown[0])
-        raise InvalidInput(f"`--figures` must be one or more of {known}; got {got}. Leave it out for png.")
-    return list(dict.fromkeys(forms)) or ["png"]
+        raise InvalidInput(f"`--figure-format` must be one or more of {known}; got {got}. Leave it out for png.")
+    return list(dict.fromkeys(formats)) or ["png"]
 
 
 def run_report(
-    path: Path, json: bool, out: Path | None, figures: list[str], html: bool = False, certificates: bool = False,
+    path: Path, json: bool, out: Path | None, figure_formats: list[str], html: bool = False, certificates: bool = False,
     proof: Path | None = None,
 ) -> None:  # fmt: skip
     """Read the spec, compute, write figures, dataset and, if asked for, page and proofs, and print the answers."""
-    forms = figure_forms(figures)
+    formats = read_figure_formats(figure_formats)
     spec = read_spec(path)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
     report = make_page_report(path, spec) if html else make_report(path, spec)
     with write_together(folder) as draft:
-        files = report.draw(draft, *forms)
+        files = report.draw(draft, *formats)
         if report.data_file:
             files.append(report.save(draft / report.data_file))
         if html:
@@ -67,7 +67,7 @@ def _remove_outdated(folder: Path, written: list[str]) -> list[str]:
 
     Files of other commands, and renamed ones, stay.
     """
-    known = {f"{name}.{form}" for name in known_figures() for form in FORMS}
+    known = {f"{name}.{form}" for name in known_figures() for form in FIGURE_FORMATS}
     outdated = sorted(folder / name for name in known - set(written))
     removed = []
     for path in outdated:

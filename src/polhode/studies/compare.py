@@ -22,7 +22,7 @@ from polhode.studies.clocks import Align, lay_side_by_side, parse_clocks
 from polhode.studies.comparison_report import ComparisonReport
 from polhode.studies.naming import name_file_in_errors
 from polhode.studies.sources import TABLE, Source, is_table, kind_in_words, load_body, load_source
-from polhode.studies.tables import Table, describe_reading, list_reading_notes, take_columns
+from polhode.studies.tables import TableMapping, describe_reading, list_reading_notes, take_columns
 
 SAME_INERTIA = 1e-6  # relative; what seven digits of a file leave
 History = comparison.Source | Path | str
@@ -84,7 +84,7 @@ def compare(
 
 def compare_files(
     first: Path, second: Path, spec: Path | None = None, kernels: Kernels | None = None,
-    tables: tuple[Table | None, Table | None] = (None, None), offset: Decimal | str | Align | None = None,
+    tables: tuple[TableMapping | None, TableMapping | None] = (None, None), offset: Decimal | str | Align | None = None,
 ) -> ComparisonReport:  # fmt: skip
     """Return the report on how the attitude histories of two files differ.
 
@@ -134,7 +134,7 @@ def _find_mechanics(spec: Path) -> Mechanics:
     return mechanics
 
 
-def _check_used(a: Source, b: Source, tables: tuple[Table | None, Table | None]) -> None:
+def _check_used(a: Source, b: Source, tables: tuple[TableMapping | None, TableMapping | None]) -> None:
     """Refuse options of columns that no file takes.
 
     Raises:

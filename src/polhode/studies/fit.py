@@ -4,14 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from polhode.errors import InvalidInput, shown
 from polhode.formats.paths import as_path
-from polhode.reports.report import Report, with_inputs
+from polhode.reports.report import with_inputs
 from polhode.studies.naming import name_arguments
 from polhode.studies.tables import take_columns
 from polhode.studies.throws import Progress, ThrowOptions, fit_logs
+
+if TYPE_CHECKING:
+    from polhode.studies.attitude_report import AttitudeReport
+    from polhode.studies.line_fit import LineFitReport
+    from polhode.studies.pendulum_report import PendulumReport
+    from polhode.studies.throw_report import ThrowReport
 
 LINES = ".lin"
 STARTS = (".toml", ".xyz", ".extxyz", ".pdb", ".mol", ".sdf")
@@ -24,7 +30,7 @@ def fit(
     clip: str | float | None = None, moment: str | None = None, mass: str | None = None,
     added_weight: str | None = None, weighted: Sequence[Path | str] = (), columns: Mapping[str, Any] | None = None,
     pendulum: bool = False,
-) -> Report:  # fmt: skip
+) -> ThrowReport | AttitudeReport | LineFitReport | PendulumReport:  # fmt: skip
     """Fit the model that the files determine, and return the report.
 
     Gyro logs of throws of one body, and a log of its attitude, tell its ratios of inertia; a spec or a file of atoms
@@ -69,7 +75,7 @@ def fit(
 def fit_files(
     files: Sequence[Path], free: Sequence[str] | None, options: ThrowOptions, progress: Progress | None = None,
     pendulum: bool = False,
-) -> Report:  # fmt: skip
+) -> ThrowReport | AttitudeReport | LineFitReport | PendulumReport:  # fmt: skip
     """Return the report of ``fit``."""
     if not files:
         raise InvalidInput("`files` is empty. Name a log, or a spec and its measured lines.")

@@ -25,7 +25,7 @@ from polhode.kinds.reading import read_spec
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
 from polhode.studies.naming import name_file_in_errors
-from polhode.studies.tables import Table, needs_mapping
+from polhode.studies.tables import TableMapping, needs_mapping
 
 HEAD = 65536  # bytes in which a file shows what it is
 SPEC, TABLE = "spec", "table"  # kinds of files that are no form
@@ -82,7 +82,7 @@ def kind_in_words(kind: str, article: bool = True) -> str:
     return f"{'an' if name[0] == 'A' else 'a'} {name}" if article else name
 
 
-def detect_kind(path: Path, table: Table | None = None) -> str:
+def detect_kind(path: Path, table: TableMapping | None = None) -> str:
     """Return the form of a file, detected by its first bytes; other text is a spec, or a table of another tool.
 
     Args:
@@ -121,7 +121,7 @@ def is_table(kind: str) -> bool:
     return kind == TABLE or (kind in forms() and forms()[kind].is_table)
 
 
-def _fits(path: Path, table: Table) -> bool:
+def _fits(path: Path, table: TableMapping) -> bool:
     """Whether a mapping for two files is for this one: whether its columns are there."""
     from polhode.formats.column_resolution import resolve_mapping
     from polhode.formats.plain_table import table_form
@@ -133,7 +133,7 @@ def _fits(path: Path, table: Table) -> bool:
     return True
 
 
-def _is_chosen(begin: bytes, table: Table | None) -> bool:
+def _is_chosen(begin: bytes, table: TableMapping | None) -> bool:
     """Whether the mapping applies to a table of polhode's: if it is for this file, or if the table needs it."""
     return table is not None and (table.only or not begin.startswith(OWN_ATTITUDE))
 
@@ -152,7 +152,7 @@ def _looks_like_table(path: Path, head: bytes) -> bool:
 
 
 def read_recorded(
-    path: Path, kernels: Kernels, table: Table | None = None, kind: str | None = None
+    path: Path, kernels: Kernels, table: TableMapping | None = None, kind: str | None = None
 ) -> tuple[str, Trajectory, AttitudeLabels | None]:
     """Return kind, trajectory and labels of a file that holds samples.
 
@@ -206,7 +206,7 @@ def _read_form(form: Form, path: Path, kernels: Kernels) -> Trajectory:
     return trajectory
 
 
-def load_source(path: Path, kernels: Kernels, table: Table | None = None, kind: str | None = None) -> Source:
+def load_source(path: Path, kernels: Kernels, table: TableMapping | None = None, kind: str | None = None) -> Source:
     """Return the attitude history of any file, of which ``detect_kind`` may have found the kind already.
 
     Raises:

@@ -17,14 +17,14 @@ EXAMPLE = ('`columns={"time": "t", "time_unit": "s", "quat": "qw,qx,qy,qz", "ord
            '"unit": "deg/s"}`')  # fmt: skip
 
 
-class Table(NamedTuple):
+class TableMapping(NamedTuple):
     """A mapping, and whether it is for this file alone; one for both leaves tables of polhode's as they are."""
 
     mapping: ColumnMapping
     only: bool
 
 
-def take_columns(columns: Mapping[str, Any] | None, only: bool) -> Table | None:
+def take_columns(columns: Mapping[str, Any] | None, only: bool) -> TableMapping | None:
     """Return what the argument `columns` of a function says of a table; None where it is left out.
 
     Raises:
@@ -34,7 +34,7 @@ def take_columns(columns: Mapping[str, Any] | None, only: bool) -> Table | None:
         return None
     if not isinstance(columns, Mapping):
         raise InvalidInput(f'`columns` must be words by name, like {{"time": "t"}}; got {shown(columns)}.')
-    return Table(make_mapping(columns), only)
+    return TableMapping(make_mapping(columns), only)
 
 
 def needs_mapping(path: Path) -> InvalidInput:

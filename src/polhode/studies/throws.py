@@ -19,14 +19,13 @@ from polhode.formats.form_registry import forms
 from polhode.formats.gyro_logs import ReadLog, read_gyro_log
 from polhode.formats.log_archives import is_archive
 from polhode.formats.numerals import read_number
-from polhode.reports.report import Report
 from polhode.spec.uncertain import quantity
 from polhode.studies.attitude_report import AttitudeReport
 from polhode.studies.left_out import left_out_words
 from polhode.studies.naming import name_arguments
 from polhode.studies.scale import read_scale
 from polhode.studies.sources import detect_kind, load_source
-from polhode.studies.tables import Table
+from polhode.studies.tables import TableMapping
 from polhode.studies.throw_report import ThrowReport
 
 Progress = Callable[[Path], Callable[[int], None] | None]
@@ -46,7 +45,7 @@ class ThrowOptions(NamedTuple):
     mass: str | None = None
     added_weight: str | None = None
     weighted: Sequence[Path] = ()
-    table: Table | None = None
+    table: TableMapping | None = None
     unit: str | None = None
 
     @property
@@ -56,7 +55,9 @@ class ThrowOptions(NamedTuple):
         return [name for name, value in values.items() if value is not None and len(np.atleast_1d(value))]
 
 
-def fit_logs(paths: Sequence[Path], options: ThrowOptions, progress: Progress | None = None) -> Report:
+def fit_logs(
+    paths: Sequence[Path], options: ThrowOptions, progress: Progress | None = None
+) -> ThrowReport | AttitudeReport:
     """Return the report on logs of throws, fitted together, or on a log of attitudes.
 
     Args:
@@ -84,7 +85,7 @@ def fit_logs(paths: Sequence[Path], options: ThrowOptions, progress: Progress | 
     return _fit_attitudes(paths[0], kind, options)
 
 
-def _attitude_kind(path: Path, table: Table | None) -> str | None:
+def _attitude_kind(path: Path, table: TableMapping | None) -> str | None:
     """Return the form of a log of attitudes, by its content or its mapping; None for other files."""
     if table is not None and table.mapping.attitude:
         return detect_kind(path, table)

@@ -167,8 +167,9 @@ def compare(
     ],
     b: Annotated[Path, typer.Argument(metavar="B", help="The same; times are counted by A.")],
     json: AsJson = False,
-    out: Annotated[
-        Path | None, typer.Option("--out", metavar="DIR", help="Folder for the figure (default: named after both).")
+    figures: Annotated[
+        Path | None,
+        typer.Option("--figures", metavar="DIR", help="Folder to draw the figure into (default: named after both)."),
     ] = None,
     spec: BodySpec = None,
     offset: ClockOffset = None,
@@ -204,14 +205,16 @@ def compare(
 
     columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
                             gyro, unit, scale, decimal)  # fmt: skip
-    run_compare(a, b, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns, offset, align_clock)
+    run_compare(a, b, json, figures, spec, Kernels(sclk, fk, lsk, spice_id), columns, offset, align_clock)
 
 
 @app.command(cls=StrictCommand)
 def judge(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="JSON with the states that an engine wrote.")],
     json: AsJson = False,
-    out: Annotated[Path | None, typer.Option("--out", metavar="DIR", help="Folder for figures, one a motion.")] = None,
+    figures: Annotated[
+        Path | None, typer.Option("--figures", metavar="DIR", help="Folder to draw figures into, one a motion.")
+    ] = None,
     spec: Annotated[
         Path | None, typer.Option("--spec", metavar="SPEC", help="Of a free body, for runs that name no motion.")
     ] = None,
@@ -223,7 +226,7 @@ def judge(
     """
     from polhode.cli.judge import run_judge
 
-    run_judge(file, json, out, spec)
+    run_judge(file, json, figures, spec)
 
 
 @app.command(cls=StrictCommand)

@@ -20,9 +20,9 @@ def report(
         Path | None,
         typer.Option("--out", metavar="DIR", help="Folder for figures and dataset (default: named after the spec)."),
     ] = None,
-    figures: Annotated[
+    figure_format: Annotated[
         list[str] | None,
-        typer.Option("--figures", metavar="FORM", help="png, svg, pdf, or several with commas (default: png)."),
+        typer.Option("--figure-format", metavar="FORMAT", help="png, svg, pdf, or several with commas (default: png)."),
     ] = None,
     html: Annotated[bool, typer.Option("--html", help="Also write the page of the motion, page.html.")] = False,
     certificates: Annotated[
@@ -39,7 +39,7 @@ def report(
     """
     from polhode.cli.report import run_report
 
-    run_report(spec, json, out, figures or [], html, certificates, proof)
+    run_report(spec, json, out, figure_format or [], html, certificates, proof)
 
 
 @app.command(cls=StrictCommand)
