@@ -61,7 +61,7 @@ def test_signals_at_many_moments(tmp_path, command):
 def test_a_long_run_can_be_stopped(tmp_path, command):
     (tmp_path / "long.toml").write_text(LONG.format(until="30000 year"), "utf-8")
     more = {"view": ["--no-open"], "export": ["--to", "csv"]}.get(command, [])
-    code, err = strike([command, "long.toml", *more], tmp_path, signal.SIGINT, 10.0)
+    code, err = strike([command, "long.toml", *more], tmp_path, signal.SIGINT, 25.0)  # after compiling
     lines = err.splitlines()
     assert code == 130 and lines[-1] == "polhode: stopped by SIGINT."
     assert len(lines) == 2 and "this takes about" in lines[0] and "Ctrl-C ends it" in lines[0]

@@ -206,6 +206,25 @@ def test_a_kernel_is_taken_once_it_is_worth_it(monkeypatch):
         assert kernels.choose_kernel(copies) is use
 
 
+def test_a_run_that_is_foreseen_to_be_long_is_compiled_at_once(monkeypatch):
+    """Python went on for ten seconds, and who watched the run meanwhile refused it for taking hours."""
+    class Compiling(Exception):
+        pass
+
+    def stop(width):
+        raise Compiling
+
+    for name, value in (("ready", set()), ("called", set()), ("by_program", {}), ("by_python", 0.0)):
+        monkeypatch.setattr(kernels._Spent, name, value)
+    for name, value in (("_is_on_disk", lambda width: False), ("compile_kernel", stop), ("LOADED", 0.02)):
+        monkeypatch.setattr(kernels, name, value)
+    body, start = systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([[0.3, 1.9, 0.1]])
+    run_copies(body, start, np.array([0.0, 100.0]), choose_precision(None))  # which is short
+    with pytest.raises(Compiling):
+        run_copies(body, start, np.array([0.0, 1e6]), choose_precision(None))
+    assert kernels._Spent.by_python < 0.5 * kernels.COMPILED[1]
+
+
 def test_what_compiling_takes_is_no_reason_to_compile_more(monkeypatch):
     monkeypatch.setattr(kernels._Spent, "called", set())
     monkeypatch.setattr(kernels._Spent, "one_by_one", 0.0)

@@ -12,7 +12,7 @@ from polhode.motion._outcome import Status
 from polhode.taylor import kernel
 from polhode.taylor.kernel_extended import PAIRS
 from polhode.taylor.kernel_space import EVENT, NEXT, STEPS, TIME, Copies, Course, exact_for, lanes_for, series_for
-from polhode.taylor.kernels import Kernel, choose_kernel, note, write_code
+from polhode.taylor.kernels import Kernel, choose_kernel, note, note_rest, write_code
 from polhode.taylor.machine import Machine
 from polhode.types import Array, Float64, Integer
 
@@ -56,18 +56,23 @@ def fly(
     status[status == kernel.DONE] = kernel.RUNNING
     if machine.clock >= 0:
         copies.y[:, machine.clock] = copies.now[:, TIME]
+    spent, at_first = 0.0, math.nan  # time since the end of the first part, and how much was done by then
     while (running := np.flatnonzero(status == kernel.RUNNING)).size:
         use = choose_kernel(running.size, machine.exact is not None)
         # Python's runs are long enough to ask how much of the processor they took, whatever else it does
         clock = time.perf_counter if use.is_compiled else time.process_time
         before = clock()
         _advance(copies, machine, course, use, running, most)
-        note(use, running.size, machine.program, clock() - before)
+        seconds = clock() - before
+        note(use, running.size, machine.program, seconds)
         if copies.counts[:, STEPS].max() >= MOST_STEPS:
             return
         if (left := np.flatnonzero(status == kernel.RUNNING)).size:
-            part = share(float(copies.now[left[0], TIME]))
-            check((len(status) - left.size + part) / len(status))
+            done = (len(status) - left.size + share(float(copies.now[left[0], TIME]))) / len(status)
+            check(done)
+            spent, at_first = (0.0, done) if math.isnan(at_first) else (spent + seconds, at_first)
+            if done > at_first:
+                note_rest(use, machine.exact is not None, spent, spent * (1.0 - done) / (done - at_first))
 
 
 def outcome(

@@ -115,6 +115,16 @@ def note(use: Kernel, copies: int, program: Program, seconds: float) -> None:
         _Spent.one_by_one += seconds
 
 
+def note_rest(use: Kernel, extended: bool, spent: float, seconds: float) -> None:
+    """Have the next part of a run compiled where what is left of it [s] would take Python longer than compiling.
+
+    Who watches the run takes the speed of its first second for that of all, so Python does not go on for ten.
+    """
+    width = EXTENDED if extended else 1
+    if not use.is_compiled and spent >= LOADED and seconds >= COMPILED[width]:
+        _Spent.ready.add(width)
+
+
 def _is_worth(width: int, spent: float) -> bool:
     if width not in _Spent.ready and spent >= LOADED and (spent >= COMPILED[width] or _is_on_disk(width)):
         _Spent.ready.add(width)
