@@ -164,7 +164,7 @@ def test_mesh_units_are_units_of_length_alone(read, unit):
 @pytest.mark.parametrize(
     ("rest", "words"),
     [
-        ('rate = "1 rpm"\nabout = true', "must be one of 1, 2, 3"),
+        ('rate = "1 rpm"\nabout = true', '"x", "y", "z"; got true'),
         ('rate = "1 rpm"\nabout = 2.0', "must be one of 1, 2, 3"),
         ('attitude = ["1", "0", "0", "1"]', "four plain numbers"),
         ('momentum = "1 J*s"', "three quantities in a list"),

@@ -73,11 +73,14 @@ def _word_mistake(mistake: Any, root: type[BaseModel], beside: Sequence[str], at
     if kind == "missing":
         field = _model_at(mistake["loc"][:-1], root).model_fields.get(str(last))
         return "is missing" + (f"; {field.description}" if field is not None and field.description else "")
+    value = mistake["input"]
     if kind == "value_error":
-        return mistake["msg"].removeprefix("Value error, ")
-    message = mistake["msg"][0].lower() + mistake["msg"][1:]
-    words = WORDS[kind].format(**mistake.get("ctx", {})) if kind in WORDS else message
-    return f"{words}; got {shown(mistake['input'])}"
+        text = mistake["msg"].removeprefix("Value error, ")
+    else:
+        message = mistake["msg"][0].lower() + mistake["msg"][1:]
+        words = WORDS[kind].format(**mistake.get("ctx", {})) if kind in WORDS else message
+        text = f"{words}; got {shown(value)}"
+    return text.replace(f"; got {value}", f"; got {str(value).lower()}") if isinstance(value, bool) else text  # as TOML
 
 
 def _table_with(key: str, model: type[BaseModel], location: Location) -> str | None:
