@@ -13,9 +13,12 @@ import pytest
 from polhode.cli import kept
 from polhode.formats.dataset import write_dataset
 from polhode.formats.labels import AttitudeLabels
+from polhode.formats.opening import check_is_file
+from polhode.kinds import page
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind
+from polhode.reports.base import SystemReport
 
 SPEC = """
 name = "a body"
@@ -162,6 +165,46 @@ def test_kinds_of_others_and_unknown_values_are_computed(case, monkeypatch):
         assert computed(odd, monkeypatch)[1] and not files(case)
 
 
+def made(spec, monkeypatch):
+    """Return the text of the page, and whether it was made."""
+    calls, original = [], page.page_of_answers
+    with monkeypatch.context() as patch:
+        patch.setattr(page, "page_of_answers", lambda *given: calls.append(1) or original(*given))
+        return kept.load_or_make_page(spec, kept.load_or_make_report(spec)).text, bool(calls)
+
+
+def test_a_page_is_made_once(case, monkeypatch):
+    path = case / "case.toml"
+    first, new = made(read_spec(path), monkeypatch)
+    assert new and made(read_spec(path), monkeypatch) == (first, False)
+    assert [file.suffix for file in files(case)] == [".page", ".pickle"]
+    (case / "case.toml").write_text(SPEC.replace("60 rpm", "61 rpm"))
+    other, new = made(read_spec(path), monkeypatch)
+    assert new and other != first
+    (case / "case.toml").write_text(SPEC)
+    for file in files(case):
+        if file.suffix == ".page":
+            file.write_bytes(b"not a page")
+    assert made(read_spec(path), monkeypatch) == (first, True)
+    assert made(read_spec(path), monkeypatch) == (first, False)
+
+
+def test_a_page_is_made_again_where_a_file_of_the_report_changed(case, monkeypatch):
+    """Such as an earlier run, which the spec names without its content being among its values."""
+    earlier, original = case / "earlier.nc", Spec.report
+    earlier.write_bytes(b"a run")
+
+    def report(spec):
+        check_is_file(earlier, "a run")
+        return original(spec)
+
+    monkeypatch.setattr(Spec, "report", report)
+    spec = read_spec(case / "case.toml")
+    assert made(spec, monkeypatch)[1] and not made(spec, monkeypatch)[1]
+    earlier.write_bytes(b"another run")
+    assert made(spec, monkeypatch)[1] and not made(spec, monkeypatch)[1]
+
+
 @pytest.mark.long
 def test_the_library_keeps_nothing(tmp_path):
     code = "import os, sys, polhode as ph; ph.report(sys.argv[1]); assert 'POLHODE_REPORTS_CACHE' not in os.environ"
@@ -187,6 +230,10 @@ def test_commands_take_what_another_computed(case, tmp_path):
     before = {path: path.stat().st_mtime_ns for path in files(case)}
     run("view", "moon.toml", "--no-open")
     after = {path: path.stat().st_mtime_ns for path in files(case)}
-    assert before.keys() == after.keys() and before != after
-    state = kept._load(files(case)[0]).trajectory
+    (report,) = before
+    assert after.keys() == {report, report.with_suffix(".page")} and after[report] != before[report]
+    shown = (case / "moon.html").read_bytes()
+    run("view", "moon.toml", "--no-open")
+    assert (case / "moon.html").read_bytes() == shown
+    state = kept._load(report, SystemReport).trajectory
     assert state.states.dtype == np.float64

@@ -1,4 +1,4 @@
-"""Reports kept in the user's cache folder, for the next command on the same spec.
+"""Reports and their pages kept in the user's cache folder, for the next command on the same spec.
 
 A report follows from its spec and from the program, so it is kept under a digest of both; with it are kept the digests
 of the files that were read while it was computed, such as an earlier run that it goes on from, and it is true as long
@@ -17,7 +17,7 @@ import tempfile
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from pydantic import BaseModel
@@ -27,8 +27,12 @@ from polhode.kinds.base import Spec
 from polhode.reports.base import SystemReport
 from polhode.reports.program import program_digest
 
+if TYPE_CHECKING:
+    from polhode.viewer.page import Page
+
 FOLDER = "POLHODE_REPORTS_CACHE"  # in the environment: where reports are kept; empty to keep none
-MOST, LARGEST = 32, 50_000_000  # reports, and bytes of one
+MOST, LARGEST = 32, 50_000_000  # reports and as many pages, and bytes of one
+Kept = TypeVar("Kept")
 
 
 def load_or_make_report(spec: Spec) -> SystemReport:
@@ -38,14 +42,10 @@ def load_or_make_report(spec: Spec) -> SystemReport:
         InvalidInput: as ``Spec.report`` does.
         NotConverged: likewise.
     """
-    folder = os.environ.get(FOLDER)
-    if not folder or not type(spec.kind).__module__.startswith("polhode."):
+    place = _place(spec)
+    if place is None:
         return spec.report()
-    try:
-        place = Path(folder) / f"{_digest(spec)}.pickle"
-    except TypeError:  # a value whose digest is not known
-        return spec.report()
-    report = _load(place)
+    report = _load(place, SystemReport)
     if report is None:
         with record_files() as read:
             report = spec.report()
@@ -55,7 +55,40 @@ def load_or_make_report(spec: Spec) -> SystemReport:
     return report
 
 
-def _load(place: Path) -> SystemReport | None:
+def load_or_make_page(spec: Spec, report: SystemReport) -> Page:
+    """Return the page of a spec's report, from the cache or made now, for which some kinds compute other motions.
+
+    Raises:
+        InvalidInput: where there is nothing to show.
+    """
+    from polhode.kinds.page import page_of_answers
+    from polhode.viewer.page import Page
+
+    place = _place(spec)
+    if place is None:
+        return page_of_answers(report, report.name, spec.picture)
+    beside = place.with_suffix(".page")
+    page = _load(beside, Page)
+    if page is None:
+        with record_files() as read:
+            page = page_of_answers(report, report.name, spec.picture)
+        with contextlib.suppress(Exception):  # as where the report is not kept
+            _keep(page, _files_read(place) | read, beside)
+    return page
+
+
+def _place(spec: Spec) -> Path | None:
+    """Return the file of a spec's report; None where it is not kept."""
+    folder = os.environ.get(FOLDER)
+    if not folder or not type(spec.kind).__module__.startswith("polhode."):
+        return None
+    try:
+        return Path(folder) / f"{_digest(spec)}.pickle"
+    except TypeError:  # a value whose digest is not known
+        return None
+
+
+def _load(place: Path, type_: type[Kept]) -> Kept | None:
     try:
         with place.open("rb") as file:
             if pickle.load(file):  # whether there are arrays of JAX, which are cut to 32 bits unless told otherwise
@@ -63,15 +96,22 @@ def _load(place: Path) -> SystemReport | None:
             read = pickle.load(file)
             if any(content_digest(path) != digest for path, digest in read.items()):
                 return None
-            report = pickle.load(file)
+            value = pickle.load(file)
         os.utime(place)
     except Exception:  # missing, damaged in whatever way, or not to be read
         return None
-    return report if isinstance(report, SystemReport) else None
+    return value if isinstance(value, type_) else None
 
 
-def _keep(report: SystemReport, read: dict[Path, str], place: Path) -> None:
-    packed = pickle.dumps("jax" in sys.modules) + pickle.dumps(read) + pickle.dumps(report)
+def _files_read(place: Path) -> dict[Path, str]:
+    """Return the files that were read for a report that is kept, with their digests."""
+    with place.open("rb") as file:
+        pickle.load(file)
+        return pickle.load(file)
+
+
+def _keep(value: SystemReport | Page, read: dict[Path, str], place: Path) -> None:
+    packed = pickle.dumps("jax" in sys.modules) + pickle.dumps(read) + pickle.dumps(value)
     if len(packed) > LARGEST:
         return
     place.parent.mkdir(parents=True, exist_ok=True)
@@ -83,7 +123,7 @@ def _keep(report: SystemReport, read: dict[Path, str], place: Path) -> None:
     except BaseException:
         Path(draft).unlink(missing_ok=True)
         raise
-    oldest_first = sorted(place.parent.glob("*.pickle"), key=lambda path: path.stat().st_mtime)
+    oldest_first = sorted(place.parent.glob(f"*{place.suffix}"), key=lambda path: path.stat().st_mtime)
     for path in oldest_first[:-MOST]:
         path.unlink(missing_ok=True)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from polhode.cli.kept import load_or_make_page
 from polhode.cli.publish import publish
 from polhode.cli.spec_reports import make_page_report, make_report
 from polhode.cli.terminal import spell_command
@@ -45,9 +46,9 @@ def run_report(
         if report.data_file:
             files.append(report.save(draft / report.data_file))
         if html:
-            from polhode.kinds.page import page_of_report
+            from polhode.kinds.page import write_page_text
 
-            files.append(page_of_report(report, draft / "page.html", surface=spec.picture))
+            files.append(write_page_text(load_or_make_page(spec, report), draft / "page.html"))
         proofs, remarks = ([], []) if proof is None else _write_proofs(report, proof)
     names = [*(str(folder / file.name) for file in files), *proofs]
     removed = _remove_outdated(folder, [file.name for file in files])

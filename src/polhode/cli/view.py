@@ -7,6 +7,7 @@ from pathlib import Path
 import typer
 
 from polhode.cli.destinations import check_spares
+from polhode.cli.kept import load_or_make_page
 from polhode.cli.spec_reports import make_page_report
 from polhode.cli.terminal import open_in_browser
 from polhode.errors import one_line
@@ -22,12 +23,12 @@ def run_view(path: Path | None, out: Path | None, open_it: bool) -> None:
 
 
 def _page(path: Path, out: Path | None) -> Path:
-    from polhode.kinds.page import page_of_report
+    from polhode.kinds.page import write_page_text
 
     target = out or Path(f"{path.stem}.html")
     check_spares(target, path)
     spec = read_spec(path)
-    return page_of_report(make_page_report(path, spec), target, surface=spec.picture)
+    return write_page_text(load_or_make_page(spec, make_page_report(path, spec)), target)
 
 
 def _playground(out: Path | None) -> Path:
