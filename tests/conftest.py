@@ -218,7 +218,7 @@ def windows(browser):
 def plugin():
     """Have packages of others on the path, found by their entry points as installed ones are, during one file's tests.
 
-    What lists them keeps its list: without asking anew, later files found the plugin's format among polhode's own.
+    The registries cache what they find. Unless they are cleared, later files find the plugin's format among ours.
     """
     from polhode.formats import form_registry
     from polhode.kinds import registry

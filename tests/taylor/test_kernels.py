@@ -207,7 +207,7 @@ def test_a_kernel_is_taken_once_it_is_worth_it(monkeypatch):
 
 
 def test_a_run_that_is_foreseen_to_be_long_is_compiled_at_once(monkeypatch):
-    """Python went on for ten seconds, and who watched the run meanwhile refused it for taking hours."""
+    """Python went on for ten seconds, and the progress meter refused the run, as it would have taken Python hours."""
     class Compiling(Exception):
         pass
 

@@ -56,7 +56,7 @@ def load_or_make_report(spec: Spec) -> SystemReport:
 
 
 def load_or_make_page(spec: Spec, report: SystemReport) -> Page:
-    """Return the page of a spec's report, from the cache or made now, for which some kinds compute other motions.
+    """Return the page of a spec's report, from the cache or made now; some kinds compute more motions for it.
 
     Raises:
         InvalidInput: where there is nothing to show.
@@ -72,7 +72,7 @@ def load_or_make_page(spec: Spec, report: SystemReport) -> Page:
     if page is None:
         with record_files() as read:
             page = page_of_answers(report, report.name, spec.picture)
-        with contextlib.suppress(Exception):  # as where the report is not kept
+        with contextlib.suppress(Exception):  # the report itself may not be kept
             _keep(page, _files_read(place) | read, beside)
     return page
 

@@ -80,7 +80,8 @@ def _word_mistake(mistake: Any, root: type[BaseModel], beside: Sequence[str], at
         message = mistake["msg"][0].lower() + mistake["msg"][1:]
         words = WORDS[kind].format(**mistake.get("ctx", {})) if kind in WORDS else message
         text = f"{words}; got {shown(value)}"
-    return text.replace(f"; got {value}", f"; got {str(value).lower()}") if isinstance(value, bool) else text  # as TOML
+    # checks of values show them as Python does
+    return text.replace(f"; got {value}", f"; got {str(value).lower()}") if isinstance(value, bool) else text
 
 
 def _table_with(key: str, model: type[BaseModel], location: Location) -> str | None:

@@ -118,7 +118,7 @@ def note(use: Kernel, copies: int, program: Program, seconds: float) -> None:
 def note_rest(use: Kernel, extended: bool, spent: float, seconds: float) -> None:
     """Have the next part of a run compiled where what is left of it [s] would take Python longer than compiling.
 
-    Who watches the run takes the speed of its first second for that of all, so Python does not go on for ten.
+    The progress meter extrapolates from the first second, so a run must not spend ten in Python before it is compiled.
     """
     width = EXTENDED if extended else 1
     if not use.is_compiled and spent >= LOADED and seconds >= COMPILED[width]:
