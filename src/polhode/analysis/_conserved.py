@@ -26,6 +26,7 @@ from polhode.algebra.casimirs import polynomial_casimirs
 from polhode.algebra.constants import ConstantsAlgebra
 from polhode.algebra.properties import index
 from polhode.analysis._reasons import MissingCasimirs
+from polhode.arrays import arrays_for_few_calls
 from polhode.errors import InvalidInput
 from polhode.systems._agreement import moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem
@@ -235,7 +236,7 @@ def differentiate(
         )
 
 
-@eqx.filter_jit
+@arrays_for_few_calls
 def _differentiate(source: Source, points: Array, centres: Array) -> tuple[Array, Array]:
     return jax.vmap(jax.jacrev(source))(points), jax.vmap(jax.hessian(source))(centres)
 

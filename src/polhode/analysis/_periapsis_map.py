@@ -76,9 +76,8 @@ def section(kicks: Kicks, states: Float64[Array, "*batch 2"], periods: int) -> F
 
     def orbit(state: tuple[Array, Array], _: None) -> tuple[tuple[Array, Array], Array]:
         (q, p), _ = jax.lax.scan(kick, state, kicks[:3])
-        whole = q + kicks.last_drift * p
-        q = _wrap_angle(whole)
-        return (q, p), jnp.stack([q, p, jnp.round((whole - q) / TURN)], axis=-1)
+        point = _point(q + kicks.last_drift * p, p)
+        return (point[..., 0], p), point
 
     return jax.lax.scan(orbit, (states[..., 0], states[..., 1]), None, length=periods)[1]
 
@@ -90,8 +89,10 @@ def carry_neighbours(
     neighbours: Float64[Array, "*batch 2 k"],
     periods: int,
     renormalise: bool,
-) -> tuple[Float64[Array, "*batch 2 k"], Float64[Array, "{periods} *batch k"]]:
-    """Return neighbours after all periods (…, 2, k), and by the logarithm of what they grew in each (periods, …, k).
+) -> tuple[Float64[Array, "{periods} *batch 3"], Float64[Array, "*batch 2 k"], Float64[Array, "{periods} *batch k"]]:
+    """Return a section, neighbours at its end, and the logarithms of their growth in each period.
+
+    The section (periods, …, 3) is as in ``section``, the neighbours are (…, 2, k), and the logarithms (periods, …, k).
 
     Args:
         kicks: of the orbit.
@@ -109,20 +110,22 @@ def carry_neighbours(
         dp = dp - (2.0 * strength * jnp.cos(angle))[..., None] * dq
         return (q, p - strength * jnp.sin(angle), dq, dp), None
 
-    def orbit(state: tuple[Array, ...], _: None) -> tuple[tuple[Array, ...], Array]:
+    def orbit(state: tuple[Array, ...], _: None) -> tuple[tuple[Array, ...], tuple[Array, Array]]:
         before = jnp.hypot(state[2], state[3])
         (q, p, dq, dp), _ = jax.lax.scan(kick, state, kicks[:3])
-        q, dq = _wrap_angle(q + kicks.last_drift * p), dq + kicks.last_drift * dp
+        point, dq = _point(q + kicks.last_drift * p, p), dq + kicks.last_drift * dp
         growth = jnp.hypot(dq, dp) / before
         if renormalise:
             length = jnp.hypot(dq, dp)
             dq, dp = dq / length, dp / length
-        return (q, p, dq, dp), jnp.log(growth)
+        return (point[..., 0], p, dq, dp), (point, jnp.log(growth))
 
     start = (states[..., 0], states[..., 1], neighbours[..., 0, :], neighbours[..., 1, :])
-    (_, _, dq, dp), growth = jax.lax.scan(orbit, start, None, length=periods)
-    return jnp.stack([dq, dp], axis=-2), growth
+    (_, _, dq, dp), (points, growth) = jax.lax.scan(orbit, start, None, length=periods)
+    return points, jnp.stack([dq, dp], axis=-2), growth
 
 
-def _wrap_angle(angle: Array) -> Array:
-    return angle - TURN * jnp.round(angle / TURN)
+def _point(angle: Array, p: Array) -> Float64[Array, "*batch 3"]:
+    """Return the angle within ±π, p, and the whole turns taken out."""
+    within = angle - TURN * jnp.round(angle / TURN)
+    return jnp.stack([within, p, jnp.round((angle - within) / TURN)], axis=-1)

@@ -7,15 +7,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from polhode.analysis._periapsis_map import section
-from polhode.analysis.spin_orbit import (
-    STEPS,
-    check_count,
-    lyapunov_exponent,
-    make_kicks,
-    resonance_strength,
-    scale_start,
-)
+from polhode.analysis.spin_orbit import STEPS, check_count, follow_neighbours, resonance_strength, scale_start
 from polhode.arrays import known_numbers_only
 from polhode.systems.spin_orbit import SpinOrbit
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -54,6 +46,7 @@ class SpinMotion(NamedTuple):
         exponents: (orbits,) estimates of the largest Lyapunov exponent after each orbit [1/s].
         mean_rate: mean θ̇ [rad/s].
         libration: of a motion that is not chaotic, where it is caught in a resonance; else None.
+        section: (orbits + 1, 2) angle [rad] and rate [rad/s] at each periapsis, as of ``poincare_section``.
     """
 
     orbits: int
@@ -61,6 +54,7 @@ class SpinMotion(NamedTuple):
     exponents: Float64[Array, "periods"]
     mean_rate: float
     libration: Libration | None
+    section: Float64[Array, "points 2"]
 
     @property
     def exponent(self) -> float:
@@ -110,17 +104,17 @@ def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | No
     if orbits is None:
         orbits = int(np.clip(KICKS / (9 * steps), FEWEST_ORBITS, MOST_ORBITS))
     orbits = check_count("orbits", orbits)
-    exponents = np.asarray(lyapunov_exponent(system, state, orbits, steps))
+    points, exponents = follow_neighbours(system, state, orbits, steps)
     verdict = _verdict(exponents * TURN * np.arange(1, orbits + 1) / n)
     if e == 0.0 or float(system.asphericity) == 0.0:
         verdict = "regular"
-    points = np.asarray(section(make_kicks(system, steps), start, orbits))
-    angles = np.append(float(start[0]), points[:, 0] + TURN * np.cumsum(points[:, 2]))
+    points = np.vstack([np.append(start, 0.0), points])
+    section, angles = points[:, :2] * (1.0, n), points[:, 0] + TURN * np.cumsum(points[:, 2])
     advance = np.diff(angles) / TURN
     if verdict == "chaotic":
-        return SpinMotion(orbits, verdict, exponents, n * float(advance.mean()), None)
+        return SpinMotion(orbits, verdict, exponents, n * float(advance.mean()), None, section)
     mean = float(np.average(advance, weights=_weights(orbits)))
-    return SpinMotion(orbits, verdict, exponents, n * mean, _libration(system, angles, mean))
+    return SpinMotion(orbits, verdict, exponents, n * mean, _libration(system, angles, mean), section)
 
 
 def steps_for(system: SpinOrbit, spin_ratio: float) -> int:

@@ -86,7 +86,7 @@ def tangent_map(
     """
     start, kicks = scale_start(system, states), make_kicks(system, steps)
     sides = jnp.broadcast_to(jnp.eye(2), (*start.shape, 2))
-    grown, _ = carry_neighbours(kicks, start, sides, check_count("periods", periods), False)
+    _, grown, _ = carry_neighbours(kicks, start, sides, check_count("periods", periods), False)
     return np.asarray(grown)
 
 
@@ -107,11 +107,18 @@ def lyapunov_exponent(
 
     Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137; Benettin et al., Meccanica 15 (1980) 9.
     """
+    return follow_neighbours(system, states, check_count("periods", periods), steps)[1]
+
+
+def follow_neighbours(
+    system: SpinOrbit, states: Real[ArrayLike, "*batch 2"], periods: int, steps: int | None
+) -> tuple[Float64[Array, "{periods} *batch 3"], Float64[Array, "*batch {periods}"]]:
+    """Return the section as the map has it, and the exponents of ``lyapunov_exponent`` along it."""
     start, kicks = scale_start(system, states), make_kicks(system, steps)
     side = jnp.full((*start.shape, 1), math.sqrt(0.5))
-    _, growth = carry_neighbours(kicks, start, side, check_count("periods", periods), True)
+    points, _, growth = carry_neighbours(kicks, start, side, periods, True)
     times = TURN / float(system.mean_motion) * np.arange(1, periods + 1)
-    return np.moveaxis(np.cumsum(np.asarray(growth)[..., 0], axis=0), 0, -1) / times
+    return np.asarray(points), np.moveaxis(np.cumsum(np.asarray(growth)[..., 0], axis=0), 0, -1) / times
 
 
 @known_numbers_only

@@ -14,6 +14,7 @@ from polhode.cli.stopping import SIGNALS, Stopped, describe_stop, stop_on_signal
 from polhode.cli.terminal import readable_output
 from polhode.errors import InvalidInput, PolhodeError, one_line
 
+THREADS = "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS", "BLIS_NUM_THREADS"
 MISTAKE, PIPE_CLOSED = 2, 1  # exit codes
 
 
@@ -28,6 +29,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     """
     if arguments is None:
         _collect_rarely()
+        _use_one_thread_for_matrices()
     try:
         with readable_output(), stop_on_signals(), warnings.catch_warnings():
             warnings.filterwarnings("ignore", category=RuntimeWarning)  # NumPy's; what is not finite is seen in the end
@@ -53,6 +55,15 @@ def _collect_rarely() -> None:
     """
     gc.set_threshold(100_000, 50, 1000)
     atexit.register(gc.freeze)
+
+
+def _use_one_thread_for_matrices() -> None:
+    """Leave linear algebra to one thread, unless the environment sets how many; before NumPy is imported.
+
+    Matrices here are small. A second thread only waits for its next one, and spends processor time while it waits.
+    """
+    if not any(name in os.environ for name in ("OMP_NUM_THREADS", *THREADS)):
+        os.environ.update(dict.fromkeys(THREADS, "1"))
 
 
 def _run(arguments: list[str] | None) -> int | str | None:

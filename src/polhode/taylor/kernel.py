@@ -73,7 +73,7 @@ def advance(rates: Series, integrals: Series, copies: Copies, lanes: Lanes, cour
             lanes.steps[lane] = 0.0
             if which[lane] != NOBODY:
                 status[which[lane]] = plan_step(rates, copies, lanes, course, lane)
-        advance_lanes(rates, lanes, course)
+        evaluate_steps(rates, copies, lanes, course)
         if course.clock >= 0:
             for lane in range(LANES):
                 lanes.states[course.clock * LANES + lane] = lanes.later[lane]
@@ -129,7 +129,7 @@ def expand_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> None:
 
 
 def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
-    """Set the length of a copy's step, evaluate its samples within, and return its status."""
+    """Set the length of a copy's step, and return its status."""
     k, unit, p, order = lanes.which[lane], lanes.units[lane], lanes.p, course.order
     for w in range(p.shape[0]):
         for j in range(order + 1):
@@ -158,6 +158,22 @@ def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane:
         later, last = t + h, False
         h = later - t  # the state is that of the time which is kept
     lanes.later[lane], lanes.event[lane], lanes.last[lane], lanes.steps[lane] = later, event, last, h / unit
+    return RUNNING
+
+
+def evaluate_steps(rates: Series, copies: Copies, lanes: Lanes, course: Course) -> None:
+    """Set the samples within the steps that are planned, and the lanes' states to those after them."""
+    for lane in range(LANES):
+        k = lanes.which[lane]
+        if k != NOBODY and copies.status[k] == RUNNING:
+            first, following = take_samples(copies, lanes, course, lane)
+            sample_copy(rates, course, lane, copies.now[k, TIME], lanes.units[lane], k, first, following, copies.out)
+    advance_lanes(rates, lanes, course)
+
+
+def take_samples(copies: Copies, lanes: Lanes, course: Course, lane: Any) -> tuple[Any, Any]:
+    """Return the first sample within a copy's step and the next one behind it, which is recorded."""
+    k, later, event = lanes.which[lane], lanes.later[lane], lanes.event[lane]
     first = following = copies.counts[k, NEXT]
     # a sample at the end of a step has its state, put back onto what is conserved
     while following < course.samples and (
@@ -165,9 +181,8 @@ def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane:
         or (event >= 0 and course.times[following] == later)
     ):
         following += 1
-    sample_copy(rates, course, lane, t, unit, k, first, following, copies.out)
     copies.counts[k, NEXT] = following
-    return RUNNING
+    return first, following
 
 
 def event_in(copies: Copies, lanes: Lanes, course: Course, lane: Any, h: Any) -> tuple[Any, Any]:

@@ -11,28 +11,29 @@ from typing import Any
 import numpy as np
 
 from polhode.taylor import kernel_series
+from polhode.taylor.kernel import RUNNING, take_samples
 from polhode.taylor.kernel_series import FLOOR, TOO_LARGE
-from polhode.taylor.kernel_space import Course, Lanes, Series
+from polhode.taylor.kernel_space import NOBODY, TIME, Copies, Course, Lanes, Series
 from polhode.taylor.kernel_zeros import ROUNDING
 from polhode.taylor.program import CONSTANT, FACTOR, FIRST, INDEX, SIZE, SLOTS, START
 from polhode.types import Array, Float64
 
 
-def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
-    """Set the state to that after a step."""
-    lanes.states[: series.whole[SIZE]] = _evaluate(series, course.order, lanes.steps[0])
-
-
-def sample_copy(
-    series: Series, course: Course, lane: Any, t: Any, unit: Any, copy: Any, first: Any, last: Any, out: Array
-) -> None:  # fmt: skip
-    """Set samples (C, T, n) of a copy from a first one up to a last."""
-    if first == last:
+def evaluate_steps(rates: Series, copies: Copies, lanes: Lanes, course: Course) -> None:
+    """Set the samples within the step that is planned, and the state to that after it."""
+    k, h = lanes.which[0], lanes.steps[:1]
+    if k == NOBODY or copies.status[k] != RUNNING:
         return
-    times = course.times[first:last]
-    out[copy, first:last] = _evaluate(series, course.order, ((times - t) / unit)[:, None])
-    if course.clock >= 0:
-        out[copy, first:last, course.clock] = times
+    first, following = take_samples(copies, lanes, course, 0)
+    if first < following:
+        times = course.times[first:following]
+        h = np.append((times - copies.now[k, TIME]) / lanes.units[0], h)
+    values = _evaluate(rates, course.order, h[:, None])
+    lanes.states[: rates.whole[SIZE]] = values[-1]
+    if first < following:
+        copies.out[k, first:following] = values[:-1]
+        if course.clock >= 0:
+            copies.out[k, first:following, course.clock] = times
 
 
 def measure_coefficients(series: Series, lanes: Lanes, course: Course) -> None:
@@ -67,11 +68,12 @@ def expand_watched(rates: Series, lanes: Lanes, order: Any, forth: Any) -> None:
         lanes.terms[w] = ROUNDING * (size + abs(constant))
 
 
-def _evaluate(series: Series, order: int, h: Any) -> Float64[Array, "... n"]:
-    rows = _rows(series, order)
-    value = rows[order]
-    for k in range(order - 1, -1, -1):  # Horner's rule, from the smallest terms up
-        value = value * h + rows[k]
+def _evaluate(series: Series, order: int, h: Float64[Array, "samples 1"]) -> Float64[Array, "samples n"]:
+    highest, *others = _rows(series, order)[::-1]
+    value = np.repeat(highest[None], len(h), axis=0)
+    for row in others:  # Horner's rule, from the smallest terms up
+        value *= h
+        value += row
     return value
 
 

@@ -44,7 +44,7 @@ COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, ker
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON),
            EXTENDED: (vectors, kernel_products, doubledouble, *COMMON, kernel_extended)}  # fmt: skip
 ENTRIES = ("advance", "conserved_values")
-AT_ONCE = "advance_lanes", "measure_coefficients", "sample_copy", "expand_watched"
+AT_ONCE = "evaluate_steps", "measure_coefficients", "expand_watched"
 # all other functions are made part of those that call them
 CALLED = ("function", "orbital", "hyperbolic", "eccentric_anomaly_at", "has_values", "reach_of", "first_zero",
           "change_within", "changes_sign", "zero_between", "bound_change", "first_coefficients",

@@ -16,18 +16,23 @@ from polhode.types import Array
 WIDE, WHOLE = 0.25, (-0.2, 3.2)  # half-width of a zone from which all of them are shown, and these rates
 FEEBLE = 0.05  # of the widest zone: narrower ones do not set what is shown
 CROWDED = 0.04  # of the height: names closer to each other than that would overlap
+COARSER, STEPS = 3, 32  # fewer steps per orbit for the other starts, right to 1e-7 rad after ten orbits, and the least
 STARTS = 22  # rates of the family, at the long axis along and across the periapsis' direction each
 
 
 def draw_spin_section(report: SpinOrbitReport) -> Figure:
     """Return θ̇/n against θ at periapsis, with bars at the side for the resonances' zones."""
     system, n = report.system, float(report.system.mean_motion)
-    steps = steps_for(system, float(report.trajectory.part("rate")[0]) / n)
-    own = _fold_angles(poincare_section(system, report.start, report.section_orbits, steps), n)
+    steps, orbits = steps_for(system, float(report.trajectory.part("rate")[0]) / n), report.section_orbits
+    own = report.motion.section[: orbits + 1]
+    if len(own) <= orbits:
+        own = poincare_section(system, report.start, orbits, steps)
+    own = _fold_angles(own, n)
     low, high = _window(report, own[:, 1])
     rates = np.linspace(low, high, STARTS + 2)[1:-1] * n
     starts = np.stack(np.meshgrid([0.0, 0.5 * np.pi], rates), axis=-1).reshape(-1, 2)
-    others = _fold_angles(poincare_section(system, starts, report.section_orbits, steps), n).reshape(-1, 2)
+    others = poincare_section(system, starts, orbits, max(STEPS, steps // COARSER))
+    others = _fold_angles(others, n).reshape(-1, 2)
     figure = style.new_figure(height=3.9)
     axes, side = figure.subplots(1, 2, sharey=True, width_ratios=(8, 1))
     axes.plot(*others.T, ".", color=style.GREY, ms=1.2, mew=0, label="other starts", rasterized=True)
