@@ -80,7 +80,7 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
         # Ω = λ Π at a critical point of the energy on the sphere
         multiplier = float(velocity @ point) / norm**2
         along = clean_direction(point / norm)
-        energy, bends = float(gyrostat.energy(point)), _curvatures(moments, along, multiplier)
+        energy, bends = 0.5 * float((point - rotor) @ velocity), _curvatures(moments, along, multiplier)
         # the linearised flow on the sphere turns at |L| times the geometric mean of the curvatures
         nutation = norm * math.sqrt(abs(bends[0])) * math.sqrt(abs(bends[1])) if bends[0] * bends[1] > 0.0 else None
         verdict = stability(gyrostat, point)

@@ -7,7 +7,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import jax.numpy as jnp
 import numpy as np
 
 from polhode.analysis._periapsis_map import Kicks, carry_neighbours, section, tabulate
@@ -67,8 +66,8 @@ def poincare_section(
     ((201, 2), True)
     """
     start, kicks = scale_start(system, states), make_kicks(system, steps)
-    points = section(kicks, start, check_count("periods", periods))[..., :2]
-    points = np.moveaxis(np.concatenate([np.asarray(start)[None], np.asarray(points)]), 0, -2)
+    points = np.asarray(section(kicks, start, check_count("periods", periods)))[..., :2]
+    points = np.moveaxis(np.concatenate([start[None], points]), 0, -2)
     return points * np.array([1.0, float(system.mean_motion)])
 
 
@@ -85,7 +84,7 @@ def tangent_map(
         steps: per orbit, as in ``poincare_section``.
     """
     start, kicks = scale_start(system, states), make_kicks(system, steps)
-    sides = jnp.broadcast_to(jnp.eye(2), (*start.shape, 2))
+    sides = np.broadcast_to(np.eye(2), (*start.shape, 2))
     _, grown, _ = carry_neighbours(kicks, start, sides, check_count("periods", periods), False)
     return np.asarray(grown)
 
@@ -115,7 +114,7 @@ def follow_neighbours(
 ) -> tuple[Float64[Array, "{periods} *batch 3"], Float64[Array, "*batch {periods}"]]:
     """Return the section as the map has it, and the exponents of ``lyapunov_exponent`` along it."""
     start, kicks = scale_start(system, states), make_kicks(system, steps)
-    side = jnp.full((*start.shape, 1), math.sqrt(0.5))
+    side = np.full((*start.shape, 1), math.sqrt(0.5))
     points, _, growth = carry_neighbours(kicks, start, side, periods, True)
     times = TURN / float(system.mean_motion) * np.arange(1, periods + 1)
     return np.asarray(points), np.moveaxis(np.cumsum(np.asarray(growth)[..., 0], axis=0), 0, -1) / times
@@ -208,7 +207,7 @@ def make_kicks(system: SpinOrbit, steps: int | None) -> Kicks:
 
 
 def scale_start(system: SpinOrbit, states: Real[ArrayLike, "*batch 2"]) -> Float64[Array, "*batch 2"]:
-    return system.check_state(states) / jnp.stack([jnp.ones(()), system.mean_motion])
+    return np.asarray(system.check_state(states)) / (1.0, float(system.mean_motion))
 
 
 def check_count(name: str, value: int) -> int:

@@ -59,9 +59,19 @@ def is_traced(*values: Any) -> bool:
 
 def is_tracing() -> bool:
     """Whether JAX is tracing a function now, so that whatever it computes is traced, even from known numbers."""
+    return is_traced(_quickest_operation()(0.0))
+
+
+@cache
+def _quickest_operation() -> Callable[[float], Any]:
+    """Return the function of JAX whose calls take the least time among those that are traced."""
+    import jax
     import jax.numpy as jnp
 
-    return is_traced(jnp.negative(0.0))  # the quickest of its operations
+    seen: list[Any] = []
+    jax.make_jaxpr(lambda: seen.append(jnp.asarray(0.0)))()
+    # unlike ``negative`` it need not be compiled, but releases of JAX differ in whether they trace it
+    return jnp.asarray if is_traced(*seen) else jnp.negative
 
 
 def known_false(condition: Any) -> bool:

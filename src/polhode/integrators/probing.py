@@ -84,7 +84,7 @@ def depends_on_time(system: AbstractSystem, state: Double[Array, "..."]) -> bool
 
 def _uses_time(system: AbstractSystem, shape: Any) -> bool:
     try:
-        time = jax.ShapeDtypeStruct((), jnp.zeros(()).dtype)
+        time = jax.ShapeDtypeStruct((), jnp.result_type(float))
         traced = jax.make_jaxpr(lambda t, y: system.vector_field(t, y))(time, shape)
     except Exception:
         return False  # the run refuses it in its own words

@@ -333,7 +333,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
                 matrices that do not lie on the algebra's dual.
         """
         state = as_finite_state(state, self.algebra.dtype)
-        if self.parts(state).attitude is not None:
+        if self.parts(np.asarray(state)).attitude is not None:
             return check_unit_attitude(state)
         return _check_on_dual(self.algebra, state) if self.algebra.element_rule else state
 

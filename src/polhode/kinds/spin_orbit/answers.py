@@ -190,7 +190,7 @@ class SpinOrbitReport(MotionReport):
     def summary(self) -> str:
         motion, n = self.motion, float(self.system.mean_motion)
         if motion.verdict == "chaotic":
-            tenfold = math.log(10.0) / motion.exponent / float(self.system.orbit.period)
+            tenfold = math.log(10.0) / motion.exponent * n / (2.0 * math.pi)
             return (
                 f"Chaotic: two spins that start almost alike differ ten times as much {tenfold:.2g} orbits later."
             )
@@ -218,7 +218,7 @@ def make_report(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
     system = _system(spec, table)
     n = float(system.mean_motion)
     if times is None:
-        times = np.linspace(0.0, PERIODS * float(system.orbit.period), spec.samples)
+        times = np.linspace(0.0, PERIODS * 2.0 * math.pi / n, spec.samples)
     state = np.array([table.angle, table.spin_ratio * n])
     frame = None if spec.body is None else spec.body.frame
     trajectory = replace(simulate(system, state, times, progress=Watch(spec.until, times)), frame=frame)
