@@ -290,8 +290,7 @@ def bound_change(series: Series, order: Any, lane: Any, slot: Any, kind: Any, ah
     be seen yet, such as the distance of a tanh from 1. And a root's own have no singularity where its argument has a
     double zero: behind it they are those of the root with the other sign.
     """
-    flat, width, length = series.flat, series.whole[SLOTS], ahead
-    first = flat[slot * LANES + lane]
+    first, length = series.flat[slot * LANES + lane], ahead
     if kind == OF_EXPONENTIAL:
         most = max(MOST_EXPONENT, UNDERFLOW - first)
     elif kind == OF_ANGLE:
@@ -300,15 +299,18 @@ def bound_change(series: Series, order: Any, lane: Any, slot: Any, kind: Any, ah
         most = 0.5 * max(MOST_EXPONENT, UNDERFLOW + 2.0 * abs(first))
     else:
         most = (1.0 - LEFT_OF_ROOT) * abs(first if kind == OF_ROOT else 1.0 + first)
-    while length > 0.0:
-        change, power = 0.0, 1.0
-        for k in range(1, order):
-            power *= length
-            change += abs(flat[(k * width + slot) * LANES + lane]) * power
-        if change <= most:
-            break
+    while length > 0.0 and not sum_of_sizes(series, order, lane, slot, length) <= most:
         length *= 0.5
     return length
+
+
+def sum_of_sizes(series: Series, order: Any, lane: Any, slot: Any, length: Any) -> Any:
+    """Return the sum of the sizes of a node's terms in a step, but that of order zero."""
+    flat, width, total, power = series.flat, series.whole[SLOTS], 0.0, 1.0
+    for k in range(1, order):
+        power *= length
+        total += abs(flat[(k * width + slot) * LANES + lane]) * power
+    return total
 
 
 def power_of_two(x: Any) -> Any:

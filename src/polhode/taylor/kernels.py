@@ -44,11 +44,11 @@ COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, ker
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON),
            EXTENDED: (vectors, kernel_products, doubledouble, *COMMON, kernel_extended)}  # fmt: skip
 ENTRIES = ("advance", "conserved_values")
-AT_ONCE = "evaluate_steps", "measure_coefficients", "expand_watched"
+AT_ONCE = "evaluate_steps", "measure_coefficients", "sum_of_sizes", "expand_watched"
 # all other functions are made part of those that call them
 CALLED = ("function", "orbital", "hyperbolic", "eccentric_anomaly_at", "has_values", "reach_of", "first_zero",
-          "change_within", "changes_sign", "zero_between", "bound_change", "first_coefficients",
-          "power_of_pair")  # fmt: skip
+          "change_within", "changes_sign", "zero_between", "bound_change", "sum_of_sizes",
+          "first_coefficients", "power_of_pair")  # fmt: skip
 WHAT = {1: "Taylor series", lanes.LANES: "Taylor series of many copies", EXTENDED: "Taylor series of more digits"}
 Function = Any  # of Numba's or of Python's own
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes
 import math
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -23,8 +24,7 @@ def borrow(x: Any) -> Any:
     return x
 
 
-_DOUBLES = ctypes.POINTER(ctypes.c_double)
-_CODE = ctypes.CFUNCTYPE(None, *[_DOUBLES] * 4, ctypes.c_int64, _DOUBLES)
+_code = cache(ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 4, ctypes.c_int64, ctypes.c_void_p))
 
 
 def run_code(
@@ -33,8 +33,7 @@ def run_code(
     units: Float64[np.ndarray, " lanes"],
 ) -> None:  # fmt: skip
     """Run the code of ``straight_line`` at an address."""
-    at = [x.ctypes.data_as(_DOUBLES) for x in (flat, a, b, number, units)]
-    _CODE(address)(*at[:4], order, at[4])
+    _code(address)(flat.ctypes.data, a.ctypes.data, b.ctypes.data, number.ctypes.data, order, units.ctypes.data)
 
 
 def vectors(array: Float64[Array, " many"]) -> Float64[Array, " many"]:
