@@ -45,7 +45,7 @@ from polhode.solving import (
 from polhode.systems._agreement import check_agreement, moves_by_generator
 from polhode.systems._checks import advancing_times
 from polhode.systems._forms import check_finite_rates
-from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, refuse_other_objects
 from polhode.systems.trajectories import make_trajectory
 from polhode.types import Array, ArrayLike, Bool, Real
 
@@ -134,8 +134,7 @@ def simulate(
         NotConverged: if an implicit step does not converge, adaptive steps shrink to nothing, or no step meets the
             tolerance.
     """
-    if not isinstance(system, AbstractSystem):
-        raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
+    refuse_other_objects(system)
     state, times = system.check_state(state), advancing_times(times)
     if np.ndim(state) < system.state_axes:
         raise InvalidInput(f"`state` must be a list of numbers, as [1.0]; got the single number {shown(float(state))}.")

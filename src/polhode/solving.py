@@ -28,7 +28,7 @@ from polhode.integrators.probing import find_undeclared_jumps, name_jumps
 from polhode.motion._outcome import Status
 from polhode.systems._agreement import MOMENTS_OF_TIME, moves_by_generator
 from polhode.systems._checks import advancing_times
-from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, refuse_other_objects
 from polhode.taylor.runs import choose_precision
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
@@ -167,8 +167,7 @@ def solve(
 
 
 def _check(system: AbstractSystem, state: Array, times: Array) -> tuple[Array, Array]:
-    if not isinstance(system, AbstractSystem):
-        raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
+    refuse_other_objects(system)
     refuse_single_precision(state=state, times=times)
     if not is_traced(state, *jax.tree.leaves(system)):
         state = system.check_state(state)

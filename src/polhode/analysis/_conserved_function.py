@@ -10,7 +10,7 @@ import numpy as np
 from polhode.types import Array, Double, Float64
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ConservedFunction:
     """F = w₀ H + Σ w_k C_k + Σ s_k ((C_k − C_k⁰)/ℓ_k)², critical at an equilibrium, and its second variation there.
 

@@ -18,7 +18,7 @@ from polhode.types import Array, Float64
 SHOWN = 1e-12  # components of a unit direction below it are rounding errors
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class AbstractReason(abc.ABC):
     """The reason of a verdict, or why it is undecided.
 
@@ -50,7 +50,7 @@ class AbstractReason(abc.ABC):
         return replace(self, **{name: function.rename(names) for name, function in functions.items()})
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DefiniteVariation(AbstractReason):
     """The second variation of a function of conserved quantities is definite: +1 positive, −1 negative."""
 
@@ -73,7 +73,7 @@ class DefiniteVariation(AbstractReason):
         return f"the energy is at its {extreme}{rest}"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class OpenVariation(AbstractReason):
     """The second variation is not definite, and no exponent disproves stability.
 
@@ -103,7 +103,7 @@ class OpenVariation(AbstractReason):
         return f"{why}: no conserved quantity that is known holds neighbours, and terms of higher order decide"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class EquilibriaWithoutShear(AbstractReason):
     """The second variation vanishes along equilibria, and the flow across them drives no sure drift along them.
 
@@ -129,7 +129,7 @@ class EquilibriaWithoutShear(AbstractReason):
         return "one of a family of equilibria: neighbours drift along it, if at all, the slower the nearer they are"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LeafOfEquilibria(AbstractReason):
     """All neighbours on the leaf are at rest, and those on other leaves have no sure drift; numbers as above."""
 
@@ -149,7 +149,7 @@ class LeafOfEquilibria(AbstractReason):
         return "all neighbours alike are equilibria: others drift, if at all, the slower the nearer they are"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SteadyDrift(AbstractReason):
     """Neighbours leave at a steady rate [1/s, times their distance] along a unit direction (n,)."""
 
@@ -166,7 +166,7 @@ class SteadyDrift(AbstractReason):
         return f"neighbours leave at a steady rate, {self.drift_rate:.6g}/s times their distance"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ExponentialGrowth(AbstractReason):
     """The linearised flow on the leaf grows at a rate along a unit direction (n,)."""
 
@@ -182,7 +182,7 @@ class ExponentialGrowth(AbstractReason):
         return "neighbours leave exponentially"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class NoCombination(AbstractReason):
     """The slope of the energy is no combination of the Casimirs' slopes, and no exponent disproves stability.
 
@@ -209,7 +209,7 @@ class NoCombination(AbstractReason):
         return "no conserved quantity that is known has an extremum here, and no growth is sure"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FieldVanishes(AbstractReason):
     """The field vanishes at all points."""
 
@@ -219,7 +219,7 @@ class FieldVanishes(AbstractReason):
         return "the field vanishes at all points: every neighbour is an equilibrium"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DefiniteOnLeaf(AbstractReason):
     """The energy's second variation is definite on the leaf's own tangent space.
 
@@ -259,7 +259,7 @@ class DefiniteOnLeaf(AbstractReason):
         return f"{here}: neighbours cannot leave"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LeafIsPoint(AbstractReason):
     """The leaf is a point, on which nothing moves.
 
@@ -285,7 +285,7 @@ class LeafIsPoint(AbstractReason):
         return f"nothing moves with the same Casimirs{'; ' + others if others else ', and neighbours cannot leave'}"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Exponents(AbstractReason):
     """Real parts of the exponents of a flow that loses energy.
 
@@ -318,7 +318,7 @@ class Exponents(AbstractReason):
         return "neither growth nor return is certain: terms of higher order decide"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class AxisOfFreeBody(AbstractReason):
     """Rotation about a principal axis, judged by H − |L|²/(2I).
 
@@ -363,7 +363,7 @@ class AxisOfFreeBody(AbstractReason):
         return "the energy is at its greatest for this |L|; any internal loss of energy makes the spin leave this axis"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SphereOfRests(AbstractReason):
     """All moments are equal."""
 
@@ -373,7 +373,7 @@ class SphereOfRests(AbstractReason):
         return "every axis of a sphere is a rest of L"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SettlesOnCircle(AbstractReason):
     """Neighbours settle, at a negative rate, on a circle of axes of equal moment."""
 
@@ -387,7 +387,7 @@ class SettlesOnCircle(AbstractReason):
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Restriction:
     """The restriction of "stable".
 
@@ -407,7 +407,7 @@ class Restriction:
         return f"in {' and '.join(self.within)}, not in {' and '.join(self.without)}"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class MissingCasimirs:
     """Casimirs that would be needed and are not known.
 

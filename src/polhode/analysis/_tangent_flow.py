@@ -11,7 +11,7 @@ from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, solve_adaptively
 from polhode.integrators._series import NoSeries, Taylor, has_series, solve_by_series
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps
-from polhode.systems.base import AbstractSystem
+from polhode.systems.base import AbstractSystem, refuse_other_objects
 from polhode.systems.variations import Variations
 from polhode.types import Array, ArrayLike, Complex128, Double, Float64, Real
 
@@ -86,8 +86,7 @@ def one_state(system: AbstractSystem, state: Real[ArrayLike, "..."]) -> Double[n
     Raises:
         InvalidInput: if it is not a system, or for a batch of states.
     """
-    if not isinstance(system, AbstractSystem):
-        raise InvalidInput(f"`system` must be one of polhode.systems; got {type(system).__name__}.")
+    refuse_other_objects(system)
     start = np.asarray(system.check_state(state))
     if np.ndim(start) != system.state_axes:
         raise InvalidInput(f"`state` must be one state, no batch; got shape {np.shape(start)}. Call it for each.")

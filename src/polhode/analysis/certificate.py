@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from polhode.systems.base import AbstractLiePoissonSystem
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Subject:
     """What a verdict is about.
 

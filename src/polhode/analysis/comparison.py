@@ -29,7 +29,7 @@ FEW_DIGITS = 1e4  # s; offsets below are told apart by six digits
 MARGIN = 2.0  # on what rounding of times may miss: the bound is met exactly by a steady turn, and speeds are estimates
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class AttitudeHistory:
     """The attitude of a body over time, sampled, and exactly where it is known.
 
@@ -80,7 +80,7 @@ class Invariants(NamedTuple):
     source: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Comparison:
     """The difference of two attitude histories where they overlap.
 

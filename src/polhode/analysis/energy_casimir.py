@@ -43,7 +43,7 @@ EQUILIBRIUM_TOLERANCE = 1e-8  # what may be left of dH + Σ λ dC relative to it
 NO_ENERGY = 1e-12  # weight of H, among weights of order one, that counts as none in a function of conserved quantities
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Stability:
     """A verdict with its certificate.
 

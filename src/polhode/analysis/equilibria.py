@@ -52,6 +52,8 @@ def find_equilibria(
         InvalidInput: for a wrong shape, the zero point, an algebra some of whose Casimirs are neither known nor given,
             or a system that does not move by its energy alone.
     """
+    if not isinstance(system, AbstractLiePoissonSystem):
+        raise InvalidInput(f"`system` must be a Lie–Poisson system; got {type(system).__name__}.")
     algebra = system.algebra
     mu = as_points(algebra, state)
     if mu.shape != algebra.element_shape or not bool(jnp.any(mu != 0)):

@@ -15,7 +15,7 @@ from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators._series import check_sizes
 from polhode.motion._outcome import Status
 from polhode.systems._forms import check_finite_rates, one_number
-from polhode.systems.base import AbstractSystem
+from polhode.systems.base import AbstractSystem, refuse_other_objects
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import choose_precision, find_crossings
 from polhode.types import Array, ArrayLike, Double, Float64, Real
@@ -75,6 +75,7 @@ def section(
 
     Source: Hénon, Physica D 5 (1982) 412, for what a section is; the zeros by Taylor series on each step.
     """
+    refuse_other_objects(system)
     refuse_single_precision(times=times)
     start = system.check_state(state)
     ends = np.asarray(times, dtype=float)

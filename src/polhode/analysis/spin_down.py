@@ -48,7 +48,7 @@ ANGLES, CONTACT, RATES = (
 )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SpinDown:
     """The end of a disk's motion.
 
@@ -222,7 +222,7 @@ def _at_rest(disk: EulerDisk, theta: Array) -> Array:
     return jnp.stack([theta, zero, zero, zero, zero, zero, rate, spin])
 
 
-@dataclass
+@dataclass(eq=False)
 class _Run:
     """The samples so far: states, and the time and energy lost since the one before."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -354,6 +354,9 @@ def combine(bodies: Sequence[Body | MassProperties], cut: Sequence[Body | MassPr
     >>> ring.mass, float(ring.inertia[2, 2])
     (3.0, 7.5)
     """
+    for name, value in (("bodies", bodies), ("cut", cut)):
+        if not isinstance(value, Body | Iterable):
+            raise InvalidInput(f"`{name}` must be a list of Body objects; got {shown(value)}.")
     added, taken = ([one] if isinstance(one, Body) else list(one or []) for one in (bodies, cut))
     if not added:
         raise InvalidInput("`bodies` must name at least one body to combine; got none.")

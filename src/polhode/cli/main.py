@@ -36,10 +36,11 @@ def main(arguments: list[str] | None = None) -> NoReturn:
             warnings.showwarning = _say_warning
             code = _run(arguments)
     except Stopped as stop:
-        if arguments is None:
-            warnings.simplefilter("ignore")  # such as those of libraries whose work was not finished
-        _tell(describe_stop(stop.number))
         code = 128 + stop.number
+        _tell(describe_stop(stop.number))
+        if arguments is None:
+            # drafts are removed; a compiler's threads go on, and crash where Python takes down what they use
+            os._exit(code)
     if arguments is None:
         for number in SIGNALS:  # while Python ends there is nothing more to clean up, and nothing to say
             if signal.getsignal(number) is not signal.SIG_IGN:
@@ -100,10 +101,19 @@ def _run(arguments: list[str] | None) -> int | str | None:
         _silence()
         return PIPE_CLOSED
     except OSError as error:
-        _tell(f"polhode: the output cannot be written: {error.strerror}. Check disk and destination.\n")
+        _tell(f"polhode: {_describe_failure(error)}\n")
         _silence()
         return MISTAKE
     return 0
+
+
+def _describe_failure(error: OSError) -> str:
+    """Return the message for an operation that the system refused: on a named file, or on what is written."""
+    if error.filename is not None:
+        return f"{error.filename}: {error.strerror}. Check the path and its permissions."
+    if error.strerror is None:  # raised by a library in its own words
+        return f"{one_line(str(error)).rstrip('.')}. Check the path and its permissions."
+    return f"the output cannot be written: {error.strerror}. Check disk and destination."
 
 
 def _singular() -> tuple[type[Exception], ...]:

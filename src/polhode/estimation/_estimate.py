@@ -12,7 +12,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Float64
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Estimate:
     """Named estimates with their covariance.
 

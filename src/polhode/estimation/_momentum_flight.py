@@ -25,7 +25,7 @@ MOST_AT_ONCE = 20_000  # samples
 BROKEN = 0.1  # s: longer steps between samples end a stretch
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Stretch:
     """A stretch with constant angular momentum.
 
@@ -98,7 +98,7 @@ def of_one_body(
     ]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Spread:
     """Mean (3, 6) of the momentum maps of a stretch, their spread (6, 6) about it, and the change that its own best
     inertia leaves.

@@ -18,7 +18,7 @@ HALF_TURNS = ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0
 DIRECTED = ("one_sided_drag", "rotor")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Principal:
     """Sorted moments and axes of a solution.
 

@@ -31,7 +31,7 @@ MAX_ROUNDS, MAX_STEPS = 6, 25
 LATEST = 0.1  # of the time between samples: a clock that is worse would explain anything
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Throw:
     """Samples of one throw: times from its epoch (n,) [s], and rates (n, 3) [rad/s, device frame]."""
 
@@ -115,7 +115,7 @@ class Model:
         return low, high
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Solution:
     """A fitted model.
 

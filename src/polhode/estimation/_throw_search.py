@@ -41,7 +41,7 @@ SPANS = (100.0, 0.3, 0.15)  # s, of stretches over which a momentum is constant:
 WHEEL = (("rotor",), ("drag", "rotor"))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Start:
     """The result of the linear method, or why there is none."""
 

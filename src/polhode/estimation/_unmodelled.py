@@ -25,7 +25,7 @@ ROUNDS, STEPS, HALVINGS = 4, 40, 8
 ROUNDED = 1e-15  # of the largest singular value: smaller ones are rounding
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Settled:
     """A solution that allows for what its model leaves out.
 

@@ -31,7 +31,7 @@ LIMITS = ([-1.0, 0.0, *[-np.inf] * 12], [1.0, 2.0, *[np.inf] * 12])
 ROUNDS = 6
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class AttitudeFit:
     """The result of a fit to a log of attitudes.
 

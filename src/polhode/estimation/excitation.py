@@ -17,7 +17,7 @@ from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 STEP = 10.0 * DAY
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PolarExcitation:
     """Excitation of polar motion.
 

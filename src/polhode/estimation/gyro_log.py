@@ -17,7 +17,7 @@ MOST = {"times": (1e12, "s"), "rates": (1e12, "rad/s"), "acceleration": (1e12, "
 CLOSEST = 1e-9  # s from sample to sample: no gyro comes near it, and a second of such a log fills the memory
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class GyroLog:
     """Angular rates and proper accelerations of a device, each with its own clock readings.
 

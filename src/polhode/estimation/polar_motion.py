@@ -35,7 +35,7 @@ SEASONS = {"annual_prograde": ANNUAL, "annual_retrograde": -ANNUAL,
 SEEN = 3.0  # standard errors, below which a line is not there
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ChandlerFit:
     """A fit of polar motion: the Chandler wobble as one line, seasons and drift.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -29,7 +29,7 @@ BIAS = ("bias x", "bias y", "bias z")
 GAIN_SPREAD = 0.01  # as phones have gains and cross-axis sensitivities
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FittedThrow:
     """One throw of a fit.
 
@@ -79,7 +79,7 @@ class ModelScore:
     chosen: bool
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ThrowFit:
     """The result of a fit to one or several throws of one body.
 
@@ -210,7 +210,10 @@ def fit_throw(
         >>> bool(np.all(abs(fit.ratios.value - [0.2, 0.8]) < 3 * fit.ratios.standard_error))
         True
     """
-    every = [logs] if isinstance(logs, GyroLog) else list(logs)
+    every = [logs] if isinstance(logs, GyroLog) else list(logs) if isinstance(logs, Iterable) else []
+    if not every or not all(isinstance(log, GyroLog) for log in every):
+        raise InvalidInput(f"`logs` must be a GyroLog or a list of them; got {shown(logs)}. Read files with "
+                           "`polhode.formats.read_gyro_log`, or make one by `clean_log`.")  # fmt: skip
     for name, value in (("drag", drag), ("gain", gain), ("rotor", rotor)):
         _check_choice(name, value)
     if not (np.isfinite(gain_spread) and gain_spread > 0):

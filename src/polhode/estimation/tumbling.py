@@ -24,7 +24,7 @@ DRAWS = 2048
 NAMES = ("energy_ratio", "cone_angle", "momentum_rate")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class TumblingInterval:
     """Intervals of the motion, from the errors of the periods and moments.
 
@@ -41,7 +41,7 @@ class TumblingInterval:
     admissible: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Tumbling:
     """A free motion with given periods.
 
@@ -179,7 +179,7 @@ def _check_errors(errors: ArrayLike | None) -> Float64[Array, "5"] | None:
     return sizes if sizes.any() else None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Solved:
     """Motions of one mode (n,): ln of the ratio of the components of L, not a number where there is none."""
 

@@ -35,7 +35,7 @@ LAGS = 6  # steps over which innovations are tested for whiteness
 BOUNDS = ((380.0 / 433.0, 490.0 / 433.0), (np.log(2.0), np.log(LARGEST_Q)), (-9.0, 14.0))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ChandlerProcess:
     """Period and Q of the Chandler wobble by likelihood, and the wobble itself.
 

@@ -19,7 +19,7 @@ EACH = 0.25 * YEAR  # between windows
 FULL = 0.9  # of a window that must hold samples
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ChandlerWindows:
     """The wobble, as one line of fixed rate in each of many windows that overlap.
 
@@ -64,7 +64,7 @@ class ChandlerWindows:
         return np.sqrt(np.einsum("ki,kij,kj->k", along, self.covariance, along))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PoleSpectrum:
     """Spectral density of the complex pole.
 

@@ -22,7 +22,7 @@ SAMPLES = 6000
 REMEDY = "Sample a LagrangeMotion, or simulate a HeavyTop with its attitude."
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class TopShown:
     """One top's motion, along the principal axes at its fixed point.
 

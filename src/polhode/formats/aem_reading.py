@@ -13,6 +13,7 @@ from polhode.formats.aem_segments import Segment, WrittenInXml, read_segments, r
 from polhode.formats.aem_xml import read_xml_segments
 from polhode.formats.epochs import shortest, since
 from polhode.formats.labels import AttitudeLabels, Recording, is_in_spacecraft, plain
+from polhode.formats.paths import as_path
 from polhode.motion._layout import ATTITUDE, StateLayout
 from polhode.motion._outcome import Ending, Outcome
 from polhode.motion._trajectory import Trajectory
@@ -40,7 +41,7 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
         InvalidInput: if the file is missing, or has no such segment.
         FormatError: naming the line, if it is no AEM or leaves open what it means.
     """
-    path = Path(path)
+    path = as_path("path", path)
     try:
         segments = read_segments(path)
     except WrittenInXml:

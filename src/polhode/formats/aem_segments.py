@@ -36,7 +36,7 @@ OPTIONAL = (
 Lines = Iterator[tuple[int, str]]
 
 
-@dataclass
+@dataclass(eq=False)
 class Segment:
     """One block of metadata with its data, as they stand in the file.
 

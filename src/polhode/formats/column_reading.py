@@ -16,6 +16,7 @@ from polhode.formats.column_meaning import Understood, agreement, find_direction
 from polhode.formats.column_resolution import Resolved, resolve_mapping
 from polhode.formats.header_words import IN_RADIANS
 from polhode.formats.labels import AttitudeLabels, Recording, nameless
+from polhode.formats.paths import as_path
 from polhode.formats.plain_table import PlainTable, name_column, read_cells, table_form
 from polhode.formats.rate_scale import read_scale
 from polhode.formats.stamps import Clock, in_words, read_clock
@@ -75,7 +76,7 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
     >>> trajectory.times.tolist(), trajectory.angular_velocity[:, 2].round(6).tolist()
     ([0.0, 0.01], [3.141593, 1.570796])
     """
-    path = Path(path)
+    path = as_path("path", path)
     form = table_form(path)
     resolved = resolve_mapping(path, form, mapping)
     wanted = (*resolved.attitude, *resolved.gyro)

@@ -18,7 +18,7 @@ from polhode.formats.attitude_checks import check_recorded
 from polhode.formats.labels import Recording
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
-from polhode.formats.paths import write_whole
+from polhode.formats.paths import as_path, write_whole
 from polhode.motion._layout import ATTITUDE, MOMENTUM, StateLayout
 from polhode.motion._outcome import Ending, Outcome
 from polhode.motion._trajectory import Trajectory
@@ -106,7 +106,7 @@ def read_csv(path: str | Path) -> Trajectory:
         InvalidInput: if the file is missing.
         FormatError: naming the line, if it is not such a table; naming the sample, if one has no attitude.
     """
-    path = Path(path)
+    path = as_path("path", path)
     names, table = _read_table(path)
     columns = dict(zip(names, table.T, strict=True))
     if "time [s]" not in columns:

@@ -15,7 +15,7 @@ from polhode.errors import InvalidInput, not_installed, shown
 from polhode.formats.dataset_rules import COMPLEX_PART, COMPONENTS, COUNTED, MEMORY, UNITS
 from polhode.formats.labels import AttitudeLabels, find_labels
 from polhode.formats.opening import MB, read_file
-from polhode.formats.paths import write_whole
+from polhode.formats.paths import as_path, write_whole
 from polhode.formats.zarr_gate import DOCUMENTS
 from polhode.motion._outcome import Outcome
 from polhode.motion._trajectory import Trajectory
@@ -189,7 +189,7 @@ def write_dataset(trajectory: Trajectory, path: str | Path, attributes: dict[str
     Raises:
         InvalidInput: if the file cannot be written there, or for states that are not finite.
     """
-    path = Path(path)
+    path = as_path("path", path)
     _check_finite(trajectory)
     # HDF5 would try again to write what a full disk refused, and crash as Python ends: it gets memory, not the disk
     packed = BytesIO()
@@ -228,7 +228,7 @@ def write_zarr(trajectory: Trajectory, path: str | Path, attributes: dict[str, s
         import zarr.storage
     except ImportError:
         raise not_installed("Zarr stores", "zarr", "zarr") from None
-    path = Path(path)
+    path = as_path("path", path)
     _check_finite(trajectory)
     dataset = as_dataset(trajectory, attributes)
     # zarr's own thread would go on writing while an interrupted draft is removed: it gets memory, not the disk

@@ -23,6 +23,7 @@ from polhode.formats.dataset_rules import (
 from polhode.formats.hdf5_gate import check_hdf5
 from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.opening import MB, check_is_file, is_folder
+from polhode.formats.paths import as_path
 from polhode.formats.zarr_gate import check_store
 from polhode.motion._layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
 from polhode.motion._outcome import Ending, Outcome
@@ -47,7 +48,7 @@ def read_dataset(path: str | Path) -> Trajectory:
         InvalidInput: if the file is missing, or zarr is for a store.
         FormatError: if it is not a dataset of polhode's, or a damaged one.
     """
-    path = Path(path)
+    path = as_path("path", path)
     dataset = _load(path)
     if str(dataset.attrs.get("source")) != "polhode" or "time" not in dataset.coords:
         raise FormatError(f"{path}: is a dataset, but not one that polhode wrote. Read it with xarray.")

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from polhode.errors import InvalidInput, shown
+from polhode.formats.paths import as_path
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -34,7 +35,7 @@ def save_figure(figure: Figure, path: str | Path) -> Path:
     Raises:
         InvalidInput: for another ending.
     """
-    path = Path(path)
+    path = as_path("path", path)
     kind = path.suffix.removeprefix(".").lower()
     if kind not in METADATA:
         raise InvalidInput(f"`path` must end in .png, .svg or .pdf; got {shown(path.name)}.")

@@ -15,7 +15,7 @@ from polhode.formats.animation_keys import make_keys
 from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.glb import Glb
 from polhode.formats.labels import AttitudeLabels
-from polhode.formats.paths import write_whole
+from polhode.formats.paths import as_path, write_whole
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
 from polhode.types import Array
@@ -73,7 +73,7 @@ def write_gltf(
     ...     write_gltf(motion.sample(np.linspace(0.0, 20.0, 600)), f"{folder}/tumbling.glb").name
     'tumbling.glb'
     """
-    path = Path(path)
+    path = as_path("path", path)
     for name, value in (("rate", rate), ("speed", speed)):
         if value is not None and not (math.isfinite(value) and value > 0):
             raise InvalidInput(f"`{name}` must be positive and finite; got {shown(value)}. Give it in SI units.")

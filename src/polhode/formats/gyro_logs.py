@@ -24,6 +24,7 @@ from polhode.formats.gyro_dialects import (
 from polhode.formats.header_words import RATE_UNITS, TIME_UNITS, unit_in
 from polhode.formats.log_archives import is_archive, unpack_log
 from polhode.formats.opening import check_is_file, is_folder
+from polhode.formats.paths import as_path
 from polhode.formats.plain_table import LARGEST_FILE, detect_decimal, first_lines, read_cells
 from polhode.formats.stamps import read_clock
 from polhode.formats.table_form import DELIMITERS, Line, TableForm, detect_form, split_cells
@@ -79,7 +80,7 @@ def read_gyro_log(
     >>> read.dialect, read.log.rates[-1].tolist()
     ('Sensor Logger', [8.0, 2.0, 3.0])
     """
-    path = Path(path)
+    path = as_path("path", path)
     if is_folder(path):
         return _read_table(_gyro_file(path), mapping, progress, rate_unit)
     check_is_file(path, "log", LARGEST_FILE)

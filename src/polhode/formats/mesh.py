@@ -16,6 +16,7 @@ from polhode.formats.mesh_archives import LIBRARIES, check_archive
 from polhode.formats.mesh_checks import as_text, check_content
 from polhode.formats.obj_mesh import read_obj
 from polhode.formats.opening import MB, read_file
+from polhode.formats.paths import as_path
 from polhode.formats.stl_mesh import read_stl
 from polhode.types import Array, Float64, Integer
 
@@ -63,7 +64,7 @@ def read_mesh(
 
 def load_mesh(path: str | Path, unit: float | None = None, repair: bool = False) -> LoadedMesh:
     """Return a mesh as ``read_mesh`` does, with notes on what repair changed."""
-    path = Path(path)
+    path = as_path("path", path)
     if unit is None and not names_its_unit(path):
         raise InvalidInput(f"{path}: `unit` is missing, a length in metres like 1e-3; of mesh files only 3MF and DAE "
                            "name theirs.")  # fmt: skip

@@ -13,6 +13,7 @@ from polhode import rotation
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.paths import as_path
 from polhode.formats.robot_xml import (
     FREE,
     NAMED,
@@ -100,7 +101,7 @@ def read_mjcf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> 
 
     Source: MuJoCo, *Computation*, "Kinematics"; mj_kinematics.
     """
-    path = Path(path)
+    path = as_path("path", path)
     tops = _Reader(path, digits).tops()
     if len(tops) != 1:
         names = ", ".join(node.name for node in tops[:NAMED]) or "none"

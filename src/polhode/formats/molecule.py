@@ -14,6 +14,7 @@ from polhode.bodies.atoms import ANGSTROM, ATOMIC_MASS_UNIT, is_element
 from polhode.errors import FormatError, not_installed, shown
 from polhode.formats.numerals import is_misread
 from polhode.formats.opening import MB, read_text
+from polhode.formats.paths import as_path
 from polhode.types import Array, Float64
 
 FORMS = {"xyz": "extxyz", "extxyz": "extxyz", "pdb": "proteindatabank", "mol": "mol", "sdf": "sdf"}
@@ -36,7 +37,7 @@ def read_molecule(path: str | Path) -> tuple[list[str], Float64[Array, "n 3"], F
         InvalidInput: if the file is missing, or ASE is, which all but plain .xyz needs.
         FormatError: if it cannot be read, holds no atoms or several structures, or is a periodic crystal.
     """
-    path = Path(path)
+    path = as_path("path", path)
     form = FORMS.get(path.suffix.lower().lstrip("."))
     text = read_text(path, "molecule", LARGEST_FILE)
     if form is None:

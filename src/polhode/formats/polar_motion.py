@@ -17,6 +17,7 @@ import numpy as np
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, read_text
+from polhode.formats.paths import as_path
 from polhode.types import Array, Float64
 
 KIND = "polar motion"
@@ -30,7 +31,7 @@ _REMEDY = ("Give a C04 file (year, month, day, with or without hour, MJD, x, y, 
            "publishes them")  # fmt: skip
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PoleSeries:
     """Polar motion from a file.
 
@@ -79,7 +80,7 @@ def read_polar_motion(path: str | Path | None = None) -> PoleSeries:
     if path is None:
         path, source = _find_installed()
     else:
-        path = Path(path)
+        path = as_path("path", path)
         source = path.name
     lines = read_text(path, KIND, LIMIT).splitlines()
     first = next((line for line in lines if _is_data(line)), None)

@@ -12,6 +12,7 @@ from polhode import rotation
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.paths import as_path
 from polhode.formats.robot_xml import (
     FREE,
     NAMED,
@@ -54,7 +55,7 @@ def read_sdf_inertial(path: str | Path, link: str | None = None, digits: int | N
 
     Source: Open Robotics, *SDFormat specification* 1.11, link, inertial and pose.
     """
-    path = Path(path)
+    path = as_path("path", path)
     links = _elements_by_name(path, _model(path), "link")
     have = ", ".join(list(links)[:NAMED]) or "none"
     if link is None:
@@ -88,7 +89,7 @@ def read_sdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> B
 
     Source: Open Robotics, *SDFormat specification* 1.11, joint, and *Pose frame semantics*.
     """
-    path = Path(path)
+    path = as_path("path", path)
     model = _model(path)
     poses = _Poses(path, model)
     links, joints = _elements_by_name(path, model, "link"), _elements_by_name(path, model, "joint")

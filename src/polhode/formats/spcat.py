@@ -14,7 +14,7 @@ import numpy as np
 from polhode.errors import InvalidInput, shown
 from polhode.formats.fixed_columns import Field, read_rows, write_rows
 from polhode.formats.opening import MB, read_text
-from polhode.formats.paths import write_whole
+from polhode.formats.paths import as_path, write_whole
 from polhode.quantum import Lines
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
@@ -76,7 +76,7 @@ def read_cat(path: str | Path) -> Catalogue:
         InvalidInput: if it is missing.
         FormatError: naming line and columns of what is not as it must be.
     """
-    path = Path(path)
+    path = as_path("path", path)
     text = read_text(path, "catalogue", LARGEST_FILE)
     remedy = "A catalogue has fixed columns: F13.4 F8.4 F8.4 I2 F10.4 I3 I7 I4 12I2."
     pairs = list(read_rows(path, text, _row, remedy))

@@ -16,7 +16,7 @@ from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.fixed_columns import Field, read_coded, read_rows, write_rows
 from polhode.formats.numerals import read_fortran
 from polhode.formats.opening import MB, read_text
-from polhode.formats.paths import write_whole
+from polhode.formats.paths import as_path, write_whole
 from polhode.formats.spcat import HERTZ_OF_WAVE_NUMBER
 from polhode.quantum import MeasuredLines
 from polhode.types import Array, Float64, Integer
@@ -89,7 +89,7 @@ def read_lin(path: str | Path) -> LineList:
         InvalidInput: if it is missing.
         FormatError: naming line and columns of what is not as it must be.
     """
-    path = Path(path)
+    path = as_path("path", path)
     remedy = "A list of lines has twelve fields of three columns, then frequency, error and perhaps a weight."
     pairs = list(read_rows(path, read_text(path, "line list", LARGEST_FILE), _row, remedy, True))
     rows = [row for row, _ in pairs]

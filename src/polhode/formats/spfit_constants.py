@@ -20,7 +20,7 @@ import numpy as np
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.numerals import read_fortran, read_number
 from polhode.formats.opening import MB, read_text
-from polhode.formats.paths import write_whole
+from polhode.formats.paths import as_path, write_whole
 from polhode.quantum import Reduction, Representation, Rotor
 from polhode.quantum._derivatives import find_tied
 from polhode.quantum._operators import TERMS, Term
@@ -231,7 +231,7 @@ def read_par(path: str | Path) -> ConstantTable:
         InvalidInput: if it is missing.
         FormatError: naming the line that is not as it must be.
     """
-    path = Path(path)
+    path = as_path("path", path)
     lines = read_text(path, "constants", LARGEST_FILE).split("\n")
     if len(lines) < 4:
         raise FormatError(f"{path}: must have a title, two lines of options, and a line for each constant; it has "

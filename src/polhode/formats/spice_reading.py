@@ -17,6 +17,7 @@ from polhode.formats.epochs import TIME_SYSTEMS, read_epoch
 from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, open_file
+from polhode.formats.paths import as_path
 from polhode.formats.spice_checks import Segment, byte_order, check_ck, check_text_kernel, record_ticks
 from polhode.formats.spice_kernels import KINDS, load_kernels, reword
 from polhode.formats.time_scales import as_epoch, leap_seconds_kernel
@@ -58,7 +59,7 @@ def read_ck(
         InvalidInput: for files that are missing, or unless one body is meant.
         FormatError: for what SPICE refuses to read.
     """
-    path = Path(path)
+    path = as_path("path", path)
     with open_file(path, "C-kernel", LARGEST_FILE) as file:
         begun = file.read(8)
     if not begun.startswith(BEGINNINGS):

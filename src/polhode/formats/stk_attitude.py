@@ -27,6 +27,7 @@ from polhode.formats.epochs import read_epoch, shortest, since
 from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, read_text
+from polhode.formats.paths import as_path
 from polhode.motion._layout import ATTITUDE, StateLayout
 from polhode.motion._outcome import Ending, Outcome
 from polhode.motion._trajectory import Trajectory
@@ -58,7 +59,7 @@ def read_stk(path: str | Path) -> Trajectory:
         InvalidInput: where the file is missing.
         FormatError: naming the line, for what is not such a file, or is of a kind that is not read here.
     """
-    path = Path(path)
+    path = as_path("path", path)
     group = _read_group(path)
     clock = group.keywords.get("timeformat", "EpSec").lower()
     if clock != "epsec" and clock not in DATED:

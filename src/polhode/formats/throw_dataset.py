@@ -13,7 +13,7 @@ from polhode.estimation._estimate import Estimate
 from polhode.estimation.attitude_fit import AttitudeFit
 from polhode.estimation.throw import ThrowFit
 from polhode.formats.dataset import pack
-from polhode.formats.paths import write_whole
+from polhode.formats.paths import as_path, write_whole
 from polhode.types import Array
 
 SQUARED = {"1": "1", "s-1": "s-2", "rad s-1": "rad2 s-2", "rad s-2": "rad2 s-4"}
@@ -61,7 +61,7 @@ def write_attitude_fit(fit: AttitudeFit, name: str, path: str | Path) -> Path:
 
 
 def _pack(path: str | Path, variables: dict[str, Any], coordinates: dict[str, Any], header: dict[str, str]) -> Path:
-    path = Path(path)
+    path = as_path("path", path)
     packed = BytesIO()  # HDF5 would crash on a disk that is full
     pack(packed, variables, coordinates, header)
     with write_whole(path) as draft:

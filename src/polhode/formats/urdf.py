@@ -14,7 +14,7 @@ import numpy as np
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.paths import write_whole
+from polhode.formats.paths import as_path, write_whole
 from polhode.formats.robot_xml import (
     FREE,
     Frame,
@@ -55,7 +55,7 @@ def read_urdf_inertial(path: str | Path, link: str | None = None, digits: int | 
 
     Source: ROS, *URDF XML specification*, link and joint elements.
     """
-    path = Path(path)
+    path = as_path("path", path)
     name, inertial = _find_inertial(path, read_xml(path, "URDF", "robot"), link)
     where = f"{path}: link {shown(name)}"
     found = _inertial(where, inertial, digits)
@@ -81,7 +81,7 @@ def read_urdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> 
 
     Source: ROS, *URDF XML specification*, link and joint elements.
     """
-    path = Path(path)
+    path = as_path("path", path)
     root = read_xml(path, "URDF", "robot")
     names = [element.get("name", "") for element in root.findall("link")]
     if len(set(names)) != len(names):
@@ -193,7 +193,7 @@ def write_urdf_inertial(body: Body, path: str | Path, name: str = "body", princi
     ...     read_urdf_inertial(path).principal_moments
     array([ 5., 10., 13.])
     """
-    path = Path(path)
+    path = as_path("path", path)
     if body.mass is None:
         raise InvalidInput("URDF holds the mass, and this body has none; give `mass` when making it.")
     if not name.strip() or not name.isprintable():

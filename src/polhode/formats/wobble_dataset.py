@@ -10,7 +10,7 @@ from polhode.estimation.excitation import PolarExcitation
 from polhode.estimation.wobble_process import ChandlerProcess
 from polhode.estimation.wobble_windows import ChandlerWindows
 from polhode.formats.dataset import pack
-from polhode.formats.paths import write_whole
+from polhode.formats.paths import as_path, write_whole
 
 CLOCK = {"units": "s", "long_name": "time since modified Julian date 0, UTC"}
 
@@ -30,7 +30,7 @@ def write_wobble(
     Raises:
         InvalidInput: if the file cannot be written there.
     """
-    path = Path(path)
+    path = as_path("path", path)
     variables: dict[str, Any] = {}
 
     def add(name: str, axis: str, values: Any, units: str, meaning: str) -> None:

@@ -26,7 +26,7 @@ _BY_NAME = ("invariants", "balances", "received", "observed")
 _AS_VECTORS = ("attitude", "momentum", "angular_velocity")  # parts of states that a trajectory has under these names
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Trajectory(Plotted):
     """Sampled motion of one body or system, or a batch of them; plain arrays, SI units.
 
@@ -103,7 +103,14 @@ class Trajectory(Plotted):
         return cast("AbstractMotion", self.source) if isinstance(self.source, ExactMotion) else None
 
     def quantity(self, name: str) -> Quantity:
-        """Return the unit and meaning of an invariant, a balance or what is observed; no unit where none is known."""
+        """Return the unit and meaning of an invariant, a balance or what is observed; no unit where none is known.
+
+        Raises:
+            InvalidInput: for a name that the trajectory does not have.
+        """
+        if name not in (known := [*self.invariants, *self.balances, *self.observed]):
+            raise InvalidInput(f"no quantity {shown(name)}; the trajectory has {', '.join(known) or 'none'}. "
+                               "Choose one of these.")  # fmt: skip
         return self.quantities.get(name) or Quantity("", name.replace("_", " "))
 
     def part(self, name: str) -> Double[Array, "..."]:
@@ -231,7 +238,16 @@ class Trajectory(Plotted):
         return self.select(np.flatnonzero(inside))
 
     def select(self, rows: Integer[Array, "rows"] | slice) -> Trajectory:
-        """Return the samples of these indices along the time axis, in their order."""
+        """Return the samples of these indices along the time axis, in their order.
+
+        Raises:
+            InvalidInput: for a single index, or one that there is not.
+        """
+        if not isinstance(rows, slice):
+            rows, count = np.asarray(rows), len(self.times)
+            if rows.ndim != 1 or not np.all((rows == rows.astype(int)) & (rows >= -count) & (rows < count)):
+                raise InvalidInput(f"`rows` must be a slice or a list of indices of the {count} samples; got "
+                                   f"{shown(rows.tolist())}.")  # fmt: skip
         axis = len(self.batch_shape)
         at = (slice(None),) * axis + (rows,)
         values: dict[str, Any] = {name: getattr(self, name) for name in _SAMPLED}

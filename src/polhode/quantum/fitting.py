@@ -27,7 +27,7 @@ SMALL = 1e-9  # of a last step and of what it gains: in units of σ, far below t
 ROUNDING = 1e-13  # of the terms of ∂E'/∂p − ∂E''/∂p
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RotorFit:
     """A rotor fitted to measured lines; an observation is a line or a blend, in the order of the lines.
 

@@ -53,6 +53,8 @@ class Report(abc.ABC):
         super().__init_subclass__(**options)
         if "__repr__" not in vars(cls):  # a dataclass would write out all of its arrays
             cls.__repr__ = Report.__repr__  # type: ignore[method-assign]
+        if "__eq__" not in vars(cls):  # and compare them, which gives an array of truth values
+            cls.__eq__, cls.__hash__ = object.__eq__, object.__hash__  # type: ignore[method-assign,assignment]
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} on {printable(self.name)}: {printable(self.summary)}>"

@@ -62,6 +62,9 @@ def fit(
     texts = {"moment": moment, "mass": mass, "added_weight": added_weight}
     if wrong := [name for name, text in texts.items() if text is not None and not isinstance(text, str)]:
         raise InvalidInput(f"`{wrong[0]}` must be a text like \"150 g\"; got {shown(texts[wrong[0]])}.")
+    switches = {"drag": drag, "torque": torque, "rotor": rotor, "gain": gain}
+    if wrong := [name for name, value in switches.items() if value not in (None, True, False)]:
+        raise InvalidInput(f"`{wrong[0]}` must be True, False or None; got {shown(switches[wrong[0]])}.")
     lists = {"windows": windows, "weighted": weighted, **({} if free is None else {"free": free})}
     if wrong := [name for name, some in lists.items() if isinstance(some, str) or not isinstance(some, Sequence)]:
         raise InvalidInput(f"`{wrong[0]}` must be a list; got {shown(lists[wrong[0]])}.")

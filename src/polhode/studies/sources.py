@@ -37,7 +37,7 @@ COUNTED_FROM = "counted_from"
 """Attribute of tables and datasets: the stamp that times count from [s]."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Source:
     """An attitude history and its source.
 

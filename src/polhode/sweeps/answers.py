@@ -66,7 +66,7 @@ def sweep(
     return SweepReport(work, begun)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class SweepReport(StudyReport):
     """The answers of a sweep.
 

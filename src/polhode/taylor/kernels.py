@@ -35,7 +35,7 @@ from polhode.taylor import (
 )
 from polhode.taylor.program import Program
 
-LOADED = 0.1  # s that slower runs take before a kernel is loaded
+LOADED = 0.3  # s that slower runs take before a kernel is loaded
 WRITTEN, LONGEST = 1e-3, 4000  # or code is written for each operation of a program, and the longest that it is for
 EXTENDED = 2  # for one copy with twice as many digits; other forms are named by how many copies they move at a time
 # or compiled: as long as that takes, so that no run costs more than twice what the better choice would have

@@ -9,7 +9,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, components
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, components, refuse_other_objects
 from polhode.testing.laws import hold
 from polhode.types import Array, ArrayLike, Real
 
@@ -42,8 +42,7 @@ def check_system(
     >>> from polhode.systems import SpinOrbit
     >>> check_system(SpinOrbit(0.89, 0.1), states=[[0.3, 1.0], [1.0, -0.5]])
     """
-    if not isinstance(system, AbstractSystem):
-        raise InvalidInput(f"`system` must be one of polhode.systems, or your own; got {shown(system)}.")
+    refuse_other_objects(system)
     if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
         raise InvalidInput(f"`seed` must be a whole number, not negative; got {shown(seed)}. Give states by `states=`.")
     for batch in _draw_states(system, seed, size) if states is None else [_check_states(system, states)]:

@@ -18,7 +18,7 @@ FINE, COARSE = 0.05, 0.25  # rad the body turns from sample to sample: wanted, a
 JOINED = 0.5 * np.pi  # rad up to which the motion between two samples is clear
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Samples:
     """One body's motion as a page shows it, along the principal axes where they are known.
 

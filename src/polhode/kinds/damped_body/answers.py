@@ -44,7 +44,7 @@ DECAYS = 5.0  # time constants of drag followed where no end is given
 MOST_TURNS = 20_000.0  # of the start, followed where no end is given
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DampedStart:
     """The answers about a body with losses that follow from its start alone.
 
