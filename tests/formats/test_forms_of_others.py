@@ -10,6 +10,7 @@ import pytest
 
 import polhode as ph
 import polhode.cli.commands  # whose help lists the forms that are there now
+from polhode import plugins
 from polhode.cli.main import main
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats import form_registry
@@ -64,7 +65,7 @@ def test_mistakes_name_what_is_wrong(folder, capsys, monkeypatch):
     code, _, err = run(capsys, "export", "box.toml", "--to", "qlg")
     assert code == 2 and "qlog" in err and "Did you mean" in err
     points = [EntryPoint("odd", "nowhere:FORM", form_registry.GROUP), EntryPoint("no", "math:pi", form_registry.GROUP)]
-    monkeypatch.setattr(form_registry, "entry_points", lambda group: points)
+    monkeypatch.setattr(plugins, "entry_points", lambda group: points)
     form_registry.forms.cache_clear()
     assert set(form_registry.forms()) >= {"aem", "netcdf"} and "odd" not in form_registry.forms()
     code, _, err = run(capsys, "export", "box.toml", "--to", "odd")

@@ -21,7 +21,7 @@ def classes_of_arrays():
 
 
 def compares_by_identity(kind):
-    return kind.__eq__ is object.__eq__ and kind.__hash__ is object.__hash__ or not kind.__module__.startswith("polhode")
+    return kind.__eq__ is object.__eq__ and kind.__hash__ is object.__hash__
 
 
 def test_no_answer_compares_its_arrays():
@@ -37,7 +37,6 @@ def test_the_law_sees_a_dataclass_that_compares_by_value():
     class Broken:
         values: np.ndarray
 
-    Broken.__module__ = "polhode.broken"
     assert not compares_by_identity(Broken)
     with pytest.raises(ValueError, match="truth value"):
         assert Broken(np.zeros(2)) == Broken(np.ones(2))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-from importlib.metadata import entry_points
 from typing import Any
 
 import typer
@@ -11,6 +10,7 @@ from typer.core import TyperGroup
 
 from polhode.cli.arguments import StrictCommand
 from polhode.errors import InvalidInput
+from polhode.plugins import find_entry_points, load_entry_point
 
 GROUP = "polhode.commands"
 
@@ -24,7 +24,7 @@ class Commands(TyperGroup):
 
     def list_commands(self, ctx: Any) -> list[str]:
         own = super().list_commands(ctx)
-        others = sorted({point.name for point in entry_points(group=GROUP)} - set(own))
+        others = sorted(find_entry_points(GROUP, "command", own))
         return [*own, *(name for name in others if self._can_be_had(ctx, name))]
 
     def _can_be_had(self, ctx: Any, name: str) -> bool:
@@ -37,13 +37,14 @@ class Commands(TyperGroup):
         own = super().get_command(ctx, cmd_name)
         if own is not None:
             return own
-        point = next((point for point in entry_points(group=GROUP) if point.name == cmd_name), None)
+        point = find_entry_points(GROUP, "command", ()).get(cmd_name)
         if point is None:
             return None
+        function = load_entry_point(point, "command")
         alone = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
         try:
-            alone.command(cmd_name, cls=StrictCommand)(point.load())
+            alone.command(cmd_name, cls=StrictCommand)(function)
             return typer.main.get_command(alone)
-        except Exception as error:  # whatever another package may do
-            why = f"the command {cmd_name} of another package, {point.value}, cannot be had: {error}"
+        except Exception as error:  # such as annotations that Typer does not know
+            why = f"the command {cmd_name} of another package, {point.value}, cannot be used: {error}"
             raise InvalidInput(f"{why}. Update or remove it.") from error

@@ -6,12 +6,12 @@ import contextlib
 import pkgutil
 from functools import cache
 from importlib import import_module
-from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any
 
 from polhode.errors import InvalidInput
 from polhode.formats.form import Form
+from polhode.plugins import find_entry_points, load_entry_point
 
 GROUP = "polhode.formats"
 HOME = Path(__file__).parent / "forms"
@@ -22,7 +22,7 @@ def forms() -> dict[str, Form]:
     """Return all forms by name, those of other packages last; those that cannot be imported are left out."""
     own = [import_module(f"polhode.formats.forms.{module.name}").FORM for module in pkgutil.iter_modules([str(HOME)])]
     by_name: dict[str, Form] = {form.name: form for form in own}
-    for point in entry_points(group=GROUP):
+    for point in find_entry_points(GROUP, "form", by_name).values():
         with contextlib.suppress(InvalidInput):
             form = _load(point)
             by_name.setdefault(form.name, form)
@@ -30,12 +30,7 @@ def forms() -> dict[str, Form]:
 
 
 def _load(point: Any) -> Form:
-    """Return the form of an entry point, of the class of ``importlib_metadata`` where that has been imported."""
-    try:
-        form = point.load()
-    except Exception as error:
-        why = f"the form {point.name} of another package, {point.value}, cannot be imported: {error}"
-        raise InvalidInput(f"{why}. Update or remove it.") from error
+    form = load_entry_point(point, "form")
     if not isinstance(form, Form):
         raise InvalidInput(f"the form {point.name} of another package, {point.value}, is not a Form. Update it.")
     return form
@@ -47,9 +42,8 @@ def check_importable(name: str) -> None:
     Raises:
         InvalidInput: where an entry point of this name cannot be imported, or names no form.
     """
-    for point in entry_points(group=GROUP):
-        if point.name == name:
-            _load(point)
+    if point := find_entry_points(GROUP, "form", ()).get(name):
+        _load(point)
 
 
 def writable_forms() -> dict[str, Form]:

@@ -7,12 +7,12 @@ import pkgutil
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
-from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any
 
 from polhode.errors import InvalidInput, PolhodeError
 from polhode.kinds.base import AbstractKind, NextStep, Spec
+from polhode.plugins import find_entry_points, load_entry_point
 
 GROUP = "polhode.kinds"
 HOME = Path(__file__).parent
@@ -27,8 +27,8 @@ def _folders() -> dict[str, str]:
 
 @cache
 def _others() -> dict[str, Any]:
-    """Return entry points by name; where ``importlib_metadata`` has been imported, they are of its class."""
-    return {point.name: point for point in entry_points(group=GROUP)}
+    """Return entry points by name."""
+    return find_entry_points(GROUP, "kind", _folders())
 
 
 def kind_names() -> list[str]:
@@ -47,12 +47,7 @@ def find_kind(name: str) -> AbstractKind | None:
     if name not in _others():
         return None
     point = _others()[name]
-    try:
-        kind = point.load()
-    except Exception as error:
-        raise InvalidInput(
-            f"the kind {name} of another package, {point.value}, cannot be imported: {error}. Update or remove it."
-        ) from error
+    kind = load_entry_point(point, "kind")
     if not isinstance(kind, AbstractKind):
         raise InvalidInput(f"the kind {name} of another package, {point.value}, is not an AbstractKind. Update it.")
     return kind

@@ -107,7 +107,7 @@ def _field_type(argument: Argument) -> Any:
     if argument.shape == (3,):
         one = _vector_type(argument.unit)
         return Annotated[list[one], BeforeValidator(_as_rows)] if argument.many else one
-    number = quantity(argument.unit) if argument.unit else Plain
+    number = Annotated[float, quantity(argument.unit)] if argument.unit else Plain
     return _one_or_many(argument.unit, number) if argument.many else number
 
 
@@ -132,7 +132,7 @@ def _example(argument: Argument) -> str:
 def _vector_type(unit: str) -> Any:
     if not unit:
         return Direction
-    number = quantity(unit)
+    number = Annotated[float, quantity(unit)]
     return Annotated[tuple[number, number, number], three(unit)]
 
 

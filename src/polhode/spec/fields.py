@@ -28,7 +28,19 @@ def mark_unit(unit: str) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any
     return mark
 
 
-def _reader(unit: str, positive: bool = False) -> BeforeValidator:
+def quantity(unit: str, *, positive: bool = False) -> BeforeValidator:
+    """Return what makes a field of numbers take quantities in any unit: a text like "3 N/m" becomes one of the SI unit.
+
+    Args:
+        unit: in SI, as Pint reads it.
+        positive: whether zero and less are refused.
+
+    >>> from typing import Annotated
+    >>> from pydantic import TypeAdapter
+    >>> TypeAdapter(Annotated[float, quantity("N/m")]).validate_python("2 mN/m")
+    0.002
+    """
+
     @mark_unit(unit)
     def read(value: Any) -> float:
         number = parse_quantity(value, unit)
@@ -37,20 +49,6 @@ def _reader(unit: str, positive: bool = False) -> BeforeValidator:
         return number
 
     return BeforeValidator(read)
-
-
-def quantity(unit: str, *, positive: bool = False) -> Any:
-    """Return a type of field for quantities in any unit: a text like "3 N/m" becomes a number of the SI unit.
-
-    Args:
-        unit: in SI, as Pint reads it.
-        positive: whether zero and less are refused.
-
-    >>> from pydantic import TypeAdapter
-    >>> TypeAdapter(quantity("N/m")).validate_python("2 mN/m")
-    0.002
-    """
-    return Annotated[float, _reader(unit, positive)]
 
 
 def _radius(value: Any) -> Any:
@@ -304,19 +302,19 @@ def one_of(*choices: str | int) -> BeforeValidator:
     return BeforeValidator(check)
 
 
-Mass = Annotated[float, _reader("kg", positive=True)]
-Density = Annotated[float, _reader("kg/m^3", positive=True)]
-Length = Annotated[float, _reader("m", positive=True)]
-Radius = Annotated[float, _reader("m", positive=True), BeforeValidator(_radius)]
-Rate = Annotated[float, _reader("rad/s")]
-PositiveRate = Annotated[float, _reader("rad/s", positive=True)]
+Mass = Annotated[float, quantity("kg", positive=True)]
+Density = Annotated[float, quantity("kg/m^3", positive=True)]
+Length = Annotated[float, quantity("m", positive=True)]
+Radius = Annotated[float, quantity("m", positive=True), BeforeValidator(_radius)]
+Rate = Annotated[float, quantity("rad/s")]
+PositiveRate = Annotated[float, quantity("rad/s", positive=True)]
 Precession = Annotated[float | Literal["slow", "fast"], BeforeValidator(_precession)]
-Angle = Annotated[float, _reader("rad")]
-Duration = Annotated[float, _reader("s", positive=True)]
-Coordinate = Annotated[float, _reader("m")]
-Moment = Annotated[float, _reader("kg*m^2")]
+Angle = Annotated[float, quantity("rad")]
+Duration = Annotated[float, quantity("s", positive=True)]
+Coordinate = Annotated[float, quantity("m")]
+Moment = Annotated[float, quantity("kg*m^2")]
 NotNegative = Annotated[Moment, AfterValidator(_not_negative)]
-MomentumComponent = Annotated[float, _reader("kg*m^2/s")]
+MomentumComponent = Annotated[float, quantity("kg*m^2/s")]
 Corner = tuple[Coordinate, Coordinate]
 Outline = Annotated[list[Corner], Field(min_length=3), BeforeValidator(_outline)]
 Joints = Annotated[dict[str, Annotated[tuple[float, str], BeforeValidator(_joint)]], BeforeValidator(_joints)]
@@ -332,41 +330,41 @@ RotationalConstant = Annotated[float, BeforeValidator(_rotational_constant)]
 RotationalConstants = Annotated[tuple[RotationalConstant, RotationalConstant, RotationalConstant], three("1/m")]
 SpectroscopicConstant = Annotated[float, BeforeValidator(_spectroscopic)]
 RotorConstants = Annotated[tuple[RotationalConstant, ...], BeforeValidator(_constants)]  # one or three
-DipoleComponent = Annotated[float, _reader("C*m")]
+DipoleComponent = Annotated[float, quantity("C*m")]
 Dipole = Annotated[tuple[DipoleComponent, DipoleComponent, DipoleComponent], three("C*m")]
-Temperature = Annotated[float, _reader("K", positive=True)]
+Temperature = Annotated[float, quantity("K", positive=True)]
 Momentum = Annotated[tuple[MomentumComponent, MomentumComponent, MomentumComponent], three("kg*m^2/s")]
 Rates = Annotated[tuple[Rate, Rate, Rate], three("rad/s")]
 MeshUnit = Annotated[float, BeforeValidator(_mesh_unit)]
 Attitude = Annotated[tuple[float, float, float, float], BeforeValidator(_attitude)]
 Flag = StrictBool
 Direction = Annotated[tuple[float, float, float], BeforeValidator(_direction)]
-Acceleration = Annotated[float, _reader("m/s^2", positive=True)]
-Torque = Annotated[float, _reader("N*m")]
-PositiveTorque = Annotated[float, _reader("N*m", positive=True)]
-BearingFriction = Annotated[float, _reader("N*m*s"), AfterValidator(_friction)]
-NutationLoss = Annotated[float, _reader("W/rad^2", positive=True)]
-LinearDragCoefficient = Annotated[float, _reader("N*m*s", positive=True)]
-QuadraticDragCoefficient = Annotated[float, _reader("N*m*s^2", positive=True)]
-PositiveMoment = Annotated[float, _reader("kg*m^2", positive=True)]
+Acceleration = Annotated[float, quantity("m/s^2", positive=True)]
+Torque = Annotated[float, quantity("N*m")]
+PositiveTorque = Annotated[float, quantity("N*m", positive=True)]
+BearingFriction = Annotated[float, quantity("N*m*s"), AfterValidator(_friction)]
+NutationLoss = Annotated[float, quantity("W/rad^2", positive=True)]
+LinearDragCoefficient = Annotated[float, quantity("N*m*s", positive=True)]
+QuadraticDragCoefficient = Annotated[float, quantity("N*m*s^2", positive=True)]
+PositiveMoment = Annotated[float, quantity("kg*m^2", positive=True)]
 Plain = Annotated[float, BeforeValidator(_plain)]
 Samples = Annotated[StrictInt, Field(ge=2, le=10_000_000)]
 PositivePlain = Annotated[Plain, AfterValidator(_positive)]
-GravitationalParameter = Annotated[float, _reader("m^3/s^2", positive=True)]
+GravitationalParameter = Annotated[float, quantity("m^3/s^2", positive=True)]
 Eccentricity = Annotated[Plain, AfterValidator(within(0.0, 0.99, "an ellipse that is not almost a line"))]
 Asphericity = Annotated[Plain, AfterValidator(within(0.0, math.sqrt(3.0), "√(3(B − A)/C), as B − A ≤ C"))]
 SpinRatio = Annotated[Plain, AfterValidator(within(-30.0, 30.0, "turns per orbit, where resonances may be felt"))]
 Orbits = Annotated[StrictInt, Field(ge=1, le=100_000)]
-Thickness = Annotated[float, _reader("m"), AfterValidator(_thickness)]
+Thickness = Annotated[float, quantity("m"), AfterValidator(_thickness)]
 Lean = Annotated[Angle, AfterValidator(_lean)]
 RacketTilt = Annotated[Angle, AfterValidator(_racket_tilt)]
 Tilt = Annotated[Angle, AfterValidator(_check_tilt)]
-Power = Annotated[float, _reader("W", positive=True)]
-Viscosity = Annotated[float, _reader("Pa*s", positive=True)]
-Speed = Annotated[float, _reader("m/s")]
-Energy = Annotated[float, _reader("J")]
-MagneticFlux = Annotated[float, _reader("T")]
+Power = Annotated[float, quantity("W", positive=True)]
+Viscosity = Annotated[float, quantity("Pa*s", positive=True)]
+Speed = Annotated[float, quantity("m/s")]
+Energy = Annotated[float, quantity("J")]
+MagneticFlux = Annotated[float, quantity("T")]
 MagneticField = Annotated[tuple[MagneticFlux, MagneticFlux, MagneticFlux], three("T")]
 Latitude = Annotated[Angle, AfterValidator(_latitude)]
-Circulation = Annotated[float, _reader("m^2/s"), AfterValidator(not_zero)]
+Circulation = Annotated[float, quantity("m^2/s"), AfterValidator(not_zero)]
 Velocity = Annotated[tuple[Speed, Speed, Speed], three("m/s")]

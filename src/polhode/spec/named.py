@@ -6,12 +6,12 @@ import difflib
 import pkgutil
 from functools import cache
 from importlib import import_module
-from importlib.metadata import entry_points
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from polhode.errors import InvalidInput, shown
+from polhode.plugins import find_entry_points, load_entry_point
 
 if TYPE_CHECKING:
     from polhode.systems.attachments import AbstractAttachment
@@ -41,7 +41,7 @@ LAWS = Family("control law", ("polhode.systems.control_laws", "AbstractControlLa
 
 def part_names(family: Family) -> list[str]:
     """Return the names of all of a family; those of other packages are not imported."""
-    return sorted({*_own(family), *_others(family.group)})
+    return sorted({*_own(family), *_others(family)})
 
 
 def find_part(family: Family, name: str) -> type[AbstractAttachment]:
@@ -53,20 +53,14 @@ def find_part(family: Family, name: str) -> type[AbstractAttachment]:
     """
     if name in _own(family):
         return _own(family)[name]
-    others = _others(family.group)
+    others = _others(family)
     if name not in others:
         names = part_names(family)
         near = difflib.get_close_matches(str(name), names, 1)
         hint = f"did you mean {near[0]}? " if near else ""
         raise InvalidInput(f"names no {family.word}: {shown(name)}; {hint}known are {', '.join(names)}")
     point = others[name]
-    try:
-        found = point.load()
-    except Exception as error:
-        raise InvalidInput(
-            f"the {family.word} {name} of another package, {point.value}, cannot be imported: {error}. Update or "
-            "remove it."
-        ) from error
+    found = load_entry_point(point, family.word)
     if not (isinstance(found, type) and issubclass(found, _base(family))):
         raise InvalidInput(
             f"the {family.word} {name} of another package, {point.value}, is not an {family.base[1]}. Update it."
@@ -94,5 +88,5 @@ def _own(family: Family) -> dict[str, type[AbstractAttachment]]:
 
 
 @cache
-def _others(group: str) -> dict[str, Any]:
-    return {point.name: point for point in entry_points(group=group)}
+def _others(family: Family) -> dict[str, Any]:
+    return find_entry_points(family.group, family.word, _own(family))

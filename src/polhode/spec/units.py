@@ -166,12 +166,22 @@ def _parse(value: str, unit: str) -> float:
     try:
         result = float(quantity.to(unit).magnitude)
     except Exception:
+        _check_declared(registry, unit)
         wrong = f'has the wrong unit: {shown(value)} is not in {unit} or alike; write it like "{example}"'
         raise ValueError(wrong) from None
     written = re.split("[eE]", parts["number"])[0].strip("+-0.")
     if not math.isfinite(result) or (written and abs(result) < sys.float_info.min):
         raise ValueError(f"is out of range: {shown(value)}; numbers go from 1e-307 to 1e308 in {unit}")
     return result
+
+
+def _check_declared(registry: Any, unit: str) -> None:
+    """Refuse a unit, of what another package adds, that cannot be read itself."""
+    try:
+        registry.parse_units(unit)
+    except Exception:
+        wrong = f"is declared with a unit that cannot be read, {shown(unit)}; correct it in the package that added it"
+        raise ValueError(wrong) from None
 
 
 def _check_unit(text: str, value: str, unreadable: ValueError) -> None:
