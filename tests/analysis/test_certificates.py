@@ -174,6 +174,11 @@ UNDECIDED = {
     "Casimirs that are missing": (
         systems.LiePoisson(borel(), lambda m: 0.5 * (m[0] ** 2 - m[1] ** 2)), np.eye(5)[4], {},
         "only 0 of 1 Casimirs of degree ≤ 4 exist: give them by `casimirs=`"),
+    # strict minima of the energy, whose field is almost zero for a long way
+    **{f"a potential {c:g} q^{n}": (systems.LiePoisson(lie.Heisenberg(1), lambda m, c=c, n=n: 0.5 * m[1] ** 2
+                                                      + c * m[0] ** n), np.eye(3)[2], {}, "degenerate")
+       for c, n in ((1.0, 6), (1e-3, 4), (1.0, 20))},
+    "a maximum of fourth order": (on_so3(lambda S: S[2] + 0.5 * S[0] ** 2 + S[0] ** 4 / 8), e3, {}, "degenerate"),
     "a leaf of equilibria": (on_so3(lambda L: (jnp.sum(L**2) - 1.0) ** 2 * L[2]), e1, {}, "second order"),
 }  # fmt: skip
 

@@ -45,6 +45,8 @@ from polhode.types import Array, ArrayLike, Real
 
 SMALLEST, LARGEST = 1e-300, 1e300  # of an equilibrium; smaller numbers lose digits, and sums of larger ones overflow
 AT_REST = 1e-8  # of |dH| |μ|: a field below it vanishes, up to the solver that found the point
+STEPS = 32  # along a family of equilibria, each of a part of |μ|
+ROUNDING = 1e-12  # of |dH| |μ|: a field that Newton's method cannot make smaller
 NULL = 1e-9  # singular values of the linearised flow below it, relative to the largest, vanish
 VANISHED = 4.0 * np.finfo(float).eps  # the same per dimension, where they are rounding errors of zero
 RANK = 1e-13  # singular values of the Poisson tensor below it, per dimension, are rounding errors
@@ -327,7 +329,8 @@ def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
     """Whether every direction in which the linearised flow on the leaf vanishes leads to equilibria on the leaf.
 
     From a point a little off in such a direction Newton's method must come back to an equilibrium at a distance of
-    second order.
+    second order. A potential of high order looks the same there, so the equilibria must go on for as far as the point
+    is from the origin, and the field at them must vanish but for rounding.
     """
     tangent = null_space(_unit_rows(dC), NULL)
     if not tangent.shape[1] or not p.y.any():
@@ -346,7 +349,22 @@ def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
     near = np.linalg.norm(points - (p.y + off * still.T), axis=1) < 0.05 * off
     # where the linearised flow vanishes, its size a little off tells what a rounding error of the field is
     rate = max(rate, float(np.linalg.norm(slopes, axis=(1, 2)).max()))
-    return bool((near & (np.linalg.norm(fields, axis=1) <= AT_REST * off * rate)).all())
+    if not (near & (np.linalg.norm(fields, axis=1) <= AT_REST * off * rate)).all():
+        return False
+    step = np.linalg.norm(p.y) / STEPS
+    last, ahead = np.broadcast_to(p.y, points.shape), points - p.y
+    for _ in range(STEPS):
+        ahead = ahead / np.linalg.norm(ahead, axis=1, keepdims=True)
+        starts = last + step * ahead
+        settled = _settle(p.system, p.casimirs, jnp.asarray(p.y), jnp.asarray(p.unit), jnp.asarray(starts))
+        points, fields, slopes = (np.asarray(x) for x in settled)
+        # Newton's method may go back along the family, but not as far as the last point
+        near = (np.linalg.norm(points - starts, axis=1) < step) & (np.sum((points - last) * ahead, axis=1) > step / 4)
+        rate = max(rate, float(np.linalg.norm(slopes, axis=(1, 2)).max()))
+        if not (near & (np.linalg.norm(fields, axis=1) <= ROUNDING * np.linalg.norm(p.y) * rate)).all():
+            return False
+        last, ahead = points, points - last
+    return True
 
 
 @eqx.filter_jit
