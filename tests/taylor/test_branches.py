@@ -1,5 +1,6 @@
 """Branches on what moves: motions past corners and jumps of their rates, against closed forms and other integrators."""
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -182,21 +183,21 @@ def test_sections_of_surfaces_with_corners():
 
 
 def test_a_border_that_is_not_minded_is_seen(monkeypatch):
-    monkeypatch.setattr(switching, "settle", lambda of, y, signs, crossed, forth: list(signs))
+    monkeypatch.setattr(switching, "settle", lambda of, y, signs, *others: list(signs))
     with pytest.raises(InvalidInput, match="whose border it has crossed unseen"):
         ph.simulate(wedge(), [0.3, 1.5, 1.0], [0.0, 10.0], method=ph.integrators.Taylor())
 
 
 def test_sides_that_never_agree_are_refused():
     class Never:
-        def sides_of(self, y, crossed, forth):
+        def sides_of(self, y, *others):
             return [(not self.signs[0],)] * len(y)
 
         def __init__(self, signs):
             self.signs = signs
 
     with pytest.raises(Untraceable, match="lead back to each other"):
-        sides.settle(Never, np.zeros((2, 1)), [(True,), (False,)], np.array([-1, 0]), 1.0)
+        sides.settle(Never, np.zeros((2, 1)), [(True,), (False,)], np.array([-1, 0]), 1.0, np.ones(2))
 
 
 def test_a_limited_bump_is_not_stepped_over():
@@ -211,3 +212,61 @@ def test_a_node_that_is_infinite_ends_the_series_at_once():
     field = lambda t, y: jnp.stack([1.0 + 0.0 * y[0], 1.0 / jnp.cosh(y[0] - 500.0) ** 2])  # noqa: E731
     with pytest.raises(NotConverged):
         ph.simulate(OwnField(field), [0.0, 0.0], [0.0, 1000.0], Taylor)
+
+
+CORNERS = {  # of H beside p²/2: what jax.grad makes of it asks for its side several times, or in other words
+    "an abs in a product": lambda q: jnp.abs(q) * (1.0 + q**2),
+    "its square beside it": lambda q: jnp.abs(q) + 0.5 * jnp.abs(q) ** 2,
+    "within a root": lambda q: jnp.sqrt(jnp.abs(q) + 0.01),
+    "the greater": lambda q: jnp.maximum(q, -2.0 * q),
+    "two corners in one place": lambda q: jnp.abs(q) + jnp.abs(q + q**3),
+    "a step": lambda q: jnp.heaviside(q, 0.5) * q + q**2,
+    "a limit": lambda q: q * jnp.clip(q, -0.3, 0.4),
+}
+
+
+def by_dop853(potential, start, t, corners):
+    """A motion by SciPy, which begins anew at each corner, where it is put beside the border."""
+    slope = jax.jit(jax.grad(potential))
+    y, now, end = np.array(start, float), 0.0, t
+    for c in range(200):
+        events = [lambda s, y, c=c: y[0] - c for c in corners]
+        for event in events:
+            event.terminal = True
+        run = solve_ivp(lambda s, y: (y[1], -float(slope(y[0]))), (now, end), y, method="DOP853", rtol=1e-13,
+                        atol=1e-14, events=events)  # fmt: skip
+        now, y = run.t[-1], run.y[:, -1]
+        if run.status != 1:
+            return y
+        y = y + 1e-11 * np.array([y[1], -float(slope(y[0] + 1e-9 * y[1]))])
+        now += 1e-11
+    raise AssertionError("too many corners")
+
+
+@pytest.mark.parametrize("name", CORNERS)
+def test_corners_are_passed_in_whatever_words_they_are(name):
+    potential, corners = CORNERS[name], (-0.3, 0.4) if name == "a limit" else (0.0,)
+    system = LiePoisson(Heisenberg(1), lambda m: 0.5 * m[1] ** 2 + potential(m[0]))
+    run = ph.simulate(system, [1.0, 0.3, 1.0], [0.0, 10.0])
+    # along which way t runs is a matter of the algebra's sign
+    rates = np.asarray(system.vector_field(0.0, jnp.array([1.0, 0.3, 1.0])))
+    forth = np.sign(rates[0] * 0.3)
+    wanted = by_dop853(potential, (1.0, 0.3 * forth), 10.0, corners)
+    assert np.abs(run.states[-1][:2] - wanted * (1.0, forth)).max() < 1e-8
+    assert run.error_estimate < 1e-11 and run.drift["energy"] < 1e-13 and run.statistics["steps"] < 200
+
+
+def test_neighbours_part_at_a_corner_as_they_do_beside_it():
+    """The derivative of a map past corners, by differences of motions and not by their tangents."""
+    system = LiePoisson(Heisenberg(1), lambda m: 0.5 * m[1] ** 2 + jnp.abs(m[0]) * (1.0 + m[0] ** 2))
+    matrix, start, step = ph.analysis.monodromy(system, [1.0, 0.3, 1.0], (0.0, 10.0)), np.array([1.0, 0.3, 1.0]), 1e-5
+    for k in range(2):
+        off = step * np.eye(3)[k]
+        ends = [ph.simulate(system, start + side * off, [0.0, 10.0]).states[-1] for side in (-1.0, 1.0)]
+        np.testing.assert_allclose(matrix[:2, k], ((ends[1] - ends[0]) / (2.0 * step))[:2], atol=1e-7, rtol=1e-7)
+    assert not ph.analysis.lyapunov(system, start, (0.0, 300.0)).is_chaotic  # with one degree of freedom
+
+
+def test_what_stays_equal_is_no_crossing():
+    system = LiePoisson(Heisenberg(1), lambda m: 0.5 * m[1] ** 2 + jnp.where(m[0] == 0.0, 0.0, m[0] ** 2))
+    assert (ph.simulate(system, [0.0, 0.0, 1.0], [0.0, 5.0]).states[-1] == [0.0, 0.0, 1.0]).all()

@@ -120,6 +120,8 @@ class Tape:
     def relation(self, x: Any, y: Any, holds: Callable[[Any, Any], Any]) -> bool:
         """Return whether a relation of sizes holds between two expressions or numbers, where a branch asks for it.
 
+        What moves is equal to something else for no time, but as it may stay so, where it does is a border.
+
         Raises:
             Untraceable: for what moves, where no sides of branches are taken.
         """

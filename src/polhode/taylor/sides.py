@@ -22,6 +22,7 @@ from polhode.types import Array, Float64
 Signs = tuple[bool, ...]
 AT_ZERO = 1e-12  # of the terms of a difference: nearer to zero the direction of the motion tells the side
 ALONG = 1e-9  # of the terms of its slope: a smaller slope tells no direction
+SAME = 4.0 * float(np.finfo(float).eps)  # of coefficients, up to which one difference is a multiple of another
 ROUNDS = 8  # in which the sides of all branches must agree
 
 
@@ -39,7 +40,10 @@ class Sides:
         self._values: list[Any] = []
 
     def is_positive(self, difference: Expression) -> bool:
-        """Return whether a difference counts as positive, or zero."""
+        """Return whether a difference counts as positive, or zero; one that was met before, times a number, is that."""
+        for j, known in enumerate(self.differences):
+            if known is not None and (factor := ratio(difference, known)):
+                return self.signs[j] == (factor > 0.0)
         k = len(self.differences)
         self.differences.append(difference)
         if k == len(self.signs):
@@ -61,6 +65,16 @@ class Sides:
     def list_moving(self) -> list[tuple[int, Expression]]:
         """Return the differences that move, with their places in the order."""
         return [(k, x) for k, x in enumerate(self.differences) if x is not None]
+
+
+def ratio(one: Expression, other: Expression) -> float:
+    """Return the number that one expression is of another, to rounding; zero if it is none."""
+    if one.terms.keys() != other.terms.keys():
+        return 0.0
+    first = next(iter(other.terms))
+    factor = one.terms[first] / other.terms[first]
+    pairs = [(one.terms[k], factor * c) for k, c in other.terms.items()] + [(one.constant, factor * other.constant)]
+    return factor if all(abs(a - b) <= SAME * abs(b) for a, b in pairs) else 0.0
 
 
 def combine(x: Expression, values: list[Any], sizes: list[Any] | None = None) -> tuple[Any, Any]:
@@ -193,13 +207,17 @@ class Branches:
         each = (combine(x, known, sizes) for x in self.watched)
         return any(np.any(abs(value) <= AT_ZERO * size) for value, size in each)
 
-    def sides_of(self, y: Float64[np.ndarray, "copies n"], crossed: Array, forth: float) -> list[Signs]:
+    def sides_of(
+        self, y: Float64[np.ndarray, "copies n"], crossed: Array, forth: float, units: Float64[np.ndarray, "copies"],
+    ) -> list[Signs]:  # fmt: skip
         """Return on which side of each difference copies go on, by the rates of the sides of this program.
 
         Args:
             y: their components.
             forth: 1, or −1 backward in time.
             crossed: (C,) places in the order of branches that they are at the border of, −1 for none.
+            units: (C,) of time, such as the lengths of their steps: borders that are crossed at the same time to
+                rounding are so together.
 
         Raises:
             Untraceable: where a motion goes along a border, or only touches it.
@@ -213,7 +231,7 @@ class Branches:
             for k, difference in self._moving:
                 value, size = combine(difference, known, sizes)
                 slope, steepness = combine(Expression(self._tape, difference.terms), slopes)
-                near = (abs(value) <= AT_ZERO * size) | (crossed == k)
+                near = (abs(value) <= AT_ZERO * np.maximum(size, abs(slope) * units)) | (crossed == k)
                 if np.any(near & np.logical_not(abs(slope) > ALONG * steepness)):
                     raise Untraceable("a branch on something that moves, along whose border the motion goes")
                 signs[:, k] = np.where(near, forth * slope > 0.0, value > 0.0)
@@ -223,7 +241,7 @@ class Branches:
 @np.errstate(divide="ignore", invalid="ignore", over="ignore")  # what is no number tells no side
 def settle(
     branches_of: Callable[[Signs], Branches], y: Float64[np.ndarray, "copies n"], signs: list[Signs], crossed: Array,
-    forth: float,
+    forth: float, units: Float64[np.ndarray, "copies"],
 ) -> list[Signs]:  # fmt: skip
     """Return the sides on which copies go on.
 
@@ -231,7 +249,7 @@ def settle(
         branches_of: returns the branches of the program for given sides.
         y: components of the copies.
         signs: the sides where they come from.
-        crossed, forth: as of ``Branches.sides_of``.
+        crossed, forth, units: as of ``Branches.sides_of``.
 
     Raises:
         Untraceable: where no side can be told, as where both sides lead back to a border.
@@ -241,7 +259,8 @@ def settle(
     for _ in range(ROUNDS):
         for each in set(signs[k] for k in np.flatnonzero(waiting)):
             some = np.array([k for k in np.flatnonzero(waiting) if signs[k] == each])
-            for k, found in zip(some, branches_of(each).sides_of(y[some], crossed[some], forth), strict=True):
+            for k, found in zip(some, branches_of(each).sides_of(y[some], crossed[some], forth, units[some]),
+                                strict=True):
                 waiting[k] = found != each
                 signs[k] = found
         if not waiting.any():

@@ -11,7 +11,7 @@ import numpy as np
 from polhode.taylor import kernel
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.flight import fly
-from polhode.taylor.kernel_space import EVENT, HITS, STEPS, TIME, Copies, Course
+from polhode.taylor.kernel_space import EVENT, HITS, STEPS, TIME, UNIT, Copies, Course
 from polhode.taylor.machine import Machine
 from polhode.taylor.sides import Branches, Signs, settle
 from polhode.types import Array, Bool, Float64, Integer
@@ -159,7 +159,7 @@ class _Journey:
         branches_of = lambda each: _branches(self.machine_of(each))  # noqa: E731
         try:
             found = settle(branches_of, np.asarray(self.copies.y)[some], [self.signs[k] for k in some], crossed[some],
-                           self.forth) if some.size else []  # fmt: skip
+                           self.forth, self.copies.now[some, UNIT]) if some.size else []  # fmt: skip
         except Untraceable as error:
             if some.size == 1:
                 self._strand(some, str(error))

@@ -204,8 +204,8 @@ def _comparison(compare: Callable[[Any, Any], Any]) -> Rule:
     return rule
 
 
-for _name, _compare in (("lt", operator.lt), ("le", operator.le), ("gt", operator.gt), ("ge", operator.ge)):
-    RULES[_name] = _comparison(_compare)
+for _name in ("lt", "le", "gt", "ge", "eq", "ne"):
+    RULES[_name] = _comparison(getattr(operator, _name))
 
 
 def _choose_rule(first: Callable[[Any, Any], Any]) -> Rule:
