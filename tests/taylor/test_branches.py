@@ -270,3 +270,10 @@ def test_neighbours_part_at_a_corner_as_they_do_beside_it():
 def test_what_stays_equal_is_no_crossing():
     system = LiePoisson(Heisenberg(1), lambda m: 0.5 * m[1] ** 2 + jnp.where(m[0] == 0.0, 0.0, m[0] ** 2))
     assert (ph.simulate(system, [0.0, 0.0, 1.0], [0.0, 5.0]).states[-1] == [0.0, 0.0, 1.0]).all()
+
+
+def test_no_derivative_is_given_past_where_a_motion_rests():
+    body = RigidBody((1.0, 2.0, 2.5), [Wheel((0, 0, 1), 0.1, friction)])
+    start = body.pack(rates=[1.0], attitude=(1.0, 0.0, 0.0, 0.0))
+    with pytest.raises(InvalidInput, match="the derivative of the motion of RigidBody is not known"):
+        ph.analysis.monodromy(body, start, (0.0, 5.0))

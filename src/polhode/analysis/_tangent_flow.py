@@ -63,8 +63,14 @@ class TangentFlow:
         if self._by_series[varied.count]:
             try:
                 return solve_by_series(varied, Taylor(), stacked, ends)
-            except NoSeries:  # as along a border of branches
-                self._by_series[varied.count] = False
+            except NoSeries as error:
+                if not error.part:
+                    raise
+                # such as a border along which the motion goes: other steps would go on with a wrong derivative
+                raise InvalidInput(
+                    f"the derivative of the motion of {type(self._system).__name__} is not known, as its rates of "
+                    f"change contain {error.part}. Give smooth ones, or times in which the motion does not come there."
+                ) from error
         return solve_adaptively(varied, diffrax.Dopri8(), stacked, ends)
 
     def flat(self, state: Double[np.ndarray, "..."]) -> Float64[np.ndarray, "n"]:

@@ -46,11 +46,12 @@ class NoSeries(InvalidInput):
 
     Attributes:
         copies: (C,) which copies of a batch they cannot follow; None where it is all of them.
+        part: of the rates of change, that has no series or leads to where none is; "" where it is not that.
     """
 
-    def __init__(self, message: str, copies: Bool[Array, "copies"] | None = None) -> None:
+    def __init__(self, message: str, copies: Bool[Array, "copies"] | None = None, part: str = "") -> None:
         super().__init__(message)
-        self.copies = copies
+        self.copies, self.part = copies, part
 
 
 @dataclass(frozen=True)
@@ -357,7 +358,7 @@ def _run_or_refuse(
                        else "Leave out `method`, or give a solver of diffrax.")  # fmt: skip
             raise NoSeries(
                 f"{type(system).__name__} cannot be moved by Taylor series: its rates of change contain {error}. "
-                f"{instead}", error.copies,
+                f"{instead}", error.copies, str(error),
             ) from None  # fmt: skip
         if meter is not None:
             meter.close(shown_state[0])
