@@ -95,6 +95,34 @@ def test_parameters_are_exact():
         assert found.exact and abs(at - exact) <= radius < abs(exact - rounded)
 
 
+OF_NUMBERS = {  # ẋ of one number, with numbers whose quotients and products are no doubles, and its motion from 0.75
+    "a quotient": (lambda t, x: x / 0.3, lambda t: 0.75 * mpmath.exp(t / mpmath.mpf(0.3))),
+    "quotients of arrays": (lambda t, x: x * jnp.sum(1.0 / jnp.array([0.7, 1.1])),
+                            lambda t: 0.75 * mpmath.exp(t * (1 / mpmath.mpf(0.7) + 1 / mpmath.mpf(1.1)))),
+    "a product": (lambda t, x: 0.1 * (0.7 * x), lambda t: 0.75 * mpmath.exp(t * mpmath.mpf(0.1) * mpmath.mpf(0.7))),
+    "a whole number": (lambda t, x: x / 3, lambda t: 0.75 * mpmath.exp(t / 3)),
+    "a function": (lambda t, x: jnp.exp(0.3) * x, lambda t: 0.75 * mpmath.exp(t * mpmath.exp(mpmath.mpf(0.3)))),
+    "a sum": (lambda t, x: (0.1 + jnp.sqrt(0.2)) * x,
+              lambda t: 0.75 * mpmath.exp(t * (mpmath.mpf(0.1) + mpmath.sqrt(mpmath.mpf(0.2))))),
+}
+
+
+@pytest.mark.parametrize("name", OF_NUMBERS)
+def test_numbers_in_formulas_are_exact(name):
+    """What is computed of them is a ball: rounded to a double it would be another motion."""
+    rate, motion = OF_NUMBERS[name]
+    found = ph.certify(Scalar(rate), [0.75], [0.0, 1.25], radius=1e-25)
+    with mpmath.workdps(50):
+        off = abs(motion(mpmath.mpf(1.25)) - mpmath.mpf(float(found.states[-1, 0])))
+        assert found.exact and off <= mpmath.mpf(float(found.radii[-1, 0])), float(off)
+
+
+def test_what_is_rounded_is_said():
+    """By operations without a recurrence, or by an exponent that is no double."""
+    assert not ph.certify(Scalar(lambda t, x: x * jnp.linalg.det(jnp.array([[0.1]]))), [1.0], [0.0, 1.0]).exact
+    assert not ph.certify(Scalar(lambda t, x: jnp.cbrt(x)), [1.0], [0.0, 1.0]).exact
+
+
 def test_a_coarse_proof_holds_too():
     found = ph.certify(Scalar(lambda t, x: x * jnp.cos(t)), [0.75], [0.0, 20.0], radius=0.5)
     with mpmath.workprec(200):

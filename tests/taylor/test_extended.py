@@ -122,3 +122,15 @@ def test_what_has_no_such_series_is_refused():
         Taylor(precision="quad")
     with pytest.raises(InvalidInput, match="is for `simulate`"):
         ph.solve(Pendulum(1.5), start, times, EXTENDED)
+
+
+def test_numbers_in_formulas_have_all_digits():
+    """Quotients by moments that a function encloses, as by those that a system has: 5e-12 off at t = 1e5 if rounded."""
+    own = ph.systems.LiePoisson(ph.algebra.SO3(), lambda m: 0.5 * jnp.sum(m**2 / jnp.array([0.7, 1.1, 1.3])))
+    start, times = [0.3, 1.8, 1.5], [0.0, 1e4]
+    found = ph.simulate(own, start, times, Taylor(precision="extended"), estimate_error=False).states[-1]
+    truth = ph.FreeMotion((0.7, 1.1, 1.3), momentum=start).momentum(times[-1])
+    assert np.abs(found - truth).max() < 4e-15
+    with pytest.raises(InvalidInput, match="'logarithm', which has no recurrence with twice as many digits"):
+        ph.simulate(ph.systems.LiePoisson(ph.algebra.SO3(), lambda m: jnp.log(3.0) * m[2] ** 2), start, times,
+                    Taylor(precision="extended"))  # fmt: skip

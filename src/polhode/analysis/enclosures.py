@@ -44,8 +44,8 @@ class Enclosure(NamedTuple):
         states: (T, …) the nearest doubles.
         radii: (T, …) by how much each number of the true state may differ from them at most; of complex states
             each of real and imaginary part.
-        exact: whether the numbers in the system's fields were taken as they are. Otherwise what is computed of them was
-            rounded to doubles, and the enclosure is of the system with those.
+        exact: whether the numbers in the system's fields and formulas were taken as they are. Otherwise some of what is
+            computed of them was rounded to doubles, and the enclosure is of the system with those.
         growth: by how much the bound on an error of the start has grown at the last time.
         steps: how many were taken.
         order: of the series.
@@ -365,12 +365,14 @@ def _limits(system: AbstractSystem, other: AbstractSystem | None, balls: BallSys
             f"differ; got {shown(other)}. What a function or a whole number says differently cannot be enclosed: make "
             "it a field, like `rate: float`."
         )
+    own = collect_numbers(other)
     if not balls.exact:
         raise InvalidInput(
             f"`other` cannot be taken: the rates of {type(system).__name__} look at their numbers, or put them into "
             "functions that have no series, and were traced with those of `system`."
         )
-    second = collect_numbers(other)
+    second = one.copy()  # with the numbers in formulas, which are the same
+    second[: len(own)] = own
     middle = one + 0.5 * (second - one)
     radii = np.maximum(np.abs(one - middle), np.abs(second - middle))
     radii = np.where(radii > 0.0, np.nextafter(radii, np.inf), 0.0)

@@ -1,7 +1,7 @@
 """A system's rates of change in ball arithmetic: Taylor coefficients, bounds in the complex plane, derivatives.
 
 Numbers in a system's fields are parameters, which stand on the tape beside the state and do not move: so that what is
-computed of them, such as one over a moment, is a ball too. Numbers in formulas are taken as the doubles they are.
+computed of them, such as one over a moment, is a ball too. So do numbers in formulas, taken as the doubles they are.
 Source: Johansson, IEEE Trans. Comput. 66 (2017) 1281, for the arithmetic.
 """
 
@@ -20,11 +20,11 @@ import numpy as np
 from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
-from polhode.taylor.jaxprs import uses_first, write_jaxpr
+from polhode.taylor.jaxprs import numbers_in, uses_first, write_jaxpr
 from polhode.taylor.machine import TRACING, Form, tape_value
 from polhode.taylor.operations import Operation
 from polhode.taylor.program import find_needed
-from polhode.taylor.tracing import evaluate
+from polhode.taylor.tracing import evaluate, keeping
 from polhode.types import Array, Float64
 
 Ball = Any  # of python-flint, real or complex
@@ -42,8 +42,8 @@ class BallSystem:
     Attributes:
         form: of a state.
         size: n, how many numbers move: those of the state, and the time where rates depend on it.
-        parameters: (m,) numbers in the system's fields.
-        exact: whether what is computed of them is balls; else it was rounded to doubles.
+        parameters: (m,) numbers in the system's fields, then those in its formulas.
+        exact: whether all that is computed of them is balls; else some of it was rounded to doubles.
         timed: whether the last of the numbers that move is the time.
         looked_at: which parameters are taken as numbers, as the eccentricity of an orbit is, and cannot be balls.
 
@@ -79,14 +79,17 @@ class BallSystem:
             return form.numbers(rates_of_change(system_of(p), t, form.state(numbers)))
 
         closed = write_jaxpr(everything, (), (form.size,), np.shape(parameters))
-        timed = uses_first(closed)
-        size = form.size + timed
+        timed, count, kept = uses_first(closed), len(parameters), numbers_in(closed) if self.exact else []
+        size, parameters = form.size + timed, np.append(parameters, kept)
         tape = Tape(size + len(parameters), form.size if timed else None)
         tape.values = {size + k: float(x) for k, x in enumerate(parameters)}
+        tape.kept = {x: size + count + k for k, x in enumerate(kept)} if self.exact else None
         known = np.empty(tape.size, object)
         known[:] = tape.state()
         t = np.asarray(known[form.size] if timed else 0.0, object if timed else float)
-        outputs = np.ravel(evaluate(closed, t, known[: form.size], known[size:])[0])
+        with keeping(tape):
+            outputs = np.ravel(evaluate(closed, t, known[: form.size], known[size : size + count])[0])
+        self.exact &= not tape.rounded
         rates = [tape_value(tape, x) for x in outputs] + [tape.constant(1.0)] * timed
         return tape, rates, size, parameters, timed
 

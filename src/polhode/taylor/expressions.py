@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -47,6 +48,8 @@ class Tape:
         self.values: dict[int, float] = {}  # of components that do not move
         self.looked_at: set[int] = set()  # of these, where an operation takes the number itself
         self.sides: Any = None  # ``sides.Sides``, where branches on what moves are taken
+        self.kept: dict[float, int] | None = None  # places of numbers that stand on the tape and are not computed with
+        self.rounded = False  # whether numbers were computed with in spite of that, and rounded
         self._known: dict[Node, int] = {}
 
     def state(self) -> list[Expression]:
@@ -56,6 +59,32 @@ class Tape:
     def constant(self, value: float) -> Expression:
         """Return a number as an expression."""
         return Expression(self, {}, float(value))
+
+    def keep(self, numbers: Array) -> Array:
+        """Return those of an array's numbers that are kept as expressions, so that nothing is computed of them."""
+        kept = self.kept
+        if not kept or numbers.dtype == object or not np.issubdtype(numbers.dtype, np.inexact):
+            return numbers
+        place_of = lambda x: Expression(self, {kept[x]: 1.0}) if x in kept else x  # noqa: E731
+        values = [Complex(place_of(x.real), place_of(x.imag)) if isinstance(x, complex) else place_of(x)
+                  for x in np.ravel(numbers).tolist()]  # fmt: skip
+        if not any(isinstance(x, Expression | Complex) for x in values):
+            return numbers
+        result = np.empty(len(values), object)
+        result[:] = values
+        return result.reshape(numbers.shape)
+
+    def note_rounding(self, exact: Callable[[], Any], computed: float) -> None:
+        """Note whether a number computed from others is rounded, where numbers are kept."""
+        if self.kept is not None and not self.rounded:
+            self.rounded = not math.isfinite(computed) or exact() != Fraction(computed)
+
+    def function(self, function: Callable[[float], float], x: float) -> Expression:
+        """Return a function of a number, which is taken for rounded but where it is of 0, or 0 or 1 of 1."""
+        value = function(x)
+        if self.kept is not None and not (x == 0.0 or (x == 1.0 and value in (0.0, 1.0))):
+            self.rounded = True
+        return self.constant(value)
 
     def find_number(self, x: Any) -> float | None:
         """Return the number that an expression is, if it is known, and note that it was asked for."""
@@ -144,17 +173,26 @@ class Tape:
         constant = 0.0
         for x in summands:
             if isinstance(x, Expression):
-                constant += x.constant
+                constant = self._sum(constant, x.constant)
                 for k, c in x.terms.items():
-                    terms[k] = terms.get(k, 0.0) + c
+                    terms[k] = self._sum(terms.get(k, 0.0), c)
             else:
-                constant += float(x)
+                constant = self._sum(constant, float(x))
         return Expression(self, {k: c for k, c in terms.items() if c != 0.0}, constant)
+
+    def _sum(self, a: float, b: float) -> float:
+        self.note_rounding(lambda: Fraction(a) + Fraction(b), a + b)
+        return a + b
+
+    def multiple(self, a: float, b: float) -> float:
+        """Return a b of two numbers."""
+        self.note_rounding(lambda: Fraction(a) * Fraction(b), a * b)
+        return a * b
 
     def product(self, x: Expression, y: Expression) -> Expression:
         """Return x y."""
         (i, a), (j, b) = self.as_node(x), self.as_node(y)
-        return Expression(self, {self.node(Node(Operation.PRODUCT, (min(i, j), max(i, j)))): a * b})
+        return Expression(self, {self.node(Node(Operation.PRODUCT, (min(i, j), max(i, j)))): self.multiple(a, b)})
 
     def unary(self, operation: Operation, x: Expression, number: float = 0.0) -> Expression:
         """Return a function of an expression."""
@@ -238,7 +276,9 @@ class Expression:
         """Return a multiple."""
         if factor == 0.0:
             return Expression(self.tape, {})
-        return Expression(self.tape, {k: c * factor for k, c in self.terms.items()}, self.constant * factor)
+        multiple = self.tape.multiple
+        return Expression(self.tape, {k: multiple(c, factor) for k, c in self.terms.items()},
+                          multiple(self.constant, factor))  # fmt: skip
 
     def __add__(self, other: Any) -> Any:
         if isinstance(other, Complex | complex):
@@ -273,8 +313,12 @@ class Expression:
         if isinstance(other, Expression) and other.terms:
             return self * other**-1.0
         divisor = other.constant if isinstance(other, Expression) else float(other)
+        if divisor == 0.0:
+            raise Untraceable("a division by zero")
         # divided, not multiplied by the reciprocal, which would round twice
         terms = {k: c / divisor for k, c in self.terms.items()}
+        for a, quotient in ((self.constant, self.constant / divisor), *((c, terms[k]) for k, c in self.terms.items())):
+            self.tape.note_rounding(lambda a=a: Fraction(a) / Fraction(divisor), quotient)
         return Expression(self.tape, terms, self.constant / divisor)
 
     def __rtruediv__(self, other: Any) -> Expression:
@@ -283,7 +327,7 @@ class Expression:
     def __pow__(self, exponent: float) -> Expression:
         exponent = float(exponent)
         if not self.terms:
-            return Expression(self.tape, {}, self.constant**exponent)
+            return self.tape.function(lambda x: x**exponent, self.constant)
         whole = int(exponent) if exponent.is_integer() and 0.0 <= exponent <= 64.0 else None
         if whole is None:
             return self.tape.unary(Operation.POWER, self, exponent)
@@ -364,49 +408,3 @@ def total(tape: Tape, summands: Iterable[Any]) -> Any:
             plain.append(x)
     expression = tape.total(plain)
     return expression if complex_part is None else complex_part + expression
-
-
-def sine_and_cosine(x: Expression) -> tuple[Expression, Expression]:
-    """Return sin x and cos x."""
-    if not x.terms:
-        return x.tape.constant(math.sin(x.constant)), x.tape.constant(math.cos(x.constant))
-    sine = x.tape.unary(Operation.SINE, x)
-    place = next(iter(sine.terms))
-    return sine, Expression(x.tape, {place + 1: 1.0})
-
-
-def apply(operation: Operation, function: Callable[[float], float], x: Expression) -> Expression:
-    """Return a function of an expression by its operation, or of a number by itself."""
-    return x.tape.unary(operation, x) if x.terms else x.tape.constant(function(x.constant))
-
-
-def exponential(x: Expression) -> Expression:
-    """Return eˣ."""
-    return apply(Operation.EXPONENTIAL, math.exp, x)
-
-
-def exponential_minus_one(x: Expression) -> Expression:
-    """Return eˣ − 1 with all its digits."""
-    return apply(Operation.EXPONENTIAL_MINUS_ONE, math.expm1, x)
-
-
-def logarithm(x: Expression) -> Expression:
-    """Return log x."""
-    return apply(Operation.LOGARITHM, math.log, x)
-
-
-def logarithm_of_one_plus(x: Expression) -> Expression:
-    """Return log(1 + x) with all its digits."""
-    return apply(Operation.LOGARITHM_OF_ONE_PLUS, math.log1p, x)
-
-
-def hyperbolic_tangent(x: Expression) -> Expression:
-    """Return tanh x."""
-    return apply(Operation.TANH, math.tanh, x)
-
-
-def eccentric_anomaly(mean_anomaly: Expression, eccentricity: float) -> Expression:
-    """Return E of M = E − e sin E, both growing without bound."""
-    if eccentricity == 0.0:
-        return mean_anomaly
-    return mean_anomaly.tape.unary(Operation.ECCENTRIC, mean_anomaly, eccentricity)

@@ -7,7 +7,8 @@ from collections.abc import Callable
 from typing import Any
 
 import jax
-from jax.extend.core import Literal
+import numpy as np
+from jax.extend.core import ClosedJaxpr, Jaxpr, Literal
 
 from polhode.arrays.steps import INNER
 
@@ -15,6 +16,41 @@ from polhode.arrays.steps import INNER
 def write_jaxpr(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:
     """Return the jaxpr of a function of real arrays of given shapes."""
     return jax.make_jaxpr(function)(*[jax.ShapeDtypeStruct(shape, float) for shape in shapes])
+
+
+def numbers_in(closed: Any) -> list[float]:
+    """Return the real numbers that a jaxpr contains, each once, but those by which doubles are multiplied exactly."""
+    found: set[float] = set()
+
+    def look_at(value: Any) -> None:
+        if np.issubdtype(np.result_type(value), np.inexact):
+            flat = np.ravel(np.asarray(value))
+            found.update(x for part in (flat.real, flat.imag) for x in part.tolist() if not is_power_of_two(x))
+
+    def look_into(jaxpr: Any) -> None:
+        for equation in jaxpr.eqns:
+            for variable in equation.invars:
+                if isinstance(variable, Literal):
+                    look_at(variable.val)
+            for inner in jax.tree.leaves(list(equation.params.values()), is_leaf=_is_jaxpr):
+                if _is_jaxpr(inner):
+                    for constant in getattr(inner, "consts", ()):
+                        look_at(constant)
+                    look_into(getattr(inner, "jaxpr", inner))
+
+    for constant in closed.consts:
+        look_at(constant)
+    look_into(closed.jaxpr)
+    return sorted(found)
+
+
+def is_power_of_two(x: float) -> bool:
+    """Return whether a number is zero, infinite or none, or by its size a power of two."""
+    return abs(math.frexp(x)[0]) == 0.5 or x == 0.0 or not math.isfinite(x)
+
+
+def _is_jaxpr(x: Any) -> bool:
+    return isinstance(x, Jaxpr | ClosedJaxpr)
 
 
 def uses_first(closed: Any) -> bool:

@@ -17,12 +17,12 @@ from polhode.arrays import in_jax_numpy
 from polhode.systems._forms import distances, rates_of_change
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
-from polhode.taylor.jaxprs import operations_on, uses_first, write_jaxpr
+from polhode.taylor.jaxprs import numbers_in, operations_on, uses_first, write_jaxpr
 from polhode.taylor.operations import Operation
 from polhode.taylor.program import Program, make_program
 from polhode.taylor.sides import Branches, Sides, Signs
 from polhode.taylor.structure import Structure, itself, take_structure
-from polhode.taylor.tracing import evaluate
+from polhode.taylor.tracing import evaluate, keeping
 from polhode.types import Array, Double, Float64
 
 MOST_GRADIENTS = 600  # numbers in the gradients of what is conserved, from which projecting costs more than it gives
@@ -89,8 +89,9 @@ class Machine(NamedTuple):
         events: names.
         clock: component that is the time, or −1.
         branches: on what moves, of which ``program`` has one side each, whose differences it gives last; or None.
-        exact: program of rates whose first coefficients have twice as many digits: of the same state, then of the
-            system's ``numbers``, so that what is computed of them, as one over a moment, has these digits too; or None.
+        exact: program of rates whose first coefficients have twice as many digits: of the same state, then of
+            ``numbers``, those of the system and of its formulas, so that what is computed of them, as one over a
+            moment, has these digits too; or None.
     """
 
     form: Form
@@ -249,7 +250,9 @@ def _make_machine(
     watched += [] if branches is None else branches.watched
     exact = None
     if extended:
-        exact = _exact_program(*_make_tape(written, form, numbers, inside, moving=True)[:2])
+        kept = numbers_in(written.closed)
+        exact = _exact_program(*_make_tape(written, form, numbers, inside, kept=kept)[:2])
+        numbers = np.append(numbers, kept)
     names, integrals = _integrals(system, form)
     return Machine(form, make_program(tape, rates + watched), integrals, names, written.balances, tuple(system.events),
                    size - 1 if written.timed else -1, branches, exact, numbers)  # fmt: skip
@@ -265,17 +268,24 @@ def _components(size: int, form: Form, written: _Written, start: tuple[float, ..
 
 
 def _make_tape(
-    written: _Written, form: Form, numbers: Array, inside: Array, moving: bool = False, sides: Sides | None = None
+    written: _Written, form: Form, numbers: Array, inside: Array, sides: Sides | None = None,
+    kept: list[float] | None = None,
 ) -> tuple[Tape, list[Expression], list[Expression]]:
-    """Return a tape with rates and what is watched; the system's numbers may be components of the state that follow."""
+    """Return a tape with rates and what is watched.
+
+    With a list of numbers in formulas, those of the system and they are components that follow the state.
+    """
     size = form.size + len(written.balances) + written.timed
-    tape = Tape(size + moving * len(numbers), size - 1 if written.timed else None, inside)
-    tape.sides = sides
-    tape.values = dict(enumerate(numbers.tolist(), size)) if moving else {}
+    beside = [] if kept is None else [*numbers.tolist(), *kept]
+    tape = Tape(size + len(beside), size - 1 if written.timed else None, inside)
+    tape.sides, tape.values = sides, dict(enumerate(beside, size))
+    first = size + len(numbers)
+    tape.kept = None if kept is None else {x: first + k for k, x in enumerate(kept)}
     known = np.empty(tape.size, object)
     known[:] = tape.state()
     t = np.asarray(known[size - 1] if written.timed else 0.0, object if written.timed else float)
-    outputs = evaluate(written.closed, t, known[: form.size], known[size:] if moving else numbers)
+    with keeping(tape):
+        outputs = evaluate(written.closed, t, known[: form.size], numbers if kept is None else known[size:first])
     parts = [[tape_value(tape, x) for x in np.ravel(part)] for part in outputs]
     rates, watched = parts[: 1 + len(written.balances)], parts[1 + len(written.balances) :]
     return tape, [*chain(*rates), *([tape.constant(1.0)] if written.timed else [])], [*chain(*watched)]

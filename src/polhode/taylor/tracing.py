@@ -7,8 +7,10 @@ time or ``sides`` tell; others, and functions that no recurrence is known of, ra
 
 from __future__ import annotations
 
+import contextlib
 import operator
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextvars import ContextVar
 from typing import Any
 
 import jax
@@ -18,11 +20,8 @@ from jax.extend.core import Literal
 
 from polhode.arrays.by_numpy import by_numbers, factors, spread, take_slice
 from polhode.arrays.steps import INNER, split_scan
-from polhode.taylor.expressions import (
-    Complex,
-    Expression,
-    Tape,
-    Untraceable,
+from polhode.taylor.elementary import (
+    cube_root,
     eccentric_anomaly,
     exponential,
     exponential_minus_one,
@@ -30,8 +29,8 @@ from polhode.taylor.expressions import (
     logarithm,
     logarithm_of_one_plus,
     sine_and_cosine,
-    total,
 )
+from polhode.taylor.expressions import Complex, Expression, Tape, Untraceable, total
 from polhode.taylor.jaxprs import select_needed
 from polhode.types import Array
 
@@ -40,6 +39,25 @@ RULES: dict[str, Rule] = {}
 NAMED: dict[str, Callable[..., Array]] = {}  # of functions of polhode's own that JAX compiles by themselves
 MOST_ROUNDS = 1000  # of a loop that is written out
 LARGEST_LINEAR = 4096  # numbers that an operation may take, of which unit vectors are made
+
+
+_keeping: ContextVar[Tape | None] = ContextVar("keeping", default=None)
+EXACT = frozenset({  # operations that round no number
+    "abs", "broadcast_in_dim", "clamp", "complex", "concatenate", "conj", "convert_element_type", "copy", "copy_p",
+    "dynamic_slice", "dynamic_update_slice", "expand_dims", "gather", "imag", "iota", "max", "min", "neg", "pad",
+    "real", "reduce_max", "reduce_min", "reshape", "rev", "scatter", "select_n", "sign", "slice", "split", "squeeze",
+    "stack", "stop_gradient", "transpose", "unstack",
+})  # fmt: skip
+
+
+@contextlib.contextmanager
+def keeping(tape: Tape) -> Iterator[None]:
+    """Let what is evaluated within keep the numbers that are in ``tape.kept``."""
+    token = _keeping.set(tape)
+    try:
+        yield
+    finally:
+        _keeping.reset(token)
 
 
 def evaluate(closed: Any, *arguments: Array, places: Sequence[int] | None = None) -> list[Any]:
@@ -62,11 +80,15 @@ def evaluate(closed: Any, *arguments: Array, places: Sequence[int] | None = None
 
 def _evaluate(jaxpr: Any, constants: Any, arguments: list[Array], outputs: list[Any]) -> list[Array]:
     known: dict[Any, Array] = {}
+    tape = _keeping.get()
+
+    def keep(numbers: Any) -> Array:
+        return np.asarray(numbers) if tape is None else tape.keep(np.asarray(numbers))
 
     def read(variable: Any) -> Array:
-        return np.asarray(variable.val) if isinstance(variable, Literal) else known[variable]
+        return keep(variable.val) if isinstance(variable, Literal) else known[variable]
 
-    known.update(zip(jaxpr.constvars, map(np.asarray, constants), strict=True))
+    known.update(zip(jaxpr.constvars, map(keep, constants), strict=True))
     known.update(zip(jaxpr.invars, arguments, strict=True))
     for equation in select_needed(outputs, jaxpr.eqns):
         operands = [read(v) for v in equation.invars]
@@ -83,10 +105,25 @@ def _apply(equation: Any, arguments: list[Array]) -> list[Array]:
         plain, constants = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
         return _evaluate(plain, constants, arguments, plain.outvars)
     if not any(a.dtype == object for a in arguments):
-        return by_numbers(equation, arguments)
+        tape = _keeping.get()
+        return by_numbers(equation, arguments) if tape is None else _by_exact_numbers(equation, arguments, tape)
     if name not in RULES:
         raise Untraceable(f"`{name}` of something that moves")
     return [a if isinstance(a, np.ndarray) else _array(a) for a in RULES[name](arguments, parameters, equation)]
+
+
+def _by_exact_numbers(equation: Any, arguments: list[Array], tape: Tape) -> list[Array]:
+    """Compute numbers from numbers, and note on the tape whether any of them was rounded."""
+    name = equation.primitive.name
+    if name in EXACT or not any(jnp.issubdtype(v.aval.dtype, jnp.inexact) for v in equation.outvars):
+        return by_numbers(equation, arguments)  # whole numbers and truth values are not rounded either
+    if name not in RULES or any(np.iscomplexobj(a) for a in arguments):
+        tape.rounded = True
+        return by_numbers(equation, arguments)
+    expressions = [_each(tape.constant, a) if np.issubdtype(a.dtype, np.inexact) else a for a in arguments]
+    results = [np.asarray(a) for a in RULES[name](expressions, equation.params, equation)]
+    return [_each(lambda x: x.constant if isinstance(x, Expression) else x, a).astype(v.aval.dtype)
+            for a, v in zip(results, equation.outvars, strict=True)]  # fmt: skip
 
 
 def _array(x: Any) -> Array:
@@ -130,17 +167,18 @@ RULES["integer_pow"] = lambda x, p, e: [_each(lambda a: a ** p["y"], x[0])]
 RULES["square"] = lambda x, p, e: [np.asarray(x[0] * x[0], object)]
 RULES["sqrt"] = lambda x, p, e: [_each(lambda a: a**0.5, x[0])]
 RULES["rsqrt"] = lambda x, p, e: [_each(lambda a: a**-0.5, x[0])]
-RULES["cbrt"] = lambda x, p, e: [_each(lambda a: a ** (1.0 / 3.0), x[0])]
+RULES["cbrt"] = lambda x, p, e: [_each(cube_root, x[0])]
 
 
 @_rule("pow")
 def _power(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    if x[1].dtype == object:
-        raise Untraceable("a power whose exponent moves")
     base, exponent = np.broadcast_arrays(*x)
-    result = np.empty(base.shape, object)
+    tape, result = _find_tape(*x), np.empty(base.shape, object)
     for k in np.ndindex(base.shape):
-        result[k] = base[k] ** float(exponent[k])
+        power = tape.find_number(exponent[k])
+        if power is None:
+            raise Untraceable("a power whose exponent moves")
+        result[k] = (base[k] if isinstance(base[k], Expression | Complex) else tape.constant(base[k])) ** power
     return [result]
 
 
@@ -357,6 +395,7 @@ def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
         for a in np.asarray(x[k]).flat:
             elements.extend([Complex.of(a).real, Complex.of(a).imag] if parts[k] == 2 else [a])
     tape = _find_tape(*(x[k] for k in moving))
+    tape.rounded |= tape.kept is not None and equation.primitive.name in ("fft", "triangular_solve")
     values = np.empty(len(matrix), object)
     for row, (start, coefficients) in enumerate(zip(zero, matrix, strict=True)):
         where = np.flatnonzero(coefficients)
