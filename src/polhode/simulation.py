@@ -172,18 +172,35 @@ def _by_series_or_other_steps(system: AbstractSystem, state: Array, times: np.nd
     So each copy moves as it does alone, whatever moves beside it.
     """
     batch = np.shape(state)[: np.ndim(state) - system.state_axes]
-    without = np.zeros(batch, bool)
+    without, singular = np.zeros(batch, bool), ""
     while not without.all():
         try:
             found = _by_series(system, state[~without] if without.any() else state, times, None, asked)
         except NoSeries as error:
             some = np.ones(1, bool) if error.copies is None else np.ravel(np.asarray(error.copies))
             without[~without] = some if some.any() else True
+            singular = error.singular or singular
             continue
         if not without.any():
             return found
-        return _join(system, without, found, _by_other_steps(system, state[without], times, None, asked), asked)
-    return _by_other_steps(system, state, times, None, asked)
+        rest = _by_steps_after_series(system, state[without], times, asked, singular)
+        return _join(system, without, found, rest, asked)
+    return _by_steps_after_series(system, state, times, asked, singular)
+
+
+def _by_steps_after_series(
+    system: AbstractSystem, state: Array, times: np.ndarray, asked: _Asked, singular: str
+) -> Trajectory:  # fmt: skip
+    """Move by other steps what series do not follow; where these fail at a singularity as well, it is that."""
+    try:
+        return _by_other_steps(system, state, times, None, asked)
+    except NotConverged as error:
+        if not singular:
+            raise
+        raise NotConverged(
+            f"the motion comes to a singularity {singular}: its Taylor series end there, and other steps do not pass "
+            "it. Give an earlier last time."
+        ) from error
 
 
 def _join(
@@ -224,6 +241,14 @@ def _by_other_steps(system: AbstractSystem, state: Array, times: np.ndarray, met
     return _by_adaptive_steps(system, state, times, method, asked)
 
 
+def _find_singularity(motion: AdaptiveMotion, failed: Bool[np.ndarray, "copies"]) -> str:
+    """Return between which times series end, of the copy where they do first."""
+    states, times = np.asarray(motion.states), np.asarray(motion.times)
+    rows = states.reshape(len(failed), len(times), -1)[failed]
+    ended = int(np.argmax(~np.isfinite(rows).all(axis=(0, 2))))
+    return f"between {times[max(ended - 1, 0)]:.6g} and {times[ended]:.6g} s"
+
+
 def _by_adaptive_steps(
     system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
 ) -> Trajectory:
@@ -256,7 +281,8 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
     if asked.throw and not np.all(motion.successful):
         check_finite_rates(system, times[0], state)
     if by_default and not np.all(motion.successful):
-        raise NoSeries("its motion comes to a singularity.", ~np.ravel(motion.successful))
+        failed = ~np.ravel(motion.successful)
+        raise NoSeries("its motion comes to a singularity.", failed, singular=_find_singularity(motion, failed))
     trajectory = _finish(system, type(method).__name__, motion, error, asked.throw)
     if asked.resumable and motion.memory is None:
         raise InvalidInput("`resumable` of Taylor goes with one state of a system without events, jumps and balances.")

@@ -183,3 +183,15 @@ def test_equilibria_of_the_free_body_are_the_axes():
 def test_bad_input(call, words):
     with pytest.raises(InvalidInput, match=words):
         call(systems.FreeRigidBody((1.0, 2.0, 3.0)))
+
+
+@pytest.mark.parametrize("power", [3, 4])
+def test_degenerate_equilibria_are_found_as_exactly_as_others(power):
+    """H = z²/2 + xⁿ on the sphere: at (0, ±1, 0) Newton's method comes nearer by equal factors, and stops before."""
+    own = systems.LiePoisson(ph.algebra.SO3(), lambda S: 0.5 * S[2] ** 2 + S[0] ** power)
+    found = ph.find_equilibria(own, [0.0, 1.0, 0.0])
+    degenerate = found[np.abs(found[:, 1]) > 0.5]
+    np.testing.assert_array_equal(degenerate[np.argsort(degenerate[:, 1])], [[0.0, -1.0, 0.0], [0.0, 1.0, 0.0]])
+    assert [ph.stability(own, point).verdict for point in degenerate] == ["undecided"] * 2
+    for point in found:
+        ph.stability(own, point)  # which refuses what is no equilibrium

@@ -8,7 +8,7 @@ import pytest
 import polhode as ph
 from polhode.integrators import Taylor
 from polhode.taylor import tracing
-from polhode.taylor.expressions import exponential, logarithm
+from polhode.taylor.elementary import exponential, logarithm
 
 
 class Scalar(ph.systems.AbstractSystem):

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from polhode.taylor import kernels, lanes, straight_line
-from polhode.taylor.expressions import (
-    Tape,
+from polhode.taylor.elementary import (
     exponential,
     exponential_minus_one,
     hyperbolic_tangent,
@@ -15,6 +14,7 @@ from polhode.taylor.expressions import (
     logarithm_of_one_plus,
     sine_and_cosine,
 )
+from polhode.taylor.expressions import Tape
 from polhode.taylor.kernel_space import series_for
 from polhode.taylor.program import make_program
 

@@ -47,11 +47,14 @@ class NoSeries(InvalidInput):
     Attributes:
         copies: (C,) which copies of a batch they cannot follow; None where it is all of them.
         part: of the rates of change, that has no series or leads to where none is; "" where it is not that.
+        singular: when the motion comes to a singularity, in words; "" where it does not.
     """
 
-    def __init__(self, message: str, copies: Bool[Array, "copies"] | None = None, part: str = "") -> None:
+    def __init__(
+        self, message: str, copies: Bool[Array, "copies"] | None = None, part: str = "", singular: str = ""
+    ) -> None:
         super().__init__(message)
-        self.copies, self.part = copies, part
+        self.copies, self.part, self.singular = copies, part, singular
 
 
 @dataclass(frozen=True)
