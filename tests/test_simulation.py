@@ -213,3 +213,30 @@ def test_derivatives_of_simulate_by_what_a_function_encloses_say_so():
 
     with pytest.raises(InvalidInput, match="given to `simulate` must not enclose a number that JAX traces"):
         jnp.asarray(jax.grad(last)(0.7))
+
+
+def test_an_estimate_is_not_below_what_the_energy_shows():
+    """Steps of two lengths miss a corner that they do not know by almost the same."""
+
+    def own(part):
+        return ph.systems.LiePoisson(ph.algebra.SO3(), lambda L: 0.5 * part(L[0]) ** 2 + 0.3 * L[1] ** 2 + 0.2 * L[2])
+
+    start = np.random.default_rng(7).normal(size=3) * 1.5
+    unknown = own(lambda x: jnp.sort(jnp.stack([x, 0.0 * x]))[1])  # of which there is no series
+    found = ph.simulate(unknown, start, [0.0, 20.0])
+    truth = ph.simulate(own(lambda x: jnp.where(x > 0.0, x, 0.0)), start, [0.0, 20.0])
+    off = np.abs(found.states - truth.states).max() / np.linalg.norm(start)
+    assert truth.error_estimate < 1e-13 and off > 1e-3
+    assert off / 30.0 < found.error_estimate < 30.0 * off
+
+
+def test_an_energy_that_is_no_number_is_said():
+    own = ph.systems.LiePoisson(ph.algebra.Heisenberg(1), lambda m: jnp.log(m[1] - 5.0))
+    with pytest.warns(UserWarning, match="the energy of LiePoisson is not a number along the motion"):
+        ph.simulate(own, [1.0, -1.0, 1.0], [0.0, 1.0])
+
+
+def test_a_singularity_is_named():
+    fall = ph.systems.LiePoisson(ph.algebra.Heisenberg(1), lambda m: 0.5 * m[1] ** 2 - 1.0 / m[0])
+    with pytest.raises(NotConverged, match="singularity between 1 and 2 s"):  # at π/√8 = 1.11
+        ph.simulate(fall, [1.0, 0.0, 1.0], np.linspace(0.0, 5.0, 6))

@@ -93,3 +93,13 @@ class Blowing(systems.base.AbstractSystem):
 def test_a_singularity_is_said():
     with pytest.raises(NotConverged, match="singularity before 2 s"):
         ph.section(Blowing(), [1.0], lambda t, state: state[0] - 3.0, (0.0, 2.0))
+
+
+def test_a_section_goes_on_from_each_of_its_points():
+    """The start is a crossing of the section before, which misses the surface by a rounding, and does not count."""
+    oscillator = ph.systems.LiePoisson(ph.algebra.Heisenberg(1), lambda m: 0.5 * (m[0] ** 2 + m[1] ** 2))
+    surface, first = (lambda t, m: m[0] - 0.5), None
+    whole = ph.section(oscillator, [1.0, 0.0, 1.0], surface, (0.0, 100.0))
+    for time, state in zip(whole.times[:-1], whole.states[:-1], strict=True):
+        first = ph.section(oscillator, state, surface, (float(time), 100.0)).times[0]
+        assert abs(first - time - 2.0 * np.pi) < 1e-12

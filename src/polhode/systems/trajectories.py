@@ -29,6 +29,11 @@ def make_trajectory(
     states = np.asarray(states)
     said = _all_said(system, np.asarray(times), states)
     invariants: dict[str, Array] = {name: np.asarray(value) for name, value in said.invariants.items()}
+    if "energy" in invariants and np.isfinite(states).all() and np.isnan(invariants["energy"]).all():
+        warnings.warn(
+            f"the energy of {type(system).__name__} is not a number along the motion, though its derivatives are: what "
+            "it drifts by is not known. Check its domain, as of a logarithm of what is negative.", stacklevel=2,
+        )  # fmt: skip
     # what holds on other leaves only is NaN on this one
     invariants = {name: value for name, value in invariants.items() if not np.isnan(value).all()}
     invariants = _representable(system, states, invariants)

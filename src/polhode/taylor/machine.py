@@ -267,6 +267,7 @@ def _components(size: int, form: Form, written: _Written, start: tuple[float, ..
     return y
 
 
+@np.errstate(all="ignore")  # of what is not finite, the motion's own checks say where
 def _make_tape(
     written: _Written, form: Form, numbers: Array, inside: Array, sides: Sides | None = None,
     kept: list[float] | None = None,
