@@ -40,7 +40,7 @@ def test_numbers_data_and_figures(run, series, tmp_path):
     found = json.loads(said.out)
     assert abs(found["chandler_period_days"] - 433) < 5 * found["chandler_period_days_error"] < 30
     assert 0.2 < found["chandler_amplitude_mas"] / (AMPLITUDE / MAS) < 3 and found["chandler_amplitude_mas_error"] > 0
-    assert found["quality_factor_interval_95"][0] < 100 < found["quality_factor_interval_95"][1]
+    assert found["quality_factor_interval"][0] < 100 < found["quality_factor_interval"][1]
     assert found["quality_factor_error"] > 0
     assert found["retrograde_energy_ratio"] < 0.01
     stages = [stage["stage"] for stage in found["euler_chain"]]

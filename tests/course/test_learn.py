@@ -42,6 +42,12 @@ def test_worksheet_has_the_numbers_of_its_seed(tmp_path, monkeypatch, capsys):
         assert question.solution[:40] not in sheet
 
 
+def test_a_worksheet_and_its_key_are_written_together(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert run("two-surfaces", "--worksheet", "--key") == 0
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["two-surfaces-key.html", "two-surfaces.html"]
+
+
 @pytest.mark.parametrize(("arguments", "said"), [
     (["nosuch", "--worksheet"], "must be a number from 1 to 14 or one of"),
     (["15", "--key"], "must be a number from 1 to 14"),
@@ -51,6 +57,7 @@ def test_worksheet_has_the_numbers_of_its_seed(tmp_path, monkeypatch, capsys):
     (["two-surfaces", "--worksheet", "--seed", "-3"], "from 0"),
     (["two-surfaces", "--worksheet", "--out", "a.pdf"], "must end with .html"),
     (["two-surfaces", "--worksheet", "--from", "x"], "Leave it out"),
+    (["two-surfaces", "--worksheet", "--key", "--out", "a.html"], "two are written"),
     (["--from", "nowhere", "--no-open"], "holds no course"),
 ])  # fmt: skip
 def test_mistakes_are_told_with_a_remedy(arguments, said, tmp_path, monkeypatch, capsys):

@@ -206,7 +206,7 @@ def test_words_that_are_none(tmp_path):
     sampled = MOTION.sample(TIMES)
     right: dict[str, Any] = {"trajectory": sampled, "name": None, "summary": "", "notes": []}
     wrongs = {"`name` must be text": {"name": 5}, "`summary` must": {"summary": None}, "`notes` must": {"notes": "x"},
-              "shows an exact motion, a trajectory or a spec; got int": {"trajectory": 5}}  # fmt: skip
+              "shows an exact motion, a trajectory, a report or a spec; got int": {"trajectory": 5}}  # fmt: skip
     for words, wrong in wrongs.items():
         with pytest.raises(InvalidInput, match=words):
             check_given(**right | wrong)

@@ -41,7 +41,7 @@ class LyapunovExponents(NamedTuple):
 
     @property
     def is_chaotic(self) -> bool:
-        """Whether the largest is positive beyond its error."""
+        """Whether the largest is positive beyond its error: chaos, unless the motion rests or is periodic itself."""
         return bool(self.exponents[0] > self.errors[0])
 
 

@@ -17,12 +17,16 @@ from polhode.formats.paths import write_whole
 def run_learn(
     chapter: str | None, sheet: bool, key: bool, seed: int | None, out: Path | None, source: Path | None, open_it: bool
 ) -> None:
-    """Open a page of the course, or write the worksheet or key of a chapter."""
-    if sheet:
+    """Open a page of the course, or write the worksheet or key of a chapter, or both."""
+    if sheet or key:
         if source is not None:
             raise InvalidInput(f"--from names a built course to open; got {shown(str(source))} with a worksheet, which "
                                "needs none. Leave it out.")  # fmt: skip
-        _write_sheet(chapter, key, seed or 0, out)
+        if sheet and key and out is not None:
+            raise InvalidInput("--out names one file; with --worksheet and --key two are written. Leave it out, or "
+                               "write one at a time.")  # fmt: skip
+        for one in [False] * sheet + [True] * key:
+            _write_sheet(chapter, one, seed or 0, out)
         return
     if seed is not None or out is not None:
         raise InvalidInput("--seed and --out are of a worksheet. Add --worksheet or --key.")

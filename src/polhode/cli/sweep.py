@@ -125,6 +125,6 @@ def _print_cost(sweep: Sweep, out: Path, seconds: float, workers: int, options: 
         Answer("store_size", sweep.bytes, "B", "store, at most", "", in_bytes(sweep.bytes)),
         Answer("chunk_memory", sweep.chunk_bytes, "B", "memory for a chunk's arrays", "", in_bytes(sweep.chunk_bytes)),
     ])  # fmt: skip
-    report = PlainReport(sweep.plan.path.stem, "cost of a sweep", "Nothing is computed in a dry run.", [group])
+    report = PlainReport(sweep.plan.path.stem, "sweep-cost", "Nothing is computed in a dry run.", [group])
     publish(report, options.json)
 

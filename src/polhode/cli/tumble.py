@@ -41,7 +41,8 @@ def run_list(json: bool) -> None:
     """Print the known tumblers."""
     rows = [known._asdict() for known in known_tumblers().values()]
     if json:
-        print(as_json({"tumblers": rows}))
+        told = {"name": "tumblers", "kind": "tumblers", "summary": f"{len(rows)} bodies are known by name."}
+        print(as_json({**told, "tumblers": rows, "units": {}, "notes": [], "files": []}))
         return
     for known in known_tumblers().values():
         moments = "moments unknown" if known.moments is None else " : ".join(known.moments)

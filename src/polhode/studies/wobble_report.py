@@ -140,8 +140,8 @@ def _process(report: WobbleReport) -> Group:
     return Group("The same as a damped wobble kept going by white excitation, by likelihood", [
         Answer("quality_factor", quality, "", "Q", "", f"{_q(quality)}, 68 %: {_q(near[0])} to {_q(near[1])}"),
         Answer("quality_factor_error", errors[1], "", "", "by the curvature of the likelihood; the interval says more"),
-        Answer("quality_factor_interval", list(near), "", "", "of 68 %"),
-        Answer("quality_factor_interval_95", list(far), "", "Q, 95 %", "", f"{_q(far[0])} to {_q(far[1])}"),
+        Answer("quality_factor_interval_68", list(near), "", "", "of 68 %"),
+        Answer("quality_factor_interval", list(far), "", "Q, 95 %", "", f"{_q(far[0])} to {_q(far[1])}"),
         Answer("process_period_days", period / DAY, "d", "period", "", uncertain(period / DAY, errors[0] / DAY, "d")),
         Answer("process_period_days_error", errors[0] / DAY, "d", "", "standard error"),
         Answer("process_period_days_interval", spans[0.95], "d", "period, 95 %", "",

@@ -63,4 +63,4 @@ def learn(
     """
     from polhode.cli.learn import run_learn
 
-    run_learn(chapter, worksheet or key, key, seed, out, source, not no_open)
+    run_learn(chapter, worksheet, key, seed, out, source, not no_open)

@@ -108,7 +108,7 @@ def certify(
         list[str] | None, typer.Option("--at", metavar="T", help='Time of a state, like "1e9 s"; may be repeated.')
     ] = None,
 ) -> None:
-    """Prove bounds of a free body's or a Lagrange top's motion, to any number of digits.
+    """Prove bounds of a free body's or a Lagrange top's motion, with up to 1000 digits.
 
     Printed are the regime and verdicts, decided in exact arithmetic, and periods, precession, geometric phase, action
     and states, each with a radius within which the truth lies. Needs the extra symbolic.
