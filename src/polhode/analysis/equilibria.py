@@ -17,7 +17,7 @@ from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
 from polhode.systems.base import AbstractLiePoissonSystem
-from polhode.types import Array, ArrayLike, Double, Real
+from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 STARTS = 64
 CHECKED = 4  # starts at which the system must move as its energy says

@@ -24,7 +24,7 @@ def numbers_in(closed: Any) -> list[float]:
 
     def look_at(value: Any) -> None:
         if np.issubdtype(np.result_type(value), np.inexact):
-            flat = np.ravel(np.asarray(value))
+            flat: Any = np.ravel(np.asarray(value))
             found.update(x for part in (flat.real, flat.imag) for x in part.tolist() if not is_power_of_two(x))
 
     def look_into(jaxpr: Any) -> None:

@@ -25,12 +25,12 @@ def evaluate_steps(rates: Series, copies: Copies, lanes: Lanes, course: Course) 
     if k == NOBODY or copies.status[k] != RUNNING:
         return
     first, following = take_samples(copies, lanes, course, 0)
-    if first < following:
-        times = course.times[first:following]
+    times = course.times[first:following]
+    if times.size:
         steps = np.append((times - copies.now[k, TIME]) / lanes.units[0], steps)
     values = _evaluate(rates, course.order, steps)
     lanes.states[: rates.whole[SIZE]] = values[-1]
-    if first < following:
+    if times.size:
         copies.out[k, first:following] = values[:-1]
         if course.clock >= 0:
             copies.out[k, first:following, course.clock] = times

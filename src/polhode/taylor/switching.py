@@ -159,7 +159,7 @@ class _Journey:
         branches_of = lambda each: _branches(self.machine_of(each))  # noqa: E731
         try:
             found = settle(branches_of, np.asarray(self.copies.y)[some], [self.signs[k] for k in some], crossed[some],
-                           self.forth, self.copies.now[some, UNIT]) if some.size else []  # fmt: skip
+                           self.forth, np.asarray(self.copies.now)[some, UNIT]) if some.size else []  # fmt: skip
         except Untraceable as error:
             if some.size == 1:
                 self._strand(some, str(error))

@@ -178,7 +178,7 @@ def _power(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Ar
         power = tape.find_number(exponent[k])
         if power is None:
             raise Untraceable("a power whose exponent moves")
-        result[k] = (base[k] if isinstance(base[k], Expression | Complex) else tape.constant(base[k])) ** power
+        result[k] = (base[k] if isinstance(base[k], Expression | Complex) else tape.constant(float(base[k]))) ** power
     return [result]
 
 

@@ -136,8 +136,8 @@ def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
     """Raise InvalidInput for what is not a trajectory or not text."""
     if not isinstance(trajectory, Trajectory):
         raise InvalidInput(
-            f"the page shows an exact motion, a trajectory, a report or a spec; got {type(trajectory).__name__}. Give it "
-            "a FreeMotion, or what `simulate`, `report` or `read_spec` returns."
+            f"the page shows an exact motion, a trajectory, a report or a spec; got {type(trajectory).__name__}. Give "
+            "it a FreeMotion, or what `simulate`, `report` or `read_spec` returns."
         )
     if name is not None and not isinstance(name, str):
         raise InvalidInput(f"`name` must be text; got {shown(name)}. Put it in quotes.")

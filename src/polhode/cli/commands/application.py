@@ -20,7 +20,7 @@ app = typer.Typer(
 )
 
 SpecPath = Annotated[Path, typer.Argument(metavar="SPEC", help="TOML file: what body, how it spins, when.")]
-AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object on standard output; its `units` are those of numbers.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object, which has units, on standard output.")]
 BodySpec = Annotated[Path | None, typer.Option("--spec", metavar="SPEC", help="Whose body it is, for its moments.")]
 
 
