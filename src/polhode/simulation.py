@@ -44,8 +44,8 @@ from polhode.solving import (
 )
 from polhode.systems._agreement import check_agreement, moves_by_generator
 from polhode.systems._checks import advancing_times
-from polhode.systems._forms import check_finite_rates
-from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, refuse_other_objects
+from polhode.systems._forms import check_finite_rates, refuse_other_objects
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.systems.trajectories import make_trajectory
 from polhode.types import Array, ArrayLike, Bool, Real
 

@@ -28,7 +28,8 @@ from polhode.integrators.probing import find_undeclared_jumps, name_jumps
 from polhode.motion._outcome import Status
 from polhode.systems._agreement import MOMENTS_OF_TIME, moves_by_generator
 from polhode.systems._checks import advancing_times
-from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, refuse_other_objects
+from polhode.systems._forms import refuse_other_objects
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.taylor.runs import choose_precision
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 

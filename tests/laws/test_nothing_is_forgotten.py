@@ -15,7 +15,7 @@ import polhode
 
 REFERENCE = sorted((Path(__file__).parents[2] / "docs" / "reference").glob("*.md"))
 TAKE_FILES_AND_WORDS = {"cli", "course", "figures", "formats", "kinds", "reports", "spec", "studies", "sweeps",
-                        "symbolic", "viewer", "errors"}
+                        "symbolic", "viewer", "errors", "plugins"}
 INNER_ROOMS = {"arrays", "taylor"}
 
 
@@ -128,6 +128,7 @@ CALLED_BY_OTHERS = {
     "analysis.enclosures.enclose_by_series",
     "analysis.energy_casimir.Stability", "analysis.energy_casimir.energy_casimir", "analysis.spin_motion.steps_for",
     "analysis.spin_orbit.make_kicks", "analysis.spin_orbit.scale_start", "analysis.spin_orbit.check_count",
+    "analysis.spin_orbit.follow_neighbours",
     "analysis.stability.scaled_field", "bodies.atoms.atomic_masses", "bodies.atoms.isotopic_masses",
     "bodies.atoms.is_element", "bodies.atoms.mass_properties",
     "bodies.body.check_is_body",

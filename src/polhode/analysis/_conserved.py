@@ -226,14 +226,12 @@ def refuse_rough(derived: Derivatives, name: str) -> None:
 def differentiate(
     source: Source, points: Float64[Array, "m n"], centres: Float64[Array, "c n"]
 ) -> tuple[Float64[Array, "m k n"], Float64[Array, "c k n n"]]:
-    """Return gradients (m, k, n) at points and Hessians (…, k, n, n) at centres, compiled once for each structure."""
+    """Return gradients (m, k, n) at points and Hessians (…, k, n, n) at centres."""
     points, centres = jnp.asarray(points), jnp.asarray(centres)
     try:
         return _differentiate(source, points, centres)
     except TRACING:  # functions that branch on their own parameters: these are constants then
-        return jax.jit(lambda p, c: (jax.vmap(jax.jacrev(source))(p), jax.vmap(jax.hessian(source))(c)))(
-            points, centres
-        )
+        return jax.jit(lambda p, c: _differentiate(source, p, c))(points, centres)
 
 
 @arrays_for_few_calls

@@ -11,7 +11,8 @@ from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, solve_adaptively
 from polhode.integrators._series import NoSeries, Taylor, has_series, solve_by_series
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps
-from polhode.systems.base import AbstractSystem, refuse_other_objects
+from polhode.systems._forms import refuse_other_objects
+from polhode.systems.base import AbstractSystem
 from polhode.systems.variations import Variations
 from polhode.types import Array, ArrayLike, Complex128, Double, Float64, Real
 

@@ -14,8 +14,8 @@ from polhode.integrators._adaptive import check_events
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators._series import check_sizes
 from polhode.motion._outcome import Status
-from polhode.systems._forms import check_finite_rates, one_number
-from polhode.systems.base import AbstractSystem, refuse_other_objects
+from polhode.systems._forms import check_finite_rates, one_number, refuse_other_objects
+from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import choose_precision, find_crossings
 from polhode.types import Array, ArrayLike, Double, Float64, Real

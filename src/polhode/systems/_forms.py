@@ -117,3 +117,13 @@ def one_number(what: str, value: Any) -> Float64[Array, ""]:
             "of complex numbers the real or the imaginary part."
         )
     return number.astype(float)
+
+
+def refuse_other_objects(system: Any) -> None:
+    """Refuse what is given for a system and is none.
+
+    Raises:
+        InvalidInput: naming what it is.
+    """
+    if not isinstance(system, AbstractSystem):
+        raise InvalidInput(f"`system` must be one of polhode.systems, or your own; got {type(system).__name__}.")

@@ -440,13 +440,3 @@ def attitude_change(
     if attitude is None:
         return None
     return rotation.multiply(attitude, jnp.concatenate([cosine_less_one, sine], axis=-1))
-
-
-def refuse_other_objects(system: Any) -> None:
-    """Refuse what is given for a system and is none.
-
-    Raises:
-        InvalidInput: naming what it is.
-    """
-    if not isinstance(system, AbstractSystem):
-        raise InvalidInput(f"`system` must be one of polhode.systems, or your own; got {type(system).__name__}.")

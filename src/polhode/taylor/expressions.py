@@ -60,7 +60,7 @@ class Tape:
         """Return a number as an expression."""
         return Expression(self, {}, float(value))
 
-    def keep(self, numbers: Array) -> Array:
+    def keep(self, numbers: Any) -> Any:
         """Return those of an array's numbers that are kept as expressions, so that nothing is computed of them."""
         kept = self.kept
         if not kept or numbers.dtype == object or not np.issubdtype(numbers.dtype, np.inexact):

@@ -50,7 +50,7 @@ def measure_coefficients(series: Series, lanes: Lanes, course: Course) -> None:
         sizes[5:9] = 0.0
 
 
-def sum_of_sizes(series: Series, order: int, lane: Any, slot: int, length: float) -> float:
+def sum_of_sizes(series: Series, order: int, lane: Any, slot: Any, length: float) -> float:
     """Return the sum of the sizes of a node's terms in a step, but that of order zero."""
     total, power, length = 0.0, 1.0, float(length)
     for size in np.abs(_all_rows(series, order)[1:order, slot]).tolist():

@@ -9,7 +9,8 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
-from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, components, refuse_other_objects
+from polhode.systems._forms import refuse_other_objects
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, components
 from polhode.testing.laws import hold
 from polhode.types import Array, ArrayLike, Real
 
