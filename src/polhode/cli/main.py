@@ -12,7 +12,7 @@ from typing import Any, NoReturn
 
 from polhode.cli.stopping import SIGNALS, Stopped, describe_stop, stop_on_signals
 from polhode.cli.terminal import readable_output
-from polhode.errors import InvalidInput, PolhodeError, one_line
+from polhode.errors import InvalidInput, PolhodeError, one_line, shown
 
 THREADS = "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS", "BLIS_NUM_THREADS"
 MISTAKE, PIPE_CLOSED = 2, 1  # exit codes
@@ -110,7 +110,7 @@ def _run(arguments: list[str] | None) -> int | str | None:
 def _describe_failure(error: OSError) -> str:
     """Return the message for an operation that the system refused: on a named file, or on what is written."""
     if error.filename is not None:
-        return f"{error.filename}: cannot be read or written: {error.strerror}. Check the path and its permissions."
+        return f"{shown(str(error.filename))} cannot be read or written: {error.strerror}. Check the path and its permissions."
     if error.strerror is None:  # raised by a library in its own words
         return f"{one_line(str(error)).rstrip('.')}. Check the path and its permissions."
     return f"the output cannot be written: {error.strerror}. Check disk and destination."
