@@ -110,7 +110,8 @@ def _run(arguments: list[str] | None) -> int | str | None:
 def _describe_failure(error: OSError) -> str:
     """Return the message for an operation that the system refused: on a named file, or on what is written."""
     if error.filename is not None:
-        return f"{shown(str(error.filename))} cannot be read or written: {error.strerror}. Check the path and its permissions."
+        path = shown(str(error.filename))
+        return f"{path} cannot be read or written: {error.strerror}. Check the path and its permissions."
     if error.strerror is None:  # raised by a library in its own words
         return f"{one_line(str(error)).rstrip('.')}. Check the path and its permissions."
     return f"the output cannot be written: {error.strerror}. Check disk and destination."
