@@ -1,5 +1,7 @@
 """Enclosures of motions in closed form: regimes decided exactly, known digits, verdicts, axes, and bad input."""
 
+import copy
+import pickle
 from decimal import Decimal
 from fractions import Fraction
 
@@ -174,3 +176,17 @@ def test_a_number_holds_what_it_should():
         number = EnclosedNumber(arb("0.1", "1e-20"))
     assert "0.1" in number and Fraction(1, 10) in number and "0.10000000000000000002" not in number
     assert number.radius >= 1e-20 and number.lower < Fraction(1, 10) < number.upper
+
+
+@pytest.mark.parametrize("motion", [
+    ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)),
+    ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.0, 4.0, 0.0)),  # whose period is infinite
+    ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=0.75, momentum=(0.3, 0.2, 1.5), attitude=(1.0, 0.0, 0.0, 0.0)),
+], ids=["body", "at rest", "top"])  # fmt: skip
+def test_proofs_can_be_pickled_and_copied(motion):
+    proof = ph.certify(motion)
+    for other in (pickle.loads(pickle.dumps(proof)), copy.deepcopy(proof)):
+        for one, two in zip(other.state("7.5").momentum, proof.state("7.5").momentum, strict=True):
+            assert (one.lower, one.upper) == (two.lower, two.upper)
+    state = proof.state(1.0)
+    assert str(pickle.loads(pickle.dumps(state))) == str(state)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copyreg
 import math
 import numbers
 import re
@@ -41,7 +42,20 @@ def import_flint() -> Any:
         import flint
     except ImportError:
         raise not_installed("Proofs", "python-flint", "symbolic") from None
+    copyreg.pickle(flint.arb, _reduce_ball)  # so that proofs can be pickled and copied
+    copyreg.pickle(flint.acb, lambda ball: (flint.acb, (ball.real, ball.imag)))
+    copyreg.pickle(flint.fmpq_poly, lambda polynomial: (flint.fmpq_poly, (polynomial.coeffs(),)))
     return flint
+
+
+def _reduce_ball(ball: Ball) -> tuple[Any, tuple[Any, ...]]:
+    """Return how to make a ball again, exactly."""
+    import flint
+
+    if not ball.is_finite():
+        return flint.arb, (str(ball),)
+    middle, radius = (tuple(map(int, x.man_exp())) for x in (ball.mid(), ball.rad()))
+    return flint.arb, (middle, radius)
 
 
 def exact_rational(name: str, number: ExactNumber) -> Rational:
