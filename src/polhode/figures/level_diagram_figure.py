@@ -13,9 +13,9 @@ from polhode.figures import style
 from polhode.figures.level_curves import CROWDED, ROUND_A, ROUND_C, side_colour
 from polhode.quantum._level_polhodes import level_polhodes
 from polhode.quantum.rotor import Rotor, find_fallen
+from polhode.reports.spectra import WAVE_NUMBER
 from polhode.types import Array
 
-WAVE_NUMBER = 29979245800.0  # Hz of 1 cm⁻¹
 WIDE, HIGH = 4.8, 4.4  # inches
 HALF = 0.33  # of a column's width: the ticks of its two ladders
 MOST_COLUMNS = 12

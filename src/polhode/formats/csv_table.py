@@ -16,7 +16,7 @@ import numpy as np
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.attitude_checks import check_recorded
 from polhode.formats.labels import Recording
-from polhode.formats.numerals import read_number
+from polhode.formats.numerals import LONGEST_LINE, MAY_VANISH, read_number
 from polhode.formats.opening import MB, open_file
 from polhode.formats.paths import as_path, write_whole
 from polhode.motion._layout import ATTITUDE, MOMENTUM, StateLayout
@@ -25,10 +25,8 @@ from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 LARGEST_FILE = 2000 * MB  # seven million rows of fourteen columns
-LONGEST_LINE = 1_000_000  # characters; a system of ten thousand parts needs a third
 CHUNK = 10_000  # rows that are in memory as Python's numbers at once
 _ONLY_NUMBERS = re.compile(r"[-+0-9.eE,\r\n]*", re.ASCII)
-_MAY_VANISH = re.compile(r"[eE]-\d{3}", re.ASCII)
 _VECTORS = {"angular_velocity": ("omega", "rad s-1"), "momentum": ("L", "kg m2 s-1")}
 
 
@@ -180,7 +178,7 @@ def _names(path: Path, line: str) -> list[str]:
 def _numbers(path: Path, rows: list[tuple[int, str]], count: int) -> Array:
     """Return the numbers (n, count) of lines, blank ones left out."""
     whole = "".join(line for _, line in rows)
-    if _ONLY_NUMBERS.fullmatch(whole) and not _MAY_VANISH.search(whole):
+    if _ONLY_NUMBERS.fullmatch(whole) and not MAY_VANISH.search(whole):
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # of lines that are blank, all of them

@@ -10,6 +10,8 @@ import math
 import re
 
 LONGEST_NUMBER = 400  # characters; a double written out in full needs no more than 327 digits before the point
+LONGEST_LINE = 1_000_000  # characters of a table; a system of ten thousand parts needs a third
+MAY_VANISH = re.compile(r"[eE]-\d{3}", re.ASCII)  # a number with such an exponent may be too small for a double
 _FORM = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,6})?", re.ASCII)
 _NOT_ZERO = re.compile(r"[+-]?[0.]*[1-9]")
 

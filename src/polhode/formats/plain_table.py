@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.errors import FormatError, shown
-from polhode.formats.numerals import read_number
+from polhode.formats.numerals import LONGEST_LINE, MAY_VANISH, read_number
 from polhode.formats.opening import MB, open_file
 from polhode.formats.table_form import (
     COMMENT,
@@ -28,11 +28,9 @@ from polhode.formats.table_form import (
 from polhode.types import Array, Float64, Integer
 
 LARGEST_FILE = 2000 * MB
-LONGEST_LINE = 1_000_000  # characters
 BLOCK = 2_000_000  # characters that are in memory at once
 MISSING = ("", "nan", "na", "n/a", "null", "none", "-")
 """The text of cells without a number, in small letters."""
-_MAY_VANISH = re.compile(r"[eE]-\d{3}", re.ASCII)
 _NO_CELLS = re.compile(rf"(?m)^\s*(?:[{''.join(COMMENT)}]|$)")
 _DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?", re.ASCII)
 
@@ -188,7 +186,7 @@ def _by_numpy(texts: Sequence[str], form: TableForm, columns: Sequence[int], dec
     else:
         regular = all(text.count(sign) == form.width - 1 for text in texts)
     whole = "\n".join(texts)
-    if not regular or '"' in whole or _MAY_VANISH.search(whole):
+    if not regular or '"' in whole or MAY_VANISH.search(whole):
         return None
     if decimal == "comma":
         if "." in whole:

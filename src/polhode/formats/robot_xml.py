@@ -21,6 +21,8 @@ from polhode.types import Array, Float64
 
 LARGEST_FILE = 16 * MB  # robots of a thousand links take one
 NAMED = 20  # links or joints that a message lists
+# of the matrix of inertia, by their attributes
+ENTRIES = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 FREE = (-math.inf, math.inf)  # limits of a joint that has none
 Pose = Mapping[str, tuple[float, str]]
 """Positions of joints by name: a number in SI and its unit, rad or m."""

@@ -14,6 +14,7 @@ from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.paths import as_path
 from polhode.formats.robot_xml import (
+    ENTRIES,
     FREE,
     NAMED,
     Frame,
@@ -34,7 +35,6 @@ from polhode.formats.robot_xml import (
 UNITS = {"revolute": "rad", "continuous": "rad", "prismatic": "m"}
 OPEN = {"lower": "-inf", "upper": "inf"}  # limits where the file gives none
 UNITS |= dict.fromkeys(("fixed", "ball", "screw", "universal", "revolute2", "gearbox"), "")
-ENTRIES = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 MODEL = ("", "__model__")
 
 

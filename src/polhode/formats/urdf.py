@@ -16,6 +16,7 @@ from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.paths import as_path, write_whole
 from polhode.formats.robot_xml import (
+    ENTRIES,
     FREE,
     Frame,
     Motion,
@@ -34,7 +35,6 @@ from polhode.formats.robot_xml import (
 from polhode.types import Array, Float64
 
 UNITS = {"revolute": "rad", "continuous": "rad", "prismatic": "m", "fixed": "", "floating": "", "planar": ""}
-ENTRIES = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 
 
 def read_urdf_inertial(path: str | Path, link: str | None = None, digits: int | None = None) -> Body:

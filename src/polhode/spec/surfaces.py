@@ -15,6 +15,7 @@ from polhode.bodies._turned import SECTIONS, ball, bar, capsule, cone, torus, tu
 from polhode.bodies.surface import Surface, box_in_place, cuboid, join_surfaces
 from polhode.errors import InvalidInput
 from polhode.formats.mesh import read_mesh
+from polhode.formats.mesh_checks import MOST_TRIANGLES
 from polhode.formats.molecule import ANGSTROM, read_molecule
 from polhode.spec.assembly import turn_of
 from polhode.spec.building import build_body, read_body_table
@@ -28,7 +29,6 @@ BAR = 0.12 * ANGSTROM  # radius of what is drawn for a bond
 BONDED = 1.2  # of the sum of covalent radii: atoms no further apart are bonded
 UNKNOWN = 1.5, 0xFF1493  # Å and colour of an element that the table does not have
 BOND = 0x9A9A9A
-MOST_TRIANGLES = 5_000_000
 MOST_PIECES = 10_000
 MANY_ATOMS = 100  # from which on their balls are coarser
 

@@ -14,7 +14,7 @@ from polhode.analysis.comparison import Comparison, Invariants
 from polhode.errors import one_line
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
-from polhode.reports.wording import angle, count_known_digits, number, vector
+from polhode.reports.wording import KEPT, angle, count_known_digits, number, vector
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 LEAST = 3e-16  # rad; rounding of a quaternion's components alone makes as much
 SMALL = 0.01  # rad; what leaves more is another motion, however much it began with
 MOST_OF_IT = 0.1  # what remains of the rms angle; nine numbers fitted to any angles leave a third of them
-NAMES = {"energy": "energy", "momentum_norm": "|L|", "momentum_space": "L in space", "vertical_momentum": "L upwards"}
+NAMES = {"energy": "energy", **KEPT, "vertical_momentum": "L upwards"}
 INVARIANT_UNITS = {"energy": "J"}
 
 
