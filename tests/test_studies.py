@@ -258,3 +258,10 @@ def test_every_json_has_the_same_keys(command, capsys, tmp_path):
     out = [] if command == "body" else ["--out", tmp_path / "out"]
     said = said_by(capsys, command, tmp_path / "box.toml", *out)
     assert KEYS | {"files"} <= said.keys()
+
+
+def test_data_go_only_where_the_ending_says_what_they_are(tmp_path):
+    report = ph.levels(WATER, j_max=1)
+    with pytest.raises(InvalidInput, match=r"must end in \.nc"):
+        report.save(tmp_path / "levels.csv")
+    assert not list(tmp_path.iterdir()) and report.save(tmp_path / "LEVELS.NC").exists()

@@ -34,6 +34,7 @@ class Report(abc.ABC):
         trajectory: the motion, where there is one.
         determined: whether the data sufficed to answer the question.
         data_file: name of the file that ``write`` saves the data under; empty where there are none.
+        data_endings: that a file of the data may have; empty where the ending chooses the format, or is not minded.
         inputs: the files that it was made from; they are never overwritten.
 
     >>> import polhode as ph
@@ -47,6 +48,7 @@ class Report(abc.ABC):
     trajectory: Trajectory | None
     determined: bool = True
     data_file: ClassVar[str] = ""
+    data_endings: ClassVar[tuple[str, ...]] = ()
     inputs: Sequence[Path] = ()
 
     def __init_subclass__(cls, **options: Any) -> None:
@@ -87,14 +89,17 @@ class Report(abc.ABC):
 
         Args:
             path: of a motion, its ending chooses the format, as ``polhode.formats.write_motion`` says; of other data
-                it ends like ``data_file``.
+                it ends as ``data_endings`` says.
 
         Raises:
-            InvalidInput: for a report without data, for a path that cannot be written, and for a file that the report
-                was made from.
+            InvalidInput: for a report without data, for another ending, for a path that cannot be written, and for a
+                file that the report was made from.
         """
         place = as_path("path", path)
         self._check_spares_inputs(place, "another")
+        if self.data_endings and place.suffix.lower() not in self.data_endings:
+            wanted = " or ".join(self.data_endings)
+            raise InvalidInput(f"{place}: must end in {wanted}, as such data do; got {shown(place.suffix)}.")
         return self._write_data(place)
 
     def _check_spares_inputs(self, place: Path, remedy: str) -> None:

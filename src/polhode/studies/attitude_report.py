@@ -44,6 +44,7 @@ class AttitudeReport(StudyReport):
 
     kind: ClassVar[str] = "attitude-fit"
     data_file: ClassVar[str] = "fit.nc"
+    data_endings: ClassVar[tuple[str, ...]] = (".nc",)
     name: str
     fit: AttitudeFit
     moments: Estimate | None

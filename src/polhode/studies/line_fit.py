@@ -42,6 +42,7 @@ class LineFitReport(StudyReport):
 
     kind: ClassVar[str] = "line-fit"
     data_file: ClassVar[str] = "fit.par"
+    data_endings: ClassVar[tuple[str, ...]] = ".par", ".var"
     name: str
     start: Rotor
     measured: MeasuredLines

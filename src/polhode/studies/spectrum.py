@@ -44,6 +44,7 @@ class LevelsReport(StudyReport):
 
     kind: ClassVar[str] = "levels"
     data_file: ClassVar[str] = "levels.nc"
+    data_endings: ClassVar[tuple[str, ...]] = (".nc",)
     name: str
     rotor: Rotor
     levels: Levels
@@ -92,6 +93,7 @@ class SpectrumReport(StudyReport):
 
     kind: ClassVar[str] = "lines"
     data_file: ClassVar[str] = "lines.nc"
+    data_endings: ClassVar[tuple[str, ...]] = (".nc",)
     name: str
     asked: SpecRotor
     lines: Lines

@@ -54,6 +54,7 @@ class ThrowReport(StudyReport):
 
     kind: ClassVar[str] = "throw-fit"
     data_file: ClassVar[str] = "fit.nc"
+    data_endings: ClassVar[tuple[str, ...]] = (".nc",)
     fit: ThrowFit
     names: Sequence[str]
     logs: Sequence[ReadLog]

@@ -37,6 +37,7 @@ class WobbleReport(StudyReport):
 
     kind: ClassVar[str] = "wobble"
     data_file: ClassVar[str] = "wobble.nc"
+    data_endings: ClassVar[tuple[str, ...]] = (".nc",)
     series: PoleSeries
     line: ChandlerFit
     process: ChandlerProcess
