@@ -19,6 +19,7 @@ from typing import Any, BinaryIO
 
 from polhode.errors import FormatError, InvalidInput
 
+NAMED_BY_SPECS = "mesh", "molecule", "URDF", "SDF", "MJCF"
 MB = 10**6  # bytes; formats state their limits in it
 _recordings: ContextVar[tuple[set[Path], ...]] = ContextVar("recordings", default=())
 _WITHOUT_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0) | getattr(os, "O_BINARY", 0)
@@ -85,7 +86,7 @@ def check_is_file(path: Path, kind: str, limit: int | None = None) -> None:
     try:
         status = path.stat()
     except (OSError, ValueError):
-        within = "" if "spec" in kind else "; in a spec it counts from the spec's own folder"
+        within = "; in a spec it counts from the spec's own folder" if kind in NAMED_BY_SPECS else ""
         why = f"no such {kind} file. Check the path{within}."
         raise InvalidInput(f"{path}: {why}") from None
     _check(path, kind, status, limit)
