@@ -14,7 +14,7 @@ from polhode.cli.commands.application import app
 @app.command(cls=StrictCommand)
 def derive(
     name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="Like free-body; without one, all are listed.")
+        str | None, typer.Argument(metavar="NAME", help="Like free-body; without one, all are listed.")
     ] = None,
     to: Annotated[
         str | None, typer.Option("--to", metavar="FORM", help="text, markdown, latex or html (default: text).")
@@ -37,7 +37,7 @@ def derive(
 @app.command(cls=StrictCommand)
 def learn(
     chapter: Annotated[
-        str | None, typer.Argument(metavar="[CHAPTER]", help="Where to begin, like 5 or two-surfaces.")
+        str | None, typer.Argument(metavar="CHAPTER", help="Where to begin, like 5 or two-surfaces.")
     ] = None,
     worksheet: Annotated[
         bool, typer.Option("--worksheet", help="Write the chapter's exercises as a page to print.")

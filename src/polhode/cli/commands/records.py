@@ -267,7 +267,7 @@ def tumble(
 def wobble(
     file: Annotated[
         Path | None,
-        typer.Argument(metavar="[FILE]", help="IERS C04 or finals2000A (default: C04 of astropy-iers-data)."),
+        typer.Argument(metavar="FILE", help="IERS C04 or finals2000A (default: C04 of astropy-iers-data)."),
     ] = None,
     start: Annotated[
         str | None, typer.Option("--from", metavar="DAY", help="First day to use, like 1976-01-01.")

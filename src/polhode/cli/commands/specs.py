@@ -45,7 +45,7 @@ def report(
 @app.command(cls=StrictCommand)
 def new(
     example: Annotated[
-        str | None, typer.Argument(metavar="[EXAMPLE]", help="Which one to copy; without one, all are listed.")
+        str | None, typer.Argument(metavar="EXAMPLE", help="Which one to copy; without one, all are listed.")
     ] = None,
     out: Annotated[
         Path | None, typer.Option("--out", metavar="DIR", help="Folder to copy it to (default: the present one).")
@@ -60,7 +60,7 @@ def new(
 @app.command(cls=StrictCommand)
 def view(
     spec: Annotated[
-        Path | None, typer.Argument(metavar="[SPEC]", help="TOML file; without one, a playground of many motions.")
+        Path | None, typer.Argument(metavar="SPEC", help="TOML file; without one, a playground of many motions.")
     ] = None,
     out: Annotated[
         Path | None,
