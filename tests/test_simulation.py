@@ -240,3 +240,12 @@ def test_a_singularity_is_named():
     fall = ph.systems.LiePoisson(ph.algebra.Heisenberg(1), lambda m: 0.5 * m[1] ** 2 - 1.0 / m[0])
     with pytest.raises(NotConverged, match="singularity between 1 and 2 s"):  # at π/√8 = 1.11
         ph.simulate(fall, [1.0, 0.0, 1.0], np.linspace(0.0, 5.0, 6))
+
+
+def test_steps_that_jump_over_a_singularity_do_not_count():
+    """Vortices of 2, 2, −1 that collapse into one: steps of midpoint went on with an estimated error of 2.4."""
+    three = systems.PlaneVortices([2.0, 2.0, -1.0])
+    start = three.pack(np.array([[-1.0, 0.0], [1.0, 0.0], [1.0, 2.0**0.5]]))
+    assert ph.simulate(three, start, [0.0, 10.0]).error_estimate < 1e-13
+    with pytest.raises(NotConverged, match="comes to a singularity between 0 and 20 s"):
+        ph.simulate(three, start, [0.0, 20.0])

@@ -65,6 +65,7 @@ class _Asked(NamedTuple):
 
 
 TOO_LONG = 1.0  # rad in a step from which a given step draws a warning
+PASSED = 0.1  # error of a motion whose series end at a singularity, above which it has not gone past that
 LONG_RUN = 2_000_000  # steps from which progress is shown, on a terminal
 
 
@@ -191,16 +192,21 @@ def _by_series_or_other_steps(system: AbstractSystem, state: Array, times: np.nd
 def _by_steps_after_series(
     system: AbstractSystem, state: Array, times: np.ndarray, asked: _Asked, singular: str
 ) -> Trajectory:  # fmt: skip
-    """Move by other steps what series do not follow; where these fail at a singularity as well, it is that."""
+    """Move by other steps what series do not follow; where these fail at a singularity as well, it is that.
+
+    Steps may also jump over one, and are then far off.
+    """
+    refusal = NotConverged(f"the motion comes to a singularity {singular}: its Taylor series end there, and other "
+                           "steps do not pass it. Give an earlier last time.")  # fmt: skip
     try:
-        return _by_other_steps(system, state, times, None, asked)
+        rest = _by_other_steps(system, state, times, None, asked)
     except NotConverged as error:
         if not singular:
             raise
-        raise NotConverged(
-            f"the motion comes to a singularity {singular}: its Taylor series end there, and other steps do not pass "
-            "it. Give an earlier last time."
-        ) from error
+        raise refusal from error
+    if singular and asked.throw and rest.error_estimate is not None and np.max(rest.error_estimate) > PASSED:
+        raise refusal
+    return rest
 
 
 def _join(
