@@ -10,6 +10,7 @@ Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Moore, *Methods and Applica
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import Any
@@ -74,10 +75,34 @@ class Tape:
         result[:] = values
         return result.reshape(numbers.shape)
 
-    def note_rounding(self, exact: Callable[[], Any], computed: float) -> None:
-        """Note whether a number computed from others is rounded, where numbers are kept."""
-        if self.kept is not None and not self.rounded:
-            self.rounded = not math.isfinite(computed) or exact() != Fraction(computed)
+    def _noting(self, operation: Callable[[Any, Any], Any]) -> Callable[[float, float], float]:
+        """Return an operation on two numbers, which notes where numbers are kept whether its result is rounded."""
+        if self.kept is None:
+            return operation
+
+        def compute(a: float, b: float) -> float:
+            value = operation(a, b)
+            if not self.rounded:
+                finite = all(map(math.isfinite, (a, b, value)))
+                self.rounded = not finite or operation(Fraction(a), Fraction(b)) != Fraction(value)
+            return value
+
+        return compute
+
+    @property
+    def add(self) -> Callable[[float, float], float]:
+        """How numbers are added."""
+        return self._noting(operator.add)
+
+    @property
+    def multiply(self) -> Callable[[float, float], float]:
+        """How numbers are multiplied."""
+        return self._noting(operator.mul)
+
+    @property
+    def divide(self) -> Callable[[float, float], float]:
+        """How numbers are divided."""
+        return self._noting(operator.truediv)
 
     def function(self, function: Callable[[float], float], x: float) -> Expression:
         """Return a function of a number, which is taken for rounded but where it is of 0, or 0 or 1 of 1."""
@@ -170,29 +195,20 @@ class Tape:
     def total(self, summands: Iterable[Any]) -> Expression:
         """Return a sum of expressions and numbers."""
         terms: dict[int, float] = {}
-        constant = 0.0
+        constant, add = 0.0, self.add
         for x in summands:
             if isinstance(x, Expression):
-                constant = self._sum(constant, x.constant)
+                constant = add(constant, x.constant)
                 for k, c in x.terms.items():
-                    terms[k] = self._sum(terms.get(k, 0.0), c)
+                    terms[k] = add(terms.get(k, 0.0), c)
             else:
-                constant = self._sum(constant, float(x))
+                constant = add(constant, float(x))
         return Expression(self, {k: c for k, c in terms.items() if c != 0.0}, constant)
-
-    def _sum(self, a: float, b: float) -> float:
-        self.note_rounding(lambda: Fraction(a) + Fraction(b), a + b)
-        return a + b
-
-    def multiple(self, a: float, b: float) -> float:
-        """Return a b of two numbers."""
-        self.note_rounding(lambda: Fraction(a) * Fraction(b), a * b)
-        return a * b
 
     def product(self, x: Expression, y: Expression) -> Expression:
         """Return x y."""
         (i, a), (j, b) = self.as_node(x), self.as_node(y)
-        return Expression(self, {self.node(Node(Operation.PRODUCT, (min(i, j), max(i, j)))): self.multiple(a, b)})
+        return Expression(self, {self.node(Node(Operation.PRODUCT, (min(i, j), max(i, j)))): self.multiply(a, b)})
 
     def unary(self, operation: Operation, x: Expression, number: float = 0.0) -> Expression:
         """Return a function of an expression."""
@@ -276,9 +292,9 @@ class Expression:
         """Return a multiple."""
         if factor == 0.0:
             return Expression(self.tape, {})
-        multiple = self.tape.multiple
-        return Expression(self.tape, {k: multiple(c, factor) for k, c in self.terms.items()},
-                          multiple(self.constant, factor))  # fmt: skip
+        multiply = self.tape.multiply
+        return Expression(self.tape, {k: multiply(c, factor) for k, c in self.terms.items()},
+                          multiply(self.constant, factor))  # fmt: skip
 
     def __add__(self, other: Any) -> Any:
         if isinstance(other, Complex | complex):
@@ -316,10 +332,9 @@ class Expression:
         if divisor == 0.0:
             raise Untraceable("a division by zero")
         # divided, not multiplied by the reciprocal, which would round twice
-        terms = {k: c / divisor for k, c in self.terms.items()}
-        for a, quotient in ((self.constant, self.constant / divisor), *((c, terms[k]) for k, c in self.terms.items())):
-            self.tape.note_rounding(lambda a=a: Fraction(a) / Fraction(divisor), quotient)
-        return Expression(self.tape, terms, self.constant / divisor)
+        divide = self.tape.divide
+        return Expression(self.tape, {k: divide(c, divisor) for k, c in self.terms.items()},
+                          divide(self.constant, divisor))  # fmt: skip
 
     def __rtruediv__(self, other: Any) -> Expression:
         return self**-1.0 * other
