@@ -69,9 +69,9 @@ def test_mistakes_name_what_is_wrong(folder, capsys, monkeypatch):
     form_registry.forms.cache_clear()
     assert set(form_registry.forms()) >= {"aem", "netcdf"} and "odd" not in form_registry.forms()
     code, _, err = run(capsys, "export", "box.toml", "--to", "odd")
-    assert code == 2 and "the form odd of another package, nowhere:FORM, cannot be imported" in err
+    assert code == 2 and "the format odd of another package, nowhere:FORM, cannot be imported" in err
     code, _, err = run(capsys, "export", "box.toml", "--to", "no")
-    assert code == 2 and "the form no of another package, math:pi, is not a Form" in err
+    assert code == 2 and "the format no of another package, math:pi, is not a Form" in err
 
 
 @pytest.mark.parametrize(

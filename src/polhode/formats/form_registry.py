@@ -22,7 +22,7 @@ def forms() -> dict[str, Form]:
     """Return all forms by name, those of other packages last; those that cannot be imported are left out."""
     own = [import_module(f"polhode.formats.forms.{module.name}").FORM for module in pkgutil.iter_modules([str(HOME)])]
     by_name: dict[str, Form] = {form.name: form for form in own}
-    for point in find_entry_points(GROUP, "form", by_name).values():
+    for point in find_entry_points(GROUP, "format", by_name).values():
         with contextlib.suppress(InvalidInput):
             form = _load(point)
             by_name.setdefault(form.name, form)
@@ -30,9 +30,9 @@ def forms() -> dict[str, Form]:
 
 
 def _load(point: Any) -> Form:
-    form = load_entry_point(point, "form")
+    form = load_entry_point(point, "format")
     if not isinstance(form, Form):
-        raise InvalidInput(f"the form {point.name} of another package, {point.value}, is not a Form. Update it.")
+        raise InvalidInput(f"the format {point.name} of another package, {point.value}, is not a Form. Update it.")
     return form
 
 
@@ -42,7 +42,7 @@ def check_importable(name: str) -> None:
     Raises:
         InvalidInput: where an entry point of this name cannot be imported, or names no form.
     """
-    if point := find_entry_points(GROUP, "form", ()).get(name):
+    if point := find_entry_points(GROUP, "format", ()).get(name):
         _load(point)
 
 
