@@ -52,8 +52,8 @@ EXACT = frozenset({  # operations that round no number
 
 @contextlib.contextmanager
 def keeping(tape: Tape) -> Iterator[None]:
-    """Let what is evaluated within keep the numbers that are in ``tape.kept``."""
-    token = _keeping.set(tape)
+    """Let what is evaluated within keep the numbers that are in ``tape.kept``, where that is not None."""
+    token = _keeping.set(None if tape.kept is None else tape)
     try:
         yield
     finally:
@@ -114,10 +114,12 @@ def _apply(equation: Any, arguments: list[Array]) -> list[Array]:
 
 def _by_exact_numbers(equation: Any, arguments: list[Array], tape: Tape) -> list[Array]:
     """Compute numbers from numbers, and note on the tape whether any of them was rounded."""
-    name = equation.primitive.name
-    if name in EXACT or not any(jnp.issubdtype(v.aval.dtype, jnp.inexact) for v in equation.outvars):
-        return by_numbers(equation, arguments)  # whole numbers and truth values are not rounded either
-    if name not in RULES or any(np.iscomplexobj(a) for a in arguments):
+    name, has_complex = equation.primitive.name, any(np.iscomplexobj(a) for a in arguments)
+    has_doubles = any(jnp.issubdtype(v.aval.dtype, jnp.inexact) for v in equation.outvars)
+    is_exact = name in EXACT and not (name == "abs" and has_complex)
+    if is_exact or not has_doubles:  # whole numbers and truth values are not rounded either
+        return by_numbers(equation, arguments)
+    if name not in RULES or has_complex:
         tape.rounded = True
         return by_numbers(equation, arguments)
     expressions = [_each(tape.constant, a) if np.issubdtype(a.dtype, np.inexact) else a for a in arguments]
