@@ -5,6 +5,8 @@ import re
 import tomllib
 from pathlib import Path
 
+from kinds_contract import KindsAreBlindToEachOther
+
 ROOT = Path(__file__).parents[1]
 PAGE = (ROOT / "docs" / "data_flow.md").read_text("utf-8")
 SPEC = importlib.util.spec_from_file_location("module_lists", ROOT / "docs" / "module_lists.py")
@@ -50,3 +52,28 @@ def test_files_that_the_page_names_are_there():
     for name in re.findall(r"`(?:(\w+)/)?(\w+\.py)`", re.sub(r"```.*?```", "", PAGE, flags=re.DOTALL)):
         found = [path for path in MODULES if path.name == name[1] and (not name[0] or path.parent.name == name[0])]
         assert found, "/".join(name)
+
+
+class Graph:
+    """Imports between the modules of a package, as import-linter has them."""
+
+    def __init__(self, **imports):
+        self.imports = {f"p.{name}".replace("__", "."): {f"p.{x}" for x in others} for name, others in imports.items()}
+
+    def find_descendants(self, module):
+        return {x for x in self.imports if x.startswith(f"{module}.")}
+
+    def find_children(self, module):
+        return {x for x in self.find_descendants(module) if x.count(".") == module.count(".") + 1}
+
+    def find_modules_directly_imported_by(self, module):
+        return self.imports[module]
+
+
+def test_a_kind_that_imports_another_is_seen():
+    contract = KindsAreBlindToEachOther("kinds", {}, {"package": "p"})
+    beside = {"base": (), "one": ("base",), "one__table": ("base", "one"), "two": ()}
+    assert contract.check(Graph(**beside, two__table=("base", "two")), False).kept
+    broken = contract.check(Graph(**beside, two__table=("base", "one.table")), False)
+    assert not broken.kept and broken.metadata["wrong"] == [("p.two.table", "p.one.table")]
+    assert not contract.check(Graph(base=()), False).kept  # where there are no kinds, nothing is checked
