@@ -18,6 +18,7 @@ import shutil
 import signal
 import sys
 import tempfile
+from importlib.metadata import EntryPoint
 from pathlib import Path
 
 import jaxtyping
@@ -233,6 +234,30 @@ def plugin():
     sys.path.remove(str(folder))
     for listed in lists:
         listed.cache_clear()
+
+
+@pytest.fixture
+def add_entry_points(monkeypatch):
+    """Have further entry points of one group found, during a test; what the registries cache of them is cleared."""
+    from polhode import plugins
+    from polhode.formats import form_registry
+    from polhode.kinds import registry
+    from polhode.spec import named
+
+    real, added = plugins.entry_points, {}
+    lists = (registry._others, named._others, form_registry.forms)
+
+    def clear():
+        for listed in lists:
+            listed.cache_clear()
+
+    def add(group, *points):
+        added[group] = [EntryPoint(name, value, group) for name, value in points]
+        clear()
+
+    monkeypatch.setattr(plugins, "entry_points", lambda group: [*real(group=group), *added.get(group, ())])
+    yield add
+    clear()
 
 
 @pytest.fixture

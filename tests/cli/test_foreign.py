@@ -2,14 +2,13 @@
 
 import json
 import sys
-from importlib.metadata import EntryPoint
 
 import pytest
 
 import polhode as ph
-from polhode import plugins
 from polhode.cli import foreign
 from polhode.cli.main import main
+from polhode.spec import named
 
 
 @pytest.fixture(autouse=True)
@@ -72,27 +71,23 @@ def test_its_report_is_one(times):
     assert "2.0002" in found._repr_html_() and isinstance(found, ph.reports.Report)
 
 
-def test_one_that_cannot_be_imported_is_named(monkeypatch, capsys):
-    broken = EntryPoint("broken", "nowhere:command", foreign.GROUP)
-    monkeypatch.setattr(plugins, "entry_points", lambda group: [broken])
+def test_one_that_cannot_be_imported_is_named(add_entry_points, capsys):
+    broken = ("broken", "nowhere:command")
+    add_entry_points(foreign.GROUP, broken)
     code, _, err = run(capsys, "broken")
     assert code == 2 and "the command broken of another package, nowhere:command, cannot be imported" in err
     assert run(capsys, "brokn")[0] == 2
-    monkeypatch.setattr(plugins, "entry_points", lambda group: [EntryPoint("odd", "math:pi", group), broken])
+    add_entry_points(foreign.GROUP, ("odd", "math:pi"), broken)
     code, _, err = run(capsys, "odd")
     assert code == 2 and "the command odd of another package, math:pi, cannot be used" in err
     code, out, _ = run(capsys, "--help")
     assert code == 0 and "report " in out and "broken" not in out
 
 
-def test_names_that_polhode_has_are_its_own(monkeypatch, capsys):
-    monkeypatch.setattr(plugins, "entry_points", lambda group: [EntryPoint("report", "math:pi", group)])
+def test_names_that_polhode_has_are_its_own(add_entry_points, capsys):
+    add_entry_points(foreign.GROUP, ("report", "math:pi"))
     code, _, err = run(capsys, "--help")
     assert code == 0 and "the command report of another package, math:pi, is ignored" in err
-    from polhode.spec.named import TORQUES, _others
-
-    _others.cache_clear()
-    monkeypatch.setattr(plugins, "entry_points", lambda group: [EntryPoint("constant", "math:pi", group)])
+    add_entry_points(named.TORQUES.group, ("constant", "math:pi"))
     with pytest.warns(UserWarning, match="the torque constant of another package, math:pi, is ignored"):
-        assert not _others(TORQUES)
-    _others.cache_clear()
+        assert "constant" not in named._others(named.TORQUES)

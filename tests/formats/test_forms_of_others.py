@@ -2,7 +2,6 @@
 
 import dataclasses
 import re
-from importlib.metadata import EntryPoint
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +9,6 @@ import pytest
 
 import polhode as ph
 import polhode.cli.commands  # whose help lists the forms that are there now
-from polhode import plugins
 from polhode.cli.main import main
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats import form_registry
@@ -61,12 +59,10 @@ def test_the_docs_show_it_as_it_is():
     assert (PLUGIN / "quaternion_log" / "__init__.py").read_text("utf-8") in page.read_text("utf-8")
 
 
-def test_mistakes_name_what_is_wrong(folder, capsys, monkeypatch):
+def test_mistakes_name_what_is_wrong(folder, capsys, add_entry_points):
     code, _, err = run(capsys, "export", "box.toml", "--to", "qlg")
     assert code == 2 and "qlog" in err and "Did you mean" in err
-    points = [EntryPoint("odd", "nowhere:FORM", form_registry.GROUP), EntryPoint("no", "math:pi", form_registry.GROUP)]
-    monkeypatch.setattr(plugins, "entry_points", lambda group: points)
-    form_registry.forms.cache_clear()
+    add_entry_points(form_registry.GROUP, ("odd", "nowhere:FORM"), ("no", "math:pi"))
     assert set(form_registry.forms()) >= {"aem", "netcdf"} and "odd" not in form_registry.forms()
     code, _, err = run(capsys, "export", "box.toml", "--to", "odd")
     assert code == 2 and "the format odd of another package, nowhere:FORM, cannot be imported" in err
