@@ -28,6 +28,7 @@ from polhode.taylor.tracing import evaluate, keeping
 from polhode.types import Array, Float64
 
 Ball = Any  # of python-flint, real or complex
+OF_JAX = frozenset({1.0 / math.log(10.0), 1.0 / math.log(2.0), math.log(2.0)})  # of ``log10``, ``log2`` and ``exp2``
 TINY = 1e-300  # of a ball around a zero that is met exactly
 NEWTON, WIDER = 60, 12  # steps of Newton's method, and trials of balls, for Kepler's equation
 
@@ -89,7 +90,7 @@ class BallSystem:
         t = np.asarray(known[form.size] if timed else 0.0, object if timed else float)
         with keeping(tape):
             outputs = np.ravel(evaluate(closed, t, known[: form.size], known[size : size + count])[0])
-        self.exact &= not tape.rounded
+        self.exact &= not (tape.rounded or OF_JAX.intersection(kept))
         rates = [tape_value(tape, x) for x in outputs] + [tape.constant(1.0)] * timed
         return tape, rates, size, parameters, timed
 
