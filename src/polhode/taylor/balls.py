@@ -28,7 +28,7 @@ from polhode.taylor.tracing import evaluate, keeping
 from polhode.types import Array, Float64
 
 Ball = Any  # of python-flint, real or complex
-OF_JAX = frozenset({1.0 / math.log(10.0), 1.0 / math.log(2.0), math.log(2.0)})  # of ``log10``, ``log2`` and ``exp2``
+OF_JAX = frozenset({math.log10(math.e), 1.0 / math.log(10.0)})  # 1/ln 10 as ``jnp.log10`` rounds it
 TINY = 1e-300  # of a ball around a zero that is met exactly
 NEWTON, WIDER = 60, 12  # steps of Newton's method, and trials of balls, for Kepler's equation
 
