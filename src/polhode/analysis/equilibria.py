@@ -21,12 +21,10 @@ from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 STARTS = 64
 CHECKED = 4  # starts at which the system must move as its energy says
-NULL = 1e-9  # singular values below it, relative to the largest, do not move a point that is sharpened
-SHARPENED = 3
-POLISHED, STEP, ROUNDING = 60, 1e-2, 1e-13  # steps of Newton's for degenerate roots, the longest, least singular value
+SHARPENED, STEP, ROUNDING = 60, 1e-2, 1e-13  # steps of Newton's for degenerate roots, the longest, least singular value
 CLEANED, EPS = 1e-5, 1e-15  # in units of |μ|: components that are tried at zero, and residuals that are rounding
 SAME = 1e-6  # distance, in units of |μ|, below which two equilibria are one
-NEARLY, SOLVED = 1e-6, 1e-10  # residuals, before and after
+SOLVED = 1e-10  # residual
 NODES = 12  # of Gauss's rule along a ray: exact for energies of degree 24
 
 
@@ -72,10 +70,7 @@ def find_equilibria(
         for x in _solve(system, known.source, jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(draws))
     )
     energies = energies if unit == 1.0 else works
-    good = np.isfinite(roots).all(axis=1) & (left < NEARLY)
-    polished = _polish(system, known.source, jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(roots))
-    roots, left = (np.asarray(x) for x in polished)
-    good &= left < SOLVED
+    good = np.isfinite(roots).all(axis=1) & (left < SOLVED)
     kept: list[int] = []
     for k in np.flatnonzero(good):
         if all(np.linalg.norm(roots[k] - roots[other]) > SAME for other in kept):
@@ -97,10 +92,20 @@ def _solve(
     """
     import optimistix
 
-    size, energy = jnp.linalg.norm(level), Energy(system)
+    size, energy, field = jnp.linalg.norm(level), Energy(system), scaled_field(system, unit)
     differential = jax.grad(lambda x: energy(x)[0])
+    slope = jnp.linalg.norm(differential(unit * level) / unit)
+    rate = jnp.where(slope > 0, slope, 1.0)
     nodes, shares = np.polynomial.legendre.leggauss(NODES)
-    residual = jax.jit(_residual(system, casimirs, level, unit))  # traced once, however often the solver asks for it
+    wanted = casimirs(level)
+    slopes = jnp.linalg.norm(jax.jacfwd(casimirs)(level).reshape(-1, level.size), axis=1) * size
+    slopes = jnp.where(slopes > 0, slopes, 1.0)
+
+    @jax.jit  # so that it is traced once, however often the solver asks for it
+    def residual(x: Array, args: Any = None) -> Array:
+        # at rest, and on the levels of the start: both relative to their own sizes
+        return jnp.concatenate([field(size * x) / (rate * size), (casimirs(size * x) - wanted) / slopes])
+
     solver = optimistix.LevenbergMarquardt(rtol=1e-10, atol=1e-12)
 
     def work(y: Array) -> Array:
@@ -109,60 +114,35 @@ def _solve(
         return 0.5 * shares @ (slopes @ y)
 
     def solve(start: Array) -> tuple[Array, Array, Array, Array]:
-        x = optimistix.least_squares(lambda x, _: residual(x), solver, start, max_steps=200, throw=False).value
-
-        def sharpen(_: Any, x: Array) -> Array:
-            left = residual(x)
-            better = x - jnp.linalg.lstsq(jax.jacfwd(residual)(x), left, rcond=NULL)[0]
-            # not better near bifurcations
-            return jnp.where(jnp.linalg.norm(residual(better)) < jnp.linalg.norm(left), better, x)
-
-        x = jax.lax.fori_loop(0, SHARPENED, sharpen, x)
+        x = optimistix.least_squares(residual, solver, start, max_steps=200, throw=False).value
+        x = _sharpen(residual, x)
         return x, jnp.linalg.norm(residual(x)), energy(unit * size * x)[0], work(size * x)
 
     return jax.vmap(solve)(draws)
 
 
-def _residual(system: AbstractLiePoissonSystem, casimirs: Source, level: Array, unit: Array) -> Function:
-    """Return the function of points, in units of |level|, that vanishes at equilibria on the levels."""
-    size, field = jnp.linalg.norm(level), scaled_field(system, unit)
-    slope = jnp.linalg.norm(jax.grad(lambda x: Energy(system)(x)[0])(unit * level) / unit)
-    rate = jnp.where(slope > 0, slope, 1.0)
-    wanted = casimirs(level)
-    slopes = jnp.linalg.norm(jax.jacfwd(casimirs)(level).reshape(-1, level.size), axis=1) * size
-    slopes = jnp.where(slopes > 0, slopes, 1.0)
-    # at rest, and on the levels of the start: both relative to their own sizes
-    return lambda x: jnp.concatenate([field(size * x) / (rate * size), (casimirs(size * x) - wanted) / slopes])
+def _sharpen(residual: Function, root: Float64[Array, "n"]) -> Float64[Array, "n"]:
+    """Return a root by Newton's steps, of which each takes off a part alone where the root is degenerate.
 
-
-@eqx.filter_jit
-def _polish(
-    system: AbstractLiePoissonSystem, casimirs: Source, level: Array, unit: Array, roots: Array
-) -> tuple[Float64[Array, "roots n"], Float64[Array, "roots"]]:
-    """Return roots and residuals, those that are degenerate as exactly as others: each step takes off a part."""
-    residual = _residual(system, casimirs, level, unit)
-
-    count = level.size  # of the residual, after which come the levels
+    The residual has the field's n components first, then the levels.
+    """
 
     def towards(x: Array, part: slice) -> Array:
         values, slopes = residual(x)[part], jax.jacfwd(residual)(x)[part]
         return x - jnp.linalg.lstsq(slopes, values, rcond=ROUNDING)[0] if values.size else x
 
     def on_levels(x: Array) -> Array:  # which curve by more than is left of a degenerate root
-        return towards(towards(x, slice(count, None)), slice(count, None))
+        levels = slice(root.size, None)
+        return towards(towards(x, levels), levels)
 
     def left(x: Array) -> Array:
         return jnp.maximum(jnp.linalg.norm(residual(x)), EPS)
 
-    def polish(root: Array) -> tuple[Array, Array]:
-        def improve(_: Any, x: Array) -> Array:
-            new = on_levels(towards(x, slice(None)))
-            return jnp.where((left(new) <= left(x)) & (jnp.abs(new - x).max() < STEP), new, x)
+    def improve(_: Any, x: Array) -> Array:
+        new = on_levels(towards(x, slice(None)))
+        return jnp.where((left(new) <= left(x)) & (jnp.abs(new - x).max() < STEP), new, x)
 
-        x = jax.lax.fori_loop(0, POLISHED, improve, root)
-        # what is small beside the others is often zero, and slopes by which to see it are lost in roundings
-        cleaned = on_levels(jnp.where(jnp.abs(x) < CLEANED, 0.0, x))
-        x = jnp.where(left(cleaned) <= left(x), cleaned, x)
-        return x, jnp.linalg.norm(residual(x))
-
-    return jax.vmap(polish)(roots)
+    x = jax.lax.fori_loop(0, SHARPENED, improve, root)
+    # what is small beside the others is often zero, and slopes by which to see it are lost in roundings
+    cleaned = on_levels(jnp.where(jnp.abs(x) < CLEANED, 0.0, x))
+    return jnp.where(left(cleaned) <= left(x), cleaned, x)

@@ -20,7 +20,7 @@ from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import choose_precision, find_crossings
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
-AT_START = 4e-15  # of the times: a crossing that is no later is that of the start
+AT_START = 4e-15  # of the times: a crossing within this of the first time is the start itself
 DIRECTIONS = ("rising", "falling", "either")
 
 

@@ -329,8 +329,8 @@ def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
     """Whether every direction in which the linearised flow on the leaf vanishes leads to equilibria on the leaf.
 
     From a point a little off in such a direction Newton's method must come back to an equilibrium at a distance of
-    second order. A potential of high order looks the same there, so the equilibria must go on for as far as the point
-    is from the origin, and the field at them must vanish but for rounding.
+    second order. A potential of high order looks the same there, so the equilibria must go on for at least a quarter of
+    |μ|, with a field that vanishes to rounding.
     """
     tangent = null_space(_unit_rows(dC), NULL)
     if not tangent.shape[1] or not p.y.any():

@@ -19,8 +19,8 @@ from typing import Any, BinaryIO
 
 from polhode.errors import FormatError, InvalidInput
 
-NAMED_BY_SPECS = "mesh", "molecule", "URDF", "SDF", "MJCF"
 MB = 10**6  # bytes; formats state their limits in it
+_for_a_spec: ContextVar[bool] = ContextVar("for_a_spec", default=False)
 _recordings: ContextVar[tuple[set[Path], ...]] = ContextVar("recordings", default=())
 _WITHOUT_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0) | getattr(os, "O_BINARY", 0)
 _KINDS_OF_NODE = {
@@ -30,6 +30,16 @@ _KINDS_OF_NODE = {
     stat.S_IFCHR: "a device",
     stat.S_IFBLK: "a device",
 }
+
+
+@contextlib.contextmanager
+def open_for_a_spec() -> Iterator[None]:
+    """Say of files that are missing how a spec's paths count."""
+    before = _for_a_spec.set(True)
+    try:
+        yield
+    finally:
+        _for_a_spec.reset(before)
 
 
 @contextlib.contextmanager
@@ -86,7 +96,7 @@ def check_is_file(path: Path, kind: str, limit: int | None = None) -> None:
     try:
         status = path.stat()
     except (OSError, ValueError):
-        within = "; in a spec it counts from the spec's own folder" if kind in NAMED_BY_SPECS else ""
+        within = "; in a spec it counts from the spec's own folder" if _for_a_spec.get() and kind != "spec" else ""
         why = f"no such {kind} file. Check the path{within}."
         raise InvalidInput(f"{path}: {why}") from None
     _check(path, kind, status, limit)

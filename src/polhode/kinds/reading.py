@@ -13,6 +13,7 @@ from pydantic import BaseModel, ValidationError
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
 from polhode.formats.mesh import names_its_unit
 from polhode.formats.molecule import FORMS
+from polhode.formats.opening import open_for_a_spec
 from polhode.formats.paths import as_path
 from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.registry import default_kind, find_kind, kind_names, kinds_with_table
@@ -41,7 +42,8 @@ def read_spec(path: str | Path) -> Spec[Any]:
     path = Path(path)
     tables = read_tables(path)
     tables.pop(SWEEP, None)
-    return build_spec(tables, path)
+    with open_for_a_spec():
+        return build_spec(tables, path)
 
 
 def read_spec_or_molecule(path: str | Path) -> Spec[Any]:

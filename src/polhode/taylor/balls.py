@@ -24,7 +24,7 @@ from polhode.taylor.jaxprs import numbers_in, uses_first, write_jaxpr
 from polhode.taylor.machine import TRACING, Form, tape_value
 from polhode.taylor.operations import Operation
 from polhode.taylor.program import find_needed
-from polhode.taylor.tracing import evaluate, keeping
+from polhode.taylor.tracing import evaluate, keep_numbers
 from polhode.types import Array, Float64
 
 Ball = Any  # of python-flint, real or complex
@@ -88,7 +88,7 @@ class BallSystem:
         known = np.empty(tape.size, object)
         known[:] = tape.state()
         t = np.asarray(known[form.size] if timed else 0.0, object if timed else float)
-        with keeping(tape):
+        with keep_numbers(tape):
             outputs = np.ravel(evaluate(closed, t, known[: form.size], known[size : size + count])[0])
         self.exact &= not (tape.rounded or OF_JAX.intersection(kept))
         rates = [tape_value(tape, x) for x in outputs] + [tape.constant(1.0)] * timed

@@ -75,7 +75,7 @@ class Tape:
         result[:] = values
         return result.reshape(numbers.shape)
 
-    def _noting(self, operation: Callable[[Any, Any], Any]) -> Callable[[float, float], float]:
+    def _watch(self, operation: Callable[[Any, Any], Any]) -> Callable[[float, float], float]:
         """Return an operation on two numbers, which notes where numbers are kept whether its result is rounded."""
         if self.kept is None:
             return operation
@@ -92,17 +92,17 @@ class Tape:
     @property
     def add(self) -> Callable[[float, float], float]:
         """How numbers are added."""
-        return self._noting(operator.add)
+        return self._watch(operator.add)
 
     @property
     def multiply(self) -> Callable[[float, float], float]:
         """How numbers are multiplied."""
-        return self._noting(operator.mul)
+        return self._watch(operator.mul)
 
     @property
     def divide(self) -> Callable[[float, float], float]:
         """How numbers are divided."""
-        return self._noting(operator.truediv)
+        return self._watch(operator.truediv)
 
     def function(self, function: Callable[[float], float], x: float) -> Expression:
         """Return a function of a number, which is taken for rounded but where it is of 0, or 0 or 1 of 1."""

@@ -22,7 +22,7 @@ from polhode.taylor.operations import Operation
 from polhode.taylor.program import Program, make_program
 from polhode.taylor.sides import Branches, Sides, Signs
 from polhode.taylor.structure import Structure, itself, take_structure
-from polhode.taylor.tracing import evaluate, keeping
+from polhode.taylor.tracing import evaluate, keep_numbers
 from polhode.types import Array, Double, Float64
 
 MOST_GRADIENTS = 600  # numbers in the gradients of what is conserved, from which projecting costs more than it gives
@@ -285,7 +285,7 @@ def _make_tape(
     known = np.empty(tape.size, object)
     known[:] = tape.state()
     t = np.asarray(known[size - 1] if written.timed else 0.0, object if written.timed else float)
-    with keeping(tape):
+    with keep_numbers(tape):
         outputs = evaluate(written.closed, t, known[: form.size], numbers if kept is None else known[size:first])
     parts = [[tape_value(tape, x) for x in np.ravel(part)] for part in outputs]
     rates, watched = parts[: 1 + len(written.balances)], parts[1 + len(written.balances) :]

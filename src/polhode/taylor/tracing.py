@@ -51,7 +51,7 @@ EXACT = frozenset({  # operations that round no number
 
 
 @contextlib.contextmanager
-def keeping(tape: Tape) -> Iterator[None]:
+def keep_numbers(tape: Tape) -> Iterator[None]:
     """Let what is evaluated within keep the numbers that are in ``tape.kept``, where that is not None."""
     token = _keeping.set(None if tape.kept is None else tape)
     try:
