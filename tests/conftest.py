@@ -221,18 +221,20 @@ def plugin():
 
     The registries cache what they find. Unless they are cleared, later files find the plugin's format among ours.
     """
+    folder = Path(__file__).parent / "plugin"
+    sys.path.insert(0, str(folder))
+    forget_entry_points()
+    yield folder
+    sys.path.remove(str(folder))
+    forget_entry_points()
+
+
+def forget_entry_points():
     from polhode.formats import form_registry
     from polhode.kinds import registry
     from polhode.spec import named
 
-    folder = Path(__file__).parent / "plugin"
-    lists = (registry._others, named._others, form_registry.forms)
-    sys.path.insert(0, str(folder))
-    for listed in lists:
-        listed.cache_clear()
-    yield folder
-    sys.path.remove(str(folder))
-    for listed in lists:
+    for listed in (registry._others, named._others, form_registry.forms):
         listed.cache_clear()
 
 
@@ -240,24 +242,16 @@ def plugin():
 def add_entry_points(monkeypatch):
     """Have further entry points of one group found, during a test; what the registries cache of them is cleared."""
     from polhode import plugins
-    from polhode.formats import form_registry
-    from polhode.kinds import registry
-    from polhode.spec import named
 
     real, added = plugins.entry_points, {}
-    lists = (registry._others, named._others, form_registry.forms)
-
-    def clear():
-        for listed in lists:
-            listed.cache_clear()
 
     def add(group, *points):
         added[group] = [EntryPoint(name, value, group) for name, value in points]
-        clear()
+        forget_entry_points()
 
     monkeypatch.setattr(plugins, "entry_points", lambda group: [*real(group=group), *added.get(group, ())])
     yield add
-    clear()
+    forget_entry_points()
 
 
 @pytest.fixture
