@@ -23,7 +23,7 @@ import jax.numpy as jnp
 import numpy as np
 
 import polhode as ph
-from polhode.testing import compare_engine, reference_motions
+from polhode.judging import compare_engine, reference_motions
 
 EPS = 2.0**-52
 BOUND = 16.0  # eps, as on the CPU

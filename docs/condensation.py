@@ -26,7 +26,7 @@ STARTS = {"L = 0": 0.0, "L = 0.3": 0.3}  # |L| over the root of ∫ω²
 PICTURE = Path(__file__).parent / "images" / "vortex_condensation.png"
 
 
-def start_of(fluid: ph.systems.SphereFluid, share: float, seed: int) -> jnp.ndarray:
+def start_of(fluid: ph.fields.SphereFluid, share: float, seed: int) -> jnp.ndarray:
     """Return a vorticity of rms 1, with equal parts of the degrees from 2 on and a given angular momentum."""
     rng = np.random.default_rng(seed)
     f = np.zeros((N, N), complex)
@@ -40,7 +40,7 @@ def start_of(fluid: ph.systems.SphereFluid, share: float, seed: int) -> jnp.ndar
 
 
 def smoothed(
-    fluid: ph.systems.SphereFluid, state: np.ndarray, colatitude: np.ndarray, azimuth: np.ndarray, last: int = SMOOTH
+    fluid: ph.fields.SphereFluid, state: np.ndarray, colatitude: np.ndarray, azimuth: np.ndarray, last: int = SMOOTH
 ) -> np.ndarray:
     """Return the map of low degrees."""
     f = np.array(fluid.to_harmonics(state))
@@ -59,7 +59,7 @@ def blobs(field: np.ndarray, mu: np.ndarray, azimuth: np.ndarray) -> list[tuple[
 
 def main() -> None:
     """Run both starts, say what was kept, and draw the maps."""
-    fluid = ph.systems.SphereFluid(N)
+    fluid = ph.fields.SphereFluid(N)
     mu, azimuth = np.linspace(-1.0, 1.0, 121)[1:-1], np.linspace(0.0, 2.0 * np.pi, 181)
     figure, axes = plt.subplots(len(STARTS), len(TIMES), figsize=(12, 4.6), sharex=True, sharey=True)
     for row, (name, share) in zip(axes, STARTS.items(), strict=True):

@@ -21,7 +21,7 @@ from pathlib import Path
 
 import numpy as np
 
-from polhode import algebra as lie
+from polhode import algebra as lie, fields
 
 Terms = dict[tuple[int, ...], Fraction]  # coefficients of products of coordinates, by their numbers
 HERE = Path(__file__).resolve().parent
@@ -37,13 +37,13 @@ FILES: dict[str, dict[str, lie.AbstractLieAlgebra]] = {
     "Algebras": {
         "so3": so3, "se2": lie.SE2(), "se3": lie.SE3(), "affine_line": lie.AffineLine(),
         "heisenberg1": lie.Heisenberg(1), "heisenberg2": lie.Heisenberg(2),
-        "bidiagonal3": lie.Bidiagonal(3), "bidiagonal4": lie.Bidiagonal(4),
+        "bidiagonal3": fields.Bidiagonal(3), "bidiagonal4": fields.Bidiagonal(4),
     },
     "AlgebrasOfMatrices": {
         "so_2": lie.SO(2), "so_3": lie.SO(3), "so_4": lie.SO(4), "so_5": lie.SO(5), "so_2_1": lie.SOpq(2, 1),
         "so_3_1": lie.SOpq(3, 1), "su_2": lie.SU(2), "su_3": lie.SU(3), "u_1": lie.U(1), "u_2": lie.U(2),
         "sl_2": lie.SL(2), "sl_3": lie.SL(3), "sp_1": lie.Sp(1), "sp_2": lie.Sp(2),
-        "sphere_2": lie.QuantizedSphere(2), "sphere_3": lie.QuantizedSphere(3),
+        "sphere_2": fields.QuantizedSphere(2), "sphere_3": fields.QuantizedSphere(3),
     },
     "AlgebrasComposed": {
         "dual_numbers_su_2": lie.DualNumbers(lie.SU(2)), "power_of_so3": lie.Power(so3, 3),
@@ -86,7 +86,7 @@ def stretches(algebra: lie.AbstractLieAlgebra) -> np.ndarray:
     Orthonormal spherical harmonics are solid harmonics with rational coefficients, times the root of
     (2l+1) (2−δ_m0) (l−m)!/(l+m)!; their matrices for spin (N−1)/2 have squared norms ∝ ∏_{k≤l} (N²−k²) beside that.
     """
-    if not isinstance(algebra, lie.QuantizedSphere):
+    if not isinstance(algebra, fields.QuantizedSphere):
         return np.ones(algebra.dim)
     n = algebra.n
     factors = []
@@ -173,7 +173,7 @@ def algebra_text(name: str, algebra: lie.AbstractLieAlgebra) -> str:
     for number, (title, terms) in enumerate(casimir_polynomials(algebra).items(), start=1):
         common = math.lcm(*(c.denominator for c in terms.values()))
         written = [f"([:: {'; '.join(map(str, p))}], {int(c * common)})" for p, c in terms.items()]
-        times = ", up to a factor" if common > 1 or isinstance(algebra, lie.QuantizedSphere) else ""
+        times = ", up to a factor" if common > 1 or isinstance(algebra, fields.QuantizedSphere) else ""
         text += f"\n(* {title}{times} *)\nDefinition {name}_casimir{number} : written_polynomial := [::\n"
         text += _lines(written) + "\n\n"
         text += f"Theorem {name}_casimir{number}_commutes : casimir {n} {name} {name}_casimir{number}.\n"

@@ -1,5 +1,5 @@
 // What the motions ask of their arguments. A RangeError says which value is wrong, what it must be, and what to do.
-import { twoSum } from "./double_double.js";
+import { twoSum, upper } from "./double_double.js";
 
 const UNIT_TOLERANCE = 1e-6; // a quaternion further from unit length is taken for a mistake, not for rounding
 const MOST_RADIANS = 1e27; // of a phase, which has 104 bits
@@ -40,11 +40,12 @@ export function unitQuaternion(value) {
   );
 }
 
-/** Return the time since the epoch and what its float leaves; refuse times whose phases have hardly a digit left. */
+/** Return the time since the epoch, two halves and what they leave; refuse times whose phases have hardly a digit left. */
 export function elapsedTime(t, epoch, fastest) {
   finite("t", t, "seconds");
-  const elapsed = twoSum(t, -epoch);
-  if (Math.abs(elapsed[0]) * fastest <= MOST_RADIANS) return elapsed;
+  const [elapsed, rest] = twoSum(t, -epoch);
+  const high = upper(elapsed);
+  if (Math.abs(elapsed) * fastest <= MOST_RADIANS) return [high, elapsed - high, rest];
   throw new RangeError(
     `\`t\` less the epoch, times the rate of rotation, must be at most ${MOST_RADIANS} rad, beyond which a phase has hardly a ` +
       `digit left; got ${t} s. Check times and rates.`,

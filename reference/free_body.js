@@ -53,9 +53,7 @@ export class FreeMotion {
 
   /** Return {attitude: [w, x, y, z], momentum: [x, y, z]} at a time [s]. */
   state(t) {
-    const [elapsed, rest] = elapsedTime(t, this.epoch, this._fastest);
-    const high = dd.upper(elapsed);
-    return stateOf(this._motion, high, elapsed - high + rest);
+    return stateOf(this._motion, elapsedTime(t, this.epoch, this._fastest));
   }
 
   /** Return Ω [rad/s, body axes] at a time [s]. */

@@ -5,7 +5,7 @@
 // of two nomes: the full form (m ≤ ½) is trigonometric in the polhode angle, the complementary form exponential.
 import * as dd from "./double_double.js";
 import { nomePerParameter, theta3Excess } from "./elliptic.js";
-import { exponentialDecay, reducedPhase, sineCosine, splitRate, wrapped } from "./phase.js";
+import { EPOCH, exponentialDecay, reducedPhase, sineCosine, splitRate, wrapped } from "./phase.js";
 import { multiply } from "./quaternion.js";
 
 const HUGE = [2 ** -400, 2 ** -200]; // a hyperbolic sine above the inverse of the first is scaled by the second
@@ -141,7 +141,7 @@ function complementarySeries(body, rates, m, m1) {
 /** Return the matrices, flat by rows, from spinor to attitude and from canonical direction to momentum in the given axes. */
 function matrices(motion, body, rates, { moments, momentum, attitude }) {
   const { constant } = rates;
-  fillSpinor(motion, 0, 0);
+  fillSpinor(motion, EPOCH);
   const size = Math.sqrt(spinor.reduce((sum, x) => sum + x * x, 0));
   const [a0, a1, b0, b1] = spinor.map((x) => x / size);
   // rows of (start frame)* (present frame) as functions of the spinor
@@ -173,17 +173,17 @@ function rotationAxis(moments, momentum) {
   return omega.map((x) => (size > 0 ? x / size : 0));
 }
 
-/** Put A and B at a time since the epoch, given in two halves, into the scratch spinor. */
-function fillSpinor(motion, high, low) {
-  if (motion.full) fillFull(motion, high, low);
-  else fillComplementary(motion, high, low);
+/** Put A and B at a time since the epoch, given in three parts, into the scratch spinor. */
+function fillSpinor(motion, time) {
+  if (motion.full) fillFull(motion, time);
+  else fillComplementary(motion, time);
 }
 
 /** Sum A and B as polynomials in X = cos 2z and Y = sin 2z, where z is the difference of their phases. */
-function fillFull(motion, high, low) {
+function fillFull(motion, time) {
   const { a, b, start } = motion;
-  reducedPhase(motion.first, high, low, one);
-  reducedPhase(motion.second, high, low, two);
+  reducedPhase(motion.first, time, one);
+  reducedPhase(motion.second, time, two);
   sineCosine(wrapped(one[0] + (one[1] - start)), wave);
   const sa = wave[0];
   const ca = wave[1];
@@ -206,10 +206,10 @@ function fillFull(motion, high, low) {
 }
 
 /** Sum A and B in the growing powers of R = √q1 e^|x| and the decaying ones of E = e^−|x|, x = πu/2K'. */
-function fillComplementary(motion, high, low) {
+function fillComplementary(motion, time) {
   const { start, periodic, decay, cosines, sines, rootNome } = motion;
-  reducedPhase(motion.first, high, low, one);
-  reducedPhase(motion.second, high, low, two);
+  reducedPhase(motion.first, time, one);
+  reducedPhase(motion.second, time, two);
   // on the separatrix u runs to infinity: no period is taken out
   const free = (1 - periodic) * two[2];
   const [sum, firstError] = dd.twoSum(free, two[0]);
@@ -259,9 +259,9 @@ function fillComplementary(motion, high, low) {
   spinor[3] = odd * (c * bi + s * br);
 }
 
-/** Return {attitude, momentum} at a time since the epoch, given in two parts. */
-export function stateOf(motion, high, low) {
-  fillSpinor(motion, high, low);
+/** Return {attitude, momentum} at a time since the epoch, given in three parts. */
+export function stateOf(motion, time) {
+  fillSpinor(motion, time);
   const [a0, a1, b0, b1] = [spinor[0], spinor[1], spinor[2], spinor[3]];
   const aa = a0 * a0 + a1 * a1;
   const bb = b0 * b0 + b1 * b1;

@@ -3,6 +3,6 @@ import { copyFileSync } from "node:fs";
 
 const from = (path) => new URL(path, import.meta.url);
 for (const name of ["reference_motions.json", "fixed_step_cases.json"]) {
-  copyFileSync(from(`../src/polhode/testing/${name}`), from(name));
+  copyFileSync(from(`../src/polhode/judging/${name}`), from(name));
 }
 copyFileSync(from("../LICENSE"), from("LICENSE"));

@@ -64,9 +64,7 @@ export class LagrangeMotion {
 
   /** Return {attitude: [w, x, y, z], momentum: [x, y, z]} at a time [s]. */
   state(t) {
-    const [elapsed, rest] = elapsedTime(t, this.epoch, this._fastest);
-    const high = dd.upper(elapsed);
-    return topStateOf(this._motion, high, elapsed - high + rest);
+    return topStateOf(this._motion, elapsedTime(t, this.epoch, this._fastest));
   }
 
   /** Return Ω [rad/s, body axes] at a time [s]. */

@@ -1,6 +1,9 @@
 // Angles counted in turns: rates times times reduced to a fraction of a turn, their sines, and decay with all its digits.
 import { upper } from "./double_double.js";
 
+/** A time since the epoch: that itself. */
+export const EPOCH = [0, 0, 0];
+
 /** Return a double-double rate as two halves and a remainder, for exact products with times. */
 export function splitRate([high, low]) {
   const half = upper(high);
@@ -13,17 +16,18 @@ export function splitRate([high, low]) {
  * The products of halves are exact, so each is reduced exactly.
  *
  * @param rate what `splitRate` gives [turns per time]
- * @param high upper half of the time
- * @param low the rest of it
+ * @param time in halves, and the rest where t − epoch is no double
  */
-export function reducedPhase(rate, high, low, into) {
+export function reducedPhase(rate, time, into) {
+  const high = time[0];
+  const low = time[1];
   const a = rate[0] * high;
   const b = rate[0] * low;
   const c = rate[1] * high;
   const na = Math.round(a);
   const nb = Math.round(b);
   const nc = Math.round(c);
-  const d = rate[1] * low + rate[2] * (high + low);
+  const d = rate[1] * low + rate[2] * (high + low) + (rate[0] + rate[1]) * time[2];
   // each remainder may reach half a turn: a plain sum would cost 1e-16 turns, and near the saddle 1e-13 of x
   const rb = b - nb;
   const rc = c - nc;

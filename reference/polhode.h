@@ -24,6 +24,9 @@
 #if defined(__FAST_MATH__)
 #error "polhode.h needs exact rounding: compile without -ffast-math"
 #endif
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "polhode.h checks for numbers that are not finite: compile without -ffinite-math-only"
+#endif
 #if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ == -1)
 #error "polhode.h needs doubles computed as doubles: compile with -mfpmath=sse"
 #endif
@@ -237,6 +240,7 @@ static inline int phd_check(const double moments[3], const double momentum[3], c
 /* ---------------------------------------------------------------- phases in turns, decay, elliptic integrals */
 
 typedef struct { double upper, lower, rest; } phd_rate; /* [turns per time], in halves whose products are exact */
+typedef struct { double high, low, rest; } phd_time; /* in halves, and what is left where t - epoch is no double */
 typedef struct { double fraction, rest, turns; } phd_phase;
 typedef struct { double sine, cosine; } phd_wave;
 
@@ -250,11 +254,11 @@ static inline phd_rate phd_split(phd_pair rate)
 }
 
 /* Reduces rate times time to a fraction of a turn, exactly, and whole turns. */
-static inline phd_phase phd_reduce(phd_rate rate, double high, double low)
+static inline phd_phase phd_reduce(phd_rate rate, phd_time t)
 {
-    const double a = rate.upper * high, b = rate.upper * low, c = rate.lower * high;
+    const double a = rate.upper * t.high, b = rate.upper * t.low, c = rate.lower * t.high;
     const double na = rint(a), nb = rint(b), nc = rint(c);
-    const double d = rate.lower * low + rate.rest * (high + low);
+    const double d = (rate.lower * t.low + rate.rest * (t.high + t.low)) + (rate.upper + rate.lower) * t.rest;
     /* each remainder may reach half a turn: a plain sum would cost 1e-16 turns */
     const phd_pair middle = phd_two_sum(b - nb, c - nc), sum = phd_two_sum(a - na, middle.hi);
     const double more = rint(sum.hi);
@@ -263,6 +267,19 @@ static inline phd_phase phd_reduce(phd_rate rate, double high, double low)
     p.rest = sum.lo + (middle.lo + d);
     p.turns = na + (nb + nc) + more;
     return p;
+}
+
+static const phd_time PHD_EPOCH = {0.0, 0.0, 0.0};
+
+/* The time since the epoch, exactly. */
+static inline phd_time phd_since(double t, double epoch)
+{
+    const phd_pair elapsed = phd_two_sum(t, -epoch);
+    phd_time since;
+    since.high = phd_upper(elapsed.hi);
+    since.low = elapsed.hi - since.high;
+    since.rest = elapsed.lo;
+    return since;
 }
 
 static inline double phd_wrapped(double turns) { return turns - rint(turns); }
@@ -610,9 +627,9 @@ static inline void phd_complementary_series(
     m->parity = l[0] < 0.0 ? 1.0 : 0.0;
 }
 
-static inline void phd_free_spinor(const polhode_free_body *m, double high, double low, double spinor[4])
+static inline void phd_free_spinor(const polhode_free_body *m, phd_time t, double spinor[4])
 {
-    const phd_phase one = phd_reduce(m->first, high, low), two = phd_reduce(m->second, high, low);
+    const phd_phase one = phd_reduce(m->first, t), two = phd_reduce(m->second, t);
     const double *a = m->a, *b = m->b;
     if (m->full) {
         const phd_wave A = phd_sine_cosine(one.fraction + (one.rest - m->start.hi));
@@ -684,7 +701,7 @@ static inline void phd_free_matrices(
     double s[4], size, relative[4][4], axis[3], column[4], turned[4];
     const double mirror = f->long_axis ? -1.0 : 1.0;
     int i, j, k;
-    phd_free_spinor(m, 0.0, 0.0, s);
+    phd_free_spinor(m, PHD_EPOCH, s);
     size = sqrt((s[0] * s[0] + s[1] * s[1]) + (s[2] * s[2] + s[3] * s[3]));
     for (k = 0; k < 4; k++) s[k] /= size;
     /* rows of (start frame)* (present frame) as functions of the spinor */
@@ -800,12 +817,11 @@ static inline int polhode_free_body_init(
 /* Gives attitude (w, x, y, z) and momentum (body axes) at a time [s]. Returns 0 or an error code. */
 static inline int polhode_free_body_state(const polhode_free_body *m, double t, double attitude[4], double momentum[3])
 {
-    const phd_pair elapsed = phd_two_sum(t, -m->epoch);
-    const double high = phd_upper(elapsed.hi);
+    const phd_time since = phd_since(t, m->epoch);
     double s[4], aa, bb, x, root, n[3];
     int k;
-    if (!(fabs(elapsed.hi) * m->fastest <= 1e27) || !isfinite(high)) return POLHODE_BAD_TIME;
-    phd_free_spinor(m, high, (elapsed.hi - high) + elapsed.lo, s);
+    if (!(fabs(since.high) * m->fastest <= 1e27)) return POLHODE_BAD_TIME;
+    phd_free_spinor(m, since, s);
     aa = s[0] * s[0] + s[1] * s[1];
     bb = s[2] * s[2] + s[3] * s[3];
     x = 1.0 / (aa + bb);
@@ -884,14 +900,15 @@ static inline phd_sum phd_two_products(double a, double b, double c, double d)
 
 static inline phd_pair phd_over(const phd_sum *x, phd_pair n) { return phd_divide(phd_distil(*x), n); }
 
-/* The invariants, summed exactly: near the separatrix c, F and D vanish together, and what is left of them decides. */
-static inline void phd_top_invariants(phd_top *t)
+/* The invariants, summed exactly: near the separatrix c, F and D vanish together, and what is left of them decides. `size` is
+   |q|^2 of the quaternion as given: as a pair it would leave F of a planar top only 32 digits of what cancels. */
+static inline void phd_top_invariants(phd_top *t, const phd_sum *size)
 {
     const double L1 = t->L[0], L2 = t->L[1], L3 = t->L[2], w = t->q[0], x = t->q[1], y = t->q[2], z = t->q[3];
     const phd_sum S = phd_two_products(x, x, y, y), T = phd_two_products(w, w, z, z);
     const phd_sum real = phd_two_products(x, w, y, z), imaginary = phd_two_products(x, z, -y, w);
     const phd_sum w2 = phd_two_products(L1, L1, L2, L2), minus_L3 = phd_sum_of(phd_two_product(L3, -L3));
-    const phd_sum G = phd_sum_of(t->G), size = phd_sum_of(t->size);
+    const phd_sum G = phd_sum_of(t->G);
     phd_sum in_phase, twist, c, c_plus, energy, F, D, rest, lean, part;
     part = phd_sum_times(&imaginary, -L2);
     in_phase = phd_compress(phd_joined(phd_sum_times(&real, L1), &part, 1.0), 4);
@@ -904,12 +921,12 @@ static inline void phd_top_invariants(phd_top *t)
     part = phd_sum_times(&T, 2.0 * L3);
     c_plus = phd_compress(phd_joined(twist, &part, 1.0), 4);
     part = phd_sum_times_sum(&G, &S);
-    energy = phd_compress(phd_joined(phd_sum_times_sum(&size, &w2), &part, -2.0), 5);
+    energy = phd_compress(phd_joined(phd_sum_times_sum(size, &w2), &part, -2.0), 5);
     part = phd_sum_times(&c, -L3);
     F = phd_compress(phd_joined(energy, &part, 1.0), 5);
     part.count = 0;
     rest = phd_joined(phd_joined(part, &G, 2.0), &minus_L3, 1.0);
-    D = phd_compress(phd_joined(phd_sum_times_sum(&size, &rest), &energy, -1.0), 5);
+    D = phd_compress(phd_joined(phd_sum_times_sum(size, &rest), &energy, -1.0), 5);
     part = phd_sum_times_sum(&G, &c);
     lean = phd_compress(phd_joined(phd_sum_times(&energy, L3), &part, -1.0), 6);
     t->s0 = phd_scale(phd_over(&S, t->size), 2.0);
@@ -958,7 +975,7 @@ static inline phd_top phd_reduced_top(const double moments[3], double mgl, const
     const int turned = mgl < 0.0, moment_exponent = phd_exponent(moments[0]);
     const double largest = phd_largest3(momentum), weight = fabs(mgl), sign = turned ? -1.0 : 1.0;
     int exponent = phd_exponent(largest), k;
-    phd_sum S, T;
+    phd_sum S, T, size;
     if (weight > 0.0) { /* the larger of |L| and sqrt(mgl I1), without forming a product that may overflow */
         const int half = (int)floor((moment_exponent + phd_exponent(weight) + 1) / 2.0);
         exponent = largest > 0.0 && exponent > half ? exponent : half;
@@ -977,9 +994,10 @@ static inline phd_top phd_reduced_top(const double moments[3], double mgl, const
     t.G = phd_scale(phd_two_product(ldexp(ldexp(weight, moment_exponent - exponent), -exponent), t.I1), 2.0);
     S = phd_two_products(t.q[1], t.q[1], t.q[2], t.q[2]);
     T = phd_two_products(t.q[0], t.q[0], t.q[3], t.q[3]);
-    t.size = phd_distil(phd_compress(phd_joined(S, &T, 1.0), 4));
+    size = phd_compress(phd_joined(S, &T, 1.0), 4);
+    t.size = phd_distil(size);
     phd_lift_top(&t);
-    phd_top_invariants(&t);
+    phd_top_invariants(&t, &size);
     t.leaves = t.lift > 0 && t.upright && t.D.hi > 0.0;
     return t;
 }
@@ -1307,16 +1325,16 @@ static inline void phd_top_series(
 /* A, B and their derivatives by the argument, real and imaginary parts, and phases in turns */
 typedef struct { double ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b; } phd_numerators;
 
-static inline double phd_turns(phd_rate rate, double high, double low)
+static inline double phd_turns(phd_rate rate, phd_time t)
 {
-    const phd_phase p = phd_reduce(rate, high, low);
+    const phd_phase p = phd_reduce(rate, t);
     return p.fraction + p.rest;
 }
 
-static inline phd_numerators phd_full_numerators(const polhode_top *m, double high, double low)
+static inline phd_numerators phd_full_numerators(const polhode_top *m, phd_time t)
 {
     phd_numerators v = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    const phd_wave wave = phd_sine_cosine(phd_turns(m->third, high, low) + m->start.hi);
+    const phd_wave wave = phd_sine_cosine(phd_turns(m->third, t) + m->start.hi);
     const double double_c = 1.0 - 2.0 * wave.sine * wave.sine, double_s = 2.0 * wave.sine * wave.cosine;
     double c = wave.cosine, s = wave.sine;
     int n;
@@ -1333,15 +1351,15 @@ static inline phd_numerators phd_full_numerators(const polhode_top *m, double hi
         s = s * double_c + c * double_s;
         c = next;
     }
-    v.turns_a = phd_turns(m->first, high, low);
-    v.turns_b = phd_turns(m->second, high, low);
+    v.turns_a = phd_turns(m->first, t);
+    v.turns_b = phd_turns(m->second, t);
     return v;
 }
 
-static inline phd_numerators phd_complementary_numerators(const polhode_top *m, double high, double low)
+static inline phd_numerators phd_complementary_numerators(const polhode_top *m, phd_time t)
 {
     phd_numerators v = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    const phd_phase p = phd_reduce(m->third, high, low);
+    const phd_phase p = phd_reduce(m->third, t);
     /* x/2K within half a period as a pair, and the periods taken out; on the separatrix none is */
     const phd_pair sum = phd_two_sum((1.0 - m->periodic) * p.turns, p.fraction), o = phd_two_sum(sum.hi, m->start.hi);
     const phd_pair w = phd_fast_two_sum(o.hi, p.rest + (m->start.lo + (sum.lo + o.lo)));
@@ -1379,14 +1397,14 @@ static inline phd_numerators phd_complementary_numerators(const polhode_top *m, 
     v.bi *= -m->sign_b * side * e;
     v.dbr *= side * e;
     v.dbi *= -m->sign_b * e;
-    v.turns_a = phd_wrapped(phd_turns(m->first, high, low) + m->sign_a * within * m->turns_a) + half;
-    v.turns_b = phd_wrapped(phd_turns(m->second, high, low) + m->sign_b * within * m->turns_b) + half;
+    v.turns_a = phd_wrapped(phd_turns(m->first, t) + m->sign_a * within * m->turns_a) + half;
+    v.turns_b = phd_wrapped(phd_turns(m->second, t) + m->sign_b * within * m->turns_b) + half;
     return v;
 }
 
-static inline phd_numerators phd_top_numerators(const polhode_top *m, double high, double low)
+static inline phd_numerators phd_top_numerators(const polhode_top *m, phd_time t)
 {
-    return m->full ? phd_full_numerators(m, high, low) : phd_complementary_numerators(m, high, low);
+    return m->full ? phd_full_numerators(m, t) : phd_complementary_numerators(m, t);
 }
 
 /* cos and sin of the phase that turns the series r + i i at the epoch into the given g, of slope e */
@@ -1421,7 +1439,7 @@ static inline phd_numerators phd_lifted(phd_numerators v, const phd_top *t)
 static inline void phd_top_phases(polhode_top *m, const phd_top *t, double linear_a, double linear_b, double argument_rate)
 {
     const double L1 = t->L[0], L2 = t->L[1], L3 = t->L[2];
-    const phd_numerators v = phd_lifted(phd_top_numerators(m, 0.0, 0.0), t);
+    const phd_numerators v = phd_lifted(phd_top_numerators(m, PHD_EPOCH), t);
     const double square = (v.ar * v.ar + v.ai * v.ai) + (v.br * v.br + v.bi * v.bi), norm = sqrt(square);
     const double drop = ((v.ar * v.dar + v.ai * v.dai) + (v.br * v.dbr + v.bi * v.dbi)) / square;
     double size = L1 * L1 + L2 * L2 + L3 * L3 + t->G.hi, q[4], given[4], series[4];
@@ -1568,13 +1586,13 @@ static inline int polhode_top_init(
 /* Gives attitude (w, x, y, z) and momentum (body axes) at a time [s]. Returns 0 or an error code. */
 static inline int polhode_top_state(const polhode_top *m, double t, double attitude[4], double momentum[3])
 {
-    const phd_pair elapsed = phd_two_sum(t, -m->epoch);
-    const double high = phd_upper(elapsed.hi), *c = m->phase;
+    const phd_time since = phd_since(t, m->epoch);
+    const double *c = m->phase;
     phd_numerators v;
     phd_wave a, b;
     double x, root, ca, sa, cb, sb, ar, ai, br, bi, gain_r, gain_i, wr, wi, cw, sw;
-    if (!(fabs(elapsed.hi) * m->fastest <= 1e27) || !isfinite(high)) return POLHODE_BAD_TIME;
-    v = phd_top_numerators(m, high, (elapsed.hi - high) + elapsed.lo);
+    if (!(fabs(since.high) * m->fastest <= 1e27)) return POLHODE_BAD_TIME;
+    v = phd_top_numerators(m, since);
     a = phd_sine_cosine(v.turns_a);
     b = phd_sine_cosine(v.turns_b);
     x = 1.0 / ((v.ar * v.ar + v.ai * v.ai) + (v.br * v.br + v.bi * v.bi));

@@ -3,7 +3,7 @@
 // As |α|² + |β|² = 1 the common denominator of the theta quotients is not needed, and w = 2(ᾱβ̇ − βᾱ̇) needs no derivative
 // of it.
 import * as dd from "./double_double.js";
-import { exponentialDecay, reducedPhase, sineCosine, wrapped } from "./phase.js";
+import { EPOCH, exponentialDecay, reducedPhase, sineCosine, wrapped } from "./phase.js";
 
 // scratch of evaluation, which is not re-entered: phases, waves, and the numerators A, B, their derivatives by z or x', real
 // and imaginary parts, and phases in turns
@@ -11,23 +11,23 @@ const [phase, wave, numerators] = [3, 2, 10].map((size) => new Float64Array(size
 
 /** Return A, B, their derivatives and phases at the epoch. */
 export function startNumerators(motion) {
-  fillNumerators(motion, 0, 0);
+  fillNumerators(motion, EPOCH);
   return [...numerators];
 }
 
-function fillNumerators(motion, high, low) {
-  if (motion.full) fillFull(motion, high, low);
-  else fillComplementary(motion, high, low);
+function fillNumerators(motion, time) {
+  if (motion.full) fillFull(motion, time);
+  else fillComplementary(motion, time);
 }
 
-function turnsOf(rate, high, low) {
-  reducedPhase(rate, high, low, phase);
+function turnsOf(rate, time) {
+  reducedPhase(rate, time, phase);
   return phase[0] + phase[1];
 }
 
-function fillFull(motion, high, low) {
+function fillFull(motion, time) {
   const { aSum, aGap, bSum, bGap } = motion.series;
-  sineCosine(wrapped(turnsOf(motion.third, high, low) + motion.start[0]), wave);
+  sineCosine(wrapped(turnsOf(motion.third, time) + motion.start[0]), wave);
   let s = wave[0];
   let c = wave[1];
   const doubleC = 1 - 2 * s * s;
@@ -48,8 +48,8 @@ function fillFull(motion, high, low) {
     c = next;
   }
   const [sa, sb] = motion.signs;
-  const turnsA = turnsOf(motion.first, high, low);
-  fill(ar, -sa * ai, br, sb * bi, dar, sa * dai, -dbr, sb * dbi, turnsA, turnsOf(motion.second, high, low));
+  const turnsA = turnsOf(motion.first, time);
+  fill(ar, -sa * ai, br, sb * bi, dar, sa * dai, -dbr, sb * dbi, turnsA, turnsOf(motion.second, time));
 }
 
 function fill(ar, ai, br, bi, dar, dai, dbr, dbi, turnsA, turnsB) {
@@ -65,10 +65,10 @@ function fill(ar, ai, br, bi, dar, dai, dbr, dbi, turnsA, turnsB) {
   numerators[9] = turnsB;
 }
 
-function fillComplementary(motion, high, low) {
+function fillComplementary(motion, time) {
   const { start, periodic, decay, q, poleTurns, signs } = motion;
   const { aSine, aCosine, bCosine, bSine, constant } = motion.series;
-  reducedPhase(motion.third, high, low, phase);
+  reducedPhase(motion.third, time, phase);
   // x/2K within half a period as a pair, and the periods taken out; on the separatrix none is
   const [sum, firstError] = dd.twoSum((1 - periodic) * phase[2], phase[0]);
   const [v, secondError] = dd.twoSum(sum, start[0]);
@@ -116,14 +116,14 @@ function fillComplementary(motion, high, low) {
   const e = 2 * e0;
   const [sa, sb] = signs;
   const within = u + rest;
-  const turnsA = wrapped(turnsOf(motion.first, high, low) + sa * within * poleTurns[0]) + half;
-  const turnsB = wrapped(turnsOf(motion.second, high, low) + sb * within * poleTurns[1]) + half;
+  const turnsA = wrapped(turnsOf(motion.first, time) + sa * within * poleTurns[0]) + half;
+  const turnsB = wrapped(turnsOf(motion.second, time) + sb * within * poleTurns[1]) + half;
   fill(ar, sa * side * ai, e * br, -sb * side * e * bi, side * dar, sa * dai, side * e * dbr, -sb * e * dbi, turnsA, turnsB);
 }
 
-/** Return {attitude, momentum} at a time since the epoch, given in two parts: α = A e^{iφ_a}, β = B e^{iφ_b}, and w. */
-export function topStateOf(motion, high, low) {
-  fillNumerators(motion, high, low);
+/** Return {attitude, momentum} at a time since the epoch, given in three parts: α = A e^{iφ_a}, β = B e^{iφ_b}, and w. */
+export function topStateOf(motion, time) {
+  fillNumerators(motion, time);
   const [ar, ai, br, bi] = [numerators[0], numerators[1], numerators[2], numerators[3]];
   const [dar, dai, dbr, dbi] = [numerators[4], numerators[5], numerators[6], numerators[7]];
   const { phases, gain } = motion;

@@ -28,7 +28,8 @@ from jaxtyping import config, install_import_hook
 import polhode
 import typed
 from lacking import NOT_THERE, missing
-from polhode.cli.compiled import compile_quickly
+from polhode.cli.compiled import QUICKLY, compile_quickly
+from registered import forget_entry_points
 
 collect_ignore = NOT_THERE
 
@@ -37,7 +38,7 @@ SOURCES = Path(polhode.__file__).parent
 FILES = [path.relative_to(SOURCES.parent).with_suffix("") for path in SOURCES.rglob("*.py")]
 
 COMPILED = "JAX_COMPILATION_CACHE_DIR"
-QUICKLY = "--xla_backend_optimization_level=0 --xla_cpu_parallel_codegen_split_count=1"  # a fifth of the time
+FASTEST = ("--xla_backend_optimization_level=0", *QUICKLY[1:])  # a fifth of the time
 LEAST_RESIDENT, SHARE = 1.4e9, 0.4  # bytes, and of the memory that a worker has: then it gives back, and compiles anew
 SELDOM = 20_000, 20, 50  # allocations, and collections of the younger generations, after which Python collects garbage
 gc.disable()  # while modules are imported, of which nothing is garbage: a fifth of that time
@@ -72,7 +73,7 @@ def pytest_configure(config):
         os.environ["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0"
         os.environ["JAX_PERSISTENT_CACHE_MIN_ENTRY_SIZE_BYTES"] = "-1"
         if "not sweep" in config.option.markexpr or config.option.markexpr == "browser":
-            compile_quickly(QUICKLY)
+            compile_quickly(FASTEST)
 
 
 def check_annotations():
@@ -133,6 +134,7 @@ def pytest_collection_modifyitems(config, items):
             if not says(path, mark):
                 raise pytest.UsageError(f"{path} has tests of the mark {mark}: it must say `{word}` to be found")
     begin_sweeps_elsewhere(items)
+    leave_other_shares(config, items)
 
 
 def begin_sweeps_elsewhere(items):
@@ -145,6 +147,15 @@ def begin_sweeps_elsewhere(items):
         files = list(dict.fromkeys(item.path for item in items if item.get_closest_marker("sweep")))
         first = set(files[number % of * len(files) // of :])
         items.sort(key=lambda item: item.path not in first)
+
+
+def leave_other_shares(config, items):
+    """Keep every third file of tests from the second on, where POLHODE_SHARE is "1/3": other runs take the others."""
+    if place := os.environ.get("POLHODE_SHARE"):
+        number, of = map(int, place.split("/"))
+        files = sorted({item.path for item in items})[number % of :: of]
+        config.hook.pytest_deselected(items=[item for item in items if item.path not in files])
+        items[:] = [item for item in items if item.path in files]
 
 
 def is_long(item, cases):
@@ -227,15 +238,6 @@ def plugin():
     yield folder
     sys.path.remove(str(folder))
     forget_entry_points()
-
-
-def forget_entry_points():
-    from polhode.formats import form_registry
-    from polhode.kinds import registry
-    from polhode.spec import named
-
-    for listed in (registry._others, named._others, form_registry.forms):
-        listed.cache_clear()
 
 
 @pytest.fixture

@@ -1,7 +1,7 @@
-"""The contract of ``lint-imports`` that kinds do not import each other: each folder of ``polhode.kinds`` is one.
+"""The contract of ``lint-imports`` that kinds do not import each other.
 
-The files beside the folders are what all kinds are made with, and no kinds. import-linter's own contract of
-independence would take them for some, and need exceptions.
+A kind is a package that has a module ``table``; what lies beside is what all kinds are made with, or what wings share.
+import-linter's own contract of independence would take that for kinds too, and need exceptions.
 """
 
 from typing import Any
@@ -13,26 +13,27 @@ class KindsAreBlindToEachOther(Contract):
     """No module of a kind imports one of another kind.
 
     Attributes:
-        package: whose packages are the kinds.
+        packages: whose packages are the kinds, where they have a table.
     """
 
     type_name = "blind kinds"
-    package = fields.StringField()
+    packages = fields.ListField(subfield=fields.StringField())
 
     def check(self, graph: Any, verbose: bool) -> ContractCheck:
-        kinds = {kind for kind in graph.find_children(self.package) if graph.find_children(kind)}
+        beside = [package for each in self.packages for package in graph.find_children(each)]
+        kinds = {package for package in beside if f"{package}.table" in graph.find_children(package)}
         wrong = [
             (module, other)
             for kind in sorted(kinds)
             for module in sorted({kind, *graph.find_descendants(kind)})
             for other in sorted(graph.find_modules_directly_imported_by(module))
-            if other.startswith(f"{self.package}.") and owner(other, kinds) not in (None, kind)
+            if owner(other, kinds) not in (None, kind)
         ]
         return ContractCheck(kept=bool(kinds) and not wrong, metadata={"wrong": wrong, "kinds": len(kinds)})
 
     def render_broken_contract(self, check: ContractCheck) -> None:
         if not check.metadata["kinds"]:
-            output.print_error(f"{self.package} has no packages.")
+            output.print_error(f"{', '.join(self.packages)} have no kinds.")
         for module, other in check.metadata["wrong"]:
             output.print_error(f"{module} imports {other}, of another kind.")
 

@@ -71,9 +71,12 @@ class Graph:
 
 
 def test_a_kind_that_imports_another_is_seen():
-    contract = KindsAreBlindToEachOther("kinds", {}, {"package": "p"})
-    beside = {"base": (), "one": ("base",), "one__table": ("base", "one"), "two": ()}
+    contract = KindsAreBlindToEachOther("kinds", {}, {"packages": ["p", "p.wing"]})
+    beside = {"base": (), "one": ("base",), "one__table": ("base", "one"), "two": (), "wing": ()}
     assert contract.check(Graph(**beside, two__table=("base", "two")), False).kept
     broken = contract.check(Graph(**beside, two__table=("base", "one.table")), False)
     assert not broken.kept and broken.metadata["wrong"] == [("p.two.table", "p.one.table")]
+    wing = {"wing__three": ("two",), "wing__three__table": (), "wing__shared": (), "wing__shared__start": ("two",)}
+    broken = contract.check(Graph(**beside, two__table=(), **wing), False)
+    assert not broken.kept and broken.metadata["wrong"] == [("p.wing.three", "p.two")]
     assert not contract.check(Graph(base=()), False).kept  # where there are no kinds, nothing is checked

@@ -15,7 +15,6 @@ import polhode as ph
 
 ROOT = Path(__file__).parents[1]
 LONGEST = 450
-MOST_WORDS = 300  # of one version in the changelog
 
 
 FENCE = re.compile(r"```python\n(.*?)```", re.DOTALL)
@@ -44,15 +43,16 @@ def modules_with_examples():
 
 SLOW = {
     "polhode.analysis.continuation", "polhode.analysis.damped_axes", "polhode.analysis.periodic_branches",
-    "polhode.analysis.spin_down", "polhode.analysis.vortex_equilibria", "polhode.estimation.attitude_fit",
-    "polhode.estimation.scale", "polhode.figures.racket_figure", "polhode.figures.sphere_figure",
-    "polhode.poisson.group_reconstruction", "polhode.systems.euler_disk", "polhode.testing.algebras",
+    "polhode.rolling.euler_disk.spin_down", "polhode.fields.point_vortices.equilibria",
+    "polhode.estimation.attitude_fit", "polhode.estimation.scale", "polhode.spectra.figures.racket_figure",
+    "polhode.figures.sphere_figure",
+    "polhode.poisson.group_reconstruction", "polhode.rolling.euler_disk.system", "polhode.testing.algebras",
     "polhode.testing.kinds", "polhode.testing.systems",
 }  # fmt: skip
 LONG = [
     f"polhode.{name}" for name in (
         "analysis.gyrostat_rotations", "analysis.lyapunov_exponents", "analysis.threshold", "arrays.elementwise",
-        "integrators.transport_noise", "symbolic.registry",
+        "fields.sphere_fluid.transport_noise", "symbolic.registry",
     )
 ]  # fmt: skip
 
@@ -110,13 +110,9 @@ def test_the_readme_is_read_in_five_minutes():
     assert len((ROOT / "README.md").read_text("utf-8").split()) <= 700
 
 
-def test_the_changelog_of_each_version_is_read_in_a_minute():
-    """The unversioned one had 7,300 words; what is longer stands in docs/history.md, under the same versions."""
-    versions = re.split(r"^## ", (ROOT / "CHANGELOG.md").read_text("utf-8"), flags=re.MULTILINE)[1:]
-    assert versions[0].split()[0] == ph.__version__
-    assert f"\n## {ph.__version__}\n" in (ROOT / "docs" / "history.md").read_text("utf-8")
-    for version in versions:
-        assert len(version.split()) <= MOST_WORDS, f"move lines of {version.split()[0]} to docs/history.md"
+def test_the_changelog_begins_with_this_version():
+    versions = re.findall(r"^## (\S+)", (ROOT / "CHANGELOG.md").read_text("utf-8"), flags=re.MULTILINE)
+    assert versions[0] == ph.__version__
 
 
 def test_the_version_stands_in_one_place():

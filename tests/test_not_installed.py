@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.cli.sweep import SweepOptions, run_sweep
 from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset import write_zarr
 from polhode.formats.dataset_reading import read_dataset
 from polhode.formats.spice_kernels import spiceypy
+from polhode.sweeps.command import SweepOptions, run_sweep
 from polhode.sweeps.running import Sweep
 from polhode.symbolic import _gate
 

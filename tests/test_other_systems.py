@@ -13,10 +13,10 @@ import pytest
 
 import lacking
 import polhode as ph
+from polhode._base.compiled.threads import available_cores, in_threads
 from polhode.errors import InvalidInput
-from polhode.exact._kernel_arithmetic import in_threads
 from polhode.kinds.registry import known_figures
-from polhode.sweeps.running import _deaf_to_interrupts, default_workers
+from polhode.sweeps.running import _deaf_to_interrupts
 from polhode.testing.kinds import FILE_NAME
 
 ROOT = Path(__file__).parents[1]
@@ -107,7 +107,7 @@ def test_cores_are_counted_where_nobody_tells_which_may_be_used(monkeypatch):
     monkeypatch.setattr(os, "cpu_count", lambda: 3)
     parts = []
     in_threads(lambda low, high: parts.append((low, high)), 9, 2)
-    assert default_workers() == 3 and sorted(parts) == [(0, 3), (3, 6), (6, 9)]
+    assert available_cores() == 3 and sorted(parts) == [(0, 3), (3, 6), (6, 9)]
 
 
 def test_workers_start_where_signals_cannot_be_masked(monkeypatch):

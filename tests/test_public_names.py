@@ -1,77 +1,48 @@
-"""What ``dir`` shows of the package and of its rooms is what a user is meant to see."""
+"""No public name is lost: each that there was is there, or the changelog's table says what it is called now."""
 
-import ast
 import importlib
-import inspect
-import json
+import re
 from pathlib import Path
-from types import ModuleType
-from typing import get_origin
 
 import pytest
 
-import polhode as ph
-
-MOST = 50
-"""Names at the top: what a user types in the first week."""
-ROOMS = [name for name in dir(ph) if inspect.ismodule(getattr(ph, name))]
-
-
-def strangers(room: ModuleType) -> list[str]:
-    """Return the names in a room's ``dir`` that are modules, private, or another package's.
-
-    Types of a spec's fields and other aliases say ``builtins``, ``typing`` or ``collections.abc``.
-    """
-    found = []
-    for name in dir(room):
-        thing = getattr(room, name)
-        alias = get_origin(thing) is not None
-        home = "polhode" if alias else getattr(thing, "__module__", None) or "polhode"
-        if inspect.ismodule(thing) or name.startswith("_") or not home.startswith("polhode"):
-            found.append(name)
-    return found
+ROOT = Path(__file__).parents[1]
+NAMES = [line for line in (ROOT / "tests" / "public_names.txt").read_text().splitlines() if not line.startswith("#")]
+ROW = re.compile(r"^\| `(ph\.[\w.]+)` \| `(ph\.[\w.]+)` \|$", re.MULTILINE)
+MANY = re.compile(r"^\| (.+) of `(ph(?:\.\w+)*)` \| of `(ph(?:\.\w+)*)` \|$", re.MULTILINE)  # which keep their names
 
 
-def test_the_top_has_few_names():
-    assert len(dir(ph)) <= MOST and dir(ph) == sorted(ph.__all__)
+def moves(text):
+    """Return {old: new} of the rows that have one name on either side, or list names by their packages."""
+    pairs = [*ROW.findall(text), *((f"{old}.{name}", f"{new}.{name}") for names, old, new in MANY.findall(text)
+                                   for name in re.findall(r"`(\w+)`", names))]  # fmt: skip
+    return {old.replace("ph", "polhode", 1): new.replace("ph", "polhode", 1) for old, new in pairs}
 
 
-@pytest.mark.parametrize("name", ROOMS)
-def test_a_room_shows_what_is_meant(name):
-    room = getattr(ph, name)
-    assert sorted(dir(room)) == sorted(room.__all__)
-    assert not strangers(room)
+def resolves(name):
+    package, _, attribute = name.rpartition(".")
+    try:
+        return hasattr(importlib.import_module(package), attribute)
+    except ModuleNotFoundError:
+        return False
 
 
-def test_a_leak_is_noticed():
-    leaking = ModuleType("leaking")
-    leaking.__dir__ = lambda: ["hat", "json", "loads"]
-    leaking.hat, leaking.json, leaking.loads = ph.rotation.hat, json, json.loads
-    assert strangers(leaking) == ["json", "loads"]
+def lost(names, table):
+    """Return the names that are neither where they were nor where the table has them."""
+    return [name for name in names if not resolves(name) and not resolves(table.get(name, name))]
 
 
-# ---------------------------------------------------------------- packages of others, which see no more
-
-PLUGIN = Path(__file__).parent / "plugin"
-
-
-def hidden(source: str) -> list[str]:
-    """Return what a file of another package imports of polhode that is no public name of a room, or of the top."""
-    found = []
-    for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Import):
-            found += [one.name for one in node.names if one.name.startswith("polhode.")]
-        elif isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "polhode":
-            public = importlib.import_module(node.module).__all__ if node.module.count(".") < 2 else []
-            found += [f"{node.module}.{one.name}" for one in node.names if one.name not in public]
-    return found
+@pytest.mark.long
+def test_each_is_there_or_its_new_name_is_told():
+    assert len(NAMES) > 600
+    assert lost(NAMES, moves((ROOT / "CHANGELOG.md").read_text("utf-8"))) == []
 
 
-@pytest.mark.parametrize("file", sorted(PLUGIN.rglob("*.py")), ids=lambda file: f"{file.parent.name}/{file.name}")
-def test_packages_of_others_need_public_names_only(file):
-    assert hidden(file.read_text("utf-8")) == []
-
-
-def test_a_private_import_is_noticed():
-    wrong = "import polhode.spec\nfrom polhode.motion._layout import ATTITUDE\nfrom polhode.kinds import Spec, registry"
-    assert hidden(wrong) == ["polhode.spec", "polhode.motion._layout.ATTITUDE", "polhode.kinds.registry"]
+@pytest.mark.parametrize(("table", "gone"), [
+    ("", ["polhode.systems.Wheels"]),
+    ("| `ph.systems.Wheels` | `ph.systems.Wheel` |", []),
+    ("| `ph.systems.Wheels` | `ph.spacecrafts.Wheel` |", ["polhode.systems.Wheels"]),
+    ("| `Wheel`, `Wheels` of `ph.systems` | of `ph.spacecrafts` |", ["polhode.systems.Wheels"]),
+])  # fmt: skip
+def test_a_name_that_went_without_a_word_is_found(table, gone):
+    assert lost(["polhode.systems.Wheels", "polhode.systems.Wheel"], moves(table)) == gone

@@ -11,7 +11,7 @@ import pytest
 
 import polhode as ph
 from polhode import algebra as lie
-from polhode import systems
+from polhode import fields, systems
 from polhode.errors import InvalidInput, NotConverged
 from polhode.formats.dataset import write_dataset
 from polhode.formats.dataset_reading import read_dataset
@@ -244,7 +244,7 @@ def test_a_singularity_is_named():
 
 def test_steps_that_jump_over_a_singularity_do_not_count():
     """Vortices of 2, 2, −1 that collapse into one: steps of midpoint went on with an estimated error of 2.4."""
-    three = systems.PlaneVortices([2.0, 2.0, -1.0])
+    three = fields.PlaneVortices([2.0, 2.0, -1.0])
     start = three.pack(np.array([[-1.0, 0.0], [1.0, 0.0], [1.0, 2.0**0.5]]))
     assert ph.simulate(three, start, [0.0, 10.0]).error_estimate < 1e-13
     with pytest.raises(NotConverged, match="comes to a singularity between 0 and 20 s"):

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import systems
+from polhode import fields, systems
 from polhode.errors import InvalidInput
 from polhode.integrators import LieMidpoint, MuntheKaas, Splitting
 from polhode.motion import Ending, Status
@@ -280,7 +280,7 @@ def test_simulate_refuses_functions_and_says_who_takes_them():
 
 
 def fluid_in_three_parts():
-    fluid = systems.SphereFluid(6)
+    fluid = fields.SphereFluid(6)
     return fluid, fluid.random([0.0, 1.0, 1.0, 0.5], seed=1), ph.integrators.IsospectralMidpoint, {"order": 2}
 
 

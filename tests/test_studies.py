@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import polhode as ph
+from polhode.celestial.tumbling.study import Friction
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.reports.report import PlainReport
-from polhode.studies.tumble import Friction
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 PHONE, WATER = EXAMPLES / "phone_throw.csv", EXAMPLES / "water_spectrum.toml"

@@ -18,7 +18,7 @@ STEP = 0.01  # s of MuJoCo
 
 def rows(quick: bool) -> Iterator[Row]:
     """Yield ours against each peer at every time that it can reach."""
-    (motion,) = (m for m in ph.testing.reference_motions(kind="free body") if m.name == BODY)
+    (motion,) = (m for m in ph.judging.reference_motions(kind="free body") if m.name == BODY)
     late = 1e3 if quick else 2e5
     chosen = [k for k, t in enumerate(motion.times) if t > 100.0]
     for k in chosen:

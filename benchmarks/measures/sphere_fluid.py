@@ -9,7 +9,7 @@ from measure import Row, compared
 from scipy.linalg import lapack
 
 import polhode as ph
-from polhode.algebra._sphere_laplacian import diagonals
+from polhode.fields.sphere._laplacian import diagonals
 from polhode.taylor.array_series import run_arrays
 from polhode.taylor.runs import choose_precision
 
@@ -20,7 +20,7 @@ ENOUGH = 2e-16  # of the vorticity: the change below which the peer's iterations
 def rows(quick: bool) -> Iterator[Row]:
     """Yield the peer's time over ours for isospectral midpoint steps to rounding, and how far the spectrum moved."""
     for n, steps in ((16, 4),) if quick else ((64, 40), (128, 20), (256, 10)):
-        fluid = ph.systems.SphereFluid(n)
+        fluid = ph.fields.SphereFluid(n)
         degree = np.arange(10)
         start = fluid.random(np.where(degree > 0, 1.0 / np.maximum(degree, 1) ** 3, 0.0), seed=1)
         step = ANGLE / float(fluid.algebra.rate(fluid.stream_function(start)))
@@ -46,7 +46,7 @@ def rows(quick: bool) -> Iterator[Row]:
 
 def series_rows(n: int, turned: float, repeats: int) -> Iterator[Row]:
     """Yield the time of midpoint steps of several orders over that of Taylor series, with errors of the vorticity."""
-    fluid = ph.systems.SphereFluid(n)
+    fluid = ph.fields.SphereFluid(n)
     start = np.asarray(fluid.random(np.where(np.arange(12) > 2, 1.0, 0.0), seed=1))
     rate = float(fluid.algebra.rate(fluid.stream_function(start)))
     times, scale = np.array([0.0, turned / rate]), np.abs(start).max()

@@ -16,8 +16,8 @@ CELLS = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 def rows(quick: bool) -> Iterator[Row]:
     """Yield the C loop's time over ours for sweeps over all bonds, and errors of the total spin."""
     size = 20 if quick else 100
-    lattice = ph.systems.Lattice(np.eye(3), shape=(size,) * 3)
-    system = ph.systems.SpinLattice(lattice, bonds=[ph.systems.Bond(0, 0, cell, 1.0) for cell in CELLS])
+    lattice = ph.fields.Lattice(np.eye(3), shape=(size,) * 3)
+    system = ph.fields.SpinLattice(lattice, bonds=[ph.fields.Bond(0, 0, cell, 1.0) for cell in CELLS])
     start = np.array(system.aligned(np.random.default_rng(1).normal(size=(*lattice.shape, 1, 3))))
     times = np.array([0.0, STEP * STEPS])
     run = c_function("spin_lattice.c")

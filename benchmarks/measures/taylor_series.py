@@ -12,7 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 from measure import Row, compared, median, missing
 
-from polhode import certify, systems
+from polhode import certify, fields, systems
 from polhode.taylor.expressions import Expression, Tape
 from polhode.taylor.jaxprs import write_jaxpr
 from polhode.taylor.operations import Operation
@@ -52,17 +52,17 @@ def cases() -> Iterator[Case]:
     full = np.diag([1.0, 2.0, 3.0, 2.0, 3.0, 5.0]) + 0.1
     yield Case("Kirchhoff's body, full matrix", systems.Kirchhoff(full), point)
     yield Case("gyrostat", systems.Gyrostat((1.0, 2.0, 3.5), (0.2, 0.0, 0.4)), spinning)
-    vortices = systems.PlaneVortices(np.array([1.0, 0.8, -0.7, 0.4, 1.2]))
+    vortices = fields.PlaneVortices(np.array([1.0, 0.8, -0.7, 0.4, 1.2]))
     places = [[0.0, 0.0], [1.5, 0.2], [-0.3, 1.9], [2.0, 2.2], [-1.7, -0.8]]
     yield Case("five vortices", vortices, np.asarray(vortices.pack(places)))
-    yield Case("Toda, four", systems.Toda(4), np.array([0.5, -0.2, 0.1, 0.3, 1.0, 0.8, 1.2]))
+    yield Case("Toda, four", fields.Toda(4), np.array([0.5, -0.2, 0.1, 0.3, 1.0, 0.8, 1.2]))
     drawn = np.random.default_rng(1)
     for n in (4, 6):
         whole = np.triu(drawn.normal(size=(n, n)), 1)
         yield Case(f"Manakov's body of so({n})", systems.Manakov(1.0 + np.arange(n)), whole - whole.T)
     spins = drawn.normal(size=(8, 3))
     spins = (spins / np.linalg.norm(spins, axis=1, keepdims=True)).reshape(8, 1, 1, 1, 3)
-    chain = systems.SpinLattice(systems.Lattice([[1.0]], shape=(8,)), bonds=[systems.Bond(0, 0, (1,), 1.0)])
+    chain = fields.SpinLattice(fields.Lattice([[1.0]], shape=(8,)), bonds=[fields.Bond(0, 0, (1,), 1.0)])
     yield Case("chain of eight spins", chain, spins)
     pulled = systems.TorquedBody((1.0, 2.0, 2.5), [systems.GravityGradient(systems.KeplerOrbit(1.0))])
     yield Case("body in orbit, gravity gradient", pulled, spinning)

@@ -2,6 +2,7 @@
 
 Arbitrarily near the point are starts from which no solution stays near it beyond some time:
 the theorem at the end, about the equations f1, f2, ...
+Of the numbers that came in, each double is the shortest decimal that rounds to it.
 Written by polhode; checked by `coqc -Q . Polhode checker.v` and `coqc -Q . Polhode free_axis_2.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
 From Polhode Require Import checker.
@@ -35,7 +36,7 @@ Proof. unfold zp, point, distance2. read_data. Qed.
 
 (* V grows: its rate of change is at least 28/97 V near the point *)
 Definition V : poly := [((23#4), [0; 0]%nat); ((-11#2), [0; 2]%nat); ((-7#2), [1; 1]%nat); ((-1#2), [2; 2]%nat)].
-Definition direction : list Q := [(-1#1); (0#1); (3#8)].
+Definition direction : list Q := [(1#1); (0#1); (-3#8)].
 Definition gamma : Q := (14#97).
 Definition margin : Q := (1#4).
 Definition radius : Q := (1#128).

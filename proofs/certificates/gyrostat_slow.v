@@ -2,6 +2,7 @@
 
 Arbitrarily near the point are starts from which no solution stays near it beyond some time:
 the theorem at the end, about the equations f1, f2, ...
+Of the numbers that came in, each double is the shortest decimal that rounds to it.
 Written by polhode; checked by `coqc -Q . Polhode checker.v` and `coqc -Q . Polhode gyrostat_slow.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
 From Polhode Require Import checker.
@@ -35,7 +36,7 @@ Proof. unfold zp, point, distance2. read_data. Qed.
 
 (* V grows: its rate of change is at least 56/347 V near the point *)
 Definition V : poly := [((60#1), [0; 0]%nat); ((-16#1), [0; 2]%nat); ((-6#1), [1; 1]%nat); ((-2#1), [2; 2]%nat)].
-Definition direction : list Q := [(-1#1); (0#1); (9#64)].
+Definition direction : list Q := [(1#1); (0#1); (-9#64)].
 Definition gamma : Q := (28#347).
 Definition margin : Q := (1#8).
 Definition radius : Q := (1#1024).

@@ -2,6 +2,7 @@
 
 Every solution that starts near enough, in any direction, stays near the point:
 the theorem at the end, about the equations f1, f2, ...
+Of the numbers that came in, each double is the shortest decimal that rounds to it.
 Written by polhode; checked by `coqc -Q . Polhode checker.v` and `coqc -Q . Polhode hull_broadside.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
 From Polhode Require Import checker.
@@ -9,11 +10,11 @@ Import ListNotations.
 Local Open Scope R_scope.
 
 (* the equations: the rate of change of each coordinate *)
-Definition f1 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 6) * x2 * x3 + (1 / 2) * x5 * x6.
-Definition f2 (x1 x2 x3 x4 x5 x6 : R) : R := (2 / 3) * x1 * x3 + (-2 / 3) * x4 * x6.
-Definition f3 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 2) * x1 * x2 + (1 / 6) * x4 * x5.
-Definition f4 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 2) * x2 * x6 + (1 / 3) * x3 * x5.
-Definition f5 (x1 x2 x3 x4 x5 x6 : R) : R := x1 * x6 + (-1 / 3) * x3 * x4.
+Definition f1 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 4) * x2 * x3 + (1 / 2) * x5 * x6.
+Definition f2 (x1 x2 x3 x4 x5 x6 : R) : R := (3 / 4) * x1 * x3 + (-3 / 4) * x4 * x6.
+Definition f3 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 2) * x1 * x2 + (1 / 4) * x4 * x5.
+Definition f4 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 2) * x2 * x6 + (1 / 4) * x3 * x5.
+Definition f5 (x1 x2 x3 x4 x5 x6 : R) : R := x1 * x6 + (-1 / 4) * x3 * x4.
 Definition f6 (x1 x2 x3 x4 x5 x6 : R) : R := (-1) * x1 * x5 + (1 / 2) * x2 * x4.
 (* the square of the distance from the point *)
 Definition distance2 (x1 x2 x3 x4 x5 x6 : R) : R := (x1 - (0)) * (x1 - (0)) + (x2 - (0)) * (x2 - (0)) + (x3 - (0)) *
@@ -21,11 +22,11 @@ Definition distance2 (x1 x2 x3 x4 x5 x6 : R) : R := (x1 - (0)) * (x1 - (0)) + (x
 
 (* the same as data: polynomials are lists of coefficient and variables, counted from 0 *)
 Definition field : list poly := [
-  [((-1#6), [1; 2]%nat); ((1#2), [4; 5]%nat)];
-  [((2#3), [0; 2]%nat); ((-2#3), [3; 5]%nat)];
-  [((-1#2), [0; 1]%nat); ((1#6), [3; 4]%nat)];
-  [((-1#2), [1; 5]%nat); ((1#3), [2; 4]%nat)];
-  [((1#1), [0; 5]%nat); ((-1#3), [2; 3]%nat)];
+  [((-1#4), [1; 2]%nat); ((1#2), [4; 5]%nat)];
+  [((3#4), [0; 2]%nat); ((-3#4), [3; 5]%nat)];
+  [((-1#2), [0; 1]%nat); ((1#4), [3; 4]%nat)];
+  [((-1#2), [1; 5]%nat); ((1#4), [2; 4]%nat)];
+  [((1#1), [0; 5]%nat); ((-1#4), [2; 3]%nat)];
   [((-1#1), [0; 4]%nat); ((1#2), [1; 3]%nat)]].
 Definition point : list Q := [(0#1); (0#1); (0#1); (1#1); (0#1); (0#1)].
 Definition zf := equation field.
@@ -47,18 +48,18 @@ Proof. unfold zp, point, distance2. read_data. Qed.
 
 (* what is conserved: c1 = |P|²; c2 = H *)
 Definition c1 : poly := [((1#1), [3; 3]%nat); ((1#1), [4; 4]%nat); ((1#1), [5; 5]%nat)].
-Definition c2 : poly := [((1#2), [0; 0]%nat); ((1#4), [1; 1]%nat); ((1#6), [2; 2]%nat); ((1#6), [3; 3]%nat); ((1#4),
+Definition c2 : poly := [((1#2), [0; 0]%nat); ((1#4), [1; 1]%nat); ((1#8), [2; 2]%nat); ((1#8), [3; 3]%nat); ((1#4),
   [4; 4]%nat); ((1#2), [5; 5]%nat)].
 Definition square (p : poly) (level : Q) : poly := times (add p (constant (- level))) (add p (constant (- level))).
-Definition G : poly := add (scale (-1#6) c1) (add (scale (1#1) c2) (scale (1#32) (square c1 (1#1)))).
-Definition margin : Q := (1#32).
-Definition radius : Q := (1#64).
-Definition forms : list (Q * list Q) := [((15#32), [(1#1); (0#1); (0#1); (0#1); (0#1); (0#1)]);
-  ((7#32), [(0#1); (1#1); (0#1); (0#1); (0#1); (0#1)]);
-  ((13#96), [(0#1); (0#1); (1#1); (0#1); (0#1); (0#1)]);
-  ((3#32), [(0#1); (0#1); (0#1); (1#1); (0#1); (0#1)]);
-  ((5#96), [(0#1); (0#1); (0#1); (0#1); (1#1); (0#1)]);
-  ((29#96), [(0#1); (0#1); (0#1); (0#1); (0#1); (1#1)])].
+Definition G : poly := add (scale (-1#8) c1) (add (scale (1#1) c2) (scale (1#32) (square c1 (1#1)))).
+Definition margin : Q := (1#16).
+Definition radius : Q := (1#32).
+Definition forms : list (Q * list Q) := [((7#16), [(1#1); (0#1); (0#1); (0#1); (0#1); (0#1)]);
+  ((3#16), [(0#1); (1#1); (0#1); (0#1); (0#1); (0#1)]);
+  ((1#16), [(0#1); (0#1); (1#1); (0#1); (0#1); (0#1)]);
+  ((1#16), [(0#1); (0#1); (0#1); (1#1); (0#1); (0#1)]);
+  ((1#16), [(0#1); (0#1); (0#1); (0#1); (1#1); (0#1)]);
+  ((5#16), [(0#1); (0#1); (0#1); (0#1); (0#1); (1#1)])].
 
 Lemma minimum : check_extremum 6 zp G [] forms margin radius = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.

@@ -2,6 +2,7 @@
 
 Arbitrarily near the point are starts from which no solution stays near it beyond some time:
 the theorem at the end, about the equations f1, f2, ...
+Of the numbers that came in, each double is the shortest decimal that rounds to it.
 Written by polhode; checked by `coqc -Q . Polhode checker.v` and `coqc -Q . Polhode hull_lengthwise.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
 From Polhode Require Import checker.
@@ -9,11 +10,11 @@ Import ListNotations.
 Local Open Scope R_scope.
 
 (* the equations: the rate of change of each coordinate *)
-Definition f1 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 6) * x2 * x3 + (1 / 2) * x5 * x6.
-Definition f2 (x1 x2 x3 x4 x5 x6 : R) : R := (2 / 3) * x1 * x3 + (-2 / 3) * x4 * x6.
-Definition f3 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 2) * x1 * x2 + (1 / 6) * x4 * x5.
-Definition f4 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 2) * x2 * x6 + (1 / 3) * x3 * x5.
-Definition f5 (x1 x2 x3 x4 x5 x6 : R) : R := x1 * x6 + (-1 / 3) * x3 * x4.
+Definition f1 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 4) * x2 * x3 + (1 / 2) * x5 * x6.
+Definition f2 (x1 x2 x3 x4 x5 x6 : R) : R := (3 / 4) * x1 * x3 + (-3 / 4) * x4 * x6.
+Definition f3 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 2) * x1 * x2 + (1 / 4) * x4 * x5.
+Definition f4 (x1 x2 x3 x4 x5 x6 : R) : R := (-1 / 2) * x2 * x6 + (1 / 4) * x3 * x5.
+Definition f5 (x1 x2 x3 x4 x5 x6 : R) : R := x1 * x6 + (-1 / 4) * x3 * x4.
 Definition f6 (x1 x2 x3 x4 x5 x6 : R) : R := (-1) * x1 * x5 + (1 / 2) * x2 * x4.
 (* the square of the distance from the point *)
 Definition distance2 (x1 x2 x3 x4 x5 x6 : R) : R := (x1 - (0)) * (x1 - (0)) + (x2 - (0)) * (x2 - (0)) + (x3 - (0)) *
@@ -21,11 +22,11 @@ Definition distance2 (x1 x2 x3 x4 x5 x6 : R) : R := (x1 - (0)) * (x1 - (0)) + (x
 
 (* the same as data: polynomials are lists of coefficient and variables, counted from 0 *)
 Definition field : list poly := [
-  [((-1#6), [1; 2]%nat); ((1#2), [4; 5]%nat)];
-  [((2#3), [0; 2]%nat); ((-2#3), [3; 5]%nat)];
-  [((-1#2), [0; 1]%nat); ((1#6), [3; 4]%nat)];
-  [((-1#2), [1; 5]%nat); ((1#3), [2; 4]%nat)];
-  [((1#1), [0; 5]%nat); ((-1#3), [2; 3]%nat)];
+  [((-1#4), [1; 2]%nat); ((1#2), [4; 5]%nat)];
+  [((3#4), [0; 2]%nat); ((-3#4), [3; 5]%nat)];
+  [((-1#2), [0; 1]%nat); ((1#4), [3; 4]%nat)];
+  [((-1#2), [1; 5]%nat); ((1#4), [2; 4]%nat)];
+  [((1#1), [0; 5]%nat); ((-1#4), [2; 3]%nat)];
   [((-1#1), [0; 4]%nat); ((1#2), [1; 3]%nat)]].
 Definition point : list Q := [(0#1); (0#1); (0#1); (0#1); (0#1); (1#1)].
 Definition zf := equation field.
@@ -46,16 +47,16 @@ Lemma reads_distance x : off 6 zp x = distance2 (x 0%nat) (x 1%nat) (x 2%nat) (x
 Proof. unfold zp, point, distance2. read_data. Qed.
 
 (* V grows: its rate of change is at least 29/41 V near the point *)
-Definition V : poly := [((23#16), [0; 0]%nat); ((2#1), [0; 4]%nat); ((9#16), [1; 1]%nat); ((-11#4), [1; 3]%nat);
+Definition V : poly := [((23#16), [0; 0]%nat); ((2#1), [0; 4]%nat); ((3#8), [1; 1]%nat); ((-5#2), [1; 3]%nat);
   ((-23#16), [2; 2]%nat); ((5#4), [3; 3]%nat); ((-23#16), [5; 5]%nat)].
-Definition direction : list Q := [(0#1); (51#64); (0#1); (-1#1); (0#1); (0#1)].
+Definition direction : list Q := [(0#1); (45#64); (0#1); (-1#1); (0#1); (0#1)].
 Definition gamma : Q := (29#82).
 Definition margin : Q := (1#4).
 Definition radius : Q := (1#256).
 Definition forms : list (Q * list Q) := [((481#656), [(1#1); (0#1); (0#1); (0#1); (15#962); (0#1)]);
-  ((477#656), [(0#1); (1#1); (0#1); (-2#53); (0#1); (0#1)]);
+  ((241#328), [(0#1); (1#1); (0#1); (-29#964); (0#1); (0#1)]);
   ((503#656), [(0#1); (0#1); (1#1); (0#1); (0#1); (0#1)]);
-  ((18205#26076), [(0#1); (0#1); (0#1); (1#1); (0#1); (0#1)]);
+  ((936167#1264768), [(0#1); (0#1); (0#1); (1#1); (0#1); (0#1)]);
   ((946383#1262144), [(0#1); (0#1); (0#1); (0#1); (1#1); (0#1)]);
   ((503#656), [(0#1); (0#1); (0#1); (0#1); (0#1); (1#1)])].
 Lemma checked : check_growth 6 zf zp V direction radius gamma margin forms = true.

@@ -2,6 +2,7 @@
 
 Arbitrarily near the point are starts from which no solution stays near it beyond some time:
 the theorem at the end, about the equations f1, f2, ...
+Of the numbers that came in, each double is the shortest decimal that rounds to it.
 Written by polhode; checked by `coqc -Q . Polhode checker.v` and `coqc -Q . Polhode own_unstable.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
 From Polhode Require Import checker.
@@ -35,7 +36,7 @@ Proof. unfold zp, point, distance2. read_data. Qed.
 
 (* V grows: its rate of change is at least 58/41 V near the point *)
 Definition V : poly := [((23#32), [0; 0]%nat); ((-1#1), [0; 1]%nat); ((-23#32), [2; 2]%nat)].
-Definition direction : list Q := [(-1#1); (33#64); (0#1)].
+Definition direction : list Q := [(1#1); (-33#64); (0#1)].
 Definition gamma : Q := (29#41).
 Definition margin : Q := (1#4).
 Definition radius : Q := (1#32).

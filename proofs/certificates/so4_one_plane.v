@@ -2,6 +2,7 @@
 
 Arbitrarily near the point are starts from which no solution stays near it beyond some time:
 the theorem at the end, about the equations f1, f2, ...
+Of the numbers that came in, each double is the shortest decimal that rounds to it.
 Written by polhode; checked by `coqc -Q . Polhode checker.v` and `coqc -Q . Polhode so4_one_plane.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
 From Polhode Require Import checker.

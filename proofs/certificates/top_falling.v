@@ -2,6 +2,7 @@
 
 Arbitrarily near the point are starts from which no solution stays near it beyond some time:
 the theorem at the end, about the equations f1, f2, ...
+Of the numbers that came in, each double is the shortest decimal that rounds to it.
 Written by polhode; checked by `coqc -Q . Polhode checker.v` and `coqc -Q . Polhode top_falling.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
 From Polhode Require Import checker.
@@ -49,7 +50,7 @@ Proof. unfold zp, point, distance2. read_data. Qed.
 Definition V : poly := [((25#8), [0; 0]%nat); ((-7#1), [0; 3]%nat); ((3#1), [0; 4]%nat); ((25#8), [1; 1]%nat);
   ((-3#1), [1; 3]%nat); ((-7#1), [1; 4]%nat); ((-3#2), [2; 2]%nat); ((25#8), [3; 3]%nat); ((25#8), [4; 4]%nat);
   ((-3#2), [5; 5]%nat)].
-Definition direction : list Q := [(0#1); (-1#1); (0#1); (13#32); (59#64); (0#1)].
+Definition direction : list Q := [(0#1); (1#1); (0#1); (-13#32); (-59#64); (0#1)].
 Definition gamma : Q := (31#94).
 Definition margin : Q := (1#4).
 Definition radius : Q := (1#512).

@@ -1,7 +1,8 @@
-(* HeavyTop: (0, 0, 1) is stable.
+(* HeavyTop: (0, 0, 1) is stable on its own leaf, else undecided.
 
-Every solution with x4 = x5 = x6 = 0, where x1, x2, x3 are numbered anew, that starts near enough stays near the point:
+Every solution with x4 = x5 = x6 = 0, that starts near enough stays near the point; of other solutions, on leaves nearby, nothing is proved:
 the theorem at the end, about the equations f1, f2, ...
+Of the numbers that came in, each double is the shortest decimal that rounds to it.
 Written by polhode; checked by `coqc -Q . Polhode checker.v` and `coqc -Q . Polhode top_on_leaf.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
 From Polhode Require Import checker.
@@ -49,7 +50,7 @@ Proof. vm_cast_no_check (eq_refl true). Qed.
 Lemma kept : is_zero (rate zf G) = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
-Theorem equilibrium_is_stable : forall eps, 0 < eps -> exists del, 0 < del /\
+Theorem equilibrium_is_stable_on_its_leaf : forall eps, 0 < eps -> exists del, 0 < del /\
   forall (x1 x2 x3 : R -> R) (T : R),
   (forall t, 0 <= t <= T -> derivable_pt_lim x1 t (f1 (x1 t) (x2 t) (x3 t))) ->
   (forall t, 0 <= t <= T -> derivable_pt_lim x2 t (f2 (x1 t) (x2 t) (x3 t))) ->
@@ -68,4 +69,4 @@ Proof.
   { rewrite reads3; exact (s3 r hr). }
   apply still_beyond; simpl; lia.
 Qed.
-Print Assumptions equilibrium_is_stable.
+Print Assumptions equilibrium_is_stable_on_its_leaf.

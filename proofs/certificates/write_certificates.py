@@ -1,6 +1,7 @@
 """Write the certificates in this folder: `python proofs/certificates/write_certificates.py`.
 
-Each is what `ph.stability(system, point).certificate.write_proof(path)` writes. A test compares them with these files.
+Each is what `polhode.certificates.write_proof` writes of
+`ph.stability(system, point).certificate.as_rational("decimal")`. A test compares them with these files.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ FOLDER = Path(__file__).parent
 BODY = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
 TOP = ph.systems.HeavyTop((1.0, 2.0, 3.0), 1.0)
 LAGRANGE = ph.systems.HeavyTop((1.0, 1.0, 0.5), 1.0)
-HULL = ph.systems.Kirchhoff((1.0, 2.0, 3.0, 3.0, 2.0, 1.0))
+HULL = ph.systems.Kirchhoff((1.0, 2.0, 4.0, 4.0, 2.0, 1.0))
 FOUR = ph.systems.Manakov((1.0, 2.0, 3.0, 4.0))
 
 
@@ -68,7 +69,7 @@ CASES = {
 def certificates(names: list[str] | None = None) -> dict[str, RationalCertificate]:
     """Return the certificates by name, computed anew."""
     wanted = {name: CASES[name] for name in names or CASES}
-    return {name: ph.stability(system, np.array(point), *integrals).certificate.as_rational()
+    return {name: ph.stability(system, np.array(point), *integrals).certificate.as_rational("decimal")
             for name, (system, point, *integrals) in wanted.items()}  # fmt: skip
 
 

@@ -1,17 +1,21 @@
 from . import algebra as algebra
 from . import analysis as analysis
+from . import celestial as celestial
 from . import errors as errors
 from . import estimation as estimation
+from . import fields as fields
 from . import figures as figures
 from . import formats as formats
 from . import integrators as integrators
+from . import judging as judging
 from . import kinds as kinds
 from . import motion as motion
 from . import poisson as poisson
-from . import quantum as quantum
 from . import reports as reports
+from . import rolling as rolling
 from . import rotation as rotation
 from . import special as special
+from . import spectra as spectra
 from . import symbolic as symbolic
 from . import systems as systems
 from . import testing as testing
@@ -23,6 +27,8 @@ from .arrays import closed_forms as closed_forms
 from .bodies import shapes as shapes
 from .bodies.body import Body as Body
 from .bodies.body import combine as combine
+from .celestial.tumbling.study import tumble as tumble
+from .celestial.wobble.study import wobble as wobble
 from .cli.publish import publish as publish
 from .errors import FormatError as FormatError
 from .errors import InvalidInput as InvalidInput
@@ -39,12 +45,10 @@ from .motion._trajectory import Trajectory as Trajectory
 from .simulation import simulate as simulate
 from .solving import Fold as Fold
 from .solving import solve as solve
+from .spectra.study import levels as levels
+from .spectra.study import spectrum as spectrum
 from .studies.compare import compare as compare
 from .studies.fit import fit as fit
-from .studies.spectrum import levels as levels
-from .studies.spectrum import spectrum as spectrum
-from .studies.tumble import tumble as tumble
-from .studies.wobble import wobble as wobble
 from .sweeps.answers import sweep as sweep
 
 __version__: str

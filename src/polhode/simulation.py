@@ -295,6 +295,12 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
     return replace(trajectory, memory=motion.memory) if asked.resumable else trajectory
 
 
+def _completed(system: AbstractSystem) -> Outcome:
+    """Return the outcome of a run to its last time, which says what of the system's algebra is not watched."""
+    algebra = getattr(system, "algebra", None)
+    return Outcome(Ending.COMPLETED, message=getattr(algebra, "unwatched", ""))
+
+
 def _finish(system: AbstractSystem, name: str, motion: AdaptiveMotion, error: Array | None, throw: bool) -> Trajectory:
     failed = np.argwhere(~motion.successful)
     which = "" if not np.ndim(motion.successful) or not len(failed) else (
@@ -315,7 +321,7 @@ def _finish(system: AbstractSystem, name: str, motion: AdaptiveMotion, error: Ar
         said = "" if ended.all() else f"in {int(ended.sum())} of {ended.size} copies"
         outcome = Outcome(Ending.EVENT, " or ".join(names), said)
     else:
-        outcome = Outcome(Ending.COMPLETED)
+        outcome = _completed(system)
     steps, ends = {"steps": motion.steps}, motion.ends if np.ndim(motion.successful) else None
     return make_trajectory(system, motion.times, motion.states, outcome, steps, motion.received, error, ends)
 
@@ -389,7 +395,7 @@ def _by_equal_steps(
             )
         outcome = Outcome(Ending.NOT_CONVERGED, message=f"{name} failed{which}")
     else:
-        outcome = Outcome(Ending.COMPLETED)
+        outcome = _completed(own)
     if run.fine.ndim:
         status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
         ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)

@@ -15,7 +15,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import integrators
-from polhode.arrays import in_jax_numpy, is_positive, is_traced, is_tracing, refuse_single_precision
+from polhode.arrays import in_jax_numpy, is_positive, is_traced, is_tracing, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import TOLERANCE
@@ -138,7 +138,7 @@ def solve(
     """
     state, times = _check(system, state, times)
     for name, value in (("step", step), ("tolerance", tolerance)):
-        refuse_single_precision(**{name: value})
+        require_doubles(**{name: value})
         if value is not None and (jnp.ndim(value) or not (is_traced(value) or is_positive(value))):
             raise InvalidInput(f"`{name}` must be one positive finite number; got {shown(value)}.")
     every, observe = _to_save(save, len(times))
@@ -169,7 +169,7 @@ def solve(
 
 def _check(system: AbstractSystem, state: Array, times: Array) -> tuple[Array, Array]:
     refuse_other_objects(system)
-    refuse_single_precision(state=state, times=times)
+    require_doubles(state=state, times=times)
     if not is_traced(state, *jax.tree.leaves(system)):
         state = system.check_state(state)
     elif isinstance(system, AbstractLiePoissonSystem):

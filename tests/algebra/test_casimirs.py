@@ -7,7 +7,11 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+import polhode as ph
 from polhode import algebra as lie
+from polhode import fields
+from polhode.algebra._own_casimirs import find_casimirs
+from polhode.algebra.casimirs import rational_brackets
 from polhode.errors import InvalidInput
 from polhode.rational import _sparse as sparse
 from specimens import ALGEBRAS
@@ -95,9 +99,57 @@ def test_bad_input():
         lie.polynomial_casimirs(lie.SO3(), 0)
     with pytest.raises(InvalidInput, match="Lower the degree"):
         lie.polynomial_casimirs(lie.SO(8), 6)
-    irrational = lie.SO3().structure_constants() * np.sqrt(2.0)
-    with pytest.raises(InvalidInput, match="rational"):
-        lie.polynomial_casimirs(lie.from_structure_constants(irrational), 2)
+    # l = 3 harmonics have square roots as constants, whose doubles are no algebra
+    with pytest.raises(InvalidInput, match=r"must satisfy Jacobi's identity exactly .* Give them as Fractions"):
+        lie.polynomial_casimirs(fields.QuantizedSphere(3), 2)
+    with pytest.raises(InvalidInput, match='`read_as` must be "exact" or "decimal"'):
+        lie.polynomial_casimirs(lie.SO3(), 2, "short")
+
+
+def scaling(c):
+    """[e3, e1] = e1, [e3, e2] = −c e2: x1^p x2^q is a Casimir for c = p/q alone."""
+    table = np.zeros((3, 3, 3), dtype=object)
+    table[2, 0, 0], table[0, 2, 0], table[2, 1, 1], table[1, 2, 1] = 1, -1, f"-{c}" if isinstance(c, str) else -c, c
+    return table
+
+
+@pytest.mark.parametrize(("c", "read_as", "wanted"), [
+    (0.12345, "exact", []), (0.5, "exact", ["x1 x2²"]), (0.1 + 0.2, "decimal", []), (0.25, "decimal", ["x1 x2⁴"]),
+    (1 / 3, "exact", []), (1 / 3, "decimal", []), (Fraction(1, 3), "exact", ["x1 x2³"]), ("1/3", "exact", ["x1 x2³"]),
+    (0.2, "exact", []), (0.2, "decimal", ["x1 x2⁵"]), ("0.2", "exact", ["x1 x2⁵"]), (0.5 + 1e-12, "exact", []),
+], ids=str)  # fmt: skip
+def test_constants_are_the_numbers_that_are_given(c, read_as, wanted):
+    """No double is refused, and none is taken for another: .12345 "must be rational", and 0.5 + 1e-12 was 1/2."""
+    table = scaling(c) if isinstance(c, Fraction | str) else scaling(c).astype(float)
+    algebra = lie.from_structure_constants(table)
+    assert [str(f) for f in lie.polynomial_casimirs(algebra, 6, read_as)] == wanted
+    assert np.array_equal(algebra.constants, scaling(float(Fraction(c))).astype(float))
+
+
+def test_rounded_constants_are_the_simple_fractions_near_them():
+    """Those of su(4) have thirds, and as doubles no Jacobi identity."""
+    assert rational_brackets(lie.SU(4))[0][1] and all(
+        value.denominator <= 6 for row in rational_brackets(lie.SU(4)) for v in row for value in v.values())
+    wrong = lie.SU(3).structure_constants().copy()
+    wrong[0, 1, 2] += 5e-13
+    wrong[1, 0, 2] -= 5e-13
+    with pytest.raises(InvalidInput, match="up to rounding only"):
+        lie.polynomial_casimirs(lie.from_structure_constants(wrong), 2)
+
+
+def test_a_run_says_which_casimirs_it_cannot_watch(monkeypatch):
+    def outcome(c, **options):
+        algebra = lie.from_structure_constants(scaling(c).astype(float), **options)
+        return str(ph.simulate(ph.systems.LiePoisson(algebra, lambda m: m[2] ** 2 / 2 + m[0]), [1.0, 1.0, 0.3],
+                               [0.0, 0.1]).outcome)  # fmt: skip
+
+    assert outcome(0.5) == "successful" == outcome(0.12345, casimirs=[])
+    assert outcome(0.12345) == ("successful: 0 of 1 Casimirs are watched: no polynomial of degree ≤ 4 is another; "
+                                "give others by `casimirs=`")  # fmt: skip
+    monkeypatch.setitem(sys.modules, "flint", None)
+    find_casimirs.cache_clear()
+    assert "0 of 1 Casimirs are watched: Exact Casimirs and integrals need python-flint, which" in outcome(0.5)
+    find_casimirs.cache_clear()
 
 
 @pytest.mark.long
@@ -172,9 +224,8 @@ def test_functions_that_are_no_casimirs_are_refused(casimirs, words):
         lie.from_structure_constants(ENGEL, casimirs=casimirs)
 
 
-def test_without_flint_or_simple_fractions_none_are_watched(monkeypatch):
-    irrational = lie.from_structure_constants(ENGEL * np.sqrt(2.0))
-    assert irrational.casimir_names == () and irrational.casimirs(np.ones((3, 4))).shape == (3, 0)
+def test_without_flint_none_are_watched(monkeypatch):
+    assert len(lie.from_structure_constants(ENGEL * np.sqrt(2.0)).casimir_names) == 2
     monkeypatch.setitem(sys.modules, "flint", None)
     assert lie.from_structure_constants(3.0 * ENGEL).casimir_names == ()
     assert lie.from_structure_constants(3.0 * ENGEL, casimirs=[square]).casimir_names == ("C1",)

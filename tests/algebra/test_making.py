@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from polhode import algebra as lie
-from polhode import systems
+from polhode import fields, systems
 from polhode.errors import InvalidInput
 
 EPSILON = lie.SO3().structure_constants()
@@ -27,7 +27,7 @@ def changed(index, value):
     [
         (changed((0, 1, 2), -1.0), r"c\[0,1,2\] = -1 and c\[1,0,2\] = -1"),
         (np.zeros((2, 3, 3)), "shape"),
-        ([["a"]], "real numbers"),
+        ([["a"]], "must be numbers; got 'a'"),
         (changed((0, 1, 2), np.nan), "finite"),
         (np.ones((3, 3)), "shape"),
     ],
@@ -120,7 +120,7 @@ def test_weights_are_the_strengths_of_vortices():
 
     x = np.random.default_rng(1).normal(size=(3, 3))
     x /= np.linalg.norm(x, axis=-1, keepdims=True)
-    wanted = systems.SphereVortices(strengths).vector_field(0.0, strengths[:, None] * x) / strengths[:, None]
+    wanted = fields.SphereVortices(strengths).vector_field(0.0, strengths[:, None] * x) / strengths[:, None]
     moved = {signs: systems.LiePoisson(lie.Power(lie.SO3(), 3, strengths * signs), energy, sign=1).vector_field(0.0, x)
              for signs in (1.0, 2.0)}  # fmt: skip
     np.testing.assert_allclose(moved[1.0], wanted, atol=1e-14)

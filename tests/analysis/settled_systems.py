@@ -9,6 +9,7 @@ import numpy as np
 
 from analysis.random_systems import PolynomialSystem, Specimen, commutator_constants, twice, twists
 from polhode import algebra as lie
+from polhode import fields
 
 PLACES = ("regular", "singular", "near")
 NEAR = (-6.0, -1.0)  # decimal logarithms of the distance from a singular point
@@ -47,7 +48,7 @@ SETTLED = {
         [unit(3, (0, 1)), unit(3, (1, 2)), unit(3, (0, 2))])), [0, 1]),
     "Heisenberg of two": (lie.Heisenberg(2), commutator_constants(np.array(
         [unit(4, (0, 1)), unit(4, (0, 2)), unit(4, (1, 3)), unit(4, (2, 3)), unit(4, (0, 3))])), [0, 1, 2, 3]),
-    "bidiagonal": (lie.Bidiagonal(3), constants_of(
+    "bidiagonal": (fields.Bidiagonal(3), constants_of(
         5, (0, 3, 3, -1.0), (1, 3, 3, 1.0), (1, 4, 4, -1.0), (2, 4, 4, 1.0)), [0, 1, 2, 3]),
     "Engel": (lie.from_structure_constants(ENGEL), ENGEL, [0, 1]),
     "se(2) ⊕ affine": (lie.Product(lie.SE2(), lie.AffineLine()), None, [0, 1, 2, 3]),

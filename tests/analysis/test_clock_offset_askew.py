@@ -67,6 +67,7 @@ def calibrated(found):
     return 0.7 < np.sqrt(np.mean(found**2)) < 1.4 and np.abs(found).max() < 3.5
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("askew", [1e-2, 5e-2])
 def test_a_sensor_that_sits_askew_does_not_move_it(askew):
     """With 10 mrad on each axis it was off by up to 13 of its errors, by 8 rms; with 50 mrad some were refused."""

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from polhode import FreeMotion, InvalidInput, LagrangeMotion, rotation
+from polhode.analysis import AttitudeHistory, Mechanics, compare
 from polhode.analysis.alignment import fit_alignment, mean_quaternion
-from polhode.analysis.comparison import AttitudeHistory, Mechanics, compare
 
 EXACT = 1e-12  # rad, rad/s and relative: rounding of a few quaternion products
 MOTION = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.5, 0.5))

@@ -90,3 +90,21 @@ def test_branches_that_cross_and_fold():
 def test_what_is_no_family_is_refused(make, limits, words):
     with pytest.raises(InvalidInput, match=words):
         ph.analysis.continue_equilibria(make, limits, jnp.array([0.0, 0.0, 1.0]))
+
+
+@pytest.mark.long
+def test_a_circle_of_equilibria_is_no_pitchfork():
+    """On sl(2) ½h² + e² + f² is half the Casimir h² + 4ef plus (e − f)²: all of h² + 4e² = C, e = f, is at rest."""
+    c = np.zeros((3, 3, 3))
+    for i, j, k, value in ((0, 1, 1, 2.0), (0, 2, 2, -2.0), (1, 2, 0, 1.0)):
+        c[i, j, k], c[j, i, k] = value, -value
+    sl2 = ph.algebra.from_structure_constants(c)
+    found = ph.analysis.continue_equilibria(
+        lambda p: ph.systems.LiePoisson(sl2, lambda m: 0.5 * m[0] ** 2 + p * m[1] ** 2 + m[2] ** 2), (0.2, 3.0),
+        [0.0, 1.0, 1.0],
+    )  # fmt: skip
+    (circle,) = found.bifurcations
+    assert circle.kind == "circle" and circle.value == pytest.approx(1.0, abs=1e-9)
+    assert circle.branches == (0, 1, 2, 3)
+    h, e, f = circle.point
+    assert (e - f, h**2 + 4 * e * f) == pytest.approx((0.0, 4.0), abs=1e-8)

@@ -185,6 +185,7 @@ def test_bad_input(call, words):
         call(systems.FreeRigidBody((1.0, 2.0, 3.0)))
 
 
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("power", [3, 4])
 def test_degenerate_equilibria_are_found_as_exactly_as_others(power):
     """H = z²/2 + xⁿ on the sphere: at (0, ±1, 0) Newton's method comes nearer by equal factors, and stops before."""

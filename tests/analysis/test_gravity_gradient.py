@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from polhode.analysis import libration_period, orbital_equilibria, orbiting_body, spinning_equilibria
+from polhode.analysis import orbital_equilibria, orbiting_body, spinning_equilibria
 from polhode.analysis.gravity_gradient import CYLINDRICAL, DEBRA_DELP, GYROSCOPIC, LAGRANGE, STATIC, UNSTABLE
+from polhode.celestial import SpinOrbit, libration_period
 from polhode.errors import InvalidInput
-from polhode.systems import KeplerOrbit, SpinOrbit
+from polhode.systems import KeplerOrbit
 
 GM = 3.986004418e14
 GEOSAT = (85.0, 2530.0, 2530.0)

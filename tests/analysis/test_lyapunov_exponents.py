@@ -80,7 +80,7 @@ def test_regular_motion_is_not_told_from_zero(system, state):
 @pytest.mark.long
 def test_a_chain_whose_ends_are_free_comes_to_rest_by_the_gaps_of_its_spectrum():
     """Particles of Toda's chain fly apart with the eigenvalues of L (Moser 1975); couplings vanish as e^−gap t."""
-    system, start = ph.systems.Toda(3), np.array([0.5, -0.2, 0.3, 0.8, 1.2])
+    system, start = ph.fields.Toda(3), np.array([0.5, -0.2, 0.3, 0.8, 1.2])
     found = lyapunov(system, start, (0.0, 100.0))
     values = np.linalg.eigvalsh(np.diag(start[:3]) + np.diag(start[3:], 1) + np.diag(start[3:], -1))
     gaps = np.sort(np.diff(values))

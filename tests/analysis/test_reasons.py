@@ -6,7 +6,7 @@ import pytest
 
 import polhode as ph
 from analysis.test_certificates import UNDECIDED, borel, e1, e3, fluid
-from polhode import analysis, systems
+from polhode import analysis, rolling, systems
 from polhode.analysis import _reasons as reasons
 from polhode.analysis.energy_casimir import energy_casimir
 from polhode.analysis.first_method import first_method
@@ -79,7 +79,7 @@ def test_restrictions_name_what_they_leave_out():
     top = systems.BodyInPotential((1.0, 1.0, 0.5), lambda up: up[2])
     tilted = np.array([0.0, 0.0, 0.0, 0.0, 0.0, -1.0])
     assert ph.stability(top, tilted).restricted is None
-    disk = systems.EulerDisk(mass=1.0, radius=1.0, gravity=3.0)
+    disk = rolling.EulerDisk(mass=1.0, radius=1.0, gravity=3.0)
     found = ph.stability(disk, disk.rolling_state(np.pi / 2, 0.0, 1.01))
     assert found.restricted is not None and found.restricted.without == ("heading", "place")
     assert found.restriction == "in tilt and rates, not in heading and place"

@@ -8,6 +8,7 @@ import pytest
 import polhode as ph
 from polhode import systems
 from polhode.errors import InvalidInput, NotConverged
+from polhode.taylor import runs
 
 MOMENTS, MOMENTUM = (1.0, 2.0, 3.5), np.array([0.3, 2.0, 0.1])
 BODY = systems.FreeRigidBody(MOMENTS)
@@ -29,12 +30,15 @@ def test_a_free_body_crosses_twice_a_period(direction, forth):
     assert direction == "either" or (np.sign(later) == (1.0 if direction == "rising" else -1.0)).all()
 
 
-def test_zeros_close_together_and_many():
-    """Zeros of cos 40t, ninety to a step of the body; and the search ends when enough are found."""
-    found = ph.section(BODY, MOMENTUM, lambda t, point: jnp.cos(40.0 * t) + 0.0 * point[0], (0.0, 30.0), "either")
+@pytest.mark.parametrize(("until", "room"), [(3.0, 8), pytest.param(30.0, runs.FIRST_HITS, marks=pytest.mark.long)])
+def test_zeros_close_together_and_many(until, room, monkeypatch):
+    """Zeros of cos 40t, up to ninety to a step of the body, more than room is made for; and few, where so many do."""
+    monkeypatch.setattr(runs, "FIRST_HITS", room)
+    waves = lambda t, point: jnp.cos(40.0 * t) + 0.0 * point[0]  # noqa: E731
+    found = ph.section(BODY, MOMENTUM, waves, (0.0, until), "either")
     assert found.times == pytest.approx((np.arange(len(found.times)) + 0.5) * np.pi / 40.0, rel=1e-12)
-    assert len(found.times) == int(30.0 * 40.0 / np.pi + 0.5)
-    few = ph.section(BODY, MOMENTUM, lambda t, point: jnp.cos(40.0 * t) + 0.0 * point[0], (0.0, 30.0), "either", most=7)
+    assert len(found.times) == int(until * 40.0 / np.pi + 0.5) > room
+    few = ph.section(BODY, MOMENTUM, waves, (0.0, until), "either", most=7)
     assert (few.times == found.times[:7]).all() and few.states.shape == (7, 3)
 
 

@@ -67,14 +67,22 @@ def test_many_points_of_every_kind(name):
 
 
 @pytest.mark.long
-def test_a_leaf_of_one_point_says_so():
+def test_a_leaf_of_one_point_says_so(monkeypatch):
     """Lyapunov's stability is proved on the leaf, and for all neighbours where the group is compact."""
     weights = jnp.arange(1.0, 4.0)
-    for algebra, point in ((Heisenberg(1), [1.0, 1.0, 0.0]), (SE2(), [1.0, 0.0, 0.0])):
-        found = ph.stability(ph.systems.LiePoisson(algebra, lambda m: 0.5 * jnp.sum(weights * m**2)), point)
-        assert found.verdict == "undecided" and isinstance(found.reason, LeafIsPoint)
-        assert "leaves nearby are larger" in found.certificate and "not held by it" in found.words
+    energy = lambda m: 0.5 * jnp.sum(weights * m**2)  # noqa: E731
+    found = ph.stability(ph.systems.LiePoisson(Heisenberg(1), energy), [1.0, 1.0, 0.0])
+    assert found.verdict == "undecided" and isinstance(found.reason, LeafIsPoint)
+    assert "leaves nearby are larger" in found.certificate and "not held by it" in found.words
+    # |P|² is zero at this point alone of its level of the energy: neighbours cannot leave, as motions show
+    system = ph.systems.LiePoisson(SE2(), energy)
+    assert ph.stability(system, [1.0, 0.0, 0.0]).verdict == "stable"
+    run = ph.simulate(system, [1.0, 1e-3, 0.0], np.linspace(0.0, 50.0, 101))
+    assert np.abs(run.states - [1.0, 0.0, 0.0]).max() < 2e-3
     # L turns about dH with |L| kept
+    found = ph.stability(ph.systems.LiePoisson(SO3(), lambda m: m @ weights), np.zeros(3))
+    assert found.verdict == "stable" and "second variation of |L|² is positive definite" in found.certificate
+    monkeypatch.setattr("polhode.analysis._exact_functions.MOST_COORDINATES", 0)  # by doubles the leaf alone decides
     found = ph.stability(ph.systems.LiePoisson(SO3(), lambda m: m @ weights), np.zeros(3))
     assert found.verdict == "stable" and "the group is compact" in found.certificate
     constants = np.zeros((2, 2, 2))

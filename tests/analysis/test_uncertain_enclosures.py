@@ -74,7 +74,7 @@ def test_no_ball_is_found_where_there_are_several_solutions():
 
 @pytest.mark.sweep
 def test_a_moon_in_an_eccentric_orbit_is_where_mpmath_says():
-    moon = ph.systems.SpinOrbit(0.26, 0.1, 1.0)
+    moon = ph.celestial.SpinOrbit(0.26, 0.1, 1.0)
     start = np.array([0.2, 1.1])
     found = ph.certify(moon, start, [0.0, 0.5])
     with mpmath.workdps(30):
@@ -107,5 +107,5 @@ def test_limits_that_are_none_are_refused(more, words):
 
 def test_orbits_of_two_eccentricities_are_refused():
     with pytest.raises(InvalidInput, match="the same eccentricity"):
-        ph.certify(ph.systems.SpinOrbit(0.26, 0.1, 1.0), [0.2, 1.1], [0.0, 1.0],
-                   other=ph.systems.SpinOrbit(0.26, 0.2, 1.0))  # fmt: skip
+        ph.certify(ph.celestial.SpinOrbit(0.26, 0.1, 1.0), [0.2, 1.1], [0.0, 1.0],
+                   other=ph.celestial.SpinOrbit(0.26, 0.2, 1.0))  # fmt: skip

@@ -10,8 +10,8 @@ from scipy.spatial.transform import Rotation
 import polhode as ph
 from polhode.bodies._digits import last_digit
 from polhode.bodies.atoms import isotopic_masses
-from polhode.quantum import Rotor
-from polhode.quantum._level_polhodes import level_polhodes
+from polhode.spectra import Rotor
+from polhode.spectra._level_polhodes import level_polhodes
 
 ANGSTROM = 1e-10
 

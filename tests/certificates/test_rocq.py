@@ -7,11 +7,13 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
+import jaxtyping
 import numpy as np
 import pytest
 
 import polhode as ph
-from certificates.test_exact import ALTERED, BODY, TOP, UPRIGHT, judge
+from certificates.test_exact import ALTERED, BODY, TOP, UPRIGHT, exact, judge
+from polhode.certificates import check_by_z3, write_proof
 from polhode.certificates._rocq import THEORY, proof_text, theory
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
@@ -63,7 +65,7 @@ def workshop(tmp_path_factory):
 @with_prover
 def test_rocq_accepts_a_fresh_certificate(workshop):
     body = ph.systems.FreeRigidBody((0.9, 1.3, 1.7))
-    judge(body, [0.0, 0.0, 0.7]).certificate.write_proof(workshop / "fresh.v")
+    write_proof(exact(body, [0.0, 0.0, 0.7]), workshop / "fresh.v")
     found = compile_file(workshop, "fresh.v")
     assert found.returncode == 0 and "Axioms" in found.stdout, found.stderr
 
@@ -77,23 +79,30 @@ def test_rocq_refuses_altered_certificates(name, workshop):
 
 
 def test_a_file_says_what_it_proves(tmp_path):
-    path = judge(TOP, UPRIGHT).certificate.write_proof(tmp_path / "upright.v")
+    path = write_proof(exact(TOP, UPRIGHT), tmp_path / "upright.v")
     text = path.read_text("utf-8")
     assert "(0, 0, 12, 0, 0, 1) is stable" in text and "Theorem equilibrium_is_stable" in text
     assert (tmp_path / THEORY).read_text("utf-8") == theory()
-    judge(BODY, [0, 1, 0]).certificate.write_proof(tmp_path / "middle.v")
+    write_proof(exact(BODY, [0, 1, 0]), tmp_path / "middle.v")
     assert "Theorem equilibrium_is_unstable" in (tmp_path / "middle.v").read_text("utf-8")
 
 
 @pytest.mark.parametrize("name", ["proof.txt", "1.v", "two words.v", THEORY])
 def test_names_that_are_no_modules_are_refused(name, tmp_path):
     with pytest.raises(InvalidInput, match=r"must be named like top_1\.v"):
-        judge(BODY, [0, 0, 1]).certificate.write_proof(tmp_path / name)
+        write_proof(exact(BODY, [0, 0, 1]), tmp_path / name)
+
+
+@pytest.mark.parametrize("prove", [check_by_z3, lambda certificate: write_proof(certificate, "top_1.v")])
+def test_the_sentence_of_a_verdict_is_no_exact_certificate(monkeypatch, prove):
+    monkeypatch.setattr(jaxtyping.config, "jaxtyping_disable", True)
+    with pytest.raises(InvalidInput, match=r"must be a RationalCertificate; got .* Make one by `as_rational\(\)`"):
+        prove(judge(BODY, [0, 0, 1]).certificate)
 
 
 def test_an_altered_certificate_is_not_written(tmp_path):
     with pytest.raises(InvalidInput, match="must prove its verdict"):
-        ALTERED["a weight"]().write_proof(tmp_path / "wrong.v")
+        write_proof(ALTERED["a weight"](), tmp_path / "wrong.v")
     assert not list(tmp_path.iterdir())
 
 

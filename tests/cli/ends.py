@@ -9,14 +9,13 @@ import re
 import shutil
 
 import numpy as np
-from typer.main import get_command
 
 import polhode as ph
-from polhode.cli.commands import app
+from registered import every_command
 from spec.ends import NUMBERS, TEXTS, WHOLES
 from spec.mutations import EXAMPLES
 
-COMMANDS = get_command(app).commands
+COMMANDS = every_command()
 FREE = """
 [body]
 moments = ["1 kg*m^2", "2 kg*m^2", "3 kg*m^2"]

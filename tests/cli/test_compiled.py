@@ -13,7 +13,7 @@ PROGRAM = """
 import os
 from polhode.cli.compiled import keep_compiled
 keep_compiled()
-import jax, diffrax
+import jax, diffrax, polhode.algebra
 rates = diffrax.ODETerm(lambda t, y, args: -y)
 times = diffrax.SaveAt(ts=jax.numpy.array([0.5, 1.0]))
 solve = jax.jit(lambda y: diffrax.diffeqsolve(rates, diffrax.Heun(), 0.0, 1.0, 0.1, y, saveat=times, throw=False).ys)
@@ -46,7 +46,7 @@ def run(program, cache, **more):
 
 
 def kept(cache):
-    return {path: path.stat().st_mtime_ns for path in cache.glob("**/compiled/*/*-cache")}
+    return {path: path.stat().st_ino for path in cache.glob("**/compiled/*/*-cache")}
 
 
 @pytest.fixture(scope="module")
@@ -69,9 +69,11 @@ def test_what_is_compiled_is_kept_even_a_solver_with_checks(filled):
 def test_what_is_broken_or_cannot_be_written_is_compiled_again_in_silence(filled, tmp_path):
     said, cache = filled
     shutil.copytree(cache, tmp_path / "good")
-    for path in kept(tmp_path / "good"):
+    broken = kept(tmp_path / "good")
+    for path in broken:
         path.write_bytes(path.read_bytes()[:40])
     assert run(PROGRAM, tmp_path / "good") == said
+    assert all(path.stat().st_size > 40 for path in broken)
     (tmp_path / "file").write_text("")
     assert run(PROGRAM, tmp_path / "file") == said
 
@@ -95,11 +97,31 @@ def test_the_compiler_knows_the_flags_and_the_users_own_win(tmp_path):
     assert run(FLAGS, tmp_path, XLA_FLAGS=own).strip() == own
 
 
-def test_a_compiler_that_may_not_know_the_flags_is_not_given_them(tmp_path):
-    """It would end the process."""
-    program = FLAGS.partition("import jax\n")[0]
-    assert "optimization_level" in run(program, tmp_path)
-    assert run("import jaxlib.version; jaxlib.version.__version__ = '0.99.0'" + program, tmp_path).strip() == ""
+COUNTED = """
+import os, subprocess
+from polhode.cli import compiled
+run, trials = subprocess.run, []
+subprocess.run = lambda *args, **kwargs: trials.append(1) or run(*args, **kwargs)
+compiled.compile_quickly((compiled.QUICKLY[0], "--xla_flag_of_another_release=1"))
+print(os.environ.get("XLA_FLAGS"), len(trials))
+"""
+
+
+@pytest.mark.long
+def test_a_flag_that_the_compiler_does_not_know_is_left_out(tmp_path):
+    """It would end the process. Which these are is asked once."""
+    known = "--xla_backend_optimization_level=1"
+    assert run(COUNTED + "import jax; jax.jit(lambda x: x + 1.0)(1.0)", tmp_path).split() == [known, "3"]
+    assert run(COUNTED, tmp_path).split() == [known, "0"]
+    (kept,) = (tmp_path / "polhode" / "flags").iterdir()
+    for damaged in ("", "--xla_dump_to=/"):  # without its seal
+        kept.write_text(damaged)
+        assert run(COUNTED, tmp_path).split() == [known, "3"]
+
+
+def test_a_compiler_that_cannot_be_remembered_is_given_no_flags(tmp_path):
+    (tmp_path / "file").write_text("")
+    assert run(COUNTED, tmp_path / "file").split() == ["None", "0"]
 
 
 UNITS = """

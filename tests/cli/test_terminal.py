@@ -5,12 +5,13 @@ import os
 import re
 import subprocess
 import sys
+import threading
 
 import pytest
 
 from cli.specs import SPEC
 from polhode.cli.main import main
-from polhode.cli.terminal import in_ascii
+from polhode.cli.terminal import in_ascii, say_if_long
 from sweeping import first
 
 WAIT = 120  # s, of a command in a process of its own
@@ -97,3 +98,17 @@ def test_names_of_files_that_are_not_utf8(spec, tmp_path, capfd):
 
 def test_signs_have_names_in_ascii():
     assert in_ascii("−1.5 kg m² ≥ 30°, Ω·L, µ, naïve, 人") == "-1.5 kg m^2 >= 30 deg, Omega*L, u, naive, \\u4eba"
+
+
+def test_a_command_that_takes_long_says_what_it_does(capsys):
+    """Fits took half a minute and judgements a minute without a word."""
+    with say_if_long("it waits", after=0.0):
+        for thread in threading.enumerate():
+            if isinstance(thread, threading.Timer):
+                thread.join(10.0)
+    with say_if_long("it is quick", after=60.0):
+        pass
+    said = capsys.readouterr()
+    assert said.err == "polhode: it waits; Ctrl-C ends it\n" and not said.out
+    assert not any(isinstance(thread, threading.Timer) and not thread.finished.is_set() for thread in
+                   threading.enumerate())  # fmt: skip

@@ -11,7 +11,7 @@ import pytest
 
 import polhode as ph
 from polhode import algebra as lie
-from polhode import systems
+from polhode import fields, systems
 from polhode.integrators import (
     IsospectralMidpoint,
     LieMidpoint,
@@ -35,7 +35,7 @@ eight = systems.LiePoisson(lie.SU(3), in_su3)
 pair = systems.LiePoisson(lie.Power(lie.SO3(), 2), spins)
 TURNED = np.array([0.5, -0.5, 0.1, 0.7]) / np.linalg.norm([0.5, -0.5, 0.1, 0.7])
 RNG = np.random.default_rng(3)
-toda = systems.Toda(4)
+toda = fields.Toda(4)
 SYSTEMS = {"body": body, "top": top, "fish": fish, "four": four, "eight": eight, "pair": pair,
            "toda": toda}  # fmt: skip
 STARTS = {

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from polhode.course.exercises import Chapter, Choice, Exercise, chapter_names, evaluate, read_chapter
+from polhode.course.responses import respond, wanted_digits
 
 COURSE = Path(__file__).parents[2] / "learn"
 SEEDS, MANY = 5, 200
@@ -35,9 +36,9 @@ def faults_of(exercise, seeds):
             faults.append(f"{seed}: not finite: {known}, {check}")
         elif abs(answer - check) > 1e-9 * abs(answer):
             faults.append(f"{seed}: polhode says {answer}, the second way {check}")
-        elif any(question.respond_to(repr(value)) != hint for value, hint in question.mistakes):
+        elif any(question.respond_to(f"{value:.15e}") != hint for value, hint in question.mistakes):
             faults.append(f"{seed}: a mistake is told as something else: {known}")
-        elif question.respond_to(repr(answer)) != "Right." or PLACE.search(question.text + question.solution):
+        elif question.respond_to(f"{answer:.15e}") != "Right." or PLACE.search(question.text + question.solution):
             faults.append(f"{seed}: {question}")
     return faults
 
@@ -99,7 +100,59 @@ def test_a_choice_has_one_right_option():
         Chapter.model_validate({"title": "t", "exercise": [SPECIMEN, SPECIMEN]})
 
 
-ANSWERS = ("1", " 1,5 ", "−2", "x", "", "1e3", "nan", "0", "-0.4")
+ANSWERS = ("1", " 1,5 ", "−2", "x", "", ".", "e5", "1e3", "nan", "0", "-0.4", "1_000", "0x10", "Infinity", "1200",
+           "0.0050")  # fmt: skip
+REFUSED_AT_TWO_DIGITS = 0.06
+"""Of right answers: those that a mistake has too, to two digits, for which more are asked. It was 0.52."""
+
+
+def rounded(value, digits):
+    """Return a number as people write it to so many digits."""
+    mantissa, power = f"{value:.{digits - 1}e}".split("e")
+    power = int(power)
+    if not -4 <= power < 6:
+        return f"{mantissa}e{power}"
+    return f"{value:.{digits - 1 - power}f}" if power < digits else str(round(float(f"{mantissa}e{power}")))
+
+
+@pytest.mark.long
+def test_right_answers_are_right_to_the_digits_that_are_typed():
+    """Two digits count, unless a mistake has the same two; as many as are asked for always do."""
+    counts = {"all": 0, "refused": 0, "false": 0}
+    for _, exercise in EXERCISES:
+        for seed in range(3):
+            question = exercise.draw(seed)
+            said = question.respond_to(rounded(question.answer, 2))
+            counts["all"] += 1
+            counts["refused"] += not said.startswith("Right")
+            counts["false"] += not said.startswith(("Right", "To these digits other answers look alike: give "))
+            wanted = rounded(question.answer, wanted_digits(question.tolerance))
+            assert question.respond_to(wanted).startswith("Right"), (exercise.name, wanted)
+            far = rounded(1.5 * question.answer, 2)
+            assert not question.respond_to(far).startswith("Right"), (exercise.name, far)
+    assert counts["false"] == 0 and counts["refused"] < REFUSED_AT_TWO_DIGITS * counts["all"]
+
+
+@pytest.mark.parametrize(("typed", "said"), [
+    ("4.0098", "Right."), ("4.01", "Right."), ("4,01", "Right."),
+    ("4.0", "To these digits other answers look alike: give 4."),
+    ("4", "Divide by the cosine."), ("4.000", "Divide by the cosine."), ("4.02", "Too large."), ("3.9", "Too small."),
+    ("-4.01", "The sign is wrong."), ("-4.0", "The sign is wrong."), ("-7", "Check the sign."), ("4.1", "Too large."),
+])  # fmt: skip
+def test_an_answer_that_rounds_to_a_mistake_is_not_called_one(typed, said):
+    assert respond(typed, 4.0098, [(4.0, "Divide by the cosine.")], 0.001) == said
+
+
+@pytest.mark.parametrize(("typed", "said"), [
+    ("200", "To these digits other answers look alike: give 4."), ("199", "Right."), ("200.0", "Subtract 1."),
+    ("2.0e2", "To these digits other answers look alike: give 4."), ("210", "Too large."), ("2", "Too small."),
+])  # fmt: skip
+def test_zeros_at_the_end_of_a_whole_number_say_little(typed, said):
+    assert respond(typed, 199.0, [(200.0, "Subtract 1.")], 0.0008) == said
+
+
+def test_one_digit_is_not_enough():
+    assert respond("2", 2.04, [], 0.005) == "Give 3 digits." and respond("2.0", 2.04, [], 0.005) == "Right to 2 digits."
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="needs node")
@@ -118,3 +171,25 @@ def test_the_page_responds_as_python_does():
     run = subprocess.run(["node", "-e", script], capture_output=True, text=True, check=True)
     assert json.loads(run.stdout) == expected
     assert len(set(expected)) > 5
+
+
+SEARCHES = {
+    "": 0, "?": 0, "?seed": 0, "?seed=": 0, "?seed=7": 7, "?seed=7&seed=9": 7, "?other=3": 0, "?seed=0007": 7,
+    "?seed=1e3": 1000, "?seed=-1": 0, "?seed=2.5": 0, "?seed=1e300": 0, "?seed=NaN": 0, "?seed=Infinity": 0,
+    "?seed=__proto__": 0, "?seed=9007199254740993": 0, "?__proto__[seed]=5": 0, "?seed=%E0%A4%A": 0, "?seed=7%": 0,
+    "?seed=\u0667": 0,
+}  # fmt: skip
+"""What stands behind the question mark of a course page's address, and the set of numbers that is shown."""
+HASHES = {"": "", "two-surfaces": "two-surfaces", "a%20b": "a b", "%E0%A4%A": "", "%": "", "__proto__": "__proto__"}
+"""What stands behind the # of such an address, and the name that is looked for."""
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs node")
+def test_addresses_of_course_pages_break_nothing():
+    script = (
+        f"const {{ named, seedOf }} = require({json.dumps(str(COURSE / '_static' / 'exercises.js'))});"
+        f"const seeds = {json.dumps(list(SEARCHES))}.map(seedOf), names = {json.dumps(list(HASHES))}.map(named);"
+        "console.log(JSON.stringify([seeds, names, Object.keys(Object.prototype)]))"
+    )
+    run = subprocess.run(["node", "-e", script], capture_output=True, text=True, check=True)
+    assert json.loads(run.stdout) == [list(SEARCHES.values()), list(HASHES.values()), []]

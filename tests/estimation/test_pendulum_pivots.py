@@ -57,6 +57,7 @@ def test_two_pivots_leave_every_place_that_fits(pivots, place, moment):
     assert f"{place:.4g} m ({moment:.4g} kg m²)" in str(refused.value)
 
 
+@pytest.mark.long_after(6)
 @pytest.mark.parametrize("error", [1e-12, 1e-6, 1e-3])
 @pytest.mark.parametrize(
     ("pivots", "place"),
@@ -71,6 +72,7 @@ def test_places_that_lie_evenly_between_pivots(pivots, place, error):
     np.testing.assert_allclose(fit.moments.value, 0.012, atol=1e-9)
 
 
+@pytest.mark.long
 def test_three_pivots_at_random():
     draw, hits = np.random.default_rng(7), 0
     for _ in range(60):
@@ -89,6 +91,7 @@ def test_three_pivots_at_random():
     assert hits > 25
 
 
+@pytest.mark.long
 def test_errors_of_a_place_cover_it():
     draw, off = np.random.default_rng(3), []
     for _ in range(60):
@@ -128,6 +131,7 @@ def test_a_heavy_jig_reaches_farther_than_its_period_as_a_simple_pendulum(place)
     assert fit.combined.value[0] == pytest.approx(0.004, abs=1e-8)
 
 
+@pytest.mark.long
 def test_a_place_at_the_pivot_of_a_jig_with_errors():
     jig = Jig(Measured(2.0), Measured(0.11), distance=Measured(0.22))
     draw = np.random.default_rng(4)

@@ -12,7 +12,7 @@ from polhode.estimation import Window, clean_log, fit_throw
 from polhode.estimation._principal import explain_undetermined
 from polhode.estimation._throw_fit import Model, Throw, fit_model
 from polhode.estimation._throw_models import free_rates, integrate_forced
-from polhode.estimation._throw_search import AIR, Start
+from polhode.estimation._throw_search import AIR, LEAST_PART, Start, _count_parts
 from polhode.estimation._unmodelled import allow_for_unmodelled
 from polhode.estimation.flight import Flights
 from polhode.figures.throw_figure import throw_figures
@@ -366,6 +366,15 @@ def test_noisy_rates_all_around_are_not_called_a_steady_spin():
     rates = np.array([[5.0, 0.0, 0.0], [4.0, 5.0, 0.0], [4.0, -5.0, 0.0]])
     assert "principal axis" not in explain_undetermined([rates], None) and "51°" in explain_undetermined([rates], None)
     assert "principal axis" in explain_undetermined([rates[:1]], None)
+    assert "with a tumble about its middle axis" in explain_undetermined([rates], None)
+
+
+@pytest.mark.parametrize(("over", "advised"), [(89.0, True), (91.0, False)])
+def test_a_body_that_turned_over_is_not_told_to(over, advised):
+    # as far on either side of the third axis, and longest along it
+    angles = np.radians([-over, over, *[0.0] * 50])
+    rates = 5.0 * np.stack([np.sin(angles), 0.0 * angles, np.cos(angles)], axis=1)
+    assert ("middle axis" in explain_undetermined([rates], None)) == advised
 
 
 @pytest.mark.long
@@ -407,3 +416,38 @@ def test_gains_far_outside_what_was_known_are_no_result():
     wrong = clean_log(log.times, log.rates * [1.25, 1.0, 0.8])
     assert nothing_said(fit_throw(wrong, WHOLE), "air that accelerates the body")
     assert nothing_said(fit_throw(wrong, WHOLE, drag=False, rotor=False), "")
+
+
+def test_a_motion_that_leaves_the_numbers_is_no_fit_and_no_crash():
+    """Drag that accelerates a body for 1500 s: the singular values of its derivatives were asked for, of NaN."""
+    times = np.arange(0.0, 1500.0, 10.0)
+    rates = np.tile([0.03, 0.05, 0.02], (150, 1))
+    throws, model = [Throw(times - times[75], rates, 750.0)], Model(("drag",), False, 1, 0.01)
+    x = np.zeros(model.size)
+    x[model.places["shape"]], x[model.places["start 0"]], x[model.places["drag"]] = (0.3, 0.1), rates[0] * 30, -0.15
+    lost = fit_model(model, x, np.eye(3), throws, None, rounds=0)
+    assert np.isnan(lost.residuals).any() and not np.isfinite(lost.covariance).any()
+    assert lost.aicc == np.inf and lost.log_likelihood == -np.inf
+
+
+@pytest.mark.parametrize(("step", "span", "count"), [
+    (0.01, 0.15, 4), (0.5, 0.15, 15), (10.0, 0.15, 15), (0.01, 99.0, 1),
+])  # fmt: skip
+def test_parts_of_a_throw_have_samples(step, span, count):
+    """Stretches of .15 s in a log with a sample each second had none, and a mean of nothing."""
+    throw = Throw(step * np.arange(60), np.ones((60, 3)), 0.0)
+    assert _count_parts(throw, span) == count <= 60 // LEAST_PART
+
+
+@pytest.mark.long
+def test_a_long_log_of_a_slow_gyro_ends_in_words():
+    """A satellite with a wheel, a sample each two seconds: "SVD did not converge"."""
+    def field(t, w):
+        moments = np.array([0.53, 0.79, 1.0])
+        return np.cross(moments * w + [0.001, 0.0, 0.003], w) / moments
+
+    t = np.arange(0.0, 200.0, 2.0)
+    rates = solve_ivp(field, (0.0, 200.0), [0.05, -0.035, 0.026], t_eval=t, rtol=1e-10, atol=1e-12).y.T
+    rates = rates + 5e-5 * np.random.default_rng(1).normal(size=rates.shape)
+    fit = fit_throw(clean_log(t, rates), [[Window(0.0, 1499.0)]])
+    assert fit.degenerate or (fit.ratios is not None and (fit.misfit or (off(fit, (0.53, 0.79)) < FAR).all()))

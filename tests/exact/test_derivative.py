@@ -10,11 +10,11 @@ from mpmath import mp
 
 import polhode as ph
 from oracle.derivatives import Direction, reference_derivative
-from oracle.families import Case, draw
 from polhode.arrays.few_calls import quick_options
 from polhode.errors import InvalidInput
 from polhode.exact.free_body._derivative import state_tangent
 from starts import free_motion
+from twins.families_of_bodies import Case, draw
 
 WORST = 1e-13
 """Relative to the size of the Jacobian's block (turn or momentum, by moments, momentum or time): the promise."""

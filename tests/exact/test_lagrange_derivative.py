@@ -9,11 +9,11 @@ import pytest
 
 import polhode as ph
 from oracle.lagrange_derivatives import reference_change
-from oracle.lagrange_families import TopCase, draw_tops
 from oracle.standing_top import standing_jacobian
 from polhode.errors import InvalidInput
 from starts import lagrange_motion
 from sweeping import first
+from twins.families_of_tops import TopCase, draw_tops
 
 WORST = 1e-12
 """Of the Jacobian's largest entry in natural units, where the motion does not magnify errors."""

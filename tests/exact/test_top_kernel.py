@@ -1,4 +1,5 @@
-"""The tops' kernels, by Python and as Numba compiles them: error bounds and answers of arrays, in every family."""
+"""The tops' kernels, by Python and as Numba compiles them: what they take, and answers of arrays. tests/twins has their
+errors."""
 
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -7,38 +8,26 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from oracle.lagrange_families import TopCase, draw_tops
 from oracle.numpy_alone import compiled_alone, numpy_alone
-from oracle.test_lagrange_motion import WORST_ERROR, errors
 from polhode.errors import InvalidInput
 from polhode.exact import _kernel_loops as kernel_loops
 from polhode.exact._closed_form import ClosedForm
-from polhode.exact._copies import for_python
 from polhode.exact.lagrange_top import _kernel_integrals as kernel_integrals
 from polhode.exact.lagrange_top import _kernel_setup as kernel_setup
 from polhode.exact.lagrange_top._evaluation import FORM
 from polhode.exact.lagrange_top._formulas import COLUMNS
 from starts import lagrange_motion
+from twins.families_of_tops import draw_tops
+from twins.motions import PROMISE, by_oracle, drawn, errors
+from twins.motions_implementations import columns, motion_of
 
-PER_FAMILY, PER_FAMILY_OF_MANY, SWEEP_PER_FAMILY = 3, 20, 600
+PER_FAMILY_OF_MANY = 20
 AGREEMENT = 8e-15
-"""Between two evaluations that both are within ``WORST_ERROR`` of the truth, on the scale of the largest |L|."""
+"""Between two evaluations that both are within ``PROMISE`` of the truth, on the scale of the largest |L|."""
 WHOLLY = ("generic", "wide_ratio", "cusp", "fast_loop", "spherical_pendulum", "planar_pendulum", "through_top",
           "through_bottom", "huge_spin")  # fmt: skip
 """Families that the kernel takes whole; in others some tops are left to NumPy, and in these all:"""
 LEFT = ("steady", "sleeping", "hanging", "separatrix", "weightless_special")
-
-
-@pytest.mark.sweep
-def test_states_are_exact_in_every_family(announce):
-    worst = {}
-    for case in draw_tops(PER_FAMILY, 8):
-        top = lagrange_motion(*case[1:5])
-        attitude, momentum = np.empty((1, 4)), np.empty((1, 3))
-        FORM._of_one(tuple(top._columns), np.array([case.time]), np.zeros(1), attitude, momentum)
-        worst[case.family] = max(worst.get(case.family, 0.0), *errors(attitude[0], momentum[0], case))
-    announce("\n".join(["the top's kernel against the oracle, eps:", *(f"  {k:26}{v:8.2f}" for k, v in worst.items())]))
-    assert len(worst) >= 27 and max(worst.values()) <= WORST_ERROR
 
 
 STARTS = [((0.0, 0.0, 2.5), 1.0), ((0.3, -0.5, 1.5), 0.4), ((2.0, 1.0, 0.0), 1.0), ((0.2, 0.1, 0.4), 1.0),
@@ -90,59 +79,30 @@ def left(monkeypatch):
 
 
 
-def check_many(per_family, seed, left, announce):
-    cases = draw_tops(per_family, seed)
+@pytest.mark.long
+def test_which_tops_it_takes(left):
+    """Of all families at once; those that it leaves to NumPy stand among them."""
+    cases, taken = draw_tops(PER_FAMILY_OF_MANY, 8), Counter()
     *top, times = batch(cases)
-    attitude, momentum = lagrange_motion(*top).state(times)
-    worst, taken = {}, Counter()
-    for k, case in enumerate(cases):
-        worst[case.family] = max(worst.get(case.family, 0.0), *errors(attitude[k], momentum[k], case))
-        taken[case.family] += int(not left[0][k])
-    announce("\n".join(["many tops against the oracle, eps, and how many the kernel took:",
-                        *(f"  {name:26}{worst[name]:8.2f}{taken[name]:6}" for name in worst)]))  # fmt: skip
-    assert len(left) == 1 and len(worst) >= 27 and max(worst.values()) <= WORST_ERROR
-    assert all(taken[name] == per_family for name in WHOLLY) and all(taken[name] == 0 for name in LEFT)
+    lagrange_motion(*top).state(times)
+    for case, is_left in zip(cases, left[0], strict=True):
+        taken[case.family] += int(not is_left)
+    assert len(left) == 1
+    assert all(taken[name] == PER_FAMILY_OF_MANY for name in WHOLLY) and all(taken[name] == 0 for name in LEFT)
     assert taken["near_separatrix"] > 0
-
-
-@pytest.mark.sweep
-def test_many_tops_are_exact_in_every_family(left, announce):
-    """Set-up too, of all tops at once; those that the kernel leaves to NumPy stand among them."""
-    check_many(PER_FAMILY_OF_MANY, 8, left, announce)
-
-
-def tops_next_to_the_separatrix(count):
-    """Tops of any attitude on the separatrix, were it not for the rounding of their momenta; times up to 1e12 turns."""
-    rng = np.random.default_rng(1)
-    for _ in range(count):
-        attitude = rng.normal(size=4)
-        attitude /= np.linalg.norm(attitude)
-        I1, I3, mgl = *rng.uniform(0.2, 2.0, 2), 10.0 ** rng.uniform(-1.0, 1.0)
-        alpha, beta, G = complex(*attitude[[0, 3]]), complex(*attitude[[1, 2]]), 2.0 * mgl * I1
-        s, t = abs(beta) ** 2, abs(alpha) ** 2
-        # p_φ = L3 makes Im β̄αw = s L3, and |w|² = 2 G s the rest
-        spin = rng.uniform(-1.0, 1.0) * np.sqrt(2.0 * t * G)
-        w = complex(np.sqrt(2.0 * s * s * t * G - (s * spin) ** 2), s * spin) / (beta.conjugate() * alpha)
-        momentum = (w.real, w.imag, float(spin))
-        rate = np.abs(momentum).max() / I1 + np.sqrt(mgl / I1)
-        time = float(10.0 ** rng.uniform(2.0, 12.0) / rate)
-        yield TopCase("rounded separatrix", (I1, I1, I3), float(mgl), momentum, tuple(map(float, attitude)), time)
 
 
 @pytest.mark.long
 def test_what_rounding_leaves_of_the_separatrix_is_summed_exactly(left):
     """Double-double alone is wrong by 1e7 eps here: c, F and D vanish together, and how long tops linger tells them."""
-    cases = list(tops_next_to_the_separatrix(60))
-    *top, times = batch(cases)
-    motion = lagrange_motion(*top)
-    attitude, momentum = motion.state(times)
-    assert not left[0].any() and np.median(motion.nutation_period * np.sqrt(top[1] / top[0][:, 0])) > 30.0
-    assert max(max(errors(attitude[k], momentum[k], case)) for k, case in enumerate(cases)) <= WORST_ERROR
-
-
-@pytest.mark.sweep
-def test_sweep_of_many_tops(left, announce):
-    check_many(SWEEP_PER_FAMILY, 2025, left, announce)
+    motions = drawn("top", 60, 1, ("rounded_separatrix",))
+    tops = columns(motions)
+    times = tops.pop("time")
+    motion = motion_of(**tops)
+    states = np.concatenate(motion.state(times), axis=-1)
+    swing = np.sqrt(motion.mgl / motion.moments[:, 0])
+    assert not left[0].any() and np.median(motion.nutation_period * swing) > 30.0
+    assert errors(states, by_oracle(motions)).worst.max() <= PROMISE
 
 
 @pytest.mark.long
@@ -251,7 +211,7 @@ def test_only_tops_whose_integrals_do_not_converge_are_left_to_numpy(monkeypatch
 
     def columns_and_left(steps):
         monkeypatch.setattr(kernel_integrals, "MOST_STEPS", steps)
-        space = for_python(FORM._modules)[kernel_setup.__name__]
+        space = FORM._modules.by_python()[kernel_setup.__name__]
         columns = [[0.0] * len(tops) for _ in range(COLUMNS)]
         left = [True] * len(tops)
         space["set_up"](*inputs, columns, left, 0)

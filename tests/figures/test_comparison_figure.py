@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from polhode import FreeMotion, rotation
-from polhode.analysis.comparison import AttitudeHistory, Mechanics, compare
+from polhode.analysis import AttitudeHistory, Mechanics, compare
 from polhode.figures.comparison_figure import LEAST, comparison
 
 MOTION = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))

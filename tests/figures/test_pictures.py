@@ -19,9 +19,9 @@ from polhode.figures.sphere import view_frame
 from polhode.figures.tilt_figure import top_motion
 from polhode.figures.top_figure import spinning_top
 from polhode.figures.top_shown import sample_axis, take_top
-from polhode.kinds.euler_disk.rolling_figure import _choose_moments, _disk, draw_rolling_disk
 from polhode.kinds.free_body.answers import free_body_report
 from polhode.kinds.reading import read_spec
+from polhode.rolling.euler_disk.rolling_figure import _choose_moments, _disk, draw_rolling_disk
 from sweeping import first
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -12,6 +12,7 @@ from polhode.errors import InvalidInput
 from polhode.kinds import registry
 from polhode.kinds.plotting import plot
 from polhode.viewer.panels import keeps_motion_of
+from registered import public_classes
 
 FREE = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
 TOP = ph.LagrangeMotion((1.0, 1.0, 2.0), mgl=3.0, momentum=(1.0, 0.0, 6.0))
@@ -39,8 +40,8 @@ class ToldApart(ph.systems.HeavyTop):
 def sources():
     """Return all systems and motions that name a kind."""
     found = [ph.FreeMotion, ph.LagrangeMotion]
-    found += [one for name in dir(ph.systems) if isinstance(one := getattr(ph.systems, name), type)
-              and "kind" in vars(one) and not isabstract(one)]  # fmt: skip
+    systems = sorted(public_classes(ph.systems, ph.systems.AbstractSystem), key=lambda one: one.__name__)
+    found += [one for one in systems if isinstance(one, type) and "kind" in vars(one) and not isabstract(one)]
     return found
 
 

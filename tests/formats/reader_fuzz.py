@@ -25,10 +25,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import polhode as ph
-from polhode import formats
+from polhode import formats, spectra
 from polhode.errors import InvalidInput
 from polhode.formats.form import Kernels
-from polhode.quantum import DEBYE, MeasuredLines, Rotor
+from polhode.spectra import DEBYE, MeasuredLines, Rotor
 from polhode.studies.sources import read_recorded
 
 CPU_SECONDS, WALL_SECONDS = 10, 300  # a case may take; the second is for what waits
@@ -228,18 +228,18 @@ def read_molecule(path: Path) -> None:
 
 
 def read_catalogue(path: Path) -> None:
-    found = formats.read_cat(path)
+    found = spectra.read_cat(path)
     assert np.isfinite([found.frequency, found.error, found.log_intensity, found.lower_energy]).all()
     assert len(found.frequency) == len(found.upper) == len(found.lower) == len(found.text or ())
 
 
 def read_lines(path: Path) -> None:
-    found = formats.read_lin(path)
+    found = spectra.read_lin(path)
     assert np.isfinite([found.value, found.error, found.weight]).all() and found.upper.shape == found.lower.shape
 
 
 def read_constants(path: Path) -> None:
-    found = formats.read_par(path)
+    found = spectra.read_par(path)
     assert np.isfinite([found.value, found.error]).all() and len(found.code) == len(found.label)
 
 
@@ -272,10 +272,10 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
     for name, text in messages(motion).items():
         (folder / name).write_text(text)
     lines = ROTOR.lines(3, 300.0)
-    formats.write_cat(formats.catalogue_of(lines), folder / "a.cat")
+    spectra.write_cat(spectra.catalogue_of(lines), folder / "a.cat")
     seen = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e4))
-    formats.write_lin(formats.line_list(seen), folder / "a.lin")
-    formats.write_par(formats.constant_table(ROTOR), folder / "a.par")
+    spectra.write_lin(spectra.line_list(seen), folder / "a.lin")
+    spectra.write_par(spectra.constant_table(ROTOR), folder / "a.par")
     shutil.copy(folder / "a.csv", folder / "columns.csv")
     motion = replace(motion, frame=frame)
     formats.write_dataset(motion, folder / "a.nc")

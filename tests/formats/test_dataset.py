@@ -119,7 +119,7 @@ def test_a_copy_that_ended_is_not_written_to_be_refused_later(tmp_path, ending):
 @pytest.mark.sweep
 def test_motions_with_states_of_their_own(tmp_path):
     """A spin in an orbit has named parts and energy that comes and goes, matrices have states of two axes."""
-    moon, turning = ph.systems.SpinOrbit(0.5, 0.1), np.array([0.5, 1.2])
+    moon, turning = ph.celestial.SpinOrbit(0.5, 0.1), np.array([0.5, 1.2])
     matrices = ph.systems.Manakov((1.0, 2.0, 3.0, 4.0))
     point = np.triu(np.arange(16.0).reshape(4, 4), 1)
     for system, state, order in ((moon, turning, None), (matrices, point - point.T, 2)):  # soon compiled
@@ -239,7 +239,7 @@ def test_a_store_that_is_not_what_was_written_is_refused(tmp_path, monkeypatch):
 @pytest.mark.long
 @pytest.mark.parametrize("form", WAYS)
 def test_complex_states_come_back(form, tmp_path):
-    fluid = ph.systems.SphereFluid(4, 0.5)
+    fluid = ph.fields.SphereFluid(4, 0.5)
     times = np.linspace(0.0, 0.1, 3)
     wanted = ph.simulate(fluid, fluid.random([0, 1, 1], seed=1), times, ph.integrators.IsospectralMidpoint,
                          estimate_error=False)  # fmt: skip

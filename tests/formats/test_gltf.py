@@ -224,7 +224,7 @@ def top_case():
 @cache
 def disk_case():
     from polhode.bodies._turned import tube
-    from polhode.systems.euler_disk import EulerDisk
+    from polhode.rolling.euler_disk.system import EulerDisk
 
     disk = EulerDisk(mass=0.4, radius=0.04, thickness=0.01)
     # some path of tilt, heading, spin and contact; that no disk rolls so is nothing to a picture

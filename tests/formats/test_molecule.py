@@ -60,7 +60,7 @@ def test_several_structures_are_refused(tmp_path, name):
         ("", "cannot be read as a molecule"),
         ("3\n\nO 0 0 0\n", "cannot be read as a molecule"),
         ("0\n\n", "holds no atoms"),
-        ("2\n\nD 0 0 0\nH 0 0 1\n", "'D' is not a chemical element. Isotopes"),
+        ("2\n\nD 0 0 0\nH 0 0 1\n", "'D' is not a chemical element. D is hydrogen"),
         (CRYSTAL, "periodic"),
     ],
 )

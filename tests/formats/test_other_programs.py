@@ -564,7 +564,7 @@ def test_an_acm_has_motion_and_inertia_in_one_file(folder, capsys, kind):
     else:
         with pytest.raises(SystemExit):
             main(["import", "box.acm", "--out", "box_again.toml"])
-        assert "a spec needs inertia and angular velocity" in capsys.readouterr().err
+        assert "a spec needs attitude, inertia and angular velocity" in capsys.readouterr().err
 
 
 def test_messages_on_spin_without_attitude_are_refused(folder):

@@ -240,7 +240,7 @@ BROKEN = {
     "sdf": [
         (('relative_to="base"', 'relative_to="hand"'), "goes round in circles"),
         (('relative_to="base"', 'relative_to="nil"'), "names 'nil', which is not one link, joint or frame"),
-        (("<mass>2</mass>", ""), "has no <inertial> with mass and inertia, for which SDF puts 1 kg"),
+        (("<mass>2</mass>", ""), "has no <mass>, for which SDF puts 1 kg. Add"),
         (("<parent>arm</parent>", "<parent>hand</parent>"), "make a ring"),
         (('<model name="arm">', '<model name="arm"><include/>'), "has a <include> in it"),
         (("<ixx>0.1</ixx>", "<ixx>0.3</ixx>"), "must satisfy I1 + I2 ≥ I3"),

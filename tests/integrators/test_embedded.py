@@ -259,7 +259,7 @@ def test_events_without_names_are_refused(run):
 def test_an_interrupt_ends_a_long_adaptive_run_soon():
     code = (
         "import os, signal, threading, numpy as np, polhode as ph\n"
-        "from polhode.systems import SpinOrbit\n"
+        "from polhode.celestial import SpinOrbit\n"
         "orbit = SpinOrbit(0.9, 0.1, 1.0)\n"
         "def run(end):\n"
         "    ph.simulate(orbit, (0.3, 1.8), np.linspace(0, end, 3), estimate_error=False)\n"

@@ -8,13 +8,13 @@ from scipy.optimize import root
 
 import polhode as ph
 from polhode import algebra as lie
-from polhode import systems
+from polhode import fields, systems
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import IsospectralMidpoint
 from polhode.integrators._fixed_point import fixed_point
 
 RNG = np.random.default_rng(7)
-ALGEBRAS = [lie.SO(5), lie.SOpq(3, 1), lie.SU(3), lie.U(2), lie.Sp(2), lie.QuantizedSphere(4)]
+ALGEBRAS = [lie.SO(5), lie.SOpq(3, 1), lie.SU(3), lie.U(2), lie.Sp(2), fields.QuantizedSphere(4)]
 
 
 def quadratic(algebra):
@@ -44,7 +44,7 @@ def test_a_step_solves_its_equation(algebra):
 
     def both_ends(middle):
         # the generator of a dual element, of which a trace is no part
-        trace = np.trace(middle) / n * np.eye(n) if isinstance(algebra, lie.SU | lie.QuantizedSphere) else 0.0
+        trace = np.trace(middle) / n * np.eye(n) if isinstance(algebra, lie.SU | fields.QuantizedSphere) else 0.0
         y = 0.5 * h / unit * np.asarray(velocity(jnp.asarray(middle - trace))).conj().T
         one = np.eye(n)
         return (one - y) @ middle @ (one + y), (one + y) @ middle @ (one - y)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import systems
+from polhode import celestial, systems
 from polhode.errors import InvalidInput
 from polhode.integrators import LieMidpoint, Taylor
 from polhode.integrators import _series_derivatives as series_derivatives
@@ -172,7 +172,8 @@ class Ending(Growing):
     ("call", "words"),
     [
         (lambda: ph.solve(Ending(jnp.asarray(1.0)), jnp.ones(1), TIMES, Taylor), "as it has events or jumps"),
-        (lambda: ph.solve(systems.SpinOrbit(0.3, 0.1), jnp.ones(2), TIMES, Taylor), "no Taylor series in its numbers"),
+        (lambda: ph.solve(celestial.SpinOrbit(0.3, 0.1), jnp.ones(2), TIMES, Taylor),
+         "no Taylor series in its numbers"),
         (lambda: jax.jit(lambda x: ph.solve(BODY, START, TIMES, Taylor, tolerance=x).saved)(1e-8), "known numbers"),
         (lambda: ph.solve(BODY, START, TIMES, Taylor(12), order=8), "the object of Taylor that is given has its own"),
     ],

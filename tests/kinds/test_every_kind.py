@@ -1,10 +1,12 @@
 """What holds of every kind: those in the folder, and one that another package brings."""
 
+import ast
 import json
 import math
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import jaxtyping
@@ -17,9 +19,10 @@ from polhode.kinds.page import write_page
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind
 from polhode.testing import LawBroken, check_kind
+from polhode.testing.kinds import _check_digits
 from sweeping import only
 
-OWN = tuple(registry._folders())
+OWN = tuple(registry._own())
 OTHERS = ("spherical-pendulum",)
 AT_ONCE = ("free-body", "heavy-top", "quantum-rotor", *OTHERS)
 """In closed form, integrated, without a motion, and of another package; the others in the sweep."""
@@ -47,7 +50,7 @@ def report(spec):
 def test_a_kind_is_as_it_must_be(kind):
     check_kind(kind)
     if kind.name in OWN:
-        assert type(kind).__module__ == f"polhode.kinds.{kind.name.replace('-', '_')}"
+        assert f"{type(kind).__module__}:KIND" == registry._own()[kind.name].value
 
 
 @pytest.mark.long
@@ -127,6 +130,59 @@ def test_a_report_that_breaks_a_law_is_found(bent, words, monkeypatch):
         check_kind(kind)
 
 
+def ends_with_a_number(error=0.0, summary="It turns."):
+    """Parts of a report on a motion by steps that ends with a number, and says so."""
+    return {
+        "answers": property(lambda self: [Group("Motion", [
+            Answer("end", float(self.trajectory.momentum[-1, 0]), "", "at the end", error=error)])]),
+        "summary": property(lambda self: summary.format(float(self.trajectory.momentum[-1, 0]))),
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("bent", "words"),
+    [
+        (ends_with_a_number(), "has the motion's error, by `from_motion`; end has not"),
+        (ends_with_a_number(None, "It ends at {:.6g}."), "a summary has no digits beyond the motion's error"),
+    ],
+)
+def test_digits_beyond_the_error_of_a_motion_are_found(bent, words, tmp_path):
+    (tmp_path / "top.toml").write_text(find_kind("heavy-top").example, "utf-8")
+    report = read_spec(tmp_path / "top.toml").report()
+    _check_digits(report)
+    with pytest.raises(LawBroken, match=re.escape(words)):
+        _check_digits(bent_report(report, **bent))
+    unknown = replace(report, trajectory=replace(report.trajectory, error_estimate=None))
+    with pytest.raises(LawBroken, match="a motion by steps has an error estimate, or a note says"):
+        _check_digits(unknown)
+    _check_digits(bent_report(unknown, notes=["without an error estimate: a specimen."]))
+
+
+def weakened(source):
+    """Return whether a file of a kind lets `simulate` take another method than by default, or make no estimate."""
+    calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
+    calls = [call for call in calls if isinstance(call.func, ast.Name) and call.func.id == "simulate"]
+    given = [{word.arg for word in call.keywords} for call in calls]
+    return any(len(call.args) > 3 or keys & {"method", "estimate_error", "tolerance"}
+               for call, keys in zip(calls, given, strict=True))  # fmt: skip
+
+
+def says_how(source):
+    return 'Answer("method"' in source and "*accuracy(" in source
+
+
+def test_a_kind_that_chooses_the_method_says_so():
+    """Damped spins went by midpoint steps of .2 rad in silence, and were right to two digits of the six printed."""
+    home = Path(registry.__file__).parents[1]
+    files = [path for path in home.glob("*/*/*.py") if weakened(path.read_text("utf-8"))]
+    assert {path.parent.name for path in files} >= {"spin_lattice", "sphere_fluid", "vlasov_poisson"}
+    silent = [path for path in files if path.name != "panel.py" and not says_how(path.read_text("utf-8"))]
+    assert not silent, "give the report Answer('method', …), or leave method and estimate to `simulate`"
+    for specimen in ("simulate(a, b, c, Splitting)", "simulate(a, b, c, estimate_error=False)"):
+        assert weakened(specimen) and not says_how(specimen)
+    assert not weakened("simulate(a, b, c, step=table.step, progress=watch)")
+
+
 def test_what_is_no_kind_is_refused(monkeypatch):
     monkeypatch.setattr(jaxtyping.config, "jaxtyping_disable", True)
     with pytest.raises(InvalidInput, match="`kind` must be an object of a subclass of AbstractKind"):
@@ -138,7 +194,7 @@ def test_no_kind_is_named_outside_its_folder():
     """Nothing else in the package knows one, but the systems that say which they are of: a third party's is as good."""
     home = Path(registry.__file__).parents[1]
     for name in OWN:
-        own = home / "kinds" / name.replace("-", "_")
+        own = Path(sys.modules[type(find_kind(name)).__module__].__file__).parent
         named = re.compile(rf"""["']{name}["']""")
         others = [path for path in home.rglob("*.py") if not path.is_relative_to(own)]
         says_so = f'    kind: ClassVar[str] = "{name}"\n'
@@ -167,7 +223,7 @@ def test_importing_the_registry_imports_no_kind():
 
 def test_a_kind_that_cannot_be_imported_is_named(monkeypatch):
     class Broken:
-        name, value = "broken", "broken_package:KIND"
+        group, name, value = registry.GROUP, "broken", "broken_package:KIND"
 
         def load(self):
             raise ImportError("no such thing")

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import polhode as ph
 from polhode import formats, systems
@@ -424,3 +425,52 @@ def test_one_wheel_controls_pitch_and_the_report_says_so(tmp_path):
     assert rates[-1] == pytest.approx(1e-3 * 3000 * math.pi / 30 / math.sqrt(0.2 * 0.12), rel=1e-2)
     assert [round(row["damping"], 2) for row in values["closed_loop"]] == [0.0, 0.0, 0.7]
     assert rates[1] == pytest.approx(0.02, rel=0.01)
+
+
+SLEW = (
+    'system = "rigid-body"\n[body]\nmoments = ["0.12 kg*m^2", "0.16 kg*m^2", "0.19 kg*m^2"]\n[spin]\n'
+    'attitude = [{sign}, 0, 0, 0]\nangular_velocity = ["0 deg/s", "0 deg/s", "{rate} deg/s"]\n[control]\n'
+    'law = "quaternion-pd"\nbandwidth = "0.03 rad/s"\ndamping = 0.8\nby = "torque"\n'
+    '[time]\nuntil = "400 s"\nsamples = 401\n'
+)  # fmt: skip
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_slew_the_longer_way_is_said(tmp_path, sign):
+    """One axis by SciPy: θ″ = −2 ω² sin(θ/2) − 2 ζ ω θ′, whose θ goes beyond half a turn and comes back."""
+    rate, w, damping = math.radians(16.0), 0.03, 0.8
+    slope = lambda t, y: (y[1], -2.0 * w**2 * math.sin(0.5 * y[0]) - 2.0 * damping * w * y[1])  # noqa: E731
+    times = np.linspace(0.0, 400.0, 401)
+    theta = np.degrees(solve_ivp(slope, (0.0, 400.0), (0.0, rate), "DOP853", times, rtol=1e-12, atol=1e-12).y[0])
+    settled = times[np.flatnonzero(np.abs(theta) >= 1.0)[-1] + 1]
+    report = spec(tmp_path, SLEW.format(sign=sign, rate=16)).report()
+    (note,) = [note for note in report.notes if "quaternion-pd" in note]
+    assert f"turned by up to {theta.max():.4g}° from its target, at {times[theta.argmax()]:g} s" in note
+    assert f"only {360.0 - theta.max():.4g}° were left the other way" in note
+    values = report.values()
+    assert values["control"]["settling_time"] == settled == 337.0
+    assert {round(row["damping"], 6) for row in values["closed_loop"]} == {damping}  # about either quaternion
+    short = spec(tmp_path, SLEW.format(sign=sign, rate=4)).report()
+    assert not [note for note in short.notes if "quaternion-pd" in note]
+
+
+@pytest.mark.long
+def test_a_rotor_that_the_body_carries_past_its_limit_is_said(tmp_path):
+    """The body is turned against the rotor, whose motor gives nothing at max_rate: σ = σ₀ + M t/(I − J)."""
+    text = (
+        'system = "rigid-body"\n[body]\nmoments = ["0.2 kg*m^2", "0.2 kg*m^2", "0.2 kg*m^2"]\n[spin]\n'
+        'angular_velocity = ["0 rad/s", "0 rad/s", "0 rad/s"]\n[[wheel]]\naxis = [0, 0, 1]\nmoment = "1e-3 kg*m^2"\n'
+        'rate = "100 rpm"\nmax_rate = "100 rpm"\nmax_torque = "1 mN*m"\n[[torque]]\ntype = "constant"\n'
+        'torque = ["0 N*m", "0 N*m", "-1 mN*m"]\n[control]\nlaw = "rate"\nbandwidth = "0.1 rad/s"\n'
+        'angular_velocity = ["0 rad/s", "0 rad/s", "-1 rad/s"]\n[time]\nuntil = "10 s"\nsamples = 11\n'
+    )
+    report = spec(tmp_path, text).report()
+    past = 1e-3 * 10.0 / 0.199 / (100.0 * math.pi / 30.0)
+    assert report.values()["wheels"][0]["rate_margin"] == pytest.approx(-past, rel=1e-6)
+    assert [note for note in report.notes if note.startswith("wheel 1 turned past max_rate")]
+    (row,) = report._wheels().rows
+    assert report._wheels().columns["left of rate"](row) == f"{100.0 * past:.3g} % past"
+    below = spec(tmp_path, text.replace('\nrate = "100 rpm"', '\nrate = "-50 rpm"')).report()
+    assert not [note for note in below.notes if "past max_rate" in note]
+    assert below._wheels().columns["left of rate"](below._wheels().rows[0]).endswith(" %")

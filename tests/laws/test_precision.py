@@ -8,7 +8,7 @@ from jaxtyping import config
 
 import polhode as ph
 from limited import run_limited
-from polhode import algebra, poisson, systems
+from polhode import algebra, poisson, rolling, systems
 from polhode.errors import InvalidInput
 from polhode.special.carlson import carlson_rf
 from polhode.special.theta import theta3
@@ -75,8 +75,8 @@ ENTRIES = {
     "LaggedTorque": (0.3, lambda x: systems.LaggedTorque(half, x)),
     "DoubleBracket rate": (0.3, lambda x: systems.DoubleBracket(THREE, x)),
     "BrunBody strength": (0.3, lambda x: systems.BrunBody(THREE, x)),
-    "EulerDisk": (1.0, lambda x: systems.EulerDisk(x, 0.1)),
-    "EulerDisk thickness": (0.01, lambda x: systems.EulerDisk(1.0, 0.1, x)),
+    "EulerDisk": (1.0, lambda x: rolling.EulerDisk(x, 0.1)),
+    "EulerDisk thickness": (0.01, lambda x: rolling.EulerDisk(1.0, 0.1, x)),
     "LinearDrag": (0.3, LinearDrag),
     "KeplerOrbit": (0.3, lambda x: KeplerOrbit(1.0, x)),
     "point": (THREE, poisson.bracket(SO3, half, lambda L: L[0])),

@@ -9,21 +9,22 @@ import numpy as np
 import pytest
 
 from polhode import algebra as lie
-from polhode import integrators, systems
+from polhode import fields, integrators, systems
+from registered import public_classes
 from transformed import check_alone
 
 RNG = np.random.default_rng(6)
 H, SECOND = 0.1, 2
 BODY = systems.FreeRigidBody((1.0, 2.0, 3.0))
 CHAIN = systems.LiePoisson(lie.Power(lie.SO3(), 2), lambda w: -jnp.dot(w[0], w[1]) - 0.3 * w[0, 2] ** 2)
-LATTICE = systems.SpinLattice(systems.Lattice([[1.0]], shape=(4,)), bonds=[systems.Bond(0, 0, (1,), 1.0)])
+LATTICE = fields.SpinLattice(fields.Lattice([[1.0]], shape=(4,)), bonds=[fields.Bond(0, 0, (1,), 1.0)])
 SOLVERS = [
     integrators.Splitting(BODY, H, SECOND), integrators.LieMidpoint(BODY, H, SECOND),
     integrators.LieMidpoint(BODY, H, SECOND, "exp"), integrators.MuntheKaas(BODY, H, SECOND),
     integrators.SphericalMidpoint(CHAIN, H, SECOND),
-    integrators.SublatticeTurns(LATTICE, H, np.arange(4).reshape(4, 1, 1, 1) % 2),
-    integrators.NoiseDriftNoise(CHAIN, H, integrators.Bath(0.3, 0.2, 1)),
-    integrators.TransportNoise(BODY, H, 0.2 * np.eye(3)),
+    fields.SublatticeTurns(LATTICE, H, np.arange(4).reshape(4, 1, 1, 1) % 2),
+    fields.NoiseDriftNoise(CHAIN, H, fields.Bath(0.3, 0.2, 1)),
+    fields.TransportNoise(BODY, H, 0.2 * np.eye(3)),
     integrators.IsospectralMidpoint(systems.Manakov((1.0, 2.0, 3.0)), H, SECOND),
 ]  # fmt: skip
 NO_ARRAYS = {"order", "memory", "init", "func", "change_by"}
@@ -43,14 +44,15 @@ def at_once(solvers, every=SOLVERS):
     return [pytest.param(s, id=named(s), marks=[] if s in solvers else [pytest.mark.sweep]) for s in every]
 
 
-NOISY = integrators.NoiseDriftNoise | integrators.TransportNoise
+NOISY = fields.NoiseDriftNoise | fields.TransportNoise
 SMOOTH = [s for s in SOLVERS if not isinstance(s, NOISY)]
 """Noise is keyed by time, of which it is no continuous function."""
 
 
 def test_no_solver_is_forgotten():
-    classes = {getattr(integrators, name) for name in integrators.__all__}
-    no_steps = {integrators.AbstractOrbitSolver, integrators.Bath, integrators.Taylor}
+    noisy = fields.NoiseDriftNoise, fields.TransportNoise
+    classes = public_classes(integrators, integrators.AbstractOrbitSolver, *noisy)
+    no_steps = {integrators.AbstractOrbitSolver, fields.Bath, integrators.Taylor}
     assert classes - no_steps == {type(solver) for solver in SOLVERS}
 
 

@@ -4,18 +4,10 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from polhode.celestial import SpinOrbit
 from polhode.errors import InvalidInput
-from polhode.systems import (
-    DoubleBracket,
-    EnergySink,
-    EulerDisk,
-    FreeRigidBody,
-    LiePoisson,
-    Manakov,
-    RigidBody,
-    SpinOrbit,
-    TorquedBody,
-)
+from polhode.rolling import EulerDisk
+from polhode.systems import DoubleBracket, EnergySink, FreeRigidBody, LiePoisson, Manakov, RigidBody, TorquedBody
 from polhode.systems.base import Balance
 from polhode.systems.torques import LinearDrag
 from polhode.testing import LawBroken, check_system

@@ -75,7 +75,7 @@ def _state(values: list[fmpq], bits: int) -> Reference:
     state = reference_state(values[:3], values[3:6], values[6], bits)
     with ctx.workprec(bits + 64):
         norm = arb(sum((x * x for x in values[3:6]), fmpq(0))).sqrt()
-        return Reference(state.rotation, [norm * n for n in state.direction])
+        return Reference(state.rotation, [norm * n for n in state.direction], state.quaternion)
 
 
 def _natural_size(start: list[fmpq], change: list[fmpq]) -> fmpq:

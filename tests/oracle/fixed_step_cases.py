@@ -16,13 +16,13 @@ from flint import arb, ctx, fmpq
 from mpmath import mp
 
 import polhode
+from judging.simulated_engines import cross, rk4, semi_implicit
+from judging.simulated_engines import midpoint as midpoint_method
 from oracle.reference import exact, reference_state
 from oracle.reference_table import product, quaternion_of
-from testing.engines import cross, rk4, semi_implicit
-from testing.engines import midpoint as midpoint_method
 
 ROOT = Path(polhode.__file__).parents[2]
-TABLE, HEADER = ROOT / "src" / "polhode" / "testing" / "fixed_step_cases.json", ROOT / "reference" / "polhode_cases.h"
+TABLE, HEADER = ROOT / "src" / "polhode" / "judging" / "fixed_step_cases.json", ROOT / "reference" / "polhode_cases.h"
 FORMAT, VERSION = "polhode fixed-step cases", 1
 STEPS = (1, 16, 128, 640)
 DIGITS = 80

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from flint import arb, ctx, fmpq
 
 from oracle.lagrange import reference_top
-from oracle.lagrange_families import TopCase
 from oracle.reference import exact
+from twins.families_of_tops import TopCase
 
 STEP_BITS = 120
 """h = 2^-120: its square, magnified by a passage of the upright from 1e-9 cubed, is still below 1e-40."""

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 from flint import arb, ctx
 
-from oracle.families import Case
 from oracle.reference import Reference, reference_state
+from twins.families_of_bodies import Case
 
 EPS = 2.0**-52
 WORKING_BITS = 192
@@ -21,7 +21,7 @@ Matrix = list[list[arb]]
 
 
 class Errors(NamedTuple):
-    """Largest error of an attitude entry and of an entry of L/|L|, in eps."""
+    """Largest error of an entry of the attitude, matrix and signed quaternion, and of an entry of L/|L|, in eps."""
 
     attitude: float
     momentum: float
@@ -51,7 +51,8 @@ def error_in_eps(attitude: Sequence[float], momentum: Sequence[float], case: Cas
     reference = _reference(case)
     with ctx.workprec(WORKING_BITS):
         rotation, norm = rotation_of(attitude), _norm(case.momentum)
-        entries = (rotation[i][j] - reference.rotation[i][j] for i in range(3) for j in range(3))
+        entries = [rotation[i][j] - reference.rotation[i][j] for i in range(3) for j in range(3)]
+        entries += [arb(float(x)) - y for x, y in zip(attitude, reference.quaternion, strict=True)]
         directions = (arb(float(x)) / norm - n for x, n in zip(momentum, reference.direction, strict=True))
         return Errors(_largest(entries), _largest(directions))
 

@@ -25,10 +25,14 @@ Exact = Any
 
 
 class Reference(NamedTuple):
-    """Attitude matrix body -> space from the identity, and direction of the momentum in body axes."""
+    """Attitude from the identity, body -> space, and direction of the momentum in body axes.
+
+    The quaternion is the one that goes continuously from 1, 0, 0, 0.
+    """
 
     rotation: list[list[arb]]
     direction: list[arb]
+    quaternion: list[arb]
 
 
 def exact(value: Exact) -> fmpq:
@@ -48,14 +52,15 @@ def reference_state(
         bits: absolute accuracy of the entries.
 
     Returns:
-        Rotation entries and L/|L| (zero where L = 0) as balls.
+        Rotation entries, L/|L| (zero where L = 0) and quaternion as balls.
     """
     turn, sorted_moments, sorted_momentum = _sorted(moments, momentum)
     precision = bits + 96
     while precision <= HIGHEST_PRECISION:
         with ctx.workprec(precision):
-            rotation, direction = _sorted_state(sorted_moments, sorted_momentum, exact(t))
-            result = Reference(_conjugated(turn, rotation), _turned_back(turn, direction))
+            rotation, direction, (scalar, *vector) = _sorted_state(sorted_moments, sorted_momentum, exact(t))
+            quaternion = [scalar, *_turned_back(turn, vector)]
+            result = Reference(_conjugated(turn, rotation), _turned_back(turn, direction), quaternion)
             if _radius_below(result, bits):
                 return result
         precision *= 2
@@ -88,17 +93,17 @@ def _conjugated(turn: list[tuple[int, int]], matrix: list[list[arb]]) -> list[li
 
 def _radius_below(result: Reference, bits: int) -> bool:
     limit = arb(2) ** (-bits)
-    entries = [entry for row in result.rotation for entry in row] + result.direction
+    entries = [entry for row in result.rotation for entry in row] + result.direction + result.quaternion
     return all(entry.is_finite() and entry.rad() < limit for entry in entries)
 
 
-def _sorted_state(inertia: list[fmpq], vector: list[fmpq], t: fmpq) -> tuple[list[list[arb]], list[arb]]:
+def _sorted_state(inertia: list[fmpq], vector: list[fmpq], t: fmpq) -> Reference:
     omega = [x / i for x, i in zip(vector, inertia, strict=True)]
     norm = arb(sum((x * x for x in vector), ZERO)).sqrt()
     if all(x == 0 for x in vector):
-        return _identity(), [arb(0)] * 3
+        return Reference(_identity(), [arb(0)] * 3, [arb(1), arb(0), arb(0), arb(0)])
     if all(x == 0 for x in _cross(vector, omega)):
-        return _steady_rotation(omega, t), [arb(x) / norm for x in vector]
+        return Reference(_steady_rotation(omega, t), [arb(x) / norm for x in vector], _steady_quaternion(omega, t))
     a = [1 / i for i in inertia]
     gap_a, gap_b, gap_c = a[0] - a[1], a[1] - a[2], a[0] - a[2]
     p = gap_c * vector[0] ** 2 + gap_b * vector[1] ** 2
@@ -127,7 +132,7 @@ class _Polhode(NamedTuple):
     sense: int
 
 
-def _state(body: _Polhode, vector: list[fmpq], norm: arb, t: fmpq) -> tuple[list[list[arb]], list[arb]]:
+def _state(body: _Polhode, vector: list[fmpq], norm: arb, t: fmpq) -> Reference:
     around_positive = vector[body.around] >= 0
     sign = 1 if around_positive else -1
     rate = arb(body.gap * body.large).sqrt()
@@ -155,7 +160,42 @@ def _state(body: _Polhode, vector: list[fmpq], norm: arb, t: fmpq) -> tuple[list
         after[2],
     ]
     rotation = [[sum((before[k][i] * turned[k][j] for k in range(3)), arb(0)) for j in range(3)] for i in range(3)]
-    return rotation, direction
+    return Reference(rotation, direction, _quaternion(body, start, azimuth, direction))
+
+
+def _quaternion(body: _Polhode, start: list[arb], azimuth: arb, direction: list[arb]) -> list[arb]:
+    """The quaternion of ``rotation``, continuous in time as those of the momentum's frames are along the polhode."""
+    (w, x, y, z), (scalar, *parts) = (_frame_quaternion(n, body) for n in (start, direction))
+    sine, cosine = (azimuth / 2).sin_cos()
+    turned = _product((cosine, arb(0), arb(0), sine), (scalar, *parts))
+    scalar, *parts = _product((w, -x, -y, -z), turned)
+    vector = [arb(0)] * 3
+    for k in range(3):
+        vector[(body.swing + k) % 3] = parts[k]
+    return [scalar, *vector]
+
+
+def _frame_quaternion(n: list[arb], body: _Polhode) -> tuple[arb, ...]:
+    """Of the frame below, along the axes swing, j, k: a turn by γ about the first, then one by −β about the second.
+
+    tan γ = n_j/n_k and sin β = n_swing. γ has no jump, as the component along the encircled axis never vanishes.
+    """
+    j, k = (body.swing + 1) % 3, (body.swing + 2) % 3
+    quarter = arb.pi() / 2
+    if body.around == k:
+        gamma = (n[j] / n[k]).atan() + (2 * quarter if n[k] < 0 else 0)
+    else:
+        gamma = (quarter if n[j] > 0 else -quarter) - (n[k] / n[j]).atan()
+    sine, cosine = (gamma / 2).sin_cos()
+    beta = -(n[body.swing] / (n[j] ** 2 + n[k] ** 2).sqrt()).atan()
+    sine_beta, cosine_beta = (beta / 2).sin_cos()
+    return _product((cosine_beta, arb(0), sine_beta, arb(0)), (cosine, sine, arb(0), arb(0)))
+
+
+def _product(p: Sequence[arb], q: Sequence[arb]) -> tuple[arb, ...]:
+    (a, b, c, d), (w, x, y, z) = p, q
+    return (a * w - b * x - c * y - d * z, a * x + b * w + c * z - d * y,
+            a * y - b * z + c * w + d * x, a * z + b * y - c * x + d * w)  # fmt: skip
 
 
 def _momentum_frame(n: list[arb], swing: int) -> list[list[arb]]:
@@ -249,6 +289,12 @@ def _steady_rotation(omega: list[fmpq], t: fmpq) -> list[list[arb]]:
         [rise * x * y + sine * z, cosine + rise * y * y, rise * y * z - sine * x],
         [rise * x * z - sine * y, rise * y * z + sine * x, cosine + rise * z * z],
     ]
+
+
+def _steady_quaternion(omega: list[fmpq], t: fmpq) -> list[arb]:
+    speed = arb(sum((w * w for w in omega), ZERO)).sqrt()
+    sine, cosine = (speed * arb(t) / 2).sin_cos()
+    return [cosine, *(arb(w) / speed * sine for w in omega)]
 
 
 def _identity() -> list[list[arb]]:

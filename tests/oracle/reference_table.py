@@ -21,7 +21,7 @@ from oracle.hard_tops import TOP_FAMILIES
 from oracle.lagrange import reference_top
 from oracle.reference import exact, reference_state
 
-TABLE = Path(polhode.__file__).parent / "testing" / "reference_motions.json"
+TABLE = Path(polhode.__file__).parent / "judging" / "reference_motions.json"
 VERSION = 1
 DIGITS = 17
 BITS, MORE_BITS = 224, 320

@@ -10,7 +10,7 @@ from __future__ import annotations
 import mpmath as mp
 import numpy as np
 
-from oracle.lagrange_families import TopCase
+from twins.families_of_tops import TopCase
 
 DIGITS = 60
 

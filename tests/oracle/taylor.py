@@ -26,7 +26,7 @@ Series = list[int]
 def integrated_state(
     moments: Sequence[Exact], momentum: Sequence[Exact], t: Exact, growth_bits: int = 0
 ) -> Reference:
-    """Return attitude matrix and momentum direction at ``t``, from the identity at 0.
+    """Return attitude and momentum direction at ``t``, from the identity at 0.
 
     Args:
         moments: three positive principal moments, in any order.
@@ -48,7 +48,8 @@ def integrated_state(
         direction, quaternion = _step(direction, quaternion, angles, bits)
     with ctx.workprec(2 * bits):
         unit = arb(2) ** bits
-        return Reference(rotation_of([arb(x) / unit for x in quaternion]), [arb(x) / unit for x in direction])
+        found = [arb(x) / unit for x in quaternion]
+        return Reference(rotation_of(found), [arb(x) / unit for x in direction], found)
 
 
 def _fraction(value: Exact) -> Fraction:

@@ -14,14 +14,14 @@ import pytest
 from flint import arb, ctx
 
 import polhode as ph
-from oracle.families import draw
 from oracle.lagrange import largest_momentum, reference_top
-from oracle.lagrange_families import draw_tops
 from oracle.measures import EPS
 from oracle.mpmath_motions import fraction, free_numbers, integrated_state, top_numbers
 from oracle.reference import reference_state
 from polhode.analysis import _elliptic_balls as elliptic_balls
 from starts import lagrange_motion
+from twins.families_of_bodies import draw
+from twins.families_of_tops import draw_tops
 
 WORST_ERROR = 16.0
 """eps, of attitude entries and of L over |L|: the promise of the library."""

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from oracle.families import Case
 from oracle.measures import error_in_eps
 from starts import free_motion
+from twins.families_of_bodies import Case
 
 WORST_ERROR = 16.0
 """eps, the promise of the library."""

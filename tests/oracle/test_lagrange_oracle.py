@@ -4,9 +4,9 @@ import pytest
 from flint import arb, ctx, fmpq
 
 from oracle.lagrange import TopState, largest_momentum, reference_top
-from oracle.lagrange_families import FAMILIES, TopCase, draw_tops
 from oracle.lagrange_taylor import integrated_top
 from oracle.reference import exact
+from twins.families_of_tops import FAMILIES, TopCase, draw_tops
 
 AGREEMENT = 1e-40
 """Both methods carry 45 digits or more, of the attitude and of the largest |L|."""

@@ -1,4 +1,4 @@
-"""Write ``polhode/testing/reference_motions.json`` anew: ``cd tests && python -m oracle.write_reference_motions``.
+"""Write ``polhode/judging/reference_motions.json`` anew: ``cd tests && python -m oracle.write_reference_motions``.
 
 Takes some minutes. Raise ``VERSION`` in ``reference_table.py`` whenever a number or a name in the table changes.
 """

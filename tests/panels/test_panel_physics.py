@@ -10,10 +10,10 @@ import polhode as ph
 from panels.answers import NODE, ROOT, ask, asked, broken_sources
 from polhode.analysis.cone import cone_angles
 from polhode.analysis.poinsot import herpolhode
-from polhode.analysis.spin_down import predicted_exponents
-from polhode.quantum import Rotor
+from polhode.rolling import AirLayer, EulerDisk, RollingCouple, ViscousContourFriction
+from polhode.rolling.euler_disk.spin_down import predicted_exponents
 from polhode.rotation import rotate
-from polhode.systems import AirLayer, EulerDisk, RollingCouple, ViscousContourFriction
+from polhode.spectra import Rotor
 
 pytestmark = pytest.mark.skipif(NODE is None, reason="node is missing")
 EXACT = 1e-12  # relative, of what has a closed form

@@ -11,7 +11,7 @@ from numba import njit
 
 from polhode.arrays import split_halves
 from polhode.exact import _kernel_arithmetic as kernel
-from polhode.exact._compiling import two_product as compiled_two_product
+from polhode.exact._compiled_arithmetic import two_product as compiled_two_product
 from polhode.special import _doubledouble as dd
 from proofs.rocq_arithmetic import definitions, functions
 

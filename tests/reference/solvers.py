@@ -17,7 +17,6 @@ HERE = Path(__file__).parent
 NODE = shutil.which("node")
 COMPILER = shutil.which("cc") or shutil.which("gcc")
 STRICT = ("-O2", "-Wall", "-Wextra", "-Werror", "-pedantic", "-ffp-contract=off")
-LATEST = 1e14  # rad that a body turns at most: near a saddle a million periods are longer than phases have digits for
 
 
 class Given(NamedTuple):
@@ -123,13 +122,3 @@ def size(given):
     if given.mgl is not None:
         norm = max(norm, np.sqrt(abs(given.mgl)) * np.sqrt(given.moments[0]))
     return norm or 1.0
-
-
-def a_million_periods(givens):
-    """Return times (N, 2), of about a million periods or, where these are too long, as late as phases can be."""
-    motion, top = together(givens), givens[0].mgl is not None
-    rates = np.abs(motion.momentum_at_epoch / motion.moments).max(axis=-1)
-    rates = rates + np.sqrt(np.abs(motion.mgl) / motion.moments[:, 0]) if top else rates
-    rates = np.where(rates > 0.0, rates, 1.0)
-    late = np.fmin(1e6 * (motion.nutation_period if top else motion.period), LATEST / rates)  # NaN where undefined
-    return np.stack([late, -0.7393 * late], axis=-1)

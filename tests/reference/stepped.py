@@ -11,23 +11,25 @@ import numpy as np
 
 import polhode as ph
 from polhode.motion._trajectory import Trajectory
-from polhode.systems import (
+from polhode.rolling import (
     AirLayer,
     BoundaryLayer,
-    DoubleBracket,
     DrillingFriction,
     DryContourFriction,
     EulerDisk,
+    RollingCouple,
+    ViscousContourFriction,
+)
+from polhode.systems import (
+    DoubleBracket,
     GravityGradient,
     Gyrostat,
     HeavyTop,
     KeplerOrbit,
     LinearDrag,
     QuadraticDrag,
-    RollingCouple,
     TorquedBody,
     TorquedGyrostat,
-    ViscousContourFriction,
 )
 
 REFERENCE = Path(__file__).parents[2] / "reference"

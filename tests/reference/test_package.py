@@ -9,7 +9,7 @@ import tarfile
 import pytest
 
 import polhode as ph
-from polhode.testing import fixed_step_cases, reference_motions
+from polhode.judging import fixed_step_cases, reference_motions
 from reference.solvers import NODE, REFERENCE, ROOT
 
 NPM = shutil.which("npm")

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.systems import AirLayer, EulerDisk, HeavyTop
+from polhode.rolling import AirLayer, EulerDisk
+from polhode.systems import HeavyTop
 from reference.stepped import (
     CASES,
     DISK,

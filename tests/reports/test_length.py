@@ -6,11 +6,11 @@ import diffrax
 import numpy as np
 import pytest
 
+from polhode.celestial.spin_orbit.system import SpinOrbit
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import _adaptive as adaptive
 from polhode.kinds.reading import read_spec
 from polhode.reports import length
-from polhode.systems.spin_orbit import SpinOrbit
 from sweeping import first
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

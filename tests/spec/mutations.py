@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from pydantic import BaseModel
 
 from polhode.kinds.registry import find_kind, kind_names
+from polhode.spec.body_files import body_file_keys
 from polhode.spec.models import SpecFile
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -279,7 +280,7 @@ def keys_of(model):
 
 
 OF_KINDS = {key for name in KINDS for key in keys_of(find_kind(name).table)}
-KEYS = sorted({"system", *IN_AN_ATTITUDE, *keys_of(SpecFile), *OF_KINDS})
+KEYS = sorted({"system", *IN_AN_ATTITUDE, *keys_of(SpecFile), *body_file_keys(), *OF_KINDS})
 STRANGE_KEYS = ["", " ", "a.b", "\x1b[2J", "[red]", "ключ", "k" * 3000, '"', "\u202e", "__class__", "0"]
 VALUES = [
     True, False, 0, 1, -1, 2, 3, 10**400, -(10**30), 0.0, -0.0, 1e308, 5e-324, math.inf, -math.inf, math.nan, 0.5,

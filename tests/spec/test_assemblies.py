@@ -237,7 +237,6 @@ REFUSED = {
     'shape = "sphere"\nradius = "1 m"': "mass is missing",
     'shape = "sphere"\nradius = "1 m"\nmass = "1 kg"\ndensity = "1 kg/m^3"': "needs one of mass and density",
     'shape = "rod"\nlength = "1 m"\ndensity = "1 kg/m^3"': "a rod has no volume",
-    'shape = "disk"\nradius = "1 m"\nmass = "1 kg"\ncut = true': "a disk has no volume to cut away",
     'shape = "sphere"\nradius = "1 m"\nmass = "1 kg"\naxis = "x"\nattitude = [1, 0, 0, 0]': "both turn the part",
     'shape = "prism"\nheight = "1 m"\nmass = "1 kg"': "needs either sides and radius",
     'shape = "prism"\nheight = "1 m"\nmass = "1 kg"\nsides = 2\nradius = "1 m"': "must be at least 3",

@@ -203,7 +203,7 @@ def test_keys_of_every_form():
     assert tables == {"body": {"moments": ["1", "2", "3"]}, "system": "heavy-top"}
     with pytest.raises(ValueError, match="place 4 of a list of 3"):
         with_value(tables, "body.moments.4", 5)
-    with pytest.raises(ValueError, match="has no list or table at part"):
+    with pytest.raises(ValueError, match="has no list or table at 'part'"):
         with_value(tables, "body.parts.1.mass", 5)
 
 
@@ -217,7 +217,7 @@ def test_rotational_constants_may_be_wave_numbers(tmp_path):
 
 
 def test_progress_is_told_in_lines_where_nobody_watches(monkeypatch, capsys):
-    from polhode.cli import sweep
+    from polhode.sweeps import command as sweep
 
     monkeypatch.setattr(sweep, "EVERY", 0.0)
     lines = sweep._Lines(100, 1000)

@@ -16,9 +16,9 @@ from polhode.symbolic.rendering import Bracket, Equation, Name, Rate, Step
 from polhode.systems import FreeRigidBody
 
 QUICK = {"free-body", "lagrange-top", "kovalevskaya-top", "clebsch", "steklov-lyapunov"}
-SO3_ = LiePoissonBracket(SO3(), ["L1", "L2", "L3"])
-L1, L2, L3 = SO3_.coordinates
 I1, I2, I3, L = sympy.symbols("I1 I2 I3 L", positive=True)
+SO3_ = LiePoissonBracket(SO3(), ["L1", "L2", "L3"], parameters=[I1, I2, I3, L])
+L1, L2, L3 = SO3_.coordinates
 s = sympy.Symbol("s")
 H = L1**2 / (2 * I1) + L2**2 / (2 * I2) + L3**2 / (2 * I3)
 SAMPLES = [{"I1": 1.0, "I2": 2.0, "I3": 2.5, "L": 1.5}, {"I1": 2.0, "I2": 1.0, "I3": 2.5, "L": 0.7}]
@@ -96,7 +96,7 @@ def crooked():
     c = np.zeros((3, 3, 3))
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 1, 0)):
         c[i, j, k], c[j, i, k] = 1, -1
-    return LiePoissonBracket(c, [L1, L2, L3])
+    return LiePoissonBracket(c, [L1, L2, L3], parameters=SO3_.parameters)
 
 
 @pytest.mark.long_after(10)

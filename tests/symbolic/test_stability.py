@@ -24,8 +24,10 @@ I1, I2, I3, S, m, g, ell = sympy.symbols("I1 I2 I3 S m g l", positive=True)
 s = sympy.Symbol("s")
 a, b, c = sympy.symbols("a b c", real=True)
 MOMENTS = (I1, I2, I3)
-SO3_ = LiePoissonBracket(SO3(), ["L1", "L2", "L3"])
-SE3_ = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "G1", "G2", "G3"])
+SO3_ = LiePoissonBracket(SO3(), ["L1", "L2", "L3"], parameters=[I1, I2, I3, S])
+SE3_ = LiePoissonBracket(
+    SE3(), ["Pi1", "Pi2", "Pi3", "G1", "G2", "G3"], parameters=[I1, I2, I3, S, m, g, ell]
+)
 BODY = SymbolicSystem(SO3_, sum(x**2 / (2 * i) for x, i in zip(SO3_.coordinates, MOMENTS, strict=True)))
 
 

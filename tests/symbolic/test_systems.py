@@ -16,7 +16,9 @@ from polhode.symbolic import (
     kks_form,
     polynomial_integrals,
     reduce_to_sphere,
+    second_variation,
 )
+from polhode.symbolic.derivation import Derivation, Numerical
 from polhode.systems import (
     BodyInPotential,
     BrunBody,
@@ -29,7 +31,8 @@ from polhode.systems import (
 )
 
 I1, I2, I3 = sympy.symbols("I1 I2 I3", positive=True)
-SO3_ = LiePoissonBracket(SO3(), ["L1", "L2", "L3"])
+k = sympy.Symbol("k")
+SO3_ = LiePoissonBracket(SO3(), ["L1", "L2", "L3"], parameters=[I1, I2, I3, k])
 BODY = SymbolicSystem(SO3_, sum(x**2 / (2 * i) for x, i in zip(SO3_.coordinates, (I1, I2, I3), strict=True)))
 SE3_ = LiePoissonBracket(ph.algebra.SE3())
 NUMERICAL = [
@@ -56,17 +59,85 @@ def test_a_numerical_system_is_read_and_moves_alike(system):
     assert np.abs(mine - wanted).max() < 1e-13 * np.abs(wanted).max()
 
 
-def test_numbers_are_those_that_were_meant():
-    H = SymbolicSystem.from_system(FreeRigidBody((1.0, 3.0, 0.7)), ["L1", "L2", "L3"]).hamiltonian
+def test_the_numbers_of_a_system_are_read_as_it_is_said_and_divided_exactly():
+    """A moment of 3 gives 1/6; one of 0.7 is the double next to it, or 7/10 where somebody says so."""
     L1, L2, L3 = SO3_.coordinates
-    assert sympy.expand(H - L1**2 / 2 - L2**2 / 6 - L3**2 * sympy.Rational(5, 7)) == 0
+    for read_as, third in (("exact", sympy.Rational(0.7)), ("decimal", sympy.Rational(7, 10))):
+        symbolic = SymbolicSystem.from_system(FreeRigidBody((1.0, 3.0, 0.7)), ["L1", "L2", "L3"], read_as)
+        assert sympy.expand(symbolic.hamiltonian - L1**2 / 2 - L2**2 / 6 - L3**2 / (2 * third)) == 0
+        assert symbolic.bracket.read_as == read_as
 
 
 def test_doubles_in_an_expression_are_fractions():
     x = SO3_.coordinates
-    symbolic = SymbolicSystem(SO3_, 0.5 * x[0] ** 2 + x[1] ** 2 / 3.0 + 0.1 * x[2])
-    assert symbolic.hamiltonian == x[0] ** 2 / 2 + x[1] ** 2 / 3 + x[2] / 10
+    given = 0.5 * x[0] ** 2 + x[1] ** 2 / sympy.Integer(3) + 0.1 * x[2]
+    symbolic = SymbolicSystem(SO3_, given)
+    assert symbolic.hamiltonian == x[0] ** 2 / 2 + x[1] ** 2 / 3 + sympy.Rational(0.1) * x[2]
     assert not polynomial_integrals(symbolic, 2)
+    meant = LiePoissonBracket(SO3(), ["L1", "L2", "L3"], read_as="decimal")
+    assert SymbolicSystem(meant, given).hamiltonian == x[0] ** 2 / 2 + x[1] ** 2 / 3 + x[2] / 10
+
+
+BEARERS = [
+    {}, {"positive": True}, {"complex": True}, {"integer": True}, {"real": True},
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("assumed", BEARERS, ids=str)
+def test_a_symbol_that_bears_a_coordinates_name_is_that_coordinate(assumed):
+    """At every door; they were other symbols, of which every bracket vanished."""
+    L1, L2, L3 = x = sympy.symbols("L1 L2 L3", **assumed)
+    mine = dict(zip(SO3_.coordinates, (1, 2, 4), strict=True))
+    assert SO3_(L1, L2) == -SO3_.coordinates[2] and SO3_(L1, L2**2).subs(mine) == -16
+    H = sum(v**2 / (2 * i) for v, i in zip(x, sympy.symbols("I1 I2 I3", **assumed), strict=True))
+    system = SymbolicSystem(SO3_, H)
+    assert system.hamiltonian == BODY.hamiltonian and system.equations == BODY.equations
+    assert system.is_integral(sum(v**2 for v in x)) and not system.is_integral(L1)
+    assert not SO3_.is_casimir(L1) and SO3_.jacobiator(L1, L2**2, L3) == 0
+    assert polynomial_integrals(system, 1) == []
+    assert second_variation(system, (I1, 0, 0), [sum(v**2 for v in x)]).multipliers == (-1 / (2 * I1),)
+    running = system.to_system({"I1": 1, "I2": 2, "I3": 3}, conserved={"size": sum(v**2 for v in x)})
+    assert float(running.conserved["size"](jnp.array([1.0, 2.0, 2.0]))) == 9.0
+    assert float(compile_expression(L1 * L2, SO3_.coordinates, SO3())(jnp.array([2.0, 3.0, 5.0]))) == 6.0
+    with pytest.raises(InvalidInput, match="must commute"):
+        system.to_system({"I1": 1, "I2": 2, "I3": 3}, conserved={"first": L1})
+    assert Derivation("P", system, Numerical(lambda v: None, [])).system.is_integral(H)
+
+
+UNKNOWN = sympy.Symbol("L4", real=True)
+DOORS = {
+    "bracket": lambda: SO3_(UNKNOWN, SO3_.coordinates[0]),
+    "equations": lambda: SO3_.hamilton_equations(UNKNOWN**2),
+    "jacobiator": lambda: SO3_.jacobiator(*SO3_.coordinates[:2], UNKNOWN),
+    "Casimir": lambda: SO3_.is_casimir(UNKNOWN),
+    "system": lambda: SymbolicSystem(SO3_, UNKNOWN**2),
+    "integral": lambda: BODY.is_integral(UNKNOWN),
+    "conserved": lambda: BODY.to_system({"I1": 1, "I2": 2, "I3": 3}, {"F": UNKNOWN}),
+    "second variation": lambda: second_variation(BODY, (1, 0, 0), [UNKNOWN]),
+    "equilibrium": lambda: second_variation(BODY, (UNKNOWN, 0, 0), []),
+    "compiled": lambda: compile_expression(UNKNOWN, SO3_.coordinates, SO3()),
+    "form": lambda: kks_form(SO3_, (UNKNOWN, 0, 0), (0, 1, 0)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("door", DOORS)
+def test_a_symbol_that_is_neither_coordinate_nor_declared_is_refused(door):
+    with pytest.raises(InvalidInput, match=r"must be coordinates or declared parameters, here L1.*; got 'L4'"):
+        DOORS[door]()
+
+
+def test_parameters_are_declared_once_and_differ_from_coordinates():
+    with pytest.raises(InvalidInput, match="different names; got 'L1' twice"):
+        LiePoissonBracket(SO3(), ["L1", "L2", "L3"], parameters=[sympy.Symbol("L1")])
+    bracket = LiePoissonBracket(SO3(), ["L1", "L2", "L3"], parameters="a")
+    system = SymbolicSystem(bracket, sympy.Symbol("a") * sympy.Symbol("L1"))
+    assert [str(s) for s in system.parameters] == ["a"]
+    b = sympy.Symbol("b")
+    assert [str(s) for s in system.subs({"a": b**2}).parameters] == ["b"]
+    with pytest.raises(InvalidInput, match="has symbols"):
+        system.to_system({"a": b})
+    with pytest.raises(InvalidInput, match=r'must be decimals like "0\.3"'):
+        SymbolicSystem(bracket, "__import__('os').getcwd()")
 
 
 def test_hamilton_equations_are_eulers():
@@ -79,7 +150,6 @@ def test_hamilton_equations_are_eulers():
 def bent_body():
     """Return a body with a quartic term and a parameter, from symbols."""
     L1, L2, L3 = SO3_.coordinates
-    k = sympy.Symbol("k")
     bent = SymbolicSystem(SO3_, BODY.hamiltonian + k * L1**4 + sympy.cos(L2))
     return bent.to_system({I1: 1, "I2": 2.0, "I3": "3", k: 0.1}, {"size": L1**2 + L2**2 + L3**2})
 
@@ -179,7 +249,7 @@ def test_kks_form_is_the_numerical_one():
     (lambda: BODY.to_system({"I1": 1, "I2": 2, "I3": 3}, {"first": SO3_.coordinates[0]}),
      "must commute with the Hamiltonian; first = 'L1' changes at the rate"),
     (lambda: SymbolicSystem(SO3(), 0), "LiePoissonBracket"),
-    (lambda: compile_expression(I1, SO3_.coordinates, SO3()), "without values, I1"),
+    (lambda: compile_expression(I1, SO3_.coordinates, SO3()), "declared parameters, here L1, L2, L3; got 'I1'"),
     (lambda: SymbolicSystem.from_system(DoubleBracket((1.0, 2.0, 3.0), 0.3)), "loses energy"),
     (lambda: SymbolicSystem.from_system(BodyInPotential((1.0, 2.0, 3.0), lambda up: jnp.cos(up[2]))), "polynomial"),
     (lambda: SymbolicSystem.from_system("top"), "Lie–Poisson"),

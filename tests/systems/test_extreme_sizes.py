@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import systems
+from polhode import celestial, rolling, systems
 from polhode.errors import PolhodeError
 
 SIZES = (1e-320, 1e-300, 1e-200, 1e-155, 1e-60, 1.0, 2.0, 1e60, 1e155, 1e200, 1e300, 1.7e308)
@@ -28,12 +28,12 @@ def made(chance):
         return ph.Body.from_moments(s, min(1.5 * s, 1.7e308), min(2.0 * s, 1.7e308), mass=size())
 
     return {
-        "disk": lambda: systems.EulerDisk(size(), size(), gravity=size()),
-        "disk with moments": lambda: systems.EulerDisk(size(), size(), 0.0, size(), size()),
+        "disk": lambda: rolling.EulerDisk(size(), size(), gravity=size()),
+        "disk with moments": lambda: rolling.EulerDisk(size(), size(), 0.0, size(), size()),
         "top": lambda: systems.HeavyTop((size(), size(), size()), signed(), vector()),
         "gyrostat": lambda: systems.Gyrostat((size(), size(), size()), vector()),
         "masses": lambda: systems.Manakov((size(), size(), signed(), size())),
-        "spin and orbit": lambda: systems.SpinOrbit(signed(), signed()),
+        "spin and orbit": lambda: celestial.SpinOrbit(signed(), signed()),
         "drag": lambda: systems.TorquedBody((size(), size(), size()), [systems.LinearDrag(signed())]),
         "rotor": lambda: systems.RigidBody((size(), size(), size()), [systems.Wheel(vector(), size(), signed())]),
         "body": lambda: ph.Body(size(), vector(), np.diag((size(), size(), size()))),
@@ -62,9 +62,9 @@ def test_any_size_is_taken_or_refused(name):
 
 
 @pytest.mark.parametrize("call", [
-    lambda: systems.EulerDisk(1e-200, 1.0), lambda: systems.EulerDisk(1.0, 1e100),
-    lambda: systems.EulerDisk(1e300, 1.0),
-    lambda: systems.EulerDisk(1.0, 1.0, axial_moment=1e-200, diametral_moment=1.0),
+    lambda: rolling.EulerDisk(1e-200, 1.0), lambda: rolling.EulerDisk(1.0, 1e100),
+    lambda: rolling.EulerDisk(1e300, 1.0),
+    lambda: rolling.EulerDisk(1.0, 1.0, axial_moment=1e-200, diametral_moment=1.0),
     lambda: ph.Body.from_moments(1.0, 2.0, 2.5, mass=1.0).about((1e200, 0.0, 0.0)),
     lambda: systems.Manakov((1.0, 1.7e308, 1.7e308)), lambda: systems.GravityGradient(NUMBER, (1.0, 2.0, 3.0)),
     lambda: systems.LiePoisson(NUMBER, lambda x: x[0]), lambda: systems.TorquedBody((1.0, 2.0, 3.0), NUMBER),

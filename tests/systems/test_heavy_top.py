@@ -200,7 +200,7 @@ def test_sleeping_threshold():
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: HeavyTop((1.0, 2.0, 3.0), np.nan), "`mgl` must be one finite number"),
+        (lambda: HeavyTop((1.0, 2.0, 3.0), np.nan), "`mgl` must be a finite number"),
         (lambda: HeavyTop((1.0, 2.0, 3.0), 1.0, (0, 0, 0)), "`axis` must be a direction"),
         (lambda: HeavyTop((1.0, -2.0, 3.0), 1.0), "positive"),
         (lambda: HeavyTop.from_body(ph.Body.from_moments(1, 2, 3), (0, 0, 0)), "mass"),

@@ -11,7 +11,7 @@ import pytest
 
 import polhode as ph
 from polhode import algebra as lie
-from polhode import systems
+from polhode import fields, systems
 from polhode.errors import InvalidInput
 from polhode.integrators import LieMidpoint
 from polhode.integrators import _equal_steps as equal_steps
@@ -126,7 +126,7 @@ def test_states_off_the_dual_are_refused(algebra):
 
 
 @pytest.mark.parametrize(
-    ("system", "shape"), [(systems.Manakov((1.0, 2.0, 3.0, 4.0)), (4, 4)), (systems.SphereFluid(5), (5, 5))]
+    ("system", "shape"), [(systems.Manakov((1.0, 2.0, 3.0, 4.0)), (4, 4)), (fields.SphereFluid(5), (5, 5))]
 )
 def test_motions_of_matrices_start_on_the_dual(system, shape):
     with pytest.raises(InvalidInput, match=f"must lie on the dual of {re.escape(system.algebra.name)}"):

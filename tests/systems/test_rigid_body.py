@@ -158,6 +158,25 @@ def test_with_held_rotors_it_is_the_gyrostat():
     assert np.abs(found.invariants["energy"] - same.invariants["energy"]).max() < AGREES
 
 
+def test_a_driven_rotor_has_the_rates_of_the_gyrostat_with_a_motor():
+    """On an axis that is no principal one, which the carrier's moments must not feel."""
+    axis, less = np.array([0.6, 0.0, 0.8]), MOMENTS
+    gyrostat = TorquedGyrostat(less, axis, 0.2, 0.04)
+    body = ph.Body.from_inertia(np.diag(less) + 0.2 * np.outer(axis, axis))
+    craft = RigidBody.from_body(body, [Wheel(axis, 0.2, 0.04)])
+    start = gyrostat.pack(ATTITUDE, VELOCITY, rates=[4.0])
+    same = gyrostat.pack(ATTITUDE, momentum=start[4:7], rates=[4.0])
+    assert np.abs(np.asarray(same - start)).max() < 1e-15
+    state = craft.pack(ATTITUDE, VELOCITY, rates=[4.0])
+    turn = np.asarray(body.principal_axes)  # of the craft's states
+    one, other = gyrostat.vector_field(0.0, start), craft.vector_field(0.0, state)
+    assert np.abs(np.asarray(one[4:7]) - turn @ np.asarray(other[4:7])).max() < 1e-14
+    assert abs(float(one[7] - other[7])) < 1e-15
+    assert abs(float(gyrostat.energy(start) - craft.energy(state))) < 1e-14
+    assert np.abs(np.asarray(gyrostat.velocity(start) - craft.velocity(state))).max() < 1e-14
+    assert abs(float(gyrostat.power(0.0, start) - craft.power(0.0, state))) < 1e-15
+
+
 @pytest.mark.sweep
 def test_a_free_rotor_and_a_driven_one_are_the_gyrostats_with_the_moments_of_the_carrier():
     less = MOMENTS - np.array([0.0, 0.2, 0.0])
@@ -393,11 +412,11 @@ class NotBatched(AbstractTorque):
         (lambda: Wheel((0.0, 0.0, 0.0), 0.1), "`axis` must be a direction"),
         (lambda: Wheel((1.0, 0.0), 0.1), "`axis` must be three finite"),
         (lambda: Wheel(FIRST, 0.0), "`moment` must be a finite number above 0"),
-        (lambda: Wheel(FIRST, 0.1, "fast"), "`motor` must be a finite number"),
+        (lambda: Wheel(FIRST, 0.1, "fast"), "`motor` must be numbers; got .fast."),
         (lambda: Wheel(FIRST, 0.1, friction=-1.0), "`friction` must be a finite number not below 0"),
         (lambda: HeldWheel(FIRST, 0.1, np.inf), "`rate` must be a finite number"),
         (lambda: SphericalSlug(0.1, -1.0), "`damping` must be a finite number not below 0"),
-        (lambda: EnergySink(-0.1), "`rate` must be finite and not negative"),
+        (lambda: EnergySink(-0.1), "`rate` must be a finite number not below 0"),
         (lambda: LaggedTorque(0.3, 1.0), "`command` must be a function"),
         (lambda: LaggedTorque(lambda *given: given[2], 0.0), "`time_constant`"),
         (lambda: BODY.pack(ATTITUDE, VELOCITY, VELOCITY), "not both"),

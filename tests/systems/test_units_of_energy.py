@@ -4,17 +4,8 @@ import numpy as np
 import pytest
 
 from polhode import algebra
-from polhode.systems import (
-    DoubleBracketDamping,
-    FreeRigidBody,
-    Kirchhoff,
-    LiePoisson,
-    PlaneVortices,
-    SphereFluid,
-    SphereVortices,
-    Toda,
-    VlasovPoisson,
-)
+from polhode.fields import PlaneVortices, SphereFluid, SphereVortices, Toda, VlasovPoisson
+from polhode.systems import DoubleBracketDamping, FreeRigidBody, Kirchhoff, LiePoisson
 
 PLACES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 

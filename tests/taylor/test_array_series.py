@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import systems
+from polhode import fields
 from polhode.errors import InvalidInput
 from polhode.integrators import IsospectralMidpoint, Taylor
 from polhode.taylor import array_rules, array_series
@@ -79,11 +79,11 @@ def test_a_wrong_rule_is_noticed(monkeypatch):
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("make", first(1, [systems.SphereFluid, systems.SphereMHD]))
+@pytest.mark.parametrize("make", first(1, [fields.SphereFluid, fields.SphereMHD]))
 def test_fluids_move_as_by_the_midpoint_and_keep_more(make):
     system = make(7, 0.3)
     waves = {(2, 1): 0.3, (3, 0): 1.0, (4, 2): 0.2 - 0.4j}
-    state = system.from_harmonics(waves) if make is systems.SphereFluid else system.from_harmonics({(2, 0): 0.4}, waves)
+    state = system.from_harmonics(waves) if make is fields.SphereFluid else system.from_harmonics({(2, 0): 0.4}, waves)
     times = np.linspace(0.0, 20.0, 5)
     found = ph.simulate(system, state, times)
     other = ph.simulate(system, state, times, IsospectralMidpoint, order=8, step=0.02, estimate_error=False)
@@ -96,7 +96,7 @@ def test_fluids_move_as_by_the_midpoint_and_keep_more(make):
 
 @pytest.mark.sweep
 def test_a_batch_has_the_bits_of_each_and_goes_backwards():
-    fluid = systems.SphereFluid(5)
+    fluid = fields.SphereFluid(5)
     states = np.stack([fluid.from_harmonics({(2, 1): x, (3, 2): 1.0}) for x in (0.3, 0.9)])
     times = np.array([0.0, 1.0, 5.0])
     found = ph.simulate(fluid, states, times, estimate_error=False)
@@ -108,7 +108,7 @@ def test_a_batch_has_the_bits_of_each_and_goes_backwards():
 
 @pytest.mark.long
 def test_what_cannot_go_on_says_so():
-    fluid = systems.SphereFluid(5)
+    fluid = fields.SphereFluid(5)
     states, times = np.stack([fluid.from_harmonics({(2, 1): 0.3, (3, 2): 1.0})] * 2), np.array([0.0, 0.25, 0.5])
     with pytest.raises(InvalidInput, match="goes with one state"):
         ph.simulate(fluid, states, times, resumable=True, estimate_error=False)
@@ -120,7 +120,7 @@ def test_what_cannot_go_on_says_so():
     assert (later.states[1:] == whole.states[3:]).all()
 
 
-class Branching(systems.SphereFluid):
+class Branching(fields.SphereFluid):
     """A fluid whose rates depend on which of two numbers is larger."""
 
     def vector_field(self, t, state):

@@ -243,6 +243,7 @@ def by_dop853(potential, start, t, corners):
     raise AssertionError("too many corners")
 
 
+@pytest.mark.long_after(3)
 @pytest.mark.parametrize("name", CORNERS)
 def test_corners_are_passed_in_whatever_words_they_are(name):
     potential, corners = CORNERS[name], (-0.3, 0.4) if name == "a limit" else (0.0,)

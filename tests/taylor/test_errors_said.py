@@ -5,7 +5,7 @@ import pytest
 
 import polhode as ph
 from polhode import algebra as lie
-from polhode import systems
+from polhode import fields, systems
 from polhode.integrators import Taylor
 from polhode.integrators._series import series_error, solve_by_series
 
@@ -58,7 +58,7 @@ LONG = {
     "Kirchhoff": (KIRCHHOFF, np.array([0.3, 1.0, 0.2, 0.5, -0.4, 1.0])),
     "so(4)": (systems.Manakov((1.0, 2.0, 3.0, 4.0)),
               np.asarray(lie.SO(4).from_dual_vector(np.array([0.3, 1.0, -0.4, 0.2, 0.7, -0.9])))),
-    "Toda": (systems.Toda(4), np.array([0.5, -0.2, 0.1, 0.3, 1.0, 0.8, 1.2])),
+    "Toda": (fields.Toda(4), np.array([0.5, -0.2, 0.1, 0.3, 1.0, 0.8, 1.2])),
     "spins": (PAIR, np.array([[0.1, 0.9, 0.3], [0.8, -0.5, 0.2]])),
 }  # fmt: skip
 

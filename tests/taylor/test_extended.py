@@ -6,7 +6,7 @@ import pytest
 from mpmath import mp, mpf
 
 import polhode as ph
-from polhode import systems
+from polhode import celestial, systems
 from polhode.errors import InvalidInput
 from polhode.integrators import Taylor
 from polhode.integrators._series import NoSeries
@@ -117,13 +117,14 @@ def test_what_has_no_such_series_is_refused():
     with pytest.raises(NoSeries, match=r"the power 1\.3, .*halves of whole numbers"):
         ph.simulate(Pendulum(1.3), start, times, EXTENDED)
     with pytest.raises(NoSeries, match="Kepler's equation, which has no recurrence with twice as many digits"):
-        ph.simulate(systems.SpinOrbit(0.3, 0.1), start, times, EXTENDED)
+        ph.simulate(celestial.SpinOrbit(0.3, 0.1), start, times, EXTENDED)
     with pytest.raises(InvalidInput, match="one of double, extended; got 'quad'"):
         Taylor(precision="quad")
     with pytest.raises(InvalidInput, match="is for `simulate`"):
         ph.solve(Pendulum(1.5), start, times, EXTENDED)
 
 
+@pytest.mark.long
 def test_numbers_in_formulas_have_all_digits():
     """Quotients by moments that a function encloses, as by those that a system has: 5e-12 off at t = 1e5 if rounded."""
     own = ph.systems.LiePoisson(ph.algebra.SO3(), lambda m: 0.5 * jnp.sum(m**2 / jnp.array([0.7, 1.1, 1.3])))

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import systems
+from polhode import fields, systems
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import Taylor
 from polhode.taylor.expressions import Untraceable
@@ -19,8 +19,8 @@ from specimens import SYSTEMS, named
 MOMENTS = (1.0, 2.0, 3.5)
 START = np.array([1.0, 0.0, 0.0, 0.0, 0.3, 2.0, 0.1])
 BODY = systems.FreeRigidBody(MOMENTS)
-BY_PACK = (systems.SphereVortices, systems.PlaneVortices, systems.VlasovPoisson)
-AT_ONCE = (systems.BrunBody, systems.Gyrostat, systems.Toda, systems.LiePoisson)
+BY_PACK = (fields.SphereVortices, fields.PlaneVortices, fields.VlasovPoisson)
+AT_ONCE = (systems.BrunBody, systems.Gyrostat, fields.Toda, systems.LiePoisson)
 
 
 def moves(system):
@@ -43,8 +43,8 @@ def test_every_system_moves_as_by_runge_kutta(system):
     assert ours.error_estimate < 1e-13
 
 
-VORTICES = systems.PlaneVortices((1.0, -0.7, 0.4))
-BALL = systems.SphereVortices((1.0, -0.7, 0.4))
+VORTICES = fields.PlaneVortices((1.0, -0.7, 0.4))
+BALL = fields.SphereVortices((1.0, -0.7, 0.4))
 
 
 @pytest.mark.long

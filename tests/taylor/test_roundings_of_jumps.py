@@ -31,8 +31,8 @@ def test_forced_steps_hide_no_growth_of_roundings(kind, step):
     assert 1e-13 < error < HONEST * found.error_estimate < 1e-4
 
 
-def test_without_it_they_do(monkeypatch):
-    monkeypatch.setattr(_series, "MORE_STEPS", 0.0)
+def test_without_other_starts_they_do(monkeypatch):
+    monkeypatch.setattr(_series, "starts_a_rounding_away", lambda system, state: [state, state])
     assert ph.simulate(WithJumps((1.0, 2.0, 3.0)), [1e-7, 2.0, 1e-8], [0.0, 60.0]).error_estimate < 1e-14
 
 
@@ -57,22 +57,28 @@ def test_crossings_are_late_by_roundings_of_their_time(start):
     assert 1e-15 < error < HONEST * said < 1e-8
 
 
+def switch(w):
+    """Return ẏ = ±1 by the sign of sin wt, which is neither a branch on the state nor named: its error, and as said."""
+    found = ph.simulate(OwnField(lambda t, y: jnp.where(jnp.sin(w * t) > 0.0, 1.0, -1.0) + 0.0 * y), [0.0],
+                        [0.0, 100.0])  # fmt: skip
+    with mpmath.workdps(40):
+        half = mpmath.pi / mpmath.mpf(w)
+        turns = int(mpmath.floor(100 / half))
+        exact = (half - (100 - turns * half)) if turns % 2 else 100 - turns * half
+        return float(abs(mpmath.mpf(float(found.states[-1, 0])) - exact) / half), float(found.error_estimate)
+
+
+@pytest.mark.long_after(1)
+@pytest.mark.parametrize("w", [1.37, 4.1, 7.3])
+def test_switches_by_the_time_are_late_too(w):
+    error, said = switch(w)
+    assert 1e-15 < error < HONEST * said < 1e-10
+
+
+@pytest.mark.long
 def test_without_lateness_it_is_not_seen(monkeypatch):
     monkeypatch.setattr(switching, "ROUNDED", 0.0)
-    assert any(error > HONEST * said for error, said in map(bounce, (0.3, 0.77, 2.9)))
-
-
-def test_switches_by_the_time_are_late_too():
-    """ẏ = ±1 by the sign of sin wt, which is neither a branch on the state nor named."""
-    for w in (1.37, 4.1, 7.3):
-        found = ph.simulate(OwnField(lambda t, y, w=w: jnp.where(jnp.sin(w * t) > 0.0, 1.0, -1.0) + 0.0 * y), [0.0],
-                            [0.0, 100.0])  # fmt: skip
-        with mpmath.workdps(40):
-            half = mpmath.pi / mpmath.mpf(w)
-            turns = int(mpmath.floor(100 / half))
-            exact = (half - (100 - turns * half)) if turns % 2 else 100 - turns * half
-            error = float(abs(mpmath.mpf(float(found.states[-1, 0])) - exact) / half)
-        assert 1e-15 < error < HONEST * found.error_estimate < 1e-10
+    assert any(error > HONEST * said for error, said in map(switch, (1.37, 4.1, 7.3)))
 
 
 class Pulse(OwnField):

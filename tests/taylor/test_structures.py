@@ -5,7 +5,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from polhode import systems
+from polhode import fields, systems
 from polhode.taylor import machine
 from polhode.taylor.structure import itself, take_structure
 
@@ -27,7 +27,7 @@ def tops():
     state = np.array([1.0, 0, 0, 0, 0.5, 1.0, 2.0, 0, 0, 1.0])
     for moment, mgl in ((2.0, 1.0), (2.3, -0.4)):
         yield systems.HeavyTop((1.0, moment, 3.5), mgl, (0.0, 0.6, 0.8)), state
-    vortices = [systems.PlaneVortices(np.array([k, -0.7, 0.4])) for k in (1.0, 1.3)]
+    vortices = [fields.PlaneVortices(np.array([k, -0.7, 0.4])) for k in (1.0, 1.3)]
     yield from ((system, system.pack([[0.0, 0.0], [1.0, 0.2], [-0.3, 0.9]])) for system in vortices)
     yield systems.Kirchhoff(np.eye(6) + 0.1), np.ones(6)
     yield systems.Kirchhoff(1.3 * np.eye(6) + 0.2), np.ones(6)
@@ -74,5 +74,5 @@ def test_words_and_forms_are_part_of_the_structure():
     one, other = (systems.HeavyTop((1.0, 2.0, 3.5), mgl, (0.0, 0.6, 0.8)) for mgl in (1.0, 2.0))
     (same, numbers), (too, others) = take_structure(one), take_structure(other)
     assert same == too and hash(same) == hash(too) and not np.array_equal(numbers, others)
-    assert take_structure(systems.PlaneVortices(np.ones(3)))[0] != take_structure(systems.PlaneVortices(np.ones(4)))[0]
-    assert take_structure(systems.Toda(4))[0] != take_structure(systems.Toda(5))[0]
+    assert take_structure(fields.PlaneVortices(np.ones(3)))[0] != take_structure(fields.PlaneVortices(np.ones(4)))[0]
+    assert take_structure(fields.Toda(4))[0] != take_structure(fields.Toda(5))[0]

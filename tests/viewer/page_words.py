@@ -29,7 +29,8 @@ NOT_SHOWN = (
      "a spec"),
     (r"<iframe|width:100%|allow-|transparent|linear-gradient|^rgb\(|^sha256|video/webm|^\(prefers", "HTML or CSS"),
     (r"^abc$|^EN$|_rate$|^momentum$|^velocity$|^(?:space|body|axis) cone$", "a name that stands for something"),
-    (r"^a finite number$|finite numbers in brackets$", "part of an error of `set`, which programs read"),
+    (r"^a number, |numbers (?:in a list|between commas), each|^zero or of a size from|^a word$",
+     "part of an error of `set`, which programs read"),
     (r"^(?:deg|rad) s\^?-1$|^seconds_elapsed$|^time since start in ms$|^Sensor Logger", "an app's unit or header"),
     (r"^(?:gyroscope|accelerometer|acceleration) \{\}$", "an app's header"),
     (r"^wide$|^words$|^legend$|^plot$|^plain$|^heading$|^control choice$|^panel flat$", "a class"),
@@ -128,7 +129,7 @@ def _unescaped(text):
 def scripts():
     """Return the page's scripts, and those that kinds bring."""
     own = sorted((ROOT / "viewer" / "src").rglob("*.js"))
-    return {path: path.read_text("utf-8") for path in [*own, *sorted((ROOT / "src/polhode/kinds").glob("*/panel.js"))]}
+    return {path: path.read_text("utf-8") for path in [*own, *sorted((ROOT / "src/polhode").rglob("panel.js"))]}
 
 
 def is_shown(one):
@@ -187,7 +188,7 @@ def texts_of_stories(text):
 
 
 PYTHON = [ROOT / "src/polhode/viewer/panels.py", ROOT / "src/polhode/viewer/shapes.py",
-          *sorted((ROOT / "src/polhode/kinds").glob("*/panel.py"))]  # fmt: skip
+          *sorted((ROOT / "src/polhode").glob("*/*/panel.py"))]  # fmt: skip
 
 
 def texts_of_python(sources):

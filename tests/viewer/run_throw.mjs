@@ -6,6 +6,7 @@ const folder = process.argv[2];
 const { mappingOf, openTable, readLog } = await import(`${folder}/gyro_log.js`);
 const { startOf } = await import(`${folder}/linear_fit.js`);
 const { fitLog, restBias, throwsOf } = await import(`${folder}/throw_fit.js`);
+const { dataOf } = await import(`${folder}/page_data.js`);
 const { Refusal } = await import(`${folder}/refusal.js`);
 
 function answer({ text, mapping, fit }) {
@@ -20,6 +21,7 @@ function answer({ text, mapping, fit }) {
       limit, windows, samples: throws.map(({ times }) => times.length),
       start: { moments, axes, singularValues, noise, degenerate }, rest: restBias(log, windows),
       fit: found && { ...found.fit, residuals: undefined }, misfit: found?.misfit ?? null,
+      page: found && (({ summary, story }) => ({ summary, story }))(dataOf(found, log, "log.csv")),
     };
   } catch (error) {
     if (error instanceof Refusal) return { refused: error.message };

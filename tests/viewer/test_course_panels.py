@@ -9,7 +9,7 @@ import pytest
 
 import polhode as ph
 from polhode.analysis.poinsot import herpolhode
-from polhode.quantum import Rotor
+from polhode.spectra import Rotor
 from sweeping import only
 
 pytestmark = pytest.mark.browser
@@ -231,7 +231,7 @@ def test_a_wrong_number_is_seen(shown):
 
 
 @pytest.mark.parametrize("name, fragment, key, said", [
-    ("surfaces", "#energy=1", "period", "L stays on the axis"), ("surfaces", "#energy=4", "cap", "—"),
+    ("surfaces", "#energy=1.3333333333333333", "period", "L stays on the axis"), ("surfaces", "#energy=4", "cap", "—"),
     ("surfaces", "#energy=2", "period", "never comes back"), ("cones", "#ratio=1", "period", "Ω stays on L"),
 ])  # fmt: skip
 def test_words_stand_where_there_is_no_number(shown, name, fragment, key, said):

@@ -13,12 +13,13 @@ import pytest
 
 import polhode as ph
 from polhode.bodies.surface import Surface
+from polhode.celestial import SpinOrbit
 from polhode.errors import InvalidInput
 from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.kinds.free_body.answers import free_body_report
 from polhode.kinds.page import page_of_report, show, write_page
 from polhode.kinds.reading import read_spec
-from polhode.systems import FreeRigidBody, HeavyTop, LinearDrag, RigidBody, SpinOrbit, Wheel
+from polhode.systems import FreeRigidBody, HeavyTop, LinearDrag, RigidBody, Wheel
 from polhode.viewer.encoding import with_powers
 from polhode.viewer.page import check_given
 from polhode.viewer.samples import MOST

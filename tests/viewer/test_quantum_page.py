@@ -6,14 +6,14 @@ import pytest
 from polhode import FreeMotion
 from polhode.errors import InvalidInput
 from polhode.kinds.page import write_page
-from polhode.kinds.quantum_rotor.panel import LARGEST_J
 from polhode.kinds.reading import read_spec
-from polhode.quantum import Rotor
-from polhode.quantum._level_polhodes import level_polhodes
-from polhode.quantum._operators import Representation, rigid_terms
-from polhode.quantum._strengths import compute_states
-from polhode.quantum.racket import Racket
-from polhode.quantum.symbols import symbol
+from polhode.spectra import Rotor
+from polhode.spectra._level_polhodes import level_polhodes
+from polhode.spectra._operators import Representation, rigid_terms
+from polhode.spectra._strengths import compute_states
+from polhode.spectra.quantum_rotor.panel import LARGEST_J
+from polhode.spectra.racket import Racket
+from polhode.spectra.symbols import symbol
 
 CONSTANTS = (27e9, 14e9, 9e9)
 # a multiple d of |L|² that levels share is d J(J + 1), of polhodes on |L| = J + ½ it is d (J + ½)²: a quarter of d more

@@ -9,10 +9,10 @@ import pytest
 
 import polhode as ph
 from polhode.analysis.cone import axis_angles, rotation_form
-from polhode.analysis.spin_down import spin_down
 from polhode.analysis.twist import racket_twist
 from polhode.kinds.playground import presets
 from polhode.kinds.reading import read_spec
+from polhode.rolling.euler_disk.spin_down import spin_down
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PHONE_LONG = 0  # the phone's long axis, of least moment
@@ -65,21 +65,44 @@ def polar_circle():
     return axis_angles(motion)[2].max() * (1.0 + 86400.0 / motion.period) * 6356752.0
 
 
+def stopped():
+    """Return the dual-spin satellite as one rigid body, with the momentum that it has while its drum turns."""
+    report = read_spec(EXAMPLES / "dual_spin.toml").report()
+    return ph.FreeMotion(report.trajectory.frame.moments, momentum=np.asarray(report.trajectory.momentum)[0])
+
+
 def drum():
-    """Return how far L gets from the rotor's axis, and with the rotor at rest from that of largest moment [degrees]."""
-    spec = read_spec(EXAMPLES / "dual_spin.toml")
-    momentum, _ = spec.start(spec.body.principal_moments, spec.body.principal_axes)
-    away = axis_angles(ph.FreeMotion(spec.body.principal_moments, momentum=momentum))[2]
-    whole = np.asarray(momentum) + 121.0 * 2.0 * math.pi * np.asarray(spec.body.principal_axes)[2]
-    first = math.degrees(math.acos(abs(whole[0]) / np.linalg.norm(whole)))
-    return first, math.degrees(min(away.max(), math.pi - away.min()))
+    """Return how far L gets from the rotor's axis, and with the rotor at rest the rate [rpm] and again how far [°]."""
+    motion = stopped()
+    momentum = np.asarray(motion.momentum(0.0))
+    first = math.degrees(math.acos(abs(momentum[0]) / np.linalg.norm(momentum)))
+    turning = np.linalg.norm(momentum / np.asarray(motion.moments)) * 30.0 / math.pi
+    return first, turning, math.degrees(axis_angles(motion)[0].max())
+
+
+def half_the_rate():
+    """Return how far the top nods down [degrees], let go at half of its steady rate, at the same spin and lean."""
+    report = read_spec(EXAMPLES / "precessing_top.toml").report()
+    top = report.trajectory.motion
+    _, sets = story("precessing_top")
+    rate, lean = sets["Half the rate"]["spin"]["precession"], math.radians(30.0)
+    velocity = np.array([0.0, rate * math.sin(lean), rate * math.cos(lean) + 253.0 * math.pi / 30.0])
+    start = (math.cos(0.5 * lean), math.sin(0.5 * lean), 0.0, 0.0)
+    moved = ph.LagrangeMotion(top.moments, mgl=top.mgl, momentum=np.asarray(top.moments) * velocity, attitude=start)
+    return [math.degrees(math.acos(min(moved.nutation_limits)))]
+
+
+def explorer():
+    """Return by how much losses are enlarged, to a digit, the time to the flat spin [s], and an orbit's [min]."""
+    flat = read_spec(EXAMPLES / "explorer_1.toml").report().values()["flat_spin_time"]["motion"]
+    return float(f"{115.0 * 60.0 / flat:.0e}"), flat, 115.0
 
 
 def disk(tilt):
     """Return how often a disk's contact goes round per second, and how long it takes to lie flat [s]."""
     spec = read_spec(EXAMPLES / "euler_disk.toml")
     table = spec.system
-    body = ph.systems.EulerDisk(
+    body = ph.rolling.EulerDisk(
         table.mass, table.radius, table.thickness, table.axial_moment, table.diametral_moment, table.gravity,
         dissipation=[law.build() for law in table.dissipation],
     )  # fmt: skip
@@ -99,7 +122,9 @@ SAID = [
     ("smartphone", f"turned once, at {NUMBER} s.*turns over at {NUMBER} s", phone_turns),
     ("earth", f"some {NUMBER} days; measured, it is {NUMBER}", lambda: [motion_of("earth").period / 86400.0, CHANDLER]),
     ("earth", f"radius of {NUMBER} m", lambda: [polar_circle()]),
-    ("dual_spin", f"holds L within {NUMBER}° of its axis.*within {NUMBER}° of the axis of largest moment", drum),
+    ("dual_spin", f"holds L within {NUMBER}° of its axis.*at {NUMBER} rpm and within {NUMBER}° of its axis", drum),
+    ("precessing_top", f"down to {NUMBER}°", half_the_rate),
+    ("explorer_1", f"enlarged some {NUMBER} times: here it takes {NUMBER} s, .* an orbit, {NUMBER} minutes", explorer),
     ("euler_disk", f"^Tilted by {NUMBER}° ",
      lambda: [math.degrees(read_spec(EXAMPLES / "euler_disk.toml").system.tilt)]),
     ("euler_disk", f"contact goes round {NUMBER} times a second\\. Rolling.*after {NUMBER} s it",
@@ -194,13 +219,22 @@ def test_the_phone_turns_over_in_its_second_turn():
     assert 1.0 < over / once < 2.0
 
 
-def test_the_stopped_drum_leaves_a_spin_about_the_major_axis():
-    """It was said to tumble."""
-    words, _ = story("dual_spin")
-    spec = read_spec(EXAMPLES / "dual_spin.toml")
-    momentum, _ = spec.start(spec.body.principal_moments, spec.body.principal_axes)
-    stopped = ph.FreeMotion(spec.body.principal_moments, momentum=momentum)
-    assert rotation_form(stopped) == "coning" and "tumbles" not in words
+def test_the_rotor_s_own_motor_keeps_the_momentum():
+    """|L| fell from 764.8 to 82.9: the story's start had the body's velocity, and not its momentum."""
+    words, sets = story("dual_spin")
+    chosen = sets["Stop the rotor"]
+    motion = stopped()
+    assert "L stays" in words and chosen["system"] == {"rotor_rate": 0.0}
+    assert chosen["spin"]["momentum"] == pytest.approx(np.asarray(motion.momentum(0.0)), rel=1e-12)
+    assert motion.regime == "long-axis"  # about the axis of least moment: the most energy for its L
+
+
+def test_half_the_rate_is_half_the_rate():
+    """"A little slower" was slower by a factor of 24."""
+    top = read_spec(EXAMPLES / "precessing_top.toml").report().trajectory.motion
+    _, sets = story("precessing_top")
+    steady = top.precession_per_period / top.nutation_period
+    assert sets["Half the rate"]["spin"]["precession"] == pytest.approx(0.5 * steady, rel=1e-3)
 
 
 @pytest.mark.sweep

@@ -1,6 +1,7 @@
 """The page's fit of gyro logs is that of polhode: the same samples, flights and start, from files as apps write."""
 
 import json
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -194,6 +195,11 @@ def test_drag_is_fitted_gains_are_said_and_noise_alone_is_not():
     assert off.max() < 0.5 and wanted.linear_drag is None
     np.testing.assert_allclose(slowed["fit"]["drag"], wanted.drag.value, atol=0.5 * wanted.drag.standard_error.max())
     assert "residuals" in wrong["misfit"] and "gains" in wrong["misfit"]
+    for one, sign, count in ((slowed, "=", 3), (wrong, "≈", 2)):  # digits of a ratio whose error is not known
+        said = re.findall(rf"I[12]/I3 {sign} 0\.(\d+)", one["page"]["summary"])
+        assert [len(each) for each in said] == [count, count] and "±" not in str(one["page"])
+        assert one["page"]["story"][1].startswith(f"I1/I3 {sign} 0.{said[0]}")
+    assert wrong["misfit"] in wrong["page"]["story"] and wrong["misfit"].count(" ") > 10
 
 
 @pytest.mark.parametrize(("wrong", "right", "file"), [

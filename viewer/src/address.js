@@ -1,21 +1,23 @@
 // A setting in the page's address, so that a link shows the same motion: #spin.rate=12.5&body.moments=1,2,3&t=4
+import { asFragment, fromFragment } from "./link.js";
+
 const LATER = 300; // ms after the last change that the address follows: browsers refuse more than some hundred in half a minute
 
 export class Address {
   /**
    * @param seen returns the tables of what is seen now
-   * @param follow called with the tables of an address that a person, or another page, has given
+   * @param follow called with what an address says that a person, or another page, has given
    */
   constructor(seen, follow) {
     this.seen = seen;
     window.addEventListener("hashchange", () => {
-      if (window.location.hash.slice(1) !== this.fragment) follow(this.tables);
+      if (window.location.hash.slice(1) !== this.fragment) follow(this.read());
     });
   }
 
-  /** The tables that the address names; none of an address without any. */
-  get tables() {
-    return fromFragment(window.location.hash) ?? {};
+  /** Return the tables that the address names, and what of it cannot be read. */
+  read() {
+    return fromFragment(window.location.hash);
   }
 
   get fragment() {
@@ -47,37 +49,4 @@ export class Address {
       // a page inside a frame may have no say in its address
     }
   }
-}
-
-/** Return tables in tables as text; numbers keep all their digits. */
-export function asFragment(tables) {
-  const parts = [];
-  for (const [table, values] of Object.entries(tables)) {
-    if (typeof values !== "object") parts.push(`${table}=${escaped(values)}`);
-    else for (const [key, value] of Object.entries(values)) parts.push(`${table}.${key}=${escaped(value)}`);
-  }
-  return parts.join("&");
-}
-
-/** Return numbers as they are, for people to read, and words with everything escaped that an address has a use for. */
-const escaped = (value) => [value].flat().map((one) => (typeof one === "number" ? String(one) : encodeURIComponent(one))).join(",");
-
-/** Return the tables that a text names; null where it has none. */
-export function fromFragment(text) {
-  const tables = {};
-  for (const part of text.replace(/^#/, "").split("&").filter(Boolean)) {
-    const [name, ...rest] = part.split("=");
-    let value;
-    try {
-      value = decodeURIComponent(rest.join("="));
-    } catch {
-      continue; // half an escape: not ours
-    }
-    const [table, key] = name.split(".");
-    const read = value.includes(",") ? value.split(",").map(Number) : value !== "" && Number.isFinite(Number(value)) ? Number(value) : value;
-    if ([read].flat().some((number) => typeof number === "number" && !Number.isFinite(number))) continue;
-    if (key === undefined) tables[table] = read;
-    else (tables[table] ??= {})[key] = read;
-  }
-  return Object.keys(tables).length ? tables : null;
 }

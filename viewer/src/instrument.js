@@ -1,6 +1,7 @@
 // What can be set on a page: the setting, its sliders, and the motion that it makes.
 import { Controls } from "./controls.js";
 import { list } from "./frames.js";
+import { declared, isInRange, NUMBER, quoted } from "./link.js";
 import { inEnglish } from "./say.js";
 import { SETTINGS } from "./settings/index.js";
 import { SolvedMotion } from "./solved.js";
@@ -46,8 +47,7 @@ export class Instrument {
     try {
       this.solver = this.kind.make(setting);
     } catch (error) {
-      this.say(error.message);
-      return false;
+      return this.refuse(error);
     }
     this.say("");
     const shaped = String(setting.moments) !== String(this.first.moments);
@@ -60,10 +60,17 @@ export class Instrument {
       [this.solver, this.setting] = before;
       this.show();
       this.changed(String(this.setting.moments) !== String(this.first.moments));
-      this.say(error.message);
-      return false;
+      return this.refuse(error);
     }
     return true;
+  }
+
+  /** Say why a setting is not taken; false. */
+  refuse(error) {
+    const known = error instanceof RangeError;
+    const { message } = known ? error : new RangeError(`The page cannot draw this setting (${error.message}). Take numbers that are nearer to one.`);
+    this.say(message);
+    return false;
   }
 
   move(key, value) {
@@ -71,7 +78,7 @@ export class Instrument {
     try {
       return this.take(this.kind.changed(this.setting, key, value));
     } catch (error) {
-      return this.say(error.message); // no start belongs to it
+      return this.refuse(error); // no start belongs to it
     }
   }
 
@@ -81,8 +88,7 @@ export class Instrument {
       check(tables, this.kind.keys);
       return this.take(this.kind.withSpec(this.setting, tables));
     } catch (error) {
-      this.say(error.message);
-      return false;
+      return this.refuse(error);
     }
   }
 
@@ -116,16 +122,15 @@ export class Instrument {
 function check(tables, keys) {
   if (typeof tables !== "object" || tables === null || Array.isArray(tables)) throw new RangeError("set takes tables like {spin: {rate: 12}}.");
   for (const [table, values] of Object.entries(tables)) {
-    if (!keys[table]) throw new RangeError(`There is no table ${table} here; there are ${Object.keys(keys).join(", ")}.`);
-    if (typeof values !== "object" || values === null) throw new RangeError(`${table} must be a table of keys and values.`);
+    const known = declared(keys, table, "table");
+    if (typeof values !== "object" || values === null || Array.isArray(values)) throw new RangeError(`${table} must be a table of keys and values, like ${table}.${Object.keys(known)[0]}; got ${quoted(values)}.`);
     for (const [key, value] of Object.entries(values)) {
-      if (!(key in keys[table])) throw new RangeError(`There is no key ${table}.${key} here; there are ${Object.keys(keys[table]).join(", ")}.`);
-      const length = keys[table][key]; // 0 for a word, 1 for a number, else of a list
+      const length = declared(known, key, "key", `${table}.`); // 0 for a word, 1 for a number, else of a list
       const numbers = [value].flat();
       const fits = length === 0 ? typeof value === "string" : numbers.length === length && Array.isArray(value) === length > 1;
-      if (!fits || (length && !numbers.every((one) => typeof one === "number" && Number.isFinite(one)))) {
-        const wanted = length === 0 ? "a word" : length === 1 ? "a finite number" : `${length} finite numbers in brackets`;
-        throw new RangeError(`${table}.${key} must be ${wanted}; got ${JSON.stringify(value)}.`);
+      if (!fits || (length && !numbers.every(isInRange))) {
+        const wanted = length === 0 ? "a word" : length === 1 ? `a number, ${NUMBER}` : `${length} numbers in a list, each ${NUMBER}`;
+        throw new RangeError(`${table}.${key} must be ${wanted}; got ${quoted(value)}. Check the number, which is in SI units.`);
       }
     }
   }

@@ -1,10 +1,11 @@
 // From the data in the page to its panels, and from each change of time, view, colours or setting to a new picture.
-import { Address, fromFragment } from "./address.js";
+import { Address } from "./address.js";
 import { View } from "./camera.js";
 import { addFrame, caption, write } from "./frames.js";
 import { Instrument } from "./instrument.js";
 import { Language } from "./language.js";
 import { Room, Views } from "./layout.js";
+import { fromFragment, quoted } from "./link.js";
 import { Motion, unpacked } from "./motion.js";
 import { axisPanel } from "./panels/axis.js";
 import { bodyPanel } from "./panels/body.js";
@@ -13,7 +14,7 @@ import { spherePanel } from "./panels/sphere.js";
 import { Plots } from "./plots.js";
 import { Playground } from "./playground.js";
 import { Readouts } from "./readouts.js";
-import { say } from "./say.js";
+import { languages, say } from "./say.js";
 import { Sharing } from "./sharing.js";
 import { dispose } from "./shapes.js";
 import { SolvedMotion } from "./solved.js";
@@ -59,27 +60,28 @@ class Page {
       beyond: (time) => this.goTo(time),
       told: () => this.told(),
     });
-    this.address = new Address(() => this.seen, (tables) => this.follow(tables, data));
+    this.address = new Address(() => this.seen, (link) => this.follow(link, data));
     this.views = new Views(element("panels"), () => this.looked());
     this.sharing = new Sharing(this);
     this.playground = data.presets ? new Playground(data.presets, (preset) => this.open(preset), (step) => this.tell(step)) : null;
     if (data.presets) this.reader = new LogReader(element("share"), (found) => this.open(found));
-    const { tables } = this.address;
-    this.open(this.playground?.find(tables.preset) ?? data, tables);
+    const link = this.address.read();
+    this.open(this.playground?.find(link.tables.preset) ?? data, link);
   }
 
-  /** Show what an address says, of the motions in `data`. */
-  follow(tables, data) {
+  /** Show what a link says, of the motions in `data`. */
+  follow(link, data) {
+    const { tables } = link;
     if (tables.lang !== (this.language.asked ?? undefined)) {
       this.language.take(tables.lang);
       this.playground?.write();
       this.reader?.write();
     }
-    this.open(this.playground?.find(tables.preset) ?? data, tables);
+    this.open(this.playground?.find(tables.preset) ?? data, link);
   }
 
-  /** Show a motion: its words, its panels, and, where the page can solve it, what can be set; as an address says, if given. */
-  open(data, tables = null) {
+  /** Show a motion: its words, its panels, and, where the page can solve it, what can be set; as a link says, if given. */
+  open(data, link = null) {
     const lively = this.timebar.playing;
     this.data = data;
     write(data);
@@ -91,6 +93,7 @@ class Page {
     element("refused").textContent = ""; // what was said of another motion
     this.shaped = false;
     element("instrument").hidden = !data.model;
+    element("facts").replaceChildren();
     if (data.model) {
       this.instrument = new Instrument(data.model, (shaped) => this.reset(shaped));
       this.epoch = this.instrument.setting.epoch;
@@ -107,7 +110,7 @@ class Page {
     this.timebar.goesOn = Boolean(this.instrument);
     this.timebar.take(this.motion, true, null, this.instrument?.event);
     this.sharing.take();
-    if (tables) this.restore(tables);
+    if (link) this.restore(link);
     if (lively) this.timebar.toggle();
     this.address.write();
   }
@@ -118,14 +121,27 @@ class Page {
     const tables = { ...this.seen, t: position || time !== this.begins ? time : null };
     this.playground?.write();
     this.reader?.write();
-    this.open(this.data, tables);
+    this.open(this.data, { tables, refused: [] });
   }
 
-  /** Take the setting, the large picture and the time that an address names. */
-  restore({ t = null, preset, view = null, lang, ...settings }) {
-    if (Object.keys(settings).length) this.instrument?.set(settings);
-    if (view !== null) this.views.enlarge(String(view));
-    if (typeof t === "number") this.goTo(t);
+  /** Take the setting, the large picture and the time that a link names, and say what of it cannot be had. */
+  restore({ tables: { t = null, preset, view = null, lang, ...settings }, refused }) {
+    const [place, found] = [element("refused"), [...refused]];
+    const said = () => {
+      if (place.textContent) found.push({ message: place.textContent });
+      place.textContent = "";
+    };
+    const named = Object.keys(settings);
+    if (named.length && !this.instrument) found.push(new RangeError(`This motion has nothing to set; got ${quoted(named.join(", "))} in the link. Leave that out.`));
+    else if (named.length) this.instrument.set(settings);
+    said();
+    if (preset !== undefined && !this.playground) found.push(new RangeError(`This page shows one motion; got preset=${quoted(preset)} in the link. Leave that out.`));
+    if (lang !== undefined && !languages().includes(lang)) found.push(new RangeError(`lang must be ${languages().join(" or ")}; got ${quoted(lang)}. Name one of these.`));
+    if (view !== null && !this.views.enlarge(String(view))) found.push(new RangeError(`view must be ${this.views.types.join(" or ")}; got ${quoted(view)}. Name one of these.`));
+    if (t !== null && typeof t !== "number") found.push(new RangeError(`t must be a time in seconds; got ${quoted(t)}. Write it as a number, as in t=4.`));
+    else if (t !== null) this.goTo(t);
+    said();
+    place.textContent = found.map(({ message }) => message).join(" ");
   }
 
   /** What the address says: which motion, how it is set, which picture is large, and the time, once it stands still. */
@@ -219,17 +235,32 @@ class Page {
     this.draw();
   }
 
-  /** Go to any time: to another window of a motion that goes on for ever, where it lies outside of this one. */
+  /** Go to any time: to another window of a motion that goes on for ever, where it lies outside of this one; whether it can. */
   goTo(time) {
-    if (!Number.isFinite(time)) return;
-    const { times, count } = this.motion;
-    const outside = time < times[0] || time > times[count - 1];
-    const found = this.motion.endless ? this.motion.around(time) : outside && this.instrument ? this.instrument.motion().around(time) : this.motion;
+    let found;
+    try {
+      found = this.windowAt(time);
+    } catch (error) {
+      this.timebar.pause();
+      element("refused").textContent = error.message;
+      return false;
+    }
     if (found !== this.motion) {
       this.motion = found;
       this.build();
       this.timebar.take(found, false, time);
     } else this.timebar.goTo(time);
+    return true;
+  }
+
+  /** Return the motion in a window that has a time; throw a RangeError where there is none. */
+  windowAt(time) {
+    const { times, count, endless } = this.motion;
+    if (!Number.isFinite(time)) throw new RangeError(`t must be a finite number of seconds; got ${quoted(time)}. Give a nearer time.`);
+    if (endless) return this.motion.around(time);
+    if (time >= times[0] && time <= times[count - 1]) return this.motion;
+    if (this.instrument) return this.instrument.motion().around(time);
+    throw new RangeError(`t must be from ${times[0]} to ${times[count - 1]} s, where this motion has samples; got ${time}. Give a time between these.`);
   }
 
   /** Draw all panels once before the next frame is shown; nothing is drawn while nothing changes. */
@@ -336,9 +367,11 @@ function offered(page) {
       page.timebar.to(index);
       page.drawNow();
     },
+    /** Go to a time [s]; whether that could be done. */
     goTo(time) {
-      page.goTo(time);
+      const done = page.goTo(time);
       page.drawn();
+      return done;
     },
     get playing() {
       return page.timebar.playing;
@@ -371,7 +404,7 @@ try {
   const data = JSON.parse(element("motion").textContent);
   window.polhode = { drawn: 0, firstPicture: null };
   const language = new Language();
-  language.take(fromFragment(window.location.hash)?.lang);
+  language.take(fromFragment(window.location.hash).tables.lang);
   write(data.presets ? data.presets[0] : data);
   const page = new Page(data, language);
   window.polhode = offered(page);

@@ -6,6 +6,7 @@ export const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4
 /** Return a number with so many digits, powers of ten as such. */
 export function worded(value, digits = 6) {
   if (value === 0) return "0";
+  if (!Number.isFinite(value)) return "—";
   const size = Math.abs(value);
   if (size >= 1e-3 && size < 1e6) {
     const text = size >= 10 ** digits ? String(Number(value.toPrecision(digits))) : value.toPrecision(digits);

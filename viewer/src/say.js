@@ -34,13 +34,14 @@ export const language = () => spoken.language;
 export function say(text, values = null) {
   if (Array.isArray(text)) return say(...text);
   const found = translated(text, spoken.language) ?? text;
-  return values ? found.replace(/\{(\w+)\}/g, (whole, name) => (name in values ? numbered(values[name]) : whole)) : found;
+  return values ? found.replace(/\{(\w+)\}/g, (whole, name) => (Object.hasOwn(values, name) ? numbered(values[name]) : whole)) : found;
 }
 
 /** Return the translation of a text, undefined where there is none. */
 function translated(text, into) {
-  const own = brought(into)?.[text];
-  if (own !== undefined || !Object.hasOwn(spoken.table, text)) return own;
+  const own = brought(into);
+  if (own && Object.hasOwn(own, text)) return own[text];
+  if (!Object.hasOwn(spoken.table, text)) return undefined;
   return spoken.table[text][spoken.languages.indexOf(into)] || undefined;
 }
 

@@ -6,6 +6,7 @@ const CLOSE = 0.08; // rad the body turns between points of drawn curves: their 
 const TURNS = 8; // of the body in a window, where nothing else says how long it is
 const [FEWEST, MOST] = [400, 3000]; // points in a window
 const CURVE = 24000; // points of a drawn curve
+const FINEST = 16 * Number.EPSILON; // of a time: points nearer than that have hardly times of their own
 const KEPT = 0.5; // of a window that stays when the next begins, so that traces do not vanish all at once
 
 const quaternion = ([w, x, y, z]) => new Quaternion(x, y, z, w);
@@ -37,6 +38,7 @@ export class SolvedMotion {
     const swing = this.solver.mgl ? 0.1 * Math.sqrt(Math.abs(this.solver.mgl) / Math.max(...this.moments)) : 0;
     const speed = Math.max(this.speedAt(start), swing) || 1;
     const span = this.solver.wanted ?? windowOf(this.solver, speed);
+    if (!(span > 0 && Number.isFinite(span * speed))) leaves();
     const count = Math.max(FEWEST, Math.min(MOST, Math.ceil((span * speed) / CLOSE) + 1));
     return Float64Array.from({ length: count }, (_, k) => start + (span * k) / (count - 1));
   }
@@ -60,6 +62,7 @@ export class SolvedMotion {
     this.velocities = new Float64Array(3 * this.count);
     this.energies = new Float64Array(this.count);
     this.fastest = 0;
+    let largest = 0; // |L|
     this.dense = null;
     for (let k = 0; k < this.count; k++) {
       const { attitude, momentum, velocity, energy } = this.solved(this.times[k]);
@@ -68,7 +71,10 @@ export class SolvedMotion {
       this.velocities.set(velocity, 3 * k);
       this.fastest = Math.max(this.fastest, Math.hypot(...velocity));
       this.energies[k] = energy;
+      largest = Math.max(largest, Math.hypot(...momentum));
     }
+    if (!hasSquare(largest) || !hasSquare(this.fastest)) leaves();
+    for (const values of [this.times, this.attitudes, this.momenta, this.velocities, this.energies]) if (!values.every(Number.isFinite)) leaves();
   }
 
   /** Return what the solver says of a time, with Ω and the energy, which steppers say themselves. */
@@ -127,10 +133,20 @@ export class SolvedMotion {
     if (time >= first && time <= last) return this;
     const start = time > last && time < last + (1 - KEPT) * this.span ? last - KEPT * this.span : time - KEPT * this.span;
     const step = this.span / (this.count - 1);
+    if (!(step >= FINEST * Math.max(Math.abs(start), Math.abs(time)))) {
+      throw new RangeError(`t must be within ${(step / FINEST).toPrecision(1)} s, beyond which the points of this picture, ${step.toPrecision(2)} s apart, have hardly times of their own; got ${time}. Give a nearer time.`);
+    }
     const times = this.times.map((_, k) => start + k * step);
     const { w, x, y, z } = this.space;
     return new SolvedMotion(this.solver, times, [w, x, y, z]);
   }
+}
+
+/** Whether a size is zero, or its square, which pictures divide by, a normal double. */
+const hasSquare = (size) => size === 0 || (size * size > Number.MIN_VALUE / Number.EPSILON && Number.isFinite(size * size));
+
+function leaves() {
+  throw new RangeError("A number leaves double precision on the way to the picture. Give numbers, in SI units, that are nearer to one.");
 }
 
 /** Return how long a window should be [s]: some turns, and at least two periods of what the axis does. */

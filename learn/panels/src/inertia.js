@@ -1,4 +1,5 @@
 // Mass points that can be dragged, their tensor as numbers, and the principal axes that it has.
+import { between } from "./lib/address.js";
 import { mixed } from "./lib/colours.js";
 import { drawBall, drawCurve, write } from "./lib/ink.js";
 import { Panel } from "./lib/panel.js";
@@ -7,6 +8,7 @@ import { sum, times } from "./lib/vectors.js";
 import { bodyOf, equalEllipsoid } from "./physics/inertia.js";
 
 const NAMES = ["a", "b", "c", "d", "e"];
+const MASSES = [0.1, 4]; // kg
 const FAR = 1.2; // m that a coordinate may reach
 const START = { a: [0.9, 0.25, 0.1], b: [-0.7, 0.55, 0], c: [-0.5, -0.75, 0.2], d: [0.3, 0.1, 0.65], e: [0.15, -0.35, -0.55] };
 const START_MASS = { a: 1, b: 1.5, c: 1, d: 0.8, e: 1.2 };
@@ -84,8 +86,9 @@ function changed(key, panel) {
   panel.prepared = false;
 }
 
-const aPoint = (value) => (Array.isArray(value) && value.length === 3 ? value.map(round) : undefined);
-const aMass = (value) => (typeof value === "number" ? Math.min(4, Math.max(0.1, value)) : undefined);
+const isPoint = (value) => Array.isArray(value) && value.length === 3 && value.every((x) => Math.abs(x) <= FAR);
+const aPoint = { allows: (value) => (isPoint(value) ? value : undefined), wants: `three numbers from ${-FAR} to ${FAR}, in metres` };
+const aMass = between(...MASSES);
 const metres = (value) => `${value.toFixed(2).replace("-", "−")} m`;
 const coordinate = (key) => ({ kind: "slider", key, label: `${key} of the mass`, least: -FAR, most: FAR, step: 0.01, say: metres });
 
@@ -96,7 +99,7 @@ new Panel({
   controls: [
     { kind: "choice", key: "mass", label: "mass", options: NAMES.map((name) => [name, name]) },
     coordinate("x"), coordinate("y"), coordinate("z"),
-    { kind: "slider", key: "kilograms", label: "how heavy", least: 0.1, most: 4, step: 0.05, say: (value) => `${value.toFixed(2)} kg` },
+    { kind: "slider", key: "kilograms", label: "how heavy", least: MASSES[0], most: MASSES[1], step: 0.05, say: (value) => `${value.toFixed(2)} kg` },
   ],
   changed,
   prepare(settings) {

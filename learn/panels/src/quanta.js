@@ -98,9 +98,9 @@ new Panel({
   name: "quanta",
   initial: { J: 6, B: 14, level: 3, turn: 0.62, lift: 0.5 },
   controls: [
-    { kind: "slider", key: "J", label: "J", least: 1, most: 20, step: 1, say: String },
+    { kind: "slider", key: "J", label: "J", least: 1, most: 20, step: 1, whole: true, say: String },
     { kind: "slider", key: "B", label: "B (A = 27, C = 9)", least: 9.5, most: 26.5, step: 0.1, say: (value) => `${value.toFixed(1)} cm⁻¹` },
-    { kind: "slider", key: "level", label: "level, from the lowest", least: 1, most: 41, step: 1, say: (value) => String(value) },
+    { kind: "slider", key: "level", label: "level, from the lowest", least: 1, most: 41, step: 1, whole: true, say: (value) => String(value) },
   ],
   changed(key, panel) {
     const most = 2 * Math.round(panel.settings.J) + 1;

@@ -1,6 +1,5 @@
 from .affine import AffineLine as AffineLine
 from .base import AbstractLieAlgebra as AbstractLieAlgebra
-from .bidiagonal import Bidiagonal as Bidiagonal
 from .casimirs import polynomial_casimirs as polynomial_casimirs
 from .constants import ConstantsAlgebra as ConstantsAlgebra
 from .constants import from_matrices as from_matrices
@@ -18,7 +17,6 @@ from .properties import centre as centre
 from .properties import index as index
 from .properties import killing_form as killing_form
 from .pseudo_orthogonal import SOpq as SOpq
-from .quantized_sphere import QuantizedSphere as QuantizedSphere
 from .se2 import SE2 as SE2
 from .se3 import SE3 as SE3
 from .semidirect import Semidirect as Semidirect

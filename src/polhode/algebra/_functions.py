@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -11,11 +10,11 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.arrays import in_jax_numpy
+from polhode.arrays.traced_checks import check_traced
 from polhode.errors import InvalidInput, PolhodeError, shown
 from polhode.types import Array, Double, Float64
 
 Function = Callable[[Double[Array, "..."]], Float64[Array, "..."]]
-SINGLE_PRECISION = re.compile(r"\b(?:b?f16|f32)\[")  # as a jaxpr writes the type of a value
 
 
 def check_functions(name: str, value: Any, shape: tuple[int, ...], dtype: Any) -> tuple[Function, ...]:
@@ -47,10 +46,5 @@ def check_scalar(name: str, function: Function, shape: tuple[int, ...], dtype: A
     got, kind = getattr(value, "shape", None), getattr(value, "dtype", np.dtype(object))
     if got != () or not jnp.issubdtype(kind, jnp.floating):
         raise InvalidInput(f"`{name}` must be a real scalar at one point; got shape {got} of {kind}.")
-    written = str(jax.make_jaxpr(function)(jax.ShapeDtypeStruct(shape, dtype)))
-    if SINGLE_PRECISION.search(written):
-        raise InvalidInput(
-            f"`{name}` computes in single precision, as an array that it holds is float32 or float16. Make its arrays "
-            "float64: JAX makes float32 ones until jax.config.update('jax_enable_x64', True), which importing the "
-            "systems and algebras of polhode does."
-        )
+    traced = jax.make_jaxpr(function)(jax.ShapeDtypeStruct(shape, dtype))
+    check_traced(f"`{name}`", traced)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -26,23 +26,37 @@ COMMUTES = 1e-10  # of the terms of {C, x_i}, what rounding of values near a pol
 RANK = 1e-9  # singular values of unit gradients below which Casimirs depend on each other
 
 
+class Found(NamedTuple):
+    """Polynomial Casimirs, and what a run says where there are more that it cannot watch; "" where there are not."""
+
+    casimirs: tuple[Polynomial, ...]
+    unwatched: str
+
+
 @lru_cache(maxsize=64)
-def find_casimirs(algebra: AbstractLieAlgebra) -> tuple[Polynomial, ...]:
+def find_casimirs(algebra: AbstractLieAlgebra) -> Found:
     """Return polynomial Casimirs up to degree 4, lowest first, until there are as many as there can be.
 
-    They are looked for where that is quick, up to 1,000 monomials of a degree. None are found where constants are not
-    simple fractions or python-flint, the extra `symbolic`, is missing.
+    They are looked for where that is quick, up to 1,000 monomials of a degree. None are found where python-flint, the
+    extra `symbolic`, is missing, or constants are rounded and no simple fractions.
     """
     wanted = index(algebra)
     casimirs: list[Polynomial] = []
+    why = f"no polynomial of degree ≤ {HIGHEST_DEGREE} is another"
     for degree in range(1, HIGHEST_DEGREE + 1):
-        if len(casimirs) >= wanted or math.comb(algebra.dim + degree - 1, degree) > MOST_MONOMIALS:
+        if len(casimirs) >= wanted:
+            break
+        if math.comb(algebra.dim + degree - 1, degree) > MOST_MONOMIALS:
+            why = f"polynomials of degree ≥ {degree} were not looked for"
             break
         try:
             casimirs = polynomial_casimirs(algebra, degree)
-        except InvalidInput:
+        except InvalidInput as error:
+            why = str(error).rstrip(".")
             break
-    return tuple(casimirs)
+    missing = len(casimirs) < wanted
+    said = f"{len(casimirs)} of {wanted} Casimirs are watched: {why}; give others by `casimirs=`" if missing else ""
+    return Found(tuple(casimirs), said)
 
 
 def check_casimirs(algebra: AbstractLieAlgebra, value: Any) -> tuple[Function, ...]:

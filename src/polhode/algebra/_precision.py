@@ -6,6 +6,7 @@ import os
 
 import jax
 
+from polhode.arrays.kept_programs import keep_programs
 from polhode.errors import InvalidInput, shown
 
 
@@ -22,3 +23,4 @@ def enable_double_precision() -> None:
             "Brackets and integrators need 64 bits: unset it."
         )
     jax.config.update("jax_enable_x64", True)
+    keep_programs()

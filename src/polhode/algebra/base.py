@@ -71,6 +71,16 @@ class AbstractLieAlgebra(HashableModule):
         return ()
 
     @property
+    def fractions(self) -> Any:
+        """Structure constants as nested tuples of Fractions, where these are known and no doubles; else None."""
+        return None
+
+    @property
+    def unwatched(self) -> str:
+        """What a run says of Casimirs that there are and that ``casimirs`` lacks; "" where that is not looked at."""
+        return ""
+
+    @property
     def element_rule(self) -> str:
         """What arrays of ``element_shape`` are in the algebra, as "antisymmetric"; empty where all of them are."""
         return "" if self._is_filled else f"combinations of the {self.dim} of a basis"

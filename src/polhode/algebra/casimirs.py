@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
+from collections.abc import Callable
 from fractions import Fraction
 from itertools import combinations_with_replacement
+from typing import Any
 
 import numpy as np
 
@@ -19,12 +21,16 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
 from polhode.rational._sparse import REMEDY, new_terms, null_space
 from polhode.rational._terms import Terms, exponents_of, multiply_together, whole_terms
+from polhode.rational.numbers import EXACT, read_number
 
-LARGEST_DENOMINATOR = 10_000
+RationalBrackets = list[list[dict[int, Fraction]]]
+
+LARGEST_DENOMINATOR = 10_000  # of a simple fraction that a rounded constant is taken for
+ROUNDED = 1e-13  # relative: what computing a constant in doubles leaves
 MOST_MONOMIALS = 20_000  # writing down the equations takes a minute then
 
 
-def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polynomial]:
+def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int, read_as: str = EXACT) -> list[Polynomial]:
     """Return independent generators of the polynomial Casimirs up to a degree, lowest degree first.
 
     No constants, no products of others: in each degree a complement of the span of products of the generators found
@@ -32,18 +38,22 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int) -> list[Polyno
     unknown, sixteen of them on su(4); a block of more than 5e9 rows × columns² is refused.
 
     Args:
-        algebra: with rational structure constants.
+        algebra: with structure constants that satisfy Jacobi's identity exactly, as the numbers that they are: any
+            doubles or Fractions, or doubles next to simple fractions, as 1/3 of su(4).
         degree: the highest degree looked at, at least 1.
+        read_as: "exact" for doubles as the binary fractions that they are, "decimal" for the shortest decimals that
+            round to them. Which invariants there are depends on it: x1 x2³ is one of [e3, e1] = e1, [e3, e2] = −c e2
+            for c = 1/3 alone, and the double 1/3 is another number.
 
     Raises:
-        InvalidInput: for a degree below 1, constants that are not simple fractions, a problem too large, or if
-            python-flint, the extra `symbolic`, is missing.
+        InvalidInput: for a degree below 1, constants that are rounded and no simple fractions, a problem too large, or
+            if python-flint, the extra `symbolic`, is missing.
 
     Source: Abellanas & Martínez Alonso, J. Math. Phys. 16 (1975) 1580.
     """
     is_degree = isinstance(degree, int) and degree > 0
     check_degree(degree, math.comb(algebra.dim + degree - 1, degree) if is_degree else 0, algebra.dim)
-    independent = invariant_terms(rational_brackets(algebra), degree)
+    independent = invariant_terms(rational_brackets(algebra, read_as), degree)
     return [Polynomial(np.array(list(terms)).reshape(-1, algebra.dim), list(terms.values())) for terms in independent]
 
 
@@ -60,7 +70,7 @@ def check_degree(degree: int, count: int, dim: int) -> None:
                            f"{MOST_MONOMIALS}. {REMEDY}")  # fmt: skip
 
 
-def invariant_terms(brackets: list[list[dict[int, Fraction]]], degree: int) -> list[Terms]:
+def invariant_terms(brackets: RationalBrackets, degree: int) -> list[Terms]:
     """Return what ``polynomial_casimirs`` finds as {exponents: coefficient}, of what ``rational_brackets`` gives.
 
     Raises:
@@ -76,30 +86,67 @@ def invariant_terms(brackets: list[list[dict[int, Fraction]]], degree: int) -> l
     return [whole_terms(terms) for terms in independent]
 
 
-def rational_brackets(algebra: AbstractLieAlgebra) -> list[list[dict[int, Fraction]]]:
-    """Return [e_i, e_j] as {k: c_ijk} with exact fractions.
+def rational_brackets(algebra: AbstractLieAlgebra, read_as: str = EXACT) -> RationalBrackets:
+    """Return [e_i, e_j] as {k: c_ijk} with fractions that satisfy Jacobi's identity exactly.
+
+    Fractions that the algebra was given are taken as they are, doubles as ``read_as`` says. Where Jacobi's identity
+    then holds up to rounding only, as 1/3 is no double, the doubles are rounded from other numbers: simple fractions
+    near them are taken, where these satisfy it.
+
+    Args:
+        algebra: whose constants they are.
+        read_as: "exact" or "decimal", how doubles are read.
 
     Raises:
-        InvalidInput: for constants that are not simple fractions.
+        InvalidInput: for constants that satisfy the identity in neither way, and for another reading.
     """
-    c = algebra.structure_constants()
-    table = []
-    for row in c:
-        table.append([])
-        for vector in row:
-            exact = {int(k): Fraction(float(vector[k])).limit_denominator(LARGEST_DENOMINATOR)
-                     for k in np.flatnonzero(np.abs(vector) > 1e-14)}  # fmt: skip
-            wrong = [float(vector[k]) for k, f in exact.items() if abs(float(f) - vector[k]) > 1e-13 * abs(vector[k])]
-            if wrong:
-                raise InvalidInput(
-                    f"structure constants must be rational for exact Casimirs; got {shown(wrong[0])}. "
-                    "Scale the basis so that they are."
-                )
-            table[-1].append(exact)
-    return table
+    given = algebra.structure_constants() if algebra.fractions is None else algebra.fractions
+    table = _map_table(given, lambda x: read_number(x, read_as, "structure constants"))
+    if _is_algebra(table):
+        return table
+    table = _map_table(given, lambda x: Fraction(float(x)).limit_denominator(LARGEST_DENOMINATOR))
+    # with the same zeros, but what is a rounding error of zero
+    near = all(abs(float(vector.get(k, 0)) - x) <= ROUNDED * abs(x) or abs(x) <= ROUNDED
+               for row, rows in zip(table, given, strict=True) for vector, values in zip(row, rows, strict=True)
+               for k, x in enumerate(map(float, values)))  # fmt: skip
+    if near and _is_algebra(table):
+        return table
+    raise InvalidInput(
+        "structure constants must satisfy Jacobi's identity exactly for exact algebra; these do up to rounding only. "
+        "Give them as Fractions, or scale the basis so that they are doubles or simple fractions."
+    )
 
 
-def _generators(brackets: list[list[dict[int, Fraction]]]) -> list[int]:
+def _map_table(table: Any, read: Callable[[Any], Fraction]) -> RationalBrackets:
+    return [[{k: value for k, x in enumerate(vector) if x and (value := read(x))} for vector in row] for row in table]
+
+
+def _is_algebra(table: RationalBrackets) -> bool:
+    """Return whether structure constants are antisymmetric and satisfy Jacobi's identity, exactly."""
+    size = range(len(table))
+
+    def bracket(i: int, vector: dict[int, Fraction], total: dict[int, Fraction]) -> None:
+        for j, x in vector.items():
+            for k, c in table[i][j].items():
+                total[k] += x * c
+
+    for i in size:
+        for j in size[i:]:
+            if table[i][j] != {k: -c for k, c in table[j][i].items()}:
+                return False
+    for i in size:
+        for j in size[i + 1:]:
+            for k in size[j + 1:]:
+                total: dict[int, Fraction] = defaultdict(Fraction)
+                bracket(i, table[j][k], total)
+                bracket(j, table[k][i], total)
+                bracket(k, table[i][j], total)
+                if any(total.values()):
+                    return False
+    return True
+
+
+def _generators(brackets: RationalBrackets) -> list[int]:
     """Return indices of basis elements whose nested brackets span the algebra, few of them."""
     dim = len(brackets)
     dense = np.zeros((dim, dim, dim))
@@ -126,7 +173,7 @@ def _generators(brackets: list[list[dict[int, Fraction]]]) -> list[int]:
     return chosen
 
 
-def _invariants(brackets: list[list[dict[int, Fraction]]], generators: list[int], degree: int) -> list[Terms]:
+def _invariants(brackets: RationalBrackets, generators: list[int], degree: int) -> list[Terms]:
     """Return a basis of the polynomials of one degree that commute with the generators."""
     dim = len(brackets)
     monomials = [exponents_of(m, dim) for m in combinations_with_replacement(range(dim), degree)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from fractions import Fraction
 from functools import cached_property, partial
 from typing import Any
 
@@ -13,12 +14,14 @@ import numpy as np
 
 from polhode.algebra._fixed_array import FixedArray
 from polhode.algebra._functions import Function
-from polhode.algebra._own_casimirs import check_casimirs, evaluate_functions, find_casimirs, name_functions
+from polhode.algebra._own_casimirs import Found, check_casimirs, evaluate_functions, find_casimirs, name_functions
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput
+from polhode.rational.numbers import nearest_double, read_number
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
+Fractions = tuple[tuple[tuple[Fraction, ...], ...], ...]
 TOLERANCE = 1e-12  # of identities among constants, relative to their size
 
 
@@ -33,9 +36,13 @@ class ConstantsAlgebra(AbstractLieAlgebra):
 
     table: FixedArray = eqx.field(static=True)
     given: tuple[Function, ...] | None
+    given_fractions: Fractions | None = eqx.field(static=True)
 
-    def __init__(self, constants: Float64[Array, "dim dim dim"], casimirs: Iterable[Function] | None = None) -> None:
-        self.table, self.given = FixedArray(constants), None
+    def __init__(
+        self, constants: Float64[Array, "dim dim dim"], casimirs: Iterable[Function] | None = None,
+        fractions: Fractions | None = None,
+    ) -> None:  # fmt: skip
+        self.table, self.given, self.given_fractions = FixedArray(constants), None, fractions
         if casimirs is not None:
             self.given = check_casimirs(ConstantsAlgebra(constants), casimirs)
 
@@ -47,9 +54,21 @@ class ConstantsAlgebra(AbstractLieAlgebra):
     def dim(self) -> int:
         return len(self.constants)
 
+    @property
+    def fractions(self) -> Fractions | None:
+        return self.given_fractions
+
     @cached_property
     def own_casimirs(self) -> tuple[Function, ...]:
-        return find_casimirs(ConstantsAlgebra(self.constants)) if self.given is None else self.given
+        return self._found.casimirs if self.given is None else self.given
+
+    @property
+    def _found(self) -> Found:
+        return find_casimirs(ConstantsAlgebra(self.constants, None, self.fractions))
+
+    @property
+    def unwatched(self) -> str:
+        return self._found.unwatched if self.given is None else ""
 
     @property
     def casimir_names(self) -> tuple[str, ...]:
@@ -117,11 +136,12 @@ def from_structure_constants(
 
     Its Casimirs are watched: they stand in the ``drift`` of what ``simulate`` returns, and ``stability`` takes them.
     Those that are not given are looked for by ``polynomial_casimirs``, up to degree 4, while that takes a fraction of a
-    second. Without python-flint (the extra ``symbolic``), and where constants are not simple fractions, none are found;
-    motions are the same then, and energy alone is watched.
+    second. Where fewer are found than there are, as without python-flint (the extra ``symbolic``), motions are the
+    same, and their ``outcome`` says what is not watched.
 
     Args:
-        constants: (dim, dim, dim) real.
+        constants: (dim, dim, dim) real. Doubles are the numbers that they are; Fractions and texts like "1/3" are kept
+            beside the doubles next to them, for exact algebra.
         casimirs: functions of one point (dim,) with jax.numpy, or polynomials that ``polynomial_casimirs`` found, when
             more are known or found than by default; an empty list for none.
 
@@ -134,12 +154,27 @@ def from_structure_constants(
     >>> from_structure_constants(c, casimirs=[lambda x: x[3], lambda x: 2 * x[1] * x[3] - x[2] ** 2]).casimir_names
     ('C1', 'C2')
     """
-    return ConstantsAlgebra(check_constants(constants), casimirs)
+    fractions = _keep_fractions(constants)
+    doubles = constants if fractions is None else _doubles(fractions)
+    return ConstantsAlgebra(check_constants(doubles), casimirs, fractions)
+
+
+def _doubles(fractions: Fractions) -> list[list[list[float]]]:
+    return [[[nearest_double(x) for x in row] for row in rows] for rows in fractions]
+
+
+def _keep_fractions(constants: Any) -> Fractions | None:
+    """Return constants as fractions where some are given as such, or as texts."""
+    given = np.asarray(constants)
+    if given.dtype.kind not in "OUS" or given.ndim != 3:
+        return None
+    given = np.asarray(constants, dtype=object)
+    return tuple(tuple(tuple(read_number(x, name="constants") for x in row) for row in rows) for rows in given)
 
 
 def check_constants(constants: Real[ArrayLike, "dim dim dim"]) -> Float64[Array, "dim dim dim"]:
     """Return structure constants as a read-only array after the checks of ``from_structure_constants``."""
-    refuse_single_precision(constants=constants)
+    require_doubles(constants=constants)
     try:
         c = np.array(constants, dtype=float)
     except (TypeError, ValueError):
@@ -194,7 +229,7 @@ def from_matrices(
         InvalidInput: if the matrices depend on each other, or a commutator leaves their span; its indices are named. If
             a function is not a Casimir.
     """
-    refuse_single_precision(basis=basis)
+    require_doubles(basis=basis)
     try:
         matrices = np.array(basis)
         matrices = matrices.astype(complex if np.iscomplexobj(matrices) else float)

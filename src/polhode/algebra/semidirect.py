@@ -12,7 +12,7 @@ from polhode.algebra._fixed_array import FixedArray
 from polhode.algebra._functions import Function
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
 from polhode.algebra.constants import ConstantsAlgebra
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -45,7 +45,7 @@ class Semidirect(ConstantsAlgebra):
         generators: Real[ArrayLike, "dim m m"],
         casimirs: Iterable[Function] | None = None,
     ) -> None:
-        refuse_single_precision(generators=generators)
+        require_doubles(generators=generators)
         rho = np.array(generators, dtype=float)
         if rho.ndim != 3 or rho.shape[0] != algebra.dim or rho.shape[1] != rho.shape[2]:
             raise InvalidInput(f"`generators` must have shape ({algebra.dim}, m, m); got {rho.shape}.")

@@ -3,8 +3,8 @@ from ._mechanics import Mechanics as Mechanics
 from ._mechanics import invariants_along as invariants_along
 from .alignment import Alignment as Alignment
 from .alignment import fit_alignment as fit_alignment
+from .attitude_history import AttitudeHistory as AttitudeHistory
 from .certification import certify as certify
-from .comparison import AttitudeHistory as AttitudeHistory
 from .comparison import Comparison as Comparison
 from .comparison import compare as compare
 from .cone import axis_angles as axis_angles
@@ -24,21 +24,8 @@ from .damped_motion import angle_to_major_axis as angle_to_major_axis
 from .damped_motion import drag_time_constant as drag_time_constant
 from .damped_motion import settling_time as settling_time
 from .damped_motion import time_constant as time_constant
-from .disk_turns import (
-    DiskPath as DiskPath,
-)
-from .disk_turns import (
-    first_turns as first_turns,
-)
-from .disk_turns import (
-    last_turns as last_turns,
-)
-from .disk_turns import (
-    resample_until_end as resample_until_end,
-)
-from .disk_turns import (
-    rolling_path as rolling_path,
-)
+from .dual_spin import DualSpinDamping as DualSpinDamping
+from .dual_spin import dual_spin_damping as dual_spin_damping
 from .enclosed_numbers import EnclosedNumber as EnclosedNumber
 from .enclosed_numbers import EnclosedState as EnclosedState
 from .enclosures import Enclosure as Enclosure
@@ -62,35 +49,16 @@ from .gyrostat_rotations import angle_from_axis as angle_from_axis
 from .gyrostat_rotations import mean_winding_rate as mean_winding_rate
 from .gyrostat_rotations import steady_rotations as steady_rotations
 from .gyrostat_rotations import symmetric_rates as symmetric_rates
-from .hysteresis import HysteresisLoop as HysteresisLoop
-from .hysteresis import hysteresis_loop as hysteresis_loop
-from .light_curves import LightCurveLines as LightCurveLines
-from .light_curves import ellipsoid_brightness as ellipsoid_brightness
-from .light_curves import light_curve as light_curve
-from .light_curves import light_curve_lines as light_curve_lines
 from .lyapunov_exponents import LyapunovExponents as LyapunovExponents
 from .lyapunov_exponents import lyapunov as lyapunov
 from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
 from .motion_enclosures import FreeEnclosure as FreeEnclosure
 from .motion_enclosures import MotionEnclosure as MotionEnclosure
 from .motion_enclosures import TopEnclosure as TopEnclosure
-from .nutation_damping import DualSpinDamping as DualSpinDamping
 from .nutation_damping import damper_loss as damper_loss
-from .nutation_damping import dual_spin_damping as dual_spin_damping
 from .nutation_damping import nutation_time_constant as nutation_time_constant
 from .nutation_damping import slosh_frequency as slosh_frequency
 from .periodic_branches import continue_periodic as continue_periodic
-from .plasma_growth import GrowthFit as GrowthFit
-from .plasma_growth import fit_growth as fit_growth
-from .plasma_waves import MAXWELLIAN as MAXWELLIAN
-from .plasma_waves import Beam as Beam
-from .plasma_waves import PlasmaWave as PlasmaWave
-from .plasma_waves import bump_on_tail as bump_on_tail
-from .plasma_waves import dispersion as dispersion
-from .plasma_waves import fastest_growing_wave as fastest_growing_wave
-from .plasma_waves import plasma_wave as plasma_wave
-from .plasma_waves import two_stream as two_stream
-from .plasma_waves import velocity_distribution as velocity_distribution
 from .poinsot import (
     Herpolhode as Herpolhode,
 )
@@ -133,79 +101,8 @@ from .precession import (
 from .precession import (
     turn_per_flip as turn_per_flip,
 )
-from .rolling import (
-    SteadyRolling as SteadyRolling,
-)
-from .rolling import (
-    critical_rolling_speed as critical_rolling_speed,
-)
-from .rolling import (
-    critical_spin_rate as critical_spin_rate,
-)
-from .rolling import (
-    fastest_rolling_rate as fastest_rolling_rate,
-)
-from .rolling import (
-    nutation as nutation,
-)
-from .rolling import (
-    rolling_period as rolling_period,
-)
-from .rolling import (
-    rolling_stability as rolling_stability,
-)
-from .rolling import (
-    steady_rolling as steady_rolling,
-)
 from .sections import Section as Section
 from .sections import section as section
-from .spin_correlations import structure_factor as structure_factor
-from .spin_down import (
-    SpinDown as SpinDown,
-)
-from .spin_down import (
-    adiabatic_end as adiabatic_end,
-)
-from .spin_down import (
-    adiabaticity as adiabaticity,
-)
-from .spin_down import (
-    predicted_exponents as predicted_exponents,
-)
-from .spin_down import (
-    spin_down as spin_down,
-)
-from .spin_motion import SpinMotion as SpinMotion
-from .spin_motion import spin_motion as spin_motion
-from .spin_orbit import (
-    Resonance as Resonance,
-)
-from .spin_orbit import (
-    libration_period as libration_period,
-)
-from .spin_orbit import (
-    lyapunov_exponent as lyapunov_exponent,
-)
-from .spin_orbit import (
-    overlap_asphericity as overlap_asphericity,
-)
-from .spin_orbit import (
-    overlap_threshold as overlap_threshold,
-)
-from .spin_orbit import (
-    poincare_section as poincare_section,
-)
-from .spin_orbit import (
-    resonance_strength as resonance_strength,
-)
-from .spin_orbit import (
-    resonances as resonances,
-)
-from .spin_orbit import (
-    tangent_map as tangent_map,
-)
-from .spin_texture import skyrmion_number as skyrmion_number
-from .spin_wave_theory import spin_waves as spin_waves
 from .stability import stability as stability
 from .thermal import rotational_temperature as rotational_temperature
 from .thermal import thermal_momentum as thermal_momentum
@@ -225,12 +122,4 @@ from .top_rests import TopRests as TopRests
 from .top_rests import top_stability as top_stability
 from .top_start import steady_precession_at as steady_precession_at
 from .top_start import top_velocity as top_velocity
-from .tumblers import equivalent_ellipsoid as equivalent_ellipsoid
-from .tumblers import internal_damping_time as internal_damping_time
 from .twist import racket_twist as racket_twist
-from .vortex_equilibria import polygon_exponents as polygon_exponents
-from .vortex_equilibria import ring_exponents as ring_exponents
-from .vortex_equilibria import vortex_stability as vortex_stability
-from .vortex_equilibria import vortex_turn as vortex_turn
-from .zonal_growth import ZonalGrowth as ZonalGrowth
-from .zonal_growth import zonal_growth as zonal_growth

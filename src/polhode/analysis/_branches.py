@@ -30,6 +30,7 @@ SETTLED = 1e-12  # of a step of it
 DIFFERENCE = 1e-5  # of the range: the step of derivatives by the parameter
 STRAIGHT = 0.97  # cosine of the angle by which the direction may turn in a step
 HALVINGS = 50
+LEAST_OF_FAMILY = 6  # steps along equilibria at one value: a quarter of the state's size, which no chance makes
 ASIDE = 1e-3  # of the state's size, by which another branch is sought beside a place where it begins
 
 
@@ -274,24 +275,55 @@ def crossings(family: Family, path: list[Place]) -> Iterator[tuple[Place, Place,
     for one, other in itertools.pairwise(path):
         if one.negative == other.negative or one.flat.shape[1] or other.flat.shape[1]:
             continue
-        low, high, at, (a, b) = 0.0, 1.0, one, (one.least, other.least)
+        low, high, at, (a, b), ends = 0.0, 1.0, one, (one.least, other.least), [one, other]
+        missed = False
         for k in range(HALVINGS):
             # by the eigenvalue that vanishes, where it is the smallest already; halved now and then
-            secant = low + (high - low) * a / (a - b) if a * b < 0.0 and k % 3 else 0.5 * (low + high)
+            by_halves = k % 3 == 0 or a * b >= 0.0 or missed
+            secant = 0.5 * (low + high) if by_halves else low + (high - low) * a / (a - b)
             place = family.between(one, other, secant)
-            if place is None:
-                break
-            at = place
+            if place is None:  # a family of equilibria that crosses here leaves steps along it open
+                at = _between_ends(family, ends, a / (a - b)) if a * b < 0.0 else at
+                if missed:
+                    break
+                missed = True
+                continue
+            at, missed = place, False
             if place.flat.shape[1] and abs(place.least) < 1e-13 * abs(a - b):
                 break
             before = place.negative == one.negative if not place.flat.shape[1] else place.least * a > 0.0
             if before:
-                low, a = secant, place.least
+                low, a, ends[0] = secant, place.least, place
             else:
-                high, b = secant, place.least
+                high, b, ends[1] = secant, place.least, place
             if high - low < 1e-15:
                 break
         yield one, at, other
+
+
+def _between_ends(family: Family, ends: list[Place], share: float) -> Place:
+    """Return what is at a share of the straight way between two near places."""
+    one, other = ends
+    return family.place(one.vector + share * (other.vector - one.vector),
+                        one.value + share * (other.value - one.value), one.tangent)  # fmt: skip
+
+
+def trace_family(family: Family, place: Place) -> tuple[Float64[np.ndarray, "m n"], bool]:
+    """Return points of a curve of equilibria through a place, all at its value, and whether the curve closes.
+
+    No points where there is no such curve: next to a place where another branch begins the energy bends.
+    """
+    step, points, ahead = LONGEST * family.size, [place.vector], place.weakest
+    while len(points) < MOST_PLACES:
+        guess = points[-1] + step * ahead
+        z = family.at_value(guess, place.value)
+        if z is None or np.linalg.norm(z - guess) > 0.5 * step or not family.place(z, place.value).flat.shape[1]:
+            break
+        ahead = (z - points[-1]) / np.linalg.norm(z - points[-1])
+        points.append(z)
+        if len(points) > LEAST_OF_FAMILY and np.linalg.norm(z - place.vector) < step:
+            return np.array(points), True
+    return (np.array(points) if len(points) > LEAST_OF_FAMILY else np.zeros((0, place.vector.size))), False
 
 
 def step_onto_branch(family: Family, place: Place) -> list[Place]:

@@ -9,9 +9,9 @@ from __future__ import annotations
 import abc
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -39,6 +39,7 @@ RANK = 1e-9  # singular values of unit gradients below which user's Casimirs dep
 HIGHEST_DEGREE = 4  # of Casimirs looked for where the algebra does not name enough
 DISTANCES = (0.01, 0.1, 0.5, 1.0)  # of the points at which conservation is checked, in units of |μ|
 DRAWS = 3  # points at each distance
+NEARBY = 0.5  # of |μ|, per root of the dimension: samples there tell a function's size
 STEP = 1e-6  # of the difference quotients that must agree with second derivatives, in units of |μ|
 KINK = 1e-3  # disagreement between the two, relative to the derivatives, beyond which there are none
 DIFFERENTIATION = 1e-12  # relative error of second derivatives by AD of functions of order one
@@ -78,7 +79,8 @@ class Known(Source):
         point = jax.ShapeDtypeStruct(algebra.element_shape, algebra.dtype)
         for name, function in self.system.extra_invariants.items():
             shape = jax.eval_shape(function, point).shape
-            names += [name] if not shape else [f"{name}, {_place(k)}" for k in np.ndindex(*shape)]
+            places = [", ".join(str(i + 1) for i in k) for k in np.ndindex(*shape)]
+            names += [f"{name}, {place}" for place in places] if shape else [name]
         return names
 
 
@@ -129,7 +131,7 @@ def choose_casimirs(algebra: AbstractLieAlgebra, casimirs: Sequence[Function] | 
         return Casimirs(Own(algebra), names, None)
     constants = np.ascontiguousarray(algebra.structure_constants())
     try:
-        polynomials = _polynomials(constants.tobytes(), len(constants))
+        polynomials = _polynomials(constants.tobytes(), len(constants), algebra.fractions)
     except InvalidInput as error:
         return Casimirs(Own(algebra), names, _lack(len(names), wanted, f"are known ({error})"))
     texts = [str(p) for p in polynomials]
@@ -142,9 +144,9 @@ def _lack(count: int, wanted: int, how: str) -> MissingCasimirs | None:
 
 
 @lru_cache(maxsize=16)
-def _polynomials(constants: bytes, dim: int) -> tuple[Polynomial, ...]:
+def _polynomials(constants: bytes, dim: int, fractions: Any) -> tuple[Polynomial, ...]:
     table = np.frombuffer(constants).reshape(dim, dim, dim)
-    return tuple(polynomial_casimirs(ConstantsAlgebra(table), HIGHEST_DEGREE))
+    return tuple(polynomial_casimirs(ConstantsAlgebra(table, None, fractions), HIGHEST_DEGREE))
 
 
 def choose_unit(z: Float64[Array, "n"]) -> float:
@@ -194,7 +196,10 @@ def derivatives(source: Source, z: Float64[Array, "n"], samples: Float64[Array, 
     with np.errstate(invalid="ignore"):
         quotients = (gradients[1:5] - slopes) / STEP
         expected = size * np.einsum("kij,mj->mki", curvatures, signs)
-        scale = size * np.abs(curvatures).max(axis=(1, 2), initial=0.0) + np.abs(slopes).max(axis=1, initial=0.0)
+        # a cubic term has neither slope nor curvature at its zero: nearby it has, and its size is theirs
+        nearby = np.linalg.norm(samples - z, axis=1) <= NEARBY * size * np.sqrt(z.size)
+        around = np.abs(np.nan_to_num(np.vstack([slopes[None], gradients[5:][nearby]]), posinf=0.0, neginf=0.0))
+        scale = size * np.abs(curvatures).max(axis=(1, 2), initial=0.0) + around.max(axis=(0, 2), initial=0.0)
         off = np.abs(quotients - expected).max(axis=(0, 2), initial=0.0) / np.where(scale > 0, scale, 1.0)
         largest = np.abs(curvatures).max(axis=(1, 2), initial=0.0)
         change = np.abs(hessians[1:] - curvatures).max(axis=(0, 2, 3), initial=0.0)
@@ -381,14 +386,14 @@ def check_casimirs(tensors: Float64[Array, "m n n"], gradients: Float64[Array, "
         )
 
 
-def check_motion(system: AbstractLiePoissonSystem, samples: Float64[Array, "m n"]) -> None:
+def check_motion(system: AbstractLiePoissonSystem, samples: Callable[[], Float64[Array, "m n"]]) -> None:
     """Refuse a system that does not move by its energy alone, or where energy is lost by a generator without time.
 
     Systems of this package are taken to do so, as their tests check.
 
     Args:
         system: any.
-        samples: (m, n) coordinates of points.
+        samples: () → (m, n) coordinates of points, which systems of this package do not need.
 
     Raises:
         InvalidInput: naming what is overridden.
@@ -402,8 +407,8 @@ def check_motion(system: AbstractLiePoissonSystem, samples: Float64[Array, "m n"
     if kind.__module__.partition(".")[0] == "polhode" or (kind.generator is base.generator
                                                           and kind.velocity is base.velocity):  # fmt: skip
         return
-    algebra = system.algebra
-    points = algebra.from_dual_vector(jnp.asarray(samples))
+    algebra, around = system.algebra, samples()
+    points = algebra.from_dual_vector(jnp.asarray(around))
     if depends_on_time(system, points[0]):
         raise InvalidInput(
             f"the `generator` of {kind.__name__} depends on time, and a verdict needs equations of motion without it. "
@@ -412,7 +417,7 @@ def check_motion(system: AbstractLiePoissonSystem, samples: Float64[Array, "m n"
     moved = np.asarray(algebra.to_vector(system.generator(0.0, points)))
     wanted = moved
     if system.conserves_energy:
-        gradients, _ = differentiate(Energy(system), samples, samples[:1])
+        gradients, _ = differentiate(Energy(system), around, around[:1])
         wanted = -system.sign * np.asarray(gradients)[:, 0]
     good = np.isfinite(wanted).all(axis=1)
     off = np.abs(moved - wanted)[good].max(initial=0.0) / (np.abs(wanted[good]).max(initial=0.0) or 1.0)
@@ -434,10 +439,6 @@ def depends_on_time(system: AbstractLiePoissonSystem, point: Double[Array, "..."
         if any(not isinstance(x, jax.extend.core.Literal) and x in late for x in step.invars):
             late.update(step.outvars)
     return any(not isinstance(x, jax.extend.core.Literal) and x in late for x in steps.outvars)
-
-
-def _place(index: tuple[int, ...]) -> str:
-    return ", ".join(str(k + 1) for k in index)
 
 
 def _normalise(vectors: Array) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -64,7 +65,8 @@ class ConservedFunction:
         for weight, name in zip(self.weights[1:], self.names, strict=True):
             if weight:
                 text += f" {'+' if weight >= 0 else '−'} {abs(weight):.6g} {add_brackets(name)}"
-        text = text.removeprefix(" + ").strip()
+        # with no energy, a single one needs no weight of one
+        text = re.sub(r"^(− )?1 (?=\S+$)", r"\1", text.removeprefix(" + ").strip())
         if self.squares is not None and self.lengths is not None:
             for square, length, name in zip(self.squares, self.lengths, self.names, strict=True):
                 if square:

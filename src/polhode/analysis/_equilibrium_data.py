@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import jax
@@ -25,11 +26,13 @@ from polhode.analysis._conserved import (
     refuse_rough,
     samples_around,
 )
+from polhode.analysis._exact_functions import ExactFunctions, polynomial_derivatives, refuse_inexact
+from polhode.rational._polynomials import RationalPolynomial
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Float64
 
 NULL = 1e-9  # of a function's field relative to its terms: below it the function's flow leaves the point where it is
-STILL = 1e-13  # a field below it, relative to its terms, at all random points vanishes everywhere
+STILL = 1e-15  # a field below it times the dimension, relative to its terms, at all random points is rounding of zero
 
 
 class Problem(NamedTuple):
@@ -43,6 +46,7 @@ class Problem(NamedTuple):
         error: relative, of the second derivatives.
         still: whether the field vanishes all around.
         commute: whether the integrals that are not at rest commute with each other, everywhere.
+        exact: all functions as polynomials over the rationals; None where some are none.
         turned: integrals that other symmetries turn, so that their levels are kept and their flows are not divided out.
     """
 
@@ -59,6 +63,7 @@ class Problem(NamedTuple):
     error: float
     still: bool
     commute: bool
+    exact: ExactFunctions | None = None
     turned: tuple[int, ...] = ()
 
     def sizes(self, weights: Float64[Array, "terms"]) -> tuple[Float64[Array, "n"], Float64[Array, "n n"], float]:
@@ -80,22 +85,26 @@ def problem(
     integrals: tuple[Function, ...],
     z: Float64[Array, "n"],
     casimirs_given: bool,
+    exact: ExactFunctions | None,
 ) -> Problem:
-    """Differentiate all functions, and refuse those that are not conserved."""
+    """Differentiate all functions, and refuse those that are not conserved.
+
+    Polynomials over the rationals have exact derivatives, and are conserved or not.
+    """
     unit = choose_unit(z)
     y, constants = z / unit, system.sign * np.asarray(system.algebra.structure_constants())
     around = samples_around(constants, y)
     tensors = np.einsum("ijk,mk->mij", constants, around)
-    energy = _in_units(derivatives(Energy(system), z, unit * around), unit)
+    energy = _in_units(_differentiate(Energy(system), exact and [exact.energy], z, unit * around), unit)
     refuse_rough(energy, "the energy")
-    own = derivatives(casimirs.source, y, around)
+    own = _differentiate(casimirs.source, exact and [*exact.casimirs.values()], y, around)
     refuse_rough(own, "each Casimir")
     if casimirs_given:
         check_casimirs(tensors, own.around)
     tensor = constants @ y
-    known = _integrals(Known(system), Known(system).names, tensor, z, unit, around)
+    known = _integrals(Known(system), Known(system).names, exact and [*exact.known.values()], tensor, z, unit, around)
     wanted = _integrals(Given(system.algebra, integrals), [f"J{k + 1}" for k in range(len(integrals))],
-                        tensor, z, unit, around)  # fmt: skip
+                        exact and [*exact.given.values()], tensor, z, unit, around)  # fmt: skip
     refuse_rough(wanted.derived, "each of `integrals`")
     moving = [wanted.derived.around[:, k] for k, rest in enumerate(wanted.rest) if not rest]
     # of what the system names, that which the symmetries turn is theirs
@@ -107,17 +116,29 @@ def problem(
         for name, slopes in zip(functions.names, np.moveaxis(functions.derived.around, 1, 0), strict=True):
             check_commute(tensors, slopes, energy.around[:, 0], (name, "H"),
                           "It is not conserved; check the function, its sign and its parameters.")  # fmt: skip
+    if exact is not None:
+        refuse_inexact(exact, casimirs_given)
+        kept = exact.conserved
+        known = known.choose([k for k, name in enumerate(known.names) if name in kept])
     names = [*_name_scaled(casimirs, y, unit), *known.names, *wanted.names]
     parts = [energy, own, known.derived, wanted.derived]
     first = 1 + len(names) - len(wanted.names)
     free = [first + k for k, rest in enumerate(wanted.rest) if not rest]
     commutes = _check_symmetries(system, integrals, unit * around, tensors, wanted)
     slopes = energy.around[:, 0]
-    still = _vanishes(np.einsum("mij,mj->mi", tensors, slopes),
-                      np.einsum("mij,mj->mi", np.abs(tensors), np.abs(slopes)))  # fmt: skip
+    still = exact.still if exact is not None else _vanishes(
+        np.einsum("mij,mj->mi", tensors, slopes), np.einsum("mij,mj->mi", np.abs(tensors), np.abs(slopes))
+    )
     g, H = (np.concatenate([getattr(part, field) for part in parts]) for field in ("gradients", "hessians"))
     error = max(float(part.errors.max(initial=0.0)) for part in parts)
-    return Problem(system, casimirs.source, y, unit, g, H, tensor, constants, names, free, error, still, commutes)
+    return Problem(system, casimirs.source, y, unit, g, H, tensor, constants, names, free, error, still, commutes,
+                   exact)  # fmt: skip
+
+
+def _differentiate(
+    source: Source, polynomials: Sequence[RationalPolynomial] | None, z: Array, around: Array
+) -> Derivatives:
+    return derivatives(source, z, around) if polynomials is None else polynomial_derivatives(polynomials, z, around)
 
 
 class _Integrals(NamedTuple):
@@ -132,13 +153,14 @@ class _Integrals(NamedTuple):
 
 
 def _integrals(
-    source: Source, names: list[str], tensor: Array, z: Array, unit: float, around: Array
-) -> _Integrals:
+    source: Source, names: list[str], polynomials: Sequence[RationalPolynomial] | None, tensor: Array, z: Array,
+    unit: float, around: Array,
+) -> _Integrals:  # fmt: skip
     if not names:
         n = z.size
         return _Integrals([], Derivatives(np.zeros((0, n)), np.zeros((0, n, n)), np.zeros((len(around), 0, n)),
                                           np.zeros(0), np.zeros(0)), [])  # fmt: skip
-    derived = _in_units(derivatives(source, z, unit * around), unit)
+    derived = _in_units(_differentiate(source, polynomials, z, unit * around), unit)
     return _Integrals(names, derived, [_is_at_rest(tensor, gradient) for gradient in derived.gradients])
 
 
@@ -176,4 +198,4 @@ def _name_scaled(casimirs: Casimirs, y: Array, unit: float) -> list[str]:
 def _vanishes(values: Array, terms: Array) -> bool:
     good = np.all(np.isfinite(values), axis=1)
     values, terms = values[good], terms[good].max(axis=1, keepdims=True)
-    return bool(good.sum() > len(good) // 2 and (np.abs(values) <= STILL * terms).all())
+    return bool(good.sum() > len(good) // 2 and (np.abs(values) <= STILL * values.shape[1] * terms).all())

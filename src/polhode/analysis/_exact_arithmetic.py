@@ -5,7 +5,6 @@ from __future__ import annotations
 import copyreg
 import math
 import numbers
-import re
 from collections.abc import Callable, Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
@@ -14,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from polhode.errors import InvalidInput, NotConverged, not_installed, shown
+from polhode.rational.numbers import read_number
 
 Ball = Any
 """A real or complex ball of python-flint."""
@@ -28,8 +28,6 @@ else:
 MOST_DIGITS = 10_000
 SPARE_BITS = 64
 MOST_BITS = 1 << 16
-LONGEST, LARGEST_EXPONENT = 10_000, 5_000  # of a number in a text
-_EXPONENT = re.compile(r"[eE]([+-]?[0-9]{1,9})$")
 
 
 def import_flint() -> Any:
@@ -66,34 +64,7 @@ def exact_rational(name: str, number: ExactNumber) -> Rational:
     """
     from flint import fmpq
 
-    if isinstance(number, str):
-        return _rational_of_text(name, number)
-    if isinstance(number, bool | np.bool_) or not isinstance(number, numbers.Real | Decimal):
-        raise InvalidInput(f"`{name}` must be given as doubles, whole numbers, Fractions or decimals in quotes; "
-                           f"got {shown(number)}.")  # fmt: skip
-    if isinstance(number, numbers.Rational):
-        return fmpq(int(number.numerator), int(number.denominator))
-    if isinstance(number, Decimal):
-        return _rational_of_text(name, str(number))
-    if not math.isfinite(number):
-        raise InvalidInput(f"`{name}` must be finite; got {shown(number)}.")
-    if isinstance(number, np.floating) and number.dtype.itemsize < 8:
-        raise InvalidInput(f"`{name}` must be in double precision; got {shown(number)} of {number.dtype}. Convert it.")
-    return fmpq(*float(number).as_integer_ratio())
-
-
-def _rational_of_text(name: str, text: str) -> Rational:
-    from flint import fmpq
-
-    exponent = _EXPONENT.search(text.strip())
-    wrong = InvalidInput(f'`{name}` must be decimals like "0.3" or a quotient like "1/3", finite and within '
-                         f"1e±{LARGEST_EXPONENT}; got {shown(text)}.")  # fmt: skip
-    if len(text) > LONGEST or (exponent is not None and abs(int(exponent[1])) > LARGEST_EXPONENT):
-        raise wrong
-    try:
-        value = Fraction(text)
-    except (ValueError, ZeroDivisionError):
-        raise wrong from None
+    value = read_number(number, name=name)
     return fmpq(value.numerator, value.denominator)
 
 

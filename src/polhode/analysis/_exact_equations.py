@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -26,9 +27,9 @@ from polhode.certificates._equations import (
 )
 from polhode.certificates._exact_tracing import trace_polynomials
 from polhode.certificates.rational import RationalCertificate, find_certificate
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.rational._polynomials import RationalPolynomial
-from polhode.rational.numbers import read_double, read_short
+from polhode.rational.numbers import EXACT, check_reading, read_number
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, Float64
@@ -37,7 +38,6 @@ if TYPE_CHECKING:
     from polhode.analysis.certificate import Subject
     from polhode.analysis.energy_casimir import Stability
 
-READINGS = {"short": read_short, "doubles": read_double}
 ROUNDED = 1e-12  # of the largest coefficient of a field, what the code's own rounding of parameters may change
 MOST_COORDINATES = 12  # of a system whose integrals of second degree are looked for
 Reader = Callable[[float], Fraction]
@@ -69,10 +69,9 @@ def make_rational(found: Stability, subject: Subject, read_as: str) -> RationalC
     Raises:
         InvalidInput: as there.
     """
-    if read_as not in READINGS:
-        raise InvalidInput(f'`read_as` must be "short" or "doubles"; got {shown(read_as)}.')
+    check_reading(read_as)
     if getattr(found.reason, "leaves_nearby", "") == "larger":
-        equations, hint = make_equations(found, subject, READINGS[read_as])
+        equations, hint = make_equations(found, subject, read_as)
         return find_certificate(restrict_to_zeros(equations, _zeros_of_leaf(equations, subject)), "stable", hint)
     if found.verdict not in ("stable", "unstable"):
         raise InvalidInput(
@@ -84,7 +83,7 @@ def make_rational(found: Stability, subject: Subject, read_as: str) -> RationalC
             "an exact proof of stability needs a conserved energy; this system loses energy, and its verdict is by "
             "exponents. Verdicts of instability have proofs there too."
         )
-    equations, hint = make_equations(found, subject, READINGS[read_as])
+    equations, hint = make_equations(found, subject, read_as)
     try:
         return find_certificate(equations, found.verdict, hint)
     except InvalidInput as error:
@@ -107,19 +106,19 @@ def _further_integrals(equations: Equations, verdict: str) -> Iterator[Named]:
             yield quadratic_integrals(equations.field)
 
 
-def make_equations(found: Stability, subject: Subject, read: Reader) -> tuple[Equations, dict[str, float]]:
+def make_equations(found: Stability, subject: Subject, read_as: str = EXACT) -> tuple[Equations, dict[str, float]]:
     """Return the equations with a rational equilibrium, and the numerical weights of what is conserved, by name.
 
     Raises:
         InvalidInput: where they are not polynomial, or no rational equilibrium is near.
     """
-    system, n = subject.system, subject.system.algebra.dim
+    system, n, read = subject.system, subject.system.algebra.dim, partial(read_number, read_as=read_as)
     vector_field = tuple(_trace("the field", Field(system), n, read))
-    conserved, flow, flow_name = _trace_casimirs(subject, read), (), _find_flow(found)
+    conserved, flow, flow_name = _trace_casimirs(subject, read, read_as), (), _find_flow(found)
     hint = _weights_by_name(found)
     if system.conserves_energy:
         (energy,) = _trace("the energy", Energy(system), n, read)
-        brackets = rational_brackets(system.algebra)
+        brackets = rational_brackets(system.algebra, read_as)
         exact = poisson_field(brackets, system.sign, energy)
         _compare_fields(vector_field, exact)
         vector_field = exact
@@ -135,7 +134,8 @@ def make_equations(found: Stability, subject: Subject, read: Reader) -> tuple[Eq
     conserved = {k: c for k, c in conserved.items() if not c.rate(vector_field)}
     vanishing = _parallel(vector_field, flow) if flow else vector_field
     point, moved = rational_equilibrium(vanishing, conserved, hint, subject.point.tolist(), read)
-    return Equations(type(system).__name__, vector_field, conserved, point, moved, flow, flow_name), hint
+    name = type(system).__name__
+    return Equations(name, vector_field, conserved, point, moved, flow, flow_name, read_as=read_as), hint
 
 
 def _trace(what: str, function: Source, n: int, read: Reader) -> list[RationalPolynomial]:
@@ -148,7 +148,7 @@ def _trace(what: str, function: Source, n: int, read: Reader) -> list[RationalPo
         ) from None
 
 
-def _trace_casimirs(subject: Subject, read: Reader) -> Named:
+def _trace_casimirs(subject: Subject, read: Reader, read_as: str) -> Named:
     """Return the Casimirs by their names in the verdict; where these are not polynomials, those that are found."""
     algebra = subject.system.algebra
     known = choose_casimirs(algebra, subject.casimirs)
@@ -157,7 +157,7 @@ def _trace_casimirs(subject: Subject, read: Reader) -> Named:
         return dict(zip(known.names, found, strict=True))
     except Untraceable:
         try:
-            found = polynomial_casimirs(algebra, HIGHEST_DEGREE)
+            found = polynomial_casimirs(algebra, HIGHEST_DEGREE, read_as)
         except InvalidInput:
             return {}
         parts = ((str(p), zip(p.exponents.tolist(), p.coefficients, strict=True)) for p in found)
@@ -221,7 +221,7 @@ def _compare_fields(one: tuple[RationalPolynomial, ...], other: tuple[RationalPo
 
 def _zeros_of_leaf(equations: Equations, subject: Subject) -> list[int]:
     """Return the coordinates that are zero at the point and along the leaf's tangent space."""
-    brackets, n = rational_brackets(subject.system.algebra), equations.size
+    brackets, n = rational_brackets(subject.system.algebra, equations.read_as), equations.size
     moves = [poisson_field(brackets, 1, x) for x in RationalPolynomial.variables(n)]
     return [k for k in range(n) if not equations.point[k] and not any(f[k].at(equations.point) for f in moves)]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import abc
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,6 +14,7 @@ from polhode.analysis._exact_arithmetic import Ball, Rational, Wanted, exact_rat
 from polhode.analysis.enclosed_numbers import EnclosedNumber
 from polhode.errors import InvalidInput, shown
 from polhode.motion.base import AbstractMotion
+from polhode.rational.numbers import nearest_double
 
 DOUBLES, GIVEN = "the nearest doubles", "the exact numbers given"
 NEAR = 4.0 * 2.0**-52  # of their size, how far exact numbers may be from the doubles of the motion
@@ -105,7 +107,7 @@ def _check_exact(exact: Mapping[str, Any] | None, doubles: dict[str, list[Ration
 
 def _check_near(name: str, given: list[Rational], doubles: np.ndarray) -> None:
     """Refuse exact numbers that are not those of the motion."""
-    nearest = np.array([int(x.p) / int(x.q) for x in given])
+    nearest = np.array([nearest_double(Fraction(int(x.p), int(x.q))) for x in given])
     if name == "attitude":
         norm = float(np.linalg.norm(nearest))
         nearest = nearest / (norm or 1.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, solve_adaptively
@@ -108,7 +108,7 @@ def check_start(
     Raises:
         InvalidInput: if it is not a system, for a batch of states, or for invalid times.
     """
-    refuse_single_precision(times=times)
+    require_doubles(times=times)
     start, ends = one_state(system, state), np.asarray(times, dtype=float)
     if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] == ends[1]:
         raise InvalidInput(f"`times` must be a first and another last time [s], both finite; got {shown(times)}.")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from polhode.errors import InvalidInput
+from polhode.rational.numbers import EXACT
 from polhode.types import Array, Float64
 
 if TYPE_CHECKING:
@@ -46,12 +46,13 @@ class Subject:
 class Certificate(str):
     """The reason of a verdict as a sentence, which can be turned into a proof in rational numbers.
 
-    It is text like any other; the proof is looked for when it is asked for.
+    It is text like any other; the proof is looked for when it is asked for. ``polhode.certificates.check_by_z3`` has
+    the solver z3 check it, ``polhode.certificates.write_proof`` writes it for the prover Rocq.
 
     >>> import numpy as np
     >>> import polhode as ph
     >>> found = ph.stability(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.0, 0.0, 0.1]))
-    >>> exact = found.certificate.as_rational()
+    >>> exact = found.certificate.as_rational("decimal")
     >>> exact.equations.point[2], exact.equations.field[0], exact.proof.weights["|L|²"]
     (Fraction(1, 10), −1/6 x2 x3, Fraction(-1, 6))
     """
@@ -66,7 +67,7 @@ class Certificate(str):
     def __reduce__(self) -> tuple[type[str], tuple[str]]:
         return str, (str(self),)  # a system may hold functions that cannot be pickled
 
-    def as_rational(self, read_as: str = "short") -> RationalCertificate:
+    def as_rational(self, read_as: str = EXACT) -> RationalCertificate:
         """Return the verdict with an exact proof: equations, weights and sums of squares as fractions.
 
         The proof is found anew from the equations, with the numerical weights as a first guess, and is then checked in
@@ -74,9 +75,8 @@ class Certificate(str):
         coordinates within a billionth of its size; ``equations.moved`` says how far.
 
         Args:
-            read_as: "short" takes each number of system and point as what was meant: a decimal of up to twelve digits
-                (0.1 is 1/10), else the simplest fraction that is rounded to this double (1/3). "doubles" takes it as
-                the binary fraction that it is.
+            read_as: "exact" takes each double of system and point as the binary fraction that it is, "decimal" as the
+                shortest decimal that rounds to it: 0.1 is 1/10. ``equations.read_as`` says which.
 
         Raises:
             InvalidInput: for a verdict that is undecided or of a system without polynomial equations, an equilibrium
@@ -90,20 +90,3 @@ class Certificate(str):
                 "Take it from `stability(system, equilibrium)`."
             )
         return make_rational(self.found, self.found.subject, read_as)
-
-    def check(self) -> None:
-        """Check the verdict exactly, in rational arithmetic and by the solver z3, in about a tenth of a second.
-
-        Raises:
-            InvalidInput: as ``as_rational``; for a claim that does not hold; if z3-solver, the extra `prove`, is
-                missing.
-        """
-        self.as_rational().check_by_z3()
-
-    def write_proof(self, path: str | Path) -> Path:
-        """Write a file that the prover Rocq checks; see ``RationalCertificate.write_proof``.
-
-        Raises:
-            InvalidInput: as ``as_rational``, and for a path that does not end in .v.
-        """
-        return self.as_rational().write_proof(path)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any, NamedTuple
@@ -12,9 +11,9 @@ import numpy as np
 from polhode import rotation
 from polhode.analysis._attitude_noise import attitude_noise
 from polhode.analysis._clock_offset import ClockOffset, Moving, Samples, Wanted, find_clock_offset
-from polhode.analysis._mechanics import Mechanics, invariants_along
+from polhode.analysis._mechanics import invariants_along
 from polhode.analysis.alignment import Alignment, fit_alignment
-from polhode.arrays import is_traced
+from polhode.analysis.attitude_history import AttitudeHistory
 from polhode.errors import InvalidInput, shown
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
@@ -27,41 +26,6 @@ ENDS = 16  # samples at either end whose rates a spline does not know; its error
 ROUNDING = 1e-12  # rad; errors below are of rounding, and nothing is fitted to them
 FEW_DIGITS = 1e4  # s; offsets below are told apart by six digits
 MARGIN = 2.0  # on what rounding of times may miss: the bound is met exactly by a steady turn, and speeds are estimates
-
-
-@dataclass(frozen=True, eq=False)
-class AttitudeHistory:
-    """The attitude of a body over time, sampled, and exactly where it is known.
-
-    Attributes:
-        name: for reports.
-        times: (T,) rising [s].
-        attitude: (T, 4) unit quaternions wxyz, body → space.
-        angular_velocity: (T, 3) [rad/s, body axes], or None.
-        exact: attitude (…, 4) and angular velocity (…, 3) at any times (…), or None.
-        mechanics: for energy and momentum, or None.
-        resolution: by how much its times may be off, as they were written with so many digits [s].
-    """
-
-    name: str
-    times: Float64[Array, "time"]
-    attitude: Float64[Array, "time 4"]
-    angular_velocity: Float64[Array, "time 3"] | None = None
-    exact: Callable[[Float64[Array, "time"]], tuple[Float64[Array, "time 4"], Float64[Array, "time 3"]]] | None = None
-    mechanics: Mechanics | None = None
-    resolution: float = 0.0
-
-    def __post_init__(self) -> None:
-        if is_traced(self.times, self.attitude, self.angular_velocity):
-            raise InvalidInput("times and attitudes of an AttitudeHistory must be known numbers, not traced by JAX.")
-
-    @property
-    def speed(self) -> float:
-        """How fast it turns at most [rad/s], by its angular velocity, else from sample to sample."""
-        if self.angular_velocity is not None:
-            return float(np.linalg.norm(self.angular_velocity, axis=-1).max())
-        turns = rotation.angle_between(self.attitude[1:], self.attitude[:-1])
-        return float(np.max(turns / np.diff(self.times), initial=0.0))
 
 
 class Invariants(NamedTuple):

@@ -10,11 +10,12 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.algebra._functions import Function
-from polhode.analysis._branches import Family, Place, crossings, follow, is_on, step_onto_branch
+from polhode.analysis._branches import LONGEST, Family, Place, crossings, follow, is_on, step_onto_branch, trace_family
 from polhode.analysis._conserved import choose_casimirs
 from polhode.analysis.equilibria import STARTS, find_equilibria
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
+from polhode.poisson.brackets import as_points
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import ArrayLike, Double, Float64, Real
 
@@ -54,6 +55,7 @@ class Bifurcation(NamedTuple):
     Attributes:
         kind: ``"fold"``: a branch turns back; ``"pitchfork"``: another branch touches it, both arms on one side;
             ``"transcritical"``: another crosses it; ``"branch point"``: another begins that could not be followed;
+            ``"circle"``: a closed curve of equilibria at this value alone; ``"family"``: one whose end was not reached;
             ``"Hamiltonian Hopf"``: exponents meet on the imaginary axis and leave it; ``"exchange"``: the verdict
             changes in another way.
         value: of the parameter.
@@ -121,13 +123,14 @@ def continue_equilibria(
     for system in systems:
         if not isinstance(system, AbstractLiePoissonSystem) or not system.conserves_energy:
             raise InvalidInput(f"`make` must give Lie–Poisson systems that conserve energy; got {shown(system)}.")
-    family = Family(make, choose_casimirs(systems[0].algebra, casimirs).source, np.asarray(state), low, high)
+    start = np.asarray(as_points(systems[0].algebra, state))
+    family = Family(make, choose_casimirs(systems[0].algebra, casimirs).source, start, low, high)
     begins = [
         family.place(family.vector(point), value)
         for value, system in zip((low, high), systems, strict=True)
         for point in find_equilibria(system, state, starts, seed, casimirs)
     ]
-    atlas = _Atlas(family, [], [])
+    atlas = _Atlas(family, [], [], [])
     for begin in begins:
         # one of a family that does not move with the parameter belongs to this value alone
         stays = begin.flat.shape[1] and abs(begin.tangent[-1]) < TURNING
@@ -144,11 +147,12 @@ def continue_equilibria(
 
 
 class _Atlas(NamedTuple):
-    """The branches found so far, and their bifurcations: kind, place, numbers of branches."""
+    """The branches found so far, their bifurcations: kind, place, numbers of branches; and points of families."""
 
     family: Family
     paths: list[list[Place]]
     meetings: list[tuple[str, Place, list[int]]]
+    families: list[tuple[int, Float64[np.ndarray, "m n"]]]
 
     def find_branch(self, place: Place) -> int | None:
         """Return the index of the known branch through a place, or None."""
@@ -163,6 +167,7 @@ class _Atlas(NamedTuple):
         self.paths.append(path)
         for before, place, after in crossings(self.family, path):
             known = [k for k, m in enumerate(self.meetings) if m[0] != "fold" and self.family.apart(m[1], place) < NEAR]
+            known += [k for k, points in self.families if self._is_in_family(place, self.meetings[k][1], points)]
             if known:
                 kind, other, numbers = self.meetings[known[0]]
                 # where branches cross, the straighter one tells the better where
@@ -178,7 +183,17 @@ class _Atlas(NamedTuple):
         """Return whether the parameter has its extreme at a place between two."""
         return (place.value - before.value) * (after.value - place.value) < 0.0 or abs(place.tangent[-1]) < TURNING
 
+    def _is_in_family(self, place: Place, member: Place, points: Float64[np.ndarray, "m n"]) -> bool:
+        """Return whether a place is one of a family of equilibria at one value."""
+        off = float(np.linalg.norm(points - place.vector, axis=1).min())
+        return abs(place.value - member.value) < NEAR * self.family.range and off < LONGEST * self.family.size
+
     def _split(self, place: Place, number: int) -> None:
+        points, closes = trace_family(self.family, place)
+        if len(points):
+            self.families.append((len(self.meetings), points))
+            self.meetings.append(("circle" if closes else "family", place, [number]))
+            return
         beside = step_onto_branch(self.family, place)
         sides = [np.sign(one.value - place.value) * (abs(one.value - place.value) > FLAT * self.family.range)
                  for one in beside]  # fmt: skip
@@ -224,7 +239,7 @@ def _exchanges(family: Family, path: list[Place]) -> Iterator[tuple[str, Place]]
 
 
 def _limits(limits: ArrayLike) -> tuple[float, float]:
-    refuse_single_precision(limits=limits)
+    require_doubles(limits=limits)
     ends = np.asarray(limits, dtype=float)
     if ends.shape != (2,) or not np.isfinite(ends).all() or not ends[0] < ends[1]:
         raise InvalidInput(f"`limits` must be a lowest and a higher value, both finite; got {shown(limits)}.")

@@ -39,8 +39,8 @@ class LinearLoop(NamedTuple):
     @property
     def eigenvalues(self) -> Complex128[Array, "6"]:
         """(6,) of the closed loop, complex [1/s], slowest decay first."""
-        values = np.linalg.eigvals(self.plant + self.input @ self.law)
-        return values[np.argsort(-values.real, kind="stable")]
+        values = np.linalg.eigvals(self.plant + self.input @ self.law).astype(complex)
+        return values[np.argsort(-np.real(values), kind="stable")]
 
 
 class Margins(NamedTuple):
@@ -116,6 +116,7 @@ def _rates(
     assert target is not None and turning is not None
     small = jnp.concatenate([jnp.ones((*near.shape[:-1], 1)), 0.5 * near[..., :3]], axis=-1)
     attitude = rotation.multiply(target, small / jnp.linalg.norm(small, axis=-1, keepdims=True))
+    attitude = attitude * getattr(law, "sign", 1.0)  # of the two quaternions of the target, the one it steers to
     aim = in_body(attitude, turning)
     velocity = aim + near[..., 3:]
     packed = system.packed_as_given(attitude, velocity, jnp.broadcast_to(state, (*near.shape[:-1], state.size)))

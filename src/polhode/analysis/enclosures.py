@@ -13,7 +13,7 @@ import numpy as np
 
 from polhode.analysis._exact_arithmetic import import_flint
 from polhode.analysis._tangent_flow import one_state
-from polhode.arrays import is_positive, refuse_single_precision
+from polhode.arrays import is_positive, require_doubles
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.simulation import simulate
@@ -423,7 +423,7 @@ def _flat(balls: BallSystem, start: Array) -> Float64[np.ndarray, "n"]:
 def _check_arguments(
     system: AbstractSystem, state: ArrayLike, times: ArrayLike, radius: float
 ) -> tuple[Double[np.ndarray, "..."], Float64[np.ndarray, "time"]]:
-    refuse_single_precision(times=times)
+    require_doubles(times=times)
     start, values = one_state(system, state), np.asarray(times, dtype=float)
     gaps = np.sign(np.diff(values)) if values.ndim == 1 else np.zeros(1)
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all() or not (gaps * gaps[:1] > 0).all():

@@ -84,7 +84,7 @@ class Stability:
 
     @property
     def certificate(self) -> Certificate:
-        """The reason as a sentence; its methods make an exact proof of it, which a solver or a prover checks."""
+        """The reason as a sentence; ``as_rational`` makes an exact proof of it."""
         flows = self.restricted if self.restricted is not None and self.restricted.flows else None
         parts = (self.reason, self.legend, flows, self.missing)
         return Certificate("; ".join(str(part) for part in parts if part), self)
@@ -225,7 +225,7 @@ def _on_equilibria(leaf: Leaf, second: Array, zero: float, function: ConservedFu
         reason = EquilibriaWithoutShear(function, leaf.unit * float(shear[0]), leaf.unit * sure_from)
         return Stability("undecided", 0.0, None, None, reason, spectrum)
     driver = drivers @ rows[0]
-    return _shear(leaf.out(leaf.flow @ driver), leaf.out(driver), leaf.unit, spectrum)
+    return steady_drift(leaf.out(leaf.flow @ driver), leaf.out(driver), leaf.unit, spectrum)
 
 
 def _all_at_rest(leaf: Leaf, function: ConservedFunction, spectrum: Array) -> Stability:
@@ -233,12 +233,13 @@ def _all_at_rest(leaf: Leaf, function: ConservedFunction, spectrum: Array) -> St
     _, sizes, rows = np.linalg.svd(leaf.full)
     sure_from = leaf.noise * leaf.flow_size
     if sizes[0] > sure_from:
-        return _shear(leaf.scale * (leaf.full @ rows[0]), leaf.scale * rows[0], leaf.unit, spectrum)
+        return steady_drift(leaf.scale * (leaf.full @ rows[0]), leaf.scale * rows[0], leaf.unit, spectrum)
     reason = LeafOfEquilibria(function, leaf.unit * float(sizes[0]), leaf.unit * sure_from)
     return Stability("undecided", 0.0, None, None, reason, spectrum)
 
 
-def _shear(moved: Array, displaced: Array, unit: float, spectrum: Array) -> Stability:
+def steady_drift(moved: Array, displaced: Array, unit: float, spectrum: Array) -> Stability:
+    """Return the verdict that neighbours displaced so are moved so, at a steady rate."""
     rate, direction = float(unit * np.linalg.norm(moved) / np.linalg.norm(displaced)), _unit(moved)
     return Stability("unstable", 0.0, "linear", direction, SteadyDrift(rate, direction), spectrum)
 
@@ -289,6 +290,12 @@ def _growth(leaf: Leaf) -> _Growth:
     real_part, sure_from = float(spectrum[k].real), leaf.noise * leaf.flow_size / alignment
     direction = None if real_part <= sure_from else _unit(leaf.out(_largest_real_part(right[:, k])))
     return _Growth(leaf.unit * spectrum, leaf.unit * real_part, leaf.unit * float(sure_from), direction)
+
+
+def growing_direction(flow: Float64[Array, "d d"]) -> Float64[Array, "d"]:
+    """Return the real direction of the mode with the largest real part of a linear flow."""
+    spectrum, modes = np.linalg.eig(flow)
+    return _largest_real_part(modes[:, int(np.argmax(np.real(spectrum)))])
 
 
 def _unstable(growth: _Growth, direction: Array) -> Stability:

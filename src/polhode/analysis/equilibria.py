@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode.algebra._functions import Function
 from polhode.analysis._conserved import Energy, Source, check_motion, choose_casimirs, choose_unit
-from polhode.analysis.stability import scaled_field
+from polhode.analysis.stability import AT_REST, scaled_field
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
@@ -64,13 +64,14 @@ def find_equilibria(
     z = np.asarray(algebra.to_dual_vector(mu))
     unit = choose_unit(z)
     draws = np.random.default_rng(seed).normal(size=(starts, z.size)) / np.sqrt(z.size)
-    check_motion(system, np.linalg.norm(z) * draws[:CHECKED])
-    roots, left, energies, works = (
+    check_motion(system, lambda: np.linalg.norm(z) * draws[:CHECKED])
+    constants = np.abs(algebra.structure_constants())
+    roots, left, moving, energies, works = (
         np.asarray(x)
-        for x in _solve(system, known.source, jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(draws))
+        for x in _solve(system, known.source, jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(draws), constants)
     )
     energies = energies if unit == 1.0 else works
-    good = np.isfinite(roots).all(axis=1) & (left < SOLVED)
+    good = np.isfinite(roots).all(axis=1) & (left < SOLVED) & (moving <= AT_REST)
     kept: list[int] = []
     for k in np.flatnonzero(good):
         if all(np.linalg.norm(roots[k] - roots[other]) > SAME for other in kept):
@@ -84,9 +85,12 @@ def find_equilibria(
 
 @eqx.filter_jit
 def _solve(
-    system: AbstractLiePoissonSystem, casimirs: Source, level: Array, unit: Array, draws: Array
-) -> tuple[Array, Array, Array, Array]:
-    """Return where each start settles, in units of |level|, the residuals there, and the energies.
+    system: AbstractLiePoissonSystem, casimirs: Source, level: Array, unit: Array, draws: Array, constants: Array
+) -> tuple[Array, Array, Array, Array, Array]:
+    """Return where each start settles, in units of |level|, the residuals there, the fields, and the energies.
+
+    Residuals are relative to the level, on which small points would pass; fields to their own terms, as for
+    ``stability``.
 
     These twice: as they are, and as ∫ dH along the ray from zero in ``unit``², which neither overflows nor underflows.
     """
@@ -113,10 +117,16 @@ def _solve(
         slopes = jax.vmap(lambda t: differential(unit * t * y) / unit)(0.5 + 0.5 * nodes)
         return 0.5 * shares @ (slopes @ y)
 
-    def solve(start: Array) -> tuple[Array, Array, Array, Array]:
+    def still_moving(y: Array) -> Array:
+        # a slope that vanishes is a sum of terms that cancel, of the size of the curvature times the point
+        slope, curvature = differential(unit * y) / unit, jax.jacfwd(differential)(unit * y)
+        terms = (jnp.abs(constants) @ jnp.abs(y)).max() * (jnp.abs(slope) + jnp.abs(curvature) @ jnp.abs(y)).max()
+        return jnp.linalg.norm(field(y)) / jnp.where(terms > 0, terms, 1.0)
+
+    def solve(start: Array) -> tuple[Array, Array, Array, Array, Array]:
         x = optimistix.least_squares(residual, solver, start, max_steps=200, throw=False).value
         x = _sharpen(residual, x)
-        return x, jnp.linalg.norm(residual(x)), energy(unit * size * x)[0], work(size * x)
+        return x, jnp.linalg.norm(residual(x)), still_moving(size * x), energy(unit * size * x)[0], work(size * x)
 
     return jax.vmap(solve)(draws)
 

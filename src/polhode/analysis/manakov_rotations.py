@@ -6,7 +6,7 @@ from itertools import combinations
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput
 from polhode.systems.manakov import Manakov
 from polhode.types import Array, ArrayLike, Complex128, Real
@@ -42,7 +42,7 @@ def plane_rotation_exponents(
     """
     if not isinstance(system, Manakov):
         raise InvalidInput(f"`system` must be Manakov; got {type(system).__name__}.")
-    refuse_single_precision(momentum=momentum)
+    require_doubles(momentum=momentum)
     M, n = np.asarray(momentum, dtype=float), system.size
     if M.shape != (n, n) or not np.isfinite(M).all() or np.abs(M + M.T).max() > 0.0:
         raise InvalidInput(f"`momentum` must be finite and antisymmetric, ({n}, {n}); got shape {M.shape}.")

@@ -13,7 +13,7 @@ import numpy as np
 
 from polhode.analysis._tangent_flow import TangentFlow, compute_multipliers
 from polhode.analysis.floquet import FLAT, PeriodicMotion, periodic_motion
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
@@ -119,7 +119,7 @@ def continue_periodic(
     Source: Seydel, *Practical Bifurcation and Stability Analysis*, ch. 7; Muñoz-Almaraz et al., Physica D 181 (2003) 1,
     for what is conserved.
     """
-    refuse_single_precision(limits=limits)
+    require_doubles(limits=limits)
     if not callable(make):
         raise InvalidInput(f"`make` must be a function from a value to a system; got {shown(make)}.")
     ends = np.asarray(limits, dtype=float)

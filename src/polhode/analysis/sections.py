@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import compiled_for_few_calls, known_numbers_only, refuse_single_precision
+from polhode.arrays import compiled_for_few_calls, known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._adaptive import check_events
 from polhode.integrators._interrupts import keep_interrupts
@@ -78,7 +78,7 @@ def section(
     Source: Hénon, Physica D 5 (1982) 412, for what a section is; the zeros by Taylor series on each step.
     """
     refuse_other_objects(system)
-    refuse_single_precision(times=times)
+    require_doubles(times=times)
     start = system.check_state(state)
     ends = np.asarray(times, dtype=float)
     if np.ndim(start) != system.state_axes:

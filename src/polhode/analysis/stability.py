@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import equinox as eqx
@@ -22,6 +23,9 @@ from polhode.algebra._functions import Function, check_functions
 from polhode.algebra.properties import index, is_compact
 from polhode.analysis._conserved import Casimirs, Energy, Source, check_motion, choose_casimirs, samples_around
 from polhode.analysis._equilibrium_data import Problem, problem
+from polhode.analysis._exact_families import moves_along_equilibria
+from polhode.analysis._exact_functions import exact_functions
+from polhode.analysis._exact_verdict import decide_exactly
 from polhode.analysis._reasons import (
     DefiniteOnLeaf,
     ExponentialGrowth,
@@ -35,12 +39,11 @@ from polhode.analysis._second_variation import null_space
 from polhode.analysis.certificate import Subject
 from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.analysis.first_method import first_method
-from polhode.analysis.rolling import rolling_stability
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
-from polhode.systems.base import AbstractLiePoissonSystem
-from polhode.systems.euler_disk import EulerDisk
+from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.systems.steady_motion import SteadyMotion
 from polhode.types import Array, ArrayLike, Real
 
 SMALLEST, LARGEST = 1e-300, 1e300  # of an equilibrium; smaller numbers lose digits, and sums of larger ones overflow
@@ -54,7 +57,7 @@ RANK = 1e-13  # singular values of the Poisson tensor below it, per dimension, a
 
 @known_numbers_only
 def stability(
-    system: AbstractLiePoissonSystem | EulerDisk,
+    system: AbstractSystem,
     equilibrium: Real[ArrayLike, "..."],
     integrals: Sequence[Function] = (),
     casimirs: Sequence[Function] | None = None,
@@ -78,8 +81,9 @@ def stability(
 
     Args:
         system: any Lie–Poisson system; what it names conserved takes part by itself where it is at rest at the point.
-            Or a rolling disk, whose linear integrals take the Casimirs' place, see ``rolling_stability``.
-        equilibrium: one point of the dual, (*element_shape), without attitude; of a disk a state of steady motion.
+            Or any other that gives derivatives by its ``steady_motion``, such as a rolling disk, whose linear integrals
+            take the Casimirs' place.
+        equilibrium: one point of the dual, (*element_shape), without attitude; of others a state of steady motion.
         integrals: further conserved functions of one point, real; those that are not at rest at the point must commute
             with each other, or be all components of a compact group's momentum map, as the three of the angular
             momentum. None where energy is lost.
@@ -94,12 +98,8 @@ def stability(
     >>> [stability(FreeRigidBody((1.0, 2.0, 3.0)), row).verdict for row in np.eye(3)]
     ['stable', 'unstable', 'stable']
     """
-    if isinstance(system, EulerDisk):
-        if len(integrals) or casimirs is not None:
-            raise InvalidInput("a disk's integrals are its own; leave out `integrals` and `casimirs`.")
-        return rolling_stability(system, equilibrium)
     if not isinstance(system, AbstractLiePoissonSystem):
-        raise InvalidInput(f"`system` must be a Lie–Poisson system or an EulerDisk; got {type(system).__name__}.")
+        return _judge_own(system, equilibrium, integrals, casimirs)
     algebra = system.algebra
     mu = as_points(algebra, equilibrium)
     if mu.shape != algebra.element_shape:
@@ -112,15 +112,37 @@ def stability(
             f"the largest component of `equilibrium` must be between {SMALLEST:g} and {LARGEST:g}; got {size:g}. "
             "Choose other units."
         )
-    check_motion(system, samples_around(np.asarray(algebra.structure_constants()), z))
+    check_motion(system, lambda: samples_around(np.asarray(algebra.structure_constants()), z))
     known, subject = choose_casimirs(algebra, casimirs), Subject(system, z, tuple(integrals), casimirs)
     if not system.conserves_energy:
         if len(integrals):
             raise InvalidInput("`integrals` must be left out where energy is lost: exponents alone decide there.")
         return replace(_judge_dissipative(system, known, z), subject=subject)
-    p = problem(system, known, tuple(integrals), z, casimirs is not None)
+    exact = exact_functions(system, known, tuple(integrals), z)
+    p = problem(system, known, tuple(integrals), z, casimirs is not None, exact)
     verdict = _note_missing(_judge_equilibrium_first(p), known.missing)
     return replace(_at(verdict, np.asarray(mu)), subject=subject)
+
+
+def _judge_own(system: AbstractSystem, state: Any, integrals: Sequence[Function], casimirs: Any) -> Stability:
+    """Judge a steady motion of any other system by the derivatives that it gives itself."""
+    gives = isinstance(system, AbstractSystem) and type(system).steady_motion is not AbstractSystem.steady_motion
+    name = type(system).__name__
+    if gives and (len(integrals) or casimirs is not None):
+        raise InvalidInput(f"integrals of {name} are its own; leave out `integrals` and `casimirs`.")
+    motion = system.steady_motion(state) if gives else None
+    if motion is None:
+        raise InvalidInput(f"`system` must be a Lie–Poisson system, or one that gives its `steady_motion`; got {name}.")
+    return judge_steady_motion(motion)
+
+
+def judge_steady_motion(motion: SteadyMotion) -> Stability:
+    """Return the verdict on a steady motion from its derivatives, those of its conserved functions for Casimirs."""
+    judged = energy_casimir(*motion[:5], motion.names, is_equilibrium=True, tolerance=1e-12)
+    is_named = any(name in str(judged.reason) for name in motion.names)
+    restricted = Restriction(within=motion.within, without=motion.without) if motion.without else None
+    return replace(judged, legend=motion.legend if is_named else "",
+                   restricted=restricted if judged.verdict == "stable" else None)  # fmt: skip
 
 
 def _judge_equilibrium_first(p: Problem) -> Stability:
@@ -130,7 +152,7 @@ def _judge_equilibrium_first(p: Problem) -> Stability:
     judgement = None
     if resting or not p.free:
         _check_at_rest(p.tensor @ p.g[0], sizes[2], False)
-        judgement = _judge(p, np.eye(len(p.g))[0])
+        judgement = decide_exactly(_judge(p, np.eye(len(p.g))[0]), p)
         # a drift along a group that does not commute is what it was given for
         drifts = judgement.verdict == "unstable" and not judgement.rate and not p.commute
         if not p.free or not (judgement.verdict == "undecided" or drifts):
@@ -343,6 +365,8 @@ def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
     still = tangent @ rows[int((sizes > zero).sum()) :].T
     if not still.shape[1]:
         return False
+    if p.exact is not None:
+        return moves_along_equilibria(p.exact, [Fraction(float(x)) for x in p.y], still.T)
     off = 1e-3 * np.linalg.norm(p.y)
     settled = _settle(p.system, p.casimirs, jnp.asarray(p.y), jnp.asarray(p.unit), jnp.asarray(p.y + off * still.T))
     points, fields, slopes = (np.asarray(x) for x in settled)

@@ -9,7 +9,6 @@ from polhode.arrays.derivatives import (
     derivative_columns,
     first_order_only,
     forward_columns,
-    register_node,
     stop_gradient,
 )
 from polhode.arrays.elementwise import Elementwise, closed_forms
@@ -36,7 +35,7 @@ from polhode.arrays.namespaces import (
     known_numbers_only,
     namespace,
     nearest,
-    refuse_single_precision,
+    require_doubles,
 )
 
 __all__ = [
@@ -67,8 +66,7 @@ __all__ = [
     "known_numbers_only",
     "namespace",
     "nearest",
-    "refuse_single_precision",
-    "register_node",
+    "require_doubles",
     "split_halves",
     "stack_last",
     "stop_gradient",

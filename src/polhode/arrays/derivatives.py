@@ -74,25 +74,6 @@ def first_order_only(values: Any, name: str) -> Any:
     return custom_derivative(lambda x: x, refuse)(values)
 
 
-_nodes: set[type] = set()
-
-
-def register_node(kind: type, fields: tuple[str, ...], like: Any) -> None:
-    """Let JAX pass objects of a frozen class through its transformations, once a JAX array has come in."""
-    if kind in _nodes or not is_jax(like):
-        return
-    import jax
-
-    def build(_: Any, children: Any) -> Any:
-        node = object.__new__(kind)
-        for name, child in zip(fields, children, strict=True):
-            object.__setattr__(node, name, child)
-        return node
-
-    jax.tree_util.register_pytree_node(kind, lambda x: (tuple(getattr(x, name) for name in fields), None), build)
-    _nodes.add(kind)
-
-
 def derivative_columns(
     function: Callable[..., tuple[Any, ...]], arguments: tuple[Any, ...], step: Any = COMPLEX_STEP
 ) -> tuple[tuple[Any, ...], tuple[Any, ...]]:

@@ -1,4 +1,4 @@
-"""Tells which library an array belongs to, and refuses single precision."""
+"""Tells which library an array belongs to, and refuses numbers that float64 cannot carry."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import functools
 import sys
 from collections.abc import Callable, Iterator
 from functools import cache
+from numbers import Rational
 from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
@@ -21,6 +22,7 @@ ENCLOSED = (
     "must not enclose a number that JAX traces, as a variable of a lambda: no derivative goes by it. Make it a field "
     "of the system, or give jax.tree_util.Partial(function, number) instead of the function."
 )
+LARGEST = float(np.finfo(np.float64).max)
 Parameters = ParamSpec("Parameters")
 Result = TypeVar("Result")
 
@@ -117,20 +119,37 @@ def nearest(x: Any) -> Any:
     return np.rint(x) if isinstance(x, np.ndarray | float) else namespace(x).round(x)
 
 
-def refuse_single_precision(**named: Any) -> None:
-    """Refuse arrays, and nests of them, with fewer digits than float64: seven cannot carry a phase or an invariant.
+def require_doubles(**named: Any) -> None:
+    """Refuse what float64 cannot carry: arrays with fewer digits, text, and Python's numbers beyond any double.
 
-    JAX makes such arrays until 64 bits are switched on, which importing ``polhode.algebra`` does; those from before
-    stay as they are. Traced arrays are refused too, as their types are known.
+    Seven digits cannot carry a phase or an invariant. JAX makes such arrays until 64 bits are switched on, which
+    importing ``polhode.algebra`` does; those from before stay as they are. Traced arrays are refused too, as their
+    types are known. Lists are looked through; None alone is an argument that was left out.
     """
     for name, value in named.items():
         if isinstance(value, list | tuple):
             for part in value:
-                refuse_single_precision(**{name: part})
+                if type(part) is not float:
+                    require_doubles(**{name: part})
             continue
         dtype = str(getattr(value, "dtype", ""))
         if dtype in ("float16", "bfloat16", "float32", "complex64") or dtype.startswith("float8"):
             raise InvalidInput(f"`{name}` must be float64; got {dtype}. {_remedy(is_jax(value))}")
+        if dtype == "object":
+            require_doubles(**{name: value.ravel().tolist()})
+        elif isinstance(value, str | bytes):
+            why = "Functions take SI numbers; text with units is for specs."
+            raise InvalidInput(f"`{name}` must be numbers; got {shown(value)}. {why}")
+        elif isinstance(value, Rational) and not _has_double(value):
+            raise InvalidInput(f"`{name}` must be at most {LARGEST:.2g}, as a double is; got {shown(value)}.")
+
+
+def _has_double(value: Rational) -> bool:
+    try:
+        float(value)
+    except OverflowError:
+        return False
+    return True
 
 
 def _remedy(jax_array: bool) -> str:
@@ -149,7 +168,7 @@ def as_float64(xp: Any, value: ArrayLike, name: str) -> Float64[Array, "..."]:
         InvalidInput: if it is a float32 or complex array, or not numeric at all. Single precision cannot carry
             phases, so it is refused instead of silently widened.
     """
-    refuse_single_precision(**{name: value})
+    require_doubles(**{name: value})
     if "complex" in str(getattr(value, "dtype", "")):
         raise InvalidInput(f"`{name}` must be real; got {value.dtype}. Take its real part if that is meant.")
     try:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.arrays import is_traced, refuse_single_precision
+from polhode.arrays import is_positive, is_traced, require_doubles
 from polhode.bodies._inertia import principal_axes
 from polhode.bodies.body import Body, check_is_body
 from polhode.errors import InvalidInput, shown
@@ -51,8 +51,8 @@ def about_pivot(body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDA
     if is_traced(gravity, *(pivot if isinstance(pivot, tuple | list) else (pivot,))):
         raise InvalidInput("`pivot` and `gravity` must be known numbers, not traced by JAX: the principal axes at the "
                            "pivot are decided on them. Give moments and mgl to LagrangeMotion instead.")  # fmt: skip
-    refuse_single_precision(gravity=gravity)
-    if not (np.ndim(gravity) == 0 and np.isfinite(gravity) and gravity > 0):
+    require_doubles(gravity=gravity)
+    if not is_positive(gravity):
         raise InvalidInput(f"`gravity` must be positive and finite [m/s²]; got {shown(gravity)}.")
     # J_pivot = J + m (|d|² 1 − d dᵀ)
     moments, axes = principal_axes(body.about(pivot))

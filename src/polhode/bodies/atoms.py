@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import re
 from collections.abc import Sequence
 from importlib.resources import files
 
@@ -16,6 +17,7 @@ from polhode.types import Array, ArrayLike, Float64, Real
 
 ATOMIC_MASS_UNIT = 1.66053906892e-27  # kg, CODATA 2022
 ANGSTROM = 1e-10  # m
+HYDROGENS = {"D": 2.01410177812, "T": 3.0160492779}  # u, of isotopes with symbols of their own: NIST, as below
 
 
 def mass_properties(
@@ -72,8 +74,8 @@ def _look_up(symbols: Sequence[str], table: dict[str, float]) -> Float64[Array, 
     unknown = [symbol for symbol in symbols if symbol not in table]
     if unknown:
         raise InvalidInput(
-            f"`symbols` must be chemical elements; got {shown(unknown[0])}. "
-            "Give `masses` for other atoms."
+            f"`symbols` must be chemical elements; got {shown(unknown[0])}. {explain_symbol(str(unknown[0]))}"
+            "Any names will do where you give `masses`."
         )
     return np.array([table[symbol] for symbol in symbols]) * ATOMIC_MASS_UNIT
 
@@ -81,6 +83,32 @@ def _look_up(symbols: Sequence[str], table: dict[str, float]) -> Float64[Array, 
 def is_element(symbol: str) -> bool:
     """Return whether a word is a chemical symbol."""
     return symbol in _atomic_weights()
+
+
+def explain_symbol(word: str) -> str:
+    """Return what a word probably is that is no chemical symbol, and what to write in its place; empty if nobody knows.
+
+    >>> explain_symbol("8")
+    '8 is the atomic number of O: write the symbol. '
+    >>> explain_symbol("C12")
+    'Write C for an atom with a label, or C with its mass for an isotope. '
+    >>> explain_symbol("HW1")
+    'Write H for an atom with a label, or H with its mass for an isotope. '
+    """
+    name = word.strip("'\"").capitalize()
+    symbols = list(_atomic_weights())
+    if (isotope := name.rstrip("0123456789")) in HYDROGENS:
+        return f"{isotope} is hydrogen of {HYDROGENS[isotope]} u: write H, with this mass. "
+    if name.isdecimal() and 1 <= int(name) <= len(symbols):
+        return f"{name} is the atomic number of {symbols[int(name) - 1]}: write the symbol. "
+    # the longest symbol that it may begin with; HW1, a hydrogen of water, begins with no longer one
+    for pattern in (r"(\d*)[-_]?([A-Za-z]{1,2})[-_]?(\d*)[A-Za-z'*+-]*", r"(\d*)([A-Za-z])[A-Za-z]?\d+[A-Za-z'*+-]*"):
+        found = re.fullmatch(pattern, word.strip("'\""))
+        if found and is_element(element := found[2].capitalize()):
+            if found[1]:
+                return f"Write {element}, with its mass for an isotope. "
+            return f"Write {element} for an atom with a label, or {element} with its mass for an isotope. "
+    return ""
 
 
 @functools.cache

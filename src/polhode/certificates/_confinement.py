@@ -11,13 +11,24 @@ from typing import Any
 import numpy as np
 
 from polhode.certificates._definite import definite_combination
+from polhode.certificates._definite_exact import definite_in_pencil, is_definite
 from polhode.certificates._equations import DENOMINATORS, ENERGY, Equations
-from polhode.rational._matrices import Rows, combine, identity, null_space, split_into_squares, transpose
+from polhode.rational._matrices import (
+    Rows,
+    combine,
+    identity,
+    multiply,
+    null_space,
+    signature,
+    split_into_squares,
+    transpose,
+)
 from polhode.rational._polynomials import RationalPolynomial, linear_form, total
 from polhode.types import Array, Float64
 
 Squares = tuple[tuple[Fraction, tuple[Fraction, ...]], ...]
 GROWTHS = range(-2, 24)  # powers of two by which squares of conserved quantities are tried
+LARGEST_GROWTH = 240  # the same, tried by exact signs where doubles tell none: curvatures an ulp apart need some 100
 
 
 @dataclass(frozen=True)
@@ -113,10 +124,11 @@ def find_confinement(equations: Equations, hint: Mapping[str, float]) -> Confine
     names = [*(k for k in equations.conserved if k != ENERGY), *(k for k in equations.conserved if k == ENERGY)]
     slopes = [equations.slopes[k] for k in names]
     basis = null_space(transpose(slopes), len(names)) if names else []
-    halves = [equations.conserved[k].shift(equations.point).quadratic() for k in names]
-    across = _null(slopes + ([equations.along] if equations.flow else []), equations.size)
+    halves = [equations.conserved[k].shift(equations.point, 2).quadratic() for k in names]
+    rows = [row for row in (*slopes, *([equations.along] if equations.flow else [])) if any(row)]
+    across = null_space(rows, equations.size)
     tried = set()
-    for weights in _candidates(basis, names, hint, halves, across, bool(equations.flow)):
+    for weights in _candidates(basis, names, hint, halves, across):
         if (key := tuple(weights)) not in tried:
             tried.add(key)
             if found := _try_weights(equations, dict(zip(names, weights, strict=True)), halves, across):
@@ -124,11 +136,9 @@ def find_confinement(equations: Equations, hint: Mapping[str, float]) -> Confine
     return None
 
 
-def _null(rows: Sequence[Sequence[Fraction]], size: int) -> Array:
-    numbers = as_floats(rows).reshape(-1, size)
-    lengths = np.linalg.norm(numbers, axis=1, keepdims=True)
-    _, sizes, found = np.linalg.svd(numbers / np.where(lengths > 0, lengths, 1.0))
-    return found[int((sizes > 1e-12).sum()) :].T
+def restrict(form: Rows, vectors: Rows) -> Rows:
+    """Return the matrix of a quadratic form on the span of vectors (d, n)."""
+    return multiply(vectors, transpose(multiply(vectors, form))) if vectors else []
 
 
 def as_floats(rows: Sequence[Sequence[Fraction]]) -> Float64[np.ndarray, "rows columns"]:
@@ -137,16 +147,25 @@ def as_floats(rows: Sequence[Sequence[Fraction]]) -> Float64[np.ndarray, "rows c
 
 
 def _candidates(
-    basis: Rows, names: list[str], hint: Mapping[str, float], halves: list[Rows], across: Array, relative: bool
+    basis: Rows, names: list[str], hint: Mapping[str, float], halves: list[Rows], across: Rows
 ) -> Iterator[list[Fraction]]:
     """Yield rational weights with a stationary sum: the hinted ones, rounded to ever more digits, then others."""
     if not basis:
         return
+
+    def mix(parts: Sequence[Fraction]) -> list[Fraction]:
+        return [sum((a * v[k] for a, v in zip(parts, basis, strict=True)), Fraction(0)) for k in range(len(names))]
+
+    inner = [restrict(combine(*zip(v, halves, strict=True)), across) for v in basis] if across else []
+    if across and len(basis) == 1:
+        if is_definite(inner[0]):
+            yield mix([Fraction(1)])
+        return
     free = [max(k for k, x in enumerate(vector) if x) for vector in basis]
     wanted = [np.array([hint.get(name, 0.0) for name in names])] if hint else []
-    if across.shape[1]:
-        matrices = [across.T @ np.tensordot(as_floats([v])[0], np.array([as_floats(h) for h in halves]), 1) @ across
-                    for v in basis]  # fmt: skip
+    if across:
+        # entries an ulp apart keep their difference: the matrices are exact until here
+        matrices = [as_floats(m) for m in inner]
         sizes = [np.abs(m).max() or 1.0 for m in matrices]
         combination = definite_combination(np.array([m / s for m, s in zip(matrices, sizes, strict=True)]), 1e-12)
         if combination is not None:
@@ -157,41 +176,71 @@ def _candidates(
         wanted.append(np.zeros(len(names)))
     for target in wanted:
         for d in DENOMINATORS:
-            parts = [Fraction(float(target[k])).limit_denominator(d) for k in free]
-            yield [sum((a * v[k] for a, v in zip(parts, basis, strict=True)), Fraction(0)) for k in range(len(names))]
+            yield mix([Fraction(float(target[k])).limit_denominator(d) for k in free])
+    if len(inner) == 2 and (pair := definite_in_pencil(*inner)):
+        yield mix(pair)
 
 
 def _try_weights(
-    equations: Equations, weights: dict[str, Fraction], halves: list[Rows], across: Array
+    equations: Equations, weights: dict[str, Fraction], halves: list[Rows], across: Rows
 ) -> Confinement | None:
-    n = equations.size
     half = combine(*((w, h) for w, h in zip(weights.values(), halves, strict=True)))
-    inner = across.T @ as_floats(half) @ across
-    ends = np.linalg.eigvalsh(inner) if across.shape[1] else np.ones(1)
-    if ends[0] <= 0 <= ends[-1]:
+    inner = restrict(half, across)
+    if not is_definite(inner):
         return None
-    sign = 1 if ends[0] > 0 else -1
+    sign = -1 if signature(inner)[2] else 1
     weights = {name: sign * w for name, w in weights.items() if w}
     half = combine((sign, half))
     rows = {name: g for name, g in equations.slopes.items() if any(g) and name != ENERGY}
     degrees = {name: equations.conserved[name].degree for name in rows}
     squares, low = _grow_squares(as_floats(half), rows, equations.along)
-    if low <= 0:
-        return None
-    squares, low = _drop_squares(as_floats(half), {**rows, "": equations.along}, squares, degrees)
-    whole = combine((1, half), *((s, _outer(rows[name])) for name, s in squares.items() if name in rows),
-                    *((s, _outer(equations.along)) for name, s in squares.items() if name not in rows))  # fmt: skip
-    margin = power_of_two(low / 2)
-    for _ in range(6):
-        if (forms := split_into_squares(combine((1, whole), (-margin, identity(n))))) is not None:
-            break
-        margin /= 4
+    if low > _unsure(half):
+        squares, low = _drop_squares(as_floats(half), {**rows, "": equations.along}, squares, degrees)
     else:
+        rows = {name: g for name, g in equations.slopes.items() if any(g)}
+        squares = _grow_exactly(half, rows, equations.along)
+    whole = _with_squares(half, {**rows, "": equations.along}, squares)
+    split = _split_with_margin(whole, low)
+    if split is None:
         return None
-    kept = tuple((d, tuple(row)) for d, row in forms)
+    margin, kept = split
     slice_ = squares.pop("", Fraction(0))
     found = Confinement(weights, squares, margin, kept, Fraction(1), slice_)
     return Confinement(weights, squares, margin, kept, radius_for(margin, found.rest(equations)), slice_)
+
+
+def _unsure(half: Rows) -> float:
+    """Return the size of an eigenvalue that rounding may make of zero."""
+    return len(half) * 1e-12 * float(max(abs(x) for row in half for x in row))
+
+
+def _with_squares(half: Rows, rows: Mapping[str, Sequence[Fraction]], squares: Mapping[str, Fraction]) -> Rows:
+    return combine((1, half), *((s, _outer(rows[name])) for name, s in squares.items()))
+
+
+def _grow_exactly(
+    half: Rows, rows: Mapping[str, Sequence[Fraction]], along: Sequence[Fraction]
+) -> dict[str, Fraction]:
+    """Return the first multiples of the squares of gradients that make a matrix definite by its exact signature."""
+    named = {**rows, **({"": along} if any(along) else {})}
+    size = float(max(abs(x) for row in half for x in row)) or 1.0
+    for k in range(min(GROWTHS), LARGEST_GROWTH):
+        squares = {name: power_of_two(size / float(sum(x * x for x in g))) * Fraction(2) ** k
+                   for name, g in named.items()}  # fmt: skip
+        if signature(_with_squares(half, named, squares))[0] == len(half):
+            return squares
+    return {}
+
+
+def _split_with_margin(whole: Rows, low: float) -> tuple[Fraction, Squares] | None:
+    """Return a margin and the squares that are left of a positive definite matrix; None of any other."""
+    n = len(whole)
+    if signature(whole)[0] < n:
+        return None
+    margin = power_of_two(low / 2) if low > 0 else power_of_two(float(min(whole[k][k] for k in range(n))))
+    while (forms := split_into_squares(combine((1, whole), (-margin, identity(n))))) is None:
+        margin /= 4
+    return margin, tuple((d, tuple(row)) for d, row in forms)
 
 
 def _outer(row: Sequence[Fraction]) -> Rows:

@@ -12,6 +12,7 @@ from typing import Any
 from polhode.errors import InvalidInput
 from polhode.rational._matrices import Rows, combine, null_space, solve_near
 from polhode.rational._polynomials import RationalPolynomial, total
+from polhode.rational.numbers import EXACT, READINGS
 
 FARTHEST = Fraction(1, 10**9)  # of the largest component of a point, how far it may be moved to an exact equilibrium
 DENOMINATORS = (1, 2, 4, 8, 10, 16, 32, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15)
@@ -32,6 +33,7 @@ class Equations:
             it turns points, at one radian in a unit of time; empty for none.
         flow_name: what generates it.
         within: what solutions the equations are restricted to, in words; empty for all.
+        read_as: how doubles of system and point were read, "exact" or "decimal".
     """
 
     system: str
@@ -42,6 +44,7 @@ class Equations:
     flow: tuple[RationalPolynomial, ...] = ()
     flow_name: str = ""
     within: str = ""
+    read_as: str = EXACT
 
     @property
     def size(self) -> int:
@@ -61,7 +64,7 @@ class Equations:
     @cached_property
     def slopes(self) -> dict[str, list[Fraction]]:
         """The gradients (n,) of what is conserved at the point."""
-        return {name: c.shift(self.point).slope() for name, c in self.conserved.items()}
+        return {name: c.shift(self.point, 1).slope() for name, c in self.conserved.items()}
 
     @cached_property
     def linearization(self) -> Rows:
@@ -87,7 +90,7 @@ class Equations:
         return {
             "system": self.system, "field": [as_terms(f) for f in self.field],
             "conserved": {name: as_terms(c) for name, c in self.conserved.items()},
-            "point": [str(x) for x in self.point], "moved": str(self.moved),
+            "point": [str(x) for x in self.point], "moved": str(self.moved), "numbers": READINGS[self.read_as],
             **({"within": self.within} if self.within else {}),
             **({"flow": [as_terms(f) for f in self.flow], "flow_of": self.flow_name} if self.flow else {}),
         }  # fmt: skip
@@ -120,13 +123,15 @@ def restrict_to_zeros(equations: Equations, zeros: Sequence[int]) -> Equations:
         return RationalPolynomial(len(places), terms)
 
     names = " = ".join(f"x{k + 1}" for k in sorted(left_out))
-    renamed = ", ".join(f"x{k + 1}" for k in places)
+    kept_names, new_names = (", ".join(f"x{k + 1}" for k in row) for row in (places, range(len(places))))
+    called = "is" if len(places) == 1 else "are"
+    renamed = "" if kept_names == new_names else f", where {kept_names} {called} now {new_names}"
     field = tuple(restrict(equations.field[k]) for k in places)
     known = {name: r for name, c in equations.conserved.items() if (r := restrict(c)).degree}
     return Equations(
         equations.system, field, {**quadratic_integrals(field), **known},
         tuple(equations.point[k] for k in places), equations.moved,
-        within=f"{names} = 0, where {renamed} are numbered anew",
+        within=f"{names} = 0{renamed}", read_as=equations.read_as,
     )  # fmt: skip
 
 

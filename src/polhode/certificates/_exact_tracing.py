@@ -1,7 +1,7 @@
 """From a function written with JAX to its polynomials: its jaxpr evaluated in rational arithmetic.
 
-Numbers in arrays are taken as they were meant, short decimals and simple fractions, or as the doubles that they are;
-from there on nothing is rounded. What is no polynomial in the point raises ``Untraceable``.
+Numbers in arrays are read by ``rational.numbers.read_number``; from there on nothing is rounded. What is no polynomial
+in the point raises ``Untraceable``.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from fractions import Fraction
+from functools import lru_cache
 from types import SimpleNamespace
 from typing import Any
 
@@ -18,18 +19,23 @@ import numpy as np
 
 from polhode.rational._polynomials import RationalPolynomial
 from polhode.rational._polynomials import total as sum_polynomials
-from polhode.rational.numbers import read_short
+from polhode.rational.numbers import read_number
 from polhode.taylor.expressions import Complex, Expression, Tape, Untraceable
 from polhode.taylor.operations import Operation
-from polhode.taylor.structure import split_numbers
+from polhode.taylor.structure import Structure, split_numbers
 from polhode.taylor.tracing import evaluate
 from polhode.types import Array
 
 Reader = Callable[[float], Fraction]
+MOST_PRODUCTS = 300_000  # of a term and a term while one function is traced: some two seconds, (x1 + x2 + x3)**83
+
+
+class Unaffordable(Untraceable):
+    """A polynomial that would take too long to multiply out."""
 
 
 def trace_polynomials(
-    function: Callable[[Array], Array], size: int, read: Reader = read_short
+    function: Callable[[Array], Array], size: int, read: Reader = read_number, most_products: int = MOST_PRODUCTS
 ) -> list[RationalPolynomial]:
     """Return the components of a function of points (size,), real, as polynomials.
 
@@ -37,16 +43,18 @@ def trace_polynomials(
         function: a pytree with ``__call__``, whose real arrays are read as numbers, or any function.
         size: of the point.
         read: how a double becomes a rational number.
+        most_products: of two terms, while brackets are multiplied out.
 
     Raises:
         Untraceable: naming the operation that makes no polynomial.
+        Unaffordable: beyond the products, as (x1 + x2 + x3)**200 is.
     """
-    tape = ExactTape(size, read)
+    tape = ExactTape(size, read, most_products)
     point = np.array(tape.state(), object)
     try:
         structure, leaves = split_numbers(function)  # type: ignore[arg-type]
         numbers = np.concatenate([np.zeros(0), *(np.ravel(np.asarray(x, float)) for x in leaves)])
-        closed = jax.make_jaxpr(lambda c, x: structure.with_numbers(c)(x))(jnp.asarray(numbers), jnp.zeros(size))  # type: ignore[operator]
+        closed = _trace_structure(structure, size)
         given = [_exact(tape, numbers), point]
     except (TypeError, jax.errors.JAXTypeError):  # it cannot be taken apart, or branches on its own numbers
         closed = jax.make_jaxpr(function)(jnp.zeros(size))
@@ -54,6 +62,13 @@ def trace_polynomials(
     known = SimpleNamespace(jaxpr=closed.jaxpr, consts=[_exact(tape, np.asarray(x)) for x in closed.consts])
     (found,) = evaluate(known, *given)
     return [tape.as_polynomial(x) for x in np.ravel(found)]
+
+
+@lru_cache(maxsize=64)
+def _trace_structure(structure: Structure, size: int) -> Any:
+    """Return the jaxpr of a function by its numbers and the point, kept: numbers alone differ from call to call."""
+    numbers = jnp.zeros(structure.size)
+    return jax.make_jaxpr(lambda c, x: structure.with_numbers(c)(x))(numbers, jnp.zeros(size))  # type: ignore[operator]
 
 
 def _exact(tape: ExactTape, x: Array) -> Array:
@@ -71,9 +86,20 @@ def _exact(tape: ExactTape, x: Array) -> Array:
 class ExactTape(Tape):
     """A tape without nodes: expressions are polynomials in the state themselves."""
 
-    def __init__(self, size: int, read: Reader) -> None:
+    def __init__(self, size: int, read: Reader, most_products: int) -> None:
         super().__init__(size)
-        self.read = read
+        self.read, self.most_products, self.products = read, most_products, 0
+
+    def multiply_out(self, a: RationalPolynomial, b: RationalPolynomial) -> RationalPolynomial:
+        """Return a product, if there is enough left of the products of terms.
+
+        Raises:
+            Unaffordable: where there is not.
+        """
+        self.products += len(a.terms) * len(b.terms)
+        if self.products > self.most_products:
+            raise Unaffordable(f"brackets with more than {self.most_products:,} products of terms to multiply out")
+        return a * b
 
     def state(self) -> list[Expression]:
         return [ExactExpression(self, p) for p in RationalPolynomial.variables(self.size)]
@@ -135,8 +161,11 @@ class ExactExpression(Expression):
     def _polynomial(self, other: Any) -> RationalPolynomial:
         return self.tape.as_polynomial(other)  # type: ignore[attr-defined]
 
+    def _times(self, other: RationalPolynomial) -> RationalPolynomial:
+        return self.tape.multiply_out(self.polynomial, other)  # type: ignore[attr-defined]
+
     def scale(self, factor: Any) -> ExactExpression:
-        return self._of(self.polynomial * self._polynomial(factor))
+        return self._of(self._times(self._polynomial(factor)))
 
     def __add__(self, other: Any) -> Any:
         if isinstance(other, Complex | complex):
@@ -151,7 +180,7 @@ class ExactExpression(Expression):
     def __mul__(self, other: Any) -> Any:
         if isinstance(other, Complex | complex):
             return Complex.of(other) * self
-        return self._of(self.polynomial * self._polynomial(other))
+        return self._of(self._times(self._polynomial(other)))
 
     __rmul__ = __mul__
 
@@ -169,7 +198,10 @@ class ExactExpression(Expression):
     def __pow__(self, exponent: float) -> ExactExpression:
         whole = int(exponent) if float(exponent).is_integer() else None
         if whole is not None and whole >= 0:
-            return self._of(self.polynomial**whole)
+            power = self._of(self.polynomial.constant(1))
+            for _ in range(whole):
+                power = self._of(power._times(self.polynomial))
+            return power
         if self.terms:
             raise Untraceable(f"the power {float(exponent):g} of something that moves")
         if not self.constant:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -35,6 +36,7 @@ from polhode.rational._matrices import (
 from polhode.rational._polynomials import RationalPolynomial, linear_form, quadratic_form, total
 
 SHARES = (0.5, 0.375, 0.625, 0.25, 0.75, 0.4375, 0.125, 0.875)  # of the fastest growth, tried one after the other
+SURE = 1e-9  # of the largest entry: a real part that doubles do not make of zero
 PLACES = (4, 8, 12, 16, 24, 32, 40)  # binary digits to which the function is rounded, relative to its largest entry
 
 
@@ -146,13 +148,27 @@ def find_growth(equations: Equations) -> Growth | None:
     For a γ below the largest real part the equation AᵀP + PA − 2γP = 1 has a P that is not negative semidefinite
     [Lyapunov]; rounded, it still makes the left side definite.
     """
-    from scipy.linalg import solve_continuous_lyapunov
+    from scipy.linalg import matrix_balance
 
     A = equations.linearization
     numbers, n = as_floats(A), equations.size
-    fastest = float(np.linalg.eigvals(numbers).real.max())
-    if fastest <= 1e-9 * float(np.abs(numbers).max(initial=0.0)):
+    if float(np.linalg.eigvals(numbers).real.max()) <= SURE * float(np.abs(numbers).max(initial=0.0)):
         return None
+    _, (scale, _) = matrix_balance(numbers, permute=False, separate=True)  # powers of two
+    for units in (np.ones(n), scale) if (scale != 1.0).any() else (scale,):
+        if found := _grow_in_units(equations, [Fraction(x) for x in units]):
+            return found
+    return None
+
+
+def _grow_in_units(equations: Equations, units: list[Fraction]) -> Growth | None:
+    """Return a proof looked for in coordinates v/units: curvatures an ulp apart leave entries 1e15 apart in others."""
+    from scipy.linalg import solve_continuous_lyapunov
+
+    n = equations.size
+    A = [[x * units[j] / units[i] for j, x in enumerate(row)] for i, row in enumerate(equations.linearization)]
+    numbers = as_floats(A)
+    fastest = float(np.linalg.eigvals(numbers).real.max())
     polynomial = tuple(characteristic_polynomial(A))
     for share in SHARES:
         rate = Fraction(share * fastest).limit_denominator(max(8, int(64 / fastest)))
@@ -160,15 +176,18 @@ def find_growth(equations: Equations) -> Growth | None:
         if not beyond:
             continue
         shifted = numbers - float(rate) * np.eye(n)
-        P = solve_continuous_lyapunov(shifted.T, np.eye(n))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of exponents that nearly add up to zero: the solution is checked below
+            P = solve_continuous_lyapunov(shifted.T, np.eye(n))
         if not np.isfinite(P).all():
             continue
         _, vectors = np.linalg.eigh(0.5 * (P + P.T))
-        for form, low in _rounded(P, A, rate):
-            margin = power_of_two(low / 2)
-            left = combine((1, _rate_matrix(A, form, rate)), (-margin, identity(n)))
+        for scaled, low in _rounded(P, A, rate):
+            form = [[x / units[i] / units[j] for j, x in enumerate(row)] for i, row in enumerate(scaled)]
+            margin = power_of_two(low / 2) / max(x * x for x in units)
+            left = combine((1, _rate_matrix(equations.linearization, form, rate)), (-margin, identity(n)))
             squares = split_into_squares(left)
-            direction = _short_direction(vectors[:, -1])
+            direction = tuple(x * y for x, y in zip(_short_direction(vectors[:, -1]), units, strict=True))
             if squares is None or quadratic_form(form).at(direction) <= 0:
                 continue
             kept = tuple((d, tuple(row)) for d, row in squares)
@@ -195,7 +214,9 @@ def _rounded(P: Any, A: Rows, rate: Fraction) -> Iterator[tuple[Rows, float]]:
 
 
 def _short_direction(vector: Any) -> tuple[Fraction, ...]:
+    """Return an eigenvector in short fractions; of its two signs, which the libraries choose, one and the same."""
     scaled = vector / np.abs(vector).max()
+    scaled = scaled * np.sign(scaled[np.argmax(np.abs(scaled) > 0.1)])
     return tuple(Fraction(round(float(x) * 64), 64) for x in scaled)
 
 

@@ -7,16 +7,14 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from polhode.certificates._confinement import Confinement, Squares
 from polhode.certificates._equations import Equations
 from polhode.certificates._growth import Drift, Growth
+from polhode.certificates.rational import RationalCertificate, require_rational
 from polhode.errors import InvalidInput, shown
 from polhode.rational._polynomials import RationalPolynomial, quadratic_form
-
-if TYPE_CHECKING:
-    from polhode.certificates.rational import RationalCertificate
+from polhode.rational.numbers import READINGS
 
 THEORY = "checker.v"
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\.v")
@@ -24,12 +22,24 @@ WIDTH = 116
 TRUE = "true"
 
 
-def write_rocq(certificate: RationalCertificate, path: Path) -> Path:
-    """Write a certificate's file, and the theory beside it; see ``RationalCertificate.write_proof``.
+def write_proof(certificate: RationalCertificate, path: str | Path) -> Path:
+    """Write a Rocq file that proves the verdict, and beside it ``checker.v``, on which it rests.
+
+    ``coqc -Q . Polhode checker.v`` and then ``coqc -Q . Polhode FILE.v`` in that folder check both; they need Coq
+    8.16 or Rocq, and no other library.
+
+    Args:
+        certificate: as ``certificate.as_rational()`` of a verdict gives it.
+        path: of the file, ending in .v, a name that starts with a letter.
+
+    Returns:
+        The path.
 
     Raises:
-        InvalidInput: as there.
+        InvalidInput: for another name, or a certificate that proves nothing.
     """
+    require_rational(certificate)
+    path = Path(path)
     if not NAME.fullmatch(path.name) or path.name == THEORY:
         raise InvalidInput(f"a proof's file must be named like top_1.v, other than {THEORY}, as the prover takes the "
                            f"name for a module; got {shown(path.name)}.")  # fmt: skip
@@ -68,10 +78,12 @@ def _header(certificate: RationalCertificate, name: str) -> str:
     point = ", ".join(map(str, certificate.equations.point))
     moved = certificate.equations.moved
     near = f"\nThis exact equilibrium is {float(moved):.1e} from the point that was asked about.\n" if moved else ""
-    return f"""(* {certificate.equations.system}: ({point}) is {certificate.verdict}.
+    verdict = "stable on its own leaf, else undecided" if certificate.equations.within else certificate.verdict
+    return f"""(* {certificate.equations.system}: ({point}) is {verdict}.
 {near}
 {certificate.statement[0].upper()}{certificate.statement[1:]}:
 the theorem at the end, about the equations f1, f2, ...
+Of the numbers that came in, {READINGS[certificate.equations.read_as]}.
 Written by polhode; checked by `coqc -Q . Polhode {THEORY}` and `coqc -Q . Polhode {name}.v` in this folder. *)
 From Coq Require Import Reals QArith List Lra Lia.
 From Polhode Require Import checker.
@@ -190,12 +202,13 @@ Print Assumptions orbit_is_stable.
 def _confinement_theorem(equations: Equations) -> str:
     n = equations.size
     x, paths = _x(n), "; ".join(_x(n))
+    name = "equilibrium_is_stable_on_its_leaf" if equations.within else "equilibrium_is_stable"
     return f"""Lemma minimum : check_extremum {n} zp G [] forms margin radius = {TRUE}.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 Lemma kept : is_zero (rate zf G) = {TRUE}.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
-Theorem equilibrium_is_stable : forall eps, 0 < eps -> exists del, 0 < del /\\
+Theorem {name} : forall eps, 0 < eps -> exists del, 0 < del /\\
   forall ({" ".join(x)} : R -> R) (T : R),
 {_solutions(n)}
   distance2 {_at(n, "0")} < del ->
@@ -208,7 +221,7 @@ Proof.
     [| intros; apply path_inside; simpl; lia | rewrite reads_distance; exact near | exact ht].
 {_solves(n)}
 Qed.
-Print Assumptions equilibrium_is_stable.
+Print Assumptions {name}.
 """
 
 

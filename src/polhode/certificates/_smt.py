@@ -10,24 +10,30 @@ from typing import Any
 from polhode.certificates._confinement import Confinement
 from polhode.certificates._equations import Equations
 from polhode.certificates._growth import Drift, Growth
+from polhode.certificates.rational import RationalCertificate, require_rational
 from polhode.errors import InvalidInput, not_installed
 from polhode.rational._polynomials import RationalPolynomial, quadratic_form
 
 PATIENCE = 20_000  # milliseconds for one claim
 
 
-def check_by_z3(equations: Equations, proof: Confinement | Growth | Drift) -> None:
-    """Check each claim; see ``RationalCertificate.check_by_z3``.
+def check_by_z3(certificate: RationalCertificate) -> None:
+    """Check the claims by the solver z3, which is told neither weights nor squares but what they prove.
+
+    Args:
+        certificate: as ``certificate.as_rational()`` of a verdict gives it, which takes about a tenth of a second.
 
     Raises:
-        InvalidInput: as there.
+        InvalidInput: naming the claim that fails or stays open, or if z3-solver, the extra `prove`, is missing.
     """
+    require_rational(certificate)
     try:
         import z3
     except ImportError:
         raise not_installed("checks by z3", "z3-solver", "prove", "`as_rational().check()` needs no solver.") from None
+    equations = certificate.equations
     v: list[Any] = [z3.Real(f"v{k + 1}") for k in range(equations.size)]
-    for claim, counterexample in _claims(equations, proof, v):
+    for claim, counterexample in _claims(equations, certificate.proof, v):
         solver = z3.Solver()
         solver.set("timeout", PATIENCE)
         solver.add(*counterexample)

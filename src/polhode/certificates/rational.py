@@ -5,15 +5,12 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from polhode.certificates._confinement import Confinement, find_confinement
 from polhode.certificates._equations import Equations
 from polhode.certificates._growth import Drift, Growth, find_drift, find_growth
-from polhode.certificates._rocq import write_rocq
-from polhode.certificates._smt import check_by_z3
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 
 Proof = Confinement | Growth | Drift
 
@@ -22,9 +19,9 @@ Proof = Confinement | Growth | Drift
 class RationalCertificate:
     """A verdict on an equilibrium of polynomial equations, with a proof in rational numbers.
 
-    What it says is about exactly these equations: ``check`` decides it in rational arithmetic, ``check_by_z3`` has the
-    solver z3 do so, and ``write_proof`` writes it for the prover Rocq, which derives the theorem about solutions from
-    the axioms of the real numbers.
+    What it says is about exactly these equations: ``check`` decides it in rational arithmetic. The function
+    ``check_by_z3`` has the solver z3 do so, and ``write_proof`` writes it for the prover Rocq, which derives the
+    theorem about solutions from the axioms of the real numbers.
 
     Attributes:
         equations: field, conserved functions and point, exact.
@@ -36,8 +33,8 @@ class RationalCertificate:
 
     @property
     def verdict(self) -> str:
-        """"stable" or "unstable"."""
-        return self.proof.verdict
+        """That of ``stability``: "undecided" where the proof is for solutions on a leaf alone."""
+        return "undecided" if self.equations.within else self.proof.verdict
 
     @property
     def statement(self) -> str:
@@ -46,7 +43,8 @@ class RationalCertificate:
             return (f"every solution that starts near enough stays near the point up to the flow of "
                     f"{self.equations.flow_name}")  # fmt: skip
         if self.equations.within:
-            return f"every solution with {self.equations.within}, that starts near enough stays near the point"
+            return (f"every solution with {self.equations.within}, that starts near enough stays near the point; of "
+                    "other solutions, on leaves nearby, nothing is proved")  # fmt: skip
         if self.verdict == "stable":
             return "every solution that starts near enough, in any direction, stays near the point"
         return "arbitrarily near the point are starts from which no solution stays near it beyond some time"
@@ -66,14 +64,6 @@ class RationalCertificate:
                 f"the certificate must prove its verdict; but {'; '.join(faults)}. Take it from `stability`."
             )
 
-    def check_by_z3(self) -> None:
-        """Check the claims by the solver z3, which is told neither weights nor squares but what they prove.
-
-        Raises:
-            InvalidInput: naming the claim that fails or stays open, or if z3-solver, the extra `prove`, is missing.
-        """
-        check_by_z3(self.equations, self.proof)
-
     def as_json(self) -> dict[str, Any]:
         """Return plain data: text for numbers, lists of coefficient and exponents for polynomials."""
         kind = type(self.proof).__name__.lower()
@@ -84,22 +74,16 @@ class RationalCertificate:
         """Return the same as JSON."""
         return json.dumps(self.as_json(), ensure_ascii=False, indent=1)
 
-    def write_proof(self, path: str | Path) -> Path:
-        """Write a Rocq file that proves the verdict, and beside it ``checker.v``, on which it rests.
 
-        ``coqc -Q . Polhode checker.v`` and then ``coqc -Q . Polhode FILE.v`` in that folder check both; they need Coq
-        8.16 or Rocq, and no other library.
+def require_rational(certificate: RationalCertificate) -> None:
+    """Refuse what is no exact certificate, such as the sentence of a verdict.
 
-        Args:
-            path: of the file, ending in .v, a name that starts with a letter.
-
-        Returns:
-            The path.
-
-        Raises:
-            InvalidInput: for another name, or a certificate that proves nothing.
-        """
-        return write_rocq(self, Path(path))
+    Raises:
+        InvalidInput: for anything else.
+    """
+    if not isinstance(certificate, RationalCertificate):
+        raise InvalidInput(f"`certificate` must be a RationalCertificate; got {shown(certificate)}. "
+                           "Make one by `as_rational()` of the certificate of a verdict.")  # fmt: skip
 
 
 def find_certificate(
@@ -139,5 +123,3 @@ def _why(equations: Equations, verdict: str) -> str:
     if verdict == "stable":
         return f"no combination of {names} has a definite second variation"
     return "the linear part has no growth that is sure, and no drift was found"
-
-

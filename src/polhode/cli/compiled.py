@@ -4,25 +4,59 @@ from __future__ import annotations
 
 import os
 import platform
+import subprocess
+import sys
 import warnings
+import zlib
+from importlib.util import find_spec
 
 COMPILER = "XLA_FLAGS"
-QUICKLY = "--xla_backend_optimization_level=1 --xla_cpu_parallel_codegen_split_count=1"  # the functions run as fast
-ADDED = {"0.10.": " --xla_cpu_use_fusion_emitters=false", "0.11.": ""}  # by releases of jaxlib that were tried:
-# one that does not know a flag ends the process
-LARGEST = 300_000_000  # bytes of all that is kept; what was not used for the longest time goes first
+QUICKLY = ("--xla_backend_optimization_level=1", "--xla_cpu_parallel_codegen_split_count=1",
+           "--xla_cpu_use_fusion_emitters=false")  # the functions run as fast
+TRIAL = "import jax; jax.jit(lambda x: 2.0 * x)(1.5)"
+LONGEST_TRIAL = 120.0  # s that a trial of flags may take on a machine that is busy; it takes about one
+LARGEST_FLAGS = 10_000  # bytes
 
 
-def compile_quickly(flags: str = QUICKLY) -> None:
+def compile_quickly(flags: tuple[str, ...] = QUICKLY) -> None:
     """Switch off XLA's most expensive optimizations, which hardly pay where a function runs a few times.
 
     To be called before JAX is imported. Flags in the environment win.
     """
-    from jaxlib.version import __version__  # without loading JAX
+    if COMPILER not in os.environ and (known := _known_flags(flags)):
+        os.environ[COMPILER] = " ".join(known)
 
-    added = [more for release, more in ADDED.items() if __version__.startswith(release)]
-    if added:
-        os.environ.setdefault(COMPILER, flags + added[0])
+
+def _known_flags(flags: tuple[str, ...]) -> tuple[str, ...]:
+    """Return those flags that the compiler knows; none where it cannot be kept which these are.
+
+    One that it does not know ends its process, and releases differ: it is asked once, in a process of its own.
+    """
+    from jaxlib.version import __version__  # without loading JAX
+    from platformdirs import user_cache_path
+
+    from polhode.seals import read_sealed, write_sealed
+
+    spec = find_spec("jaxlib")
+    build = zlib.crc32(f"{spec and spec.origin} {flags}".encode())
+    kept = user_cache_path("polhode") / "flags" / f"{__version__}-{build:08x}"
+    if lines := (read_sealed(kept, LARGEST_FLAGS) or b"").decode().splitlines():
+        return tuple(lines)
+    try:
+        write_sealed(kept, b"")  # whether it can be kept
+        known = flags if _starts_with(flags) else tuple(flag for flag in flags if _starts_with((flag,)))
+        write_sealed(kept, "\n".join(known).encode())
+    except (OSError, subprocess.TimeoutExpired):
+        return ()
+    return known
+
+
+def _starts_with(flags: tuple[str, ...]) -> bool:
+    """Whether a process in which JAX compiles with these flags comes to its end."""
+    environment = os.environ | {COMPILER: " ".join(flags), "JAX_PLATFORMS": "cpu"}
+    done = subprocess.run([sys.executable, "-c", TRIAL], env=environment, capture_output=True, check=False,
+                          timeout=LONGEST_TRIAL)  # fmt: skip
+    return done.returncode == 0
 
 
 def keep_compiled() -> None:
@@ -39,10 +73,10 @@ def keep_compiled() -> None:
 
     for what in ("units", "reports"):
         os.environ.setdefault(f"POLHODE_{what.upper()}_CACHE", str(user_cache_path("polhode") / what))
-    if "JAX_COMPILATION_CACHE_DIR" in os.environ:
+    if "JAX_COMPILATION_CACHE_DIR" in os.environ:  # a folder of the user's own, in which JAX keeps what it likes
         return
     # a home that several machines share: they may have different processors
-    os.environ["JAX_COMPILATION_CACHE_DIR"] = str(user_cache_path("polhode") / "compiled" / platform.node())
-    os.environ.setdefault("JAX_COMPILATION_CACHE_MAX_SIZE", str(LARGEST))
+    os.environ.setdefault("POLHODE_COMPILED_CACHE", str(user_cache_path("polhode") / "compiled" / platform.node()))
     os.environ.setdefault("JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS", "0")
     os.environ.setdefault("JAX_PERSISTENT_CACHE_MIN_ENTRY_SIZE_BYTES", "-1")
+    os.environ.setdefault("JAX_PERSISTENT_CACHE_ENABLE_XLA_CACHES", "none")  # which a compiler would write unsealed

@@ -7,22 +7,19 @@ import math
 import sys
 import warnings
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
 
 from polhode.cli.destinations import check_spares
 from polhode.cli.render import as_json
 from polhode.cli.spec_reports import make_motion_report, make_report
 from polhode.errors import FormatError, InvalidInput, one_line, shown
-from polhode.formats.form import Content, Form, Molecule
+from polhode.formats.form import Content, Form
 from polhode.formats.form_registry import check_importable, writable_forms
 from polhode.formats.paths import write_all_or_none
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
 from polhode.motion._trajectory import Trajectory
-from polhode.quantum._strengths import Lines
 from polhode.reports.base import MotionReport, SystemReport
-from polhode.spec.rotors import SpecRotor, check_summable
 
 
 def run_export(path: Path, names: Sequence[str], out: Path | None, json: bool = False) -> None:
@@ -66,21 +63,8 @@ def gather_content(spec: Spec, report: SystemReport) -> Content:
     moving = report if isinstance(report, MotionReport) else None
     return Content(
         spec.name, spec.labels, None if moving is None else moving.trajectory, None if moving is None else moving.shown,
-        spec.body, lambda: spec.surface, partial(_molecule, spec),
+        spec.body, lambda: spec.surface, spec, report.save if moving is None else None,
     )  # fmt: skip
-
-
-def _molecule(spec: Spec) -> Molecule:
-    asked = spec.kind.rotor(spec)
-    levels = partial(asked.rotor.levels, asked.j_max)
-    return Molecule(asked.rotor, asked.temperature, levels, partial(_lines, asked))
-
-
-def _lines(asked: SpecRotor) -> Lines | None:
-    if not asked.rotor.dipole.any():
-        return None
-    check_summable(asked)
-    return asked.rotor.lines(asked.j_max, asked.temperature)
 
 
 def _write(form: Form, content: Content, place: Path) -> Path:

@@ -10,16 +10,16 @@ import typer
 
 from polhode.cli.columns import ColumnOptions, table_to_import
 from polhode.cli.destinations import check_spares
-from polhode.cli.publish import publish
+from polhode.cli.publish import NOT_DETERMINED, publish
+from polhode.cli.terminal import say_if_long
 from polhode.studies.fit import fit_files
-from polhode.studies.throws import ThrowOptions
+from polhode.studies.fit_request import FitOptions
 
-NOT_DETERMINED = 3  # exit code, where a report says that the logs do not tell the inertia
 EVERY = 1_000_000  # lines, after which progress is told
 
 
 def run_fit(
-    files: list[Path], free: str | None, options: ThrowOptions, columns: ColumnOptions, out: Path | None,
+    files: list[Path], free: str | None, options: FitOptions, columns: ColumnOptions, out: Path | None,
     figures: Path | None, json: bool, pendulum: bool = False,
 ) -> None:  # fmt: skip
     """Fit the files, print the report, and write data and figures where asked for.
@@ -34,7 +34,8 @@ def run_fit(
     unit = columns.unit if columns.mapping is None and columns.words.keys() == {"unit"} else None
     options = options._replace(table=None if unit else table_to_import(columns), unit=unit)
 
-    report = fit_files(files, None if free is None else free.split(","), options, _progress, pendulum)
+    with say_if_long("several models are fitted, which takes up to some minutes for long logs"):
+        report = fit_files(files, None if free is None else free.split(","), options, _progress, pendulum)
     publish(report, json, out, figures)
     if not report.determined:
         raise typer.Exit(NOT_DETERMINED)

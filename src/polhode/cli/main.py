@@ -75,11 +75,12 @@ def _run(arguments: list[str] | None) -> int | str | None:
         from polhode.cli.arguments import check_arguments
         from polhode.cli.commands import app
         from polhode.cli.compiled import compile_quickly, keep_compiled
+        from polhode.cli.foreign import is_compiled_as_by_python
 
         try:
             check_arguments(sys.argv[1:] if arguments is None else arguments)
             if arguments is None:  # the process is the command's own
-                if sys.argv[1:2] != ["sweep"]:  # whose numbers are those that Python and workers elsewhere compute
+                if not is_compiled_as_by_python(sys.argv[1:2]):
                     compile_quickly()
                 keep_compiled()
             app(arguments)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from polhode.analysis.certificate import Certificate
-from polhode.certificates._rocq import THEORY
+from polhode.certificates._rocq import THEORY, write_proof
 from polhode.errors import InvalidInput
 from polhode.formats.paths import write_together
 from polhode.reports.answer import Table
@@ -31,7 +31,7 @@ def write_proofs(report: Report, folder: Path) -> tuple[list[str], list[str]]:
         for name, certificate in found:
             try:
                 rational = certificate.as_rational()
-                rational.write_proof(draft / f"{name}.v")
+                write_proof(rational, draft / f"{name}.v")
                 if moved := rational.equations.moved:
                     notes.append(f"{name}: proved of an exact equilibrium, {float(moved):.1e} from the report's point.")
             except InvalidInput as error:

@@ -12,6 +12,8 @@ from polhode.errors import InvalidInput
 from polhode.formats.paths import write_together
 from polhode.reports.report import Report
 
+NOT_DETERMINED = 3  # exit code, where a report says that the data do not tell what was asked, or not how well
+
 
 def publish(
     report: Report, json: bool, data: Path | None = None, figures: Path | None = None, *, written: Sequence[str] = (),

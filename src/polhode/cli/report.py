@@ -6,6 +6,7 @@ from pathlib import Path
 
 from polhode.cli.kept import load_or_make_page
 from polhode.cli.publish import publish
+from polhode.cli.report_options import write_more
 from polhode.cli.spec_reports import make_page_report, make_report
 from polhode.cli.terminal import spell_command
 from polhode.errors import InvalidInput, shown
@@ -13,7 +14,6 @@ from polhode.formats.figure_file import is_ours
 from polhode.formats.paths import write_together
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import known_figures, next_steps
-from polhode.reports.base import SystemReport
 
 FIGURE_FORMATS = ("png", "svg", "pdf")
 
@@ -34,9 +34,8 @@ def read_figure_formats(named: list[str]) -> list[str]:
 
 def run_report(
     path: Path, json: bool, out: Path | None, figure_formats: list[str], html: bool = False, certificates: bool = False,
-    proof: Path | None = None,
 ) -> None:  # fmt: skip
-    """Read the spec, compute, write figures, dataset and, if asked for, page and proofs, and print the answers."""
+    """Read the spec, compute, write figures, dataset and, if asked for, page and more, and print the answers."""
     formats = read_figure_formats(figure_formats)
     spec = read_spec(path)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
@@ -49,18 +48,12 @@ def run_report(
             from polhode.kinds.page import write_page_text
 
             files.append(write_page_text(load_or_make_page(spec, report), draft / "page.html"))
-        proofs, remarks = ([], []) if proof is None else _write_proofs(report, proof)
-    names = [*(str(folder / file.name) for file in files), *proofs]
+        more = list(write_more(report))
+    names = [*(str(folder / file.name) for file in files), *(name for written, _ in more for name in written)]
     removed = _remove_outdated(folder, [file.name for file in files])
     following = "; ".join(f"{spell_command(step.command, str(path))} {step.gives}" for step in next_steps(spec))
     publish(report, json, written=names, removed=removed, certificates=certificates, following=following,
-            remarks=remarks)  # fmt: skip
-
-
-def _write_proofs(report: SystemReport, folder: Path) -> tuple[list[str], list[str]]:
-    from polhode.cli.proofs import write_proofs
-
-    return write_proofs(report, folder)
+            remarks=[note for _, notes in more for note in notes])  # fmt: skip
 
 
 def _remove_outdated(folder: Path, written: list[str]) -> list[str]:

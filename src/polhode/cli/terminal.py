@@ -8,11 +8,13 @@ import io
 import shlex
 import shutil
 import sys
+import threading
 import unicodedata
 from collections.abc import Iterator
 from pathlib import Path
 
 HANDLER = "polhode-readable"
+SAID_FROM = 5.0  # s of a command without a word, as for motions that are integrated
 IN_ASCII = {
     "−": "-", "–": "-", "—": "-", "‘": "'", "’": "'", "“": '"', "”": '"', "…": "...", "·": "*", "×": "x",
     "°": " deg", "√": "sqrt ", "∞": "infinity", "≤": "<=", "≥": ">=", "≠": "!=", "≈": "~", "∝": "~", "±": "+-",
@@ -22,6 +24,23 @@ IN_ASCII = {
     "φ": "phi", "χ": "chi", "ψ": "psi", "ω": "omega", "Ω": "Omega", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4",
     "⁵": "^5", "⁶": "^6", "⁻": "^-", "½": "1/2", "¼": "1/4", "″": " arcsec",
 }  # fmt: skip
+
+
+@contextlib.contextmanager
+def say_if_long(doing: str, after: float = SAID_FROM) -> Iterator[None]:
+    """Say on standard error what a command does, once, where this takes longer than some seconds.
+
+    Args:
+        doing: what, like "the fit tries several models".
+        after: seconds.
+    """
+    said = threading.Timer(after, lambda: print(f"polhode: {doing}; Ctrl-C ends it", file=sys.stderr, flush=True))
+    said.daemon = True
+    said.start()
+    try:
+        yield
+    finally:
+        said.cancel()
 
 
 def spell_command(*arguments: str) -> str:

@@ -19,6 +19,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
+from polhode.course.responses import respond
 from polhode.errors import InvalidInput, shown
 
 FOLDER = Path(__file__).parent / "exercises"
@@ -101,25 +102,12 @@ class Question(NamedTuple):
     solution: str
 
     def respond_to(self, answer: str) -> str:
-        """Return what the course says to an answer: "Right.", a hint, or in which direction it is off.
+        """Return what the course says to an answer: "Right.", a hint, or in which direction it is off; see ``respond``.
 
         Args:
             answer: as typed; a comma may stand for the decimal point.
         """
-        try:
-            value = float(answer.strip().replace(",", ".").replace("−", "-"))
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            return "Enter a number."
-        if _is_close(value, self.answer, self.tolerance):
-            return "Right."
-        for known, hint in self.mistakes:
-            if _is_close(value, known, self.tolerance):
-                return hint
-        if value and value * self.answer < 0.0:
-            return "The sign is wrong." if _is_close(-value, self.answer, self.tolerance) else "Check the sign."
-        return "Too large." if abs(value) > abs(self.answer) else "Too small."
+        return respond(answer, self.answer, self.mistakes, self.tolerance)
 
 
 class Exercise(_Data):
@@ -330,10 +318,6 @@ def _namespace() -> dict[str, Any]:
 
     functions = {name: getattr(math, name) for name in dir(math) if not name.startswith("_")}
     return {**functions, "np": np, "ph": polhode, "integrate": integrate}
-
-
-def _is_close(value: float, known: float, tolerance: float) -> bool:
-    return abs(value - known) <= tolerance * abs(known) + 1e-12 * (known == 0.0)
 
 
 def _in_digits(value: float, *, exact: bool) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 
 from polhode.course.exercises import TIERS, Chapter, Question, read_chapter
+from polhode.course.responses import wanted_digits
 from polhode.errors import InvalidInput, shown
 
 STYLE = (
@@ -62,7 +63,8 @@ def _question(question: Question, *, key: bool) -> str:
     unit = html.escape(question.unit)
     text = f"<li>{html.escape(question.text)}"
     if not key:
-        return f'{text}<p class="answer">Answer: <span class="blank"></span> {unit}</p></li>'
+        digits = wanted_digits(question.tolerance)
+        return f'{text}<p class="answer">Answer: <span class="blank"></span> {unit} ({digits} digits)</p></li>'
     mistakes = "".join(f"<li>{value:.4g} {unit}: {html.escape(hint)}</li>" for value, hint in question.mistakes)
     return (
         f'{text}<p class="answer"><b>{question.answer:.5g} {unit}</b> (within {100 * question.tolerance:.2g} %)</p>'

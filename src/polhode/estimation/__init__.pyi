@@ -1,10 +1,6 @@
 from ._estimate import Estimate as Estimate
 from .attitude_fit import AttitudeFit as AttitudeFit
 from .attitude_fit import fit_attitude as fit_attitude
-from .euler_periods import EulerPeriod as EulerPeriod
-from .euler_periods import euler_chain as euler_chain
-from .excitation import PolarExcitation as PolarExcitation
-from .excitation import polar_excitation as polar_excitation
 from .flight import Flights as Flights
 from .flight import Window as Window
 from .flight import find_flights as find_flights
@@ -22,8 +18,6 @@ from .pendulum_periods import compound_moment as compound_moment
 from .pendulum_periods import compound_period as compound_period
 from .pendulum_periods import filament_moment as filament_moment
 from .pendulum_periods import filament_period as filament_period
-from .polar_motion import ChandlerFit as ChandlerFit
-from .polar_motion import fit_chandler as fit_chandler
 from .rest import rest_stretches as rest_stretches
 from .scale import moments_from_one as moments_from_one
 from .scale import moments_from_weight as moments_from_weight
@@ -31,13 +25,3 @@ from .throw import FittedThrow as FittedThrow
 from .throw import ModelScore as ModelScore
 from .throw import ThrowFit as ThrowFit
 from .throw import fit_throw as fit_throw
-from .tumbling import Tumbling as Tumbling
-from .tumbling import TumblingInterval as TumblingInterval
-from .tumbling import fit_tumbling as fit_tumbling
-from .tumbling import least_period_ratios as least_period_ratios
-from .wobble_process import ChandlerProcess as ChandlerProcess
-from .wobble_process import fit_chandler_process as fit_chandler_process
-from .wobble_windows import ChandlerWindows as ChandlerWindows
-from .wobble_windows import PoleSpectrum as PoleSpectrum
-from .wobble_windows import fit_chandler_windows as fit_chandler_windows
-from .wobble_windows import pole_spectrum as pole_spectrum

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.stats import norm
@@ -19,7 +19,7 @@ class Estimate:
     Attributes:
         names: the p estimated numbers.
         value: (p,) in SI units.
-        covariance: (p, p).
+        covariance: (p, p); NaN where nothing is known of the errors, as in a fit whose residuals are not noise.
         degrees_of_freedom: of the residuals from which the size of the errors was estimated; None where it was known.
     """
 
@@ -39,6 +39,10 @@ class Estimate:
         size = self.standard_error
         size = np.where(size > 0, size, 1.0)
         return self.covariance / np.outer(size, size)
+
+    def without_errors(self) -> Estimate:
+        """Return the estimates with nothing known of their errors."""
+        return replace(self, covariance=np.full_like(self.covariance, np.nan), degrees_of_freedom=None)
 
     def interval(self, confidence: float = 0.95) -> Float64[Array, "p 2"]:
         """Return the lower and upper ends of confidence intervals.

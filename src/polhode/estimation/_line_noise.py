@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import minimize
 
+from polhode.special._residual_noise import NoiseTest, compare_bands
 from polhode.types import Array, Complex128, Float64
 
 REACH = 0.45 / (365.25 * 86_400.0)  # Hz; on either side of the line, noise is told by these frequencies
@@ -29,12 +30,14 @@ class LineNoise(NamedTuple):
         walk: variance of a complex step of the line's amplitude, from one sample to the next [rad²].
         covariance: (2, 2) of both, by Fisher's information; zero for one that is found to be none.
         frequencies: number of frequencies used.
+        test: whether the power of all bands about the line is that of such noise.
     """
 
     white: float
     walk: float
     covariance: Float64[Array, "2 2"]
     frequencies: int
+    test: NoiseTest
 
 
 def accumulate_walk(influence: Complex128[Array, "n k"]) -> Complex128[Array, "n k"]:
@@ -86,7 +89,10 @@ def noise_about(
     information = (basis / (both @ basis) ** 2) @ basis.T
     covariance = np.zeros((2, 2))
     covariance[np.ix_(there, there)] = np.linalg.inv(information[np.ix_(there, there)])
-    return LineNoise(float(both[0]), float(both[1]), covariance, len(power))
+    # powers over their expectations are exponential, χ² of two degrees of freedom each
+    least, count = compare_bands(power / (both @ basis), np.full(len(power), 2.0))
+    test = NoiseTest(min(1.0, least * count), 0.0)
+    return LineNoise(float(both[0]), float(both[1]), covariance, len(power), test)
 
 
 def level_at(

@@ -12,6 +12,7 @@ from polhode.estimation._throw_models import D_MOMENTS, compute_moments
 from polhode.types import Array, Float64
 
 STEADY = 5.0  # degrees: rates that stay so near one direction are those of a steady spin
+OVER = 90.0  # degrees: rates that go further from their mean are those of a body that turned over
 WIDEST = 0.1  # half an interval of a ratio that still says something
 FORCES = {"drag": "c", "linear_drag": "b", "one_sided_drag": "d", "rotor": "h"}
 HALF_TURNS = ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0))
@@ -138,11 +139,15 @@ def explain_undetermined(rates: list[Float64[Array, "n 3"]], inertia: Principal 
     if inertia is None:
         return (
             f"within the noise, bodies of quite different moments fit the rates ({sizes[k]:.3g} rad/s, up to "
-            f"{away[k]:.0f}° from ({text})). Throw it longer or faster, with a tumble about its middle axis, or give "
-            "more throws of it."
+            f"{away[k]:.0f}° from ({text})). Throw it longer or faster{_tumble(away[k])}, or give more throws of it."
         )
     half = 0.5 * np.diff(inertia.ratios.interval(), axis=1)[:, 0]
     return (
         f"the intervals of I1/I3 and I2/I3 are ±{half[0]:.2g} and ±{half[1]:.2g}, too wide to say something; the rates "
-        f"stay within {away[k]:.0f}° of ({text}). Throw it longer, or with a tumble about its middle axis."
+        f"stay within {away[k]:.0f}° of ({text}). Throw it longer{_tumble(away[k])}, or give more throws of it."
     )
+
+
+def _tumble(away: float) -> str:
+    """Return the advice to let a body tumble; none to one that turned over."""
+    return "" if away > OVER else ", with a tumble about its middle axis"

@@ -316,6 +316,8 @@ def fit_model(
     values, slopes, fast = predict_rates(model, x, axes0, throws)
     white = whitening_matrices(fast, sigma, jitter)
     J = (white @ slopes).reshape(-1, model.size)
+    J = np.where(np.isfinite(J), J, 0.0)  # of a motion that ran out of the numbers nothing is determined
+    cost = cost if np.isfinite(cost) else np.inf
     z = (white @ (data - values)[..., None]).ravel()
     which, means, weights = model.prior()
     covariance = compute_covariance(np.concatenate([J, weights @ np.eye(model.size)[which]]))

@@ -88,9 +88,10 @@ def integrate_forced(
             continue
         wanted = elapsed[side]
         wanted = wanted[::-1] if wanted[0] < 0 else wanted
-        done = solve_ivp(
-            field, (0.0, wanted[-1] or 1e-9), begin.ravel(), method="DOP853", t_eval=wanted, rtol=1e-8, atol=allowed
-        )
+        with np.errstate(all="ignore"):  # far from the minimum drag may drive a body out of the numbers: NaN says so
+            done = solve_ivp(
+                field, (0.0, wanted[-1] or 1e-9), begin.ravel(), method="DOP853", t_eval=wanted, rtol=1e-8, atol=allowed
+            )
         values = done.y.T if done.success else np.full((len(wanted), 3 * count), np.nan)
         out[side] = values[::-1] if wanted[-1] < 0 else values
     shaped = out.reshape(-1, count, 3)

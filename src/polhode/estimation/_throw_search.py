@@ -38,6 +38,7 @@ SURE = 10.0  # of AICc, by which a wheel must do better than air: few bodies hav
 RIVAL = 15.0  # of the criterion, within which a model with a wheel and one without may both be true
 AIR = ((), ("drag",), ("drag", "linear_drag"), ("drag", "linear_drag", "one_sided_drag"))
 SPANS = (100.0, 0.3, 0.15)  # s, of stretches over which a momentum is constant: biases add up over long ones
+LEAST_PART = 4  # samples of such a stretch: less have no momentum to compare
 WHEEL = (("rotor",), ("drag", "rotor"))
 
 
@@ -106,7 +107,9 @@ def fit_models(
     if rotor is True or (rotor == "auto" and _asks_for_wheel(min(fits, key=criterion), start, throws)):
         fits += _with_wheel(plain, throws, drag)
     best = min(fits, key=criterion)
-    if best.model.rotor and rotor == "auto" and not any(explains(one, throws) for one in fits if not one.model.rotor):
+    without = [one for one in fits if not one.model.rotor]
+    if best.model.rotor and rotor == "auto" and _in_a_valley(min(without, key=criterion), start):
+        # a wheel must not win only because the fit without one went to a wrong place
         fits += _again(replace(plain, forces=() if drag is False else AIR[1]), best, drag, start, throws)
         best = min(fits, key=criterion)
     if _in_a_valley(best, start):
@@ -173,8 +176,7 @@ def _with_wheel(plain: Model, throws: list[Throw], drag: bool | str) -> list[Sol
     turns = [integrate_rates(t.elapsed, r) for t, r in zip(throws, rates, strict=True)]
     starts = []
     for span in SPANS:
-        parts = [np.array_split(np.arange(len(t.elapsed)), max(1, round((t.elapsed[-1] - t.elapsed[0]) / span)))
-                 for t in throws]  # fmt: skip
+        parts = [np.array_split(np.arange(len(t.elapsed)), _count_parts(t, span)) for t in throws]
         linear = linear_inertia(rates, turns, parts, rotor=True)
         begin = [linear.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
         x = np.concatenate([compute_shape(linear.moments), np.zeros(3), plain.bias, *_no_gains(plain),
@@ -184,6 +186,12 @@ def _with_wheel(plain: Model, throws: list[Throw], drag: bool | str) -> list[Sol
     if drag is not False:
         fits.append(_richer(fits[0], replace(plain, forces=WHEEL[1]), throws))
     return fits[1:] if drag is True else fits
+
+
+def _count_parts(throw: Throw, span: float) -> int:
+    """Return into how many stretches of a span [s] a throw is split, each of some samples at least."""
+    wanted = round((throw.elapsed[-1] - throw.elapsed[0]) / span)
+    return int(np.clip(wanted, 1, len(throw.elapsed) // LEAST_PART))
 
 
 def _choose_best(model: Model, starts: list[tuple[Array, Array]], throws: list[Throw]) -> Solution:

@@ -1,4 +1,4 @@
-"""Attitude and rates of a body with a constant torque in its own axes, their derivatives, and a start for a fit of it.
+"""Attitude and rates of a body with a constant torque or a wheel, their derivatives, and a start for a fit of these.
 
 Everything is along the principal axes, with the parameters of ``throw_models``.
 """
@@ -10,26 +10,29 @@ from scipy.integrate import cumulative_trapezoid, solve_ivp
 from scipy.spatial.transform import Rotation
 
 from polhode.estimation._linear_start import inertia_matrix, momentum_map, possible_moments
+from polhode.estimation._throw_fit import cross_matrix
 from polhode.estimation._throw_models import D_MOMENTS, compute_moments
 from polhode.types import Array, Float64
 
 TOLERANCE, LOOSE = 1e-10, 1e-6  # of the motion, and of its derivatives, which only steer the iteration
-COUNT = 8  # s, c, the starting rates and the torque
+COUNT = 8  # s, c, the starting rates, and the torque or the wheel's momentum
 Motion = tuple[Float64[Array, "n 4"], Float64[Array, "n 3"], Float64[Array, "p n 3"], Float64[Array, "p n 3"]]
 
 
 def integrate_torqued(
-    shape: Float64[Array, "2"], start: Float64[Array, "3"], torque: Float64[Array, "3"], elapsed: Float64[Array, "n"]
-) -> Motion:
+    shape: Float64[Array, "2"], start: Float64[Array, "3"], push: Float64[Array, "3"], elapsed: Float64[Array, "n"],
+    wheel: bool = False,
+) -> Motion:  # fmt: skip
     """Return attitudes wxyz, rates, turns of the body by each parameter, and derivatives of the rates.
 
     Args:
         shape: s and c of the moments.
         start: rates at zero [rad/s].
-        torque: over the third moment [rad/s²].
+        push: over the third moment, a torque that is constant in the body [rad/s²] or the momentum of a wheel [rad/s].
         elapsed: increasing, of either sign [s].
+        wheel: whether it is a wheel's.
     """
-    field = _Field(compute_moments(shape), torque)
+    field = _Field(compute_moments(shape), push, wheel)
     begin = np.zeros(7 + 6 * COUNT)
     begin[0], begin[4:7] = 1.0, start
     begin[7:].reshape(2, COUNT, 3)[1, 2:5] = np.eye(3)
@@ -53,9 +56,9 @@ def integrate_torqued(
 
 
 class _Field:
-    """Euler's equations with a constant torque, the attitude, and the variations of both."""
+    """Euler's equations with a constant torque N or a wheel's, h × ω, the attitude, and the variations of both."""
 
-    def __init__(self, moments: Array, torque: Array) -> None:
+    def __init__(self, moments: Array, push: Array, wheel: bool) -> None:
         over = 1.0 / moments
         i1, i2, i3 = moments
         d = D_MOMENTS
@@ -63,8 +66,8 @@ class _Field:
         # ω̇1 = k1 ω2 ω3 + N1/I1 with k1 = (I2 − I3)/I1, so that δk1 = (δI2 − δI3 − k1 δI1)/I1
         spread = np.stack([d[:, 1] - d[:, 2], d[:, 2] - d[:, 0], d[:, 0] - d[:, 1]], axis=-1)
         self.dk = (spread - self.k * d) * over
-        self.push, self.over = torque * over, np.diag(over)
-        self.d_push = -self.push * d * over
+        self.over, self.d_over = over, -d * over
+        self.push, self.wheel = push, wheel
 
     def __call__(self, t: float, y: Array) -> Array:
         w, x, z, s = y[:4]
@@ -77,12 +80,16 @@ class _Field:
         out = np.empty(7 + 6 * COUNT)
         out[:4] = 0.5 * (-x * a - z * b - s * c), 0.5 * (w * a + z * c - s * b), 0.5 * (w * b + s * a - x * c), \
             0.5 * (w * c + x * b - z * a)  # fmt: skip
-        out[4:7] = self.k * pairs + self.push
+        torque, by_push = self.push, np.eye(3)
+        if self.wheel:
+            torque, by_push = np.cross(self.push, y[4:7]), hat  # row i: e_i × ω
+            jacobian += self.over[:, None] * cross_matrix(self.push)
+        out[4:7] = self.k * pairs + self.over * torque
         changes = out[7:].reshape(2, COUNT, 3)
         changes[0] = slopes + turns @ hat  # −ω × η + δω
         changes[1] = slopes @ jacobian.T
-        changes[1, :2] += self.dk * pairs + self.d_push
-        changes[1, 5:] += self.over
+        changes[1, :2] += self.dk * pairs + self.d_over * self.over * torque
+        changes[1, 5:] += by_push * self.over
         return out
 
 

@@ -22,12 +22,15 @@ from polhode.estimation._torqued_states import estimate_torqued_start, integrate
 from polhode.estimation.gyro_log import check_sizes
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.motion._inputs import name_of
+from polhode.special._residual_noise import LIMITS as NOISE
+from polhode.special._residual_noise import Misfit, NoiseTest, test_noise
 from polhode.types import Array, ArrayLike, Float64, Real
 
 STEP = 0.3  # rad, over which rates are taken for the start, so that noise of the attitude does not swamp them
 PLACES = {"shape": slice(0, 2), "turn": slice(2, 5), "start": slice(5, 8), "attitude": slice(8, 11)}
-TORQUE = slice(11, 14)
-LIMITS = ([-1.0, 0.0, *[-np.inf] * 12], [1.0, 2.0, *[np.inf] * 12])
+PUSH = slice(11, 14)  # the torque or the wheel, where there is one; a gyro's bias comes last
+LIMITS = ([-1.0, 0.0, *[-np.inf] * 15], [1.0, 2.0, *[np.inf] * 15])
+BIAS = ("bias x", "bias y", "bias z")
 ROUNDS = 6
 
 
@@ -42,6 +45,9 @@ class AttitudeFit:
         joint: ratios and turn together, with all their correlations.
         equal: which neighbours are equal within their errors, or None.
         torque: constant torque over I3 [rad/s², device frame]; None where there is none.
+        bias: of the gyro [rad/s, device frame]; None where no rates were given.
+        misfit: why the residuals are not noise; None where they are. The estimates are then of a wrong model: they
+            have no errors (NaN).
         motion: free motion along the principal axes, moments over the largest; its attitude principal → space. With a
             torque it is the one that touches the motion at its epoch.
         regime: of the motion.
@@ -50,7 +56,8 @@ class AttitudeFit:
         rms: of the residuals [rad].
         sigma: noise of an attitude about each axis [rad].
         rate_sigma: noise of a rate along each axis [rad/s]; None where no rates were given.
-        aicc: Akaike's corrected criterion of each model that was tried: "free" and "torque".
+        aicc: Akaike's corrected criterion of each model that was tried: "free", "torque", and "wheel" where neither
+            leaves noise.
         degenerate: why the log does not determine the inertia; None where it does.
         singular_values: (6,) of the linear method.
     """
@@ -61,6 +68,8 @@ class AttitudeFit:
     joint: Estimate | None
     equal: str | None
     torque: Estimate | None
+    bias: Estimate | None
+    misfit: Misfit | None
     motion: FreeMotion | None
     regime: str | None
     times: Float64[Array, "n"]
@@ -83,7 +92,9 @@ def fit_attitude(
     """Fit the inertia of a body to its measured attitude, by robust least squares on the motion.
 
     Without a torque the motion is the exact free one, with its exact derivatives; with one, which is constant in the
-    body as of a leaking thruster, Euler's equations and their variations are integrated.
+    body as of a leaking thruster, Euler's equations and their variations are integrated. Where rates are given, their
+    bias is fitted too. Residuals that are no noise are of a body on which something else acts: then the estimates have
+    no errors, as nothing says how wrong they are.
 
     Args:
         times: (n,) increasing [s]; equal steps are not needed, but less than half a turn from each to the next.
@@ -112,9 +123,11 @@ def fit_attitude(
     k = int(np.argmin(np.abs(at - epoch)))
     samples = _Samples(t - epoch, measured, gyro)
 
-    def descend_from(moments: Array, axes: Array, push: Array) -> _Solution:
-        x = np.concatenate([compute_shape(moments), np.zeros(3), axes.T @ slow[k], np.zeros(3), push])
-        return _descend(_System(samples, axes, measured[middle] * Rotation.from_matrix(axes), len(push) > 0), x)
+    def descend_from(moments: Array, axes: Array, push: Array, acting: str = "torque") -> _Solution:
+        bias = np.zeros(0 if gyro is None else 3)
+        x = np.concatenate([compute_shape(moments), np.zeros(3), axes.T @ slow[k], np.zeros(3), push, bias])
+        attitude0 = measured[middle] * Rotation.from_matrix(axes)
+        return _descend(_System(samples, axes, attitude0, acting if len(push) else ""), x)
 
     tried: dict[str, _Solution] = {}
     if torque is not True:
@@ -124,8 +137,24 @@ def fit_attitude(
                   descend_from(linear.moments, linear.axes, np.zeros(3))]  # fmt: skip
         tried["torque"] = min(starts, key=lambda solution: solution.aicc)
     best = min(tried.values(), key=lambda solution: solution.aicc)
+    test = _test_residuals(best)
+    if not test.is_noise and torque == "auto":
+        found = linear_inertia([slow], [turned], rotor=True)
+        tried["wheel"] = descend_from(found.moments, found.axes, found.axes.T @ found.rotor, "wheel")
+    misfit = None if test.is_noise else Misfit(test, tuple(name for name in ("torque", "wheel") if name in tried),
+        next((name for name, one in tried.items() if one is not best and one.aicc < best.aicc
+              and _test_residuals(one).is_noise), None))
     scores = {name: solution.aicc for name, solution in tried.items()}
-    return _make_result(best, t, epoch, slow, scores, linear.singular_values)
+    return _make_result(best, t, epoch, slow, scores, linear.singular_values, misfit)
+
+
+def _test_residuals(solution: _Solution) -> NoiseTest:
+    system = solution.system
+    blocks = system.blocks(solution.x)
+    if float(np.sqrt(np.mean(blocks[0][0] ** 2))) < NOISE.exact:
+        return NoiseTest(1.0, 0.0)
+    slopes = [J / size for (_, J), size in zip(blocks, solution.noise, strict=True)]
+    return test_noise([r for r, _ in blocks], slopes)
 
 
 class _Samples(NamedTuple):
@@ -148,8 +177,9 @@ class _Solution(NamedTuple):
 
 
 def _make_result(
-    solution: _Solution, t: Array, epoch: float, rates: Array, scores: dict[str, float], singular: Array
-) -> AttitudeFit:
+    solution: _Solution, t: Array, epoch: float, rates: Array, scores: dict[str, float], singular: Array,
+    misfit: Misfit | None,
+) -> AttitudeFit:  # fmt: skip
     system, x = solution.system, solution.x
     change = np.eye(len(x))
     change[2:5, 2:5] = right_jacobian(x[2:5])
@@ -161,27 +191,34 @@ def _make_result(
     sigma, rate_sigma = float(solution.noise[0]), float(solution.noise[1]) if len(solution.noise) > 1 else None
     reason = why_impossible(inertia) if inertia.determined else explain_undetermined([rates], inertia)
     if reason is not None:
-        return AttitudeFit(None, None, None, None, None, None, None, None, t, residuals, rms, sigma, rate_sigma, scores,
-                           reason, singular)  # fmt: skip
+        return AttitudeFit(None, None, None, None, None, None, None, misfit, None, None, t, residuals, rms, sigma,
+                           rate_sigma, scores, reason, singular)  # fmt: skip
     start = inertia.order.T @ x[PLACES["start"]]
     there = system.attitude0 * Rotation.from_rotvec(x[PLACES["attitude"]]) * Rotation.from_matrix(inertia.order)
     motion = FreeMotion(
         inertia.moments, momentum=inertia.moments * start, attitude=there.as_quat(scalar_first=True), epoch=epoch
     )
-    torque = _torque(x, covariance, axes, inertia, solution.freedom) if system.torque else None
-    return AttitudeFit(inertia.ratios, inertia.axes, inertia.turn, inertia.joint, inertia.equal, torque, motion,
-                       name_of(motion.regime), t, residuals, rms, sigma, rate_sigma, scores, None,
-                       singular)  # fmt: skip
+    torque = _torque(x, covariance, axes, inertia, solution.freedom) if system.acting == "torque" else None
+    bias = None
+    if rate_sigma is not None:
+        bias = Estimate(BIAS, x[-3:], covariance[-3:, -3:], solution.freedom)
+    known = [inertia.ratios, inertia.turn, inertia.joint, torque, bias]
+    if misfit is not None:
+        known = [None if one is None else one.without_errors() for one in known]
+    ratios, turn, joint, torque, bias = known
+    equal = inertia.equal if misfit is None else None
+    return AttitudeFit(ratios, inertia.axes, turn, joint, equal, torque, bias, misfit, motion, name_of(motion.regime),
+                       t, residuals, rms, sigma, rate_sigma, scores, None, singular)  # fmt: skip
 
 
 def _torque(x: Array, covariance: Array, axes: Array, inertia: Principal, freedom: float) -> Estimate:
     """Return the torque over the largest moment along the device's axes, errors of moments and axes included."""
     third = int(np.argmax(inertia.order[:, 2] != 0))
     largest = float(compute_moments(x[PLACES["shape"]])[third])
-    own = x[TORQUE]
+    own = x[PUSH]
     value = axes @ own / largest
     by = np.zeros((3, len(x)))
-    by[:, TORQUE] = axes / largest
+    by[:, PUSH] = axes / largest
     by[:, PLACES["shape"]] = -np.outer(value, D_MOMENTS[:, third]) / largest
     by[:, PLACES["turn"]] = -axes @ cross_matrix(own) / largest
     return Estimate(("Nx/I3", "Ny/I3", "Nz/I3"), value, by @ covariance @ by.T, freedom)
@@ -258,14 +295,14 @@ def _difference_attitudes(t: Array, measured: Rotation) -> tuple[Array, Array, A
 class _System:
     """Residuals of attitudes and rates, and their derivatives; one evaluation serves both."""
 
-    def __init__(self, samples: _Samples, axes0: Array, attitude0: Rotation, torque: bool) -> None:
-        self.samples, self.axes0, self.attitude0, self.torque = samples, axes0, attitude0, torque
+    def __init__(self, samples: _Samples, axes0: Array, attitude0: Rotation, acting: str) -> None:
+        self.samples, self.axes0, self.attitude0, self.acting = samples, axes0, attitude0, acting
         self.noise = np.ones(1 if samples.rates is None else 2)
         self.at: Array | None = None
 
     def _motion(self, x: Array) -> tuple[Array, Array, Array, Array]:
-        if self.torque:
-            return integrate_torqued(x[:2], x[5:8], x[TORQUE], self.samples.elapsed)
+        if self.acting:
+            return integrate_torqued(x[:2], x[5:8], x[PUSH], self.samples.elapsed, self.acting == "wheel")
         q, rates, dq, d_rates = free_states(x[:2], x[5:8], self.samples.elapsed)
         w, v, dw, dv = q[:, :1], q[:, 1:], dq[..., :1], dq[..., 1:]
         return q, rates, 2.0 * (w * dv - dw * v - np.cross(v, dv)), d_rates  # of δq, the turn is 2 vec(q* δq)
@@ -281,7 +318,7 @@ class _System:
         begin = self.attitude0 * Rotation.from_rotvec(x[8:11])
         r = ((begin * since * own.inv()).inv() * self.samples.measured).as_rotvec()
         moved = right_jacobian(x[2:5])
-        columns = [0, 1, 5, 6, 7, *range(11, len(x))]  # shape, start, torque
+        columns = [0, 1, 5, 6, 7, *([11, 12, 13] if self.acting else [])]  # shape, start, torque or wheel
         J = np.zeros((len(q), 3, len(x)))
         # predicted attitudes change by R exp(hat η) along the principal axes
         J[:, :, columns] = np.moveaxis(turns @ A.T, 0, 2)
@@ -292,7 +329,8 @@ class _System:
             K = np.zeros_like(J)
             K[:, :, columns] = np.moveaxis(slopes @ A.T, 0, 2)
             K[:, :, 2:5] = A @ np.stack([cross_matrix(-w) for w in rates]) @ moved
-            blocks.append((np.nan_to_num(self.samples.rates - rates @ A.T, nan=1e3), -np.nan_to_num(K)))
+            K[:, :, -3:] = np.eye(3)
+            blocks.append((np.nan_to_num(self.samples.rates - rates @ A.T - x[-3:], nan=1e3), -np.nan_to_num(K)))
         self.at, self.found = x.copy(), blocks
         return blocks
 

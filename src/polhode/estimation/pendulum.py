@@ -27,8 +27,10 @@ from polhode.estimation._swing_moments import (
     unit_vector,
 )
 from polhode.estimation.pendulum_periods import filament_moment, quarter_period
+from polhode.special._residual_noise import NoiseTest, test_known_errors
 from polhode.types import Array, Float64
 
+SILENT = NoiseTest(1.0, 0.0)  # of a fit that is not tested yet
 DECAY_NODES = 8  # of Gauss and Legendre over a decay of the amplitude
 
 
@@ -132,6 +134,7 @@ class PendulumFit(NamedTuple):
         principal_axes: (3, 3) by columns; None without a tensor.
         misfit: χ² of the swings against one body, weighted by all their errors.
         freedom: of the misfit; zero where nothing is left to check.
+        test: whether errors alone may leave so much; where they do not, moments of a body have no errors (NaN).
         unphysical: kg m² by which the largest principal moment exceeds the sum of the others; zero for a possible body.
         center: place of the centre of mass on the pivots' scale [m]; None where distances were given.
     """
@@ -144,6 +147,7 @@ class PendulumFit(NamedTuple):
     principal_axes: Float64[Array, "3 3"] | None
     misfit: float
     freedom: int
+    test: NoiseTest
     unphysical: float
     center: Estimate | None
 
@@ -186,7 +190,9 @@ def fit_pendulum(
         reach = [gravity.value * _squared_per_quarter(swing, swing.period.value) for swing in swings]
         moments_at = lambda s: propagate(swings, mass, gravity, lambda *x: _moment(*x, center=s))  # noqa: E731
         center, moments, combined, misfit = find_center(moments_at, mass.value, axes, places, np.array(reach))
-        return PendulumFit(moments, axes[:1], combined, None, None, None, misfit, len(swings) - 2, 0.0, center)
+        left = len(swings) - 2
+        fit = PendulumFit(moments, axes[:1], combined, None, None, None, misfit, left, SILENT, 0.0, center)
+        return _test_swings(fit)
     moments = propagate(swings, mass, gravity, _moment)
     if (low := np.flatnonzero(moments.value <= 0.0)).size:
         k = int(low[0])
@@ -198,11 +204,23 @@ def fit_pendulum(
     different, combined, misfit, freedom = combine_moments(moments, axes)
     tensor = fit_tensor(different, combined)
     if tensor is None:
-        return PendulumFit(moments, different, combined, None, None, None, misfit, freedom, 0.0, None)
+        fit = PendulumFit(moments, different, combined, None, None, None, misfit, freedom, SILENT, 0.0, None)
+        return _test_swings(fit)
     inertia, principal, principal_axes, more, spare = tensor
     excess = float(max(principal.value[2] - principal.value[0] - principal.value[1], -principal.value[0], 0.0))
-    return PendulumFit(moments, different, combined, inertia, principal, principal_axes, misfit + more,
-                       freedom + spare, excess, None)  # fmt: skip
+    return _test_swings(PendulumFit(moments, different, combined, inertia, principal, principal_axes, misfit + more,
+                                    freedom + spare, SILENT, excess, None))  # fmt: skip
+
+
+def _test_swings(fit: PendulumFit) -> PendulumFit:
+    """Return the fit with its test, without errors of the body where errors of the swings do not explain the misfit."""
+    test = test_known_errors(fit.misfit, fit.freedom, fit.moments.degrees_of_freedom)
+    if test.is_noise:
+        return fit._replace(test=test)
+    bare = [None if one is None else one.without_errors() for one in (fit.inertia, fit.principal, fit.center)]
+    inertia, principal, center = bare
+    return fit._replace(combined=fit.combined.without_errors(), inertia=inertia, principal=principal, center=center,
+                        test=test)  # fmt: skip
 
 
 def _moment(swing: Swing, mass: float, gravity: float, value: dict[int, float], center: float | None = None) -> float:

@@ -100,7 +100,9 @@ def moments_from_weight(
     mismatch = lambda x: first[1] * _entries(x[5:], axes[1]) - first[0] * _entries(x[:5], axes[0])  # noqa: E731
     by = _slopes(mismatch, values)
     noise = by @ covariance @ by.T
-    weights = np.linalg.inv(np.linalg.cholesky(noise + 1e-9 * np.trace(noise) * np.eye(6)))
+    weights = np.eye(6)
+    if np.isfinite(noise).all():  # not so where one of the fits has no errors
+        weights = np.linalg.inv(np.linalg.cholesky(noise + 1e-9 * np.trace(noise) * np.eye(6)))
     moments = lambda x: scales(x, weights)[0] * np.r_[x[:2], 1.0]  # noqa: E731
     slopes = _slopes(moments, values)
     freedom = [joint.degrees_of_freedom for joint in joints if joint.degrees_of_freedom is not None]

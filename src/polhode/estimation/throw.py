@@ -23,6 +23,7 @@ from polhode.estimation.flight import Window, check_windows, free_flights
 from polhode.estimation.gyro_log import GyroLog
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.motion._inputs import name_of
+from polhode.special._residual_noise import Misfit, test_filtered_noise
 from polhode.types import Array, Float64
 
 BIAS = ("bias x", "bias y", "bias z")
@@ -116,6 +117,8 @@ class ThrowFit:
         sigma: noise of a sample that the residuals show, without the clock's part [rad/s].
         jitter: of the clock that the residuals show, rms [s].
         degenerate: why the inertia is not determined; None where it is.
+        misfit: why the residuals are not noise; None where they are. The estimates are then of a wrong model: they
+            have no errors (NaN).
         singular_values: (6,) of the linear method [rad/s times the root of the number of samples].
         clip: size of rates from which samples were left out as saturated [rad/s], or None.
     """
@@ -145,6 +148,7 @@ class ThrowFit:
     sigma: float
     jitter: float
     degenerate: str | None
+    misfit: Misfit | None
     singular_values: Float64[Array, "6"]
     clip: float | None
 
@@ -304,20 +308,40 @@ def _result(
     parts = np.split(done.predicted, np.cumsum([len(throw.rates) for throw in throws])[:-1])
     fitted = [FittedThrow(k, window, times, throw.rates, part, *_motion(inertia, best, i, throw))
             for i, ((k, window, times, throw), part) in enumerate(zip(cut, parts, strict=True))]  # fmt: skip
-    bias = _part(best, "bias", BIAS)
-    assert bias is not None
+    misfit = _find_misfit(fitted, scores)
     at_rest = None if rest is None else Estimate(BIAS, rest.value, np.diag(rest.spread**2))
     return ThrowFit(
-        ratios=inertia.ratios, axes=inertia.axes, axes_error=inertia.turn, joint=inertia.joint, equal=inertia.equal,
-        bias=bias, rest=at_rest, gain=_part(best, "gain", ("gain x", "gain y", "gain z")),
-        cross_axis=_part(best, "cross_axis", ("gain yz", "gain xz", "gain xy")), gain_spread=done.gain_spread,
-        drag=inertia.forces.get("drag"), linear_drag=inertia.forces.get("linear_drag"),
-        one_sided_drag=inertia.forces.get("one_sided_drag"), rotor=inertia.forces.get("rotor"),
-        beside_wheel=None if best.model.rotor else _beside_wheel(best, done, throws), unmodelled=done.torque,
+        **_estimates(best, inertia, misfit), axes=inertia.axes, equal=inertia.equal if misfit is None else None,
+        rest=at_rest, gain_spread=done.gain_spread, misfit=misfit,
+        beside_wheel=None if best.model.rotor or misfit else _beside_wheel(best, done, throws), unmodelled=done.torque,
         widened=done.widened, criterion=scores, with_or_without=other is not None, throws=fitted,
         residuals=best.residuals, rms=rms(best.residuals),
         sigma=best.sigma, jitter=best.jitter, degenerate=None, singular_values=start.singular_values, clip=level,
     )  # fmt: skip
+
+
+def _estimates(best: Solution, inertia: Principal, misfit: Misfit | None) -> dict[str, Any]:
+    """Return the estimates by their names in a fit, without errors where the residuals are not noise."""
+    named = {
+        "ratios": inertia.ratios, "axes_error": inertia.turn, "joint": inertia.joint, "bias": _part(best, "bias", BIAS),
+        "gain": _part(best, "gain", ("gain x", "gain y", "gain z")),
+        "cross_axis": _part(best, "cross_axis", ("gain yz", "gain xz", "gain xy")),
+        **{name: inertia.forces.get(name) for name in ("drag", "linear_drag", "one_sided_drag", "rotor")},
+    }  # fmt: skip
+    if misfit is None:
+        return named
+    return {name: None if one is None else one.without_errors() for name, one in named.items()}
+
+
+def _find_misfit(fitted: list[FittedThrow], scores: list[ModelScore]) -> Misfit | None:
+    """Return that residuals are not noise, after all that was tried, or None where they are."""
+    turns = max(float(np.median(np.linalg.norm(throw.rates[1:], axis=1) * np.diff(throw.times))) for throw in fitted)
+    test = test_filtered_noise([throw.rates - throw.predicted for throw in fitted], turns)
+    if test.is_noise:
+        return None
+    tried = (("air",) if any(score.drag != "none" for score in scores) else ()) + (
+        ("wheel",) if any(score.rotor for score in scores) else ())  # fmt: skip
+    return Misfit(test, tried)
 
 
 def _principal(solution: Solution) -> Principal:
@@ -349,5 +373,5 @@ def _make_empty_fit(cut: list[Any], start: Start, level: float | None) -> ThrowF
         cross_axis=None, gain_spread=float("nan"), drag=None, linear_drag=None, one_sided_drag=None, rotor=None,
         beside_wheel=None, unmodelled=float("nan"), widened=1.0, criterion=[], with_or_without=False, throws=fitted,
         residuals=np.empty((0, 3)), rms=float("nan"), sigma=start.noise, jitter=0.0, degenerate=start.degenerate,
-        singular_values=start.singular_values, clip=level,
+        misfit=None, singular_values=start.singular_values, clip=level,
     )  # fmt: skip

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from polhode.arrays import iterate_until, namespace
 from polhode.exact import _formulas as formulas
-from polhode.exact._copies import for_arrays
+from polhode.exact._array_arithmetic import for_arrays
 from polhode.exact._formulas import CONVERGED, MOST_STEPS
 from polhode.special import _doubledouble as dd
 from polhode.special._doubledouble import DoubleDouble

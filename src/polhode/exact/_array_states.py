@@ -5,8 +5,8 @@ from __future__ import annotations
 from types import ModuleType
 
 from polhode.arrays import choose, namespace, split_halves
+from polhode.exact._array_arithmetic import for_arrays
 from polhode.exact._blocks import Columns
-from polhode.exact._copies import for_arrays
 from polhode.types import Array, ArrayOrFloat, Float64
 
 Times = Float64[ArrayOrFloat, "*times"]
@@ -27,22 +27,22 @@ class ArrayStates:
     def evaluate(self, flat: Columns, time: Times, rest: Times) -> tuple[Float64[Array, "*shape"], ...]:
         """Return the four quaternion and three momentum components at the times since the epoch, given in two parts."""
         high, low = split_halves(time)
-        *components, last = self._formulas.state_of(self._formulas.unflatten(flat), self._sums(flat, high, low + rest))
+        *components, last = self._formulas.state_of(self._formulas.unflatten(flat), self._sums(flat, high, low, rest))
         return (*components, last + 0.0 * components[0])  # a top's is one number for all times
 
     def sums_at_start(self, flat: Columns) -> Sums:
         """Return the sums at the epoch."""
         zero = namespace(flat[-1]).zeros_like(flat[-1])
-        return self._sums(flat, zero, zero)
+        return self._sums(flat, zero, zero, zero)
 
-    def _sums(self, flat: Columns, high: Array, low: Array) -> Sums:
-        return choose(flat[0], self._full, self._complementary, *flat[: self._summed], high, low)
+    def _sums(self, flat: Columns, *time: Array) -> Sums:
+        return choose(flat[0], self._full, self._complementary, *flat[: self._summed], *time)
 
     def _full(self, *columns: Array) -> Sums:
-        return self._formulas.full_sums(self._formulas.unflatten((*columns[:-2], *self._idle)), *columns[-2:])
+        return self._formulas.full_sums(self._formulas.unflatten((*columns[:-3], *self._idle)), columns[-3:])
 
     def _complementary(self, *columns: Array) -> Sums:
-        m = self._formulas.unflatten((*columns[:-2], *self._idle))
-        a, b, c, exponent, factor, other, other_factor = self._formulas.complementary_phase(m, *columns[-2:])
+        m = self._formulas.unflatten((*columns[:-3], *self._idle))
+        a, b, c, exponent, factor, other, other_factor = self._formulas.complementary_phase(m, columns[-3:])
         xp = namespace(exponent)
         return self._formulas.complementary_sums(m, a, b, c, xp.exp(exponent) * factor, xp.exp(other) * other_factor)

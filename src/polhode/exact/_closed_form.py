@@ -1,7 +1,6 @@
 """Runs a closed form's kernels, by Python for little work and by Numba for much, always to the same bits.
 
-Numba takes a third of a second to load, and some seconds to compile the kernels, once for an installation. Neither is
-worth it for one body at a few times.
+For one body at a few times, neither loading Numba nor compiling is worth it.
 """
 
 from __future__ import annotations
@@ -11,21 +10,21 @@ import math
 import pkgutil
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base.compiled.copying import Space
+from polhode._base.compiled.kernel_modules import KernelModules, is_worth
+from polhode._base.compiled.threads import in_threads
 from polhode.exact import _kernel_loops as kernel_loops
 from polhode.exact._blocks import Columns, Vectors, columns_in_blocks
-from polhode.exact._copies import Space, for_python
-from polhode.exact._kernel_arithmetic import in_threads
 from polhode.types import Array, Float64
 
 COMMON = tuple(f"polhode.exact.{name}" for name in ("_kernel_arithmetic", "_kernel_agm", "_formulas", "_kernel_loops"))
 STATE, SET_UP = 7e-6, 1.5e-4  # s that Python takes for a state, and for a body, about
-LOADED = 0.3  # s of Python's time from which loading a kernel is worth it
-COMPILING = {"set_up": 6.0, "states_of_one": 1.5, "states_of_many": 2.5}  # or compiling one, which takes about so long
+COMPILING = {"set_up": 6.0, "states_of_one": 1.5, "states_of_many": 2.5}  # s that compiling a kernel takes, about
+ARITHMETIC = "polhode.exact._compiled_arithmetic"  # which imports Numba
 State = tuple[float, float, float, float, float, float, float]
 
 
@@ -53,20 +52,20 @@ class ClosedForm:
         self._latest: tuple[Any, Any] = (), None  # numbers of a motion, and the motion
 
     @cached_property
-    def _modules(self) -> list[ModuleType]:
+    def _modules(self) -> KernelModules:
         path = importlib.import_module(self._package).__path__
         own = sorted(name for _, name, _ in pkgutil.iter_modules(path) if name.startswith(("_kernel", "_formulas")))
-        return [importlib.import_module(name) for name in (*COMMON, *(f"{self._package}.{name}" for name in own))]
+        modules = [importlib.import_module(name) for name in (*COMMON, *(f"{self._package}.{name}" for name in own))]
+        numba = lambda: importlib.import_module(ARITHMETIC).FOR_NUMBA  # noqa: E731
+        return KernelModules(self._package.rpartition(".")[2], "closed forms", modules, numba, [ARITHMETIC])
 
     @cached_property
     def _python(self) -> Kernels:
-        return self._kernels(for_python(self._modules))
+        return self._kernels(self._modules.by_python())
 
     @cached_property
     def _compiled(self) -> Kernels:
-        from polhode.exact._compiling import compiled_modules  # which loads Numba
-
-        return self._kernels(compiled_modules(self._modules, self._package.rpartition(".")[2]))
+        return self._kernels(self._modules.compiled)
 
     def _kernels(self, spaces: dict[str, Space]) -> Kernels:
         setup, loops = spaces[f"{self._package}._kernel_setup"], spaces[kernel_loops.__name__]
@@ -79,13 +78,9 @@ class ClosedForm:
         """Return whether a compiled kernel is there, or worth it for work that takes Python so long."""
         if name not in self._ready:
             self._spent[name] += seconds
-            spent = self._spent[name]
-            if spent >= COMPILING[name] or (spent >= LOADED and self._is_on_disk(name)):
+            if is_worth(self._spent[name], COMPILING[name], lambda: self._modules.is_on_disk(name)):
                 self._ready.add(name)
         return name in self._ready
-
-    def _is_on_disk(self, name: str) -> bool:
-        return getattr(self._compiled, name).is_on_disk()
 
     # ------------------------------------------------------------------ set-up
 

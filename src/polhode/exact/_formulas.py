@@ -1,7 +1,7 @@
-"""Formulas of both motions, each written once, over the words of ``kernel_arithmetic``.
+"""Formulas of both motions, each written once, over the functions of ``kernel_arithmetic``.
 
-Python runs them with single numbers. ``copies`` makes copies of them for Numba, in which basic words are its own, and
-for arrays of NumPy or JAX. So they consist of arithmetic and words: what depends on a number is a ``where``.
+Python runs them with single numbers. Copies are made for Numba, with ``compiled_arithmetic``, and for arrays of NumPy
+or JAX, with ``array_arithmetic``. So they consist of arithmetic and functions: what depends on a number is a ``where``.
 """
 
 from __future__ import annotations
@@ -9,11 +9,11 @@ from __future__ import annotations
 from polhode.exact._kernel_arithmetic import (
     Pair,
     Rate,
+    Time,
     add,
     divide,
     fast_two_sum,
     halves,
-    inlined,
     multiply,
     nearest,
     phase,
@@ -29,7 +29,6 @@ CONVERGED = 2e-8  # the closing formulas of the mean leave an error of the fourt
 MOST_STEPS = 20
 
 
-@inlined
 def exponent(x: float, rest: float, upper: float, lower: float) -> Pair:
     """Return the leading part of −(x + rest)(upper + lower), which is exact, and the factor for the rest."""
     # −(x + rest)(upper + lower) = −high · upper − small, and e^(−small) to second order
@@ -38,13 +37,12 @@ def exponent(x: float, rest: float, upper: float, lower: float) -> Pair:
     return -(high * upper), 1.0 - small * (1.0 - 0.5 * small)
 
 
-@inlined
-def reduced_argument(rate: Rate, start: Pair, periodic: float, high: float, low: float) -> tuple[float, float, float]:
+def reduced_argument(rate: Rate, start: Pair, periodic: float, time: Time) -> tuple[float, float, float]:
     """Return an argument in half periods as a number within ±½ and its rest, and the half periods taken out.
 
     On the separatrix, where ``periodic`` is zero, it runs to infinity and none is taken out.
     """
-    fraction, rest, turned = phase(rate, high, low)
+    fraction, rest, turned = phase(rate, time)
     total, first_error = two_sum((1.0 - periodic) * turned, fraction)
     u, second_error = two_sum(total, start[0])
     u, u_rest = fast_two_sum(u, rest + (start[1] + (first_error + second_error)))
@@ -52,7 +50,6 @@ def reduced_argument(rate: Rate, start: Pair, periodic: float, high: float, low:
     return u - more, u_rest, periodic * turned + more
 
 
-@inlined
 def nome_per_parameter(parameter: float, k: float) -> float:
     """Return ``elliptic.nome_per_parameter``."""
     more = 1.0 + square_root(k)
@@ -62,7 +59,6 @@ def nome_per_parameter(parameter: float, k: float) -> float:
     return ratio * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * (150.0 + e4 * 1707.0))))
 
 
-@inlined
 def by_theta(period: Pair, nome: float) -> Pair:
     """Return a period over θ3², of which 1/θ3² is 1 less a small correction."""
     q4 = (nome * nome) * (nome * nome)
@@ -70,7 +66,6 @@ def by_theta(period: Pair, nome: float) -> Pair:
     return add(period, (-period[0] * (e * (2.0 + e) / ((1.0 + e) * (1.0 + e))), 0.0))
 
 
-@inlined
 def mean_step(a: Pair, g: Pair, pp: Pair, q: Pair, total: Pair) -> tuple[Pair, Pair, Pair, Pair, Pair]:
     """Take a step of the arithmetic–geometric mean and its third-kind sum, in double-double.
 
@@ -84,7 +79,6 @@ def mean_step(a: Pair, g: Pair, pp: Pair, q: Pair, total: Pair) -> tuple[Pair, P
     return scale(add(a, g), 0.5), root(ag), scale(divide(square(both), pp), 0.25), q, add(total, q)
 
 
-@inlined
 def mean_distance(a: Pair, g: Pair, pp: Pair) -> tuple[float, float, Pair]:
     """Return x = (a−g)/(a+g), ε and (a+g)/2; ag is taken as ((a+g)/2)² − ((a−g)/2)², which does not cancel in ε."""
     middle = scale(add(a, g), 0.5)
@@ -94,7 +88,6 @@ def mean_distance(a: Pair, g: Pair, pp: Pair) -> tuple[float, float, Pair]:
     return half / middle[0], e / (2.0 * middle[0] * middle[0] + e), middle
 
 
-@inlined
 def mean_closed(x: float, e: float, middle: Pair, q: float, total: Pair) -> tuple[Pair, Pair]:
     """Return the mean and the sum of what ``mean_distance`` returns, exact where that is below ``CONVERGED``."""
     last = 0.5 * q * e

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from polhode._base.compiled.copying import called
 from polhode.exact._formulas import CONVERGED, MOST_STEPS, mean_closed, mean_distance, mean_step
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
     Pair,
-    called,
-    inlined,
     pair,
     put,
     put_record,
@@ -21,7 +20,6 @@ STATE, STEPS = 10, 15  # rows
 AT_ONCE = 3  # steps of all bodies, before the first is looked at
 
 
-@inlined
 def start_mean(s: Any, i: int, a: Pair, g: Pair, pp: Pair) -> None:
     """Begin the mean of positive a and g, with the sum that starts from p² = pp."""
     put_record(s, AA + i, (*a, *g, *pp, 1.0, 0.0, 1.0, 0.0))

@@ -1,21 +1,16 @@
-"""Arithmetic of the kernels: double-double numbers, phases, storage, and the start of threads.
+"""Arithmetic of the kernels: double-double numbers, phases, and storage.
 
 Kernels are functions of single numbers, written once. Python runs them as they are, for one body at few times, without
-anything that has to be loaded; ``compiling`` has them compiled by Numba, for many. Both give the same bits: the
+anything that has to be loaded; for many, ``_base.compiled`` has Numba compile them. Both give the same bits: the
 arithmetic is that of ``special._doubledouble`` and ``special._circular``, exact where these are; nothing is contracted.
 """
 
 from __future__ import annotations
 
-import inspect
 import math
-import os
 import struct
 from array import array
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
-from itertools import pairwise
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
@@ -28,50 +23,12 @@ S0, S1, S2, S3, S4, S5, S6, S7, S8 = _S
 C0, C1, C2, C3, C4, C5, C6, C7, C8, C9 = _C
 Pair = tuple[float, float]
 Rate = tuple[float, float, float]  # in halves, and what they leave of it
-Function = TypeVar("Function", bound=Callable[..., Any])
+Time = tuple[float, float, float]  # likewise: the halves of a double, and what is left where t − epoch is none
 
 
-def inlined(function: Function) -> Function:
-    """Mark a function that becomes a part of those that call it."""
-    return _mark(function, "inlined")
+# ---------------------------------------------------------------------- what ``compiled_arithmetic`` has in other forms
 
 
-def called(function: Function) -> Function:
-    """Mark a function that stays one by itself."""
-    return _mark(function, "called")
-
-
-def given(function: Function) -> Function:
-    """Mark a function in whose place the one of this name stands, from the formulas of the motion in question."""
-    return _mark(function, "given")
-
-
-def entry(function: Function) -> Function:
-    """Mark a function that Python calls, and that is kept on the disk when it is compiled."""
-    return _mark(function, "entry")
-
-
-def _mark(function: Function, mark: str) -> Function:
-    inspect.unwrap(function).kernel_mark = mark  # type: ignore[attr-defined]
-    return function
-
-
-def in_threads(fill: Callable[[int, int], Any], size: int, worth: int) -> None:
-    """Call ``fill(low, high)`` on parts of 0 … size, one for each core where a part is worth a thread's start."""
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    count = min(cores, max(1, size // worth))
-    if count == 1:
-        fill(0, size)
-        return
-    ends = [size * k // count for k in range(count + 1)]
-    with ThreadPoolExecutor(count) as pool:
-        list(pool.map(lambda pair: fill(*pair), pairwise(ends)))
-
-
-# ---------------------------------------------------------------------- what ``compiling`` has other words for
-
-
-@inlined
 def two_product(a: float, b: float) -> Pair:
     """Return the product and its exact error, as long as that does not underflow [Dekker–Veltkamp]."""
     p, t, u = a * b, SPLITTING * a, SPLITTING * b
@@ -80,62 +37,51 @@ def two_product(a: float, b: float) -> Pair:
     return p, ((ah * bh - p) + ah * bl + al * bh) + al * bl
 
 
-@inlined
 def bits_of(x: float) -> int:
     """Return the bits of a float as an integer."""
     return int.from_bytes(struct.pack("<d", x), "little")
 
 
-@inlined
 def of_bits(n: int) -> float:
     """Return the float with these bits."""
     return float(struct.unpack("<d", n.to_bytes(8, "little"))[0])
 
 
-@inlined
 def square_root(x: float) -> float:
     return math.sqrt(x) if x >= 0.0 else math.nan
 
 
-@inlined
 def exponential(x: float) -> float:
     return math.exp(x)
 
 
-@inlined
 def floor(x: float) -> float:
     return float(math.floor(x)) if math.isfinite(x) else x
 
 
-@inlined
 def nearest(x: float) -> float:
     """Return the nearest whole number, the even one of two."""
     return float(round(x))
 
 
-@inlined
 def where(condition: bool, x: float, y: float) -> float:
     return x if condition else y
 
 
-@inlined
 def larger(x: float, y: float) -> float:
     return x if x > y else y
 
 
-@inlined
 def room(count: int) -> Any:
     """Return room for numbers, which are zero; what is put into parts of it is in the whole."""
     return memoryview(array("d", bytes(8 * count)))
 
 
-@inlined
 def places(count: int) -> Any:
     """Return room for whole numbers."""
     return [0] * count
 
 
-@inlined
 def flags(count: int) -> Any:
     """Return room for yes and no."""
     return [False] * count
@@ -144,12 +90,10 @@ def flags(count: int) -> Any:
 # ---------------------------------------------------------------------- whole numbers, circular functions, phases
 
 
-@inlined
 def whole(x: float) -> float:
     return (x + ROUNDING) - ROUNDING
 
 
-@inlined
 def sine_cosine(x: float) -> Pair:
     """Return sin 2πx and cos 2πx, |x| ≤ ½."""
     quarter = whole(4.0 * x)
@@ -163,20 +107,19 @@ def sine_cosine(x: float) -> Pair:
     return (-a if n >= 2.0 else a), (-b if n == 1.0 or n == 2.0 else b)
 
 
-@inlined
 def halves(x: float) -> Pair:
     t = SPLITTING * x
     high = t - (t - x)
     return high, x - high
 
 
-@inlined
-def phase(rate: Rate, high: float, rest: float) -> tuple[float, float, float]:
+def phase(rate: Rate, time: Time) -> tuple[float, float, float]:
     """Return ``circular.reduced_phase``."""
-    upper, lower, low = rate
-    a, b, c = upper * high, upper * rest, lower * high
+    upper, lower, least = rate
+    high, low, rest = time
+    a, b, c = upper * high, upper * low, lower * high
     na, nb, nc = whole(a), whole(b), whole(c)
-    d = lower * rest + low * (high + rest)
+    d = (lower * low + least * (high + low)) + (upper + lower) * rest
     middle, middle_error = two_sum(b - nb, c - nc)
     fraction, error = two_sum(a - na, middle)
     more = whole(fraction)
@@ -186,59 +129,49 @@ def phase(rate: Rate, high: float, rest: float) -> tuple[float, float, float]:
 # ---------------------------------------------------------------------- double-double numbers
 
 
-@inlined
 def two_sum(a: float, b: float) -> Pair:
     s = a + b
     t = s - a
     return s, (a - (s - t)) + (b - t)
 
 
-@inlined
 def two_square(a: float) -> Pair:
     return two_product(a, a)
 
 
-@inlined
 def fast_two_sum(a: float, b: float) -> Pair:
     s = a + b
     return s, b - (s - a)
 
 
-@inlined
 def add(x: Pair, y: Pair) -> Pair:
     s, e = two_sum(x[0], y[0])
     return fast_two_sum(s, e + (x[1] + y[1]))
 
 
-@inlined
 def subtract(x: Pair, y: Pair) -> Pair:
     return add(x, (-y[0], -y[1]))
 
 
-@inlined
 def multiply(x: Pair, y: Pair) -> Pair:
     p, e = two_product(x[0], y[0])
     return fast_two_sum(p, e + (x[0] * y[1] + x[1] * y[0]))
 
 
-@inlined
 def multiply_float(x: Pair, factor: float) -> Pair:
     p, e = two_product(x[0], factor)
     return fast_two_sum(p, e + x[1] * factor)
 
 
-@inlined
 def square(x: Pair) -> Pair:
     p, e = two_product(x[0], x[0])
     return fast_two_sum(p, e + 2.0 * x[0] * x[1])
 
 
-@inlined
 def scale(x: Pair, power_of_two: float) -> Pair:
     return x[0] * power_of_two, x[1] * power_of_two
 
 
-@inlined
 def divide(x: Pair, y: Pair) -> Pair:
     q = x[0] / y[0]
     p, e = two_product(q, y[0])
@@ -246,7 +179,6 @@ def divide(x: Pair, y: Pair) -> Pair:
     return fast_two_sum(q, r / y[0])
 
 
-@inlined
 def root(x: Pair) -> Pair:
     """Return √x of a positive number."""
     s = square_root(x[0])
@@ -254,18 +186,15 @@ def root(x: Pair) -> Pair:
     return fast_two_sum(s, (((x[0] - p) - e) + x[1]) / (s + s))
 
 
-@inlined
 def constant(value: Pair, like: float) -> Pair:
     """Return a constant in the shape of a number, as which compilers of arrays do not reckon with it beforehand."""
     return value
 
 
-@inlined
 def choice(condition: bool, x: Pair, y: Pair) -> Pair:
     return (x[0] if condition else y[0]), (x[1] if condition else y[1])
 
 
-@inlined
 def root_or_zero(x: Pair) -> Pair:
     """Return √x, zero for x = 0."""
     zero = x[0] == 0.0
@@ -275,7 +204,6 @@ def root_or_zero(x: Pair) -> Pair:
 # ---------------------------------------------------------------------- stores
 
 
-@inlined
 def record(rows: Any, i: int, count: int) -> tuple[float, ...]:
     """Return the numbers that stand BLOCK apart, in rows of a store that follow.
 
@@ -284,7 +212,6 @@ def record(rows: Any, i: int, count: int) -> tuple[float, ...]:
     return tuple(rows[i : i + count * BLOCK : BLOCK])
 
 
-@inlined
 def put_record(rows: Any, i: int, values: tuple[float, ...]) -> None:
     """Store numbers, as ``record`` returns them."""
     for x in values:
@@ -292,7 +219,6 @@ def put_record(rows: Any, i: int, values: tuple[float, ...]) -> None:
         i += BLOCK
 
 
-@inlined
 def pair(w: Any, k: int) -> Pair:
     """Return the double-double number whose two parts stand BLOCK apart, in two rows of a store that follow.
 
@@ -301,7 +227,6 @@ def pair(w: Any, k: int) -> Pair:
     return w[k], w[k + BLOCK]
 
 
-@inlined
 def put(w: Any, k: int, x: Pair) -> None:
     """Store a double-double number, as ``pair`` returns it."""
     w[k], w[k + BLOCK] = x

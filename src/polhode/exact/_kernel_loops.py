@@ -10,14 +10,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from polhode._base.compiled.copying import called, entry, given
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
-    called,
-    entry,
+    Time,
     exponential,
-    given,
     halves,
-    inlined,
     places,
     put_record,
     record,
@@ -49,13 +47,13 @@ def sums_at(work: Any, i: int) -> Any:
 
 
 @given
-def full_sums(m: Any, high: float, low: float) -> Any:
-    """Return the sums of the full form at a time in halves."""
+def full_sums(m: Any, time: Time) -> Any:
+    """Return the sums of the full form at a time."""
 
 
 @given
-def complementary_phase(m: Any, high: float, low: float) -> Any:
-    """Return three numbers, exponent and factor of E, and of R, of the complementary form at a time in halves."""
+def complementary_phase(m: Any, time: Time) -> Any:
+    """Return three numbers, exponent and factor of E, and of R, of the complementary form at a time."""
 
 
 @given
@@ -76,8 +74,8 @@ def state_at(m: Any, time: float, rest: float) -> Numbers:
     """Return attitude and momentum of a motion at a time, given in two parts."""
     high, low = halves(time)
     if m.full != 0.0:
-        return state_of(m, full_sums(m, high, low + rest))
-    a, b, c, exponent, factor, other, other_factor = complementary_phase(m, high, low + rest)
+        return state_of(m, full_sums(m, (high, low, rest)))
+    a, b, c, exponent, factor, other, other_factor = complementary_phase(m, (high, low, rest))
     e0, R = exponential(exponent) * factor, exponential(other) * other_factor
     return state_of(m, complementary_sums(m, a, b, c, e0, R))
 
@@ -87,7 +85,7 @@ def _full_of_one(column: Any, times: Any, rests: Any, work: Any) -> None:
     m = unflatten(column)
     for i in range(times.size):
         high, low = halves(times[i])
-        put_record(work, i, state_of(m, full_sums(m, high, low + rests[i])))
+        put_record(work, i, state_of(m, full_sums(m, (high, low, rests[i]))))
 
 
 @called
@@ -95,14 +93,13 @@ def _complementary_of_one(column: Any, times: Any, rests: Any, work: Any) -> Non
     m = unflatten(column)
     for i in range(times.size):
         high, low = halves(times[i])
-        put_record(work, i, complementary_phase(m, high, low + rests[i]))
+        put_record(work, i, complementary_phase(m, (high, low, rests[i])))
     _exponentials(work, times.size)
     for i in range(times.size):
         a, b, c, exponent, factor, other, other_factor = record(work, i, PHASE)
         put_record(work, i, state_of(m, complementary_sums(m, a, b, c, exponent * factor, other * other_factor)))
 
 
-@inlined
 def _exponentials(work: Any, count: int) -> None:
     for i in range(count):
         work[3 * BLOCK + i] = exponential(work[3 * BLOCK + i])
@@ -129,15 +126,15 @@ def states_of_one(column: Any, times: Any, rests: Any, attitude: Any, momentum: 
 
 
 @called
-def _full_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
+def _full_of_many(m: Any, count: int, high: Any, low: Any, rest: Any, work: Any) -> None:
     for i in range(count):
-        put_record(work, SUMS + i, full_sums(motion_at(m, i), high[i], low[i]))
+        put_record(work, SUMS + i, full_sums(motion_at(m, i), (high[i], low[i], rest[i])))
 
 
 @called
-def _complementary_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -> None:
+def _complementary_of_many(m: Any, count: int, high: Any, low: Any, rest: Any, work: Any) -> None:
     for i in range(count):
-        put_record(work, i, complementary_phase(motion_at(m, i), high[i], low[i]))
+        put_record(work, i, complementary_phase(motion_at(m, i), (high[i], low[i], rest[i])))
     _exponentials(work, count)
     for i in range(count):
         a, b, c, exponent, factor, other, other_factor = record(work, i, PHASE)
@@ -146,19 +143,19 @@ def _complementary_of_many(m: Any, count: int, high: Any, low: Any, work: Any) -
 
 
 @called
-def sums_of_many(m: Any, full: int, count: int, high: Any, low: Any, work: Any) -> None:
+def sums_of_many(m: Any, full: int, count: int, high: Any, low: Any, rest: Any, work: Any) -> None:
     """Put the sums of a block into the rows of ``work`` from SUMS on.
 
     Args:
         m: numbers of the motions in rows of BLOCK; the first motions take the full form.
         full: how many these are.
         count: of all.
-        high, low: times in halves.
+        high, low, rest: times in halves, and what these leave of them.
         work: rows of BLOCK.
     """
-    _full_of_many(m, full, high, low, work)
+    _full_of_many(m, full, high, low, rest, work)
     # loops from zero, or LLVM would not trust their indices
-    _complementary_of_many(m[full:], count - full, high[full:], low[full:], work[full:])
+    _complementary_of_many(m[full:], count - full, high[full:], low[full:], rest[full:], work[full:])
 
 
 @called
@@ -170,7 +167,7 @@ def _states_of_many(m: Any, count: int, work: Any) -> None:
 @entry
 def states_of_many(columns: Any, bodies: Any, times: Any, rests: Any, attitude: Any, momentum: Any) -> None:
     m, work = room(len(columns) * BLOCK), room(WORK * BLOCK)
-    high, low, place = room(BLOCK), room(BLOCK), places(BLOCK)
+    high, low, rest, place = room(BLOCK), room(BLOCK), room(BLOCK), places(BLOCK)
     for first in range(0, times.size, BLOCK):
         count = min(BLOCK, times.size - first)
         front, back = 0, count
@@ -182,12 +179,12 @@ def states_of_many(columns: Any, bodies: Any, times: Any, rests: Any, attitude: 
                 back -= 1
                 place[back] = i
         for i in range(count):
-            high[i], rest = halves(times[place[i]])
-            low[i] = rest + rests[place[i]]
+            high[i], low[i] = halves(times[place[i]])
+            rest[i] = rests[place[i]]
         for k in range(1, len(columns)):
             for i in range(count):
                 m[k * BLOCK + i] = columns[k, bodies[place[i]]]
-        sums_of_many(m, front, count, high, low, work)
+        sums_of_many(m, front, count, high, low, rest, work)
         _states_of_many(m, count, work)
         for i in range(count):
             for k in range(4):

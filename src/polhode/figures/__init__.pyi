@@ -2,13 +2,8 @@ from .axis_figure import axis_locus as axis_locus
 from .comparison_figure import comparison as comparison
 from .components_figure import components as components
 from .ellipsoid_figure import inertia_ellipsoid as inertia_ellipsoid
-from .energy_surface_figure import energy_surface as energy_surface
 from .herpolhode_figure import herpolhode as herpolhode
-from .level_diagram_figure import level_diagram as level_diagram
 from .parts_figure import parts as parts
-from .quantum_sphere_figure import quantum_sphere as quantum_sphere
-from .racket_figure import racket_flip as racket_flip
-from .spectrum_figure import spectrum as spectrum
 from .sphere_figure import momentum_sphere as momentum_sphere
 from .style import COLOURS as COLOURS
 from .style import new_figure as new_figure
@@ -16,5 +11,3 @@ from .style import save as save
 from .style import tidy as tidy
 from .tilt_figure import top_motion as top_motion
 from .top_figure import spinning_top as spinning_top
-from .wigner_figure import level_wigner as level_wigner
-from .wigner_figure import racket_wigner as racket_wigner

@@ -27,7 +27,8 @@ MOST = 4  # throws that are drawn
 
 
 def throw_figures(fit: ThrowFit) -> dict[str, Callable[[], Figure]]:
-    """Return the functions that draw the figures of a fit, by name; only the data where the inertia is not determined.
+    """Return the functions that draw the figures of a fit, by name; only the data where the inertia is not determined,
+    and no corner where residuals are not noise.
 
     Args:
         fit: as ``polhode.estimation.fit_throw`` returns it.
@@ -39,15 +40,17 @@ def throw_figures(fit: ThrowFit) -> dict[str, Callable[[], Figure]]:
         raise InvalidInput(f"`fit` must be a ThrowFit, as fit_throw returns it; got {shown(fit)}.")
     figures: dict[str, Callable[[], Figure]] = {"data_and_fit": partial(_data, fit)}
     if fit.degenerate is None and fit.ratios is not None and fit.axes is not None:
-        known = [part for part in (fit.ratios, fit.drag) if part is not None]
-        figures |= {"residuals": partial(_residuals, fit), "corner": partial(_corner, known)}
+        figures["residuals"] = partial(_residuals, fit)
+        if fit.misfit is None:  # else nothing has an error
+            known = [part for part in (fit.ratios, fit.drag) if part is not None]
+            figures["corner"] = partial(_corner, known)
         if fit.rotor is None:  # with a wheel the motion is on no polhode of the body
             figures["polhode"] = partial(_polhode, fit)
     return figures
 
 
 def attitude_figures(fit: AttitudeFit) -> dict[str, Callable[[], Figure]]:
-    """Return what draws each figure of a fit of attitudes, by name; without a corner where nothing is determined.
+    """Return what draws each figure of a fit of attitudes, by name; without a corner where nothing has a known error.
 
     Args:
         fit: as ``polhode.estimation.fit_attitude`` returns it.
@@ -58,7 +61,8 @@ def attitude_figures(fit: AttitudeFit) -> dict[str, Callable[[], Figure]]:
     if not isinstance(fit, AttitudeFit):
         raise InvalidInput(f"`fit` must be an AttitudeFit, as fit_attitude returns it; got {shown(fit)}.")
     figures: dict[str, Callable[[], Figure]] = {"residuals": partial(_attitude_residuals, fit)}
-    return figures if fit.ratios is None else figures | {"corner": partial(_corner, [fit.ratios])}
+    known = fit.ratios if fit.misfit is None else None
+    return figures if known is None else figures | {"corner": partial(_corner, [known])}
 
 
 def _attitude_residuals(fit: AttitudeFit) -> Figure:

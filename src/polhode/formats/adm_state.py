@@ -68,9 +68,11 @@ def read_apm(path: Path) -> Trajectory:
         raise FormatError(f"{path}: has no attitude, in blocks QUAT, EULER or SPIN. Check the file.")
     attitude = known[0].attitude
     assert attitude is not None
-    velocity = next((_along_body(state, known[0]) for state in states if state.velocity is not None), None)
-    doubts = [f"its attitudes differ by {apart:.3g} rad, and the first is taken" for state in known[1:]
-              if (apart := float(rotation.angle_between(attitude, state.attitude))) > APART]  # fmt: skip
+    rated = next((state for state in states if state.velocity is not None), None)
+    velocity = None if rated is None else _along_body(rated, known[0])
+    doubts = [doubt for state in known[1:] if (doubt := _doubt_attitude(known[0], state))]
+    if rated is not None and plain(rated.space) != plain(known[0].space):
+        doubts.append(f"its angular velocity is relative to {rated.space}, and the attitude to {known[0].space}")
     names = known[0].space, known[0].body
     rates = None if velocity is None else velocity[None]
     return _make(first, blocks, names, (whole, picoseconds), np.zeros(1), attitude[None], rates, doubts)
@@ -206,13 +208,28 @@ def _states(block: Block) -> list[_State]:
     return [_State(block, space, body, attitude[0], None if velocity is None else velocity[0])]
 
 
+def _doubt_attitude(taken: _State, other: _State) -> str:
+    """Return what is to be said of another attitude of the instant than the one that is taken; empty for nothing."""
+    assert taken.attitude is not None and other.attitude is not None
+    pairs = [(plain(state.space), plain(state.body)) for state in (taken, other)]
+    if pairs[0] != pairs[1]:
+        return (f"it has attitudes between other frames too, {other.space} and {other.body}, and that between "
+                f"{taken.space} and {taken.body} is taken")  # fmt: skip
+    apart = float(rotation.angle_between(taken.attitude, other.attitude))
+    return f"its attitudes differ by {apart:.3g} rad, and the first is taken" if apart > APART else ""
+
+
 def _along_body(state: _State, known: _State) -> Array:
     """Return the angular velocity of a block along the body's axes, by the attitude of another.
 
     Raises:
-        FormatError: where it is along axes of space that the attitude is not relative to.
+        FormatError: where it is of another body, or along axes of space that the attitude is not relative to.
     """
     assert state.velocity is not None and known.attitude is not None
+    if plain(state.body) != plain(known.body):
+        keyword = "REF_FRAME_B" if state.block.text("REF_FRAME_B") == state.body else "REF_FRAME_A"
+        state.block.wrong(keyword, f"must be that of the attitude, {known.body}, for its rates to be read; got "
+                                   f"{shown(state.body)}", f"Have the rates written for {known.body}.")  # fmt: skip
     if not state.in_space:
         return state.velocity
     if plain(state.space) != plain(known.space):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -116,6 +117,9 @@ def _check_numbers(path: Path, name: str, variable: Any, batched: bool) -> None:
     values = np.asarray(variable.values)
     if values.dtype.kind not in "fiu":
         _refuse(path, f"{shown(name)} must be real numbers; got type {shown(str(values.dtype))}")
+    if values.dtype.kind == "f" and values.dtype.itemsize < 8:
+        what = f"the {name.replace('_', ' ')} is in single precision ({values.dtype}), which keeps seven digits"
+        warnings.warn(f"{path}: {what}. Write double precision for comparisons to more.", stacklevel=2)
     wrong = ~np.isfinite(values)
     if batched and variable.attrs.get("role") in ("invariant", "balance"):
         missing = np.isnan(values).all(axis=variable.dims.index("time"), keepdims=True)

@@ -14,9 +14,8 @@ if TYPE_CHECKING:
     from polhode.bodies.body import Body
     from polhode.bodies.surface import Surface
     from polhode.formats.labels import AttitudeLabels
+    from polhode.kinds.base import Spec
     from polhode.motion._trajectory import Trajectory
-    from polhode.quantum._strengths import Lines
-    from polhode.quantum.rotor import Levels, Rotor
 
 
 class Kernels(NamedTuple):
@@ -26,15 +25,6 @@ class Kernels(NamedTuple):
     fk: Path | None = None
     lsk: Path | None = None
     spice_id: int | None = None
-
-
-class Molecule(NamedTuple):
-    """A molecule as a quantum rotor, and what is asked about it; lines are None without a dipole."""
-
-    rotor: Rotor
-    temperature: float
-    levels: Callable[[], Levels]
-    lines: Callable[[], Lines | None]
 
 
 @dataclass(frozen=True)
@@ -48,7 +38,8 @@ class Content:
         part: that part of the motion that is worth watching; None likewise.
         body: its mass properties, or None.
         surface: returns what it looks like, in the given axes, or None.
-        molecule: returns it as a quantum rotor, or raises InvalidInput.
+        spec: of which a format that needs no motion takes what it needs; None for a motion without one.
+        save: writes the data of the report on what does not move; None of what moves.
     """
 
     name: str
@@ -57,7 +48,8 @@ class Content:
     part: Trajectory | None = None
     body: Body | None = None
     surface: Callable[[], Surface | None] = field(default=lambda: None)
-    molecule: Callable[[], Molecule] | None = None
+    spec: Spec | None = None
+    save: Callable[[Path], Path] | None = None
 
     @property
     def trajectory(self) -> Trajectory:
@@ -69,16 +61,6 @@ class Content:
         if self.samples is None:
             raise InvalidInput(f"{self.name} has no motion to write. Choose a form for what does not move.")
         return self.samples
-
-    def rotor(self) -> Molecule:
-        """Return the quantum rotor.
-
-        Raises:
-            InvalidInput: for what is none.
-        """
-        if self.molecule is None:
-            raise InvalidInput(f"{self.name} is not a molecule with rotational constants. Choose another form.")
-        return self.molecule()
 
 
 @dataclass(frozen=True)

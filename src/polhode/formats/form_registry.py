@@ -1,4 +1,4 @@
-"""The list of file formats: the modules of ``formats/forms``, and those of other packages."""
+"""The list of file formats: the modules of ``formats/forms``, those of wings, and those of other packages."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import Any
 from polhode.errors import InvalidInput
 from polhode.formats.form import Form
 from polhode.plugins import find_entry_points, load_entry_point
+from polhode.plugins.wings import wing_details, wing_points
 
 GROUP = "polhode.formats"
 HOME = Path(__file__).parent / "forms"
@@ -20,17 +21,36 @@ HOME = Path(__file__).parent / "forms"
 @cache
 def forms() -> dict[str, Form]:
     """Return all forms by name, those of other packages last; those that cannot be imported are left out."""
-    own = [import_module(f"polhode.formats.forms.{module.name}").FORM for module in pkgutil.iter_modules([str(HOME)])]
-    by_name: dict[str, Form] = {form.name: form for form in own}
-    for point in find_entry_points(GROUP, "format", by_name).values():
+    own = _beside() | {name: point.load() for name, point in wing_points(GROUP).items()}
+    by_name: dict[str, Form] = {form.name: form for _, form in sorted(own.items())}
+    return by_name | {form.name: form for form in _of_others() if form.name not in by_name}
+
+
+def writable_names() -> list[str]:
+    """Return the names of the forms that can be written, in the order of ``forms``; those of wings are not imported."""
+    beside = [form.name for form in _beside().values() if form.write is not None]
+    wings = [name for name, details in wing_details(GROUP).items() if details.get("writes")]
+    own = sorted({*beside, *wings})
+    return [*own, *(form.name for form in _of_others() if form.write is not None and form.name not in own)]
+
+
+@cache
+def _beside() -> dict[str, Form]:
+    """Return the forms in the folder ``forms``, by their modules."""
+    names = [module.name for module in pkgutil.iter_modules([str(HOME)])]
+    return {name: import_module(f"polhode.formats.forms.{name}").FORM for name in names}
+
+
+def _of_others() -> list[Form]:
+    found = []
+    for point in find_entry_points(GROUP, {*_beside(), *wing_points(GROUP)}).values():
         with contextlib.suppress(InvalidInput):
-            form = _load(point)
-            by_name.setdefault(form.name, form)
-    return by_name
+            found.append(_load(point))
+    return found
 
 
 def _load(point: Any) -> Form:
-    form = load_entry_point(point, "format")
+    form = load_entry_point(point)
     if not isinstance(form, Form):
         raise InvalidInput(f"the format {point.name} of another package, {point.value}, is not a Form. Update it.")
     return form
@@ -42,7 +62,7 @@ def check_importable(name: str) -> None:
     Raises:
         InvalidInput: where an entry point of this name cannot be imported, or names no form.
     """
-    if point := find_entry_points(GROUP, "format", ()).get(name):
+    if point := find_entry_points(GROUP, ()).get(name):
         _load(point)
 
 

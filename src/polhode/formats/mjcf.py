@@ -13,13 +13,13 @@ from polhode import rotation
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.body_file import BodyFile, Pose
 from polhode.formats.paths import as_path
 from polhode.formats.robot_xml import (
     FREE,
     NAMED,
     Frame,
     Motion,
-    Pose,
     find_positions,
     finite_numbers,
     join_links,
@@ -80,7 +80,8 @@ def read_mjcf_inertial(path: str | Path, name: str | None = None, digits: int | 
     if len(found) != 1 or found[0] is None:
         raise InvalidInput(f"{path}: has no body {shown(name)} with mass; those with mass are {have}.")
     if not isinstance(found[0], Body):
-        raise FormatError(f"{path}: body {shown(name)}: has no inertia, and a point has no attitude.")
+        why = "its inertia is zero, and a point has no attitude"
+        raise FormatError(f"{path}: body {shown(name)}: {why}. Give its diaginertia or fullinertia.")
     return found[0]
 
 
@@ -276,3 +277,6 @@ class _Reader:
             return np.column_stack([x, y, np.cross(x, y)])
         z = unit_vector(where, "zaxis", finite_numbers(where, way, text, 3))
         return np.asarray(rotation.as_matrix(rotation.shortest_between((0.0, 0.0, 1.0), z)))
+
+
+BODY_FILE = BodyFile(read_mjcf_inertial, read_mjcf_robot)

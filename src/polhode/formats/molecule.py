@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.bodies.atoms import ANGSTROM, ATOMIC_MASS_UNIT, is_element
+from polhode.bodies.atoms import ANGSTROM, ATOMIC_MASS_UNIT, explain_symbol, is_element
 from polhode.errors import FormatError, not_installed, shown
 from polhode.formats.numerals import is_misread
 from polhode.formats.opening import MB, read_text
@@ -22,6 +22,7 @@ FORMS = {"xyz": "extxyz", "extxyz": "extxyz", "pdb": "proteindatabank", "mol": "
 TITLE_LINES = {"extxyz": 2, "mol": 3, "sdf": 3}
 _EXTENDED = re.compile(r"(Properties|Lattice|pbc)\s*=", re.IGNORECASE)
 """What the comment of an extended xyz holds; in a plain one each atom is a symbol and three numbers, in ångström."""
+EXTENDED = "Properties=species:S:1:pos:R:3:masses:R:1"
 _COLUMNS = re.compile(r"Properties\S*:\d{3}", re.IGNORECASE | re.ASCII)
 LARGEST_EXTENT = 1.0  # m, more than any molecule
 LARGEST_FILE = 64 * MB  # a million atoms
@@ -107,7 +108,9 @@ def _read_by_ase(path: Path, text: str, form: str) -> tuple[list[str], Array, Ar
 
 
 def _not_an_element(path: Path, symbol: str) -> str:
-    return f"{path}: {symbol} is not a chemical element. Isotopes go as masses into an extended xyz, not as symbols."
+    said = explain_symbol(symbol) or "Write symbols like C, and leave out what is no atom. "
+    masses = f"Masses are a column of an extended xyz, in u, which its second line names: {EXTENDED}."
+    return f"{path}: {symbol} is not a chemical element. {said}{masses if 'mass' in said else ''}".rstrip()
 
 
 def check_frame(path: Path, text: str) -> None:

@@ -15,6 +15,7 @@ from polhode import rotation
 from polhode.bodies._inertia import MassProperties, digits_that_explain, take_rounded
 from polhode.bodies.body import Body, combine
 from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.body_file import Pose
 from polhode.formats.numerals import read_number
 from polhode.formats.opening import MB, read_file
 from polhode.types import Array, Float64
@@ -24,8 +25,6 @@ NAMED = 20  # links or joints that a message lists
 # of the matrix of inertia, by their attributes
 ENTRIES = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 FREE = (-math.inf, math.inf)  # limits of a joint that has none
-Pose = Mapping[str, tuple[float, str]]
-"""Positions of joints by name: a number in SI and its unit, rad or m."""
 
 
 class Frame(NamedTuple):

@@ -12,6 +12,7 @@ from polhode import rotation
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.body_file import BodyFile, Pose
 from polhode.formats.paths import as_path
 from polhode.formats.robot_xml import (
     ENTRIES,
@@ -19,7 +20,6 @@ from polhode.formats.robot_xml import (
     NAMED,
     Frame,
     Motion,
-    Pose,
     find_child,
     find_positions,
     finite_numbers,
@@ -53,7 +53,7 @@ def read_sdf_inertial(path: str | Path, link: str | None = None, digits: int | N
         InvalidInput: if the file is missing, or it is open which link is meant.
         FormatError: if it is not SDF, the link has no ``<inertial>``, or no body has these mass properties.
 
-    Source: Open Robotics, *SDFormat specification* 1.11, link, inertial and pose.
+    Source: Open Robotics, *SDFormat specification* 1.11, link, inertial (``auto`` and the defaults) and pose.
     """
     path = as_path("path", path)
     links = _elements_by_name(path, _model(path), "link")
@@ -68,7 +68,8 @@ def read_sdf_inertial(path: str | Path, link: str | None = None, digits: int | N
         raise InvalidInput(f"{path}: has no link {shown(link)}; it has {have}.")
     found = _inertial(path, link, links[link], digits)
     if not isinstance(found, Body):
-        raise FormatError(f"{path}: link {shown(link)}: has no inertia, and a point has no attitude.")
+        why = "its inertia is zero, and a point has no attitude"
+        raise FormatError(f"{path}: link {shown(link)}: {why}. Give its <inertia>.")
     return found
 
 
@@ -217,10 +218,16 @@ def _motion(path: Path, name: str, element: ET.Element, poses: _Poses) -> Motion
 
 def _inertial(path: Path, name: str, link: ET.Element, digits: int | None) -> Body | MassProperties:
     where, inertial = f"{path}: link {shown(name)}", link.find("inertial")
-    if inertial is None or inertial.find("mass") is None or inertial.find("inertia") is None:
+    if inertial is not None and inertial.get("auto", "").strip().lower() in ("true", "1"):
         raise FormatError(
-            f"{where}: has no <inertial> with mass and inertia, for which SDF puts 1 kg and 1 kg m². Add it."
+            f"{where}: its <inertial> is automatic: Gazebo computes mass and inertia from its collisions and their "
+            "densities, which is not done here. Write the mass, pose and inertia that Gazebo finds (gz sdf "
+            "--inertial-stats) into it and take auto out, or describe the shapes as parts of a [body]."
         )
+    if inertial is None or inertial.find("mass") is None or inertial.find("inertia") is None:
+        missing = "inertial" if inertial is None else "mass" if inertial.find("mass") is None else "inertia"
+        put = {"inertial": "1 kg and 1 kg m² about each axis", "mass": "1 kg", "inertia": "1 kg m² about each axis"}
+        raise FormatError(f"{where}: has no <{missing}>, for which SDF puts {put[missing]}. Add what the link has.")
     frame, outer = _pose(f"{where}: its <inertial>", inertial)
     if outer not in (None, "", name):
         raise FormatError(f"{where}: the <pose> of its <inertial> must be in the link; got relative_to={shown(outer)}.")
@@ -231,3 +238,6 @@ def _inertial(path: Path, name: str, link: ET.Element, digits: int | None) -> Bo
         default = None if i == j else "0"
         matrix[i, j] = matrix[j, i] = finite_numbers(where, f"<{key}>", text or default, 1)[0]
     return make_inertial(where, mass, frame, matrix, digits)
+
+
+BODY_FILE = BodyFile(read_sdf_inertial, read_sdf_robot)

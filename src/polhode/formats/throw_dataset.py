@@ -54,10 +54,10 @@ def write_attitude_fit(fit: AttitudeFit, name: str, path: str | Path) -> Path:
         variables |= _estimates([
             ("ratios", fit.ratios, "ratio", "1", "I1/I3 and I2/I3"),
             ("torque", fit.torque, "device_axis", "rad s-2", "constant torque over I3, along the device axes"),
+            ("bias", fit.bias, "device_axis", "rad s-1", "bias of the rates"),
         ])  # fmt: skip
     header = {"Conventions": "CF-1.11", "source": "polhode", "title": f"inertia from attitudes of {name}"}
-    header |= {} if fit.degenerate is None else {"degenerate": fit.degenerate}
-    return _pack(path, variables, _coordinates(), header)
+    return _pack(path, variables, _coordinates(), header | _doubts(fit))
 
 
 def _pack(path: str | Path, variables: dict[str, Any], coordinates: dict[str, Any], header: dict[str, str]) -> Path:
@@ -108,7 +108,12 @@ def _describe(fit: ThrowFit, names: Sequence[str]) -> tuple[dict[str, Any], dict
             ("rotor", fit.rotor, "axis", "rad s-1", "momentum of a wheel in the body, over I3"),
         ])  # fmt: skip
     header = {"Conventions": "CF-1.11", "source": "polhode", "title": "inertia of a thrown body from gyro logs"}
-    return variables, _coordinates(), header | ({} if fit.degenerate is None else {"degenerate": fit.degenerate})
+    return variables, _coordinates(), header | _doubts(fit)
+
+
+def _doubts(fit: ThrowFit | AttitudeFit) -> dict[str, str]:
+    doubts = {} if fit.degenerate is None else {"degenerate": fit.degenerate}
+    return doubts if fit.misfit is None else doubts | {"misfit": "residuals are not noise: no estimate has an error"}
 
 
 def _estimates(named: list[tuple[str, Estimate | None, str, str, str]]) -> dict[str, Any]:

@@ -14,13 +14,13 @@ import numpy as np
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
+from polhode.formats.body_file import BodyFile, Pose
 from polhode.formats.paths import as_path, write_whole
 from polhode.formats.robot_xml import (
     ENTRIES,
     FREE,
     Frame,
     Motion,
-    Pose,
     find_child,
     find_positions,
     finite_numbers,
@@ -60,7 +60,7 @@ def read_urdf_inertial(path: str | Path, link: str | None = None, digits: int | 
     where = f"{path}: link {shown(name)}"
     found = _inertial(where, inertial, digits)
     if not isinstance(found, Body):
-        raise FormatError(f"{where}: has no inertia, and a point has no attitude. Give its <inertia>.")
+        raise FormatError(f"{where}: its inertia is zero, and a point has no attitude. Give its <inertia>.")
     return found
 
 
@@ -250,3 +250,6 @@ def _fixed_angles(R: Array) -> Array:
 
 def _list_numbers(values: Any) -> str:
     return " ".join(repr(float(value) + 0.0) for value in values)
+
+
+BODY_FILE = BodyFile(read_urdf_inertial, read_urdf_robot)

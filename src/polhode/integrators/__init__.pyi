@@ -5,7 +5,3 @@ from .lie_midpoint import LieMidpoint as LieMidpoint
 from .munthe_kaas import MuntheKaas as MuntheKaas
 from .spherical_midpoint import SphericalMidpoint as SphericalMidpoint
 from .splitting import Splitting as Splitting
-from .sublattice_turns import SublatticeTurns as SublatticeTurns
-from .thermal_noise import Bath as Bath
-from .thermal_noise import NoiseDriftNoise as NoiseDriftNoise
-from .transport_noise import TransportNoise as TransportNoise

@@ -10,7 +10,8 @@ Ctrl-C, and progress is shown, only between two calls.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any, NamedTuple
 
 import equinox as eqx
@@ -21,7 +22,8 @@ import numpy as np
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators import _embedded as embedded
-from polhode.integrators._difference import EPS, LARGE, difference, starts_a_rounding_away
+from polhode.integrators._difference import EPS, LARGE, TWO_PLACES, difference, starts_a_rounding_away
+from polhode.integrators._equal_steps import inner_windows, split_into_windows
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators._sampled import (
     MOST_STEPS,
@@ -44,11 +46,12 @@ TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all
 STRETCH = 20_000  # steps in one call, which take from a tenth of a second to some seconds
 ENDLESS = MOST_STEPS  # that the rest would take at the pace of a stretch: a motion that two stretches find so is stuck
 AS_ONE = 8  # copies of a batch that cost about as much as one
-LOOSER = 100.0  # the tolerance of the second run, by which the error is estimated
+LOOSER = 100.0  # the tolerance of one run by which the error is estimated
 GAIN = 20.0  # at least so much larger its error is
-STAGES = 3.0  # as many roundings as one each of the first steps makes, in its dozen stages
-SAME_STEPS = 0.9  # of the steps, from which on the samples and not the tolerance make those of the second run
-CLOSE = 1e-3  # of an interval between samples; a step as short as that costs no accuracy
+TIGHTER, TIGHTEST = 10.0, 3e-14  # of the other: its tolerance is so much less, but not below what stages can hold
+SHORTER = 0.6  # of the motion's mean step, the longest of that run
+SAFETY = 2.0  # of its distance from the motion
+FEWEST = 4.0  # roundings of the last step and of the sample itself
 
 
 class AdaptiveMotion(NamedTuple):
@@ -142,90 +145,87 @@ def adaptive_error(
     times: Float64[np.ndarray, "time"], motion: AdaptiveMotion, step: float | None = None,
     tolerance: float | None = None, kept: int = 1,
 ) -> Float64[Array, "*batch"] | None:  # fmt: skip
-    """Return the estimated error (batch…) of a motion, from further runs with a hundred times the tolerance.
+    """Return the estimated error (batch…) of a motion, from two further runs with other steps.
 
-    The error of a motion goes with the tolerance of its steps, so that a second run has nearly all of the difference,
-    at about half the steps. Where samples lie so close that each is a step in both runs, every other sample of the
-    second is moved next to the one after it, so that every other step is twice as long. What a rounding grows to is
-    seen in two runs more, from starts that are a rounding away, as in ``accuracy``. Events are not compared; where one
-    comes before the second sample the error is None, of a copy in a batch infinite.
+    Beside a saddle, what is small there has no part in the control of steps: they are as long as samples let them be,
+    with any tolerance, and two runs of the same steps have their error alike. So one run holds a tenth of the
+    tolerance by steps that are all shorter than the mean one of the motion. It is the more exact of the two, and their
+    difference the error, unless rounding makes both, which could bring them together by chance. The other run holds a
+    hundred times the tolerance, and its error is at least so much larger. Both begin a rounding away, which shows what
+    roundings grow to. As they may be near to the motion at a few samples by chance, they are also compared with each
+    other in between. Events are not compared; where one comes before the second sample the error is None, of a copy in
+    a batch infinite.
     """
-    looser = LOOSER * (TOLERANCE if tolerance is None else tolerance)
-
-    def again(start: Array, at: np.ndarray) -> AdaptiveMotion:
-        return solve_adaptively(system, solver, start, at, None, step, looser, kept)
-
-    at, every = times, 1
-    other = again(state, at)
-    if len(times) > 2 and other.steps > SAME_STEPS * motion.steps:
-        at, every = _in_pairs(times), 2
-        other = again(state, at)
-    deviation = _apart(system, motion, other, kept, every)
-    if deviation is None:
+    own = TOLERANCE if tolerance is None else tolerance
+    mean = abs(float(motion.times[-1] - motion.times[0])) / max(motion.steps, 1)
+    shorter = SHORTER * mean if step is None else min(SHORTER * mean, step)
+    plans = (max(own / TIGHTER, min(own, TIGHTEST)), shorter), (LOOSER * own, step)
+    windows = 1 if kept > 1 or system.events else inner_windows(len(times), motion.steps // len(times[1:]))
+    runs = [
+        _run_with_more_samples(partial(_again, system, solver, *plan, kept), start, times, windows)
+        for start, plan in zip(starts_a_rounding_away(system, state, places=TWO_PLACES), plans, strict=True)
+    ]
+    exact, looser = (_apart(system, motion, run) for run, _ in runs)
+    if exact is None or looser is None:
         return None
-    off, unknown = deviation
-    grown = np.zeros(np.shape(off))
-    from polhode.integrators._equal_steps import inner_windows, split_into_windows
+    (off, unknown), (far, unknown_too), between = exact, looser, np.zeros(np.shape(motion.successful))
+    if (more := [states for _, states in runs if states is not None])[1:]:
+        with np.errstate(invalid="ignore"):
+            between = difference(system, *more)
+    # a pulse that no run met makes them alike, which proves nothing
+    rounding = np.full(np.shape(off), EPS * (motion.steps if depends_on_time(system, state) else FEWEST))
+    error = np.where(off > LARGE, off, np.max([SAFETY * off, far / GAIN, between / GAIN, rounding], axis=0))
+    fine = motion.successful & runs[0][0].successful & runs[1][0].successful
+    return np.where(fine & ~np.asarray(unknown) & ~np.asarray(unknown_too), error, np.inf)
 
-    windows = 1 if kept > 1 or every > 1 or system.events else inner_windows(len(times), motion.steps // len(times[1:]))
 
-    def along(start: Array) -> np.ndarray | None:
-        """Return the motion at more times, as runs may be near to each other by chance at the samples only.
+def _again(
+    system: AbstractSystem, solver: diffrax.AbstractSolver, tolerance: float, longest: float | None, kept: int,
+    start: Array, times: np.ndarray,
+) -> AdaptiveMotion:  # fmt: skip
+    return solve_adaptively(system, solver, start, times, None, longest, tolerance, kept)
 
-        None where a window fails: one may end where rates jump, which no sample does.
-        """
-        states = []
-        for part in split_into_windows(times, windows):
-            more = again(start, part)
-            if not np.all(more.successful):
-                return None
-            states.append(more.states)
-            start = jnp.asarray(np.take(more.states, -1, axis=np.ndim(off)))
-        return np.concatenate(states, axis=np.ndim(off))
 
-    inner = along(state) if windows > 1 else None
-    for kicked in starts_a_rounding_away(system, state):
-        states = None if inner is None else along(kicked)
-        if inner is not None and states is not None:
-            with np.errstate(invalid="ignore"):
-                grown = np.maximum(grown, difference(system, inner, states))
-            continue
-        third = again(kicked, at)
-        more = _apart(system, other, third, kept, 1)
-        if more is not None:
-            grown, unknown = np.maximum(grown, np.where(more[1], 0.0, more[0])), unknown | ~third.successful
-    rounding = np.minimum(off, EPS * motion.steps)
-    if depends_on_time(system, state):  # a pulse that neither run met makes them alike, which proves nothing
-        rounding = np.maximum(rounding, EPS * motion.steps)
-    error = np.where(off > LARGE, off, np.max([off / GAIN, rounding, STAGES * grown], axis=0))
-    return np.where(motion.successful & other.successful & ~np.asarray(unknown), error, np.inf)
+def _run_with_more_samples(
+    again: Callable[[Array, np.ndarray], AdaptiveMotion], start: Array, times: np.ndarray, windows: int
+) -> tuple[AdaptiveMotion, np.ndarray | None]:
+    """Return a run at the times, and its states at so many times as many; by windows, so that nothing is compiled.
+
+    The states are None where they are not known, as where a window ends at a jump of rates, which no sample does.
+    """
+    if windows == 1:
+        return again(start, times), None
+    first, *later = split_into_windows(times, windows)
+    run = again(start, first)
+    axis, parts = np.ndim(run.successful), [run.states]
+    for part in later:
+        if not np.all(run.successful):
+            break
+        run = again(jnp.asarray(np.take(run.states, -1, axis=axis)), part)
+        parts.append(np.take(run.states, np.arange(1, len(part)), axis=axis))
+    if not np.all(run.successful):
+        return again(start, times), None
+    states = np.concatenate(parts, axis=axis)
+    at_times = np.take(states, np.arange(0, states.shape[axis], windows), axis=axis)
+    return run._replace(times=times, states=at_times), states
 
 
 def _apart(
-    system: AbstractSystem, motion: AdaptiveMotion, other: AdaptiveMotion, kept: int, every: int
-) -> tuple[Array, Array] | None:
+    system: AbstractSystem, motion: AdaptiveMotion, other: AdaptiveMotion
+) -> tuple[Array, Array] | None:  # fmt: skip
     """Return the distance of two motions (batch…) and where it is unknown; None if nothing can be compared."""
     count = min(len(motion.times), len(other.times)) - (motion.event is not None or other.event is not None)
-    rows = np.flatnonzero(np.arange(count) * kept % every == 0)
-    if len(rows) < 2:  # the start alone has no error, and says nothing
+    if count < 2:  # the start alone has no error, and says nothing
         return None
     axis = np.ndim(motion.states) - 1 - system.state_axes
-    one, two = (np.take(m.states, rows, axis=axis) for m in (motion, other))
+    one, two = (np.take(m.states, np.arange(count), axis=axis) for m in (motion, other))
     unknown: Any = np.zeros(np.shape(motion.successful), bool)
     if axis:
-        beyond = (motion.ends.beyond(motion.times) | other.ends.beyond(other.times))[..., rows]
+        beyond = (motion.ends.beyond(motion.times) | other.ends.beyond(other.times))[..., :count]
         unknown = beyond[..., 1]
         one, two = (np.where(beyond.reshape(*beyond.shape, *(1,) * system.state_axes), 0.0, x) for x in (one, two))
     with np.errstate(invalid="ignore"):
         return difference(system, one, two), unknown
-
-
-def _in_pairs(times: np.ndarray) -> np.ndarray:
-    """Return as many times (T,), every other moved next to the one after it; so nothing has to be compiled again."""
-    moved = times.copy()
-    between = np.arange(1, len(times) - 1, 2)
-    moved[between] = times[between + 1] - CLOSE * (times[between + 1] - times[between])
-    return moved
 
 
 def check_events(system: AbstractSystem, t: float, state: Double[Array, "..."]) -> None:

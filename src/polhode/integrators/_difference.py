@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
 from typing import Any, TypeGuard
 
 import numpy as np
@@ -14,6 +13,8 @@ from polhode.types import Array, Double, Float64
 
 LARGE = 0.05  # of the state's size: runs that differ by more are not in the regime of small errors
 EPS = float(np.finfo(float).eps)
+STARTS = 2  # a single one may lie along the motion by chance, where nothing grows
+TWO_PLACES = 2.0  # by which starts are off, of estimates that take no factor of four for safety
 LUCK = 100.0  # by which two runs may by chance be nearer to each other than to the true motion
 
 
@@ -57,38 +58,66 @@ def parts_with_units(system: AbstractLiePoissonSystem, state: Double[Array, "...
 
 
 def starts_a_rounding_away(
-    system: AbstractSystem, state: Double[Array, "..."], roundings: Sequence[float] = (1.0, 1.0)
-) -> list[Double[Array, "..."]]:
-    """Return starts (batch…, …), each off by so many roundings of each part that has a unit of its own.
+    system: AbstractSystem, state: Double[Array, "..."], of_parts: bool = False, places: float = 1.0
+) -> list[Double[Array, "..."]]:  # fmt: skip
+    """Return two starts (batch…, …) each of whose numbers is off by last places, or a rounding of its part's size.
 
-    All copies of a batch are moved along the same direction, so that none depends on where it stands.
+    Motions from these starts have other roundings all along, and show what the start's own grows to. Beside a saddle
+    along an axis explicit methods compute what is small to roundings of itself, and roundings of its part would be as
+    large as it. Implicit methods iterate until changes are roundings of the largest number. All copies of a batch are
+    moved alike, so that none depends on where it stands. What is zero stays so, as a saddle may need.
     """
-    rng = np.random.default_rng(1)
-    if not _has_sizes_by_algebra(system):
-        own = np.shape(state)[np.ndim(state) - system.state_axes :]
-        sizes = component_sizes(system, np.reshape(np.asarray(state), (-1, *own))).reshape(np.shape(state))
-        sizes = np.where(np.isinf(sizes), np.abs(np.asarray(state)), sizes)
-        # what is zero stays so, as it may have to be; the rest has the rounding of its part, however small it is
-        sizes = np.where(np.asarray(state) != 0.0, sizes, 0.0)
-        return [np.asarray(state) + EPS * many * sizes * rng.normal(size=own) for many in roundings]
-    attitude, point = system.parts(np.asarray(state))
-    return [
-        join_state(None if attitude is None else attitude + EPS * many * _unit(rng, 4),
-                   _perturb(system, point, rng, EPS * many))
-        for many in roundings
-    ]
+    rng, point = np.random.default_rng(1), np.asarray(state)
+    if not isinstance(system, AbstractLiePoissonSystem) or (of_parts and not _has_sizes_by_algebra(system)):
+        own = np.shape(point)[np.ndim(point) - system.state_axes :]
+        moves = EPS * _sizes_by_system(system, point) if of_parts else places * _last_places(point)
+        return [point + moves * (rng.normal(size=own) if of_parts else _signs(rng, own)) for _ in range(STARTS)]
+    attitude, point = system.parts(point)
+    vector = np.array(system.algebra.to_dual_vector(point))
+    moves = EPS * _sizes_by_part(system, point, vector) if of_parts else places * _last_places(vector)
+    parts = parts_with_units(system, point) if len(system.algebra.element_shape) == 1 else [(...,)]
+    starts = []
+    for _ in range(STARTS):
+        turned = attitude
+        if of_parts and attitude is not None:
+            turned = attitude + EPS * _unit(rng, 4)
+        moved = vector.copy()
+        for part in parts:
+            length = vector[part].shape[-1]
+            moved[part] += moves[part] * (_unit(rng, length) if of_parts else _signs(rng, (length,)))
+        starts.append(join_state(turned, np.asarray(system.algebra.from_dual_vector(moved))))
+    return starts
 
 
-def _perturb(system: AbstractLiePoissonSystem, point: Array, rng: np.random.Generator, share: float) -> Array:
-    """Return a point of the dual, off by a share of its size."""
-    algebra = system.algebra
-    vector = np.array(algebra.to_dual_vector(point))
-    for part in parts_with_units(system, point) if len(algebra.element_shape) == 1 else [(...,)]:
+def _last_places(numbers: Array) -> Array:
+    """Return the distance of each number to the next double, zero where it is.
+
+    As it is twice what a rounding does at most, a share of the number, rounded, would often be four times as much.
+    """
+    if np.iscomplexobj(numbers):
+        return _last_places(numbers.real) + 1j * _last_places(numbers.imag)
+    return np.where(numbers != 0.0, np.spacing(np.abs(numbers)), 0.0)
+
+
+def _sizes_by_system(system: AbstractSystem, state: Array) -> Array:
+    """Return the sizes of a state's numbers that a system tells, zero where a number is zero."""
+    own = state.shape[np.ndim(state) - system.state_axes :]
+    sizes = component_sizes(system, np.reshape(state, (-1, *own))).reshape(state.shape)
+    return np.where(state != 0.0, np.where(np.isinf(sizes), np.abs(state), sizes), 0.0)
+
+
+def _sizes_by_part(system: AbstractLiePoissonSystem, point: Array, vector: Array) -> Array:
+    """Return the size of the part with a unit of its own for each number of a point of the dual, zero where it is."""
+    sizes = np.zeros_like(vector)
+    for part in parts_with_units(system, point) if len(system.algebra.element_shape) == 1 else [(...,)]:
         largest = np.abs(vector[part]).max(axis=-1, keepdims=True)  # whose square may be no number
         size = largest * np.linalg.norm(vector[part] / np.where(largest > 0.0, largest, 1.0), axis=-1, keepdims=True)
-        moved = share * size * _unit(rng, vector[part].shape[-1])
-        vector[part] += moved * (vector[part] != 0.0)  # zeros stay, as a saddle may need
-    return np.asarray(algebra.from_dual_vector(vector))
+        sizes[part] = size * (vector[part] != 0.0)
+    return sizes
+
+
+def _signs(rng: np.random.Generator, shape: tuple[int, ...]) -> Array:
+    return rng.choice([-1.0, 1.0], shape)
 
 
 def _unit(rng: np.random.Generator, length: int) -> Array:

@@ -38,12 +38,15 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         keeps: the quantities that the method conserves, in words.
         symmetric: whether a step of length −h undoes one of length h, so that reverse-mode derivatives can go back by
             steps instead of from checkpoints. They check it, and a wrong one costs time only.
+        rounds_each_number: whether a step computes each number of the state to roundings of its own size, however small
+            it is beside the others; else to roundings of the largest, as implicit steps do.
     """
 
     system: eqx.AbstractVar[AbstractLiePoissonSystem]
     step_size: eqx.AbstractVar[Float64[Array, ""]]
     keeps: eqx.AbstractClassVar[str]
     symmetric: ClassVar[bool] = True
+    rounds_each_number: ClassVar[bool] = False
 
     def __check_init__(self) -> None:
         check_generated(self.system, type(self).__name__)

@@ -21,6 +21,7 @@ import numpy as np
 from jax.interpreters import partial_eval
 
 from polhode.arrays import compiled_quickly
+from polhode.arrays.traced_checks import check_traced
 from polhode.errors import InvalidInput, shown
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import FURTHER, rates_of_change
@@ -88,6 +89,7 @@ def _uses_time(system: AbstractSystem, shape: Any) -> bool:
         traced = jax.make_jaxpr(lambda t, y: system.vector_field(t, y))(time, shape)
     except Exception:
         return False  # the run refuses it in its own words
+    check_traced(f"`vector_field` of {type(system).__name__}", traced)
     _, used = partial_eval.dce_jaxpr(traced.jaxpr, [True] * len(traced.jaxpr.outvars))
     return bool(used[0])
 

@@ -42,6 +42,7 @@ class Splitting(AbstractOrbitSolver):
     system: AbstractLiePoissonSystem
     step_size: Float64[Array, ""]
     own_order: int = eqx.field(static=True)
+    rounds_each_number: ClassVar[bool] = True
     keeps: ClassVar[str] = "every Casimir, the orbit, the Poisson structure; time reversal"
 
     def __init__(self, system: AbstractLiePoissonSystem, step_size: Scalar, order: int = DEFAULT_ORDER) -> None:

@@ -20,6 +20,7 @@ from .authors import SystemTable as SystemTable
 from .authors import Table as Table
 from .authors import about_body as about_body
 from .authors import accuracy as accuracy
+from .authors import from_motion as from_motion
 from .authors import one_of as one_of
 from .authors import quantity as quantity
 from .base import AbstractKind as AbstractKind

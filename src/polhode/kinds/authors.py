@@ -1,7 +1,7 @@
 """The names from other rooms that authors of kinds need, gathered for ``polhode.kinds``."""
 
 from polhode.bodies._pivot import STANDARD_GRAVITY
-from polhode.reports.about import about_body, accuracy
+from polhode.reports.about import about_body, accuracy, from_motion
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport, SystemReport
 from polhode.spec.fields import (
@@ -25,5 +25,5 @@ from polhode.spec.rules import Mistake
 __all__ = [
     "STANDARD_GRAVITY", "WITHOUT_MOTION", "Acceleration", "Angle", "Answer", "Direction", "Duration", "Flag", "Group",
     "Lean", "Length", "Mass", "Mistake", "Moment", "MotionReport", "Plain", "Rate", "SystemReport", "SystemTable",
-    "Table", "about_body", "accuracy", "one_of", "quantity",
+    "Table", "about_body", "accuracy", "from_motion", "one_of", "quantity",
 ]  # fmt: skip

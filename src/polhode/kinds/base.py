@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib import import_module, resources
+from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeVar
 
@@ -20,8 +21,10 @@ from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
 from polhode.formats.labels import AttitudeLabels
+from polhode.kinds.ensembles import Ensemble, ManySpecs
 from polhode.kinds.panel import KindPanel
 from polhode.motion._trajectory import Trajectory
+from polhode.plugins import Plugin
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import MotionReport, SystemReport
 from polhode.spec.building import build_coning, build_spin
@@ -38,7 +41,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from polhode.motion.base import AbstractMotion
-    from polhode.spec.rotors import SpecRotor
     from polhode.viewer.panels import PageContent
     from polhode.viewer.samples import Samples
 
@@ -70,58 +72,10 @@ class NextStep(NamedTuple):
     gives: str
 
 
-class Bodies(NamedTuple):
-    """Bodies of many samples.
-
-    Attributes:
-        moments: (sample, 3) principal moments [kg m²], or (3,) for all.
-        axes: (sample, 3, 3) principal axes by columns in the given ones, or (3, 3) for all.
-        refused: sample → why there is no such body.
-    """
-
-    moments: Float64[Array, "*sample 3"]
-    axes: Float64[Array, "*sample 3 3"]
-    refused: dict[int, str]
-
-
 def require_motion_report(report: SystemReport) -> MotionReport:
     """Return the report of a kind that has a motion, as one that has a trajectory."""
     assert isinstance(report, MotionReport), f"a report of kind {report.kind} must be on a motion"
     return report
-
-
-class ManySpecs(NamedTuple):
-    """Samples of a sweep: specs that share all but some numbers.
-
-    Attributes:
-        spec: of one sample; its fixed numbers hold for all.
-        varied: key → values (sample, …) of the spec's numbers that differ, SI.
-        bodies: of the samples; None for kinds without a body.
-        spec_of: the spec of a sample; raises InvalidInput where it breaks a rule.
-    """
-
-    spec: Spec
-    varied: Mapping[str, Any]
-    bodies: Bodies | None
-    spec_of: Callable[[int], Spec]
-
-    @property
-    def size(self) -> int:
-        """How many samples there are."""
-        return len(next(iter(self.varied.values())))
-
-
-class Ensemble(NamedTuple):
-    """Answers for many samples.
-
-    Attributes:
-        values: name of an answer, as the JSON has it → values (sample, …), NaN where it is not defined; of
-            ``states.`` and a part of the state, (sample, time, …).
-        refused: sample → why there is no such motion.
-    """
-
-    values: dict[str, Any]
-    refused: dict[int, str]
 
 
 Figures = Mapping[str, "Callable[[Any], Figure | None]"]
@@ -134,10 +88,11 @@ TableT = TypeVar("TableT", bound=SystemTable)
 class AbstractKind(abc.ABC, Generic[TableT]):
     """A kind of motion that a spec can name as ``[system] kind``.
 
-    A folder of ``polhode.kinds``, or a module that another package names in the entry-point group ``polhode.kinds``,
-    offers one object of a subclass as ``KIND``. Importing it must be cheap: the methods import the other files of the
-    folder when they are needed. ``report`` must be overridden; every other method may be. A system or motion
-    names its kind by ``kind``, so that its pages and ``plot`` show the pictures of this kind.
+    A folder of ``polhode.kinds``, or a module that a wing names under [kinds] of its ``plugin.toml``, or another
+    package in the entry-point group ``polhode.kinds``, offers one object of a subclass as ``KIND``. Importing it must
+    be cheap: the methods import the other files of the folder when they are needed. ``report`` must be overridden; all
+    other methods may be. A system or motion names its kind by ``kind``, so that its pages and ``plot`` show the
+    pictures of this kind.
 
     Attributes:
         name: as specs write it; the folder's name has underscores for its hyphens.
@@ -259,19 +214,7 @@ class AbstractKind(abc.ABC, Generic[TableT]):
                 "answers and figures by `polhode report`."
             )
 
-    def rotor(self, spec: Spec) -> SpecRotor:
-        """Return the quantum rotor that a spec describes, with the kind's own constants if it has some.
-
-        Raises:
-            InvalidInput: for a spec without [body], or a body that is no rotor.
-        """
-        from polhode.spec.rotors import complete_rotor, rotor_of_body
-
-        return complete_rotor(rotor_of_body(spec.body, spec.source, spec.folder)[0])
-
-    def ensemble(
-        self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]
-    ) -> Ensemble | None:
+    def ensemble(self, samples: ManySpecs, names: Sequence[str], times: Float64[Array, "time"]) -> Ensemble | None:
         """Return answers about many motions at once; None where the kind knows no quicker way than a report on each.
 
         Args:
@@ -322,11 +265,17 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         return PageContent(panels, self._scripts(), model, **panel.plots(trajectory, samples))
 
     def _scripts(self) -> tuple[str, ...]:
-        drawn = resources.files(type(self).__module__) / "panel.js"
+        drawn = self._folder / "panel.js"
         return (drawn.read_text("utf-8"),) if drawn.is_file() else ()
 
     def _file(self, name: str) -> str:
-        return (resources.files(type(self).__module__) / name).read_text("utf-8")
+        return (self._folder / name).read_text("utf-8")
+
+    @property
+    def _folder(self) -> Traversable:
+        """The folder of the module that has the kind, or that is the kind's package."""
+        module = type(self).__module__
+        return resources.files(import_module(module).__package__ or module)
 
     def surface(self, spec: Spec) -> Surface | None:
         """Return what the body looks like, in the given axes; None where only moments are known.
@@ -358,6 +307,7 @@ class Spec(Generic[TableT]):
         folder: that relative paths start from.
         instants: times [s], zero first, in place of equal steps up to ``until``, their last.
         body_notes: sentences on how the body was made: what was repaired or rounded.
+        plugins: what was taken of other packages to read it: kinds, torques, mounts and laws that it names.
     """
 
     name: str
@@ -372,6 +322,7 @@ class Spec(Generic[TableT]):
     folder: Path = Path()
     instants: tuple[float, ...] | None = None
     body_notes: tuple[str, ...] = ()
+    plugins: tuple[Plugin, ...] = ()
 
     @cached_property
     def surface(self) -> Surface | None:
@@ -442,6 +393,4 @@ class Spec(Generic[TableT]):
             tables = {"system": self.system, "body": self.source, "spin": self.spin, "time": until}
             farthest = most_extreme(tables)
             hint = f" Farthest from one {farthest}: check its number and unit." if farthest else ""
-            raise InvalidInput(
-                f"numbers on the way to the answers leave double precision ({error}).{hint}"
-            ) from error
+            raise InvalidInput(f"numbers on the way to the answers leave double precision ({error}).{hint}") from error

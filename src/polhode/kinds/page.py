@@ -90,9 +90,7 @@ def show(
     return NotebookPage(_page(motion, name, summary, surface, notes).text, height)
 
 
-def _page(
-    motion: Shown, name: str | None, summary: str, surface: Surface | None, notes: Sequence[str]
-) -> Page:
+def _page(motion: Shown, name: str | None, summary: str, surface: Surface | None, notes: Sequence[str]) -> Page:
     if isinstance(motion, Spec | Report) and (summary or notes):
         raise InvalidInput("`summary` and `notes` are what a report says, and a spec has its own. Leave them out.")
     if isinstance(motion, Spec):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import os
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from polhode.formats.opening import open_for_a_spec
 from polhode.formats.paths import as_path
 from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.registry import default_kind, find_kind, kind_names, kinds_with_table
+from polhode.plugins import record_plugins
 from polhode.reports.base import SystemReport
 from polhode.reports.report import with_inputs
 from polhode.spec.assembly import PartsRefused
@@ -24,10 +26,10 @@ from polhode.spec.building import build_body
 from polhode.spec.built import BuiltBody
 from polhode.spec.export import make_labels
 from polhode.spec.mistakes import as_message, list_mistakes
-from polhode.spec.models import BodyTable, SpecFile, SystemTable
+from polhode.spec.models import BodyTable, SpecFile, SystemTable, known_keys
 from polhode.spec.parsing import name_parts, read_tables
 from polhode.spec.reach import beyond_reach
-from polhode.spec.rules import SOURCES, Location, Mistake, find_broken_rules, table_rules
+from polhode.spec.rules import Location, Mistake, body_sources, find_broken_rules, table_rules
 
 SWEEP = "sweep"  # the table that asks for many motions, of which a spec is one
 
@@ -65,6 +67,12 @@ def build_spec(tables: dict[str, Any], path: Path) -> Spec:
         tables: as TOML has them, without [sweep]; they stay as they are.
         path: of the file, which messages name and from whose folder paths count.
     """
+    with record_plugins() as plugins:
+        spec = _build_spec(tables, path)
+    return replace(spec, plugins=tuple(sorted(plugins)))
+
+
+def _build_spec(tables: dict[str, Any], path: Path) -> Spec:
     table = dict(name_parts(tables))
     raw, kind, faults = _read_system(table.pop("system", default_kind().name))
     mistakes, model = [], None
@@ -176,9 +184,7 @@ def _system(kind: AbstractKind, raw: dict[str, Any]) -> tuple[SystemTable | None
         return None, list(_as_written(kind, list_mistakes(error, model, ("system",))))
 
 
-def _join_tables_beside(
-    kind: AbstractKind | None, raw: Any, table: dict[str, Any]
-) -> tuple[Any, list[Mistake]]:
+def _join_tables_beside(kind: AbstractKind | None, raw: Any, table: dict[str, Any]) -> tuple[Any, list[Mistake]]:
     """Move a kind's own tables from the top of a file into its [system], and return that, and what is misplaced."""
     beside = () if kind is None else kind.table.beside
     wrong: list[Mistake] = []
@@ -219,7 +225,7 @@ def _build_body(
     parts = raw.get("part")
     numbers = range(len(parts) if isinstance(parts, list) else 0)
     right = [k for k in numbers if clean(("body", "part", k))]
-    sources = [key for key in SOURCES if key in raw]
+    sources = [key for key in body_sources() if key in raw]
     if len(right) < len(numbers):
         assert isinstance(parts, list)
         alone = [k for k in right if parts[k].get("cut") is not True]
@@ -230,7 +236,7 @@ def _build_body(
         return None, [fault for fault in faults if len(fault[0]) > 1]  # not what the parts are together
     if len(sources) != 1 or not clean(("body", sources[0])):
         return None, []
-    kept = {key: value for key, value in raw.items() if key in BodyTable.model_fields and clean(("body", key))}
+    kept = {key: value for key, value in raw.items() if key in known_keys(BodyTable) and clean(("body", key))}
     if "joints" in raw and "joints" not in kept:
         kept |= {"joints": {}}  # the file's links may be right at any pose
     if "mesh" in kept:

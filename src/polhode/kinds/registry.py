@@ -1,4 +1,4 @@
-"""The list of kinds: the folders next to this file, and those of other packages."""
+"""The list of kinds: the folders next to this file, those of wings, and those of other packages."""
 
 from __future__ import annotations
 
@@ -6,34 +6,36 @@ import contextlib
 import pkgutil
 from collections.abc import Iterator
 from functools import cache
-from importlib import import_module
+from importlib.metadata import EntryPoint
 from pathlib import Path
 from typing import Any
 
 from polhode.errors import InvalidInput, PolhodeError
 from polhode.kinds.base import AbstractKind, NextStep, Spec
-from polhode.plugins import find_entry_points, load_entry_point
+from polhode.plugins import find_entry_points, load_entry_point, record_nothing
+from polhode.plugins.wings import wing_points
 
 GROUP = "polhode.kinds"
 HOME = Path(__file__).parent
 
 
 @cache
-def _folders() -> dict[str, str]:
-    """Return module by kind of what this package has."""
+def _own() -> dict[str, EntryPoint]:
+    """Return what this package has itself, by name."""
     folders = (module.name for module in pkgutil.iter_modules([str(HOME)]) if module.ispkg)
-    return {folder.replace("_", "-"): f"{__package__}.{folder}" for folder in folders}
+    names = {folder.replace("_", "-"): f"{__package__}.{folder}:KIND" for folder in folders}
+    return {name: EntryPoint(name, value, GROUP) for name, value in names.items()} | wing_points(GROUP)
 
 
 @cache
 def _others() -> dict[str, Any]:
     """Return entry points by name."""
-    return find_entry_points(GROUP, "kind", _folders())
+    return find_entry_points(GROUP, _own())
 
 
 def kind_names() -> list[str]:
     """Return the names of all kinds; none of them is imported."""
-    return sorted({*_folders(), *_others()})
+    return sorted({*_own(), *_others()})
 
 
 def find_kind(name: str) -> AbstractKind | None:
@@ -42,12 +44,12 @@ def find_kind(name: str) -> AbstractKind | None:
     Raises:
         InvalidInput: for a kind of another package that cannot be imported, or is not a kind.
     """
-    if name in _folders():
-        return import_module(_folders()[name]).KIND
+    if name in _own():
+        return _own()[name].load()
     if name not in _others():
         return None
     point = _others()[name]
-    kind = load_entry_point(point, "kind")
+    kind = load_entry_point(point)
     if not isinstance(kind, AbstractKind):
         raise InvalidInput(f"the kind {name} of another package, {point.value}, is not an AbstractKind. Update it.")
     return kind
@@ -56,7 +58,7 @@ def find_kind(name: str) -> AbstractKind | None:
 @cache
 def default_kind() -> AbstractKind:
     """Return the kind that a spec without [system] means, one of this package's own."""
-    return next(kind for name in sorted(_folders()) if (kind := find_kind(name)) is not None and kind.is_default)
+    return next(kind for name in sorted(_own()) if (kind := find_kind(name)) is not None and kind.is_default)
 
 
 def other_kind(subject: str, in_closed_form: bool) -> AbstractKind | None:
@@ -95,9 +97,10 @@ def next_steps(spec: Spec) -> list[NextStep]:
 
 
 def _importable() -> Iterator[AbstractKind]:
-    """Yield all kinds but those of other packages that cannot be imported."""
+    """Yield all kinds but those of other packages that cannot be imported; to be listed is not to take part."""
     for name in kind_names():
         with contextlib.suppress(PolhodeError):
-            kind = find_kind(name)
+            with record_nothing():
+                kind = find_kind(name)
             if kind is not None:
                 yield kind

@@ -20,22 +20,22 @@ class Turn(NamedTuple):
     """From body axes to others that are the columns of ``matrix`` in these.
 
     Attributes:
-        matrix: (3, 3) a rotation.
-        quaternion: (4,) the same.
+        matrix: (…, 3, 3) a rotation, or one for each body.
+        quaternion: (…, 4) the same.
     """
 
-    matrix: Float64[Array, "3 3"]
-    quaternion: Float64[Array, "4"]
+    matrix: Float64[Array, "*turns 3 3"]
+    quaternion: Float64[Array, "*turns 4"]
 
     @classmethod
-    def to(cls, matrix: Float64[Array, "3 3"]) -> Turn:
+    def to(cls, matrix: Float64[Array, "*turns 3 3"]) -> Turn:
         """Return the turn to axes that are the columns of a matrix."""
         return cls(matrix, rotation.from_matrix(matrix))
 
     @property
     def back(self) -> Turn:
         """The turn back, which leaves an attitude with the sign that it had."""
-        return Turn(self.matrix.T, rotation.conjugate(self.quaternion))
+        return Turn(self.matrix.mT, rotation.conjugate(self.quaternion))
 
     def plain(self) -> PlainTurn:
         """Return the same turn for single numbers."""
@@ -57,7 +57,8 @@ class Turn(NamedTuple):
         The sums are written out: a matrix product would round one vector and many in different orders.
         """
         rows = namespace(vector, self.matrix).asarray(self.matrix)
-        return vector[..., 0:1] * rows[0] + vector[..., 1:2] * rows[1] + vector[..., 2:3] * rows[2]
+        x, y, z = (vector[..., k : k + 1] * rows[..., k, :] for k in range(3))
+        return x + y + z
 
 
 class PlainTurn(NamedTuple):
@@ -100,6 +101,21 @@ def chosen_axes(
         raise InvalidInput(f"`axes` must have three orthonormal columns (3, 3), right-handed; got {shown(axes)}.")
     # columns of the principal axes: in the given ones G, in the chosen ones, which are the columns of M, Mᵀ G
     return matrix.T if given_axes is None else matrix.T @ xp.asarray(given_axes)
+
+
+def shared_axes(axes: Float64[Array, "..."] | None) -> Float64[Array, "3 3"] | None:
+    """Return the axes that all bodies of a batch have in common, each of which JAX may have given its own copy.
+
+    Raises:
+        InvalidInput: where they differ, or are traced.
+    """
+    if axes is None or axes.ndim == 2:
+        return axes
+    each = axes.reshape(-1, 3, 3)
+    if is_traced(axes) or not bool((each == each[0]).all()):
+        raise InvalidInput("samples are along one set of axes, and these bodies have one each. Take "
+                           '`along("principal")`, or `state(times)`.')  # fmt: skip
+    return each[0]
 
 
 def _is_rotation(matrix: Array) -> bool:

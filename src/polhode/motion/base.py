@@ -11,9 +11,10 @@ from typing import Any, ClassVar, NamedTuple, TypeVar
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import always, as_float64, compiled, is_jax, namespace, register_node
+from polhode.arrays import always, as_float64, compiled, is_jax, namespace
 from polhode.errors import InvalidInput
-from polhode.motion._axes import PlainTurn, Turn, chosen_axes
+from polhode.motion._axes import PlainTurn, Turn, chosen_axes, shared_axes
+from polhode.motion._fields import broadcast_fields, register_fields
 from polhode.motion._inputs import (
     MOST_RADIANS,
     cached_unless_traced,
@@ -63,9 +64,11 @@ def _elapsed(t: Array, epoch: Array) -> tuple[Array, Array]:
 class AbstractMotion(ExactMotion):
     """A motion of rigid bodies in closed form, at any time: no step, no drift.
 
-    Subclasses are final, frozen, and pytrees of JAX where their arrays are JAX's. All vectors are along the body's axes
-    that ``axes`` tells, ``moments`` alone are about the principal ones. A subclass says what a body is made of beyond
-    its moments, and gives its closed form along the principal axes: ``_columns_of``, ``_closed_form``, ``_fastest``.
+    Subclasses are final, frozen, and pytrees of JAX: their leaves are the fields below, from which all else is computed
+    when it is needed. JAX arrays among them all have the axes of a batch, as ``vmap`` takes them apart. All vectors
+    are along the body's axes that ``axes`` tells, ``moments`` alone are about the principal ones. A subclass says what
+    a body is made of beyond its moments, and gives its closed form along the principal axes: ``_columns_of``,
+    ``_closed_form``, ``_fastest``.
 
     Attributes:
         title: name of such a motion.
@@ -77,8 +80,8 @@ class AbstractMotion(ExactMotion):
         momentum_at_epoch: (…, 3) [kg m²/s, body axes].
         attitude_at_epoch: (…, 4) unit quaternion wxyz, body → space.
         epoch: (…) time at which these hold [s].
-        axes: (3, 3) principal axes by columns in those that vectors and attitude are along; None where these are the
-            principal axes themselves.
+        axes: (3, 3) principal axes by columns in those that vectors and attitude are along, or (…, 3, 3) for each body;
+            None where these are the principal axes themselves.
         given_axes: (3, 3) principal axes by columns in the body's given ones; None where no others are known.
     """
 
@@ -91,9 +94,8 @@ class AbstractMotion(ExactMotion):
     momentum_at_epoch: Float64[Array, "... 3"]
     attitude_at_epoch: Float64[Array, "... 4"]
     epoch: Float64[Array, "..."]
-    axes: Float64[Array, "3 3"] | None
-    given_axes: Float64[Array, "3 3"] | None = field(repr=False, init=False)
-    _principal: tuple[Array, Array] = field(repr=False, init=False)  # momentum and attitude
+    axes: Float64[Array, "*turns 3 3"] | None
+    given_axes: Float64[Array, "*turns 3 3"] | None = field(repr=False, init=False)
 
     def __init__(
         self, moments: ArrayLike, numbers: dict[str, ArrayLike], momentum: ArrayLike | None, attitude: ArrayLike | None,
@@ -111,8 +113,9 @@ class AbstractMotion(ExactMotion):
         if axes is not None:
             axes = as_float64(xp, axes, "axes")
             to_principal = Turn.to(axes)
-            attitude = to_principal.attitude(checked_last_axis("attitude", attitude, 4))
-            vector = to_principal.vector(vector)
+            with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is refused below
+                attitude = to_principal.attitude(checked_last_axis("attitude", attitude, 4))
+                vector = to_principal.vector(vector)
         momentum = vector if angular_velocity is None else momentum_of(moments, vector)
         moments, momentum, attitude = checked(xp, moments, momentum, attitude, epoch)
         body = (moments, *(arrays[key] for key in numbers))
@@ -131,23 +134,42 @@ class AbstractMotion(ExactMotion):
     def _hold(self, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array,
               axes: Array | None, given_axes: Array | None) -> None:  # fmt: skip
         """Set all fields from momentum and attitude along the principal axes."""
-        object.__setattr__(self, "axes", axes)
-        object.__setattr__(self, "_principal", (momentum, attitude))
-        at_epoch = self._turned(attitude, momentum)
-        values = dict(zip(("moments", *self.body_numbers), body, strict=True))
-        values |= {"momentum_at_epoch": at_epoch[1], "attitude_at_epoch": at_epoch[0], "epoch": epoch, "axes": axes,
-                   "given_axes": given_axes, "_principal": (momentum, attitude)}  # fmt: skip
-        for name, value in values.items():
-            object.__setattr__(self, name, value)
-        register_node(type(self), tuple(values), like=self.moments)
+        if is_jax(momentum):
+            cores, same = (1, *(0 for _ in self.body_numbers), 1, 1, 0, 2, 2), given_axes is axes
+            *numbers, momentum, attitude, epoch, axes, given_axes = broadcast_fields(
+                (*body, momentum, attitude, epoch, axes, given_axes), cores
+            )
+            body, given_axes = tuple(numbers), axes if same else given_axes
+        vars(self).update(axes=axes, given_axes=given_axes, epoch=epoch, _principal=(momentum, attitude))
+        vars(self).update(zip(("moments", *self.body_numbers), body, strict=True))
+        attitude, momentum = self._turned(attitude, momentum)
+        vars(self).update(momentum_at_epoch=momentum, attitude_at_epoch=attitude)
+        register_fields(type(self), self.body_numbers)
+
+    @cached_unless_traced
+    def _principal(self) -> tuple[Array, Array]:
+        """Momentum and attitude along the principal axes, which the constructor sets.
+
+        JAX makes motions of fields alone, of anything while it looks at their structure. Their momentum and attitude
+        are computed here, when they are first needed, with the checks of the constructor.
+        """
+        for name in (*self.body_numbers, "epoch"):
+            if isinstance(value := getattr(self, name), float | int):  # as somebody has put it there
+                vars(self)[name] = np.asarray(float(value))
+        numbers = {name: getattr(self, name) for name in self.body_numbers}
+        new = object.__new__(type(self))
+        AbstractMotion.__init__(new, self.moments, numbers, self.momentum_at_epoch, self.attitude_at_epoch, self.epoch,
+                                None, self.axes)  # fmt: skip
+        return new._principal
 
     # ------------------------------------------------------------------ the closed form, along the principal axes
 
     @property
     def _arguments(self) -> tuple[Array, ...]:
         """Arguments of the closed form, each (…, k): moments, numbers of the body, momentum and attitude at epoch."""
+        principal = self._principal
         numbers = (getattr(self, name)[..., None] for name in self.body_numbers)
-        return (self.moments, *numbers, *self._principal)
+        return (self.moments, *numbers, *principal)
 
     @cached_property
     def _columns(self) -> Any:
@@ -157,7 +179,7 @@ class AbstractMotion(ExactMotion):
     @cached_property
     def _alone(self) -> _Alone | None:
         """Constants from which states of one body are computed with plain numbers; None for other motions."""
-        if self.batch_shape or not isinstance(self.moments, np.ndarray):
+        if self.batch_shape or is_jax(*self._arguments, self.epoch):
             return None
         # the same turn as of arrays, in plain numbers
         turn = None if self.axes is None else self._from_principal.plain()
@@ -202,7 +224,10 @@ class AbstractMotion(ExactMotion):
     @property
     def batch_shape(self) -> tuple[int, ...]:
         """The common shape of the bodies, () for one."""
-        return tuple(np.broadcast_shapes(*(v.shape[:-1] for v in self._arguments), self.epoch.shape))
+        vectors = (self.moments, self.momentum_at_epoch, self.attitude_at_epoch)
+        numbers = (self.epoch, *(getattr(self, name) for name in self.body_numbers))
+        turns = () if self.axes is None else np.shape(self.axes)[:-2]
+        return tuple(np.broadcast_shapes(*(np.shape(v)[:-1] for v in vectors), *map(np.shape, numbers), turns))
 
     @property
     def free_moments(self) -> Float64[Array, "... 3"] | None:
@@ -269,6 +294,7 @@ class AbstractMotion(ExactMotion):
         Raises:
             InvalidInput: for times that are not finite, not one-dimensional, or none, and without times for a batch.
         """
+        own, given = shared_axes(self.axes), shared_axes(self.given_axes)
         if times is None:
             if self.batch_shape:
                 raise InvalidInput(
@@ -293,9 +319,9 @@ class AbstractMotion(ExactMotion):
             drift=drift,
             quantities=self.quantities,
             source=self._standing(None),
-            given_axes=self.given_axes,
+            given_axes=given,
         )
-        return trajectory.turn_to(self.axes)
+        return trajectory.turn_to(own)
 
     def along(self: Motion, axes: str | Real[ArrayLike, "3 3"]) -> Motion:
         """Return the same motion with vectors and attitude along other axes of the body.
@@ -317,12 +343,12 @@ class AbstractMotion(ExactMotion):
         return self._of(body, *self._principal, self.epoch, axes, self.given_axes)
 
     def _with_time_axis(self: Motion) -> Motion:
-        """Return the same motion with a last batch axis of length 1 for times."""
+        """Return the same motion along the principal axes, with a last batch axis of length 1 for times."""
         vectors = (self.moments, *self._principal)
         moments, momentum, attitude = (v[..., None, :] if v.ndim > 1 else v for v in vectors)
         numbers = (*(getattr(self, name) for name in self.body_numbers), self.epoch)
         *numbers, epoch = (v[..., None] if v.ndim else v for v in numbers)
-        return self._of((moments, *numbers), momentum, attitude, epoch, self.axes, self.given_axes)
+        return self._of((moments, *numbers), momentum, attitude, epoch, None, None)
 
     @classmethod
     def _of(cls: type[Motion], *fields: Any) -> Motion:

@@ -15,7 +15,8 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
+from polhode.arrays import in_jax_numpy, is_traced, require_doubles
+from polhode.arrays.traced_checks import check_function
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Double, Float64
 
@@ -74,9 +75,14 @@ def differential(algebra: AbstractLieAlgebra, F: Function) -> Function:
         return value.astype(jnp.float64)
 
     gradient = jax.grad(scalar)
+    looked_at: list[bool] = []
 
     def at(mu: Array) -> Array:
         depth = jnp.ndim(mu) - len(algebra.element_shape)
+        if not looked_at:
+            with in_jax_numpy("functions on the dual"):
+                check_function("a function on the dual", scalar, jax.ShapeDtypeStruct(algebra.element_shape, mu.dtype))
+            looked_at.append(True)
         function = gradient
         for _ in range(depth):
             function = jax.vmap(function)
@@ -103,7 +109,7 @@ def as_points(algebra: AbstractLieAlgebra, mu: ArrayLike) -> Double[Array, "..."
     Raises:
         InvalidInput: for wrong shapes or known values that are not finite.
     """
-    refuse_single_precision(point=mu)
+    require_doubles(point=mu)
     try:
         mu = jnp.asarray(mu, dtype=algebra.dtype)
     except (TypeError, ValueError):

@@ -14,7 +14,7 @@ import jax
 import jax.numpy as jnp
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import known_false, refuse_single_precision
+from polhode.arrays import known_false, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.poisson.reconstruction import NODES, hermite
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -63,7 +63,7 @@ def reconstruct_group(
     >>> print(path.elements[-1].round(6))  # cosine and sine of half a radian, and no shift
     [0.877583 0.479426 0.       0.      ]
     """
-    refuse_single_precision(times=times, points=points)
+    require_doubles(times=times, points=points)
     t, mu = jnp.asarray(times, dtype=jnp.float64), jnp.asarray(points, dtype=algebra.dtype)
     if t.ndim != 1 or len(t) < 2 or algebra.batch_shape(mu) != t.shape:
         raise InvalidInput(
@@ -73,8 +73,8 @@ def reconstruct_group(
     if sign not in (-1, 1):
         raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {shown(sign)}.")
     gaps = jnp.diff(t)
-    if known_false(jnp.all(gaps * gaps[0] > 0)):
-        raise InvalidInput("`times` must advance in one direction, without repetitions.")
+    if known_false(jnp.all(jnp.isfinite(gaps) & (gaps * gaps[0] > 0))):
+        raise InvalidInput("`times` must be finite and advance in one direction, without repetitions.")
     # Magnus' expansion of order 4 with ξ = dH at Gauss's two points: g moves by the exponential of
     # ½h(ξ₁ + ξ₂) ± (√3/12)h² [ξ₁, ξ₂], plus for ġ = gξ, minus for ġ = ξg. Between samples μ is Hermite's cubic with
     # slopes μ̇ = −sign ad*_ξ μ.

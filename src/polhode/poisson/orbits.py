@@ -15,7 +15,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.poisson.brackets import as_points, poisson_tensor
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
@@ -46,7 +46,7 @@ def kks_form(
     """Return ω(ad*_x μ, ad*_y μ) = sign · ⟨μ, [x, y]⟩ (…) for elements x, y that generate the two tangent vectors."""
     if sign not in (-1, 1):
         raise InvalidInput(f"`sign` must be −1 or +1; got {shown(sign)}.")
-    refuse_single_precision(x=x, y=y)
+    require_doubles(x=x, y=y)
     return sign * algebra.pairing(as_points(algebra, mu), algebra.bracket(jnp.asarray(x), jnp.asarray(y)))
 
 
@@ -78,7 +78,7 @@ def symplectic_area(momenta: Real[ArrayLike, "n 3"], sign: int = -1) -> float:
     The curve is closed by its first point; its pieces are taken as arcs of great circles, for which the sum of the
     signed triangles seen from the first point is exact. The area is that modulo the whole sphere, in (−2π, 2π] |L|.
     """
-    refuse_single_precision(momenta=momenta)
+    require_doubles(momenta=momenta)
     points = np.asarray(momenta, dtype=float)
     if points.ndim != 2 or points.shape[1] != 3 or len(points) < 3 or not np.isfinite(points).all():
         raise InvalidInput(f"`momenta` must be at least three finite points (n, 3); got shape {points.shape}.")

@@ -15,7 +15,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_false, refuse_single_precision
+from polhode.arrays import known_false, require_doubles
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
@@ -57,13 +57,13 @@ def reconstruct(
     Raises:
         InvalidInput: for shapes that do not match, fewer than two samples, times that do not advance, or L = 0.
     """
-    refuse_single_precision(times=times, momentum=momentum, attitude=attitude)
+    require_doubles(times=times, momentum=momentum, attitude=attitude)
     t, L = jnp.asarray(times, dtype=jnp.float64), jnp.asarray(momentum, dtype=jnp.float64)
     if t.ndim != 1 or len(t) < 2 or L.shape != (len(t), 3):
         raise InvalidInput(f"`times` (T,) and `momentum` (T, 3) must match, T at least 2; got {t.shape} and {L.shape}.")
     steps = jnp.diff(t)
-    if known_false(jnp.all(steps * steps[0] > 0)):
-        raise InvalidInput("`times` must advance in one direction, without repetitions.")
+    if known_false(jnp.all(jnp.isfinite(steps) & (steps * steps[0] > 0))):
+        raise InvalidInput("`times` must be finite and advance in one direction, without repetitions.")
     norm = jnp.linalg.norm(L[0])
     if known_false(jnp.isfinite(L).all() & (norm > 0)):
         raise InvalidInput("`momentum` must be finite and not zero: at rest it does not determine the attitude.")

@@ -9,7 +9,7 @@ Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §13.2–13.4
 from __future__ import annotations
 
 from polhode import rotation
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -18,7 +18,7 @@ def left_trivialize(
     attitude: Real[ArrayLike, "*#batch 4"], covector: Real[ArrayLike, "*#batch 3 3"]
 ) -> Float64[Array, "*batch 3"]:
     """Return the body momentum L (…, 3) of covectors P (…, 3, 3) at attitudes (…, 4)."""
-    refuse_single_precision(covector=covector)
+    require_doubles(covector=covector)
     R = rotation.as_matrix(attitude)
     return _antisymmetric_part(_transpose(R) @ covector)
 
@@ -27,7 +27,7 @@ def right_trivialize(
     attitude: Real[ArrayLike, "*#batch 4"], covector: Real[ArrayLike, "*#batch 3 3"]
 ) -> Float64[Array, "*batch 3"]:
     """Return the space momentum π (…, 3) of covectors P (…, 3, 3) at attitudes (…, 4)."""
-    refuse_single_precision(covector=covector)
+    require_doubles(covector=covector)
     R = rotation.as_matrix(attitude)
     return _antisymmetric_part(covector @ _transpose(R))
 
@@ -39,7 +39,7 @@ def lifted_action(
 
     It does not change the body momentum, and turns the space momentum by G.
     """
-    refuse_single_precision(covector=covector)
+    require_doubles(covector=covector)
     return rotation.multiply(turn, attitude), rotation.as_matrix(turn) @ covector
 
 

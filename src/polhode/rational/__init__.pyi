@@ -1,2 +1,1 @@
-from .numbers import exact_number as exact_number
-from .numbers import exact_numbers as exact_numbers
+from .numbers import read_number as read_number

@@ -128,10 +128,7 @@ def count_roots_beyond(polynomial: Sequence[Fraction], line: Fraction) -> int | 
     Source: Gantmacher, *The Theory of Matrices* II, ch. XV §3 (Routh's theorem: as many as the first column has changes
     of sign).
     """
-    shifted = list(polynomial)
-    for k in range(len(shifted) - 1):  # Horner's shift of the origin
-        for j in range(1, len(shifted) - k):
-            shifted[j] += line * shifted[j - 1]
+    shifted = shift_origin(polynomial, line)
     one, two = shifted[0::2], shifted[1::2]
     column = [one[0]]
     for _ in range(len(shifted) - 1):
@@ -141,3 +138,64 @@ def count_roots_beyond(polynomial: Sequence[Fraction], line: Fraction) -> int | 
         padded = [*two, Fraction(0)]
         one, two = two, [one[k + 1] - one[0] / two[0] * padded[k + 1] for k in range(len(one) - 1)]
     return sum(a * b < 0 for a, b in pairwise(column))
+
+
+def shift_origin(polynomial: Sequence[Fraction], line: Fraction) -> list[Fraction]:
+    """Return the coefficients, highest power first, of p(x + line) [Horner]."""
+    shifted = list(polynomial)
+    for k in range(len(shifted) - 1):
+        for j in range(1, len(shifted) - k):
+            shifted[j] += line * shifted[j - 1]
+    return shifted
+
+
+def is_hurwitz(polynomial: Sequence[Fraction]) -> bool:
+    """Whether all roots have a negative real part: only then Routh's array ends with all of one sign."""
+    return count_roots_beyond(polynomial, Fraction(0)) == 0
+
+
+def signature(matrix: Sequence[Sequence[Fraction]]) -> tuple[int, int, int]:
+    """Return how many eigenvalues of a symmetric matrix are positive, zero and negative [Sylvester].
+
+    Lagrange's reduction; where the diagonal is zero x y = ¼ (x + y)² − ¼ (x − y)² counts one of each sign.
+    """
+    left, positive, negative = [list(row) for row in matrix], 0, 0
+    while any(any(row) for row in left):
+        n = len(left)
+        k = next((k for k in range(n) if left[k][k]), None)
+        if k is None:
+            i, j = next((i, j) for i in range(n) for j in range(n) if left[i][j])
+            left = _add_row_and_column(left, i, j)
+            k = i
+        pivot = left[k][k]
+        positive, negative = positive + (pivot > 0), negative + (pivot < 0)
+        rest = [i for i in range(n) if i != k]
+        left = [[left[i][j] - left[i][k] * left[k][j] / pivot for j in rest] for i in rest]
+    return positive, len(matrix) - positive - negative, negative
+
+
+def _add_row_and_column(matrix: Rows, i: int, j: int) -> Rows:
+    """Return the same form in coordinates in which the i-th direction is the sum of two."""
+    rows = [list(row) for row in matrix]
+    rows[i] = [x + y for x, y in zip(rows[i], rows[j], strict=True)]
+    for row in rows:
+        row[i] += row[j]
+    return rows
+
+
+def determinant(matrix: Sequence[Sequence[Fraction]]) -> Fraction:
+    """Return the determinant, by elimination."""
+    left, value = [list(row) for row in matrix], Fraction(1)
+    while left:
+        place = next((k for k, row in enumerate(left) if row[0]), None)
+        if place is None:
+            return Fraction(0)
+        pivot = left.pop(place)
+        value *= pivot[0] if place % 2 == 0 else -pivot[0]
+        left = [[x - row[0] / pivot[0] * y for x, y in zip(row[1:], pivot[1:], strict=True)] for row in left]
+    return value
+
+
+def rank(matrix: Sequence[Sequence[Fraction]]) -> int:
+    """Return the rank."""
+    return len(reduce_rows(matrix, len(matrix[0]))[1]) if matrix else 0

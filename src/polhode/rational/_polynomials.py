@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
@@ -98,20 +99,24 @@ class RationalPolynomial:
         """Return the rate of change along a field, Σ f_k ∂/∂x_k."""
         return total(self.size, (f * self.derivative(k) for k, f in enumerate(field)))
 
-    def shift(self, point: Sequence[Fraction]) -> RationalPolynomial:
-        """Return the polynomial of v whose value is that of this one at point + v."""
-        moved = [x + z for x, z in zip(self.variables(self.size), point, strict=True)]
-        powers: list[list[RationalPolynomial]] = [[self.constant(1)] for _ in moved]
-        parts = []
-        for m, c in self.terms.items():
-            term = self.constant(c)
-            for k, exponent in enumerate(m):
-                while len(powers[k]) <= exponent:
-                    powers[k].append(powers[k][-1] * moved[k])
-                if exponent:
-                    term = term * powers[k][exponent]
-            parts.append(term)
-        return total(self.size, parts)
+    def shift(self, point: Sequence[Fraction], highest: int | None = None) -> RationalPolynomial:
+        """Return the polynomial of v whose value is that of this one at point + v; without terms above a degree.
+
+        One coordinate after the other, (z + v)^m = Σ C(m, j) z^(m−j) v^j: the power of a sum of coordinates, whose
+        terms times each other would be millions, takes thousands.
+        """
+        terms, most = dict(self.terms), self.degree if highest is None else highest
+        for k, z in enumerate(point):
+            moved: dict[Exponents, Fraction] = defaultdict(Fraction)
+            powers = [Fraction(1)]
+            for m, c in terms.items():
+                while len(powers) <= m[k]:
+                    powers.append(powers[-1] * z)
+                before = sum(m[:k])
+                for j in range(m[k] if not z else 0, min(m[k], most - before) + 1):
+                    moved[(*m[:k], j, *m[k + 1 :])] += math.comb(m[k], j) * c * powers[m[k] - j]
+            terms = moved
+        return RationalPolynomial(self.size, terms)
 
     def at(self, point: Sequence[Fraction]) -> Fraction:
         """Return the value at a point."""

@@ -41,7 +41,7 @@ def _reduce_rows(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[in
     try:
         from flint import fmpq, fmpq_mat
     except ImportError:
-        raise not_installed("exact linear algebra", "python-flint", "symbolic") from None
+        raise not_installed("Exact Casimirs and integrals", "python-flint", "symbolic") from None
     pairs: list[tuple[int, dict[int, Fraction]]] = []
     for block, unknowns in _blocks(rows, columns):
         matrix = fmpq_mat(len(block), len(unknowns))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -89,10 +89,28 @@ def about_axes(name: str, axes: Float64[Array, "3 3"], explanation: str = "") ->
     return [Answer(name, axes, "", "", said), *lines]
 
 
+def motion_error(trajectory: Trajectory) -> float | None:
+    """Return the error of what is computed of a motion's states, as an ``Answer`` has it."""
+    if trajectory.motion is not None:  # in closed form
+        return 0.0
+    return None if trajectory.error_estimate is None else float(trajectory.error_estimate)
+
+
+def from_motion(trajectory: Trajectory, answers: Iterable[Answer]) -> list[Answer]:
+    """Return answers that come from the states of a motion after its start, with the error of these."""
+    error = motion_error(trajectory)
+    return [answer._replace(error=error) for answer in answers]
+
+
 def accuracy(trajectory: Trajectory, label: str = "drift") -> list[Answer]:
     """Return how well the motion conserves its invariants, and an estimate of the error of its states."""
-    error = trajectory.error_estimate
-    words = None if error is None or not np.isfinite(error) else f"{float(error):.1e}"
+    error = motion_error(trajectory)
+    if error is None:
+        words = "none was made; numbers from the motion have three digits at most"
+    elif not math.isfinite(error):
+        words = "not known: further runs came elsewhere, or failed"
+    else:
+        words = f"{error:.1e}" if error else None
     return [
         Answer("", None, "", label, "", drifts(trajectory.drift)),
         Answer("", None, "", "state error estimate, relative", "", words),

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.reports.wording import write_value
+from polhode.reports.wording import round_words, write_value
 
 
 class Answer(NamedTuple):
@@ -21,6 +21,8 @@ class Answer(NamedTuple):
         label: of its line in the text. Empty for what is only in the JSON.
         explanation: what else a reader must know of the value: along which axes, when, of what.
         text: the value in words; None to word it by its unit. An answer without a value has no line.
+        error: estimate of the value's error relative to its size, which decides how many digits the words have; None
+            where there is none, zero where the value does not come from steps.
     """
 
     name: str
@@ -29,13 +31,15 @@ class Answer(NamedTuple):
     label: str = ""
     explanation: str = ""
     text: str | None = None
+    error: float | None = 0.0
 
     @property
     def words(self) -> str | None:
         """The value for people; None where there is nothing to say."""
         if isinstance(self.value, float) and math.isnan(self.value):
             return None
-        return write_value(self.value, self.unit) if self.text is None else self.text
+        words = write_value(self.value, self.unit) if self.text is None else self.text
+        return None if words is None else round_words(words, self.error)
 
 
 class Group(NamedTuple):
@@ -63,6 +67,7 @@ class Table(NamedTuple):
         key: value by which the JSON has the rows, as an object; empty for a list of rows.
         shown: whether a row stands in the text, from its values.
         proofs: columns like ``columns`` that stand in the text only where proofs are asked for.
+        errors: head of a column → error of its numbers, as an ``Answer`` has it; of others they do not come from steps.
     """
 
     name: str
@@ -73,11 +78,13 @@ class Table(NamedTuple):
     key: str = ""
     shown: Callable[[dict[str, Any]], bool] = lambda row: True
     proofs: dict[str, Callable[[dict[str, Any]], str]] = {}  # noqa: RUF012
+    errors: dict[str, float | None] = {}  # noqa: RUF012
 
     @property
     def cells(self) -> list[list[str]]:
         """The rows of the text."""
-        return [[cell(row) for cell in self.columns.values()] for row in self.rows if self.shown(row)]
+        return [[round_words(cell(row), self.errors.get(head, 0.0)) for head, cell in self.columns.items()]
+                for row in self.rows if self.shown(row)]  # fmt: skip
 
     def with_proofs(self) -> Table:
         """Return the table with the columns of its proofs."""

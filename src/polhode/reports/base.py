@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from polhode.analysis._mechanics import Mechanics
 from polhode.motion._trajectory import Trajectory
+from polhode.reports.about import motion_error
 from polhode.reports.answer import plain
 from polhode.reports.report import Report
+from polhode.reports.wording import round_words
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -79,6 +81,10 @@ class MotionReport(SystemReport):
     def shown_part(self) -> str:
         """A sentence that says which part of the motion ``shown`` is; empty where it is all of it."""
         return ""
+
+    def rounded(self, words: str) -> str:
+        """Return words about the motion without digits finer than its error."""
+        return round_words(words, motion_error(self.trajectory))
 
     @property
     def mechanics(self) -> Mechanics | None:

@@ -18,6 +18,7 @@ SAID_FROM = 5.0  # s from which it is said
 WATCHED, PATIENCE = 0.5, 10.0  # s after which a run's speed is known, and after which none is ended any more
 PART, PARTS = 1.0, 2  # s: a longer part of a run is assumed to include compiling, at most so many times
 RUNS = 5.0  # what a run and those that tell its error take, in times of the run itself: 3.5 to 5.5 were measured
+RUNS_BY_EQUAL_STEPS = 2.5  # the same where steps are equal: the others take steps twice as long
 UNCOUNTED = 1e15  # steps, beyond which nobody needs to know how many
 FEWER = "Check the units, or give a shorter `until` under [time]."
 DURATIONS = ((60.0, "s"), (60.0, "min"), (24.0, "h"), (365.25, "days"))

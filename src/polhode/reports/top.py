@@ -19,7 +19,15 @@ from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.reports.about import GIVEN, about_axes, accuracy, stability_values, verdicts
+from polhode.reports.about import (
+    GIVEN,
+    about_axes,
+    accuracy,
+    from_motion,
+    motion_error,
+    stability_values,
+    verdicts,
+)
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
 from polhode.reports.wording import distinct, unit_in_words, vector
@@ -104,7 +112,7 @@ class TopReport(MotionReport):
         case = "" if self.top.case is None else f" It is {self.top.case[0]}'s case, with a third integral."
         least, most = f"{low:.5g}°", f"{high:.5g}°"
         leans = f"by {least}" if least == most else f"between {least} and {most}"
-        return f"The axis to the centre of mass leans {leans} from the vertical.{case}"
+        return self.rounded(f"The axis to the centre of mass leans {leans} from the vertical.{case}")
 
     @property
     def answers(self) -> list[Group | Table]:
@@ -133,7 +141,8 @@ class TopReport(MotionReport):
         said = lambda what: lambda row: "–" if row[what] is None else f"{row[what]:.6g} rad/s"  # noqa: E731
         columns = {"": lambda row: row["words"], "precession": said("precession"), "nutation": said("nutation")}
         units = {"precession": "rad/s", "nutation": "rad/s"}
-        return [Table("rates", "Precession and nutation", columns, rows, units, key="by")]
+        errors = {head: motion_error(self.trajectory) for head in ("precession", "nutation")}
+        return [Table("rates", "Precession and nutation", columns, rows, units, key="by", errors=errors)]
 
     @property
     def axial_momentum(self) -> float:
@@ -143,8 +152,10 @@ class TopReport(MotionReport):
     def kept(self) -> list[Answer]:
         """Return the invariants at the start, and the tilt of the samples."""
         return [
-            Answer("tilt.smallest", float(self.tilt.min()), "rad", "smallest tilt sampled", "of the samples"),
-            Answer("tilt.largest", float(self.tilt.max()), "rad", "largest tilt sampled", "of the samples"),
+            *from_motion(self.trajectory, [
+                Answer("tilt.smallest", float(self.tilt.min()), "rad", "smallest tilt sampled", "of the samples"),
+                Answer("tilt.largest", float(self.tilt.max()), "rad", "largest tilt sampled", "of the samples"),
+            ]),
             *(
                 Answer(f"invariants.{name}", float(np.asarray(value)[0]),
                        unit_in_words(self.trajectory.quantity(name).unit), name.replace("_", " "))

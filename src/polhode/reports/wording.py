@@ -18,6 +18,7 @@ PREFIXES = {1e-3: "m", 1e-6: "µ", 1e-9: "n", 1e-12: "p", 1e-15: "f"}
 LARGE_PREFIXES = {1e15: "P", 1e12: "T", 1e9: "G", 1e6: "M", 1e3: "k"}
 ARCSECONDS = math.radians(0.01)  # angles below it are read in them
 SLOW, FAST = 1e-4, 1e5  # rad/s; slower ones are read in degrees a day, faster ones in turns a second
+ROUGH = 2  # digits of an estimate whose error is not known
 KEPT = {"momentum_norm": "|L|", "momentum_space": "L in space"}
 RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -47,7 +48,14 @@ def uncertain(value: float, error: float | None, unit: str = "", digits: int = 1
     ('1230 ± 90 s', '6.14332e-06 ± 2e-11', '0 ± 4', '0.5')
     >>> uncertain(81.39190987, 9.1, "s", 2), uncertain(0.35792, 0.0134, digits=2)
     ('81.4 ± 9.1 s', '0.358 ± 0.013')
+
+    NaN is an error of which nothing is known, and few digits are then given:
+
+    >>> uncertain(0.35792, float("nan"))
+    'about 0.36'
     """
+    if error is not None and math.isnan(error):
+        return f"about {value:.{ROUGH}g} {unit}".rstrip()
     if error is None or not (math.isfinite(error) and error > 0.0 and math.isfinite(value)):
         return f"{value:.8g} {unit}".rstrip()
     longer, short = f"{error:.1e}", f"{error:.0e}"
@@ -74,6 +82,58 @@ def count_known_digits(value: float, error: float | None, most: int = 8) -> int:
     if error is None or not (math.isfinite(error) and error > 0.0 and value and math.isfinite(value)):
         return most
     return min(max(math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 1, 1), most)
+
+
+UNESTIMATED = 3  # digits of a number whose error is not estimated: fewer than people would copy, enough for a picture
+WHOLE = 4  # digits up to which whole numbers in words are counts, and stay as they are
+_NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
+_NUMBERS = re.compile(rf"\({_NUMBER}(?:, {_NUMBER})+\)|(?<![\w.,]){_NUMBER}(?![\w,]*\d)")
+
+
+def round_words(words: str, error: float | None) -> str:
+    """Return words with no digits in their numbers that are finer than an error relative to each number's size.
+
+    The components of a vector have the size of the largest. Numbers with "±" before or after them say their own error.
+
+    Args:
+        words: with numbers.
+        error: relative; zero where all digits are known, None where it is not estimated, which leaves three digits.
+
+    >>> round_words("(-0.264371, 0.562968, 0.00078) T", 2e-3), round_words("28.6479° = 0.5 rad", 1e-3)
+    ('(-0.264, 0.563, 0.001) T', '28.65° = 0.5 rad')
+    >>> round_words("-1.0907448e-23 J of 1024 spins", None), round_words("1.3456 ± 0.0012 meV", None)
+    ('-1.09e-23 J of 1024 spins', '1.3456 ± 0.0012 meV')
+    """
+    if error == 0.0:
+        return words
+
+    def rounded(match: re.Match[str]) -> str:
+        begin, end = match.span()
+        if "±" in words[max(begin - 2, 0) : end + 2]:
+            return match[0]
+        size = max(abs(float(x)) for x in re.findall(_NUMBER, match[0]))
+        if not 0.0 < size < math.inf:
+            return match[0]
+        leading = math.floor(math.log10(size))
+        if error is None:
+            last = leading - UNESTIMATED + 1
+        else:
+            last = leading if not math.isfinite(error) else min(math.floor(math.log10(error * size)), leading)
+        return re.sub(_NUMBER, lambda one: _cut(one[0], last), match[0])
+
+    return _NUMBERS.sub(rounded, words)
+
+
+def _cut(text: str, last: int) -> str:
+    """Return a number without digits finer than those of 10^last."""
+    mantissa, _, power = text.partition("e")
+    finest = int(power or 0) - len(mantissa.partition(".")[2])
+    if finest >= last or (finest == 0 and len(mantissa.lstrip("+-")) <= WHOLE):
+        return text
+    number = round(Decimal(text), -last)
+    if not number:
+        return "0"
+    return f"{float(number):.{max(number.adjusted() - last, 0)}e}" if power else f"{number:.{max(-last, 0)}f}"
 
 
 def angle(value: float | None, error: float | None = None) -> str | None:

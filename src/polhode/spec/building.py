@@ -16,11 +16,9 @@ from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.mesh import load_mesh
-from polhode.formats.mjcf import read_mjcf_inertial, read_mjcf_robot
 from polhode.formats.molecule import read_molecule
-from polhode.formats.sdf import read_sdf_inertial, read_sdf_robot
-from polhode.formats.urdf import read_urdf_inertial, read_urdf_robot
 from polhode.spec.assembly import body_of_mesh, build_assembly, build_part
+from polhode.spec.body_files import read_body_file
 from polhode.spec.built import BuiltBody
 from polhode.spec.known_inertia import build_known
 from polhode.spec.mistakes import as_message, list_mistakes
@@ -29,13 +27,6 @@ from polhode.spec.parsing import read_tables
 from polhode.spec.rules import find_broken_body_rules
 from polhode.special._circular import cosine_and_sine
 from polhode.types import Array, Float64
-
-ROBOTS = {
-    "urdf": (read_urdf_inertial, read_urdf_robot),
-    "sdf": (read_sdf_inertial, read_sdf_robot),
-    "mjcf": (read_mjcf_inertial, read_mjcf_robot),
-}
-"""How one link and how all links of a robot description are read, by the key that names the file."""
 
 
 def build_body(table: BodyTable, folder: Path, file: Path | None = None) -> BuiltBody:
@@ -102,7 +93,7 @@ class _Files:
             return BuiltBody(body, tuple(f"mesh {table.mesh}: {note}" for note in read.notes))
         if table.moments is not None or table.inertia is not None:
             return build_known(table)
-        return BuiltBody(_of_molecule_or_robot(table, folder))
+        return BuiltBody(_of_molecule_or_file(table, folder))
 
     def read(self, path: Path, above: tuple[Path, ...]) -> BuiltBody:
         place = path.resolve()
@@ -119,7 +110,7 @@ class _Files:
         return self.built[place]
 
 
-def _of_molecule_or_robot(table: BodyTable, folder: Path) -> Body:
+def _of_molecule_or_file(table: BodyTable, folder: Path) -> Body:
     if table.rotational_constants is not None:
         try:
             return Body.from_rotational_constants(
@@ -132,11 +123,9 @@ def _of_molecule_or_robot(table: BodyTable, folder: Path) -> Body:
         atoms = read_molecule(folder / table.molecule)
         with _of_file("molecule", table.molecule):
             return Body.from_atoms(*atoms)
-    for kind, (read_link, read_robot) in ROBOTS.items():
-        if (name := getattr(table, kind)) is not None:
-            if table.joints is not None:
-                return read_robot(folder / name, table.joints, table.rounding)
-            return read_link(folder / name, table.link, table.rounding)
+    if table.file is not None:
+        key, name = table.file
+        return read_body_file(key, folder / name, table.link, table.joints, table.rounding)
     raise AssertionError("the rules let a body have one source")
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Sequence
-from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ import numpy as np
 from polhode import rotation
 from polhode.analysis._ball_turns import multiply
 from polhode.formats.opening import read_text
+from polhode.rational import read_number
 from polhode.spec.parsing import LARGEST
 from polhode.spec.units import parse_exactly
 from polhode.types import Array, Float64
@@ -30,8 +30,12 @@ def exact_numbers(path: Path, axes: Float64[Array, "3 3"]) -> dict[str, Numbers]
     Args:
         path: of a spec that has been read without a mistake.
         axes: (3, 3) the principal axes by columns in the given ones.
+
+    Raises:
+        InvalidInput: for numbers beyond those that exact arithmetic takes.
     """
-    tables = tomllib.loads(read_text(path, "spec", LARGEST), parse_float=Decimal)
+    # numbers without quotes as the text that they are
+    tables = tomllib.loads(read_text(path, "spec", LARGEST), parse_float=lambda text: text.replace("_", ""))
     turn = np.round(axes).astype(int)
     if not (turn == axes).all():  # the given axes are no principal ones, so that eigenvectors come in
         return {}
@@ -75,5 +79,5 @@ def _attitude(given: Any, axes: Float64[Array, "3 3"]) -> Numbers | None:
     """Return the quaternion of an attitude that is given as one, not of unit length."""
     if not isinstance(given, list):
         return None
-    to_principal = [Fraction(x) for x in rotation.from_matrix(axes).tolist()]
-    return multiply([Fraction(x) for x in given], to_principal)
+    to_principal = [read_number(x) for x in rotation.from_matrix(axes).tolist()]
+    return multiply([read_number(x, name="spin.attitude") for x in given], to_principal)

@@ -16,6 +16,7 @@ from polhode.spec.models import SpecFile
 from polhode.spec.rules import list_words
 
 TOP = ("body", "spin", "time", "system")
+LONGEST_PLACE = 9  # digits of a place in a list
 
 
 class Number(NamedTuple):
@@ -67,6 +68,11 @@ def _names(key: str) -> list[str]:
     return ["body", "part", *names[2:]] if names[:2] == ["body", "parts"] else names
 
 
+def is_place(name: str) -> bool:
+    """Whether a name in a key is a place in a list, of which Python's own reading would take digits of any number."""
+    return name.isascii() and name.isdecimal() and len(name) <= LONGEST_PLACE
+
+
 def _inside(at: Any, part: str, key: str) -> tuple[Any, list[Any]]:
     """Return the annotation of one field or place, and its metadata."""
     at, _ = _bare(at, [])
@@ -79,9 +85,9 @@ def _inside(at: Any, part: str, key: str) -> tuple[Any, list[Any]]:
         return field.annotation, list(field.metadata)
     items = get_args(at) if get_origin(at) in (tuple, list) else ()
     most = len(items) if get_origin(at) is tuple else 10**6
-    if not items or not part.isdecimal() or not 1 <= int(part) <= most:
+    if not items or not is_place(part) or not 1 <= int(part) <= most:
         places = f"a place from 1 to {most}" if get_origin(at) is tuple else "a place, counted from 1"
-        raise ValueError(f"needs {places if items else 'to end'} before .{part}; got {shown(key)}")
+        raise ValueError(f"needs {places if items else 'to end'} before {shown('.' + part)}; got {shown(key)}")
     return items[min(int(part), len(items)) - 1], []
 
 
@@ -116,8 +122,8 @@ def with_value(tables: dict[str, Any], key: str, value: Any) -> dict[str, Any]:
         inner = at[place] if isinstance(place, int) or place in at else {}
         if isinstance(inner, str) and name == "system":  # its short form, the kind alone
             inner = {"kind": inner}
-        if not isinstance(inner, dict | list) or (after.isdecimal() != isinstance(inner, list)):
-            why = f"cannot be set, as the spec has no list or table at {name}"
+        if not isinstance(inner, dict | list) or (is_place(after) != isinstance(inner, list)):
+            why = f"cannot be set, as the spec has no list or table at {shown(name)}"
             raise ValueError(f"{why}; got {shown(key)}. Write it out")
         at[place] = copy.copy(inner)
         at = at[place]

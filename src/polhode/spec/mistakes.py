@@ -12,7 +12,7 @@ from typing import Any, get_args, get_origin
 from pydantic import BaseModel, ValidationError
 
 from polhode.errors import shown
-from polhode.spec.models import SpecFile
+from polhode.spec.models import SpecFile, known_keys
 from polhode.spec.rules import Location, Mistake
 
 LONGEST = 1600  # characters of all mistakes together
@@ -65,7 +65,7 @@ def _word_mistake(mistake: Any, root: type[BaseModel], beside: Sequence[str], at
     kind, last = mistake["type"], mistake["loc"][-1]
     if kind == "extra_forbidden":
         model = _model_at(mistake["loc"][:-1], root)
-        known = [*model.model_fields, *(["system", "sweep", *beside] if model is SpecFile else [])]
+        known = [*known_keys(model), *(["system", "sweep", *beside] if model is SpecFile else [])]
         if (table := _table_with(str(last), model, (*at, *mistake["loc"][:-1]))) is not None:
             return f"unknown key; it goes into {table}"
         near = difflib.get_close_matches(str(last), known, n=1)
@@ -88,7 +88,7 @@ def _table_with(key: str, model: type[BaseModel], location: Location) -> str | N
     """Return the table within another one that takes a key, as a file writes it; None without one."""
     for name, field in model.model_fields.items():
         inner = _model_in(field.annotation)
-        if inner is not None and key in inner.model_fields:
+        if inner is not None and key in known_keys(inner):
             table = _key((*location, name))
             return f"[[{table}]]" if any(get_origin(of) is list for of in _parts_of(field.annotation)) else f"[{table}]"
     return None
@@ -104,7 +104,7 @@ def _model_at(location: Location, model: type[BaseModel]) -> type[BaseModel]:
     inside: Any = model
     for part in location:
         if isinstance(part, str):
-            inside = model.model_fields[part].annotation
+            inside = str if part not in model.model_fields else model.model_fields[part].annotation  # a file's name
         else:  # a place of a list, whose entries may have models of their own
             entries = next(filter(lambda of: get_origin(of) is tuple, (inside, *get_args(inside))), None)
             each = get_args(entries)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+from collections.abc import Callable
+from functools import cache
+from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PrivateAttr, create_model, model_validator
 
+from polhode.spec.body_files import body_file_keys, reserve_keys
 from polhode.spec.export import ExportTable
 from polhode.spec.fields import (
     Angle,
@@ -132,7 +135,10 @@ def _as_list(value: object) -> object:
 
 
 class BodyTable(Strict):
-    """Where the body comes from: exactly one of the keys that ``rules.SOURCES`` lists."""
+    """Where the body comes from: exactly one of the keys that ``rules.body_sources`` lists.
+
+    Besides the fields there is a key for each format of files that hold a body; ``file`` has such a key and its file.
+    """
 
     mesh: str | None = None
     mesh_unit: MeshUnit | None = None
@@ -149,17 +155,50 @@ class BodyTable(Strict):
     rounding: Digits | None = None
     part: Annotated[list[PartTable], Field(min_length=1), BeforeValidator(_as_list)] | None = None
     molecule: str | None = None
-    urdf: str | None = None
-    sdf: str | None = None
-    mjcf: str | None = None
     link: str | None = None
     joints: Joints | None = None
     look: BodyLook | None = None
+    _file: tuple[str, str] | None = PrivateAttr(None)
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _take_file(cls, value: Any, handler: Callable[[Any], BodyTable]) -> BodyTable:
+        keys = body_file_keys()
+        if cls is not BodyTable or not isinstance(value, dict) or not set(keys) & value.keys():
+            return handler(value)
+        checked = _with_keys(keys).model_validate(value)  # what is wrong with a file's name has its place like the rest
+        fields = {name: getattr(checked, name) for name in BodyTable.model_fields}
+        table = BodyTable.model_construct(checked.model_fields_set & fields.keys(), **fields)
+        named = ((key, getattr(checked, key)) for key in keys)
+        table._file = next(((key, name) for key, name in named if name is not None), None)
+        return table
+
+    @property
+    def file(self) -> tuple[str, str] | None:
+        """The key of the format of a file that holds the body, and the file; None where it comes from elsewhere."""
+        return self._file
 
     @property
     def is_molecule(self) -> bool:
         """Whether it is a molecule, given by atoms or by rotational constants."""
         return self.molecule is not None or self.rotational_constants is not None
+
+
+reserve_keys(BodyTable.model_fields)
+
+
+@cache
+def _with_keys(keys: tuple[str, ...]) -> type[BodyTable]:
+    files: dict[str, Any] = {key: (str | None, None) for key in keys}
+    return create_model("BodyTable", __base__=BodyTable, **files)
+
+
+def known_keys(model: type[BaseModel]) -> list[str]:
+    """Return the keys of a table."""
+    keys = list(model.model_fields)
+    if model is BodyTable:
+        keys[keys.index("link") : keys.index("link")] = body_file_keys()
+    return keys
 
 
 class SpinTable(Strict):

@@ -60,7 +60,7 @@ def find_part(family: Family, name: str) -> type[AbstractAttachment]:
         hint = f"did you mean {near[0]}? " if near else ""
         raise InvalidInput(f"names no {family.word}: {shown(name)}; {hint}known are {', '.join(names)}")
     point = others[name]
-    found = load_entry_point(point, family.word)
+    found = load_entry_point(point)
     if not (isinstance(found, type) and issubclass(found, _base(family))):
         raise InvalidInput(
             f"the {family.word} {name} of another package, {point.value}, is not an {family.base[1]}. Update it."
@@ -89,4 +89,4 @@ def _own(family: Family) -> dict[str, type[AbstractAttachment]]:
 
 @cache
 def _others(family: Family) -> dict[str, Any]:
-    return find_entry_points(family.group, family.word, _own(family))
+    return find_entry_points(family.group, _own(family))

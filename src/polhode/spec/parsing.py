@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from polhode.errors import FormatError
+from polhode.errors import FormatError, shown
 from polhode.formats.opening import MB, read_text
 
 LARGEST = MB  # bytes; some thousand parts
@@ -30,7 +30,9 @@ def read_tables(path: Path, kind: str = "spec") -> dict[str, Any]:
     if _longest_key(text) > DOTS:
         raise FormatError(f"{path}: has a key of more than {DOTS} names with dots between. A spec needs three.")
     try:
-        tables = tomllib.loads(text)
+        tables = tomllib.loads(text, parse_float=_read_float)
+    except FormatError as error:
+        raise FormatError(f"{path}: {error}") from None
     except tomllib.TOMLDecodeError as error:
         if path.suffix.lower() in ATOMS:
             raise FormatError(
@@ -53,6 +55,14 @@ def name_parts(tables: dict[str, Any]) -> dict[str, Any]:
     if not isinstance(body, dict) or "parts" not in body or "part" in body:
         return tables
     return tables | {"body": {"part" if key == "parts" else key: value for key, value in body.items()}}
+
+
+def _read_float(text: str) -> float:
+    """Return a number of TOML as Python does, but none of which a double keeps nothing."""
+    value = float(text)
+    if value == 0.0 and re.search("[1-9]", re.split("[eE]", text)[0]):
+        raise FormatError(f"has the number {shown(text)}, which is too small for a double. Write 0 if zero is meant.")
+    return value
 
 
 def _too_deep(path: Path) -> str:

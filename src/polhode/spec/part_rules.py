@@ -75,8 +75,6 @@ def _of_shape(part: dict[str, Any], density_of_all: bool) -> Iterator[str]:
             yield f"a {shape} has no volume, so that no mass follows from density; give mass"
         elif "mass" not in part:
             yield 'mass is missing; give it like "30 g"'
-        if part.get("cut") is True:
-            yield f"a {shape} has no volume to cut away; leave out cut"
         return
     yield from _of_amount(part, density_of_all, f"a {shape}", hollow)
 

@@ -11,6 +11,7 @@ from typing import Any
 
 from polhode.errors import shown
 from polhode.formats.mesh import names_its_unit
+from polhode.spec.body_files import body_file_keys
 from polhode.spec.export import export_rules
 from polhode.spec.models import LOOK_SOURCES, ONE_PART, SystemTable
 from polhode.spec.part_rules import find_broken_part_rules
@@ -19,17 +20,16 @@ from polhode.spec.words import list_words
 
 Location = tuple[str | int, ...]
 Mistake = tuple[Location, str]
-SOURCES = ("mesh", "moments", "inertia", "rotational_constants", "part", "molecule", "urdf", "sdf", "mjcf")
-ROBOTS = ("urdf", "sdf", "mjcf")
-OF_INERTIA = {
-    "center_of_mass": ("inertia", "moments"),
-    "about": ("inertia",),
-    "rounding": ("inertia", "moments", *ROBOTS),
-}
+SOURCES = ("mesh", "moments", "inertia", "rotational_constants", "part", "molecule")
 NO_BODY = 'is missing; say what rotates, like moments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"] under [body]'
 WAYS = ("angular_velocity", "momentum", "rate", "temperature")
 OF_A_TOP = ("spin", "precession", "nutation_rate")
 OF_A_CONE = ("spin", "precession", "nutation")
+
+
+def body_sources() -> tuple[str, ...]:
+    """Return the keys of [body] of which one must say where the body comes from."""
+    return (*SOURCES, *body_file_keys())
 
 
 def find_broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) -> Iterator[Mistake]:
@@ -106,9 +106,10 @@ def _cone_rules(spin: dict[str, Any], kind: str, takes: bool) -> Iterator[str]:
 
 
 def _body_rules(body: dict[str, Any]) -> Iterator[str]:
-    sources = [key for key in SOURCES if key in body]
+    files = body_file_keys()
+    sources = [key for key in body_sources() if key in body]
     if len(sources) != 1:
-        yield f"needs exactly one of {list_words(SOURCES)}; got {list_words(sources)}"
+        yield f"needs exactly one of {list_words(body_sources())}; got {list_words(sources)}"
     if "mesh" in body:
         if "mesh_unit" not in body and not names_its_unit(str(body["mesh"])):
             yield 'needs mesh_unit, like "mm": such mesh files carry no unit'
@@ -119,15 +120,15 @@ def _body_rules(body: dict[str, Any]) -> Iterator[str]:
         if extra := [key for key in of_mesh if key in body]:
             verb = "goes" if len(extra) == 1 else "go"
             yield f"{list_words(extra)} {verb} with a mesh, not with {sources[0]}; leave it out"
-        if "mass" in body and sources[0] in ("part", "molecule", *ROBOTS):
+        if "mass" in body and sources[0] in ("part", "molecule", *files):
             what = "parts" if sources[0] == "part" else sources[0]
             yield f"mass follows from the {what}; leave it out"
     yield from _inertia_rules(body)
     if "allow_vibration" in body and "rotational_constants" not in body:
         yield "allow_vibration goes with rotational_constants; leave it out"
     for key in ("link", "joints"):
-        if key in body and not set(ROBOTS) & set(body):
-            yield f"{key} goes with {list_words(ROBOTS, 'or')}; leave it out"
+        if key in body and not set(files) & set(body):
+            yield f"{key} goes with {list_words(files, 'or')}; leave it out"
     if "link" in body and "joints" in body:
         yield "link names one link, and joints put all of them together; leave one out"
     if isinstance(look := body.get("look"), str) and len(sources) == 1:
@@ -136,7 +137,9 @@ def _body_rules(body: dict[str, Any]) -> Iterator[str]:
 
 def _inertia_rules(body: dict[str, Any]) -> Iterator[str]:
     """Yield what is wrong with the keys that go with known moments or a tensor."""
-    for key, wanted in OF_INERTIA.items():
+    of_inertia = {"center_of_mass": ("inertia", "moments"), "about": ("inertia",),
+                  "rounding": ("inertia", "moments", *body_file_keys())}  # fmt: skip
+    for key, wanted in of_inertia.items():
         if key in body and not set(wanted) & set(body):
             yield f"{key} goes with {list_words(wanted, 'or')}; leave it out"
     if "about" in body and "inertia" in body and "mass" not in body:

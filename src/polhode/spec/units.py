@@ -8,9 +8,11 @@ import re
 import sys
 from fractions import Fraction
 from functools import cache, lru_cache
+from pathlib import Path
 from typing import Any
 
-from polhode.errors import shown
+from polhode.errors import InvalidInput, shown
+from polhode.rational import read_number
 
 SPEED_OF_LIGHT = 299792458.0  # m/s, exact by definition
 EXAMPLES = {
@@ -68,9 +70,12 @@ ANGLES = {"radian", "degree", "turn", "arcminute", "arcsecond", "milliarcsecond"
 def _registry() -> Any:
     import pint
 
+    from polhode.spec.kept_units import load_registry
+
+    folder = os.environ.get(KEPT)
     try:
-        registry = pint.UnitRegistry(cache_folder=os.environ.get(KEPT))
-    except Exception:  # what was kept is damaged, in whatever way, or cannot be written
+        registry = load_registry(Path(folder)) if folder else pint.UnitRegistry()
+    except OSError:  # there is no room for temporary files
         registry = pint.UnitRegistry()
     registry.define("rev = turn")
     registry.define("dps = degree / second")
@@ -101,10 +106,13 @@ def parse_exactly(value: Any, unit: str) -> Fraction | None:
     parts = QUANTITY.fullmatch(value)
     assert parts is not None
     one = parse_quantity(f"1 {parts['unit']}", unit)
-    factor = Fraction(f"{one:.12g}")
-    if abs(factor - Fraction(one)) > Fraction(one) * Fraction(4 * sys.float_info.epsilon):
+    factor = read_number(f"{one:.12g}")
+    if abs(factor - read_number(one)) > factor * read_number(4 * sys.float_info.epsilon):
         return None
-    return Fraction(parts["number"]) * factor
+    try:
+        return read_number(parts["number"]) * factor
+    except InvalidInput as error:
+        raise ValueError(str(error).removeprefix("`number` ").rstrip(".")) from None
 
 
 def find_example(unit: str) -> str:

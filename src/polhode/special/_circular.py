@@ -73,27 +73,30 @@ def split_rate(high: Operand, low: Operand) -> tuple[Result, Result, Result]:
 
 
 def reduced_phase(
-    rate: tuple[Operand, ...], time_halves: tuple[Operand, ...]
+    rate: tuple[Operand, ...], time: tuple[Operand, ...]
 ) -> tuple[Result, Result, Result]:
     """Return (fraction, rest, turns): rate · time less whole turns, as fraction + rest.
 
+    The time has two halves and, where it is no double, a rest below its last digit.
     The products of halves are exact, so each is reduced exactly and nothing depends on how a compiler contracts
     products and sums. Exact to about 3e-17 turns while |rate · time| < 2⁵⁰.
     """
-    fraction, rest, (na, nb, nc, more) = _reduced(rate, time_halves)
+    fraction, rest, (na, nb, nc, more) = _reduced(rate, time)
     return fraction, rest, na + (nb + nc) + more
 
 
-def _reduced(rate: tuple[Array, ...], time_halves: tuple[Array, ...]) -> tuple[Array, Array, tuple[Array, ...]]:
-    upper, lower, low = rate
-    high, rest = time_halves
-    # (u + l + low)(h + r): three exact products of halves; the rest, l·r and low·(h + r), stays below half a turn and
-    # needs no reduction
-    a, b, c = upper * high, upper * rest, lower * high
+def _reduced(rate: tuple[Array, ...], time: tuple[Array, ...]) -> tuple[Array, Array, tuple[Array, ...]]:
+    upper, lower, least = rate
+    high, low, *rest = time
+    # (u + l + least)(h + low + rest): three exact products of halves; the others stay below half a turn and need no
+    # reduction
+    a, b, c = upper * high, upper * low, lower * high
     na, nb, nc = nearest(a), nearest(b), nearest(c)
-    d = high + rest
-    d *= low
-    d += lower * rest
+    d = high + low
+    d *= least
+    d += lower * low
+    for r in rest:
+        d += (upper + lower) * r
     # each remainder may reach half a turn: a plain sum would cost 1e-16 turns, and near the saddle 1e-13 of x
     a -= na
     b -= nb

@@ -9,19 +9,14 @@ from typing import TYPE_CHECKING, Any
 from polhode.errors import InvalidInput, shown
 from polhode.formats.paths import as_path
 from polhode.reports.report import with_inputs
-from polhode.studies.naming import name_arguments
+from polhode.studies.fit_request import FitOptions, FitRequest, Progress, fit_request
 from polhode.studies.tables import take_columns
-from polhode.studies.throws import Progress, ThrowOptions, fit_logs
 
 if TYPE_CHECKING:
+    from polhode.spectra.line_fit import LineFitReport
     from polhode.studies.attitude_report import AttitudeReport
-    from polhode.studies.line_fit import LineFitReport
     from polhode.studies.pendulum_report import PendulumReport
     from polhode.studies.throw_report import ThrowReport
-
-LINES = ".lin"
-STARTS = (".toml", ".xyz", ".extxyz", ".pdb", ".mol", ".sdf")
-"""Files that a fit to measured lines can start from; none of them is a log."""
 
 
 def fit(
@@ -69,39 +64,19 @@ def fit(
     if wrong := [name for name, some in lists.items() if isinstance(some, str) or not isinstance(some, Sequence)]:
         raise InvalidInput(f"`{wrong[0]}` must be a list; got {shown(lists[wrong[0]])}.")
     table = take_columns(columns, True)
-    options = ThrowOptions(windows, drag, torque, rotor, gain, clip, moment, mass, added_weight,
-                           [as_path("weighted", path) for path in weighted], table)  # fmt: skip
+    options = FitOptions(windows, drag, torque, rotor, gain, clip, moment, mass, added_weight,
+                         [as_path("weighted", path) for path in weighted], table)  # fmt: skip
     paths = [as_path("files", path) for path in files]
     return with_inputs(lambda: fit_files(paths, free, options, pendulum=pendulum))
 
 
 def fit_files(
-    files: Sequence[Path], free: Sequence[str] | None, options: ThrowOptions, progress: Progress | None = None,
+    files: Sequence[Path], free: Sequence[str] | None, options: FitOptions, progress: Progress | None = None,
     pendulum: bool = False,
 ) -> ThrowReport | AttitudeReport | LineFitReport | PendulumReport:  # fmt: skip
     """Return the report of ``fit``."""
     if not files:
         raise InvalidInput("`files` is empty. Name a log, or a spec and its measured lines.")
-    if pendulum:
-        wrong = [*options.given, *(["free"] if free is not None else [])]
-        wrong += ["columns"] if options.table is not None or options.unit is not None else []
-        if wrong or len(files) > 1:
-            what = f"{name_arguments(wrong)} cannot go with it" if wrong else f"got {len(files)} files"
-            raise InvalidInput(f"`pendulum` takes one file of periods alone; {what}. Leave out the rest.")
-        from polhode.studies.pendulum import fit_periods
-
-        return fit_periods(files[0])
-    if files[0].suffix.lower() in STARTS or files[-1].suffix.lower() == LINES:
-        if len(files) != 2:
-            raise InvalidInput(f"{files[0]}: a molecule is fitted to one file of lines; got {len(files) - 1}. Write "
-                               f"polhode fit SPEC LINES{LINES}; for a pendulum's periods give "
-                               f"`pendulum`.")  # fmt: skip
-        wrong = options.given + (["columns"] if options.table is not None or options.unit is not None else [])
-        if wrong:
-            raise InvalidInput(f"{name_arguments(wrong)} is for gyro logs, and {files[0]} is a molecule. Leave it out.")
-        from polhode.studies.line_fit import fit_lines
-
-        return fit_lines(files[0], files[1], free)
-    if free is not None:
-        raise InvalidInput("`free` names constants of a molecule, and gyro logs are given. Leave it out.")
-    return fit_logs(files, options, progress)
+    # one of these, or that of another package
+    report: Any = fit_request(FitRequest(files, free, options, progress, pendulum))
+    return report

@@ -7,14 +7,13 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
-from scipy.stats import chi2
 
 from polhode.estimation._estimate import Estimate
 from polhode.estimation.pendulum import PendulumFit
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
 from polhode.reports.wording import uncertain, write_count
-from polhode.studies.fit_answers import values
+from polhode.studies.fit_answers import in_words, values
 from polhode.studies.swings import Measurements
 
 UNLIKELY = 0.01  # probability of a misfit, below which a reader should know of it
@@ -41,11 +40,21 @@ class PendulumReport(StudyReport):
     @property
     def probability(self) -> float | None:
         """Of a misfit as large as this by errors alone; None where nothing is left to check."""
-        return float(chi2.sf(self.fit.misfit, self.fit.freedom)) if self.fit.freedom else None
+        return self.fit.test.probability if self.fit.freedom else None
+
+    @property
+    def determined(self) -> bool:
+        return self.fit.test.is_noise
 
     @property
     def summary(self) -> str:
         fit, count = self.fit, write_count(len(self.measured.swings), "swing")
+        if not self.determined:
+            best = in_words(fit.combined if fit.principal is None else fit.principal)
+            what = "moment" if fit.principal is None else "principal moments"
+            return (f"{count} do not fit one body within their errors: χ² is {fit.misfit:.3g}, where {fit.freedom} is "
+                    f"expected. A length, an axis, a count of turns or an error is wrong. The best fit, {what} {best} "
+                    "kg m², has no known error.")  # fmt: skip
         if fit.principal is not None:
             return f"{count}: the principal moments are {_words(fit.principal)} kg m²."
         said = ", ".join(f"{uncertain(value, error)} kg m² about {_axis(axis)}" for axis, value, error in self._each())
@@ -65,11 +74,11 @@ class PendulumReport(StudyReport):
         if any(swing.amplitude == 0.0 for swing in measured.swings):
             notes.append("a swing without amplitude is taken as small; 10° make the period 0.19 % longer, and the "
                          "moment 0.38 % too large if they are not given.")  # fmt: skip
-        if self.probability is not None and self.probability < UNLIKELY:
+        if self.determined and self.probability is not None and self.probability < UNLIKELY:
             notes.append(f"the swings do not fit one body within their errors: χ² is {fit.misfit:.3g}, where "
                          f"{fit.freedom} is expected. Look for a wrong length, axis or count of turns; the errors are "
                          "then too small.")  # fmt: skip
-        if fit.unphysical > 0.0 and fit.principal is not None:
+        if fit.unphysical > 0.0 and fit.principal is not None and self.determined:
             error = math.sqrt(float(np.array([-1.0, -1.0, 1.0]) @ fit.principal.covariance @ (-1.0, -1.0, 1.0)))
             far = "far more than" if fit.unphysical > MANY * error else "within"
             notes.append(f"no body has this tensor: its largest moment exceeds the sum of the others by "
@@ -83,7 +92,9 @@ class PendulumReport(StudyReport):
     def _three_axes(self) -> list[str]:
         """Return a note where the moments about three perpendicular axes are those of no body."""
         axes, combined = self.fit.axes, self.fit.combined
-        if self.fit.inertia is not None or len(axes) != 3 or np.abs(axes @ axes.T - np.eye(3)).max() > 1e-6:
+        if not self.determined or self.fit.inertia is not None or len(axes) != 3:
+            return []
+        if np.abs(axes @ axes.T - np.eye(3)).max() > 1e-6:
             return []
         k = int(np.argmax(combined.value))
         sign = np.where(np.arange(3) == k, 1.0, -1.0)
@@ -99,12 +110,15 @@ class PendulumReport(StudyReport):
 
     def _moments(self) -> Table:
         intervals = self.fit.combined.interval()
-        rows = [{"axis": axis.tolist(), "moment": value, "standard_error": error, "interval": ends.tolist()}
+        known = self.determined
+        rows = [{"axis": axis.tolist(), "moment": value, "standard_error": error if known else None,
+                 "interval": ends.tolist() if known else None}
                 for (axis, value, error), ends in zip(self._each(), intervals, strict=True)]  # fmt: skip
+        unknown = float("nan")
         columns = {
             "axis": lambda row: _axis(row["axis"]),
-            "moment": lambda row: f"{uncertain(row['moment'], row['standard_error'], '', 2)} kg m²",
-            "95 %": lambda row: "{:.6g} to {:.6g}".format(*row["interval"]),
+            "moment": lambda row: f"{uncertain(row['moment'], row['standard_error'] or unknown, '', 2)} kg m²",
+            "95 %": lambda row: "not known" if row["interval"] is None else "{:.6g} to {:.6g}".format(*row["interval"]),
         }
         units = {"moment": "kg m²", "standard_error": "kg m²", "interval": "kg m²", "axis": "given axes"}
         return Table("moments", "Moments of inertia about the centre of mass", columns, rows, units)

@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
-from polhode.analysis.comparison import AttitudeHistory, Mechanics
+from polhode.analysis._mechanics import Mechanics
+from polhode.analysis.attitude_history import AttitudeHistory
 from polhode.errors import FormatError, InvalidInput, PolhodeError, one_line, shown
 from polhode.formats.attitude_checks import check_recorded, single_attitude
 from polhode.formats.form import Form, Kernels

@@ -22,10 +22,11 @@ from polhode.studies.fit_answers import (
     about_inertia,
     about_misfit,
     about_moments,
+    describe_turning,
     each,
     in_words,
-    motion_in_words,
     sentence,
+    tell_misfit,
     values,
 )
 from polhode.studies.left_out import left_out_note, left_out_table
@@ -37,6 +38,7 @@ LARGE_BIAS = 0.1  # rad/s: a gyro's offset is smaller, but a fit may put into it
 PUSHED = 0.002  # over I3 |ω|²: a torque that no model has, from which a reader should know of it
 LARGER = 1.5  # times the gains that were expected
 HIDDEN = 2.0  # times the errors: those with a wheel, from which a reader should know of it
+AIRY = 0.05  # of the slowest throw's rate: a smaller momentum acts as air may, whose torques are some .01 I3 |ω|²
 BARELY = 2.0  # AICc less than this apart: the criterion hardly prefers one model
 
 
@@ -67,7 +69,7 @@ class ThrowReport(StudyReport):
 
     @property
     def determined(self) -> bool:
-        return self.fit.degenerate is None
+        return self.fit.degenerate is None and self.fit.misfit is None
 
     @property
     def summary(self) -> str:
@@ -75,8 +77,15 @@ class ThrowReport(StudyReport):
         what = write_count(len(fit.throws), "throw")
         if fit.degenerate is not None or fit.ratios is None:
             return f"{what}: the inertia is not determined. {sentence(fit.degenerate or '')}"
+        if fit.misfit is not None:
+            told = tell_misfit(fit, "rad/s")
+            return f"{what}: {told[0].lower()}{told[1:]}"
         said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in each(fit.ratios))
-        how = motion_in_words(fit.throws[0].regime) if fit.rotor is None else "a wheel turns in the body"
+        first = fit.throws[0]
+        how = describe_turning(first.motion, first.times, fit.equal)
+        if fit.rotor is not None:
+            how = ("a wheel seems to turn in the body" if is_wheel_sure(fit) else
+                   "something small acts across its axes, as air does")  # fmt: skip
         return f"{what}: {said}; {how}, residuals {fit.rms:.2g} rad/s rms."
 
     @property
@@ -95,16 +104,15 @@ class ThrowReport(StudyReport):
         if fit.equal:
             notes.append(f"{fit.equal} within their errors: the axes between them are not determined.")
         if fit.degenerate is None:
-            misses = [throw.rates - throw.predicted for throw in fit.throws]
-            wider = f"the intervals are widened by {np.sqrt(fit.widened):.2g} for it, which may not be enough"
-            remedy = "Look at the residuals by `draw`, and give the free flight by `windows`"
-            notes += about_misfit(misses, wider, remedy)
-            notes += _doubts(fit)
+            if fit.misfit is not None:
+                notes.append("look at the residuals by `draw`, and give the free flight by `windows`.")
+            else:
+                notes += _doubts(fit)
             chosen = next((score for score in fit.criterion if score.chosen), None)
             others = [score for score in fit.criterion if not score.chosen]
             if chosen and others and min(score.aicc for score in others) - chosen.aicc < BARELY:
                 notes.append("the criterion hardly prefers the chosen model to the next one; see the table of models.")
-            if fit.gain is None:
+            if fit.gain is None and fit.misfit is None:
                 notes.append("no gains were fitted, so the intervals hold for a calibrated gyro: a gain or cross-axis "
                              "sensitivity of 1 % moves the ratios by about as much.")  # fmt: skip
         return [*notes, *left_out_note(self.flights)]
@@ -120,14 +128,31 @@ class ThrowReport(StudyReport):
         return write_throw(self.fit, self.names, path)
 
 
+def is_wheel_sure(fit: ThrowFit) -> bool:
+    """Whether a wheel that was fitted explains clearly more than air and gains do, and is larger than air may seem.
+
+    Drag −|ω| C ω with an antisymmetric C is |ω| k × ω: in throws of one speed that is h × ω of a wheel, h = |ω| k.
+    """
+    if fit.rotor is None or fit.with_or_without:
+        return False
+    slowest = min(float(np.median(np.linalg.norm(throw.rates, axis=1))) for throw in fit.throws)
+    return float(np.linalg.norm(fit.rotor.value)) > AIRY * slowest
+
+
 def _doubts(fit: ThrowFit) -> list[str]:
     """Return notes on reasons to doubt numbers of a fit."""
     notes = []
     if fit.rotor is not None:
         size = float(np.linalg.norm(fit.rotor.value))
-        notes.append(f"the rates indicate a wheel that turns in the body: its momentum is {size:.3g} rad/s of the "
-                     "largest moment. The moments are of the body with the wheel; where no motor keeps its speed, "
-                     "without the wheel's own moment about its axis.")  # fmt: skip
+        of_body = ("The moments are of the body with the wheel; where no motor keeps its speed, without the wheel's "
+                   "own moment about its axis.")  # fmt: skip
+        if is_wheel_sure(fit):
+            notes.append(f"the rates indicate a wheel that turns in the body: its momentum is {size:.3g} rad/s of the "
+                         f"largest moment. {of_body}")  # fmt: skip
+        else:
+            notes.append(f"the model with a wheel of {size:.2g} rad/s of the largest moment does best, but air on a "
+                         "body that is not symmetric or wrong gains may do the same: the log does not tell which. "
+                         f"With a wheel: {of_body[0].lower()}{of_body[1:]}")  # fmt: skip
     if fit.with_or_without:
         notes.append("the log hardly distinguishes a body with a wheel from one without: the intervals cover both. "
                      "Choose by `rotor=True` or `rotor=False`.")  # fmt: skip
@@ -151,13 +176,14 @@ def _doubts(fit: ThrowFit) -> list[str]:
         notes.append(f"a torque of about {fit.unmodelled:.2g} I3 |ω|² acts that no model has; the intervals allow "
                      "for it.")  # fmt: skip
     if fit.gain is not None and fit.gain_spread > LARGER * GAIN_SPREAD:
-        notes.append(f"the gyro's gains are off by about {100 * fit.gain_spread:.2g} %, more than expected: the "
-                     "intervals allow for it.")  # fmt: skip
+        compared = " Fit each throw alone and compare." if len(fit.throws) > 1 else ""
+        notes.append(f"the gyro's gains are off by about {100 * fit.gain_spread:.2g} %, more than expected, or "
+                     f"stand for what no model has, like air across axes: errors include it.{compared}")  # fmt: skip
     return notes
 
 
 def _gyro(fit: ThrowFit) -> Group:
-    sure = fit.degenerate is None
+    sure, noisy = fit.degenerate is None, fit.degenerate is None and fit.misfit is None
     rest, gain, cross = fit.rest, fit.gain, fit.cross_axis
     return Group("Gyro and air", [
         Answer("bias", values(fit.bias) if sure else None, "rad/s", "bias", "along the device's x, y, z",
@@ -169,7 +195,7 @@ def _gyro(fit: ThrowFit) -> Group:
                None if gain is None else in_words(gain)),
         Answer("cross_axis", None if cross is None else values(cross), "", "cross-axis gains",
                "of y and z, x and z, x and y", None if cross is None else in_words(cross)),
-        Answer("gain_spread", fit.gain_spread if sure and gain is not None else None, "", "",
+        Answer("gain_spread", fit.gain_spread if noisy and gain is not None else None, "", "",
                "standard deviation of the gains, by the log and by what was known beforehand"),
         _describe_torque("drag", fit.drag, "", "drag c/I3", "−c_i |ω| ω_i", "none" if sure else None),
         _describe_torque("linear_drag", fit.linear_drag, "1/s", "linear drag b/I3", "−b_i ω_i"),
@@ -179,15 +205,15 @@ def _gyro(fit: ThrowFit) -> Group:
                ("none assumed" if sure else None) if fit.rotor is None else f"{in_words(fit.rotor)} rad/s"),
         Answer("beside_wheel", None if fit.beside_wheel is None else fit.beside_wheel.tolist(), "", "",
                "standard errors of the ratios if a wheel might turn in the body; null where one was fitted"),
-        Answer("unmodelled", fit.unmodelled if sure else None, "", "",
+        Answer("unmodelled", fit.unmodelled if noisy else None, "", "",
                "torque over I3 |ω|² that no model has, rms; intervals allow for it"),
-        Answer("widened", fit.widened if sure else None, "", "",
+        Answer("widened", fit.widened if noisy else None, "", "",
                "factor on the variances of the noise, because neighbouring residuals are alike"),
     ])  # fmt: skip
 
 
 def _bias_in_words(fit: ThrowFit) -> str:
-    assumed = "" if fit.rest is not None else f" (no rest: assumed to be 0 ± {BIAS_SPREAD:.2g})"
+    assumed = "" if fit.rest is not None else f" (no rest: assumed to be within {BIAS_SPREAD:.2g} of 0)"
     return f"{in_words(fit.bias)} rad/s{assumed}"
 
 
@@ -201,18 +227,20 @@ def _describe_torque(key: str, estimate: Estimate | None, unit: str, label: str,
 
 def _quality(fit: ThrowFit) -> Group:
     sure = fit.degenerate is None and len(fit.residuals) > 0
+    noisy = sure and fit.misfit is None
     first = fit.throws[0]
     how = "as given" if first.window.reason == "given" else first.window.reason
     how += f"; {write_count(len(fit.throws) - 1, 'more throw')} below" if len(fit.throws) > 1 else ""
     return Group("Fit", [
         Answer("rms", fit.rms if sure else None, "rad/s", "residuals", "root mean square",
                f"{fit.rms:.3g} rad/s rms" if sure else None),
-        Answer("sigma", fit.sigma if sure else None, "rad/s", "noise of a sample", "",
-               f"{fit.sigma:.3g} rad/s" if sure else None),
-        Answer("jitter", fit.jitter if sure else None, "s", "jitter of the clock" if fit.jitter > 0 else "", "",
-               f"{fit.jitter:.2g} s rms" if sure else None),
+        Answer("sigma", fit.sigma if noisy else None, "rad/s", "noise of a sample", "",
+               f"{fit.sigma:.3g} rad/s" if noisy else None),
+        Answer("jitter", fit.jitter if noisy else None, "s", "jitter of the clock" if fit.jitter > 0 else "", "",
+               f"{fit.jitter:.2g} s rms" if noisy else None),
         Answer("samples", sum(len(throw.times) for throw in fit.throws), "", "samples used"),
         Answer("clip", fit.clip, "rad/s", "gyro's limit", "", None if fit.clip is None else _of_sensor(fit.clip)),
+        about_misfit(fit.misfit),
         Answer("window", [first.window.start, first.window.end], "s", "free flight", "of the first throw",
                f"{first.window.start:.6g} to {first.window.end:.6g} s, {how}"),
         Answer("regime", first.regime, "", "", "of the first throw"),

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
@@ -21,6 +20,7 @@ from polhode.formats.log_archives import is_archive
 from polhode.formats.numerals import read_number
 from polhode.spec.uncertain import quantity
 from polhode.studies.attitude_report import AttitudeReport
+from polhode.studies.fit_request import FitOptions, Progress
 from polhode.studies.left_out import left_out_words
 from polhode.studies.naming import name_arguments
 from polhode.studies.scale import read_scale
@@ -28,35 +28,9 @@ from polhode.studies.sources import detect_kind, load_source
 from polhode.studies.tables import TableMapping
 from polhode.studies.throw_report import ThrowReport
 
-Progress = Callable[[Path], Callable[[int], None] | None]
-"""Returns the function that is called with the number of lines read of a file."""
-
-
-class ThrowOptions(NamedTuple):
-    """Options for logs, None or empty where they are not given. See ``fit``."""
-
-    windows: Sequence[str | tuple[float, float]] = ()
-    drag: bool | None = None
-    torque: bool | None = None
-    rotor: bool | None = None
-    gain: bool | None = None
-    clip: str | float | None = None
-    moment: str | None = None
-    mass: str | None = None
-    added_weight: str | None = None
-    weighted: Sequence[Path] = ()
-    table: TableMapping | None = None
-    unit: str | None = None
-
-    @property
-    def given(self) -> list[str]:
-        """The names of the given options, without those for columns."""
-        values = self._replace(table=None, unit=None)._asdict()
-        return [name for name, value in values.items() if value is not None and len(np.atleast_1d(value))]
-
 
 def fit_logs(
-    paths: Sequence[Path], options: ThrowOptions, progress: Progress | None = None
+    paths: Sequence[Path], options: FitOptions, progress: Progress | None = None
 ) -> ThrowReport | AttitudeReport:
     """Return the report on logs of throws, fitted together, or on a log of attitudes.
 
@@ -95,7 +69,7 @@ def _attitude_kind(path: Path, table: TableMapping | None) -> str | None:
     return kind if kind in forms() else None
 
 
-def _fit_attitudes(path: Path, kind: str, options: ThrowOptions) -> AttitudeReport:
+def _fit_attitudes(path: Path, kind: str, options: FitOptions) -> AttitudeReport:
     windows = [_window(span) for span in options.windows]
     if len(windows) > 1:
         raise InvalidInput(f"`windows` must be given once at most for a log of attitudes; got "
@@ -114,7 +88,7 @@ def _fit_attitudes(path: Path, kind: str, options: ThrowOptions) -> AttitudeRepo
     return AttitudeReport(path.name, fit, known.moments(fit, None))
 
 
-def _fit_throws(paths: Sequence[Path], options: ThrowOptions, progress: Progress | None) -> ThrowReport:
+def _fit_throws(paths: Sequence[Path], options: FitOptions, progress: Progress | None) -> ThrowReport:
     if options.torque is not None:
         raise InvalidInput(f"{paths[0]}: `torque` is for a log of attitudes, and this is a gyro's. Leave it out.")
     known = read_scale(options.moment, options.mass, options.added_weight, bool(options.weighted))

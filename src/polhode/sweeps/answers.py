@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from scipy.stats import binomtest
 
+from polhode._base.compiled.threads import available_cores
 from polhode.errors import InvalidInput, shown
 from polhode.kinds.registry import find_kind
 from polhode.reports.answer import Answer, Group, Table
@@ -21,7 +22,7 @@ from polhode.reports.wording import uncertain
 from polhode.sweeps.evaluation import DONE, STATUS, Column
 from polhode.sweeps.marks import Mark
 from polhode.sweeps.plan import read_plan
-from polhode.sweeps.running import Sweep, default_workers
+from polhode.sweeps.running import Sweep
 from polhode.sweeps.sensitivity import sobol_indices
 from polhode.sweeps.store import Store
 from polhode.sweeps.summary import Numbers, Summary, join_summaries
@@ -60,7 +61,7 @@ def sweep(
         raise InvalidInput(f"`workers` must be a whole number, at least 1, or None; got {shown(workers)}.")
     work = Sweep.of(read_plan(spec))
     path = Path(f"{Path(spec).stem}.zarr") if store is None else Path(store)
-    count = work.usual_workers() if workers is None and scheduler is None else workers or default_workers()
+    count = work.usual_workers() if workers is None and scheduler is None else workers or available_cores()
     begun = work.begin(path)
     work.run(begun, count, scheduler)
     return SweepReport(work, begun)

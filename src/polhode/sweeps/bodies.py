@@ -11,7 +11,8 @@ from pydantic import ValidationError
 
 from polhode.bodies._inertia import ROUNDING
 from polhode.errors import InvalidInput
-from polhode.kinds.base import Bodies, Spec
+from polhode.kinds.base import Spec
+from polhode.kinds.ensembles import Bodies
 from polhode.spec.building import build_body
 from polhode.spec.keys import with_value, write_quantity
 from polhode.spec.mistakes import list_mistakes

@@ -12,11 +12,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode.errors import InvalidInput, NotConverged, shown
-from polhode.kinds.base import Ensemble, ManySpecs, Spec
+from polhode.kinds.base import Spec
+from polhode.kinds.ensembles import Ensemble, ManySpecs
 from polhode.kinds.reading import build_spec
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table, collect_values, plain
-from polhode.spec.keys import with_value, write_quantity
+from polhode.spec.keys import is_place, with_value, write_quantity
 from polhode.sweeps.bodies import vary_body
 from polhode.sweeps.plan import STATES, Plan
 
@@ -276,7 +277,7 @@ def _pick(values: Any, name: str) -> Any:
     for part in name.split("."):
         if isinstance(values, dict):
             values = values.get(part)
-        elif isinstance(values, list) and part.isdecimal() and 1 <= int(part) <= len(values):
+        elif isinstance(values, list) and is_place(part) and 1 <= int(part) <= len(values):
             values = values[int(part) - 1]
         else:
             return None

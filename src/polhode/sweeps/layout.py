@@ -5,6 +5,7 @@ Arrays are those of Zarr's format 2: for each array a folder with documents abou
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 from dataclasses import dataclass
@@ -18,7 +19,7 @@ from polhode.formats.zarr_gate import OF_A_SWEEP
 from polhode.sweeps.evaluation import Column
 
 HOME, PLAN, CHUNKS, LOCK = OF_A_SWEEP, "plan.json", "chunks", "lock"
-FORMAT = 2
+FORMAT, EARLIER = 3, (1, 2)
 COMPONENTS = {3: "axis", 4: "quaternion"}
 COMPRESSOR = {"id": "blosc", "cname": "lz4", "clevel": 5, "shuffle": 1, "blocksize": 0}
 """Said here, as zarr's own choice changes with its releases."""
@@ -39,7 +40,7 @@ class Layout:
     """The store of one sweep.
 
     Attributes:
-        fingerprint: of everything that its numbers depend on.
+        parts: digests of everything that its numbers depend on, by what it is in words.
         samples: how many.
         chunk: samples in one chunk; the last may have fewer.
         keep: "all", or "statistics" alone.
@@ -48,13 +49,18 @@ class Layout:
         header: global attributes.
     """
 
-    fingerprint: str
+    parts: dict[str, str]
     samples: int
     chunk: int
     keep: str
     columns: tuple[Column, ...]
     times: tuple[float, ...]
     header: dict[str, Any]
+
+    @property
+    def fingerprint(self) -> str:
+        """The digest of everything that its numbers depend on."""
+        return hashlib.sha256(json.dumps(sorted(self.parts.items())).encode()).hexdigest()
 
     @property
     def chunks(self) -> int:
@@ -64,7 +70,7 @@ class Layout:
     def plan(self) -> dict[str, Any]:
         """The fingerprint that identifies the store, as JSON."""
         return {"format": FORMAT, "fingerprint": self.fingerprint, "samples": self.samples, "chunk": self.chunk,
-                "keep": self.keep}  # fmt: skip
+                "keep": self.keep, "made_from": self.parts}  # fmt: skip
 
     @property
     def arrays(self) -> dict[str, Column]:

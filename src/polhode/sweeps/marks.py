@@ -1,7 +1,7 @@
 """Marks of finished chunks: checksums of their data, and their part of the statistics, under a seal.
 
-A mark is a line with the SHA-256 of what follows, and JSON. The seal tells damage, and the JSON says of which sweep and
-chunk it is, so that a mark that was copied or renamed is none; what is read is checked in form all the same.
+A mark is JSON under a seal. The seal tells damage, and the JSON says of which sweep and chunk it is, so that a copied
+or renamed mark is none; what is read is checked in form all the same.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from polhode.seals import seal, unseal
 from polhode.sweeps.evaluation import Chunk, Column
 from polhode.sweeps.layout import Layout
 from polhode.sweeps.summary import KNOTS, Numbers, Summary, summarise
 
-SEAL = 64  # characters of the first line
 LONGEST_REASON = 100_000  # characters
 Digest = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 
@@ -69,19 +69,18 @@ class Mark(_Sealed):
         return {name: array.digest for name, array in self.arrays.items()}
 
 
-def seal(mark: Mark) -> bytes:
+def pack_mark(mark: Mark) -> bytes:
     """Return a mark as the bytes of its file."""
-    content = mark.model_dump_json().encode()
-    return f"{hashlib.sha256(content).hexdigest()}\n".encode() + content
+    return seal(mark.model_dump_json().encode())
 
 
 def read_mark(content: bytes, number: int, layout: Layout) -> Mark | None:
     """Return the mark of a chunk from the bytes of its file; None for anything else."""
-    seal, rest = content[: SEAL + 1], content[SEAL + 1 :]
-    if seal != f"{hashlib.sha256(rest).hexdigest()}\n".encode():
+    text = unseal(content)
+    if text is None:
         return None
     try:
-        mark = Mark.model_validate_json(rest, strict=True)
+        mark = Mark.model_validate_json(text, strict=True)
     except ValidationError:
         return None
     columns = {column.name: column for column in layout.columns}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -14,6 +14,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.formats.opening import record_files
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.reading import SWEEP, kind_of_tables, model_of_tables
+from polhode.plugins import Plugin, record_plugins
 from polhode.spec.fields import Duration, Flag, one_of
 from polhode.spec.keys import number_at
 from polhode.spec.mistakes import as_message, list_mistakes
@@ -70,6 +71,7 @@ class Plan:
         chunk: samples computed together as the spec gives it; None for the usual number.
         asked: what the spec says, as text, without ``chunk``, which is told apart by itself.
         read: the files that were read for the inputs, with SHA-256 of their content.
+        plugins: what was taken of other packages for it.
     """
 
     path: Path
@@ -83,6 +85,7 @@ class Plan:
     chunk: int | None
     asked: str
     read: dict[Path, str]
+    plugins: frozenset[Plugin] = frozenset()
 
     @property
     def states(self) -> tuple[str, ...]:
@@ -97,7 +100,12 @@ def read_plan(path: str | Path) -> Plan:
         InvalidInput: naming every mistake of the table [sweep].
         FormatError: if the file is not TOML.
     """
-    path = Path(path)
+    with record_plugins() as plugins:
+        plan = _read_plan(Path(path))
+    return replace(plan, plugins=frozenset(plugins))
+
+
+def _read_plan(path: Path) -> Plan:
     tables = read_tables(path)
     if SWEEP not in tables:
         raise InvalidInput(f"{path}: has no table [sweep]. Add one, with samples, outputs and, under [sweep.inputs], "

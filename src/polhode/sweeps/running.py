@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import hashlib
-import json
 import os
 import platform
 import signal
@@ -18,10 +17,12 @@ from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import Any
 
+from polhode._base.compiled.threads import available_cores
 from polhode.errors import InvalidInput, PolhodeError, not_installed
 from polhode.formats.opening import record_files
 from polhode.formats.paths import FULL
-from polhode.reports.program import program_digest
+from polhode.plugins import Plugin, digest_plugins, record_plugins
+from polhode.plugins.program import program_digest, program_parts
 from polhode.sweeps.evaluation import STATUS, Column, Evaluator
 from polhode.sweeps.layout import Layout
 from polhode.sweeps.plan import Plan
@@ -50,14 +51,14 @@ class Sweep:
         evaluator: computes samples.
         layout: of the store that it writes.
         read: the files that samples are computed from, with SHA-256 of their content.
-        program: digest of what computes.
+        plugins: what takes part of other packages.
     """
 
     plan: Plan
     evaluator: Evaluator
     layout: Layout
     read: dict[Path, str]
-    program: str
+    plugins: frozenset[Plugin]
 
     @classmethod
     def of(cls, plan: Plan) -> Sweep:
@@ -69,14 +70,13 @@ class Sweep:
         evaluator = Evaluator(plan)
         inputs = [Column(key, (how.length,) if how.length else (), unit=plan.units[key])
                   for key, how in plan.design.inputs.items()]  # fmt: skip
-        with record_files() as read:
+        with record_files() as read, record_plugins() as plugins:
             columns = (*inputs, *evaluator.columns, Column(STATUS, text=True))
             chunk = evaluator.chunk_size
-        read, program = plan.read | read, program_digest(_package(plan))
+        read, used = plan.read | read, plan.plugins | plugins
         header = {"title": f"sweep of {plan.path.stem}", "Conventions": "CF-1.11", "seed": plan.design.seed}
-        layout = Layout(_fingerprint(plan, read, program), plan.design.count, chunk, plan.keep, columns, plan.times,
-                        header)  # fmt: skip
-        return cls(plan, evaluator, layout, read, program)
+        layout = Layout(_parts(plan, read, used), plan.design.count, chunk, plan.keep, columns, plan.times, header)
+        return cls(plan, evaluator, layout, read, used)
 
     @property
     def columns(self) -> tuple[Column, ...]:
@@ -113,7 +113,7 @@ class Sweep:
         Args:
             seconds: that one core takes, where it is known.
         """
-        return 1 if (self.cost() if seconds is None else seconds) < ALONE else default_workers()
+        return 1 if (self.cost() if seconds is None else seconds) < ALONE else available_cores()
 
     def begin(self, path: str | Path) -> Store:
         """Return the store to write to, new or begun before.
@@ -164,7 +164,7 @@ class Sweep:
         if scheduler is None and min(workers, len(missing)) <= 1:
             for number in missing:
                 with _explain_failure(self, store):
-                    _compute(self.evaluator, store, number, self.read)
+                    _compute(self.evaluator, store, number, self.read, self.plugins)
                 tell(self._samples(number))
         elif missing:
             self._distribute(store, missing, min(workers, len(missing)), scheduler, tell)
@@ -181,7 +181,8 @@ class Sweep:
         with _cluster(workers, scheduler) as client, _explain_failure(self, store):
             # workers elsewhere have another present folder
             plan = replace(self.plan, path=self.plan.path.absolute())
-            job = client.scatter(_Job(plan, self.layout, self.read, self.program), broadcast=True, hash=False)
+            program = program_digest(self.plugins)
+            job = client.scatter(_Job(plan, self.layout, self.read, self.plugins, program), broadcast=True, hash=False)
             waiting, place = iter(missing), str(store.path.absolute())
             name = f"polhode-{self.layout.fingerprint[:16]}"
 
@@ -205,26 +206,24 @@ class _Job:
     plan: Plan
     layout: Layout
     read: dict[Path, str]
+    plugins: frozenset[Plugin]
     program: str
 
 
-def _package(plan: Plan) -> str:
-    """Return the package whose kind of motion it is."""
-    return type(plan.kind).__module__.partition(".")[0]
-
-
-def _fingerprint(plan: Plan, read: dict[Path, str], program: str) -> str:
-    """Return a hash of everything that the samples depend on: the spec, files by content, and the program."""
+def _parts(plan: Plan, read: dict[Path, str], plugins: frozenset[Plugin]) -> dict[str, str]:
+    """Return digests of all that the samples depend on, by what it is: the spec, files by content, and the program."""
     folder = plan.path.parent.absolute()
-    files = sorted((Path(os.path.relpath(path, folder)).as_posix(), digest) for path, digest in read.items())
-    return hashlib.sha256(json.dumps([program, plan.asked, files]).encode()).hexdigest()
+    files = {f"the file {Path(os.path.relpath(path, folder)).as_posix()}": digest for path, digest in read.items()}
+    return {"the spec": hashlib.sha256(plan.asked.encode()).hexdigest()} | files | program_parts(plugins)
 
 
-def _compute(evaluator: Evaluator, store: Store, number: int, read: dict[Path, str]) -> None:
-    """Compute a chunk and write it, if the files that it was computed from are still those of the other chunks.
+def _compute(
+    evaluator: Evaluator, store: Store, number: int, read: dict[Path, str], plugins: frozenset[Plugin]
+) -> None:  # fmt: skip
+    """Compute a chunk and write it, if files and code that it was computed from are still those of the other chunks.
 
     Raises:
-        InvalidInput: naming the file that is not.
+        InvalidInput: naming the file or the entry point of another package that is not.
     """
     with record_files() as digests:
         chunk = evaluator.chunk(*store.layout.sample_range(number))
@@ -232,6 +231,7 @@ def _compute(evaluator: Evaluator, store: Store, number: int, read: dict[Path, s
         if read.get(path, digest) != digest:
             raise InvalidInput(f"{path}: changed while the sweep ran, whose samples would be of two kinds. Put it back "
                                "and run the sweep again, or choose another folder with `store`.")  # fmt: skip
+    digest_plugins(plugins)
     store.write(number, chunk)
 
 
@@ -242,16 +242,16 @@ def _make_evaluator(job: _Job) -> Evaluator:
     Raises:
         InvalidInput: if it would compute other numbers than the command itself.
     """
-    if program_digest(_package(job.plan)) != job.program:
-        raise InvalidInput(f"the worker on {platform.node()} has another version of polhode, of Python or a library, "
-                           "or another setting such as XLA_FLAGS, than the command, and would compute other last "
-                           "digits. Give all the same.")  # fmt: skip
+    if program_digest(job.plugins) != job.program:
+        raise InvalidInput(f"the worker on {platform.node()} has another version of polhode, of Python, of a library "
+                           "or of a package that adds to polhode, or another setting such as XLA_FLAGS, than the "
+                           "command, and would compute other last digits. Give all the same.")  # fmt: skip
     return Evaluator(job.plan)
 
 
 def _compute_remotely(job: _Job, path: str, number: int) -> int:
     """Compute a chunk in a worker; errors travel as plain ones, whatever the client has imported."""
-    _compute(_make_evaluator(job), Store(path, job.layout), number, job.read)
+    _compute(_make_evaluator(job), Store(path, job.layout), number, job.read, job.plugins)
     return number
 
 
@@ -366,8 +366,3 @@ def _is_killed_worker(error: Exception) -> bool:
     except ImportError:
         return False
     return isinstance(error, KilledWorker)
-
-
-def default_workers() -> int:
-    """Return how many cores this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -21,15 +21,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.errors import FormatError, InvalidInput, shown
+from polhode.errors import FormatError, InvalidInput, one_line, shown
 from polhode.formats.drafts import sync_to_disk
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import write_whole
 from polhode.sweeps.evaluation import Chunk, Column
-from polhode.sweeps.layout import CHUNKS, FORMAT, HOME, LOCK, PLAN, Layout, import_zarr
-from polhode.sweeps.marks import Mark, hash_array, read_mark, seal
+from polhode.sweeps.layout import CHUNKS, EARLIER, FORMAT, HOME, LOCK, PLAN, Layout, import_zarr
+from polhode.sweeps.marks import Mark, hash_array, pack_mark, read_mark
 from polhode.sweeps.store_checks import AGAIN, check_file, check_folder, says, unpack_chunk
 
+NAMED = 4  # changed things that a message names
 SPARE = 1.1  # of the room that a store may need, in what the disk must have
 
 
@@ -103,14 +104,14 @@ class Store:
             plan = None
         wanted = self.layout.plan
         if not isinstance(plan, dict) or plan.keys() != wanted.keys():
-            old = isinstance(plan, dict) and plan.get("format") == 1
-            what = f"was made by another version of polhode (format 1, not {FORMAT})" if old else (
+            old = plan.get("format") if isinstance(plan, dict) else None
+            what = f"was made by another version of polhode (format {old}, not {FORMAT})" if old in EARLIER else (
                 f"is damaged: {HOME}/{PLAN} is not what a sweep writes")  # fmt: skip
             raise FormatError(f"{self.path}: {what}. Choose another folder with `store`, or remove this one.")
         if plan["fingerprint"] != wanted["fingerprint"]:
-            raise InvalidInput(f"{self.path}: holds another sweep: the spec, a file that it names, polhode or a "
-                               "library that it computes with changed since. Choose another folder with `store`, or "
-                               "remove this one.")  # fmt: skip
+            raise InvalidInput(f"{self.path}: holds another sweep: {_name_changes(plan['made_from'], wanted)} changed "
+                               "since, and samples of both would be mixed. Put it back, choose another folder with "
+                               "`store`, or remove this one.")  # fmt: skip
         if plan["chunk"] != wanted["chunk"]:
             got = shown(plan["chunk"])
             raise InvalidInput(f"{self.path}: was begun with chunks of {got} samples, not {wanted['chunk']}. Set "
@@ -249,7 +250,7 @@ class Store:
                 group[name][low:high] = chunk.values[name]
                 _write_through(file)  # the mark must not outlive the data in a power cut
         mark = Mark.of(chunk, number, self.layout)
-        _write_whole(self._mark(number), seal(mark))
+        _write_whole(self._mark(number), pack_mark(mark))
 
     def read(self, name: str, most: int | None = None) -> Any:
         """Return an array, or evenly chosen chunks of it with about so many samples.
@@ -287,6 +288,15 @@ class Store:
 
     def _mark(self, number: int) -> Path:
         return self.home / CHUNKS / f"{number:09d}.mark"
+
+
+def _name_changes(parts: Any, wanted: dict[str, Any]) -> str:
+    """Return in words which of the parts that a store was made from are others now, or are not there any more."""
+    parts, now = parts if isinstance(parts, dict) else {}, wanted["made_from"]
+    changed = [one_line(name) for name in {**now, **parts} if parts.get(name) != now.get(name)]
+    rest = [f"{len(changed) - NAMED} more"] if len(changed) > NAMED else []
+    *most, last = [*changed[:NAMED], *rest] or ["what it is computed from"]
+    return f"{', '.join(most)} and {last}" if most else last
 
 
 def compute_size(columns: tuple[Column, ...], samples: int) -> int:

@@ -15,7 +15,7 @@ import numpy as np
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.casimirs import invariant_terms, rational_brackets
 from polhode.errors import InvalidInput, shown
-from polhode.rational.numbers import exact_number
+from polhode.rational.numbers import EXACT, check_reading, read_number
 from polhode.symbolic._gate import sympy
 from polhode.symbolic._polynomials import from_terms
 
@@ -31,16 +31,21 @@ class LiePoissonBracket:
             identity is not required: ``jacobiator`` tells whether it holds.
         coordinates: (dim,) names or symbols of ⟨μ, e_k⟩; x1, x2, … by default.
         sign: −1 for the left-invariant (minus) bracket, +1 for the other.
+        parameters: further symbols, or names, of which functions may be made; those of the table need not be repeated.
+        read_as: "exact" for doubles as the binary fractions that they are, "decimal" for the shortest decimals that
+            round to them, in the table and in all functions; SymPy's rationals are what they are.
 
     Attributes:
         algebra: the algebra, or None for a table.
         constants: c as nested tuples of SymPy numbers.
         coordinates: (dim,) real symbols.
         sign: −1 or +1.
+        parameters: symbols as declared, with those of the table.
+        read_as: as given.
 
     Raises:
-        InvalidInput: for a table of wrong shape or not antisymmetric, constants that are not rational, a wrong number
-            of coordinates, or a sign other than ±1.
+        InvalidInput: for a table of wrong shape or not antisymmetric, constants that are rounded, a wrong number of
+            coordinates, names that are taken twice, or a sign other than ±1.
 
     >>> from polhode.algebra import SO3
     >>> so3 = LiePoissonBracket(SO3(), ["L1", "L2", "L3"])
@@ -49,13 +54,19 @@ class LiePoissonBracket:
     (-L3, -2*L2*L3, L3)
     """
 
-    def __init__(self, algebra: Any, coordinates: Sequence[Any] | None = None, sign: int = -1) -> None:
+    def __init__(
+        self, algebra: Any, coordinates: Sequence[Any] | None = None, sign: int = -1, parameters: Sequence[Any] = (),
+        read_as: str = EXACT,
+    ) -> None:  # fmt: skip
         if sign not in (-1, 1):
             raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {shown(sign)}.")
-        self.sign = sign
+        check_reading(read_as)
+        self.sign, self.read_as = sign, read_as
         self.algebra: AbstractLieAlgebra | None = algebra if isinstance(algebra, AbstractLieAlgebra) else None
-        self.constants = _own_table(self.algebra) if self.algebra is not None else _given_table(algebra)
+        self.constants = (_own_table(self.algebra, read_as) if self.algebra is not None
+                          else _given_table(algebra, read_as))  # fmt: skip
         self.coordinates = _symbols(coordinates, len(self.constants))
+        self.parameters = _parameters(parameters, self.constants, self.coordinates)
 
     @property
     def dim(self) -> int:
@@ -64,7 +75,20 @@ class LiePoissonBracket:
 
     def with_sign(self, sign: int) -> LiePoissonBracket:
         """Return the bracket with the sign ±1 on the same coordinates."""
-        return LiePoissonBracket(self.constants if self.algebra is None else self.algebra, self.coordinates, sign)
+        given = self.constants if self.algebra is None else self.algebra
+        return LiePoissonBracket(given, self.coordinates, sign, self.parameters, self.read_as)
+
+    def read(self, expression: Expression) -> Expression:
+        """Return a function with this bracket's symbols, and fractions in place of doubles.
+
+        A symbol that bears the name of a coordinate or a parameter is that one, whatever SymPy assumes of it:
+        ``sympy.symbols("L1")`` is otherwise another symbol than a real L1, of which all derivatives vanish.
+
+        Raises:
+            InvalidInput: for symbols that are neither, and for text, which SymPy would run.
+        """
+        expression = read_doubles(expression, self.read_as)
+        return name_symbols(expression, (*self.coordinates, *self.parameters))
 
     @property
     def tensor(self) -> Any:
@@ -74,7 +98,7 @@ class LiePoissonBracket:
 
     def __call__(self, F: Expression, G: Expression) -> Expression:
         """Return {F, G}, expanded."""
-        F, G = sympy.sympify(F), sympy.sympify(G)
+        F, G = self.read(F), self.read(G)
         dF = [sympy.diff(F, x) for x in self.coordinates]
         dG = [sympy.diff(G, x) for x in self.coordinates]
         total = sympy.Integer(0)
@@ -119,6 +143,7 @@ class LiePoissonBracket:
 
     def is_casimir(self, C: Expression) -> bool:
         """Return whether {x_k, C} vanishes for every coordinate."""
+        C = self.read(C)
         return all(sympy.simplify(self(x, C)) == 0 for x in self.coordinates)
 
     def casimirs(self, degree: int) -> list[Expression]:
@@ -158,8 +183,8 @@ class LiePoissonBracket:
         return "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}"
 
 
-def _own_table(algebra: AbstractLieAlgebra) -> tuple[tuple[tuple[Any, ...], ...], ...]:
-    brackets = rational_brackets(algebra)
+def _own_table(algebra: AbstractLieAlgebra, read_as: str) -> tuple[tuple[tuple[Any, ...], ...], ...]:
+    brackets = rational_brackets(algebra, read_as)
     zero = sympy.Integer(0)
     number = {(i, j, k): sympy.Rational(c.numerator, c.denominator)
               for i, row in enumerate(brackets) for j, vector in enumerate(row) for k, c in vector.items()}  # fmt: skip
@@ -167,14 +192,14 @@ def _own_table(algebra: AbstractLieAlgebra) -> tuple[tuple[tuple[Any, ...], ...]
     return tuple(tuple(tuple(number.get((i, j, k), zero) for k in size) for j in size) for i in size)
 
 
-def _given_table(table: Any) -> tuple[tuple[tuple[Any, ...], ...], ...]:
+def _given_table(table: Any, read_as: str) -> tuple[tuple[tuple[Any, ...], ...], ...]:
     shape = np.shape(np.asarray(table, dtype=object))
     if len(shape) != 3 or len(set(shape)) != 1 or not shape[0]:
         raise InvalidInput(
             f"`algebra` must be one of polhode.algebra or a table of structure constants (dim, dim, dim); got shape "
             f"{shape}."
         )
-    rows = tuple(tuple(tuple(_exact(c) for c in vector) for vector in row) for row in table)
+    rows = tuple(tuple(tuple(read_doubles(c, read_as) for c in vector) for vector in row) for row in table)
     for i in range(shape[0]):
         for j in range(i, shape[0]):
             for k in range(shape[0]):
@@ -186,11 +211,31 @@ def _given_table(table: Any) -> tuple[tuple[tuple[Any, ...], ...], ...]:
     return rows
 
 
-def _exact(value: Any) -> Any:
-    if isinstance(value, sympy.Expr) and not isinstance(value, sympy.Float):
-        return value
-    fraction = exact_number(value)
-    return sympy.Rational(fraction.numerator, fraction.denominator)
+def read_doubles(value: Any, read_as: str) -> Expression:
+    """Return a number or an expression of SymPy with fractions in place of its doubles.
+
+    >>> str(read_doubles(0.5 * sympy.Symbol("x") ** 2, "exact")), read_doubles(0.1, "decimal")
+    ('x**2/2', 1/10)
+    """
+    if not isinstance(value, sympy.Basic) or isinstance(value, sympy.Float):
+        fraction = read_number(value, read_as)
+        return sympy.Rational(fraction.numerator, fraction.denominator)
+    numbers = {x: read_number(x, read_as) for x in value.atoms(sympy.Float)}
+    return value.xreplace({x: sympy.Rational(n.numerator, n.denominator) for x, n in numbers.items()})
+
+
+def name_symbols(expression: Expression, symbols: Sequence[Any]) -> Expression:
+    """Return an expression whose symbols are the given ones of the same names.
+
+    Raises:
+        InvalidInput: for symbols of other names.
+    """
+    known = {str(s): s for s in symbols}
+    foreign = expression.free_symbols - set(symbols)
+    if unknown := sorted({str(s) for s in foreign} - set(known)):
+        raise InvalidInput(f"symbols must be coordinates or declared parameters, here {', '.join(known)}; got "
+                           f"{shown(', '.join(unknown))}. Declare further ones by `parameters=`.")  # fmt: skip
+    return expression.xreplace({s: known[str(s)] for s in foreign})
 
 
 def _symbols(coordinates: Sequence[Any] | None, dim: int) -> tuple[Any, ...]:
@@ -199,3 +244,15 @@ def _symbols(coordinates: Sequence[Any] | None, dim: int) -> tuple[Any, ...]:
     if len(set(symbols)) != dim:
         raise InvalidInput(f"`coordinates` must be {dim} different names or symbols; got {shown(names)}.")
     return symbols
+
+
+def _parameters(given: Sequence[Any], table: Any, coordinates: Sequence[Any]) -> tuple[Any, ...]:
+    symbols = {s for row in table for vector in row for c in vector for s in c.free_symbols}
+    declared = [x if isinstance(x, sympy.Symbol) else sympy.Symbol(str(x), real=True)
+                for x in ([given] if isinstance(given, str | sympy.Symbol) else given)]  # fmt: skip
+    symbols |= set(declared)
+    names = [str(s) for s in (*coordinates, *symbols)]
+    if twice := sorted({name for name in names if names.count(name) > 1}):
+        raise InvalidInput(f"coordinates and parameters must have different names; got {shown(', '.join(twice))} "
+                           "twice. Rename one.")  # fmt: skip
+    return tuple(sorted(symbols, key=str))

@@ -18,6 +18,7 @@ from polhode.algebra.casimirs import check_degree
 from polhode.errors import InvalidInput
 from polhode.rational._sparse import new_terms, null_space
 from polhode.rational._terms import exponents_of, multiply_together, whole_terms
+from polhode.rational.numbers import EXACT
 from polhode.symbolic._gate import sympy
 from polhode.symbolic._polynomials import bracket_terms, from_terms, symbolic_terms, to_terms
 from polhode.symbolic.systems import SymbolicSystem, as_symbolic
@@ -27,18 +28,23 @@ MOST_SYMBOLIC = 250  # monomials where coefficients are functions of symbols: 20
 Polynomial = dict[tuple[int, ...], Any]
 
 
-def polynomial_integrals(system: SymbolicSystem | AbstractLiePoissonSystem, degree: int) -> list[Any]:
+def polynomial_integrals(
+    system: SymbolicSystem | AbstractLiePoissonSystem, degree: int, read_as: str = EXACT
+) -> list[Any]:
     """Return generators of the polynomial integrals of a system's flow up to a degree, lowest first.
 
     Left out are polynomials in the Hamiltonian, the polynomial Casimirs and the integrals listed before, made of
     products up to the degree or that of H; so the list is empty for a system without further polynomial integrals of
-    that degree. An integral is determined up to a factor and up to what is left out. Numbers are exact: doubles of a
-    numerical system are read as ``exact_numbers`` says, 0.3333333333333333 as 1/3. Where H has symbols, integrals are
-    those for generic values of them, with coefficients that are rational functions; special values may have more.
+    that degree. An integral is determined up to a factor and up to what is left out. Numbers are exact:
+    doubles of a numerical system are read as ``read_as`` says, and 0.1 + 0.2 is no 0.3 in either reading. Where H has
+    symbols, integrals are those for generic values of them, with coefficients that are rational functions; special
+    values may have more.
 
     Args:
         system: with a Hamiltonian that is a polynomial in the coordinates, symbolic or from `polhode.systems`.
         degree: the highest degree looked at, at least 1.
+        read_as: of a numerical system's doubles, "exact" for the binary fractions that they are, "decimal" for the
+            shortest decimals that round to them; a symbolic system has its numbers.
 
     Returns:
         SymPy polynomials in ``coordinates`` of the system's bracket, with coprime whole coefficients where these are
@@ -56,7 +62,7 @@ def polynomial_integrals(system: SymbolicSystem | AbstractLiePoissonSystem, degr
 
     Source: Clebsch, Math. Ann. 3 (1871) 238; Steklov, Math. Ann. 42 (1893) 273; Kovalevskaya, Acta Math. 12 (1889) 177.
     """
-    system = as_symbolic(system)
+    system = as_symbolic(system, read_as)
     bracket, x = system.bracket, system.bracket.coordinates
     dim = bracket.dim
     check_degree(degree, math.comb(dim + degree, degree) - 1 if isinstance(degree, int) and degree > 0 else 0, dim)

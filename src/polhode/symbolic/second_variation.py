@@ -14,7 +14,7 @@ from typing import Any
 from polhode.errors import InvalidInput, shown
 from polhode.symbolic._gate import sympy
 from polhode.symbolic.sign_conditions import definite_conditions, definite_for_some, unstable_condition
-from polhode.symbolic.systems import SymbolicSystem, exact_expression
+from polhode.symbolic.systems import SymbolicSystem
 
 EXPONENT = sympy.Symbol("s")
 
@@ -98,7 +98,7 @@ def second_variation(
 
     Args:
         system: in symbols.
-        equilibrium: (n,) coordinates, or by symbol, which may contain parameters.
+        equilibrium: (n,) coordinates, or by symbol, which may contain parameters of the bracket.
         conserved: Casimirs and integrals; each is checked to be conserved.
 
     Raises:
@@ -107,15 +107,15 @@ def second_variation(
 
     >>> from polhode.algebra import SO3
     >>> from polhode.symbolic.brackets import LiePoissonBracket
-    >>> so3 = LiePoissonBracket(SO3(), ["L1", "L2", "L3"])
     >>> I1, I2, I3, L = sympy.symbols("I1 I2 I3 L", positive=True)
+    >>> so3 = LiePoissonBracket(SO3(), ["L1", "L2", "L3"], parameters=[I1, I2, I3, L])
     >>> body = SymbolicSystem(so3, sum(x**2 / (2 * I) for x, I in zip(so3.coordinates, (I1, I2, I3))))
     >>> second_variation(body, (L, 0, 0), [sum(x**2 for x in so3.coordinates) / 2]).positive
     (I1 > I2) & (I1 > I3)
     """
     x = sympy.Matrix(system.bracket.coordinates)
     point = _point(system, equilibrium)
-    conserved = [exact_expression(C) for C in conserved]
+    conserved = [system.bracket.read(C) for C in conserved]
     for C in conserved:
         if not system.is_integral(C):
             raise InvalidInput(f"`conserved` must be Casimirs or integrals; {{C, H}} does not vanish for "
@@ -153,4 +153,4 @@ def _point(system: SymbolicSystem, equilibrium: Sequence[Any] | Mapping[Any, Any
     if len(values) != len(coordinates) or any(value is None for value in values):
         raise InvalidInput(f"`equilibrium` must have the {len(coordinates)} coordinates "
                            f"{', '.join(map(str, coordinates))}; got {shown(str(values))}.")  # fmt: skip
-    return dict(zip(coordinates, map(exact_expression, values), strict=True))
+    return dict(zip(coordinates, map(system.bracket.read, values), strict=True))

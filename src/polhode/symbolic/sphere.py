@@ -96,8 +96,8 @@ def kks_form(bracket: LiePoissonBracket, x: Sequence[Any], y: Sequence[Any]) -> 
     ω(X_F, X_G) = {F, G} for either sign. Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §14.2.
     """
     pairs = ((i, j) for i in range(bracket.dim) for j in range(bracket.dim))
-    tensor = bracket.tensor
-    return sympy.expand(sum((sympy.sympify(x[i]) * y[j] * tensor[i, j] for i, j in pairs), sympy.Integer(0)))
+    tensor, x, y = bracket.tensor, [*map(bracket.read, x)], [*map(bracket.read, y)]
+    return sympy.expand(sum((x[i] * y[j] * tensor[i, j] for i, j in pairs), sympy.Integer(0)))
 
 
 def _cyclic(items: Sequence[Any]) -> list[tuple[Any, Any, Any]]:

@@ -2,32 +2,29 @@
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import equinox as eqx
-import jax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.constants import from_structure_constants
+from polhode.analysis._conserved import Energy
+from polhode.certificates._exact_tracing import trace_polynomials
 from polhode.errors import InvalidInput, shown
-from polhode.rational.numbers import exact_number, exact_numbers
+from polhode.rational._terms import Terms
+from polhode.rational.numbers import EXACT, nearest_double, read_number
 from polhode.symbolic._gate import sympy
 from polhode.symbolic._polynomials import from_terms
-from polhode.symbolic.brackets import LiePoissonBracket
+from polhode.symbolic.brackets import LiePoissonBracket, name_symbols, read_doubles
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.systems.lie_poisson import LiePoisson
+from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, Float64
-
-HIGHEST_DEGREE = 4  # of a Hamiltonian that is read from a numerical system
-MOST_DERIVATIVES = 100_000  # dim^degree
-POINTS, AGREES = 8, 1e-12  # of H, relative to its terms
 
 
 class SymbolicSystem:
@@ -35,15 +32,18 @@ class SymbolicSystem:
 
     Args:
         bracket: the Lie–Poisson bracket with its coordinates.
-        hamiltonian: a SymPy expression in the coordinates; other symbols are parameters.
+        hamiltonian: a SymPy expression in its coordinates and parameters.
 
     Attributes:
         bracket: as given.
-        hamiltonian: as given, with fractions in place of doubles.
+        hamiltonian: as given, with fractions in place of doubles, as ``bracket.read_as`` says.
+
+    Raises:
+        InvalidInput: for symbols that are neither coordinates nor parameters of the bracket.
 
     >>> from polhode.algebra import SO3
-    >>> so3 = LiePoissonBracket(SO3(), ["L1", "L2", "L3"])
     >>> I1, I2, I3 = sympy.symbols("I1 I2 I3", positive=True)
+    >>> so3 = LiePoissonBracket(SO3(), ["L1", "L2", "L3"], parameters=[I1, I2, I3])
     >>> body = SymbolicSystem(so3, sum(L**2 / (2 * I) for L, I in zip(so3.coordinates, (I1, I2, I3))))
     >>> running = body.to_system({I1: 1, I2: 2, I3: 3})
     >>> (6.0 * running.vector_field(0.0, jnp.array([1.0, 1.0, 1.0]))).round(9).tolist()
@@ -53,29 +53,32 @@ class SymbolicSystem:
     def __init__(self, bracket: LiePoissonBracket, hamiltonian: Any) -> None:
         if not isinstance(bracket, LiePoissonBracket):
             raise InvalidInput(f"`bracket` must be a LiePoissonBracket; got {shown(bracket)}.")
-        self.bracket, self.hamiltonian = bracket, exact_expression(hamiltonian)
+        self.bracket, self.hamiltonian = bracket, bracket.read(hamiltonian)
 
     @classmethod
-    def from_system(cls, system: AbstractLiePoissonSystem, coordinates: Sequence[Any] | None = None) -> SymbolicSystem:
+    def from_system(
+        cls, system: AbstractLiePoissonSystem, coordinates: Sequence[Any] | None = None, read_as: str = EXACT
+    ) -> SymbolicSystem:
         """Return a numerical system with exact numbers.
 
-        Its energy is read from derivatives at zero up to degree 4, whose doubles become fractions as ``exact_numbers``
-        says; so a moment of 3 gives 1/6, and moments in the ratio 2 : 1 keep it.
+        Its energy is computed in fractions from the numbers that the system has, so that a moment of 3 gives 1/6, as
+        certificates do; see ``polhode.rational.read_number`` for the doubles.
 
         Args:
-            system: of `polhode.systems`, with an energy that is a polynomial of degree 4 or less.
+            system: of `polhode.systems`, with an energy that is a polynomial.
             coordinates: (dim,) names or symbols of ⟨μ, e_k⟩.
+            read_as: "exact" or "decimal", how doubles are read.
 
         Raises:
-            InvalidInput: for a system that loses energy, an energy that is no such polynomial, or one too large.
+            InvalidInput: for a system that loses energy, or an energy that is no polynomial.
         """
         if not isinstance(system, AbstractLiePoissonSystem):
             raise InvalidInput(f"`system` must be a Lie–Poisson system; got {shown(type(system).__name__)}.")
         if not system.conserves_energy:
             raise InvalidInput(f"{type(system).__name__} loses energy, and no Hamiltonian alone gives its motion. Take "
                                "the conservative system.")  # fmt: skip
-        bracket = LiePoissonBracket(system.algebra, coordinates, system.sign)
-        return cls(bracket, from_terms(_exact_energy(system), bracket.coordinates))
+        bracket = LiePoissonBracket(system.algebra, coordinates, system.sign, read_as=read_as)
+        return cls(bracket, from_terms(_exact_energy(system, read_as), bracket.coordinates))
 
     @property
     def parameters(self) -> tuple[Any, ...]:
@@ -97,16 +100,22 @@ class SymbolicSystem:
         """Return the system with exact numbers or expressions in place of parameters.
 
         Args:
-            values: by symbol or name; doubles become fractions as ``exact_numbers`` says.
+            values: by symbol or name; doubles become fractions as ``bracket.read_as`` says. Symbols in them become
+                parameters.
 
         Raises:
             InvalidInput: for a name that is no parameter, or a value that is not a number.
         """
         exact = self._exact_values(values)
-        if not any(c.free_symbols for row in self.bracket.constants for vector in row for c in vector):
-            return SymbolicSystem(self.bracket, self.hamiltonian.subs(exact))
-        table = [[[c.subs(exact) for c in vector] for vector in row] for row in self.bracket.constants]
-        bracket = LiePoissonBracket(table, self.bracket.coordinates, self.bracket.sign)
+        old = self.bracket
+        known = {str(s): s for s in (*old.coordinates, *old.parameters)}
+        new = {str(s): s for value in exact.values() for s in value.free_symbols if str(s) not in known}
+        exact = {s: name_symbols(value, (*known.values(), *new.values())) for s, value in exact.items()}
+        table: Any = old.algebra
+        if any(c.free_symbols for row in old.constants for vector in row for c in vector) or table is None:
+            table = [[[c.subs(exact) for c in vector] for vector in row] for row in old.constants]
+        declared = (*old.parameters, *new.values())
+        bracket = LiePoissonBracket(table, old.coordinates, old.sign, declared, old.read_as)
         return SymbolicSystem(bracket, self.hamiltonian.subs(exact))
 
     def _exact_values(self, values: Mapping[Any, Any]) -> dict[Any, Any]:
@@ -115,14 +124,7 @@ class SymbolicSystem:
         if wrong:
             raise InvalidInput(f"{shown(wrong[0])} is no parameter of this system; it has "
                                f"{', '.join(known) or 'none'}.")  # fmt: skip
-        exact = {}
-        for key, value in values.items():
-            symbolic = isinstance(value, sympy.Expr) and not isinstance(value, sympy.Float)
-            if not symbolic:
-                fraction = exact_number(value)
-                value = sympy.Rational(fraction.numerator, fraction.denominator)
-            exact[known[str(key)]] = value
-        return exact
+        return {known[str(key)]: read_doubles(value, self.bracket.read_as) for key, value in values.items()}
 
     def to_system(
         self, values: Mapping[Any, Any] | None = None, conserved: Mapping[str, Any] | None = None
@@ -144,10 +146,13 @@ class SymbolicSystem:
         missing = [str(s) for s in self.parameters if str(s) not in values]
         if missing:
             raise InvalidInput(f"`values` must have a number for each parameter; {', '.join(missing)} missing.")
-        numbers = [float(values[str(s)]) for s in self.parameters]
-        fixed, exact_values = self.subs(values), self._exact_values(values)
-        for name, F in (conserved or {}).items():
-            rate = sympy.simplify(fixed.bracket(exact_expression(F).subs(exact_values), fixed.hamiltonian))
+        exact_values = self._exact_values(values)
+        if symbolic := [str(s) for s, value in exact_values.items() if not value.is_number]:
+            raise InvalidInput(f"`values` must have a number for each parameter; {', '.join(symbolic)} has symbols.")
+        numbers = [_as_double(str(s), exact_values[s]) for s in self.parameters]
+        fixed, conserved = self.subs(values), {name: self.bracket.read(F) for name, F in (conserved or {}).items()}
+        for name, F in conserved.items():
+            rate = sympy.simplify(fixed.bracket(F.subs(exact_values), fixed.hamiltonian))
             if rate != 0:
                 raise InvalidInput(f"`conserved` must commute with the Hamiltonian; {name} = {shown(str(F))} changes "
                                    f"at the rate {shown(str(rate))}. Leave it out.")  # fmt: skip
@@ -156,7 +161,7 @@ class SymbolicSystem:
             exact = fixed.bracket.constants
             algebra = from_structure_constants(np.array([[[float(c) for c in v] for v in row] for row in exact]))
         functions = {name: compile_expression(F, self.bracket.coordinates, algebra, self.parameters, numbers)
-                     for name, F in {"": self.hamiltonian, **(conserved or {})}.items()}  # fmt: skip
+                     for name, F in {"": self.hamiltonian, **conserved}.items()}  # fmt: skip
         return LiePoisson(algebra, functions.pop(""), functions, self.bracket.sign)
 
     def latex(self) -> str:
@@ -165,21 +170,16 @@ class SymbolicSystem:
         return "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}"
 
 
-def as_symbolic(system: SymbolicSystem | AbstractLiePoissonSystem) -> SymbolicSystem:
+def _as_double(name: str, value: Any) -> float:
+    number = float(value) if not value.is_Rational else nearest_double(read_number(value))
+    if not math.isfinite(number):
+        raise InvalidInput(f"`values` must be doubles; {name} is beyond 1e308. Measure in other units.")
+    return number
+
+
+def as_symbolic(system: SymbolicSystem | AbstractLiePoissonSystem, read_as: str = EXACT) -> SymbolicSystem:
     """Return a system in symbols; a numerical one is read by ``SymbolicSystem.from_system``."""
-    return system if isinstance(system, SymbolicSystem) else SymbolicSystem.from_system(system)
-
-
-def exact_expression(expression: Any) -> Any:
-    """Return a SymPy expression with fractions in place of its doubles, as ``exact_numbers`` reads them.
-
-    >>> str(exact_expression(0.5 * sympy.Symbol("x") ** 2))
-    'x**2/2'
-    """
-    expression = sympy.sympify(expression)
-    doubles = sorted(expression.atoms(sympy.Float), key=float)
-    numbers = (sympy.Rational(n.numerator, n.denominator) for n in exact_numbers([float(v) for v in doubles]))
-    return expression.xreplace(dict(zip(doubles, numbers, strict=True)))
+    return system if isinstance(system, SymbolicSystem) else SymbolicSystem.from_system(system, read_as=read_as)
 
 
 class CompiledExpression(eqx.Module):
@@ -201,20 +201,18 @@ def compile_expression(
     """Return an expression as a function of one point (*element_shape) of the dual, differentiable by JAX.
 
     Args:
-        expression: of SymPy, or what it understands.
-        coordinates: (dim,) symbols of ⟨μ, e_k⟩.
+        expression: of SymPy, or a number.
+        coordinates: (dim,) symbols of ⟨μ, e_k⟩; a symbol of the expression with the name of one is that one.
         algebra: whose points it takes.
-        parameters: (p,) further symbols.
+        parameters: (p,) further symbols; the same holds for their names.
         numbers: (p,) their values.
 
     Raises:
         InvalidInput: for symbols that are neither.
     """
-    expression = sympy.sympify(expression)
-    unknown = expression.free_symbols - set(coordinates) - set(parameters)
-    if unknown:
-        raise InvalidInput(f"the expression has symbols without values, {', '.join(sorted(map(str, unknown)))}. Give "
-                           "their numbers.")  # fmt: skip
+    if not isinstance(expression, sympy.Basic):
+        expression = read_doubles(expression, EXACT)
+    expression = name_symbols(expression, (*coordinates, *parameters))
     function = _jax_function(expression, tuple(coordinates), tuple(parameters))
     return CompiledExpression(jnp.asarray(np.asarray(numbers, dtype=float)), algebra, function)
 
@@ -228,44 +226,13 @@ def _jax_function(expression: Any, coordinates: tuple[Any, ...], parameters: tup
     return sympy.lambdify([coordinates, parameters], expression, modules="jax", cse=True)
 
 
-def _exact_energy(system: AbstractLiePoissonSystem) -> dict[tuple[int, ...], Any]:
+def _exact_energy(system: AbstractLiePoissonSystem, read_as: str) -> Terms:
     """Return H as {exponents: fraction}."""
-    algebra = system.algebra
-
-    def energy(z: Array) -> Array:
-        return jnp.asarray(system.energy(algebra.from_dual_vector(z)))
-
-    derivative, terms = energy, {}
-    points = np.random.default_rng(0).normal(size=(POINTS, algebra.dim))
-    values = np.asarray(jax.jit(jax.vmap(energy))(jnp.asarray(points)))
-    for degree in range(HIGHEST_DEGREE + 1):
-        if algebra.dim**degree > MOST_DERIVATIVES:
-            raise InvalidInput(
-                f"reading a Hamiltonian of degree {degree} in {algebra.dim} variables takes more than "
-                f"{MOST_DERIVATIVES} derivatives. Make a SymbolicSystem from the expression itself."
-            )
-        terms |= _taylor_terms(np.asarray(jax.jit(derivative)(jnp.zeros(algebra.dim))), degree, algebra.dim)
-        if degree > 1 and _agrees(terms, points, values):
-            exact = exact_numbers(list(terms.values()))
-            return dict(zip(terms, exact, strict=True))
-        derivative = jax.jacfwd(derivative)
-    raise InvalidInput(
-        f"the energy of {type(system).__name__} must be a polynomial of degree {HIGHEST_DEGREE} or less to be read "
-        "exactly. Make a SymbolicSystem from the expression itself."
-    )
-
-
-def _taylor_terms(derivative: np.ndarray, degree: int, dim: int) -> dict[tuple[int, ...], float]:
-    found = {}
-    for indices in itertools.combinations_with_replacement(range(dim), degree):
-        if value := float(derivative[indices]):
-            counts = Counter(indices)
-            factor = math.prod(math.factorial(n) for n in counts.values())
-            found[tuple(counts[k] for k in range(dim))] = value / factor
-    return found
-
-
-def _agrees(terms: dict[tuple[int, ...], float], points: np.ndarray, values: np.ndarray) -> bool:
-    parts = [value * np.prod(points**np.array(powers), axis=1) for powers, value in terms.items()]
-    total, size = sum(parts, np.zeros(len(points))), sum(map(np.abs, parts), np.zeros(len(points)))
-    return bool((np.abs(total - values) <= AGREES * size).all())
+    try:
+        (energy,) = trace_polynomials(Energy(system), system.algebra.dim, partial(read_number, read_as=read_as))
+    except Untraceable as error:
+        raise InvalidInput(
+            f"the energy of {type(system).__name__} must be a polynomial to be read exactly; it has {error}. Make a "
+            "SymbolicSystem from the expression itself."
+        ) from None
+    return energy.terms

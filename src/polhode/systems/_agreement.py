@@ -13,6 +13,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.arrays import in_jax_numpy
+from polhode.arrays.traced_checks import check_function
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, components, join_state
 from polhode.types import Array, ArrayLike, Double, Real
@@ -73,6 +74,8 @@ def check_agreement(
     moments = jnp.asarray([first + share * (last - first) for share in MOMENTS_OF_TIME])
     try:
         with in_jax_numpy(f"the methods of {type(system).__name__}"):
+            # first, as an element that is not there makes descriptions disagree too
+            check_function(f"`vector_field` of {type(system).__name__}", system.vector_field, moments[0], state)
             misfits = _misfits(system, state, moments, by_flows)
     except TypeError as error:
         raise InvalidInput(

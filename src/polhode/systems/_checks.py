@@ -8,9 +8,12 @@ from typing import Any
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import refuse_single_precision
+from polhode.algebra.base import AbstractLieAlgebra
+from polhode.arrays import compiled_for_few_calls, require_doubles
 from polhode.errors import InvalidInput, shown
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, Double, Float64, Real
+
+OUTSIDE = 1e-6  # of a point's size, off the dual: single precision leaves some 1e-7 of a trace
 
 
 def checked_number(
@@ -21,12 +24,11 @@ def checked_number(
     Raises:
         InvalidInput: for anything else, or one out of range.
     """
-    refuse_single_precision(**{name: value})
+    require_doubles(**{name: value})
     number = as_floats(value)
     if number.shape != () or not _in_range(number, above, least):
         rule = f"a finite number{_range(above, least, unit)}"
-        remedy = _remedy(value) or "Check its size and sign."
-        raise InvalidInput(f"`{name}` must be {rule}; got {shown(value)}. {remedy}")
+        raise InvalidInput(f"`{name}` must be {rule}; got {shown(value)}. Check its size and sign.")
     return jnp.asarray(number)
 
 
@@ -39,13 +41,12 @@ def checked_numbers(
     Raises:
         InvalidInput: for another number of them, or one out of range.
     """
-    refuse_single_precision(**{name: value})
+    require_doubles(**{name: value})
     numbers = as_floats(value)
     numbers = numbers.reshape(()) if numbers.size == 1 else numbers
     if numbers.shape not in ((), (count,)) or not _in_range(numbers, above, least):
         rule = f"one finite number{_range(above, least, unit)}, or one for each of {count}"
-        remedy = _remedy(value) or "Check their number, sizes and signs."
-        raise InvalidInput(f"`{name}` must be {rule}; got {shown(value)}. {remedy}")
+        raise InvalidInput(f"`{name}` must be {rule}; got {shown(value)}. Check their number, sizes and signs.")
     return jnp.asarray(numbers)
 
 
@@ -55,11 +56,10 @@ def checked_times(name: str, value: Real[ArrayLike, "..."]) -> np.ndarray:
     Raises:
         InvalidInput: otherwise.
     """
+    require_doubles(**{name: value})
     times = np.atleast_1d(as_floats(value))
     if times.ndim != 1 or not times.size or not np.isfinite(times).all():
-        raise InvalidInput(
-            f"`{name}` must be a finite time [s], or a list of such; got {shown(value)}. {_remedy(value)}".rstrip()
-        )
+        raise InvalidInput(f"`{name}` must be a finite time [s], or a list of such; got {shown(value)}.")
     return times
 
 
@@ -69,11 +69,11 @@ def advancing_times(value: Real[ArrayLike, "time"]) -> Float64[np.ndarray, "time
     Raises:
         InvalidInput: otherwise.
     """
-    refuse_single_precision(times=value)
+    require_doubles(times=value)
     try:
         times = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
-        raise InvalidInput(f"`times` must be numbers [s]; got {shown(value)}. {_remedy(value)}".rstrip()) from None
+        raise InvalidInput(f"`times` must be numbers [s]; got {shown(value)}.") from None
     if times.ndim != 1 or len(times) < 2:
         raise InvalidInput(
             f"`times` must be at least two times (T,), the first that of the start; got shape {times.shape}."
@@ -98,10 +98,10 @@ def checked_vector(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"
     Raises:
         InvalidInput: otherwise.
     """
-    refuse_single_precision(**{name: value})
+    require_doubles(**{name: value})
     vector = as_floats(value)
     if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise InvalidInput(f"`{name}` must be three finite numbers; got {shown(value)}. {_remedy(value)}".rstrip())
+        raise InvalidInput(f"`{name}` must be three finite numbers; got {shown(value)}.")
     return jnp.asarray(vector)
 
 
@@ -124,18 +124,36 @@ def checked_directions(name: str, value: Real[ArrayLike, "count 3"]) -> Float64[
     Raises:
         InvalidInput: for what is not a list of directions.
     """
-    refuse_single_precision(**{name: value})
+    require_doubles(**{name: value})
     rows = as_floats(value)
     if rows.ndim != 2 or rows.shape[-1] != 3 or not len(rows):
         raise InvalidInput(f"`{name}` must be a list of directions (n, 3); got {shown(value)}.")
     return jnp.asarray(np.stack([np.asarray(checked_direction(f"{name}[{k}]", row)) for k, row in enumerate(rows)]))
 
 
-def _remedy(value: Any) -> str:
-    """Return what to do about text among numbers; nothing if there is none."""
-    parts = value if isinstance(value, list | tuple) else [value]
-    text = any(isinstance(part, str) for part in parts)
-    return "Give numbers in SI units; text with units is for specs." if text else ""
+def check_on_dual(algebra: AbstractLieAlgebra, state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
+    """Return points of an algebra's dual.
+
+    Raises:
+        InvalidInput: if one of them does not lie there.
+    """
+    own = tuple(range(-len(algebra.element_shape), 0))
+    points = np.asarray(state)
+    size = np.max(np.abs(points), axis=own, keepdims=True, initial=0.0)
+    points = points / np.where(size > 0.0, size, 1.0)  # sums of extreme sizes overflow
+    off = float(np.max(np.abs(points - np.asarray(_project(algebra, points))), initial=0.0))
+    if off > OUTSIDE:
+        raise InvalidInput(
+            f"`state` must lie on the dual of {algebra.name}, whose points are {algebra.element_rule}; an entry is off "
+            f"by {off:.3g} of the largest. Take the part there by `project(state)` of the algebra, or make a state "
+            "by its `from_dual_vector(coordinates)`."
+        )
+    return state
+
+
+@compiled_for_few_calls
+def _project(algebra: AbstractLieAlgebra, points: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
+    return algebra.project(points)
 
 
 def as_floats(value: Any) -> np.ndarray:

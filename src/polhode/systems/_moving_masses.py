@@ -25,6 +25,7 @@ from typing import NamedTuple
 import jax
 import jax.numpy as jnp
 
+from polhode.systems._symmetric import solve_symmetric
 from polhode.systems.moving_parts import AbstractMovingPart
 from polhode.types import Array, Float64
 
@@ -271,28 +272,6 @@ def flux(
     for shift, rate in zip(moved, rates, strict=True):
         speed = speed - shift * rate[..., None]
     return speed, jnp.cross(arm, speed), [-_dot(speed, shift) for shift in moved]
-
-
-def solve_symmetric(matrix: list[Vectors], right: Vectors) -> Vectors:
-    """Solve A x = b by L D Lᵀ, A symmetric and positive, its entries and those of b arrays (…).
-
-    It is written out in sums, products and quotients, which Taylor series have recurrences of.
-    """
-    size = len(right)
-    lower: list[Vectors] = []
-    pivots: Vectors = []
-    x: Vectors = []
-    for i in range(size):
-        scaled: Vectors = []  # L_ik D_k
-        for k in range(i):
-            scaled.append(matrix[i][k] - sum((scaled[n] * lower[k][n] for n in range(k)), 0.0))
-        lower.append([value / pivot for value, pivot in zip(scaled, pivots, strict=True)])
-        pivots.append(matrix[i][i] - sum((a * b for a, b in zip(scaled, lower[i], strict=True)), 0.0))
-        x.append(right[i] - sum((a * b for a, b in zip(lower[i], x, strict=True)), 0.0))
-    found = [value / pivot for value, pivot in zip(x, pivots, strict=True)]
-    for i in range(size - 1, -1, -1):
-        found[i] = found[i] - sum((lower[k][i] * found[k] for k in range(i + 1, size)), 0.0)
-    return found
 
 
 def _units(q: Array) -> Vectors:

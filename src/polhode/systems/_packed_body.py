@@ -12,7 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import compiled_for_few_calls, is_traced, known_numbers_only, refuse_single_precision
+from polhode.arrays import compiled_for_few_calls, is_traced, known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn
 from polhode.motion._inputs import refuse_not_finite
@@ -26,7 +26,8 @@ from polhode.motion._layout import (
     StateLayout,
     StatePart,
 )
-from polhode.systems._moving_masses import Arrangement, Burned, arrange, momenta, solve_symmetric
+from polhode.systems._moving_masses import Arrangement, Burned, arrange, momenta
+from polhode.systems._symmetric import solve_symmetric
 from polhode.systems.base import AbstractSystem, as_finite_state, check_unit_attitude
 from polhode.systems.mounts import AbstractMount, AbstractMounted
 from polhode.systems.moving_parts import AbstractMovingPart
@@ -166,7 +167,7 @@ class AbstractPackedBody(AbstractSystem):
         """
         if angular_velocity is not None and momentum is not None:
             raise InvalidInput("give `angular_velocity` or `momentum`, not both.")
-        refuse_single_precision(attitude=attitude, angular_velocity=angular_velocity, momentum=momentum)
+        require_doubles(attitude=attitude, angular_velocity=angular_velocity, momentum=momentum)
         given = {"attitude": attitude, "angular_velocity": angular_velocity, "momentum": momentum}
         refuse_not_finite(**{name: jnp.asarray(x, dtype=float) for name, x in given.items() if x is not None})
         values, acting = self._checked_rates(rates), self._checked_actuators(actuators)
@@ -279,7 +280,7 @@ class AbstractPackedBody(AbstractSystem):
         Raises:
             InvalidInput: for a wrong last axis.
         """
-        refuse_single_precision(state=state)
+        require_doubles(state=state)
         sizes = [attachment.state_size for attachment in chain(self.mounts, self.torques)]
         shape, bare = jnp.shape(state), 3 + sum(sizes)
         carries = shape[-1:] == (4 + bare,)
@@ -387,7 +388,7 @@ def _one_each(name: str, values: Any, things: str, count: int) -> list[Array | N
             f"`{name}` must be a list with one entry for each of the {count} {things}, None where there is nothing to "
             f"say; got {shown(values)}."
         )
-    refuse_single_precision(**{f"{name}[{k}]": value for k, value in enumerate(values)})
+    require_doubles(**{f"{name}[{k}]": value for k, value in enumerate(values)})
     return list(values)
 
 

@@ -10,7 +10,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import in_jax_numpy, is_traced, refuse_single_precision
+from polhode.arrays import in_jax_numpy, is_traced, require_doubles
+from polhode.arrays.traced_checks import check_traced
 from polhode.errors import InvalidInput, PolhodeError, shown
 from polhode.motion._layout import StateLayout, StatePart
 from polhode.motion.frame import BodyFrame
@@ -134,7 +135,7 @@ def checked_jumps(jumps: Real[ArrayLike, "jumps"]) -> Float64[Array, "jumps"]:
     Raises:
         InvalidInput: for what is not a list of finite numbers.
     """
-    refuse_single_precision(jumps=jumps)
+    require_doubles(jumps=jumps)
     try:
         times = jnp.asarray(jumps, dtype=float)
     except (TypeError, ValueError):
@@ -215,7 +216,8 @@ def _check_shapes(name: str, attachment: AbstractAttachment, trial: Any, batch: 
     arguments = zeros(), attitude, zeros(3), zeros(attachment.state_size)
     try:
         with in_jax_numpy(f"the methods of {kind}"):
-            got = jax.eval_shape(values, *arguments)
+            traced, got = jax.make_jaxpr(values, return_shape=True)(*arguments)
+            check_traced(f"a method of `{name}`, a {kind},", traced)
     except PolhodeError:
         raise
     except Exception as error:

@@ -14,7 +14,7 @@ import numpy as np
 from polhode import rotation
 from polhode.algebra._functions import Function
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
-from polhode.arrays import compiled_for_few_calls, known_numbers_only, namespace, refuse_single_precision
+from polhode.arrays import known_numbers_only, namespace, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import (
     ATTITUDE,
@@ -27,13 +27,14 @@ from polhode.motion._layout import (
     StateLayout,
     StatePart,
 )
+from polhode.systems._checks import check_on_dual
+from polhode.systems.steady_motion import SteadyMotion
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
 Components = tuple[Double[Array, "*shape"], ...]
 Flow = Callable[[Float64[Array, ""], Components], Components]
 Event = Callable[[Float64[Array, ""], Double[Array, "..."]], Float64[Array, ""]]
 UNIT = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
-OUTSIDE = 1e-6  # of a point's size, likewise: single precision leaves some 1e-7 of a trace
 
 
 class Parts(NamedTuple):
@@ -208,6 +209,16 @@ class AbstractSystem(HashableModule):
         """Return attitude, angular momentum and angular velocity at states."""
         return Vectors()
 
+    def steady_motion(self, state: Real[ArrayLike, "..."]) -> SteadyMotion | None:
+        """Return what decides on the stability of a motion that is steady at one state.
+
+        None, as by default, where ``stability`` finds it by itself, which it does for Lie–Poisson systems alone.
+
+        Raises:
+            InvalidInput: for a state whose motion is not steady.
+        """
+        return None
+
 
 class AbstractLiePoissonSystem(AbstractSystem):
     """μ̇ = −sign · ad*_{dH} μ on the dual of ``algebra``.
@@ -335,7 +346,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         state = as_finite_state(state, self.algebra.dtype)
         if self.parts(np.asarray(state)).attitude is not None:
             return check_unit_attitude(state)
-        return _check_on_dual(self.algebra, state) if self.algebra.element_rule else state
+        return check_on_dual(self.algebra, state) if self.algebra.element_rule else state
 
     @property
     def carries_attitude(self) -> bool:
@@ -348,7 +359,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         Raises:
             InvalidInput: if its last axes are neither a point's nor, where there is one, attitude and point.
         """
-        refuse_single_precision(state=state)
+        require_doubles(state=state)
         shape, own = jnp.shape(state), self.algebra.element_shape
         if self.carries_attitude and shape and shape[-1] == 4 + own[0]:
             return Parts(state[..., :4], state[..., 4:])
@@ -367,7 +378,7 @@ def as_finite_state(state: Real[ArrayLike, "*shape"], dtype: Any, length: int | 
     Raises:
         InvalidInput: for what is not a number, NaN or an infinity, or a last axis not of the length.
     """
-    refuse_single_precision(state=state)
+    require_doubles(state=state)
     try:
         state = jnp.asarray(state, dtype=dtype)
     except (TypeError, ValueError):
@@ -388,31 +399,6 @@ def check_unit_attitude(state: Float64[Array, "*batch n"]) -> Float64[Array, "*b
     if not np.all(np.abs(np.linalg.norm(np.asarray(state)[..., :4], axis=-1) - 1.0) < UNIT):
         raise InvalidInput("`state` must begin with a unit quaternion (w, x, y, z); divide it by its norm.")
     return state
-
-
-def _check_on_dual(algebra: AbstractLieAlgebra, state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
-    """Return points of an algebra's dual.
-
-    Raises:
-        InvalidInput: if one of them does not lie there.
-    """
-    own = tuple(range(-len(algebra.element_shape), 0))
-    points = np.asarray(state)
-    size = np.max(np.abs(points), axis=own, keepdims=True, initial=0.0)
-    points = points / np.where(size > 0.0, size, 1.0)  # sums of extreme sizes overflow
-    off = float(np.max(np.abs(points - np.asarray(_project(algebra, points))), initial=0.0))
-    if off > OUTSIDE:
-        raise InvalidInput(
-            f"`state` must lie on the dual of {algebra.name}, whose points are {algebra.element_rule}; an entry is off "
-            f"by {off:.3g} of the largest. Take the part there by `project(state)` of the algebra, or make a state "
-            "by its `from_dual_vector(coordinates)`."
-        )
-    return state
-
-
-@compiled_for_few_calls
-def _project(algebra: AbstractLieAlgebra, points: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
-    return algebra.project(points)
 
 
 def components(state: Double[Array, "*shape n"]) -> Components:

@@ -5,12 +5,11 @@ from __future__ import annotations
 from typing import ClassVar
 
 import jax.numpy as jnp
-import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
-from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput, shown
+from polhode.arrays import known_numbers_only
+from polhode.systems._checks import checked_number
 from polhode.systems._top_integrals import Integral
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_rigid_body import axis_flows, checked_moments
@@ -42,10 +41,8 @@ class BrunBody(AbstractLiePoissonSystem):
 
     @known_numbers_only
     def __init__(self, moments: Real[ArrayLike, "3"], strength: float) -> None:
-        if not (np.ndim(strength) == 0 and np.isfinite(strength)):
-            raise InvalidInput(f"`strength` must be one finite number [1/s²]; got {shown(strength)}.")
-        refuse_single_precision(strength=strength)
-        self.algebra, self.moments, self.strength = SE3(), checked_moments(moments), jnp.asarray(float(strength))
+        self.algebra, self.moments = SE3(), checked_moments(moments)
+        self.strength = checked_number("strength", strength, unit="1/s²")
 
     def energy(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch"]:
         angular, up = point[..., :3], point[..., 3:]

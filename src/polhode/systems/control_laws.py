@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import compiled_for_few_calls, known_numbers_only, refuse_single_precision
+from polhode.arrays import compiled_for_few_calls, known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame
@@ -335,7 +335,7 @@ def checked_gain(name: str, value: Real[ArrayLike, "..."], unit: str) -> Float64
     Raises:
         InvalidInput: for another shape, or a matrix that is not symmetric and positive definite.
     """
-    refuse_single_precision(**{name: value})
+    require_doubles(**{name: value})
     try:
         gain = np.asarray(value, dtype=float)
     except (TypeError, ValueError):

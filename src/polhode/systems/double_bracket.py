@@ -9,9 +9,9 @@ import jax.numpy as jnp
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
 from polhode.arrays import known_numbers_only
+from polhode.systems._checks import checked_number
 from polhode.systems.base import AbstractLiePoissonSystem, Balance
 from polhode.systems.free_rigid_body import checked_moments
-from polhode.systems.mounts import EnergySink
 from polhode.types import Array, ArrayLike, Float64, Real
 
 
@@ -36,16 +36,12 @@ class DoubleBracket(AbstractLiePoissonSystem):
     kind: ClassVar[str] = "damped-body"
     algebra: AbstractLieAlgebra
     moments: Float64[Array, "3"]
-    sink: EnergySink
+    rate: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, moments: Real[ArrayLike, "3"], rate: float) -> None:
-        self.algebra, self.moments, self.sink = SO3(), checked_moments(moments), EnergySink(rate)
-
-    @property
-    def rate(self) -> Float64[Array, ""]:
-        """α [s/(kg m²)]."""
-        return self.sink.rate
+        self.algebra, self.moments = SO3(), checked_moments(moments)
+        self.rate = checked_number("rate", rate, least=0.0, unit="s/(kg m²)")
 
     def energy(self, point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch"]:
         return 0.5 * jnp.sum(point * point / self.moments, axis=-1)
@@ -55,7 +51,7 @@ class DoubleBracket(AbstractLiePoissonSystem):
 
     def generator(self, t: Real[ArrayLike, "..."], point: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 3"]:
         velocity = self.velocity(point)
-        return velocity + self.sink.drift(point, velocity)
+        return velocity + self.rate * jnp.cross(point, velocity)
 
     @property
     def conserves_energy(self) -> bool:

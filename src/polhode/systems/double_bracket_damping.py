@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from typing import ClassVar
 
 import jax.numpy as jnp
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput, shown
+from polhode.arrays import known_numbers_only, require_doubles
+from polhode.errors import InvalidInput
 from polhode.motion._layout import Quantity
+from polhode.systems._checks import checked_number
 from polhode.systems.base import AbstractLiePoissonSystem, Balance
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
@@ -53,14 +53,12 @@ class DoubleBracketDamping(AbstractLiePoissonSystem):
     def __init__(
         self, system: AbstractLiePoissonSystem, rate: float, metric: Real[ArrayLike, "dim dim"] | None = None
     ) -> None:
-        refuse_single_precision(rate=rate, metric=metric)
+        require_doubles(rate=rate, metric=metric)
         if not isinstance(system, AbstractLiePoissonSystem) or not system.conserves_energy:
             raise InvalidInput(
                 f"`system` must be a Lie–Poisson system that keeps its energy; got {type(system).__name__}."
             )
-        if not (np.ndim(rate) == 0 and math.isfinite(rate) and rate >= 0.0):
-            raise InvalidInput(f"`rate` must be one finite number, not negative; got {shown(rate)}.")
-        self.system, self.algebra, self.rate = system, system.algebra, jnp.asarray(float(rate))
+        self.system, self.algebra, self.rate = system, system.algebra, checked_number("rate", rate, least=0.0)
         self.metric = None if metric is None else jnp.asarray(_checked_metric(metric, system.algebra))
 
     @property

@@ -9,7 +9,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.systems._checks import as_floats
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
@@ -95,7 +95,7 @@ def checked_moments(moments: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
     Raises:
         InvalidInput: otherwise.
     """
-    refuse_single_precision(moments=moments)
+    require_doubles(moments=moments)
     values = as_floats(moments)
     if values.shape != (3,) or not (np.isfinite(values).all() and (values > 0).all()):
         given = moments.tolist() if hasattr(moments, "tolist") else moments

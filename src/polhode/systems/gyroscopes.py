@@ -9,7 +9,7 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.systems._checks import checked_direction, checked_number
@@ -73,8 +73,7 @@ class ControlMomentGyroscope(AbstractMovingPart):
     moves_mass: ClassVar[bool] = False
     gimbal_axis: Float64[Array, "3"]
     rotor: Wheel | HeldWheel
-    tensor_at_rest: Float64[Array, "3 3"]
-    moment: Float64[Array, ""]
+    moments: Float64[Array, "3"]
     drive: Float64[Array, ""] | Drive | None
     bandwidth: Float64[Array, ""] | None
     friction: Float64[Array, ""]
@@ -93,18 +92,12 @@ class ControlMomentGyroscope(AbstractMovingPart):
         self.gimbal_axis, self.rotor = checked_direction("gimbal_axis", gimbal_axis), rotor
         if abs(float(np.dot(self.gimbal_axis, rotor.axis))) > ACROSS:
             raise InvalidInput(f"`gimbal_axis` must be perpendicular to the rotor's axis; got {shown(gimbal_axis)}.")
-        about_spin, across, self.moment = _checked_moments(moments)
-        if isinstance(rotor, Wheel):
-            about_spin = float(about_spin) - float(rotor.moment)
-            if not about_spin > 0.0:
-                raise InvalidInput(
-                    f"`moments` must be those of gimbal and rotor together, the first of them above the rotor's "
-                    f"{float(rotor.moment):g} kg m²; got {shown(moments)}."
-                )
-        third = np.cross(self.gimbal_axis, rotor.axis)
-        triples = ((about_spin, rotor.axis), (across, third), (self.moment, self.gimbal_axis))
-        tensors = [float(moment) * np.outer(axis, axis) for moment, axis in triples]
-        self.tensor_at_rest = jnp.asarray(sum(tensors, np.zeros((3, 3))))
+        self.moments = jnp.stack(_checked_moments(moments))
+        if isinstance(rotor, Wheel) and not float(self.moments[0]) > float(rotor.moment):
+            raise InvalidInput(
+                f"`moments` must be those of gimbal and rotor together, the first of them above the rotor's "
+                f"{float(rotor.moment):g} kg m²; got {shown(moments)}."
+            )
         if gimbal_torque is not None and gimbal_rate is not None:
             raise InvalidInput("give `gimbal_torque` or `gimbal_rate`, not both.")
         if (gimbal_rate is None) != (bandwidth is None):
@@ -115,6 +108,20 @@ class ControlMomentGyroscope(AbstractMovingPart):
         self.friction = checked_number("friction", friction, least=0.0, unit="N m s")
         self.jump_times, self.mass = checked_jumps(jumps), jnp.zeros(())
         self.is_lossless = drive is None and not float(self.friction) and rotor.conserves_energy
+
+    @property
+    def moment(self) -> Float64[Array, ""]:
+        """About the gimbal's axis [kg m²]."""
+        return self.moments[2]
+
+    @property
+    def tensor_at_rest(self) -> Float64[Array, "3 3"]:
+        """Of gimbal and rotor at γ = 0, without the moment of a free rotor about its axis [kg m²]."""
+        spun, third = self.rotor.axis, jnp.cross(self.gimbal_axis, self.rotor.axis)
+        about_spin = self.moments[0] - (self.rotor.moment if isinstance(self.rotor, Wheel) else 0.0)
+        pairs = ((about_spin, spun), (self.moments[1], third), (self.moments[2], self.gimbal_axis))
+        first, second, last = (moment * axis[:, None] * axis for moment, axis in pairs)
+        return first + second + last
 
     @classmethod
     def from_table(
@@ -240,7 +247,7 @@ class ControlMomentGyroscope(AbstractMovingPart):
 
 
 def _checked_moments(moments: Real[ArrayLike, "3"]) -> list[Float64[Array, ""]]:
-    refuse_single_precision(moments=moments)
+    require_doubles(moments=moments)
     if np.shape(moments) != (3,):
         raise InvalidInput(f"`moments` must be three numbers [kg m²], about s, g × s and g; got {shown(moments)}.")
     return [checked_number(f"moments[{k}]", float(x), 0.0, unit="kg m²") for k, x in enumerate(np.asarray(moments))]

@@ -12,12 +12,14 @@ import numpy as np
 from polhode import rotation
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
-from polhode.arrays import is_traced, known_numbers_only, refuse_single_precision
+from polhode.arrays import is_traced, known_numbers_only, require_doubles
 from polhode.bodies._pivot import STANDARD_GRAVITY, about_pivot
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top import LagrangeMotion
+from polhode.motion._inputs import refuse_not_finite
 from polhode.motion._layout import Quantity
+from polhode.systems._checks import as_floats, checked_number
 from polhode.systems._top_integrals import INTEGRAL_UNITS, Integral, integrable_case, leaf_integral
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_rigid_body import axis_flows, checked_moments
@@ -60,18 +62,16 @@ class HeavyTop(AbstractLiePoissonSystem):
     @known_numbers_only
     def __init__(self, moments: Real[ArrayLike, "3"], mgl: float, axis: Real[ArrayLike, "3"] = (0.0, 0.0, 1.0),
                  axes: Real[ArrayLike, "3 3"] | None = None) -> None:  # fmt: skip
-        refuse_single_precision(mgl=mgl, axis=axis, axes=axes)
-        direction = np.asarray(axis, dtype=float)
+        require_doubles(axis=axis, axes=axes)
+        direction = as_floats(axis)
         largest = np.abs(direction).max() if direction.shape == (3,) else np.nan
         if not (np.isfinite(largest) and largest > 0):
             raise InvalidInput(
                 f"`axis` must be a direction (3,), from fixed point to centre of mass; got {shown(axis)}."
             )
-        if not (np.ndim(mgl) == 0 and np.isfinite(mgl)):
-            raise InvalidInput(f"`mgl` must be one finite number [N m]; got {shown(mgl)}.")
         self.algebra, self.moments = SE3(), checked_moments(moments)
         direction = np.ldexp(direction, -np.frexp(largest)[1])  # squares of extreme lengths overflow
-        self.mgl, self.axis = jnp.asarray(float(mgl)), jnp.asarray(direction / np.linalg.norm(direction))
+        self.mgl, self.axis = checked_number("mgl", mgl, unit="N m"), jnp.asarray(direction / np.linalg.norm(direction))
         self.axes = jnp.eye(3) if axes is None else jnp.asarray(axes, dtype=float)
         self.case = integrable_case(np.asarray(self.moments), float(mgl), np.asarray(self.axis))
 
@@ -151,11 +151,13 @@ class HeavyTop(AbstractLiePoissonSystem):
             momentum: (…, 3) about the fixed point [kg m²/s, given axes].
 
         Raises:
-            InvalidInput: if both are given.
+            InvalidInput: if both are given, or one is not finite.
         """
         if angular_velocity is not None and momentum is not None:
             raise InvalidInput("give `angular_velocity` or `momentum`, not both.")
-        refuse_single_precision(attitude=attitude, angular_velocity=angular_velocity, momentum=momentum)
+        given = {"attitude": attitude, "angular_velocity": angular_velocity, "momentum": momentum}
+        require_doubles(**given)
+        refuse_not_finite(**{name: jnp.asarray(x, dtype=float) for name, x in given.items() if x is not None})
         vector = angular_velocity if momentum is None else momentum
         # known numbers by NumPy, as JAX would compile every operation by itself
         xp: Any = jnp if is_traced(self.axes, self.moments, attitude, vector) else np

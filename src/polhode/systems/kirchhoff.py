@@ -7,7 +7,7 @@ import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
 from polhode.systems.free_rigid_body import axis_flows
@@ -36,7 +36,7 @@ class Kirchhoff(AbstractLiePoissonSystem):
 
     @known_numbers_only
     def __init__(self, inertia: Real[ArrayLike, "..."]) -> None:
-        refuse_single_precision(inertia=inertia)
+        require_doubles(inertia=inertia)
         matrix = np.asarray(inertia, dtype=float)
         matrix = np.diag(matrix) if matrix.shape == (6,) else matrix
         if matrix.shape != (6, 6) or not np.isfinite(matrix).all():

@@ -8,7 +8,7 @@ import jax.numpy as jnp
 
 from polhode.algebra._functions import Function, check_scalar
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import refuse_single_precision
+from polhode.arrays import require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -72,7 +72,7 @@ class LiePoisson(AbstractLiePoissonSystem):
 
     def _batch(self, function: Function) -> Function:
         def values(point: Array) -> Array:
-            refuse_single_precision(point=point)
+            require_doubles(point=point)
             point = jnp.asarray(point, dtype=self.algebra.dtype)
             batched = function
             for _ in self.algebra.batch_shape(point):

@@ -9,7 +9,7 @@ import numpy as np
 from polhode.algebra._functions import Function
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import SO
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -35,7 +35,7 @@ class Manakov(AbstractLiePoissonSystem):
 
     @known_numbers_only
     def __init__(self, masses: Real[ArrayLike, "n"]) -> None:
-        refuse_single_precision(masses=masses)
+        require_doubles(masses=masses)
         values = np.asarray(masses, dtype=float)
         if values.ndim != 1 or len(values) < 3 or not np.isfinite(values).all():
             raise InvalidInput(f"`masses` must be at least three finite numbers (n,); got shape {values.shape}.")

@@ -7,10 +7,8 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 import jax.numpy as jnp
-import numpy as np
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
-from polhode.errors import InvalidInput, shown
+from polhode.arrays import known_numbers_only
 from polhode.motion._layout import StatePart
 from polhode.systems._checks import checked_number
 from polhode.systems.attachments import (
@@ -211,10 +209,7 @@ class EnergySink(AbstractMount):
 
     @known_numbers_only
     def __init__(self, rate: float) -> None:
-        refuse_single_precision(rate=rate)
-        if not (np.ndim(rate) == 0 and np.isfinite(rate) and rate >= 0):
-            raise InvalidInput(f"`rate` must be finite and not negative [s/(kg m²)]; got {shown(rate)}.")
-        self.rate = jnp.asarray(float(rate))
+        self.rate = checked_number("rate", rate, least=0.0, unit="s/(kg m²)")
 
     @property
     def names_all_jumps(self) -> bool:

@@ -9,7 +9,7 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame
@@ -182,18 +182,21 @@ class LockedPart(AbstractMovingPart):
 
     held: AbstractMovingPart
     held_at: Float64[Array, "n"]
-    mass: Float64[Array, ""]
 
     @known_numbers_only
     def __init__(self, part: AbstractMovingPart, coordinates: Real[ArrayLike, "..."]) -> None:
         if not isinstance(part, AbstractMovingPart) or part.further_count:
             raise InvalidInput(f"`part` must be a moving part with coordinates alone; got {shown(part)}. Leave out a "
                                "wheel that is locked, and put a `Wheel` in place of a gyroscope.")  # fmt: skip
-        refuse_single_precision(coordinates=coordinates)
+        require_doubles(coordinates=coordinates)
         held = np.atleast_1d(np.asarray(coordinates, dtype=float))
         if held.shape != (part.count,) or not np.isfinite(held).all():
             raise InvalidInput(f"`coordinates` must be {part.count} finite numbers; got {shown(coordinates)}.")
-        self.held, self.held_at, self.mass = part, jnp.asarray(held), part.mass
+        self.held, self.held_at = part, jnp.asarray(held)
+
+    @property
+    def mass(self) -> Float64[Array, ""]:
+        return self.held.mass
 
     @property
     def coordinates(self) -> tuple[StatePart, ...]:

@@ -76,7 +76,7 @@ class Propellant(AbstractMount):
     flow: Float64[Array, ""] | Flow
     exhaust_velocity: Float64[Array, "3"]
     window: Float64[Array, "2"] | None
-    inertia_per_mass: Float64[Array, "3 3"] | None
+    full_inertia: Float64[Array, "3 3"] | None
     jump_times: Float64[Array, "jumps"]
 
     @known_numbers_only
@@ -89,7 +89,7 @@ class Propellant(AbstractMount):
         self.full = checked_number("mass", mass, 0.0, unit="kg")
         self.flow = flow if callable(flow) else checked_number("flow", flow, least=0.0, unit="kg/s")
         self.exhaust_velocity = checked_vector("exhaust_velocity", exhaust_velocity)
-        self.inertia_per_mass = None if inertia is None else jnp.asarray(Body.from_inertia(inertia).inertia) / self.full
+        self.full_inertia = None if inertia is None else jnp.asarray(Body.from_inertia(inertia).inertia)
         if (at is None) != (lasting is None) or (at is not None and callable(flow)):
             raise InvalidInput("`at` and `lasting` go together, with a `flow` that is a number. Give both, or let the "
                                "function of the time be zero where nothing flows.")  # fmt: skip
@@ -102,8 +102,12 @@ class Propellant(AbstractMount):
                     f"`flow` times `lasting` must be less than the mass in the tank, {float(self.full):g} kg; got "
                     f"{float(self.flow) * lasting:g} kg. Check {shown(flow)} kg/s and {shown(lasting)} s."
                 )
-        given = checked_jumps(jumps)
-        self.jump_times = given if self.window is None else jnp.concatenate([given, self.window])
+        self.jump_times = checked_jumps(jumps)
+
+    @property
+    def inertia_per_mass(self) -> Float64[Array, "3 3"] | None:
+        """Inertia about the centre of what is in the tank, over its mass [m²]."""
+        return None if self.full_inertia is None else self.full_inertia / self.full
 
     def bound(self, frame: BodyFrame) -> Self:
         if frame.mass is None:
@@ -117,7 +121,7 @@ class Propellant(AbstractMount):
 
     @property
     def jumps(self) -> Float64[Array, "jumps"]:
-        return self.jump_times
+        return self.jump_times if self.window is None else jnp.concatenate([self.jump_times, self.window])
 
     @property
     def names_all_jumps(self) -> bool:

@@ -54,7 +54,6 @@ class SphericalPendulum(AbstractMovingPart):
 
     pivot: Float64[Array, "3"]
     arm: Float64[Array, "3"]
-    along: Float64[Array, "3"]
     mass: Float64[Array, ""]
     stiffness: Float64[Array, ""]
     damping: Float64[Array, ""]
@@ -66,11 +65,16 @@ class SphericalPendulum(AbstractMovingPart):
         damping: float = 0.0,
     ) -> None:  # fmt: skip
         self.pivot, self.arm = checked_vector("pivot", pivot), checked_vector("arm", arm)
-        self.along = checked_direction("arm", arm)
+        checked_direction("arm", arm)
         self.mass = checked_number("mass", mass, 0.0, unit="kg")
         self.stiffness = checked_number("stiffness", stiffness, least=0.0, unit="N m/rad")
         self.damping = checked_number("damping", damping, least=0.0, unit="N m s")
         self.is_lossless = not float(self.damping)
+
+    @property
+    def along(self) -> Float64[Array, "3"]:
+        """n₀, the direction of the arm at rest."""
+        return self.arm / _norm(self.arm)
 
     def start_of(self, values: Mapping[str, Any]) -> tuple[Any, Any]:
         toward = values.get("toward")

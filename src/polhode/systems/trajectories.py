@@ -45,7 +45,11 @@ def make_trajectory(
     beyond = None if ends is None or not ends.events else ends.beyond(times)
     drift = {name: _drift(value, axis, terms.get(name), name in own, beyond) for name, value in invariants.items()}
     with np.errstate(invalid="ignore"):  # beyond the end of a copy
-        drift |= {name: _drift(values[name] - value, axis, beyond=beyond) for name, value in got.items()}
+        # what was received is a term of a balance, which may begin at zero
+        drift |= {
+            name: _drift(values[name] - value, axis, _largest(value, axis, beyond), beyond=beyond)
+            for name, value in got.items()
+        }
     return Trajectory(
         source=system,
         times=times,
@@ -134,6 +138,11 @@ def _of_copies(function: Callable[[Array], Array], x: Array, copies: int) -> Arr
         # x_k ∂C/∂x_k of every copy at once: a derivative along the vector that has the k-th component of each
         sums = sums + jnp.abs(jax.jvp(function, (x,), (jnp.where(places == k, x, 0.0),))[1])
     return sums
+
+
+def _largest(values: Array, axis: int, beyond: Array | None) -> Array:
+    """Return the largest size of values (batch…, T) along the motion."""
+    return np.max(np.abs(values if beyond is None else np.where(beyond, 0.0, values)), axis=axis)
 
 
 def _drift(

@@ -6,7 +6,7 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem, Balance, Event
@@ -79,7 +79,7 @@ class Variations(AbstractSystem):
         Raises:
             InvalidInput: for wrong shapes, changes that are not finite, or where the system cannot start.
         """
-        refuse_single_precision(state=state)
+        require_doubles(state=state)
         state = jnp.asarray(state)
         axis = state.ndim - self.state_axes
         if axis < 0 or jnp.shape(state)[axis] != 1 + self.count:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from polhode._base.compiled.threads import in_threads
 from polhode.motion._outcome import Status
 from polhode.taylor import kernel
 from polhode.taylor.kernel_extended import PAIRS
@@ -103,8 +104,6 @@ def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, runn
             use.advance(rates, integrals, Copies(*(x[part] for x in copies)), lanes, course, limit)
 
     if use.is_compiled:  # as Python's threads wait for each other
-        from polhode.exact._kernel_arithmetic import in_threads
-
         in_threads(fill, running.size, WORTH)
     else:
         fill(0, running.size)

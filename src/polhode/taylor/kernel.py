@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from polhode._base.compiled.copying import entry
 from polhode.taylor.kernel_invariants import back_onto, compute_outputs, output
 from polhode.taylor.kernel_series import (
     advance_lanes,
@@ -44,6 +45,7 @@ CLOSE = 1e-14  # of a step: an event as near to its beginning as that was found 
 MISSED, FARTHEST = 8.0, 1e-6  # times by which a zero was missed, and of a step at most, likewise
 
 
+@entry
 def advance(rates: Series, integrals: Series, copies: Copies, lanes: Lanes, course: Course, limit: Any) -> None:
     """Go on with the copies that run, for at most so many steps side by side.
 
@@ -238,6 +240,7 @@ def finish_step(copies: Copies, lanes: Lanes, course: Course, lane: Any) -> Any:
     return DONE if lanes.last[lane] else RUNNING
 
 
+@entry
 def conserved_values(integrals: Series, y: Array, states: Array, values: Array) -> None:
     """Set values (C, K) of what is conserved at states (C, n), with room for those of all lanes."""
     series = in_lanes(integrals)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from polhode._base.compiled.copying import called
 from polhode.special._doubledouble import add, divide, fast_two_sum, multiply, multiply_float
 from polhode.taylor.kernel_space import Course, Exact, Lanes, Series
 from polhode.taylor.program import (
@@ -60,6 +61,7 @@ def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
         lanes.states[i], lanes.low[i] = value
 
 
+@called
 def first_coefficients(exact: Exact, size: Any, unit: Any) -> None:
     """Set the first coefficients of what moves, of powers of the time over a unit that is a power of two."""
     whole, number = exact.whole, exact.number
@@ -133,6 +135,7 @@ def power_in_pairs(exact: Exact, k: Any, out: Any, x: Any, exponent: Any) -> Pai
     return divide(value, multiply_float(base, k * 1.0))
 
 
+@called
 def power_of_pair(x: Pair, exponent: Any) -> Pair:
     """Return x to half a whole number: u of which the square is x to the whole one, by one step of Newton's."""
     first = raise_power(x[0], exponent)

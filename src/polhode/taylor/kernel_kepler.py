@@ -7,12 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from polhode._base.compiled.copying import called
+
 TURN = 2.0 * math.pi
 ROUNDS = 6  # of Newton's method, which comes within three roundings by five for any e < 1
 TERMS = 9  # of E − sin E up to one radian
 FAR = 1e300  # larger mean anomalies are refused
 
 
+@called
 def eccentric_anomaly_at(mean_anomaly: Any, eccentricity: Any) -> Any:
     """Return E of M, both growing without bound; see ``kepler_orbit.solve_kepler`` for the start and its equation."""
     if not abs(mean_anomaly) < FAR:

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode._base.compiled.copying import called
 from polhode.taylor.kernel_kepler import eccentric_anomaly_at
 from polhode.taylor.kernel_products import block
 from polhode.taylor.kernel_space import NOBODY, Course, Lanes, Series
@@ -78,6 +79,7 @@ def size_of_terms(series: Series, row: Any) -> Any:
     return value
 
 
+@called
 def function(
     operation: Any, flat: Array, z: Array, base: Any, width: Any, k: Any, out: Any, x: Any, exponent: Any
 ) -> None:  # fmt: skip
@@ -132,6 +134,7 @@ def function(
         z[base + out + 1] = of_cosine / k
 
 
+@called
 def hyperbolic(z: Array, base: Any, width: Any, k: Any, out: Any, x: Any) -> None:
     """Set the k-th coefficients of u = tanh x and v = 1/cosh² x, by u̇ = v ẋ and v̇ = −2 u u̇."""
     if k == 0:
@@ -149,6 +152,7 @@ def hyperbolic(z: Array, base: Any, width: Any, k: Any, out: Any, x: Any) -> Non
     z[base + out + 1] = -2.0 * square / k
 
 
+@called
 def orbital(
     flat: Array, z: Array, base: Any, width: Any, k: Any, out: Any, x: Any, eccentricity: Any
 ) -> None:  # fmt: skip
@@ -282,6 +286,7 @@ def of_followers(series: Series, lanes: Lanes, course: Course) -> None:
         sizes[6 + e] = largest
 
 
+@called
 def bound_change(series: Series, order: Any, lane: Any, slot: Any, kind: Any, ahead: Any) -> Any:
     """Return how far, in units and at most ``ahead``, the argument of a function changes by no more than it may.
 
@@ -304,6 +309,7 @@ def bound_change(series: Series, order: Any, lane: Any, slot: Any, kind: Any, ah
     return length
 
 
+@called
 def sum_of_sizes(series: Series, order: Any, lane: Any, slot: Any, length: Any) -> Any:
     """Return the sum of the sizes of a node's terms in a step, but that of order zero."""
     flat, width, total, power = series.flat, series.whole[SLOTS], 0.0, 1.0
@@ -343,6 +349,7 @@ def fit_series(series: Series, lanes: Lanes, course: Course) -> None:
             break
 
 
+@called
 def has_values(series: Series, lane: Any) -> Any:
     """Return whether all nodes have values; where one is infinite, no unit of time makes a series."""
     for slot in range(series.whole[SLOTS]):

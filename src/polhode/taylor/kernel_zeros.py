@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode._base.compiled.copying import called
 from polhode.types import Array
 
 DEPTH = 100  # of intervals that wait to be searched
@@ -43,6 +44,7 @@ def polynomial(p: Array, order: Any, x: Any) -> Any:
     return value
 
 
+@called
 def zero_between(p: Array, order: Any, low: Any, high: Any) -> Any:
     """Return the zero of a polynomial that changes its sign once between low and high, by Newton within brackets."""
     sign = polynomial(p, order, low) < 0.0
@@ -65,6 +67,7 @@ def zero_between(p: Array, order: Any, low: Any, high: Any) -> Any:
     return x
 
 
+@called
 def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Array, waiting: Array) -> Any:
     """Return the first sign change of a polynomial between low and high, a falling one if so wanted; NaN if none.
 
@@ -89,6 +92,7 @@ def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Ar
     return np.nan
 
 
+@called
 def change_within(
     p: Array, order: Any, low: Any, high: Any, falling: Any, was: Any, work: Array, waiting: Array
 ) -> Any:  # fmt: skip
@@ -145,6 +149,7 @@ def change_within(
     return np.nan
 
 
+@called
 def changes_sign(before: Any, after: Any, falling: Any) -> Any:
     """Whether a value has come to zero or beyond it, from above or, unless it has to fall, from below."""
     return before > 0.0 >= after or (not falling and before < 0.0 <= after)

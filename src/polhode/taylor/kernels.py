@@ -8,16 +8,12 @@ then, and are left to Python, and few copies to the kernel that moves them one a
 
 from __future__ import annotations
 
-import inspect
-import os
-import zlib
-from collections.abc import Callable
 from functools import cache
-from importlib.util import find_spec
-from pathlib import Path
-from types import FunctionType, ModuleType
+from types import ModuleType
 from typing import Any, ClassVar, NamedTuple
 
+from polhode._base.compiled.copying import Space
+from polhode._base.compiled.kernel_modules import LOADED, KernelModules, is_worth
 from polhode.special import _doubledouble as doubledouble
 from polhode.taylor import (
     kernel,
@@ -35,20 +31,16 @@ from polhode.taylor import (
 )
 from polhode.taylor.program import Program
 
-LOADED = 0.3  # s that slower runs take before a kernel is loaded
-WRITTEN, LONGEST = 1e-3, 4000  # or code is written for each operation of a program, and the longest that it is for
+WRITTEN, LONGEST = 1e-3, 4000  # s of slower runs for each operation before a program's code is written; the longest one
 EXTENDED = 2  # for one copy with twice as many digits; other forms are named by how many copies they move at a time
-# or compiled: as long as that takes, so that no run costs more than twice what the better choice would have
+# s that compiling takes: after slower runs of that time, no run costs more than twice what the better choice would have
 COMPILED = {1: 10.0, lanes.LANES: 12.0, EXTENDED: 12.0}
 COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, kernel_zeros, kernel_invariants, kernel
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON),
            EXTENDED: (vectors, kernel_products, doubledouble, *COMMON, kernel_extended)}  # fmt: skip
+ARITHMETIC = "polhode.taylor.compiled_vectors", "polhode.taylor.llvm_writer", "polhode.exact._compiled_arithmetic"
 ENTRIES = ("advance", "conserved_values")
 AT_ONCE = "evaluate_steps", "measure_coefficients", "sum_of_sizes", "expand_watched"
-# all other functions are made part of those that call them
-CALLED = ("function", "orbital", "hyperbolic", "eccentric_anomaly_at", "has_values", "reach_of", "first_zero",
-          "change_within", "changes_sign", "zero_between", "bound_change", "sum_of_sizes",
-          "first_coefficients", "power_of_pair")  # fmt: skip
 WHAT = {1: "Taylor series", lanes.LANES: "Taylor series of many copies", EXTENDED: "Taylor series of more digits"}
 Function = Any  # of Numba's or of Python's own
 
@@ -126,7 +118,7 @@ def note_rest(use: Kernel, extended: bool, spent: float, seconds: float) -> None
 
 
 def _is_worth(width: int, spent: float) -> bool:
-    if width not in _Spent.ready and spent >= LOADED and (spent >= COMPILED[width] or _is_on_disk(width)):
+    if width not in _Spent.ready and is_worth(spent, COMPILED[width], lambda: _is_on_disk(width)):
         _Spent.ready.add(width)
     return width in _Spent.ready
 
@@ -135,30 +127,18 @@ def _is_worth(width: int, spent: float) -> bool:
 def python_kernel(width: int) -> Kernel:
     """Return the kernel as it is written, of one copy with NumPy for what all components have in common."""
     replaced = {name: getattr(kernel_at_once, name) for name in AT_ONCE} if width == 1 else {}
-    space = _join_modules(width, lambda function, name: function, replaced)
-    return Kernel(_lanes(width), False, *(space[name] for name in ENTRIES), stretch=1_000)
+    return _kernel(width, _modules(width).by_python(replaced), False, 1_000)
 
 
 @cache
 def compile_kernel(width: int) -> Kernel:
     """Return the kernel as Numba compiles it when it is first called, or has it on the disk."""
-    from polhode.exact import _compiling as compiling
-    from polhode.taylor import compiled_vectors
+    return _kernel(width, _modules(width).compiled, True, 2_000_000)
 
-    operations = compiled_vectors.of_one_copy() if _lanes(width) == 1 else compiled_vectors.of_lanes()
-    operations = operations | ({"two_product": compiling.two_product} if width == EXTENDED else {})
-    take: Any = compiling.njit  # whose types do not know all of its options
 
-    def compiled(function: FunctionType, name: str) -> Any:
-        if name in ENTRIES:
-            # Numba looks at one file alone for changes, and keeps what it compiles by this name
-            function.__qualname__ = _kept_name(name, width)
-            return compiling.Entry(WHAT[width], take(error_model="numpy", nogil=True, cache=True)(function))
-        return take(error_model="numpy", nogil=True, forceinline=name not in CALLED, no_cpython_wrapper=True,
-                    no_cfunc_wrapper=True)(function)  # fmt: skip
-
-    space = _join_modules(width, compiled, operations)
-    return Kernel(_lanes(width), True, *(space[name] for name in ENTRIES), stretch=2_000_000)
+def _kernel(width: int, spaces: dict[str, Space], is_compiled: bool, stretch: int) -> Kernel:
+    advance, conserved_values = (spaces[kernel.__name__][name] for name in ENTRIES)
+    return Kernel(_lanes(width), is_compiled, advance, conserved_values, stretch)
 
 
 def _lanes(width: int) -> int:
@@ -166,35 +146,19 @@ def _lanes(width: int) -> int:
 
 
 @cache
-def _kept_name(name: str, width: int) -> str:
-    """Return the name by which Numba keeps an entry, which is that of all sources that it is made of."""
-    rooms = "polhode.taylor.compiled_vectors", "polhode.exact._compiling"  # which import Numba
-    specs = [find_spec(room) for room in rooms]
-    files = [*map(inspect.getfile, MODULES[width]), *(spec.origin for spec in specs if spec and spec.origin), __file__]
-    return f"{name}_{width}_{zlib.crc32(b''.join(Path(file).read_bytes() for file in files)):08x}"
+def _modules(width: int) -> KernelModules:
+    return KernelModules(str(width), WHAT[width], MODULES[width], lambda: _for_numba(width), ARITHMETIC, joined=True)
+
+
+def _for_numba(width: int) -> dict[str, Any]:
+    from polhode.exact._compiled_arithmetic import two_product
+    from polhode.taylor import compiled_vectors
+
+    operations = compiled_vectors.of_one_copy() if _lanes(width) == 1 else compiled_vectors.of_lanes()
+    return operations | ({"two_product": two_product} if width == EXTENDED else {})
 
 
 @cache
 def _is_on_disk(width: int) -> bool:
-    """Whether Numba has compiled it before; mostly it can be told without Numba, whose import takes longer."""
-    named, folder = os.environ.get("NUMBA_CACHE_DIR"), Path(__file__).parent / "__pycache__"
-    if named or os.access(folder, os.W_OK):  # else Numba chooses another place
-        place, within = (Path(named), "*/") if named else (folder, "")
-        if not all(any(place.glob(f"{within}*{_kept_name(name, width)}-*.nbi")) for name in ENTRIES):
-            return False
-    return all(entry.is_on_disk() for entry in compile_kernel(width)[2:4])
-
-
-def _join_modules(
-    width: int, convert: Callable[[FunctionType, str], Any], operations: dict[str, Any]
-) -> dict[str, Any]:  # fmt: skip
-    """Return the names of all modules, in which functions, made into what is wanted, call each other."""
-    space: dict[str, Any] = {}
-    for module in reversed(MODULES[width]):  # the first ones say what numbers are
-        space.update({name: value for name, value in vars(module).items() if not inspect.isfunction(value)})
-    own = [(name, value) for module in MODULES[width] for name, value in vars(module).items()
-           if inspect.isfunction(value) and value.__module__ == module.__name__]  # fmt: skip
-    for name, value in own:
-        plain = inspect.unwrap(value)  # tests wrap functions to check annotations
-        space[name] = operations.get(name) or convert(FunctionType(plain.__code__, space, name), name)
-    return space
+    """Whether Numba has compiled it before."""
+    return all(_modules(width).is_on_disk(name) for name in ENTRIES)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from llvmlite import binding, ir
+from llvmlite import ir
 
+from polhode._base.compiled.machine_code import compile_module
 from polhode.taylor.vectors import WIDTH
 
 DOUBLE, INTEGER = ir.DoubleType(), ir.IntType(64)
@@ -31,21 +32,12 @@ class Code(NamedTuple):
     engine: Any
 
 
-def host_features() -> Any:
-    """Return what LLVM knows of this machine's instructions."""
-    try:
-        return binding.get_host_cpu_features()
-    except RuntimeError:  # LLVM does not know this machine
-        return binding.FeatureMap()
-
-
 class Writer:
     """A function of LLVM with ``SIGNATURE``, of so many copies side by side."""
 
     def __init__(self, lanes: int) -> None:
         self.lanes, self.kind = lanes, VECTOR if lanes == WIDTH else DOUBLE
         self.module = ir.Module()
-        self.module.triple = binding.get_default_triple()
         function = ir.Function(self.module, SIGNATURE, NAME)
         for argument in function.args:
             if argument.type == ADDRESS:
@@ -56,15 +48,8 @@ class Writer:
     def compile(self, begins: int) -> Code:
         """Return the machine code."""
         self.builder.ret_void()
-        binding.initialize_native_target()
-        binding.initialize_native_asmprinter()
-        module = binding.parse_assembly(str(self.module))
-        module.verify()
-        target, features = binding.Target.from_default_triple(), host_features().flatten()
-        machine = target.create_target_machine(cpu=binding.get_host_cpu_name(), features=features, opt=2)
-        engine = binding.create_mcjit_compiler(module, machine)
-        engine.finalize_object()
-        return Code(engine.get_function_address(NAME), begins, engine)
+        address, engine = compile_module(self.module, NAME)
+        return Code(address, begins, engine)
 
     def load(self, base: Any, place: int, kind: Any = None) -> Any:
         kind = kind or self.kind

@@ -14,6 +14,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.arrays import in_jax_numpy
+from polhode.arrays.traced_checks import check_traced
 from polhode.systems._forms import distances, rates_of_change
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
@@ -229,6 +230,7 @@ def _write_programs(structure: Structure, form: Form, through: Event | None) -> 
         return rates, *(jnp.ravel(balance.rate) for balance in received.values()), *watched
 
     closed = write_jaxpr(everything, (), (form.size,), (structure.size,))
+    check_traced("a function of the system, or what is looked for along its motion,", closed)
     return _Written(closed, tuple(balances), uses_first(closed), operations_on(closed, (0, 1)))
 
 
@@ -364,6 +366,7 @@ def _write_conserved(
     sizes = form.size, structure.size
     arguments = [jax.ShapeDtypeStruct((size,), float) for size in sizes]
     closed, shapes = jax.make_jaxpr(values, return_shape=True)(*arguments)
+    check_traced("an invariant of the system", closed)
     places, count = {}, 0
     at = {name: place for place, name in enumerate(sorted(shapes))}  # as JAX has the keys of a dictionary
     for name in shapes:

@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 from llvmlite import ir
 
-from polhode.taylor.llvm_writer import DOUBLE, INTEGER, VECTOR, Code, Writer, host_features
+from polhode._base.compiled.machine_code import host_features
+from polhode.taylor.llvm_writer import DOUBLE, INTEGER, VECTOR, Code, Writer
 from polhode.taylor.operations import Operation
 from polhode.taylor.program import (
     ARGUMENT,

@@ -7,6 +7,7 @@ import pickle
 import re
 import tempfile
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,12 +19,16 @@ from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.page import page_of_report
 from polhode.kinds.panel import KindPanel
 from polhode.kinds.reading import build_spec
-from polhode.reports.answer import Table, collect_values, plain
+from polhode.motion._trajectory import Trajectory
+from polhode.reports.answer import Answer, Table, collect_values, plain
 from polhode.reports.base import MotionReport, SystemReport
+from polhode.reports.wording import round_words
 from polhode.spec.models import SystemTable
 from polhode.spec.parsing import read_tables
 from polhode.testing.laws import LawBroken
 
+VECTORS = ("attitude", "momentum", "angular_velocity")
+BY_NAME = ("invariants", "balances", "received", "observed")
 KEPT = 1e-9  # drift of what is conserved or balanced: no example is long
 ANY_BODY = {"body", "axis", "sphere", "poinsot"}  # panels that the page's own script makes
 NAME = re.compile(r"[a-z]+(-[a-z]+)*")
@@ -61,6 +66,7 @@ def check_kind(kind: AbstractKind[Any]) -> None:
             if not isinstance(report, MotionReport):
                 raise LawBroken("a kind with a motion reports on one: derive from MotionReport.")
             _check_motion(kind, spec, report)
+            _check_digits(report)
             _check_dataset(report, Path(folder))
             if kind.has_pictures:
                 _check_page(spec, report, Path(folder))
@@ -178,6 +184,57 @@ def _check_motion(kind: AbstractKind, spec: Spec, report: MotionReport) -> None:
     _require((both[0] is None) == (both[1] is None), "`motion` gives the mechanics of the report")
     frames = moved.trajectory.frame, trajectory.frame
     _require((frames[0] is None) == (frames[1] is None), "`motion` gives the frame of the report")
+
+
+def _check_digits(report: MotionReport) -> None:
+    """Check what is said of the motion's error: that there is an estimate of it, and no digits beyond it.
+
+    What comes from the motion is what changes with its states after the first.
+    """
+    trajectory = report.trajectory
+    if trajectory.motion is not None:
+        return
+    said = any("without an error estimate" in note for note in report.notes)
+    _require(trajectory.error_estimate is not None or said,
+             "a motion by steps has an error estimate, or a note says \"without an error estimate\"")  # fmt: skip
+    plainly = replace(report, trajectory=replace(trajectory, error_estimate=None))
+    bent = replace(plainly, trajectory=_bend(plainly.trajectory))
+    known = {answer.name: plain(answer.value) for answer in _answers(plainly)}
+    for answer in _answers(bent):
+        shown_digits = bool(answer.name and answer.label and answer.words)
+        if shown_digits and known.get(answer.name) != plain(answer.value):
+            _require(round_words(answer.words or "", None) == answer.words,
+                     "an answer that changes with the motion has the motion's error, by `from_motion`; "
+                     f"{answer.name} has not")  # fmt: skip
+    numbers = set(re.findall(r"[\d.e]*\d", bent.summary)) - set(re.findall(r"[\d.e]*\d", plainly.summary))
+    finer = [number for number in numbers if round_words(number, None) != number]
+    _require(not finer, f"a summary has no digits beyond the motion's error, by `rounded`; it has {finer}")
+
+
+def _answers(report: SystemReport) -> list[Answer]:
+    return [answer for group in report.answers if not isinstance(group, Table) for answer in group.answers]
+
+
+def _bend(trajectory: Trajectory) -> Trajectory:
+    """Return a motion whose samples after the first are off by a hundredth."""
+    rng = np.random.default_rng(1)
+
+    def moved(values: Any) -> Any:
+        if values is None:
+            return None
+        values = np.array(values)
+        later = values[1:]
+        later *= 1.0 + 0.01 * rng.uniform(-1.0, 1.0, later.shape)
+        return values
+
+    states = {name: moved(getattr(trajectory, name)) for name in ("states", *VECTORS)}
+    if trajectory.attitude is not None:
+        turned = states["attitude"] / np.linalg.norm(states["attitude"], axis=-1, keepdims=True)
+        states["attitude"] = turned
+        if trajectory.layout.names[:1] == ("attitude",):
+            states["states"][..., :4] = turned
+    by_name = {name: {key: moved(x) for key, x in getattr(trajectory, name).items()} for name in BY_NAME}
+    return replace(trajectory, **states, **by_name)
 
 
 def _check_dataset(report: MotionReport, folder: Path) -> None:

@@ -8,6 +8,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.arrays.traced_checks import check_function
 from polhode.errors import InvalidInput, shown
 from polhode.systems._forms import refuse_other_objects
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, components
@@ -40,13 +41,16 @@ def check_system(
         InvalidInput: for what is not a system, a seed that is no whole number, states that the system refuses, and
             where states must be given.
 
-    >>> from polhode.systems import SpinOrbit
+    >>> from polhode.celestial import SpinOrbit
     >>> check_system(SpinOrbit(0.89, 0.1), states=[[0.3, 1.0], [1.0, -0.5]])
     """
     refuse_other_objects(system)
     if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
         raise InvalidInput(f"`seed` must be a whole number, not negative; got {shown(seed)}. Give states by `states=`.")
     for batch in _draw_states(system, seed, size) if states is None else [_check_states(system, states)]:
+        one = batch[0]
+        check_function(f"`vector_field` of {type(system).__name__}", system.vector_field, jnp.asarray(TIME), one)
+        check_function(f"`invariants` of {type(system).__name__}", system.invariants, one)
         if isinstance(system, AbstractLiePoissonSystem):
             point = system.parts(batch).point
             gradient = jax.grad(lambda m: jnp.sum(system.energy(m)))(point)

@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import simulate
-from polhode.kinds import Answer, Group, MotionReport, Spec, Table, accuracy
+from polhode.kinds import Answer, Group, MotionReport, Spec, Table, accuracy, from_motion
 from polhode.motion import Trajectory
 from spherical_pendulum.system import SphericalPendulum
 from spherical_pendulum.table import PendulumTable
@@ -33,7 +33,8 @@ class PendulumReport(MotionReport):
 
     @property
     def summary(self) -> str:
-        return f"The mass swings between {self.values()['lowest']:.5g} m and {self.values()['highest']:.5g} m."
+        lowest, highest = (f"{self.values()[name]:.5g} m" for name in ("lowest", "highest"))
+        return self.rounded(f"The mass swings between {lowest} and {highest}.")
 
     @property
     def answers(self) -> list[Group | Table]:
@@ -41,8 +42,10 @@ class PendulumReport(MotionReport):
         return [Group("Pendulum", [
             Answer("length", float(self.system.length), "m", "rod"),
             Answer("small_period", self.small_period, "s", "period of small swings"),
-            Answer("highest", float(height.max()), "m", "highest", "from the pivot"),
-            Answer("lowest", float(height.min()), "m", "lowest", "from the pivot"),
+            *from_motion(self.trajectory, [
+                Answer("highest", float(height.max()), "m", "highest", "from the pivot"),
+                Answer("lowest", float(height.min()), "m", "lowest", "from the pivot"),
+            ]),
             *accuracy(self.trajectory),
         ])]  # fmt: skip
 
@@ -55,4 +58,4 @@ def report_of(spec: Spec[PendulumTable]) -> PendulumReport:
     start = np.array([x, 0.0, z, 0.0, table.rate * x, 0.0])
     found = PendulumReport(system, simulate(system, start, [0.0, 1e-3], estimate_error=False))
     times = np.linspace(0.0, SWINGS * found.small_period, spec.samples) if spec.times is None else spec.times
-    return PendulumReport(system, simulate(system, start, times, estimate_error=False))
+    return PendulumReport(system, simulate(system, start, times))

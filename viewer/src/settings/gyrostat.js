@@ -77,15 +77,23 @@ export function withSpec(setting, tables) {
     if (!(size > 0)) throw new RangeError("system.rotor_axis must have a direction; got zeros.");
     Object.assign(found, { axis: system.rotor_axis.map((value) => value / size), momentum: null });
   }
+  const given = [system.rotor_rate, system.rotor_moment, system.rotor_drive].some((value) => value !== undefined);
   const rate = system.rotor_rate ?? (found.moment === null ? null : rateOf(found));
   if (system.rotor_moment !== undefined) Object.assign(found, { moment: system.rotor_moment, momentum: null });
   if (system.rotor_drive !== undefined) Object.assign(found, { drive: system.rotor_drive, momentum: null });
   if (system.rotor_momentum !== undefined) Object.assign(found, { spin: system.rotor_momentum, momentum: null });
+  if (given && found.moment === null) throw new RangeError("system.rotor_rate needs system.rotor_moment, the rotor's own moment of inertia.");
+  const momentum = given ? tables.spin?.momentum : null;
+  if (momentum) found.spin = spinWith(found, rate, tables.body?.moments ?? found.moments, momentum);
   found = withTables(found, tables, inner(found));
-  const given = [system.rotor_rate, system.rotor_moment, system.rotor_drive].some((value) => value !== undefined);
-  if (!given) return found;
-  if (found.moment === null) throw new RangeError("system.rotor_rate needs system.rotor_moment, the rotor's own moment of inertia.");
-  return rate === null ? found : withRate(found, rate);
+  return given && !momentum && rate !== null ? withRate(found, rate) : found;
+}
+
+/** Return the rotor's h at a rate, of a body whose whole momentum is L: of a free rotor h = J (σ + a·Ω), Ω = I⁻¹(L − h a). */
+function spinWith({ axis, moment, drive }, rate, moments, momentum) {
+  if (drive !== "free") return moment * rate;
+  const along = (vector) => axis.reduce((sum, value, k) => sum + (value * vector[k]) / moments[k], 0);
+  return (moment * (rate + along(momentum))) / (1 + moment * along(axis));
 }
 
 /** Return the spec of a setting, if a spec can say it: a free rotor's axis must be a principal one of the body. */

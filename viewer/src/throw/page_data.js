@@ -5,6 +5,7 @@ import { row } from "./linear_fit.js";
 import { meanRow } from "./statistics.js";
 
 const SAMPLES = 600;
+const ROUGH = 2; // digits of estimates where residuals are not noise, so that nothing is known of their errors
 
 /**
  * Return the data of the page of one throw, as Python writes them for a motion, and `story`: sentences on the fit.
@@ -23,7 +24,8 @@ export function dataOf(found, log, name, which = 0) {
   const momentum = fit.starts[which].map((value, k) => value * moments[k]);
   const [first, last] = [one.times[0], one.times.at(-1)];
   const times = Float64Array.from({ length: SAMPLES }, (_, k) => first + ((last - first) * k) / (SAMPLES - 1));
-  const ratios = listed([`I1/I3 = ${moments[0].toFixed(3)}`, `I2/I3 = ${moments[1].toFixed(3)}`]);
+  const rough = found.misfit !== null;
+  const ratios = listed([0, 1].map((k) => `I${k + 1}/I3 ${rough ? "≈" : "="} ${inDigits(moments[k], 3, rough)}`));
   const body = { type: "body", traced: 1, shape: "box or ellipsoid of the same inertia", surface: null, ellipsoid: null, changed: true, azimuth: Math.atan2(y, x) };
   return {
     name, key: null, summary: say("Free flight from {begin} s to {end} s of the log, and the exact motion of the fitted body: {ratios}.", { begin: digits(first, 4), end: digits(last, 4), ratios }),
@@ -48,7 +50,8 @@ function storyOf({ throws, windows, limit, start, rest, fit, misfit }, log, wind
   const flight = windows.length > 1
     ? say("{count} free flights are found; this one lasts {duration} s: {reason}.", { count: windows.length, duration, reason: say(window.reason) })
     : say("One free flight is found; it lasts {duration} s: {reason}.", { duration, reason: say(window.reason) });
-  const bias = listed(fit.bias.map((value) => value.toFixed(3).replace("-", "−")));
+  const rough = misfit !== null;
+  const bias = listed(fit.bias.map((value) => inDigits(value, 3, rough)));
   const confirmed = rest
     ? "{ratios}; the gyro's bias is {bias} rad/s, which a rest confirms."
     : "{ratios}; the gyro's bias is {bias} rad/s, and no rest in the log confirms it.";
@@ -58,14 +61,19 @@ function storyOf({ throws, windows, limit, start, rest, fit, misfit }, log, wind
   return [
     `${read} ${flight}`,
     say(confirmed, { ratios, bias }),
-    ...(fit.drag ? [ofDrag(fit.drag)] : []),
+    ...(fit.drag ? [ofDrag(fit.drag, rough)] : []),
     misfit ?? say(small, { rms: digits(fit.rms, 2), noise: digits(start.noise, 2) }),
     ...(limit === null ? [] : [atLimit(limit, throws)]),
   ];
 }
 
-function ofDrag(drag) {
-  const numbers = listed(drag.map((value) => value.toFixed(4).replace("-", "−")));
+/** Return an estimate in decimals, or in two digits where nothing is known of its error. */
+function inDigits(value, decimals, rough) {
+  return (rough ? digits(value, ROUGH) : value.toFixed(decimals)).replace("-", "−");
+}
+
+function ofDrag(drag, rough) {
+  const numbers = listed(drag.map((value) => inDigits(value, 4, rough)));
   const touching = say("The curves are of the free motion that touches it in the middle of the flight.");
   return `${say("Drag slows it: c/I3 = {numbers} of the torque −c |ω| ω along the axes.", { numbers })} ${touching}`;
 }

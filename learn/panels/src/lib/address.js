@@ -1,14 +1,32 @@
 // The state in the address, so that a link shows what was seen: #energy=1.9&turn=0.6
-import { fromFragment } from "../../../../viewer/src/address.js";
+import { declared, fromFragment, quoted } from "../../../../viewer/src/link.js";
 
-/** Return the values of a fragment that a panel has a use for; what it cannot read is left out. */
-export function readAddress(hash, allowed) {
-  const found = fromFragment(hash) ?? {};
-  return Object.fromEntries(Object.entries(found).flatMap(([key, value]) => {
-    const checked = allowed[key]?.(value);
-    return checked === undefined ? [] : [[key, checked]];
-  })); // prettier-ignore
+/**
+ * Return {values, refused}: what a link sets of a panel, and a sentence on each part that it does not take.
+ *
+ * @param rules by key, {allows(value) → the value or undefined, wants: what it must be}
+ */
+export function readAddress(hash, rules) {
+  const { tables, refused } = fromFragment(hash);
+  const values = {};
+  for (const [key, value] of Object.entries(tables)) {
+    try {
+      const { allows, wants } = declared(rules, key, "setting");
+      const allowed = allows(value);
+      if (allowed === undefined) throw new RangeError(`${key} must be ${wants}; got ${quoted(value)}. The panel keeps its own value; mend the link.`);
+      values[key] = allowed;
+    } catch (error) {
+      refused.push(error);
+    }
+  }
+  return { values, refused: refused.map(({ message }) => message) };
 }
+
+/** Return the rule of numbers between bounds. */
+export const between = (least, most, whole = false) => ({
+  allows: (value) => (typeof value === "number" && value >= least && value <= most && (!whole || Number.isInteger(value)) ? value : undefined),
+  wants: `a ${whole ? "whole " : ""}number from ${least} to ${most}`,
+});
 
 /** Return the fragment of values; those that are as at the start are left out, so that a link stays short. */
 export function writeAddress(values, initial) {

@@ -1,4 +1,5 @@
 // Sliders, choices and switches: each a labelled element of the page that keyboards and screen readers know.
+import { between } from "./address.js";
 
 /** Return an element with attributes and children. */
 export function element(name, attributes = {}, ...children) {
@@ -14,7 +15,7 @@ const STEPS = 1000; // of a slider on a logarithmic scale
 
 /** A number between bounds; `say` words it, `log` spreads powers of ten evenly. */
 function sliderOf(control, changed) {
-  const { key, label, least, most, step = (most - least) / 400, log = false, say } = control;
+  const { key, label, least, most, step = (most - least) / 400, log = false, whole = false, say } = control;
   const toPlace = (value) => (log ? (STEPS * Math.log(value / least)) / Math.log(most / least) : value);
   // the browser's last place lies below the end where the range is no multiple of the step
   const fromStep = (place) => (place + step > most + 1e-6 * step ? most : place);
@@ -33,18 +34,19 @@ function sliderOf(control, changed) {
       const place = (toPlace(value) - Number(input.min)) / (Number(input.max) - Number(input.min));
       input.style.setProperty("--filled", `${100 * Math.min(1, Math.max(0, place))}%`);
     },
-    allows: (value) => (typeof value === "number" ? Math.min(most, Math.max(least, value)) : undefined),
+    rule: between(least, most, whole),
   };
 }
 
 /** One of several: short ones as buttons in a row, others as a list. */
 function choiceOf({ key, label, options, list = false }, changed) {
-  const allows = (value) => options.find(([name]) => String(name) === String(value))?.[0];
+  const allows = (value) => options.find(([name]) => name === value || (typeof value === "string" && String(name) === value))?.[0];
+  const rule = { allows, wants: options.map(([name]) => name).join(" or ") };
   if (list) {
     const select = element("select", { id: key }, ...options.map(([value, words]) => element("option", { value }, words)));
     select.addEventListener("change", () => changed(key, allows(select.value)));
     const row = element("div", { class: "listed" }, element("label", { for: key }, label), select);
-    return { row, allows, show: (value) => (select.value = value) };
+    return { row, rule, show: (value) => (select.value = value) };
   }
   const inputs = options.map(([value, words]) => {
     const input = element("input", { type: "radio", name: key, id: `${key}-${value}`, value });
@@ -53,7 +55,7 @@ function choiceOf({ key, label, options, list = false }, changed) {
   });
   const row = element("fieldset", { class: "choice" }, element("legend", {}, label),
     element("div", { class: "options" }, ...inputs.flat())); // prettier-ignore
-  return { row, allows, show: (value) => inputs.forEach(([input]) => (input.checked = input.value === String(value))) };
+  return { row, rule, show: (value) => inputs.forEach(([input]) => (input.checked = input.value === String(value))) };
 }
 
 /** On or off. */
@@ -61,17 +63,17 @@ function switchOf({ key, label }, changed) {
   const input = element("input", { type: "checkbox", id: key, role: "switch" });
   input.addEventListener("change", () => changed(key, input.checked ? 1 : 0));
   const row = element("div", { class: "switch" }, input, element("label", { for: key }, label));
-  return { row, show: (value) => (input.checked = Boolean(value)), allows: (value) => (value === 0 || value === 1 ? value : undefined) };
+  return { row, show: (value) => (input.checked = Boolean(value)), rule: between(0, 1, true) };
 }
 
 /** A button that does something with the panel. */
 function buttonOf({ key, label, press }, changed, panel) {
   const button = element("button", { type: "button", id: key, class: "wide" }, label);
   button.addEventListener("click", () => press(panel, button));
-  return { row: button, show() {}, allows: () => undefined };
+  return { row: button, show() {} };
 }
 
 const KINDS = { slider: sliderOf, choice: choiceOf, switch: switchOf, button: buttonOf };
 
-/** Return {row, show(value), allows(value)} for a description of a control. */
+/** Return {row, show(value), rule of what a link may set, none of a button} for a description of a control. */
 export const controlOf = (control, changed, panel) => KINDS[control.kind](control, changed, panel);

@@ -1,5 +1,5 @@
 // A panel: a picture that answers to the hand, its controls, its numbers, and an address that is always what is seen.
-import { readAddress, writeAddress } from "./address.js";
+import { between, readAddress, writeAddress } from "./address.js";
 import { currentTheme } from "./colours.js";
 import { controlOf, element } from "./controls.js";
 import { addEmbedding } from "./embedding.js";
@@ -7,7 +7,7 @@ import { worded } from "../../../../viewer/src/numbers.js";
 import { isCoarse } from "./solids.js";
 import { View } from "./view.js";
 
-const [TURN, KEY_TURN, STEEPEST] = [0.009, 0.1, 1.5]; // rad a pixel, rad a key, rad
+const [TURN, KEY_TURN, STEEPEST, FARTHEST] = [0.009, 0.1, 1.5, 1e6]; // rad a pixel, rad a key, rad, rad
 const LONGEST_STEP = 0.1; // s: a tab that comes back does not jump
 const KEPT_TIMES = 240;
 const FINER = 120; // ms after which a picture at rest is drawn finer
@@ -20,6 +20,7 @@ const limited = (value, least, most) => Math.min(most, Math.max(least, value));
  * Open a panel in the page.
  *
  * @param name its address
+ * @param hidden rules of what else a link may set, as `readAddress` takes them
  * @param controls descriptions for `controlOf`
  * @param initial values of all settings, and `turn`, `lift` where the picture is of space
  * @param prepare function (settings) → model, called when a setting changed
@@ -57,7 +58,10 @@ export class Panel {
     this.settings[key] = value;
     if (key !== "turn" && key !== "lift") this.prepared = false; // the camera changes nothing but the picture
     this.shown[key]?.show(value);
-    if (byHand) this.changed?.(key, this);
+    if (byHand) {
+      this.changed?.(key, this);
+      this.say("");
+    }
     this.redraw();
     this.remember();
   }
@@ -217,16 +221,21 @@ export class Panel {
 
   /** Take the state from the address, now and whenever it changes. */
   follow() {
-    const number = (value) => (typeof value === "number" ? value : undefined);
-    const allowed = { ...this.hidden, ...(this.frame && { turn: number, lift: number }) };
-    for (const { key } of this.controls) allowed[key] = this.shown[key].allows;
+    const rules = { ...this.hidden, ...(this.frame && { turn: between(-FARTHEST, FARTHEST), lift: between(-STEEPEST, STEEPEST) }) };
+    for (const { key } of this.controls) if (Object.hasOwn(this.initial, key)) rules[key] = this.shown[key].rule;
     const read = () => {
       if (location.hash.slice(1) === this.remembered) return;
-      const found = { ...this.initial, ...readAddress(location.hash, allowed) };
-      for (const [key, value] of Object.entries(found)) this.set(key, value);
+      const { values, refused } = readAddress(location.hash, rules);
+      for (const [key, value] of Object.entries({ ...this.initial, ...values })) this.set(key, value);
+      this.say(refused.join(" "));
     };
     read();
     addEventListener("hashchange", read);
+  }
+
+  /** Say what of a link was not taken, until something is changed by hand. */
+  say(text) {
+    byId("refused").textContent = text;
   }
 
   remember() {

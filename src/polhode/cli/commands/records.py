@@ -8,7 +8,6 @@ from typing import Annotated
 import typer
 
 from polhode.cli import fit_options as options
-from polhode.cli import tumble_options as tumbling
 from polhode.cli.arguments import StrictCommand
 from polhode.cli.commands.application import AsJson, BodySpec, SpecPath, app
 from polhode.cli.source_options import (
@@ -34,12 +33,12 @@ from polhode.cli.source_options import (
     TimeSystem,
     TimeUnit,
 )
-from polhode.formats.form_registry import writable_forms
+from polhode.formats.form_registry import writable_names
 
 
 def _list_forms() -> str:
     """Return the names of the forms of files, for the help."""
-    *names, last = writable_forms()
+    *names, last = writable_names()
     return f"{', '.join(names)} or {last}"
 
 
@@ -85,11 +84,11 @@ def fit(
     """
     from polhode.cli.columns import ColumnOptions
     from polhode.cli.fit import run_fit
-    from polhode.studies.throws import ThrowOptions
+    from polhode.studies.fit_request import FitOptions
 
     columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
                             gyro, unit, scale, decimal)  # fmt: skip
-    for_throws = ThrowOptions(window or (), drag, torque, rotor, gain, clip, moment, mass, added_weight, weighted or ())
+    for_throws = FitOptions(window or (), drag, torque, rotor, gain, clip, moment, mass, added_weight, weighted or ())
     run_fit(files, free, for_throws, columns, out, figures, json, pendulum)
 
 
@@ -206,89 +205,3 @@ def compare(
     columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
                             gyro, unit, scale, decimal)  # fmt: skip
     run_compare(a, b, json, figures, spec, Kernels(sclk, fk, lsk, spice_id), columns, offset, align_clock)
-
-
-@app.command(cls=StrictCommand)
-def judge(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="JSON with the states that an engine wrote.")],
-    json: AsJson = False,
-    figures: Annotated[
-        Path | None, typer.Option("--figures", metavar="DIR", help="Folder to draw figures into, one a motion.")
-    ] = None,
-    spec: Annotated[
-        Path | None, typer.Option("--spec", metavar="SPEC", help="Of a free body, for runs that name no motion.")
-    ] = None,
-) -> None:
-    """Judge a physics engine by the states that it wrote of free bodies.
-
-    Printed are a verdict for each motion, the order of the method where the file has three step sizes, the drift of
-    energy and momentum, how the error grows, and mistakes that explain it. Runs that cannot be judged are listed.
-    """
-    from polhode.cli.judge import run_judge
-
-    run_judge(file, json, figures, spec)
-
-
-@app.command(cls=StrictCommand)
-def tumble(
-    body: tumbling.Body = None,
-    precession: tumbling.Precession = None,
-    rotation: tumbling.Rotation = None,
-    moments: tumbling.Moments = None,
-    semi_axes: tumbling.SemiAxes = None,
-    axis: tumbling.Axis = None,
-    mode: tumbling.Mode = None,
-    diameter: tumbling.Diameter = None,
-    density: tumbling.Density = None,
-    rigidity: tumbling.Rigidity = None,
-    shape_factor: tumbling.ShapeFactor = None,
-    aspect: tumbling.Aspect = None,
-    phase: tumbling.Phase = None,
-    figures: tumbling.Figures = None,
-    out: tumbling.Out = None,
-    list_bodies: tumbling.ListBodies = False,
-    json: AsJson = False,
-) -> None:
-    """Tell how an asteroid tumbles, from its two periods and the ratios of its moments of inertia.
-
-    Energy, mode and tilt, what the moments admit, the time of damping, and the light curve of an ellipsoid with the
-    frequencies of which it is made.
-    """
-    from polhode.cli.tumble import TumbleOptions, run_list, run_tumble
-
-    if list_bodies:
-        run_list(json)
-        return
-    run_tumble(body, TumbleOptions(precession, rotation, moments, semi_axes, axis, mode, diameter, density, rigidity,
-                                   shape_factor, aspect, phase, figures, out), json)  # fmt: skip
-
-
-@app.command(cls=StrictCommand)
-def wobble(
-    file: Annotated[
-        Path | None,
-        typer.Argument(metavar="FILE", help="IERS C04 or finals2000A (default: C04 of astropy-iers-data)."),
-    ] = None,
-    start: Annotated[
-        str | None, typer.Option("--from", metavar="DAY", help="First day to use, like 1976-01-01.")
-    ] = None,
-    end: Annotated[str | None, typer.Option("--to", metavar="DAY", help="Day before which to stop.")] = None,
-    window: Annotated[
-        str | None, typer.Option("--window", metavar="YEARS", help="Length of sliding windows (default: 6).")
-    ] = None,
-    figures: Annotated[
-        Path | None, typer.Option("--figures", metavar="DIR", help="Folder to draw figures into.")
-    ] = None,
-    json: AsJson = False,
-    out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE.nc", help="Dataset of windows, process and excitation.")
-    ] = None,
-) -> None:
-    """Say how the Earth's pole wobbles, from measured polar motion.
-
-    Printed are the Chandler wobble's period, amplitude and Q with errors, the seasons, the wobble in sliding
-    windows, and why its period is not Euler's 304 days.
-    """
-    from polhode.cli.wobble import WobbleOptions, run_wobble
-
-    run_wobble(file, WobbleOptions(start, end, window, figures, out), json)

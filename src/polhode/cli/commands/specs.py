@@ -7,12 +7,12 @@ from typing import Annotated
 
 import typer
 
-from polhode.cli import spectrum_options as spectrum
 from polhode.cli.arguments import StrictCommand, whole_number
 from polhode.cli.commands.application import AsJson, SpecPath, app
+from polhode.cli.report_options import ReportCommand
 
 
-@app.command(cls=StrictCommand)
+@app.command(cls=ReportCommand)
 def report(
     spec: SpecPath,
     json: AsJson = False,
@@ -28,10 +28,6 @@ def report(
     certificates: Annotated[
         bool, typer.Option("--certificates", help="Also print the formula that each verdict rests on.")
     ] = False,
-    proof: Annotated[
-        Path | None,
-        typer.Option("--proof", metavar="DIR", help="Also write each verdict as a proof that Rocq checks, into DIR."),
-    ] = None,
 ) -> None:
     """Say how the body rotates; write figures and a NetCDF dataset.
 
@@ -39,7 +35,7 @@ def report(
     """
     from polhode.cli.report import run_report
 
-    run_report(spec, json, out, figure_format or [], html, certificates, proof)
+    run_report(spec, json, out, figure_format or [], html, certificates)
 
 
 @app.command(cls=StrictCommand)
@@ -116,57 +112,3 @@ def certify(
     from polhode.cli.certify import run_certify
 
     run_certify(spec, digits, at or [], json)
-
-
-@app.command(cls=StrictCommand)
-def levels(
-    file: spectrum.MoleculeFile, json: AsJson = False, j_max: spectrum.LargestJ = None,
-    out: spectrum.SpectrumFile = None,
-) -> None:  # fmt: skip
-    """Print a molecule's rotational levels."""
-    from polhode.cli.spectra import run_levels
-
-    run_levels(file, j_max, json, out)
-
-
-@app.command(cls=StrictCommand)
-def lines(
-    file: spectrum.MoleculeFile, json: AsJson = False, j_max: spectrum.LargestJ = None,
-    temperature: spectrum.Temperature = None, lowest: spectrum.Lowest = None, highest: spectrum.Highest = None,
-    min_intensity: spectrum.SmallestIntensity = None, most: spectrum.Strongest = 50, dipole: spectrum.Dipole = None,
-    out: spectrum.SpectrumFile = None,
-) -> None:  # fmt: skip
-    """Print a molecule's rotational lines by frequency, with intensities."""
-    from polhode.cli.spectra import LineOptions, run_lines
-
-    run_lines(file, LineOptions(j_max, temperature, lowest, highest, min_intensity, most, dipole), json, out)
-
-
-@app.command(cls=StrictCommand)
-def sweep(
-    spec: SpecPath,
-    out: Annotated[
-        Path | None,
-        typer.Option("--out", metavar="STORE.zarr", help="Zarr store to make or go on with (default: after the spec)."),
-    ] = None,
-    workers: Annotated[
-        int | None,
-        typer.Option("--workers", metavar="N", parser=whole_number(1, 1024),
-                     help="Worker processes here (default: one for each core; short sweeps need none)."),
-    ] = None,
-    scheduler: Annotated[
-        str | None,
-        typer.Option("--scheduler", metavar="ADDRESS", help="Dask scheduler whose workers to use, like tcp://host:8786."),
-    ] = None,
-    dry_run: Annotated[bool, typer.Option("--dry-run", help="Say what time, memory and room it will take.")] = False,
-    json: AsJson = False,
-    no_figures: Annotated[bool, typer.Option("--no-figures", help="Draw no figures.")] = False,
-) -> None:
-    """Compute many motions, with numbers of the spec spread.
-
-    The table [sweep] says which, and what to keep. Samples go into a Zarr store; statistics are printed and drawn. The
-    same command again goes on with a sweep that was stopped.
-    """
-    from polhode.cli.sweep import SweepOptions, run_sweep
-
-    run_sweep(spec, SweepOptions(out, workers, scheduler, dry_run, json, no_figures))

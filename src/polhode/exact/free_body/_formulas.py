@@ -15,8 +15,8 @@ from polhode.exact._kernel_arithmetic import (
     BLOCK,
     Pair,
     Rate,
+    Time,
     floor,
-    inlined,
     larger,
     phase,
     record,
@@ -47,31 +47,27 @@ class Motion(NamedTuple):
     to_momentum: Any  # by rows: momentum = matrix (3, 3) · (n1, n2, n3)
 
 
-@inlined
 def unflatten(m: Any) -> Motion:
     """Return the motion whose numbers stand in one tuple."""
     return Motion(m[0], m[1:4], m[4:7], m[7:9], m[9:19], m[19:24], m[24], m[25:41], m[41:50])
 
 
-@inlined
 def motion_at(rows: Any, i: int) -> Motion:
     """Return the motion whose numbers stand in rows."""
     return unflatten(record(rows, i, COLUMNS))
 
 
-@inlined
 def sums_at(rows: Any, i: int) -> Spinor:
     """Return the spinor that stands in rows."""
     return record(rows, i, SUMS)  # type: ignore[return-value]
 
 
-@inlined
-def full_sums(m: Motion, high: float, low: float) -> Spinor:
+def full_sums(m: Motion, time: Time) -> Spinor:
     """Sum A and B as polynomials in X = cos 2z and Y = sin 2z, where z is the difference of their phases."""
     start = m.start[0]
     a0, a1, a2, a3, a4, b0, b1, b2, b3, b4 = m.series
-    fa, ra, _ = phase(m.first, high, low)
-    fb, rb, _ = phase(m.second, high, low)
+    fa, ra, _ = phase(m.first, time)
+    fb, rb, _ = phase(m.second, time)
     ta, tb = fa + (ra - start), fb + (rb + start)
     sa, ca = sine_cosine(ta - whole(ta))
     sb, cb = sine_cosine(tb - whole(tb))
@@ -84,12 +80,11 @@ def full_sums(m: Motion, high: float, low: float) -> Spinor:
     return ca * pa - sa * qa, ca * qa + sa * pa, cb * pb - sb * qb, cb * qb + sb * pb
 
 
-@inlined
-def complementary_phase(m: Motion, high: float, low: float) -> tuple[float, float, float, float, float, float, float]:
+def complementary_phase(m: Motion, time: Time) -> tuple[float, float, float, float, float, float, float]:
     """Return turns, side, count of half turns, and exponent and factor of E and of R, which sums A and B."""
     _, upper, lower, y_turns, periodic = m.nome
-    fraction, rest, _ = phase(m.first, high, low)
-    u, u_rest, count = reduced_argument(m.second, m.start, periodic, high, low)
+    fraction, rest, _ = phase(m.first, time)
+    u, u_rest, count = reduced_argument(m.second, m.start, periodic, time)
     count = m.parity + count
     count = count - 4.0 * whole(0.25 * count)
     turns = fraction - 0.25 * count
@@ -102,7 +97,6 @@ def complementary_phase(m: Motion, high: float, low: float) -> tuple[float, floa
     return turns, side, count, e, e_factor, r, periodic * r_factor
 
 
-@inlined
 def complementary_sums(m: Motion, turns: float, side: float, count: float, e0: float, R: float) -> Spinor:
     """Sum A and B in the growing powers of R = √q1/E and the decaying ones of E = e^−|x|, x = πu/2K'."""
     c0, c1, c2, c3, c4, s0, s1, s2, s3, s4 = m.series
@@ -133,7 +127,6 @@ def complementary_sums(m: Motion, turns: float, side: float, count: float, e0: f
     return c * ar - s * ai, c * ai + s * ar, odd * (c * br - s * bi), odd * (c * bi + s * br)
 
 
-@inlined
 def state_of(m: Motion, spinor: Spinor) -> State:
     """Return attitude and momentum."""
     a0, a1, b0, b1 = spinor

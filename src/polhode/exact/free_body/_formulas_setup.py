@@ -16,7 +16,6 @@ from polhode.exact._kernel_arithmetic import (
     choice,
     constant,
     divide,
-    inlined,
     multiply,
     multiply_float,
     root,
@@ -36,7 +35,6 @@ Three = tuple[float, float, float]
 Ten = tuple[float, float, float, float, float, float, float, float, float, float]
 
 
-@inlined
 def invariants(moments: Three, momentum: Three) -> tuple[Pair, Pair, Pair, Pair, Pair, Pair]:
     """Return A, B, C, P, Q and |L|² before the mirror, each a sum of terms of one sign."""
     i1, i2, i3 = moments
@@ -49,7 +47,6 @@ def invariants(moments: Three, momentum: Three) -> tuple[Pair, Pair, Pair, Pair,
     return a, b, c, p, q, add(add(s1, s2), s3)
 
 
-@inlined
 def difference(a: Pair, b: Pair, x: float, z: float) -> tuple[Pair, float]:
     """Return S = A L1² − B L3² in double-double, and the size of its first term."""
     first = multiply(a, two_square(x))
@@ -59,7 +56,6 @@ def difference(a: Pair, b: Pair, x: float, z: float) -> tuple[Pair, float]:
 # ---------------------------------------------------------------------- rates
 
 
-@inlined
 def starts_of_mean(a: Pair, b: Pair, c: Pair, q: Pair, gg: Pair, root_s: Pair) -> tuple[Pair, Pair, Pair]:
     """Return √(BQ), √(−CS) and p² from which the third-kind sum starts, of which the choice keeps it quadratic."""
     third = b[0] >= a[0]
@@ -67,7 +63,6 @@ def starts_of_mean(a: Pair, b: Pair, c: Pair, q: Pair, gg: Pair, root_s: Pair) -
     return root(multiply(b, q)), multiply(root(c), root_s), choice(third, start, multiply(start, gg))
 
 
-@inlined
 def precession_rate(
     long_axis: bool, third: bool, moments: Three, lead: Pair, total: Pair, gg: Pair, g: Pair, mean: Pair
 ) -> Pair:
@@ -81,7 +76,6 @@ def precession_rate(
     return choice(third, rate, add(rate, mean))
 
 
-@inlined
 def phase_rates(full: bool, precession: Pair, mean: Pair, v: Pair, rate_scale: float) -> tuple[Pair, Pair]:
     """Return the rates of ``Motion.first`` and ``Motion.second`` [turns per time]."""
     # rates times V become turns: over 2πV
@@ -95,7 +89,6 @@ def phase_rates(full: bool, precession: Pair, mean: Pair, v: Pair, rate_scale: f
 # ---------------------------------------------------------------------- arguments and series
 
 
-@inlined
 def _landen_step(
     x: float, y: float, dn: float, factor: float, sinh: float, cosine: float, dc: float
 ) -> tuple[float, float, float, float, float, float]:
@@ -110,7 +103,6 @@ def _landen_step(
     return 0.5 * (x + y), square_root(x * y), next_dn, factor * (next_dn / grown), sinh, next_dc
 
 
-@inlined
 def landen(k: float, dn: float, sinh_times_cosine: float, cosine: float, dc: float) -> Pair:
     """Follow a circular and a hyperbolic amplitude down five Landen steps from the complementary modulus k.
 
@@ -125,7 +117,6 @@ def landen(k: float, dn: float, sinh_times_cosine: float, cosine: float, dc: flo
     return factor, sinh
 
 
-@inlined
 def full_arguments(
     a: float, b: float, c: float, q: float, ratios: Pair, root_p: float, momentum: Three
 ) -> tuple[float, float, Ten]:
@@ -160,7 +151,6 @@ def full_arguments(
     )  # fmt: skip
 
 
-@inlined
 def complementary_amplitudes(
     b: float, c: float, p: float, q: float, g: float, momentum: Three
 ) -> tuple[float, float, float, float]:
@@ -170,13 +160,11 @@ def complementary_amplitudes(
     return square_root(p / b) / g, abs(square_root(b) * y), of_c * abs(x), of_c * z * square_root(p / q)
 
 
-@inlined
 def half_period(fast: Pair, mean: Pair, nome: float) -> Pair:
     """Return πK/K' = 2K/θ3², of √(BQ) and the mean."""
     return by_theta(divide(multiply(fast, constant(PI, nome)), mean), nome)
 
 
-@inlined
 def harmonics(y: float) -> Ten:
     """Return cos and sin of (2n+1)(y/2 − π/4), n from 0 to 4, for 0 ≤ y ≤ π/2."""
     angle = (0.5 * y - 0.25 * math.pi) * (0.5 / math.pi)

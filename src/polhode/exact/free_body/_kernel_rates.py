@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from polhode._base.compiled.copying import called
 from polhode.exact._kernel_agm import start_mean, third_kind
 from polhode.exact._kernel_arithmetic import (
-    called,
     choice,
     halves,
     multiply_float,

@@ -8,13 +8,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from polhode._base.compiled.copying import called
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
     Pair,
     bits_of,
-    called,
     flags,
-    inlined,
     of_bits,
     put,
     put_record,
@@ -30,18 +29,15 @@ SPREAD = 2.0**-60  # of the moments, and of the components of momentum that are 
 NEAR = 1e-2  # of what cancels near the separatrix
 
 
-@inlined
 def _power(exponent: int) -> float:
     return of_bits((exponent + 1023) << 52)
 
 
-@inlined
 def _exponent(x: float) -> int:
     """Return the exponent of ``frexp`` of a normal number, whatever its sign."""
     return ((bits_of(x) >> 52) & 2047) - 1022
 
 
-@inlined
 def _load(w: Any, i: int, moments: Any, momentum: Any) -> bool:
     """Sort and scale a body, ``reduction._sorted_and_scaled``; return whether its numbers are near enough together."""
     a, b, c = moments[0], moments[1], moments[2]
@@ -102,7 +98,6 @@ def _exact_difference(w: Any, i: int, terms: Any) -> Pair:
     return two_sum(terms[31], rest)
 
 
-@inlined
 def _form(w: Any, i: int) -> int:
     """Return 1 for a body that takes the full form, 0 for the complementary one, −1 for one without a period."""
     long_axis = w[at.S + i] > 0.0

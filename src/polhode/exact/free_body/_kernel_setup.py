@@ -9,16 +9,14 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from polhode._base.compiled.copying import called, entry
 from polhode.exact._formulas import nome_per_parameter
 from polhode.exact._kernel_agm import STEPS
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
-    called,
     divide,
-    entry,
     fast_two_sum,
     halves,
-    inlined,
     pair,
     places,
     put,
@@ -89,7 +87,6 @@ def _complementary_arguments(w: Any, count: int, m: Any) -> None:
         put_record(m, NOME + i, (square_root(q), upper, lower + period[1], y * (0.5 / math.pi), 1.0, parity))
 
 
-@inlined
 def _put_column(
     w: Any, i: int, m: Any, k: int, scalar: float, x: float, y: float, z: float, first: float, second: float
 ) -> None:
@@ -145,7 +142,7 @@ def set_up(moments: Any, momentum: Any, attitude: Any, columns: Any, left: Any, 
         rates(w, full, count, steps, who, m)
         _full_arguments(w, full, m)
         _complementary_arguments(w[full:], count - full, m[full:])
-        sums_of_many(m, full, count, zeros, zeros, work)
+        sums_of_many(m, full, count, zeros, zeros, zeros, work)
         _matrices(w, count, m, work)
         for i in range(count):
             columns[0][first + low + place[i]] = 1.0 if i < full else 0.0

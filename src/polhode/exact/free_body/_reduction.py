@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from polhode.arrays import choose, compiled, namespace
-from polhode.exact._copies import for_arrays
+from polhode.exact._array_arithmetic import for_arrays
 from polhode.exact.free_body import _formulas_setup as formulas_setup
 from polhode.special import _doubledouble as dd
 from polhode.special._doubledouble import DoubleDouble

@@ -30,7 +30,7 @@ from polhode.types import Array, ArrayLike, Float64, FloatOrArray, Integer, Real
 
 Spin = Real[ArrayLike, "*#batch 3"] | None
 Attitude = Real[ArrayLike, "*#batch 4"]
-Axes = Real[ArrayLike, "3 3"]
+Axes = Real[ArrayLike, "*#batch 3 3"]
 
 
 def _of_unit_length(attitude: Array) -> Array:
@@ -56,8 +56,8 @@ class FreeMotion(AbstractMotion):
         epoch: (…) time at which these hold [s].
         momentum_at_epoch, attitude_at_epoch: as ``momentum`` and ``attitude``, by the names of the attributes that keep
             them, so that ``dataclasses.replace(motion, epoch=1.0)`` works.
-        axes: (3, 3) the principal axes by columns in the axes that vectors and attitude are along; the principal axes
-            themselves if not given.
+        axes: (…, 3, 3) the principal axes by columns in the axes that vectors and attitude are along; the principal
+            axes themselves if not given.
 
     Arguments after the moments are given by name: three numbers could be a momentum or an angular velocity.
 

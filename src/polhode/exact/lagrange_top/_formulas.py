@@ -14,9 +14,9 @@ from polhode.exact._kernel_arithmetic import (
     BLOCK,
     Pair,
     Rate,
+    Time,
     choice,
     floor,
-    inlined,
     larger,
     phase,
     record,
@@ -61,7 +61,6 @@ class Motion(NamedTuple):
     reversed: Any  # −1 where the axis was turned round
 
 
-@inlined
 def unflatten(m: Any) -> Motion:
     """Return the motion whose numbers stand in one tuple."""
     return Motion(
@@ -70,50 +69,43 @@ def unflatten(m: Any) -> Motion:
     )  # fmt: skip
 
 
-@inlined
 def motion_at(rows: Any, i: int) -> Motion:
     """Return the motion whose numbers stand in rows."""
     return unflatten(record(rows, i, COLUMNS))
 
 
-@inlined
 def sums_at(rows: Any, i: int) -> Sums:
     """Return the sums that stand in rows."""
     return record(rows, i, SUMS)  # type: ignore[return-value]
 
 
-@inlined
 def _dot(x: Four, y: Four) -> float:
     """Sum the products, smallest first."""
     (a, b, c, d), (e, f, g, h) = x, y
     return ((d * h + c * g) + b * f) + a * e
 
 
-@inlined
 def _odd(x: Four, y: Four) -> float:
     """Sum the products times 1, 3, 5 and 7, which a derivative brings."""
     (a, b, c, d), (e, f, g, h) = x, y
     return ((d * (7.0 * h) + c * (5.0 * g)) + b * (3.0 * f)) + a * e
 
 
-@inlined
 def _even(x: Four, y: Four) -> float:
     """Sum the products times 2, 4, 6 and 8."""
     (a, b, c, d), (e, f, g, h) = x, y
     return ((d * (8.0 * h) + c * (6.0 * g)) + b * (4.0 * f)) + a * (2.0 * e)
 
 
-@inlined
-def _turns(rate: Rate, high: float, low: float) -> float:
-    fraction, rest, _ = phase(rate, high, low)
+def _turns(rate: Rate, time: Time) -> float:
+    fraction, rest, _ = phase(rate, time)
     return fraction + rest
 
 
-@inlined
-def full_sums(m: Motion, high: float, low: float) -> Sums:
+def full_sums(m: Motion, time: Time) -> Sums:
     """Sum A, B and their derivatives by z."""
     sa, sb = m.signs
-    fraction, rest, _ = phase(m.third, high, low)
+    fraction, rest, _ = phase(m.third, time)
     z = fraction + (rest + m.start[0])
     s1, c1 = sine_cosine(z - whole(z))
     c, s = 1.0 - 2.0 * s1 * s1, 2.0 * s1 * c1
@@ -124,16 +116,15 @@ def full_sums(m: Motion, high: float, low: float) -> Sums:
     return (
         _dot(m.a_sum, sines), -sa * _dot(m.a_gap, cosines), _dot(m.b_sum, cosines), sb * _dot(m.b_gap, sines),
         _odd(m.a_sum, cosines), sa * _odd(m.a_gap, sines), -_odd(m.b_sum, sines), sb * _odd(m.b_gap, cosines),
-        _turns(m.first, high, low), _turns(m.second, high, low),
+        _turns(m.first, time), _turns(m.second, time),
     )  # fmt: skip
 
 
-@inlined
-def complementary_phase(m: Motion, high: float, low: float) -> State:
+def complementary_phase(m: Motion, time: Time) -> State:
     """Return side, both phases in turns, and exponent and factor of E and of R, which sum A and B."""
     _, upper, lower, ya_turns, yb_turns, periodic = m.nome
     sa, sb = m.signs
-    u, u_rest, count = reduced_argument(m.third, m.start, periodic, high, low)
+    u, u_rest, count = reduced_argument(m.third, m.start, periodic, time)
     side = where(u < 0.0, -1.0, 1.0)
     f, g = u * side, u_rest * side
     e, e_factor = exponent(f, g, upper, lower)
@@ -141,13 +132,12 @@ def complementary_phase(m: Motion, high: float, low: float) -> State:
     r, r_factor = exponent(distance, ((0.5 - distance) - f) * periodic - g, upper, lower)
     half = 0.5 * (count - 2.0 * floor(0.5 * count))
     within = u + u_rest
-    turns_a = _turns(m.first, high, low) + sa * within * ya_turns
-    turns_b = _turns(m.second, high, low) + sb * within * yb_turns
+    turns_a = _turns(m.first, time) + sa * within * ya_turns
+    turns_b = _turns(m.second, time) + sb * within * yb_turns
     turns_a, turns_b = (turns_a - whole(turns_a)) + half, (turns_b - whole(turns_b)) + half
     return side, turns_a, turns_b, e, e_factor, r, periodic * r_factor
 
 
-@inlined
 def complementary_sums(m: Motion, side: float, turns_a: float, turns_b: float, e0: float, R: float) -> Sums:
     """Sum A, B and their derivatives by x' in the decaying powers of E = e^−|x'| and the growing ones of R = √q/E."""
     q = m.nome[0]
@@ -176,7 +166,6 @@ def complementary_sums(m: Motion, side: float, turns_a: float, turns_b: float, e
     )  # fmt: skip
 
 
-@inlined
 def state_of(m: Motion, sums: Sums) -> State:
     """Return attitude and momentum: α = A e^{iφ_a}, β = B e^{iφ_b} over their norm, and w."""
     ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b = sums

@@ -17,7 +17,6 @@ from polhode.exact._kernel_arithmetic import (
     choice,
     constant,
     divide,
-    inlined,
     multiply,
     multiply_float,
     root,
@@ -60,7 +59,6 @@ class TurningPoints(NamedTuple):
 # ---------------------------------------------------------------------- turning points
 
 
-@inlined
 def cubics(
     axial: float, g: Pair, inverse: Pair, s0: Pair, t0: Pair, u0: Pair, w2: Pair, twist: Pair, p2: Pair, c2: Pair,
     d: Pair, f: Pair,
@@ -75,20 +73,17 @@ def cubics(
     return f1, (f2, multiply(g, f1), multiply(square(g), p2)), ((-d[0], -d[1]), scale(f, -2.0), multiply(c2, inverse))
 
 
-@inlined
 def quotient(x: Pair, y: Pair) -> Pair:
     """Return x / y, and zero for x = 0 whatever y."""
     zero = x[0] == 0.0
     return choice(zero, x, divide(x, choice(zero, ONE, y)))
 
 
-@inlined
 def difference(total: Pair, product: Pair) -> Pair:
     """Return x + y = √((x − y)² + 4 x y)."""
     return root_or_zero(add(square(total), scale(product, 4.0)))
 
 
-@inlined
 def _larger_and_smaller(total: Pair, sum_: Pair, product: Pair) -> tuple[Pair, Pair]:
     """Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y."""
     positive = total[0] >= 0.0
@@ -97,7 +92,6 @@ def _larger_and_smaller(total: Pair, sum_: Pair, product: Pair) -> tuple[Pair, P
     return choice(positive, larger, smaller), choice(positive, smaller, larger)
 
 
-@inlined
 def _upper_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f1: Pair, y: Pair) -> tuple[Pair, ...]:
     """From Y = G (u3 − u0): with v = u − u0, v1 + v2 = (f1 + G p²/Y)/Y and v1 v2 = −p²/Y."""
     product = quotient(p2, y)
@@ -112,7 +106,6 @@ def _upper_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f1: Pair, y: Pair) 
     return lower, upper, gap, s1, s2, add(y, multiply(g, lower)), subtract(y, multiply(g, upper)), y, z
 
 
-@inlined
 def _lower_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f: Pair, s1: Pair) -> tuple[Pair, ...]:
     """From s1 = 1 − u1: s2 + s3 = (c²/s1 − 2F)/(G s1) and s2 s3 = −c²/(G s1)."""
     gs = multiply(g, s1)
@@ -129,7 +122,6 @@ def _lower_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f: Pair, s1: Pair) 
     return lower, upper, subtract(s1, s2), s1, s2, multiply(g, add(s1, minus_s3)), multiply(g, between), y, z
 
 
-@inlined
 def turning_points_of(
     is_upper: bool, lone_root: Pair, g: Pair, safe: Pair, s0: Pair, t0: Pair, p2: Pair, c2: Pair, c_plus: Pair, f: Pair,
     f1: Pair,
@@ -149,20 +141,17 @@ def turning_points_of(
 # ---------------------------------------------------------------------- rates
 
 
-@inlined
 def start_of_alpha(first: bool, a: Pair, z_plus: Pair, t1: Pair, t2: Pair) -> Pair:
     """Return p² at the start of the sum of α; ``first`` says that it takes the form that starts from Z."""
     return choice(first, z_plus, divide(multiply(a, t2), choice(first, constant(ONE, t1[0]), t1)))
 
 
-@inlined
 def start_of_beta(first: bool, c: Pair, a: Pair, b: Pair, z_minus: Pair, s1: Pair, s2: Pair) -> Pair:
     """Return p² of the sum of β. Where c = 0 the factor of the sum vanishes, and p² must only not be zero."""
     other = divide(multiply(s1, b), choice(first, constant(ONE, s2[0]), s2))
     return choice(first, choice(c[0] == 0.0, a, z_minus), other)
 
 
-@inlined
 def drift(first: bool, c: Pair, g: Pair, z: Pair, near: Pair, far: Pair, d: Pair, nutation: Pair, total: Pair) -> Pair:
     """Return cG/(4Z) Σ in the first form, |c|/(2 near) [1 − d/(2 far) Σ] − ϖ in the second."""
     idle = c[0] == 0.0
@@ -173,26 +162,22 @@ def drift(first: bool, c: Pair, g: Pair, z: Pair, near: Pair, far: Pair, d: Pair
     )
 
 
-@inlined
 def spin(i1: float, i3: float, axial: float) -> Pair:
     """Return ν I1, the spin that I3 ≠ I1 adds, by τ."""
     return divide(multiply_float(two_sum(i1, -i3), axial), (i3, 0.0))
 
 
-@inlined
 def turns_per_time(rate: Pair, i1: float, rate_scale: float) -> Pair:
     """Return a rate by τ as turns per time."""
     inverse = divide(constant(INVERSE_TWO_PI, i1), (i1, 0.0))
     return multiply(rate, scale(inverse, rate_scale))
 
 
-@inlined
 def half_periods(nutation: Pair, i1: float, rate_scale: float) -> Pair:
     """Return the rate of x/2K [half periods per time]."""
     return divide(scale(nutation, rate_scale), multiply_float(constant(PI, i1), i1))
 
 
-@inlined
 def periods(half_root: Pair, nutation: Pair, nome: float) -> tuple[Pair, Pair]:
     """Return K and πK/K', of the nome of the smaller parameter."""
     quarter = divide(scale(multiply(half_root, constant(PI, nome)), 0.5), nutation)
@@ -202,7 +187,6 @@ def periods(half_root: Pair, nutation: Pair, nome: float) -> tuple[Pair, Pair]:
 # ---------------------------------------------------------------------- series
 
 
-@inlined
 def full_terms(size: float, h: float, q: float, r: float, alternating: float) -> tuple[Four, Four]:
     """Return sums and differences of the coefficients of e^{±ikz}, k = 1, 3, 5, 7."""
     w1, w2, w3 = q * r, q * q * r, q * q * q * r
@@ -217,14 +201,12 @@ def full_terms(size: float, h: float, q: float, r: float, alternating: float) ->
     )
 
 
-@inlined
 def full_sizes(root_t: float, root_s: float, q: float, theta3: float) -> Pair:
     """Return √t θ3 and √s θ4."""
     q4 = (q * q) * (q * q)
     return root_t * theta3, root_s * (1.0 - 2.0 * (q - q4 + q4 * q4 * q))
 
 
-@inlined
 def _multiples(y: float) -> tuple[Four, Four]:
     """Return cos ky and sin ky for k = 1 to 4 of 0 ≤ y ≤ π."""
     s1, c1 = sine_cosine(y * (0.5 / math.pi))
@@ -232,7 +214,6 @@ def _multiples(y: float) -> tuple[Four, Four]:
     return (c1, c2, c2 * c1 - s2 * s1, 1.0 - 2.0 * s2 * s2), (s1, s2, s2 * c1 + c2 * s1, 2.0 * s2 * c2)
 
 
-@inlined
 def complementary_series(
     root_t: float, root_s: float, q: float, theta3: float, y_alpha: float, y_beta: float
 ) -> tuple[Four, Four, Four, Four, float]:
@@ -259,7 +240,6 @@ def complementary_series(
 # ---------------------------------------------------------------------- phases
 
 
-@inlined
 def _constant_phase(
     r: float, i: float, dr: float, di: float, turns: float, rate: float, component: Pair, slope: Pair, norm: float,
     drop: float, turn: float, size: float,
@@ -282,7 +262,6 @@ def _constant_phase(
     return where(some, real / safe, 1.0), where(some, imaginary / safe, 0.0)
 
 
-@inlined
 def constant_phases(
     quaternion: Four, norm2: Pair, momentum: Three, size: float, sums: Sums, linear: Pair, turn: float
 ) -> Four:

@@ -9,13 +9,12 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from polhode._base.compiled.copying import called
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
     add,
-    called,
     choice,
     divide,
-    inlined,
     multiply,
     pair,
     put,
@@ -35,7 +34,6 @@ ONE = (1.0, 0.0)
 NONE = math.nan
 
 
-@inlined
 def _series(x: float, y: float) -> float:
     """Return what Carlson's R_F is more than one over the root of the mean, of relative distances from it."""
     z = -x - y
@@ -45,7 +43,6 @@ def _series(x: float, y: float) -> float:
     return (higher + third * (1.0 / 14.0)) - 0.1 * second
 
 
-@inlined
 def _widest(x: float, y: float, z: float) -> float:
     """Return the largest distance from the mean over it."""
     mean = ((x + y) + z) / 3.0

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from polhode._base.compiled.copying import called
 from polhode.exact._kernel_agm import start_mean, third_kind
 from polhode.exact._kernel_arithmetic import (
     add,
-    called,
     halves,
-    inlined,
     multiply,
     pair,
     put,
@@ -23,12 +22,10 @@ from polhode.exact.lagrange_top._formulas import FIRST
 from polhode.exact.lagrange_top._formulas_setup import drift, spin, start_of_alpha, start_of_beta, turns_per_time
 
 
-@inlined
 def _first_alpha(w: Any, i: int) -> bool:
     return w[at.Z_PLUS + i] <= 2.0 * w[at.A + i]
 
 
-@inlined
 def _first_beta(w: Any, i: int) -> bool:
     return multiply(pair(w, at.G + i), pair(w, at.S2 + i))[0] <= w[at.Z_MINUS + i]
 

@@ -8,13 +8,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from polhode._base.compiled.copying import called
 from polhode.exact._kernel_arithmetic import (
     Pair,
     add,
     bits_of,
-    called,
     divide,
-    inlined,
     multiply,
     multiply_float,
     of_bits,
@@ -36,23 +35,19 @@ TERMS = 128  # room for an exact sum and its parts
 S_, T_, N_, REAL, IMAGINARY, TWIST_, C_, ENERGY, REST, LOOSE = 0, 4, 8, 12, 16, 20, 24, 28, 33, 37
 
 
-@inlined
 def _power(exponent: int) -> float:
     return of_bits((exponent + 1023) << 52)
 
 
-@inlined
 def _exponent(x: float) -> int:
     """Return the exponent of ``frexp`` of a normal number, whatever its sign."""
     return ((bits_of(x) >> 52) & 2047) - 1022
 
 
-@inlined
 def _apart(x: float, lowest: float) -> bool:
     return x == 0.0 or abs(x) >= lowest
 
 
-@inlined
 def _load(w: Any, i: int, moments: Any, mgl: float, momentum: Any, attitude: Any) -> bool:
     """Turn and scale a top as ``reduction.reduce_top``; return whether its numbers are near enough together."""
     a, c, weight = moments[0], moments[2], abs(mgl)
@@ -81,7 +76,6 @@ def _load(w: Any, i: int, moments: Any, mgl: float, momentum: Any, attitude: Any
     return near
 
 
-@inlined
 def _spare(x: Pair, size: float) -> float:
     """Return a number below zero if more has cancelled of terms of this size than ``NEAR`` allows."""
     return abs(x[0]) - NEAR * size

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from polhode._base.compiled.copying import called
 from polhode.exact._kernel_arithmetic import (
     Pair,
     add,
-    called,
     choice,
     divide,
-    inlined,
     multiply,
     pair,
     put,
@@ -26,7 +25,6 @@ ONE = (1.0, 0.0)
 BEGIN, SLOPE, CURVE = 0.8660254, 0.1642, -0.0302  # of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4
 
 
-@inlined
 def _sharp_root(b: float, c: float, d: float) -> tuple[float, float, float]:
     """Return b/3, r and cos 3φ of Viète's formula for x³ + bx² + cx + d, ``roots._largest_root``."""
     third = b / 3.0
@@ -36,7 +34,6 @@ def _sharp_root(b: float, c: float, d: float) -> tuple[float, float, float]:
     return third, r, min(max(cosine, -1.0), 1.0)
 
 
-@inlined
 def _polished(x: Pair, b: Pair, c: Pair, d: Pair) -> tuple[Pair, float]:
     """Return the root after a step of Newton's, whose slope need not be sharp, and the change."""
     value = add(multiply(add(multiply(add(x, b), x), c), x), d)

@@ -8,9 +8,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from polhode._base.compiled.copying import called
 from polhode.exact._formulas import nome_per_parameter
 from polhode.exact._kernel_arithmetic import (
-    called,
     divide,
     exponential,
     halves,

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from polhode._base.compiled.copying import called, entry
 from polhode.exact._kernel_agm import STEPS
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
-    called,
-    entry,
     flags,
     places,
     room,
@@ -92,7 +91,7 @@ def set_up(
         for i in range(count):
             m[AXIAL + i] = momentum[low + place[i]][2]
         series(w, full, count, m)
-        sums_of_many(m, full, count, zeros, zeros, work)
+        sums_of_many(m, full, count, zeros, zeros, zeros, work)
         phases(w, count, m, work)
         _finite(m, count, good)
         for i in range(count):

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_false, namespace
+from polhode.arrays import is_traced, known_false, namespace
 from polhode.bodies._pivot import EQUAL, STANDARD_GRAVITY, about_pivot
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
@@ -35,7 +35,7 @@ from polhode.types import Array, ArrayLike, Float64, FloatOrArray, Integer, Real
 
 Spin = Real[ArrayLike, "*#batch 3"] | None
 Attitude = Real[ArrayLike, "*#batch 4"]
-Axes = Real[ArrayLike, "3 3"]
+Axes = Real[ArrayLike, "*#batch 3 3"]
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -61,8 +61,8 @@ class LagrangeMotion(AbstractMotion):
         epoch: (…) time at which these hold [s].
         momentum_at_epoch, attitude_at_epoch: as ``momentum`` and ``attitude``, by the names of the attributes that keep
             them, so that ``dataclasses.replace(top, epoch=1.0)`` works.
-        axes: (3, 3) the principal axes by columns in the axes that vectors and attitude are along; the principal axes
-            themselves if not given.
+        axes: (…, 3, 3) the principal axes by columns in the axes that vectors and attitude are along; the principal
+            axes themselves if not given.
 
     Arguments after the moments are given by name: three numbers could be a momentum or an angular velocity.
 
@@ -155,7 +155,10 @@ class LagrangeMotion(AbstractMotion):
         moments, mgl = body
         refuse_not_finite(mgl=mgl)
         common_shape(moments=moments[..., 0], mgl=mgl, momentum=momentum[..., 0], epoch=epoch)
-        return (_checked_symmetry(xp, moments), mgl), momentum, attitude
+        moments = _checked_symmetry(xp, moments)
+        if is_traced(moments):  # NaN in the momentum reaches whatever is computed of the top, as fields keep their own
+            momentum = xp.where(xp.isnan(moments[..., :1]), math.nan, momentum)
+        return (moments, mgl), momentum, attitude
 
     def _columns_of(self) -> Any:
         return evaluation.motion_columns(self._arguments)

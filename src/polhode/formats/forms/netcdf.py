@@ -12,20 +12,12 @@ if TYPE_CHECKING:
 
 
 def write(content: Content, path: Path) -> Path:
-    """Write the motion, or the levels and lines of what does not move."""
-    if content.samples is None:
-        return _write_spectrum(content, path)
+    """Write the motion, or the data of the report on what does not move."""
+    if content.samples is None and content.save is not None:
+        return content.save(path)
     from polhode.formats.dataset import label_attributes, write_dataset
 
-    return write_dataset(content.samples, path, {"title": content.name} | label_attributes(content.labels))
-
-
-def _write_spectrum(content: Content, path: Path) -> Path:
-    from polhode.formats.rotor_dataset import rotor_attributes, write_spectrum
-
-    molecule = content.rotor()
-    known = rotor_attributes(molecule.rotor, content.name, molecule.temperature)
-    return write_spectrum(path, levels=molecule.levels(), lines=molecule.lines(), attributes=known)
+    return write_dataset(content.trajectory, path, {"title": content.name} | label_attributes(content.labels))
 
 
 def read(path: Path, kernels: Kernels) -> Trajectory:

@@ -26,11 +26,19 @@ from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.damped_body.table import DampedBodyTable
 from polhode.motion._trajectory import Trajectory
-from polhode.reports.about import about_body, about_orbital_rests, accuracy, stability_values, verdicts
+from polhode.reports.about import (
+    about_body,
+    about_orbital_rests,
+    accuracy,
+    from_motion,
+    motion_error,
+    stability_values,
+    verdicts,
+)
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
 from polhode.reports.length import Watch
-from polhode.reports.wording import angle, duration, uncertain
+from polhode.reports.wording import duration, uncertain
 from polhode.simulation import simulate
 from polhode.systems.double_bracket import DoubleBracket
 from polhode.systems.kepler_orbit import KeplerOrbit
@@ -206,7 +214,7 @@ class DampedBodyReport(MotionReport):
         first, last = np.degrees(self.angle_to_major_axis[[0, -1]])
         spent, left = (values[-1] / values[0] for values in (self.energy, self.momentum_norm))
         kept = "all" if self.inside else f"{left:.4g}"
-        return (
+        return self.rounded(
             f"The angle between the angular momentum L and the major axis goes from {first:.5g}° to {last:.5g}°; the "
             f"body ends with {spent:.4g} of its energy and {kept} of its momentum."
         )
@@ -249,21 +257,21 @@ class DampedBodyReport(MotionReport):
 
     def _motion(self) -> Group:
         energy, norm, moments = self.energy, self.momentum_norm, self.body.principal_moments
-        error = self.trajectory.error_estimate
         start, end = (float(self.angle_to_major_axis[k]) for k in (0, -1))
+        error = motion_error(self.trajectory)
+        error = None if error is None else error / (end or 1.0)  # of a direction, in rad
         lowest = float(0.5 * norm[0] ** 2 / moments[2]) if self.inside else None
         return Group("Motion", [
             Answer("start.time", float(self.trajectory.times[0]), "s"),
             Answer("end.time", float(self.trajectory.times[-1]), "s", "time"),
             *self._at_both_ends("energy", energy, "J", "energy"),
-            Answer("energy_lost", energy[0] - energy[-1], "J"),
+            *from_motion(self.trajectory, [Answer("energy_lost", energy[0] - energy[-1], "J")]),
             Answer("lowest_energy", lowest, "J", "lowest energy at this |L|", "at this |L|"),
             *self._at_both_ends("momentum_norm", norm, "kg m²/s", "|L|"),
             *self._at_both_ends("angular_velocity", np.asarray(self.trajectory.angular_velocity), "rad/s", "Ω",
                                 "principal axes"),
             Answer("start.angle_to_major_axis", start, "rad", "L to the major axis at the start"),
-            Answer("end.angle_to_major_axis", end, "rad", "L to the major axis at the end", "",
-                   angle(end, None if error is None else float(error))),
+            Answer("end.angle_to_major_axis", end, "rad", "L to the major axis at the end", error=error),
             self.start.settling(),
             *self.start.flat_spin(),
             *self._flat_spin_seen(),
@@ -284,10 +292,11 @@ class DampedBodyReport(MotionReport):
         return [Answer("flat_spin_time.motion", seen, "s", said, f"{WITHIN}, at a sample", words)]
 
     def _at_both_ends(self, name: str, values: Array, unit: str, label: str, explanation: str = "") -> list[Answer]:
-        return [
+        start, end = (
             Answer(f"{end}.{name}", values[k], unit, f"{label} at the {end}", explanation)
             for end, k in (("start", 0), ("end", -1))
-        ]
+        )
+        return [start, *from_motion(self.trajectory, [end])]
 
 
 def make_report(spec: Spec[DampedBodyTable]) -> DampedBodyReport:

@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from polhode.exact.free_body import FreeMotion
-    from polhode.kinds.base import Ensemble, Figures, ManySpecs, Overview, Spec
+    from polhode.kinds.base import Figures, Overview, Spec
+    from polhode.kinds.ensembles import Ensemble, ManySpecs
     from polhode.kinds.free_body.answers import FreeBodyReport
 
 

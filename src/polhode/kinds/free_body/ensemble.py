@@ -12,7 +12,7 @@ import numpy as np
 from polhode.analysis.cone import rotation_forms
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.free_body._geometry import REGIMES
-from polhode.kinds.base import Ensemble, ManySpecs
+from polhode.kinds.ensembles import Ensemble, ManySpecs
 from polhode.kinds.free_body.answers import LARGEST
 from polhode.motion._invariants import norm
 from polhode.spec.building import build_spin

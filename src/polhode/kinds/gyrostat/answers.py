@@ -24,7 +24,7 @@ from polhode.kinds.gyrostat.losses import describe_losses, judge_losses
 from polhode.kinds.gyrostat.table import GyrostatTable
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, stability_values, verdicts
+from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, from_motion, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.wording import distinct, vector
@@ -110,7 +110,7 @@ class GyrostatReport(MotionReport):
         count = {word: sum(e.verdict.verdict == word for e in self.equilibria) for word in ("stable", "unstable")}
         said = " and ".join(f"{n} {word}" for word, n in count.items() if n)
         end = " as the rotor turns at the end" if self.motor else ""
-        return (
+        return self.rounded(
             f"The angular momentum L stays between {low:.5g}° and {high:.5g}° from the rotor's axis. With this |L| "
             f"there are {said} steady rotations{end}."
         )
@@ -184,18 +184,20 @@ class GyrostatReport(MotionReport):
             Answer("momentum_norm", norm, "kg m²/s", "|L|"),
             Answer("energy", float(self.energy[0]), "J", "energy of the carrier", "of the carrier"),
             Answer("angular_velocity", velocity[0], "rad/s", "Ω at the start"),
-            *leans,
+            *from_motion(self.trajectory, leans),
             Answer("nutation_rate", nutation, "rad/s", "nutation in the body", "in the body"),
             Answer("precession_rate", around, "rad/s", "precession in space", "in space"),
-            *self._mean_rates(),
             Answer("final.time", float(np.asarray(self.trajectory.times)[-1]), "s"),
-            Answer("final.angular_velocity", velocity[-1], "rad/s", "Ω at the end"),
-            Answer("final.rotor_rate", float(self.rotor_rate[-1]), "rad/s", "rotor against the body at the end",
-                   "relative to the body"),
-            Answer("final.rotor_momentum", float(self.rotor_momentum[-1]), "kg m²/s"),
-            Answer("final.energy", float(self.energy[-1]), "J",
-                   "energy of the carrier at the end" if self.motor else ""),
-            Answer("final.motor_work", self.motor_work, "J", "work of the motor"),
+            *from_motion(self.trajectory, [
+                *self._mean_rates(),
+                Answer("final.angular_velocity", velocity[-1], "rad/s", "Ω at the end"),
+                Answer("final.rotor_rate", float(self.rotor_rate[-1]), "rad/s", "rotor against the body at the end",
+                       "relative to the body"),
+                Answer("final.rotor_momentum", float(self.rotor_momentum[-1]), "kg m²/s"),
+                Answer("final.energy", float(self.energy[-1]), "J",
+                       "energy of the carrier at the end" if self.motor else ""),
+                Answer("final.motor_work", self.motor_work, "J", "work of the motor"),
+            ]),
             *accuracy(self.trajectory),
         ])  # fmt: skip
 

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from polhode.analysis.nutation_damping import DualSpinDamping, dual_spin_damping
+from polhode.analysis.dual_spin import DualSpinDamping, dual_spin_damping
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput
 from polhode.kinds.gyrostat.table import GyrostatTable

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from polhode.exact.lagrange_top import LagrangeMotion
-    from polhode.kinds.base import Ensemble, Figures, ManySpecs, Overview, Spec, SpecMotion
+    from polhode.kinds.base import Figures, Overview, Spec, SpecMotion
+    from polhode.kinds.ensembles import Ensemble, ManySpecs
     from polhode.kinds.lagrange_top.answers import LagrangeTopReport
 
 

@@ -11,7 +11,7 @@ from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.exact.lagrange_top._geometry import REGIMES
 from polhode.exact.lagrange_top.steady_precession import sleeping_threshold
-from polhode.kinds.base import Ensemble, ManySpecs
+from polhode.kinds.ensembles import Ensemble, ManySpecs
 from polhode.kinds.lagrange_top.answers import make_start
 from polhode.types import Array
 

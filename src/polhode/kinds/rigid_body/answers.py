@@ -20,17 +20,19 @@ from polhode.kinds.rigid_body.gravity import GravityAnswers, judge_gravity
 from polhode.kinds.rigid_body.history import History, follow
 from polhode.kinds.rigid_body.table import RigidBodyTable
 from polhode.motion._trajectory import Trajectory
-from polhode.reports.about import about_body, accuracy
+from polhode.reports.about import about_body, accuracy, from_motion
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
 from polhode.reports.length import Watch
 from polhode.reports.wording import angle, degrees, duration, number, vector
 from polhode.simulation import simulate
+from polhode.systems.control_laws import QuaternionPD
 from polhode.types import Array, Float64
 
 WITHIN = math.radians(1.0)  # of the target: the usual pointing error below which a body has settled
 FINEST = 4001  # samples at which limits are looked at, at least
 ROUNDING = 1e-10  # of the largest eigenvalue: what of others its differences leave
+SLACK = 1e-6  # rad past half a turn, from which a slew has gone the longer way; rounding leaves less
 SAME_PLANE = 1e-9  # of directions: a sine below which wheels add nothing
 
 
@@ -92,11 +94,11 @@ class RigidBodyReport(MotionReport):
     def summary(self) -> str:
         said = [self._control_summary(), self._wheel_summary(), None if self.gravity is None else self.gravity.summary]
         if words := " ".join(filter(None, said)):
-            return words
+            return self.rounded(words)
         first, last = (float(np.linalg.norm(self.history.velocity[k])) for k in (0, -1))
         span = duration(float(np.ptp(self.trajectory.times)))
         before, after = (number(speed, "rad/s", digits=4) for speed in (first, last))
-        return f"The body turns at {before} at the start and {after} after {span}."
+        return self.rounded(f"The body turns at {before} at the start and {after} after {span}.")
 
     def _control_summary(self) -> str | None:
         error = self.history.pointing
@@ -126,6 +128,7 @@ class RigidBodyReport(MotionReport):
         if self.limits == "acted" and law is not None and has_linear_loop(self.craft.system, law):
             notes.append("eigenvalues and margins are those without limits.")
         notes += self._notes_on_reach()
+        notes += self._notes_on_slew()
         if self.gravity is not None:
             notes += self.gravity.notes
         return [*notes, *self._notes_on_torques()]
@@ -138,6 +141,25 @@ class RigidBodyReport(MotionReport):
         if rank < 3:
             along = "one axis" if rank == 1 else "axes in one plane"
             yield f"the controlled wheels turn the body about {along} only; about other axes, control does nothing."
+
+    def _notes_on_slew(self) -> Iterator[str]:
+        """Yield a note if control went the longer way, and for rotors past their limit."""
+        slew, law = self.history.slew, self.craft.law
+        if slew is not None and isinstance(law, QuaternionPD) and slew.max() > math.pi + SLACK:
+            k = int(np.argmax(slew))
+            yield (f"the body was turned by up to {degrees(float(slew[k]), 4)} from its target, at "
+                   f"{duration(float(self.trajectory.times[k]))}, and quaternion-pd turns it back the way it went, "
+                   f"although only {degrees(math.tau - float(slew[k]), 4)} were left the other way: it chooses the "
+                   "shorter way at the start, and keeps it.")  # fmt: skip
+        past = [k + 1 for k, margin in enumerate(self._rate_margins()) if margin is not None and margin < 0.0]
+        if past:
+            yield (f"{'wheel' if len(past) == 1 else 'wheels'} {', '.join(map(str, past))} turned past max_rate: no "
+                   "motor drives there, but the body, as it turns, carries rotors past it.")  # fmt: skip
+
+    def _rate_margins(self) -> list[float | None]:
+        """Return which share of its max_rate is left of each controlled wheel, negative past it; None without one."""
+        pairs = zip(self.craft.wheel_tables, np.abs(self.history.rates).max(axis=0, initial=0.0).tolist(), strict=False)
+        return [None if wheel.max_rate is None else 1.0 - fastest / wheel.max_rate for wheel, fastest in pairs]
 
     def _notes_on_torques(self) -> Iterator[str]:
         """Yield remarks, and what torques that start and end do between the samples, or outside of the motion."""
@@ -198,18 +220,18 @@ class RigidBodyReport(MotionReport):
 
     def _wheels(self) -> Table:
         rates, motors, rows = self.history.rates, self.history.motors, []
-        for k, wheel in enumerate(self.craft.wheel_tables):
+        for k, (wheel, margin) in enumerate(zip(self.craft.wheel_tables, self._rate_margins(), strict=True)):
             fastest, strongest = float(np.abs(rates[:, k]).max()), float(np.abs(motors[:, k]).max())
             rows.append({
                 "axis": np.asarray(wheel.axis) / np.linalg.norm(wheel.axis), "rate_start": rates[0, k],
                 "rate_end": rates[-1, k], "rate_largest": fastest, "torque_largest": strongest,
-                "rate_margin": None if wheel.max_rate is None else 1.0 - fastest / wheel.max_rate,
+                "rate_margin": margin,
                 "torque_margin": None if wheel.max_torque is None else 1.0 - strongest / wheel.max_torque,
             })  # fmt: skip
         units = {"axis": "direction, given axes", "rate_start": "rad/s", "rate_end": "rad/s", "rate_largest": "rad/s",
                  "torque_largest": "N m", "rate_margin": "of max_rate that is left",
                  "torque_margin": "of max_torque that is left"}  # fmt: skip
-        share = lambda value: "–" if value is None else f"{100.0 * value:.3g} %"  # noqa: E731
+        share = lambda value: "–" if value is None else f"{100.0 * abs(value):.3g} %{' past' if value < 0.0 else ''}"  # noqa: E731
         return Table("wheels", "Wheels, against the body, at the samples", {
             "axis": lambda row: vector(row["axis"], digits=3),
             "rate at the end": lambda row: number(row["rate_end"], "rad/s", digits=4) or "–",
@@ -308,7 +330,7 @@ class RigidBodyReport(MotionReport):
         ends = (("start", 0), ("end", -1))
         answers = [Answer("end.time", float(self.trajectory.times[-1]), "s", "time")]
         for name, k in ends:
-            answers += [
+            values = [
                 Answer(f"{name}.angular_velocity", seen.velocity[k], "rad/s", f"Ω at the {name}", "given axes"),
                 Answer(f"{name}.momentum", seen.momentum[k], "kg m²/s", "", "of all, given axes"),
                 Answer(f"{name}.momentum_norm", float(np.linalg.norm(seen.momentum[k])), "kg m²/s",
@@ -317,14 +339,17 @@ class RigidBodyReport(MotionReport):
                 Answer(f"{name}.energy", float(energy[k]), "J", f"kinetic energy at the {name}",
                        "with the mounts' own"),
             ]
+            answers += from_motion(self.trajectory, values) if k else values
         if self.trajectory.attitude is not None:
             answers.append(Answer("end.attitude", self._given_attitude(), "", "", "quaternion wxyz of the given axes"))
-        answers.append(Answer("work", self._work(), "J", "work of torques and motors", "until the end"))
+        work = Answer("work", self._work(), "J", "work of torques and motors", "until the end")
+        answers += from_motion(self.trajectory, [work])
         if seen.from_nadir is not None:
             answers += [
                 Answer("from_nadir.start", float(seen.from_nadir[0]), "rad", "given axes from nadir axes at the start"),
-                Answer("from_nadir.largest", float(seen.from_nadir.max()), "rad", "largest, at the samples"),
-            ]
+                *from_motion(self.trajectory, [
+                    Answer("from_nadir.largest", float(seen.from_nadir.max()), "rad", "largest, at the samples")]),
+            ]  # fmt: skip
         return Group("Motion", [*answers, *accuracy(self.trajectory, "drift of conserved and balanced quantities")])
 
     def _energy(self) -> Array:

@@ -37,6 +37,8 @@ class History(NamedTuple):
         momentum: L (T, 3) of all [kg m²/s, given axes].
         stored: L − IΩ (T, 3) inside [kg m²/s, given axes].
         pointing: angle from the target (T,) [rad]; None without one.
+        slew: how far the body is turned from the target (T,), from 0 to 2π [rad], counted on past half a turn; None
+            without one.
         from_nadir: angle of the body's axes from those that look down (T,) [rad]; None without an orbit.
         rates: of the wheels against the body (T, wheels) [rad/s].
         motors: their torques (T, wheels) [N m], friction left out.
@@ -48,6 +50,7 @@ class History(NamedTuple):
     momentum: Float64[Array, "time 3"]
     stored: Float64[Array, "time 3"]
     pointing: Float64[Array, "time"] | None
+    slew: Float64[Array, "time"] | None
     from_nadir: Float64[Array, "time"] | None
     rates: Float64[Array, "time wheels"]
     motors: Float64[Array, "time wheels"]
@@ -104,10 +107,17 @@ def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: 
     each = [jnp.linalg.norm(x, axis=-1)[..., None] for x in system.torques_apart(times, states)]
     return {
         "velocity": velocity, "momentum": body.momentum, "stored": system.stored(states), "pointing": pointing,
+        "slew": None if target is None or body.attitude is None else _count_on(target, body.attitude),
         "from_nadir": nadir, "rates": jnp.concatenate([empty, *rates], axis=-1),
         "motors": jnp.concatenate([empty, *motors], axis=-1), "torques": jnp.concatenate([empty, *each], axis=-1),
         "load": system.load(times, states),
     }  # fmt: skip
+
+
+def _count_on(target: Array, attitude: Array) -> Array:
+    """Return the angle from a target, from 0 to 2π, of quaternions that go on without jumps of their signs."""
+    same = jnp.sum(target * attitude, axis=-1)
+    return 2.0 * jnp.arccos(jnp.clip(jnp.where(same[0] < 0.0, -same, same), -1.0, 1.0))
 
 
 def _acceleration(system: RigidBody, times: Array, states: Array) -> Array:

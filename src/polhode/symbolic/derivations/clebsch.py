@@ -25,9 +25,9 @@ def inertia(a: tuple[float, float, float], theta: float) -> list[float]:
 
 def derive() -> Page:
     """Return the page."""
-    bracket = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "P1", "P2", "P3"])
-    L1, L2, L3, P1, P2, P3 = bracket.coordinates
     a1, a2, a3, theta = sympy.symbols("a1 a2 a3 theta", positive=True)
+    bracket = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "P1", "P2", "P3"], parameters=[a1, a2, a3, theta])
+    L1, L2, L3, P1, P2, P3 = bracket.coordinates
     H = (a1 * L1**2 + a2 * L2**2 + a3 * L3**2 + theta * (a2 * a3 * P1**2 + a3 * a1 * P2**2 + a1 * a2 * P3**2)) / 2
     numerical = Numerical(lambda v: Kirchhoff(inertia((v["a1"], v["a2"], v["a3"]), v["theta"])), SAMPLES)
     page = Derivation("Clebsch's case", SymbolicSystem(bracket, H), numerical)

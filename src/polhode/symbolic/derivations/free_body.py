@@ -20,9 +20,9 @@ SAMPLES = [
 
 def derive() -> Page:
     """Return the page."""
-    bracket = LiePoissonBracket(SO3(), ["L1", "L2", "L3"])
-    L1, L2, L3 = bracket.coordinates
     I1, I2, I3, size = sympy.symbols("I1 I2 I3 L", positive=True)
+    bracket = LiePoissonBracket(SO3(), ["L1", "L2", "L3"], parameters=[I1, I2, I3, size])
+    L1, L2, L3 = bracket.coordinates
     system = SymbolicSystem(bracket, L1**2 / (2 * I1) + L2**2 / (2 * I2) + L3**2 / (2 * I3))
     numerical = Numerical(lambda v: FreeRigidBody((v["I1"], v["I2"], v["I3"])), SAMPLES)
     page = Derivation("The free rigid body", system, numerical)

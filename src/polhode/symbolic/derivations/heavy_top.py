@@ -33,9 +33,11 @@ def se3_brackets(bracket: LiePoissonBracket) -> dict[tuple[Any, Any], Any]:
 
 def derive() -> Page:
     """Return the page."""
-    bracket = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3"])
-    P1, P2, P3, G1, G2, G3 = bracket.coordinates
     I1, I2, I3, m, g, ell, S = sympy.symbols("I1 I2 I3 m g l S", positive=True)
+    bracket = LiePoissonBracket(
+        SE3(), ["Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3"], parameters=[I1, I2, I3, m, g, ell, S]
+    )
+    P1, P2, P3, G1, G2, G3 = bracket.coordinates
     weight = m * g * ell
     system = SymbolicSystem(bracket, P1**2 / (2 * I1) + P2**2 / (2 * I2) + P3**2 / (2 * I3) + weight * G3)
     numerical = Numerical(lambda v: HeavyTop((v["I1"], v["I2"], v["I3"]), v["m"] * v["g"] * v["l"]), SAMPLES)

@@ -20,9 +20,9 @@ SAMPLES = [
 
 def derive() -> Page:
     """Return the page."""
-    bracket = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "P1", "P2", "P3"])
-    x = bracket.coordinates
     I1, I2, I3, M1, M2, M3, p = sympy.symbols("I1 I2 I3 M1 M2 M3 p", positive=True)
+    bracket = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "P1", "P2", "P3"], parameters=[I1, I2, I3, M1, M2, M3, p])
+    x = bracket.coordinates
     inertia = (I1, I2, I3, M1, M2, M3)
     system = SymbolicSystem(bracket, sum(v**2 / (2 * i) for v, i in zip(x, inertia, strict=True)))
     numerical = Numerical(lambda v: Kirchhoff([v[k] for k in ("I1", "I2", "I3", "M1", "M2", "M3")]), SAMPLES)

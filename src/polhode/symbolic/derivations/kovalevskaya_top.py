@@ -16,9 +16,9 @@ SAMPLES = [{"I3": 1.0, "m": 0.5, "g": 2.0, "l": 1.5}, {"I3": 0.7, "m": 1.0, "g":
 
 def derive() -> Page:
     """Return the page."""
-    bracket = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3"])
-    P1, P2, P3, G1, G2, G3 = bracket.coordinates
     I3, m, g, ell = sympy.symbols("I3 m g l", positive=True)
+    bracket = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3"], parameters=[I3, m, g, ell])
+    P1, P2, P3, G1, G2, G3 = bracket.coordinates
     weight = m * g * ell
     system = SymbolicSystem(bracket, (P1**2 + P2**2) / (4 * I3) + P3**2 / (2 * I3) + weight * G1)
     numerical = Numerical(

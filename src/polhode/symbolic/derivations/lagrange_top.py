@@ -23,9 +23,12 @@ SAMPLES = [
 
 def derive() -> Page:
     """Return the page."""
-    bracket = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3"])
-    P1, P2, P3, G1, G2, G3 = bracket.coordinates
     I1, I3, m, g, ell, S = sympy.symbols("I1 I3 m g l S", positive=True)
+    nu = sympy.Symbol("nu", real=True)
+    bracket = LiePoissonBracket(
+        SE3(), ["Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3"], parameters=[I1, I3, m, g, ell, S, nu]
+    )
+    P1, P2, P3, G1, G2, G3 = bracket.coordinates
     weight = m * g * ell
     system = SymbolicSystem(bracket, (P1**2 + P2**2) / (2 * I1) + P3**2 / (2 * I3) + weight * G3)
     numerical = Numerical(lambda v: HeavyTop((v["I1"], v["I1"], v["I3"]), v["m"] * v["g"] * v["l"]), SAMPLES)
@@ -55,7 +58,6 @@ def derive() -> Page:
         sleeping, [unit / 2, vertical, P3], S**2 > 4 * I1 * weight,
     )  # fmt: skip
     # with δΠ1 + iδΠ2 and δΓ1 + iδΓ2 the equations are two, and the polynomial is p times its conjugate
-    nu = sympy.Symbol("nu", real=True)
     p = I1 * (nu + S / I3) ** 2 - S * (nu + S / I3) + weight
     product = sympy.expand(s**2 * p.subs(nu, s / sympy.I) * p.subs(nu, -s / sympy.I) / I1**2)
     if sympy.simplify(product - characteristic_polynomial(system, sleeping)) != 0:

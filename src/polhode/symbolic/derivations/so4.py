@@ -21,8 +21,8 @@ PAIRS = [(1, 2), (1, 3), (1, 4), (2, 3), (2, 4), (3, 4)]
 
 def derive() -> Page:
     """Return the page."""
-    bracket = LiePoissonBracket(SO(4), [f"M{i}{j}" for i, j in PAIRS])
     masses = sympy.symbols("Lambda1:5", positive=True)
+    bracket = LiePoissonBracket(SO(4), [f"M{i}{j}" for i, j in PAIRS], parameters=[*masses])
     upper = dict(zip(PAIRS, bracket.coordinates, strict=True))
     # coordinates belong to E_ji − E_ij, so that they are the entries below the diagonal
     M = sympy.Matrix(4, 4, lambda i, j: -upper[i + 1, j + 1] if i < j else upper[j + 1, i + 1] if j < i else 0)

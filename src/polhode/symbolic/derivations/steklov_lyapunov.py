@@ -29,10 +29,10 @@ def inertia(v: dict[str, float]) -> np.ndarray:
 
 def derive() -> Page:
     """Return the page."""
-    bracket = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "P1", "P2", "P3"])
-    L, P = bracket.coordinates[:3], bracket.coordinates[3:]
     b = sympy.symbols("b1 b2 b3", positive=True)
     nu, c = sympy.symbols("nu c", positive=True)
+    bracket = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "P1", "P2", "P3"], parameters=[*b, nu, c])
+    L, P = bracket.coordinates[:3], bracket.coordinates[3:]
     H, F = c * sum(p**2 for p in P) / 2, sympy.Integer(0)
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3

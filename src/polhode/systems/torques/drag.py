@@ -7,7 +7,7 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.systems._checks import checked_number
 from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
@@ -29,7 +29,7 @@ class LinearDrag(AbstractTorque):
 
     @known_numbers_only
     def __init__(self, coefficient: Real[ArrayLike, "*components"]) -> None:
-        refuse_single_precision(coefficient=coefficient)
+        require_doubles(coefficient=coefficient)
         values = np.asarray(coefficient, dtype=float)
         if values.shape not in ((), (3,)) or not (np.isfinite(values).all() and (values >= 0).all()):
             raise InvalidInput(

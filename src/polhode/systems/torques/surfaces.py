@@ -9,7 +9,7 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.systems._checks import checked_direction, checked_directions, checked_number, checked_vector
 from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
@@ -253,7 +253,7 @@ def make_plates(areas: Any, normals: Any, positions: Any, box: Any, center: Any)
     Raises:
         InvalidInput: unless there are areas, normals and positions of equal number, or a box alone.
     """
-    refuse_single_precision(areas=areas, normals=normals, positions=positions, box=box, center=center)
+    require_doubles(areas=areas, normals=normals, positions=positions, box=box, center=center)
     single = (areas, normals, positions)
     if (box is None) == all(x is None for x in single) or (box is None and any(x is None for x in single)):
         raise InvalidInput(

@@ -8,7 +8,7 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only, refuse_single_precision
+from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.systems._checks import checked_number, checked_numbers, checked_times, checked_vector
 from polhode.systems.attachments import Argument, Attitude, Own, Time, Velocity
@@ -59,7 +59,7 @@ class Thruster(AbstractTorque):
         self, at: Real[ArrayLike, "..."], lasting: Real[ArrayLike, "..."], force: Real[ArrayLike, "3"],
         position: Real[ArrayLike, "3"],
     ) -> None:  # fmt: skip
-        refuse_single_precision(at=at, lasting=lasting)
+        require_doubles(at=at, lasting=lasting)
         begins = checked_times("at", at)
         spans = checked_times("lasting", lasting)
         if len(spans) not in (1, len(begins)):

@@ -1,0 +1,1 @@
+"""Rooms that no user imports: arrays, compiled code, rationals, plug-ins."""

@@ -1,0 +1,87 @@
+"""The modules of a kernel, as Python runs them and as Numba compiles them, always to the same bits.
+
+Numba takes a third of a second to load, and some seconds to compile a kernel, once for an installation. Neither is
+worth it for little work.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+from importlib.util import find_spec
+from inspect import unwrap
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from polhode._base.compiled.copying import NOTHING, Space, copy_modules
+
+LOADED = 0.3  # s of Python's time from which loading a kernel is worth it
+
+
+def is_worth(spent: float, compiling: float, is_on_disk: Callable[[], bool]) -> bool:
+    """Return whether a kernel is to be compiled or loaded.
+
+    Args:
+        spent: time [s] that Python has spent on what it does.
+        compiling: time [s] that Numba takes to compile it.
+        is_on_disk: says whether it has been compiled before.
+    """
+    return spent >= compiling or (spent >= LOADED and is_on_disk())
+
+
+class KernelModules:
+    """Modules whose functions call each other, see ``copying``.
+
+    Args:
+        name: that tells it from others with functions of the same names, of which it is kept on disk.
+        what: words for what it computes.
+        modules: with their functions and constants.
+        numba: returns functions for Numba in place of some of theirs, by name.
+        from_modules: the names of the modules, which import Numba, from which these are.
+        joined: whether the modules are copied into one.
+    """
+
+    def __init__(
+        self, name: str, what: str, modules: Sequence[ModuleType], numba: Callable[[], Mapping[str, Any]],
+        from_modules: Sequence[str], joined: bool = False,
+    ) -> None:  # fmt: skip
+        self.what, self.modules, self.joined = what, modules, joined
+        self._name, self._numba, self._from = name, numba, from_modules
+
+    def by_python(self, replaced: Mapping[str, Any] = NOTHING) -> dict[str, Space]:
+        """Return the names of the modules, by theirs, with other functions in place of some."""
+        return copy_modules(self.modules, lambda function, _: function, replaced, self.joined)
+
+    @cached_property
+    def compiled(self) -> dict[str, Space]:
+        """The same, with functions that Numba compiles when they are first called."""
+        from polhode._base.compiled.compiling import compile_later  # which loads Numba
+
+        make = lambda function, mark: compile_later(function, mark, self.what, self.kept_name)  # noqa: E731
+        return copy_modules(self.modules, make, self._numba(), self.joined)
+
+    @cached_property
+    def kept_name(self) -> str:
+        """The end of the names under which Numba keeps its functions, with the digest of what they are made of."""
+        from polhode._base.compiled.kept import digest_compiled
+
+        specs = [find_spec(name) for name in self._from]  # without loading Numba
+        return f"{self._name}_{digest_compiled(self.modules, [spec.origin for spec in specs if spec and spec.origin])}"
+
+    def is_on_disk(self, name: str) -> bool:
+        """Return whether Numba has compiled a function before; mostly without Numba, whose import takes longer."""
+        (module,) = (module for module in self.modules if _has_entry(module, name))
+        named, folder = os.environ.get("NUMBA_CACHE_DIR"), Path(str(module.__file__)).parent / "__pycache__"
+        if named or os.access(folder, os.W_OK):  # else Numba chooses another place
+            place, within = (Path(named), "*/") if named else (folder, "")
+            if not any(place.glob(f"{within}*{name}_{self.kept_name}-*.nbi")):
+                return False
+        return self.compiled[module.__name__][name].is_on_disk()
+
+
+def _has_entry(module: ModuleType, name: str) -> bool:
+    function = vars(module).get(name)
+    plain: Any = unwrap(function) if function else None
+    return getattr(plain, "kernel_mark", "") == "entry" and plain.__module__ == module.__name__

@@ -1,0 +1,210 @@
+"""Verdicts by exact signs: where polynomials decide, no threshold does.
+
+A margin in doubles beyond their errors decides as well as exact signs, and sooner. What it leaves open, and what rests
+on equal numbers, is decided over the rationals: signs of a second variation on the leaf by Sylvester's law, growth by
+the characteristic polynomial, families of equilibria by identities of polynomials.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+
+from polhode.analysis._conserved_function import ConservedFunction
+from polhode.analysis._equilibrium_data import Problem
+from polhode.analysis._exact_families import moves_along_equilibria
+from polhode.analysis._exact_functions import ExactFunctions
+from polhode.analysis._reasons import (
+    DefiniteOnLeaf,
+    DefiniteVariation,
+    ExponentialGrowth,
+    LeafIsPoint,
+    NoCombination,
+    OpenVariation,
+    SteadyDrift,
+)
+from polhode.analysis.energy_casimir import Stability, growing_direction, steady_drift
+from polhode.certificates._confinement import Confinement, as_floats, find_confinement, restrict
+from polhode.certificates._equations import ENERGY, Equations, rational_equilibrium
+from polhode.errors import InvalidInput
+from polhode.rational._matrices import (
+    Rows,
+    characteristic_polynomial,
+    combine,
+    multiply,
+    null_space,
+    rank,
+    reduce_rows,
+    signature,
+    transpose,
+)
+from polhode.rational._univariate import largest_real_part
+from polhode.types import Complex128, Float64
+
+Exact = list[Fraction]
+BY_EQUALITY = SteadyDrift, DefiniteOnLeaf, LeafIsPoint  # reasons that rest on numbers being equal, or ranks
+
+
+def decide_exactly(found: Stability, p: Problem) -> Stability:
+    """Return the verdict by exact signs where doubles left it open, or rested on equal numbers.
+
+    Args:
+        found: by doubles, on an equilibrium itself, not up to flows.
+        p: what it was found from. Without polynomials, or an equilibrium over the rationals near the point, the verdict
+            stays as it is.
+    """
+    if p.exact is None or not (found.verdict == "undecided" or isinstance(found.reason, BY_EQUALITY)):
+        return found
+    equations = _at_equilibrium(found, p)
+    if equations is None:
+        return found
+    if proof := find_confinement(equations, _hint(found)):
+        return _stable(found, equations, proof)
+    here = _Leaf(equations, p.exact)
+    if rate := largest_real_part(characteristic_polynomial(here.flow)) if here.flow else 0.0:
+        direction = growing_direction(as_floats(here.flow)) @ as_floats(here.basis)
+        direction = direction / np.linalg.norm(direction)
+        return Stability("unstable", rate, "exponential", direction, ExponentialGrowth(rate, direction),
+                         here.spectrum, function=found.function)  # fmt: skip
+    if here.drifts:
+        return found if isinstance(found.reason, SteadyDrift) else _drifting(found, here)
+    return _on_leaf_alone(found, here)
+
+
+def _hint(found: Stability) -> dict[str, float]:
+    if found.function is None:
+        return {}
+    return dict(zip((ENERGY, *found.function.names), map(float, found.function.weights), strict=True))
+
+
+def _at_equilibrium(found: Stability, p: Problem) -> Equations | None:
+    """Return the equations at an exact equilibrium near the point, if there is one over the rationals."""
+    exact = p.exact
+    assert exact is not None  # for the type checker: the caller asked
+    conserved = exact.conserved
+    try:
+        point, moved = rational_equilibrium(exact.field, conserved, _hint(found), p.y.tolist(), Fraction)
+    except InvalidInput:
+        return None
+    return Equations(type(p.system).__name__, exact.field, conserved, point, moved)
+
+
+class _Leaf:
+    """The exact matrices of an equilibrium on the levels of what is conserved and has it at rest."""
+
+    def __init__(self, equations: Equations, exact: ExactFunctions) -> None:
+        self.equations, self.exact, self.point = equations, exact, equations.point
+        self.names = [*(name for name, p in equations.conserved.items() if name != ENERGY
+                        and not any(f.at(self.point) for f in exact.flow(p))), ENERGY]  # fmt: skip
+        slopes = [slope for name in self.names if any(slope := equations.slopes[name])]
+        self.basis: Rows = null_space(slopes, equations.size)
+
+    @cached_property
+    def flow(self) -> Rows:
+        """The linearised flow along the basis, whose vectors have a one each where the others have zeros."""
+        places = [max(k for k, x in enumerate(v) if x) for v in self.basis]
+        images = [[sum((a * b for a, b in zip(row, v, strict=True)), Fraction(0))
+                   for row in self.equations.linearization] for v in self.basis]  # fmt: skip
+        return transpose([[image[k] for k in places] for image in images]) if images else []
+
+    @cached_property
+    def spectrum(self) -> Complex128[np.ndarray, "dim"]:
+        """Its exponents [1/s]."""
+        return np.linalg.eigvals(as_floats(self.flow)).astype(complex) if self.flow else np.zeros(0, complex)
+
+    @cached_property
+    def tensor(self) -> Rows:
+        """π at the point."""
+        return self.exact.tensor(self.point)
+
+    @cached_property
+    def second(self) -> Rows | None:
+        """½ D²F along the basis, with H in F and no freedom used; None where dH is no combination of other slopes."""
+        weights = null_space(transpose([self.equations.slopes[k] for k in self.names]), len(self.names))
+        if not weights or not weights[-1][-1] or not self.basis:
+            return None
+        halves = [self.equations.conserved[k].shift(self.point, 2).quadratic() for k in self.names]
+        return restrict(combine(*zip(weights[-1], halves, strict=True)), self.basis)
+
+    @cached_property
+    def drifts(self) -> bool:
+        """Whether neighbours drift at a steady rate along equilibria, which bound the distance from them.
+
+        Directions in which a semidefinite D²F vanishes must lead along equilibria. The flow then shears where its
+        square takes more to zero than itself; where the whole leaf is at rest, where it moves neighbours at all.
+        """
+        if self.second is None or rank(self.tensor) != len(self.basis):
+            return False
+        positive, zero, negative = signature(self.second)
+        if not zero or (positive and negative):
+            return False
+        whole = zero == len(self.basis)
+        flow = self.equations.linearization if whole else self.flow
+        if not (any(map(any, flow)) if whole else rank(multiply(flow, flow)) < rank(flow)):
+            return False
+        flat = multiply(null_space(self.second, len(self.basis)), self.basis)
+        return moves_along_equilibria(self.exact, self.point, as_floats(flat))
+
+    @cached_property
+    def driver(self) -> Float64[np.ndarray, "dim"]:
+        """A direction whose neighbours drift."""
+        whole = not any(map(any, self.second or []))
+        flow = self.equations.linearization if whole else self.flow
+        candidates = null_space(multiply(flow, flow), len(flow))
+        images = as_floats(multiply(candidates, transpose(flow)))
+        k = int(np.argmax(np.abs(images).max(axis=1)))
+        return as_floats(candidates)[k] if whole else as_floats(multiply([candidates[k]], self.basis))[0]
+
+    @cached_property
+    def on_tangent(self) -> tuple[int, tuple[int, int, int]]:
+        """The leaf's dimension, and the signature of the energy on its tangent space.
+
+        On tangent vectors v = π ξ of an equilibrium D²F(v, w) = −ξ·A w.
+        """
+        moved = multiply(self.equations.linearization, self.tensor)
+        _, places = reduce_rows(self.tensor, len(self.point))
+        return len(places), signature([[-moved[a][b] for b in places] for a in places])
+
+
+def _stable(found: Stability, equations: Equations, proof: Confinement) -> Stability:
+    """Return the verdict with the function of the proof, divided by the weight of the energy."""
+    names = [name for name in equations.conserved if name != ENERGY]
+    scale = float(proof.weights.get(ENERGY, 0)) or 1.0
+    sign = 1 if scale > 0 else -1
+    weights = np.array([float(proof.weights.get(name, 0)) / scale for name in (ENERGY, *names)])
+    squares = np.array([float(proof.squares.get(name, 0)) / scale for name in names])
+    here = [slope for slope in equations.slopes.values() if any(slope)]
+    basis = null_space(here, equations.size)
+    parts = [(w, equations.conserved[name].shift(equations.point, 2).quadratic()) for name, w in proof.weights.items()]
+    size = max((float(abs(w)) * np.abs(as_floats(half)).max() for w, half in parts), default=0.0) or 1.0
+    bends = as_floats(restrict(combine(*parts), basis)) if basis and parts else np.zeros((0, 0))
+    # all of one sign, by exact ones: rounding must not turn it
+    curvatures = sign * np.maximum(np.abs(np.linalg.eigvalsh(bends)) / size, np.finfo(float).tiny)
+    function = ConservedFunction(tuple(names), weights, np.sort(curvatures), 0.0, squares=squares,
+                                 lengths=np.ones(len(names)))  # fmt: skip
+    return Stability("stable", 0.0, None, None, DefiniteVariation(function, sign), 1j * found.spectrum.imag,
+                     function=function)  # fmt: skip
+
+
+def _drifting(found: Stability, here: _Leaf) -> Stability:
+    moved = as_floats(here.equations.linearization) @ here.driver
+    return replace(steady_drift(moved, here.driver, 1.0, found.spectrum), function=found.function)
+
+
+def _on_leaf_alone(found: Stability, here: _Leaf) -> Stability:
+    """Return the verdict by the energy's signs on the leaf's own tangent space; undecided where these differ."""
+    dimension, (positive, zero, negative) = here.on_tangent
+    if not zero and not (positive and negative):
+        nearby = ("alike" if here.exact.is_regular(here.point) else "near" if here.exact.is_compact else "larger")
+        reason = DefiniteOnLeaf("H", dimension, -1 if negative else 1, nearby) if dimension else LeafIsPoint(nearby)
+        verdict = "undecided" if nearby == "larger" else "stable"
+        function = found.function if verdict == "undecided" else None
+        return Stability(verdict, 0.0, None, None, reason, found.spectrum, function=function)
+    if found.verdict == "undecided" and not isinstance(found.reason, BY_EQUALITY):
+        return found
+    reason = (NoCombination(0.0, 0.0, 0.0, 0.0) if found.function is None else
+              OpenVariation(found.function, bool(positive and negative), 0.0, 0.0))  # fmt: skip
+    return Stability("undecided", 0.0, None, None, reason, found.spectrum, function=found.function)

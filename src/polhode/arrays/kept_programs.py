@@ -1,0 +1,59 @@
+"""What JAX compiles for a command, kept under a seal for the next one.
+
+JAX reads back what it kept without a checksum of its own wherever it compresses by Zstandard, and runs it as machine
+code. So it is given a store of ours in place of its folder; a JAX that takes none keeps nothing.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from pathlib import Path
+
+from polhode.seals import drop_oldest, read_sealed, write_sealed
+
+FOLDER = "POLHODE_COMPILED_CACHE"  # in the environment: where a command keeps what JAX compiles
+LARGEST = 300_000_000  # bytes of all that is kept; what was not used for the longest time goes first
+MANY = 100_000  # entries
+
+
+class SealedPrograms:
+    """The store that JAX asks for what it has compiled, as ``CacheInterface`` of JAX has it."""
+
+    def __init__(self, folder: Path) -> None:
+        self._path = folder
+
+    def get(self, key: str) -> bytes | None:
+        """Return what was put under a key; None for a missing or damaged entry."""
+        place = self._place(key)
+        content = read_sealed(place, LARGEST)
+        if content is not None:
+            with contextlib.suppress(OSError):
+                os.utime(place)
+        return content
+
+    def put(self, key: str, value: bytes) -> None:
+        """Keep an entry, where there is room."""
+        if len(value) <= LARGEST:
+            write_sealed(self._place(key), value)
+            drop_oldest(self._path.glob("*"), MANY, LARGEST)
+
+    def _place(self, key: str) -> Path:
+        return self._path / f"{key}-cache"
+
+
+def keep_programs() -> None:
+    """Let JAX keep what it compiles where the environment says so; to be called before anything is compiled."""
+    folder = os.environ.get(FOLDER)
+    if not folder:
+        return
+    import jax
+
+    try:
+        from jax._src import compilation_cache
+    except ImportError:
+        return
+    if not callable(getattr(compilation_cache, "get_file_cache", None)):
+        return
+    compilation_cache.get_file_cache = lambda path: (SealedPrograms(Path(path)), path)
+    jax.config.update("jax_compilation_cache_dir", folder)

@@ -1,0 +1,10 @@
+"""How bodies in the sky rotate: asteroids that tumble, moons in resonance, the Earth's wobble.
+
+It answers in which mode an asteroid tumbles and what its light curve shows, which spin–orbit resonances hold a moon and
+where their chaos begins, and the period and quality of the Chandler wobble. Sources: Samarasinha and A'Hearn (1991),
+Wisdom, Peale and Mignard (1984), Wilson and Vicente (1990). From the core it takes exact motions and estimates.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,1 @@
+"""The kind ``spin-orbit``: a moon on an ellipse, its resonances and their overlap."""

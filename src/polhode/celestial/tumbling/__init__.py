@@ -1,0 +1,1 @@
+"""``polhode tumble``: asteroids that tumble, their periods, light curves and damping."""

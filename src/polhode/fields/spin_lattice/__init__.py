@@ -1,0 +1,1 @@
+"""The kind ``spin-lattice``: spins with exchange, damping and heat; their waves, textures and hysteresis."""

@@ -1,0 +1,1 @@
+"""The Toda chain, on the dual of bidiagonal matrices."""

@@ -1,0 +1,15 @@
+from ._verdicts import Judgement as Judgement
+from .engines import EngineComparison as EngineComparison
+from .engines import FamilyErrors as FamilyErrors
+from .engines import MotionErrors as MotionErrors
+from .engines import compare_engine as compare_engine
+from .fixed_steps import FixedStepCase as FixedStepCase
+from .fixed_steps import FixedStepErrors as FixedStepErrors
+from .fixed_steps import FixedStepResults as FixedStepResults
+from .fixed_steps import fixed_step_cases as fixed_step_cases
+from .fixed_steps import run_fixed_steps as run_fixed_steps
+from .judge import judge as judge
+from .judge import judge_file as judge_file
+from .motion_table import ReferenceMotion as ReferenceMotion
+from .motion_table import reference_motions as reference_motions
+from .report import JudgeReport as JudgeReport

@@ -1,0 +1,59 @@
+"""Many motions at once: the samples of a sweep that a kind computes together, and what it answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from polhode.types import Array, Float64
+
+if TYPE_CHECKING:
+    from polhode.kinds.base import Spec
+
+
+class Bodies(NamedTuple):
+    """Bodies of many samples.
+
+    Attributes:
+        moments: (sample, 3) principal moments [kg m²], or (3,) for all.
+        axes: (sample, 3, 3) principal axes by columns in the given ones, or (3, 3) for all.
+        refused: sample → why there is no such body.
+    """
+
+    moments: Float64[Array, "*sample 3"]
+    axes: Float64[Array, "*sample 3 3"]
+    refused: dict[int, str]
+
+
+class ManySpecs(NamedTuple):
+    """Samples of a sweep: specs that share all but some numbers.
+
+    Attributes:
+        spec: of one sample; its fixed numbers hold for all.
+        varied: key → values (sample, …) of the spec's numbers that differ, SI.
+        bodies: of the samples; None for kinds without a body.
+        spec_of: the spec of a sample; raises InvalidInput where it breaks a rule.
+    """
+
+    spec: Spec
+    varied: Mapping[str, Any]
+    bodies: Bodies | None
+    spec_of: Callable[[int], Spec]
+
+    @property
+    def size(self) -> int:
+        """How many samples there are."""
+        return len(next(iter(self.varied.values())))
+
+
+class Ensemble(NamedTuple):
+    """Answers for many samples.
+
+    Attributes:
+        values: name of an answer, as the JSON has it → values (sample, …), NaN where it is not defined; of
+            ``states.`` and a part of the state, (sample, time, …).
+        refused: sample → why there is no such motion.
+    """
+
+    values: dict[str, Any]
+    refused: dict[int, str]

@@ -1,6 +1,0 @@
-"""The figures of a spin on an orbit."""
-
-from polhode.kinds.spin_orbit.history_figure import draw_spin_history
-from polhode.kinds.spin_orbit.section_figure import draw_spin_section
-
-FIGURES = {"section": draw_spin_section, "motion": draw_spin_history}

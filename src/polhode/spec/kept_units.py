@@ -1,0 +1,40 @@
+"""The table of units as pint reads it, kept in one sealed file for the next command.
+
+Reading its definitions takes pint half a second. What it keeps of them in a folder are pickles without a checksum, in
+which a lost bit may be a factor; so its folder is a temporary one, whose files come from, or go into, a file of ours.
+pint names them by its own version, Python's, and the content of its definitions.
+"""
+
+from __future__ import annotations
+
+import base64
+import contextlib
+import json
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from polhode.plugins.code import find_version
+from polhode.seals import read_sealed, write_sealed
+
+LARGEST = 10_000_000  # bytes; they are 300,000
+
+
+def load_registry(folder: Path) -> Any:
+    """Return pint's registry, from what is kept in a folder or from its definitions, which are then kept there."""
+    import pint
+
+    place = folder / f"pint-{find_version('pint')}.units"
+    kept = read_sealed(place, LARGEST)
+    with tempfile.TemporaryDirectory(prefix="polhode-") as name:
+        within = Path(name)
+        for file, content in json.loads(kept or b"{}").items():
+            (within / file).write_bytes(base64.b64decode(content))
+        before = set(within.iterdir())
+        registry = pint.UnitRegistry(cache_folder=within)
+        registry.parse_units("m")  # it reads its definitions when it is first asked
+        if set(within.iterdir()) - before:
+            packed = {path.name: base64.b64encode(path.read_bytes()).decode() for path in within.iterdir()}
+            with contextlib.suppress(OSError):
+                write_sealed(place, json.dumps(packed).encode())
+    return registry

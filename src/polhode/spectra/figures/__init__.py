@@ -1,0 +1,1 @@
+"""Pictures of levels, lines, and states on the sphere of angular momentum."""

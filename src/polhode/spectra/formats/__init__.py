@@ -1,0 +1,1 @@
+"""Files of spectroscopy: SPCAT, SPFIT, datasets of levels and lines."""

@@ -1,0 +1,143 @@
+"""Spin matrices, coherent states and their evolution.
+
+Index 0 is m = +s. ħ = 1; S obeys the plus bracket's commutators [S_x, S_y] = i S_z, those of a spin. The angular
+momentum along a body's own axes obeys the minus bracket's, [L_x, L_y] = −i L_z, as its Poisson bracket does: it is −S
+or the complex conjugate of S. Even Hamiltonians have the same levels in either.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from scipy.stats import binom
+
+from polhode.arrays import known_numbers_only, require_doubles
+from polhode.errors import InvalidInput, shown
+from polhode.special._spherical_tensors import magnetic_numbers
+from polhode.types import Array, ArrayLike, Complex128, Float64, Real
+
+LARGEST_SPIN = 4000.0  # whose matrices, dense, take 3 GB
+
+
+@known_numbers_only
+def spin_matrices(s: float) -> Complex128[Array, "3 n n"]:
+    """Return S_x, S_y, S_z (3, 2s+1, 2s+1) of a spin, [S_x, S_y] = i S_z, rows and columns from m = s down to −s.
+
+    Args:
+        s: 0, 1/2, 1, …
+
+    Raises:
+        InvalidInput: for what is not half a whole number, or too large.
+
+    >>> x, y, z = spin_matrices(1)
+    >>> bool(np.allclose(x @ y - y @ x, 1j * z)), np.diag(z).real.tolist()
+    (True, [1.0, 0.0, -1.0])
+    """
+    m = magnetic_numbers(s)
+    if s > LARGEST_SPIN:
+        raise InvalidInput(f"`s` must be at most {LARGEST_SPIN:g} for dense matrices; got {shown(s)}.")
+    # S_x = ½(S₊ + S₋), S_y = −½i(S₊ − S₋)
+    up = np.diag(raising_elements(s, m[1:]), 1)
+    return np.array([0.5 * (up + up.T), -0.5j * (up - up.T), np.diag(m)])
+
+
+def raising_elements(s: float, m: Float64[Array, "k"]) -> Float64[Array, "k"]:
+    """Return ⟨m+1|S₊|m⟩ = √((s−m)(s+m+1)), the product form, which does not cancel."""
+    return np.sqrt((s - m) * (s + m + 1.0))
+
+
+@known_numbers_only
+def coherent_state(s: float, direction: Real[ArrayLike, "*batch 3"]) -> Complex128[Array, "*batch n"]:
+    """Return e^{−iφS_z} e^{−iθS_y} |s, s⟩ (…, 2s+1): the state that points along a direction, ⟨S⟩ = s n.
+
+    Args:
+        s: 0, 1/2, 1, …
+        direction: (…, 3), normalised here.
+
+    Raises:
+        InvalidInput: for a spin that is none, or directions that are zero or not finite.
+
+    >>> state = coherent_state(2, (1.0, 0.0, 0.0))
+    >>> np.einsum("i,kij,j->k", state.conj(), spin_matrices(2), state).real.round(12).tolist()
+    [2.0, 0.0, 0.0]
+
+    Source: Perelomov, *Generalized Coherent States*, §4.3.
+    """
+    require_doubles(direction=direction)
+    m = magnetic_numbers(s)
+    n = unit_vectors("direction", direction)
+    share = 0.5 * (1.0 + n[..., 2])  # cos²(θ/2), from sin θ where it is small
+    flat = np.hypot(n[..., 0], n[..., 1])
+    # (1 + n_z)/2 = sin²θ/(2(1 − n_z))
+    share = np.where(n[..., 2] < 0.0, 0.5 * flat * flat / (1.0 - np.minimum(n[..., 2], 0.0)), share)
+    # |⟨m|n⟩|² = C(2s, s+m) cos^(2(s+m))(θ/2) sin^(2(s−m))(θ/2): the binomial distribution of s + m
+    size = np.sqrt(binom.pmf(np.round(s + m), round(2.0 * s), share[..., None]))
+    return size * np.exp(-1j * m * np.arctan2(n[..., 1], n[..., 0])[..., None])
+
+
+def unit_vectors(name: str, vectors: Any) -> Float64[Array, "*batch 3"]:
+    """Return vectors (…, 3) at unit length.
+
+    Raises:
+        InvalidInput: for another shape, zero, or what is not finite.
+    """
+    values = np.asarray(vectors, dtype=float)
+    if values.shape[-1:] != (3,) or not np.isfinite(values).all():
+        raise InvalidInput(f"`{name}` must be finite vectors (…, 3); got {shown(vectors)}.")
+    largest = np.abs(values).max(axis=-1, keepdims=True)
+    if not (largest > 0.0).all():
+        raise InvalidInput(f"`{name}` must not be zero; got {shown(vectors)}.")
+    values = values / largest
+    return values / np.linalg.norm(values, axis=-1, keepdims=True)
+
+
+@known_numbers_only
+def orbit_radius(s: float, convention: str = "count") -> float:
+    """Return the radius |L|/ħ of the sphere that stands for a spin.
+
+    Args:
+        s: 0, 1/2, 1, …
+        convention: "count": s + ½, whose area 2π(2s + 1) has room for the 2s + 1 states; "prequantum": s, the orbit
+            that carries a line bundle, of 2s quanta; "casimir": √(s(s+1)), the root of the Casimir.
+
+    Raises:
+        InvalidInput: for a spin that is none, or another convention.
+
+    Source: Kirillov, *Lectures on the Orbit Method*, ch. 1 and 5; Woodhouse, *Geometric Quantization*, ch. 10.
+    """
+    magnetic_numbers(s)
+    radii = {"count": s + 0.5, "prequantum": float(s), "casimir": math.sqrt(s * (s + 1.0))}
+    if convention not in radii:
+        raise InvalidInput(f"`convention` must be one of {', '.join(radii)}; got {shown(convention)}.")
+    return radii[convention]
+
+
+@known_numbers_only
+def evolve(
+    hamiltonian: Real[ArrayLike, "n n"], state: Real[ArrayLike, "n"], times: Real[ArrayLike, "time"]
+) -> Complex128[Array, "time n"]:
+    """Return e^{−iHt} ψ at times (T, n), ħ = 1, exactly at any time by the eigenvectors of H.
+
+    Args:
+        hamiltonian: (n, n), Hermitian [rad/s].
+        state: (n,) at time zero.
+        times: (T,) [s].
+
+    Raises:
+        InvalidInput: for shapes that do not match, a matrix that is not Hermitian, or values that are not finite.
+    """
+    require_doubles(hamiltonian=hamiltonian, state=state, times=times)
+    H, psi, t = np.asarray(hamiltonian, complex), np.asarray(state, complex), np.asarray(times, float)
+    if H.ndim != 2 or H.shape != (psi.size, psi.size) or psi.ndim != 1 or t.ndim != 1:
+        raise InvalidInput(
+            f"`hamiltonian` (n, n), `state` (n,) and `times` (T,) must match; got {H.shape}, {psi.shape} and {t.shape}."
+        )
+    if not (np.isfinite(H).all() and np.isfinite(psi).all() and np.isfinite(t).all()):
+        raise InvalidInput("`hamiltonian`, `state` and `times` must be finite; got NaN or an infinity.")
+    off = np.abs(H - H.conj().T).max(initial=0.0)
+    if off > 1e-12 * np.abs(H).max(initial=0.0):
+        raise InvalidInput(f"`hamiltonian` must be Hermitian; it differs from its conjugate transpose by {off:.3g}.")
+    energies, vectors = np.linalg.eigh(H)
+    return np.exp(-1j * np.multiply.outer(t, energies)) * (vectors.conj().T @ psi) @ vectors.T

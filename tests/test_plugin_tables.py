@@ -1,0 +1,98 @@
+"""The tables of wings: what they name is there, the help needs no wing, and without wings the rest works."""
+
+import inspect
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import polhode
+from polhode.plugins import GROUPS
+from polhode.plugins.wings import TABLE, wing_details, wing_names, wing_points
+
+ROOT = Path(__file__).parents[1]
+SOURCES = Path(polhode.__file__).parent
+
+
+@pytest.mark.parametrize("wing", wing_names())
+def test_a_table_has_known_groups_and_names_what_is_there(wing):
+    table = tomllib.loads((SOURCES / wing / TABLE).read_text("utf-8"))
+    assert {f"polhode.{part}" for part in table} <= set(GROUPS)
+    for part in table:
+        for name in table[part]:
+            assert wing_points(f"polhode.{part}")[name].load() is not None, name
+
+
+def test_names_are_those_of_one_wing():
+    for group in GROUPS:
+        parts = [tomllib.loads((SOURCES / wing / TABLE).read_text("utf-8")) for wing in wing_names()]
+        named = [name for part in parts for name in part.get(group.removeprefix("polhode."), {})]
+        assert len(named) == len(set(named)), group
+
+
+def test_lines_of_the_help_are_those_of_the_commands():
+    lines = {name: details["help"] for name, details in wing_details("polhode.commands").items()}
+    points = wing_points("polhode.commands")
+    assert lines == {name: " ".join(inspect.getdoc(points[name].load()).split("\n\n")[0].split()) for name in points}
+
+
+def run(code, path, folder):
+    """Return what a fresh process prints that finds polhode below a path."""
+    known = {**os.environ, "PYTHONPATH": str(path), "POLHODE_REPORTS_CACHE": ""}
+    command = [sys.executable, "-c", code]
+    return subprocess.run(command, capture_output=True, text=True, env=known, cwd=folder, timeout=300)
+
+
+def test_the_help_imports_no_wing(tmp_path):
+    code = ("import sys; from polhode.cli.main import main\ntry: main(['--help'])\nexcept SystemExit: pass\n"
+            "print([m for m in sys.modules if m.startswith('polhode.')], file=sys.stderr)")  # fmt: skip
+    done = run(code, SOURCES.parent, tmp_path)
+    loaded = {name.split(".")[1] for name in done.stderr.replace("'", " ").split() if name.startswith("polhode.")}
+    assert "cli" in loaded and "  wobble  " in done.stdout
+    assert not loaded & set(wing_names())
+
+
+@pytest.fixture(scope="module")
+def without_wings(tmp_path_factory):
+    """Return a folder with a copy of the package in which no wing is."""
+    folder = tmp_path_factory.mktemp("without")
+    shutil.copytree(SOURCES, folder / "polhode", ignore=shutil.ignore_patterns("__pycache__", *wing_names()))
+    return folder
+
+
+COMMAND = "import sys; from polhode.cli.main import main; main(sys.argv[1:] or {!r})"
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("example", ["t_handle", "gyroscope"])
+def test_a_report_needs_no_wing(without_wings, tmp_path, example):
+    spec = ROOT / "examples" / f"{example}.toml"
+    done = run(COMMAND.format(["report", str(spec), "--json", "--out", "out"]), without_wings, tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["kind"] == {"t_handle": "free-body", "gyroscope": "heavy-top"}[example]
+
+
+@pytest.mark.long
+def test_what_a_hidden_wing_brings_is_not_there(without_wings, tmp_path):
+    (tmp_path / "spins.toml").write_text('system.kind = "spin-lattice"\n')
+    done = run(COMMAND.format(["report", "spins.toml"]), without_wings, tmp_path)
+    assert done.returncode == 2 and "spin-lattice" in done.stderr and "must be one of" in done.stderr
+    assert "Traceback" not in done.stderr
+    done = run(COMMAND.format(["wobble"]), without_wings, tmp_path)
+    assert done.returncode == 2 and "wobble" in done.stderr and "Traceback" not in done.stderr
+    assert "wobble" not in run(COMMAND.format(["--help"]), without_wings, tmp_path).stdout
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("wing", [wing for wing in wing_names() if (SOURCES / wing / "__init__.pyi").exists()])
+def test_a_wing_is_imported_alone(wing, tmp_path):
+    others = [name for name in wing_names() if name != wing]
+    code = (f"import sys, polhode.{wing} as w\nfor name in w.__all__: getattr(w, name)\n"
+            f"print(*[m for m in sys.modules if m.startswith('polhode.') and m.split('.')[1] in {others!r}])")
+    done = run(code, SOURCES.parent, tmp_path)
+    assert done.returncode == 0 and done.stdout.split() == [], done.stderr + done.stdout
