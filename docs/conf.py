@@ -26,7 +26,7 @@ author = "The polhode developers"
 release = version = polhode.__version__
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "mathml"]
 html_theme = "furo"
-html_static_path = ["_static", "../src/polhode/symbolic/assets"]  # the math font is that of derivations
+html_static_path = ["_static", "../src/polhode/proving/symbolic/assets"]  # the math font is that of derivations
 html_css_files = ["pages.css"]
 html_js_files = ["offline_search.js"]
 exclude_patterns = ["build"]

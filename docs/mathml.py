@@ -5,7 +5,7 @@ import re
 from docutils import nodes
 from latex2mathml.converter import convert
 
-from polhode.symbolic.rendering import STRUT
+from polhode.proving.symbolic.rendering import STRUT
 
 
 def as_mathml(node, display):

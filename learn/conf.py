@@ -16,7 +16,7 @@ extensions = ["myst_parser", "sphinx_design", "sphinx_proof", "mathml", "course_
 html_theme = "furo"
 html_title = "How things turn"
 # the math font is that of derivations, and its style that of the documentation
-html_static_path = ["_static", "../docs/_static", "../src/polhode/symbolic/assets"]
+html_static_path = ["_static", "../docs/_static", "../src/polhode/proving/symbolic/assets"]
 html_css_files = ["pages.css", "course.css"]
 html_js_files = ["offline_search.js", ("exercises.js", {"defer": "defer"})]
 html_copy_source = False

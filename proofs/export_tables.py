@@ -21,7 +21,8 @@ from pathlib import Path
 
 import numpy as np
 
-from polhode import algebra as lie, fields
+from polhode import algebra as lie
+from polhode import fields
 
 Terms = dict[tuple[int, ...], Fraction]  # coefficients of products of coordinates, by their numbers
 HERE = Path(__file__).resolve().parent

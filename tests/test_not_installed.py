@@ -14,9 +14,9 @@ from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset import write_zarr
 from polhode.formats.dataset_reading import read_dataset
 from polhode.formats.spice_kernels import spiceypy
+from polhode.proving.symbolic import _gate
 from polhode.sweeps.command import SweepOptions, run_sweep
 from polhode.sweeps.running import Sweep
-from polhode.symbolic import _gate
 
 WAYS = {
     "zarr, written": ("zarr.storage", lambda path: write_zarr(motion(), path / "new.zarr")),

@@ -61,11 +61,11 @@ FROM = {
     "formats/plain_table.py": "import compare fit", "formats/spice_reading.py": "import compare fit",
     "studies/comparison_report.py": "compare", "studies/throw_report.py": "fit", "estimation/_throw_fit.py": "fit",
     "estimation/flight.py": "fit",
-    "studies/left_out.py": "fit", "cli/proofs.py": "report",
+    "proving/symbolic/command.py": "derive", "studies/left_out.py": "fit", "proving/verdicts/options.py": "report",
     "spec/places.py": "body",
 }  # fmt: skip
 DECLARED = ("cli/commands/application.py", "cli/commands/specs.py", "cli/commands/records.py",
-            "cli/commands/learning.py", "spectra/options.py", "cli/source_options.py", "cli/fit_options.py",
+            "proving/commands.py", "spectra/options.py", "cli/source_options.py", "cli/fit_options.py",
             "cli/naming.py", "celestial/commands.py", "celestial/tumbling/options.py", "course/commands.py",
             "judging/commands.py", "sweeps/commands.py")
 """Where options are declared, with help that speaks of several commands."""
@@ -181,7 +181,7 @@ def test_the_library_speaks_of_arguments():
     assert options_outside((Text("studies/clocks.py", 1, "Say it by --offset."),)) == ["studies/clocks.py:1: --offset"]
 
 
-UNHEARD = {"analysis/_motion_starts.py": "moments", "course/exercises.py": "to", "formats/urdf.py": "mass",
+UNHEARD = {"proving/enclosures/_motion_starts.py": "moments", "course/exercises.py": "to", "formats/urdf.py": "mass",
            "integrators/_series.py": "order", "rolling/euler_disk/answers.py": "precession",
            "testing/kinds.py": "figures", "systems/moving_parts.py": "mass", "judging/fixed_steps.py": "order",
            "sweeps/answers.py": "spec"}  # fmt: skip

@@ -1,6 +1,6 @@
 """Write the certificates in this folder: `python proofs/certificates/write_certificates.py`.
 
-Each is what `polhode.certificates.write_proof` writes of
+Each is what `polhode.proving.write_proof` writes of
 `ph.stability(system, point).certificate.as_rational("decimal")`. A test compares them with these files.
 """
 
@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 
 import polhode as ph
-from polhode.certificates._rocq import THEORY, proof_text, theory
 from polhode.certificates.rational import RationalCertificate
+from polhode.proving.verdicts.rocq import THEORY, proof_text, theory
 
 FOLDER = Path(__file__).parent
 BODY = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))

@@ -11,15 +11,14 @@ from . import judging as judging
 from . import kinds as kinds
 from . import motion as motion
 from . import poisson as poisson
+from . import proving as proving
 from . import reports as reports
 from . import rolling as rolling
 from . import rotation as rotation
 from . import special as special
 from . import spectra as spectra
-from . import symbolic as symbolic
 from . import systems as systems
 from . import testing as testing
-from .analysis.certification import certify as certify
 from .analysis.equilibria import find_equilibria as find_equilibria
 from .analysis.sections import section as section
 from .analysis.stability import stability as stability
@@ -42,6 +41,7 @@ from .kinds.plotting import plot as plot
 from .kinds.reading import read_spec as read_spec
 from .kinds.reading import report as report
 from .motion._trajectory import Trajectory as Trajectory
+from .proving.enclosures.certification import certify as certify
 from .simulation import simulate as simulate
 from .solving import Fold as Fold
 from .solving import solve as solve

@@ -15,12 +15,13 @@ from polhode.algebra.casimirs import rational_brackets
 from polhode.analysis._conserved import Energy
 from polhode.analysis._exact_equations import Field
 from polhode.analysis.energy_casimir import energy_casimir
-from polhode.certificates import check_by_z3
 from polhode.certificates._confinement import Confinement
 from polhode.certificates._exact_tracing import trace_polynomials
 from polhode.certificates._growth import Drift, Growth
-from polhode.certificates._rocq import proof_text
 from polhode.errors import InvalidInput
+from polhode.proving import check_by_z3
+from polhode.proving.symbolic._polynomials import to_terms
+from polhode.proving.verdicts.rocq import proof_text
 from polhode.rational import read_number
 from polhode.rational._matrices import (
     characteristic_polynomial,
@@ -33,7 +34,6 @@ from polhode.rational._matrices import (
     transpose,
 )
 from polhode.rational._polynomials import RationalPolynomial, linear_form, total
-from polhode.symbolic._polynomials import to_terms
 
 pytest.importorskip("flint")
 BODY = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
@@ -293,7 +293,7 @@ def test_certificates_symbols_and_casimirs_read_a_double_alike(read_as):
     words = {"exact": "each double is the binary fraction that it is",
              "decimal": "each double is the shortest decimal that rounds to it"}[read_as]  # fmt: skip
     assert found.as_json()["numbers"] == words and words in proof_text(found, "body")
-    symbolic = ph.symbolic.SymbolicSystem.from_system(ph.systems.FreeRigidBody(moments), read_as=read_as)
+    symbolic = ph.proving.SymbolicSystem.from_system(ph.systems.FreeRigidBody(moments), read_as=read_as)
     for rate, mine in zip(symbolic.equations.values(), found.equations.field, strict=True):
         assert to_terms(rate, symbolic.bracket.coordinates) == mine.terms
     scaled = ph.algebra.from_structure_constants(ph.algebra.SO3().structure_constants() * SUM)
@@ -304,8 +304,8 @@ def test_certificates_symbols_and_casimirs_read_a_double_alike(read_as):
 def test_moments_that_differ_by_an_ulp_are_two_for_all(read_as):
     """A top with moments (0.1 + 0.2, 0.3, 0.15) is not Lagrange's, though 3/10 would make it that."""
     top = ph.systems.HeavyTop((SUM, 0.3, 0.15), 1.0)
-    assert ph.symbolic.polynomial_integrals(top, 1, read_as) == []
-    assert len(ph.symbolic.polynomial_integrals(ph.systems.HeavyTop((0.3, 0.3, 0.15), 1.0), 1, read_as)) == 1
+    assert ph.proving.polynomial_integrals(top, 1, read_as) == []
+    assert len(ph.proving.polynomial_integrals(ph.systems.HeavyTop((0.3, 0.3, 0.15), 1.0), 1, read_as)) == 1
     field = trace_polynomials(Field(top), 6, partial(read_number, read_as=read_as))
     assert RationalPolynomial.variables(6)[2].rate(field)  # L3 moves
 

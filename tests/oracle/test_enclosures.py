@@ -18,7 +18,7 @@ from oracle.lagrange import largest_momentum, reference_top
 from oracle.measures import EPS
 from oracle.mpmath_motions import fraction, free_numbers, integrated_state, top_numbers
 from oracle.reference import reference_state
-from polhode.analysis import _elliptic_balls as elliptic_balls
+from polhode.proving.enclosures import _elliptic_balls as elliptic_balls
 from starts import lagrange_motion
 from twins.families_of_bodies import draw
 from twins.families_of_tops import draw_tops

@@ -13,7 +13,7 @@ import sympy
 import polhode as ph
 from polhode.analysis import axis_stability, continue_equilibria
 from polhode.cli.main import main
-from polhode.symbolic import LiePoissonBracket, SymbolicSystem, instability, second_variation
+from polhode.proving import LiePoissonBracket, SymbolicSystem, instability, second_variation
 from twins.table import read_tables
 
 TITLE = "Verdicts near symmetry and doors"

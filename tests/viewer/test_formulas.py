@@ -2,7 +2,7 @@
 
 import pytest
 
-from polhode.symbolic import derive
+from polhode.proving import derive
 
 
 @pytest.mark.browser

@@ -4,7 +4,6 @@ from ._mechanics import invariants_along as invariants_along
 from .alignment import Alignment as Alignment
 from .alignment import fit_alignment as fit_alignment
 from .attitude_history import AttitudeHistory as AttitudeHistory
-from .certification import certify as certify
 from .comparison import Comparison as Comparison
 from .comparison import compare as compare
 from .cone import axis_angles as axis_angles
@@ -26,9 +25,6 @@ from .damped_motion import settling_time as settling_time
 from .damped_motion import time_constant as time_constant
 from .dual_spin import DualSpinDamping as DualSpinDamping
 from .dual_spin import dual_spin_damping as dual_spin_damping
-from .enclosed_numbers import EnclosedNumber as EnclosedNumber
-from .enclosed_numbers import EnclosedState as EnclosedState
-from .enclosures import Enclosure as Enclosure
 from .energy_casimir import Stability as Stability
 from .energy_sink import flat_spin_time as flat_spin_time
 from .energy_sink import sink_rate_by_loss as sink_rate_by_loss
@@ -52,9 +48,6 @@ from .gyrostat_rotations import symmetric_rates as symmetric_rates
 from .lyapunov_exponents import LyapunovExponents as LyapunovExponents
 from .lyapunov_exponents import lyapunov as lyapunov
 from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
-from .motion_enclosures import FreeEnclosure as FreeEnclosure
-from .motion_enclosures import MotionEnclosure as MotionEnclosure
-from .motion_enclosures import TopEnclosure as TopEnclosure
 from .nutation_damping import damper_loss as damper_loss
 from .nutation_damping import nutation_time_constant as nutation_time_constant
 from .nutation_damping import slosh_frequency as slosh_frequency

@@ -46,8 +46,8 @@ class Subject:
 class Certificate(str):
     """The reason of a verdict as a sentence, which can be turned into a proof in rational numbers.
 
-    It is text like any other; the proof is looked for when it is asked for. ``polhode.certificates.check_by_z3`` has
-    the solver z3 check it, ``polhode.certificates.write_proof`` writes it for the prover Rocq.
+    It is text like any other; the proof is looked for when it is asked for. ``polhode.proving.check_by_z3`` has
+    the solver z3 check it, ``polhode.proving.write_proof`` writes it for the prover Rocq.
 
     >>> import numpy as np
     >>> import polhode as ph

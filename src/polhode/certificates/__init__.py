@@ -1,4 +1,4 @@
-"""Certificates of stability as exact data: found, checked, and written for a prover."""
+"""Certificates of stability as exact data: found and checked."""
 
 import lazy_loader
 

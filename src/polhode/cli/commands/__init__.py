@@ -2,5 +2,4 @@
 
 from polhode.cli.commands import specs as specs  # noqa: I001  the order is that of the help
 from polhode.cli.commands import records as records
-from polhode.cli.commands import learning as learning
 from polhode.cli.commands.application import app as app

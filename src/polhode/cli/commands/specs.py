@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from polhode.cli.arguments import StrictCommand, whole_number
+from polhode.cli.arguments import StrictCommand
 from polhode.cli.commands.application import AsJson, SpecPath, app
 from polhode.cli.report_options import ReportCommand
 
@@ -91,24 +91,3 @@ def body(
     from polhode.cli.body import run_body
 
     run_body(spec, json, about)
-
-
-@app.command(cls=StrictCommand)
-def certify(
-    spec: SpecPath,
-    json: AsJson = False,
-    digits: Annotated[
-        int, typer.Option("--digits", metavar="N", parser=whole_number(1, 1000), help="Decimals.")
-    ] = 25,
-    at: Annotated[
-        list[str] | None, typer.Option("--at", metavar="T", help='Time of a state, like "1e9 s"; may be repeated.')
-    ] = None,
-) -> None:
-    """Prove bounds of a free body's or a Lagrange top's motion, with up to 1000 digits.
-
-    Printed are the regime and verdicts, decided in exact arithmetic, and periods, precession, geometric phase, action
-    and states, each with a radius within which the truth lies. Needs the extra symbolic.
-    """
-    from polhode.cli.certify import run_certify
-
-    run_certify(spec, digits, at or [], json)

@@ -1,0 +1,14 @@
+"""``polhode certify SPEC``: proved enclosures of a motion in closed form."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from polhode.cli.publish import publish
+from polhode.proving.enclosures.study import certify_report
+
+
+def run_certify(path: Path, digits: int, at: Sequence[str], json: bool) -> None:
+    """Enclose what describes the motion, and its states at the times asked for, and print it."""
+    publish(certify_report(path, digits, at), json)

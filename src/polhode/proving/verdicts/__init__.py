@@ -1,0 +1,1 @@
+"""Verdicts on stability as files that provers check: Rocq and z3."""

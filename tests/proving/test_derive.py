@@ -1,0 +1,66 @@
+"""``polhode derive``: the list, the forms, the file, and mistakes."""
+
+import sys
+
+import pytest
+
+from polhode.cli.main import main
+from polhode.proving.symbolic import registry
+from polhode.proving.symbolic.registry import derivation_names
+
+
+def run(arguments, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main(arguments)
+    out, err = capsys.readouterr()
+    return stopped.value.code or 0, out, err
+
+
+def test_all_are_listed(capsys):
+    code, out, _ = run(["derive"], capsys)
+    assert code == 0 and all(f"{name} " in out for name in derivation_names())
+    assert "Next: polhode derive clebsch" in out
+
+
+@pytest.mark.long
+def test_a_page_is_printed_or_written(capsys, tmp_path, monkeypatch):
+    code, out, err = run(["derive", "clebsch"], capsys)
+    assert code == 0 and not err and out.startswith("Clebsch's case\n==============\n") and "✓" in out
+    page = registry.derive("clebsch")
+    monkeypatch.setattr(registry, "derive", lambda name: page)
+    assert run(["derive", "clebsch", "--to", "markdown"], capsys)[1].startswith("# Clebsch's case")
+    begin = {".md": "# Clebsch", ".tex": r"\documentclass", ".html": "<!DOCTYPE", ".txt": "Clebsch"}
+    for ending, begins in begin.items():
+        path = tmp_path / f"page{ending}"
+        code, out, _ = run(["derive", "clebsch", "--out", str(path)], capsys)
+        assert code == 0 and out == f"Written: {path}\n" and path.read_text("utf-8").startswith(begins)
+
+
+@pytest.mark.long_cases("arguments4-page.html")
+@pytest.mark.parametrize(("arguments", "message"), [
+    (["clebsh"], "Did you mean clebsch?"),
+    (["clebsch", "--to", "pdf"], "--to must be one of text, markdown, latex, html"),
+    (["clebsch", "--out", "page.pdf"], "--out must end with .txt, .md, .tex, .html"),
+    (["--to", "html"], "name it"),
+    (["clebsch", "--out", "/no/such/folder/page.html"], "page.html"),
+])  # fmt: skip
+def test_mistakes_are_named(arguments, message, capsys):
+    code, out, err = run(["derive", *arguments], capsys)
+    assert code == 2 and not out and message in err and err.startswith("polhode: ")
+
+
+def test_a_step_that_fails_is_an_error(capsys, monkeypatch):
+    from polhode.proving.symbolic.derivations import clebsch
+
+    monkeypatch.setattr(clebsch, "inertia", lambda a, theta: [1.0, 2.0, 3.0, 4.0, 5.0, 6.0])
+    code, out, err = run(["derive", "clebsch"], capsys)
+    assert code == 2 and not out and "the numerical system differs from what is stated" in err
+
+
+def test_without_sympy_the_command_says_what_to_install(capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "sympy", None)
+    for name in [name for name in sys.modules if name.startswith("polhode.proving.symbolic")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.delitem(sys.modules, "polhode.proving.symbolic.command", raising=False)
+    code, out, err = run(["derive", "clebsch"], capsys)
+    assert code == 2 and not out and "need sympy, which is not installed. Run `" in err
