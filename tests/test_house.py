@@ -44,7 +44,7 @@ def modules_with_examples():
 SLOW = {
     "polhode.analysis.continuation", "polhode.analysis.damped_axes", "polhode.analysis.periodic_branches",
     "polhode.rolling.euler_disk.spin_down", "polhode.fields.point_vortices.equilibria",
-    "polhode.estimation.attitude_fit", "polhode.estimation.scale", "polhode.spectra.figures.racket_figure",
+    "polhode.measuring.attitudes.attitude_fit", "polhode.measuring.scale", "polhode.spectra.figures.racket_figure",
     "polhode.figures.sphere_figure",
     "polhode.poisson.group_reconstruction", "polhode.rolling.euler_disk.system", "polhode.testing.algebras",
     "polhode.testing.kinds", "polhode.testing.systems",

@@ -47,21 +47,19 @@ OTHERS = {"--xla": "XLA's own, in an environment variable", "--unit-acceleration
 # from which commands the texts of a file come; files of cli/ that are not here are their command's alone
 FROM = {
     "cli/columns.py": "import compare fit", "studies/sources.py": "import compare", "studies/clocks.py": "compare",
-    "studies/tables.py": "import compare fit", "studies/compare.py": "compare", "studies/throws.py": "fit",
-    "cli/importing.py": "import", "studies/recorded_spec.py": "import", "studies/scale.py": "fit",
-    "studies/attitude_report.py": "fit",
-    "spectra/line_fit_branch.py": "fit", "studies/pendulum_branch.py": "fit", "studies/throw_branch.py": "fit",
+    "studies/tables.py": "import compare fit", "studies/compare.py": "compare",
+    "cli/importing.py": "import", "studies/recorded_spec.py": "import",
+    "spectra/line_fit_branch.py": "fit",
     "spectra/line_fit.py": "fit", "studies/fit.py": "fit", "cli/fit.py": "fit", "spectra/command.py": "lines",
     "spectra/study.py": "lines", "cli/publish.py": "fit tumble wobble",
     "cli/destinations.py": "view export import fit wobble lines",
     "formats/column_resolution.py": "import compare fit", "formats/column_meaning.py": "import compare fit",
     "formats/calendar_stamps.py": "import compare fit", "formats/attitude_columns.py": "import compare fit",
     "formats/known_tables.py": "import compare fit", "analysis/_clock_offset.py": "compare",
-    "analysis/comparison.py": "compare", "formats/gyro_logs.py": "fit",
+    "analysis/comparison.py": "compare",
     "formats/plain_table.py": "import compare fit", "formats/spice_reading.py": "import compare fit",
-    "studies/comparison_report.py": "compare", "studies/throw_report.py": "fit", "estimation/_throw_fit.py": "fit",
-    "estimation/flight.py": "fit",
-    "proving/symbolic/command.py": "derive", "studies/left_out.py": "fit", "proving/verdicts/options.py": "report",
+    "studies/comparison_report.py": "compare",
+    "proving/symbolic/command.py": "derive", "proving/verdicts/options.py": "report",
     "spec/places.py": "body",
 }  # fmt: skip
 DECLARED = ("cli/commands/application.py", "cli/commands/specs.py", "cli/commands/records.py",
@@ -126,7 +124,9 @@ def commands_by_file(file: str) -> set[str]:
     if file in FROM or wing not in wing_names() or (ROOT / file).with_name("table.py").exists():  # of a kind
         return set(FROM.get(file, "").split())
     own = {name for name in points if points[name].value.startswith(f"polhode.{wing}.")}
-    return {name for name in own if name[:5] == file.split("/")[1][:5]} or own
+    own = {name for name in own if name[:5] == file.split("/")[1][:5]} or own
+    fits = any(point.value.startswith(f"polhode.{wing}.") for point in wing_points("polhode.fits").values())
+    return own or ({"fit"} if fits else set())
 
 
 def wrong_options(texts: Iterator[Text] | tuple[Text, ...]) -> list[str]:
@@ -215,7 +215,7 @@ def test_the_command_knows_the_arguments_that_messages_name():
     assert wrong_arguments(catalogue()) == []
 
 
-@pytest.mark.parametrize("case", [("formats/gyro_logs.py", "Say it by `align_clock=True`."),
+@pytest.mark.parametrize("case", [("measuring/throws/gyro_logs.py", "Say it by `align_clock=True`."),
                                   ("spec/known_inertia.py", "`about` is far away.")])  # fmt: skip
 def test_a_name_that_is_no_argument_would_be_noticed(case):
     file, words = case

@@ -9,6 +9,7 @@ from . import formats as formats
 from . import integrators as integrators
 from . import judging as judging
 from . import kinds as kinds
+from . import measuring as measuring
 from . import motion as motion
 from . import poisson as poisson
 from . import proving as proving

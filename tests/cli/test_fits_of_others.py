@@ -61,7 +61,7 @@ EMPTY = branches.FitBranch(lambda request: True, lambda request: None)
 @pytest.mark.parametrize(("value", "words"), [
     ("math:pi", "the fit odd of another package, math:pi, is not a FitBranch that knows its files"),
     ("nowhere:FIT", "the fit odd of another package, nowhere:FIT, cannot be imported"),
-    ("polhode.studies.throw_branch:FIT", "is not a FitBranch that knows its files"),
+    ("polhode.measuring.throws.branch:FIT", "is not a FitBranch that knows its files"),
     (f"{__name__}:EMPTY", "the fit odd of another package gives None, not a StudyReport"),
 ])  # fmt: skip
 def test_one_that_is_none_is_named(add_entry_points, value, words):

@@ -15,11 +15,11 @@ import polhode as ph
 from polhode import formats, rotation
 from polhode.cli.main import main
 from polhode.errors import FormatError, InvalidInput
-from polhode.estimation import attitude_fit
 from polhode.formats.form import Kernels
 from polhode.formats.form_registry import forms
 from polhode.formats.stk_attitude import read_stk
-from polhode.studies import throws
+from polhode.measuring.attitudes import attitude_fit
+from polhode.measuring.throws import study as throws
 from polhode.studies.sources import detect_kind
 
 MOMENTS, RATES = (1.0, 2.0, 3.0), (0.3, 0.9, 0.5)

@@ -18,7 +18,7 @@ from polhode.plugins.wings import wing_names
 
 REFERENCE = sorted((Path(__file__).parents[2] / "docs" / "reference").glob("*.md"))
 TAKE_FILES_AND_WORDS = {"cli", "course", "figures", "formats", "kinds", "reports", "spec", "studies", "sweeps",
-                        "symbolic", "viewer", "errors", "plugins"}
+                        "viewer", "errors", "plugins"}
 INNER_ROOMS = {"arrays", "seals", "taylor"}
 OF_THE_APPLICATION = re.compile(r"^ *from polhode\.(cli|figures|formats|kinds|reports|spec|studies|viewer)\b"
                                 r"|^import tomllib|^from pathlib", re.MULTILINE)  # fmt: skip
@@ -38,8 +38,10 @@ def public_modules():
 
 @functools.cache
 def takes_files_and_words(module):
-    """Whether a module is of the application; in a wing those are that import it, and those that import them."""
+    """Whether a module has no arrays or is of the application: in a wing what imports it, and what imports that."""
     room = module.partition(".")[0]
+    if module.startswith("proving.symbolic"):  # SymPy's expressions
+        return True
     file = Path(polhode.__path__[0], *module.split(".")).with_suffix(".py")
     if room in TAKE_FILES_AND_WORDS or room not in wing_names() or not file.exists():
         return room in TAKE_FILES_AND_WORDS
@@ -112,9 +114,9 @@ NO_ARRAYS = {
     "rotor_misfit", "damped_motion.time_constant", "predicted_exponents",
     "SpinMotion.predictable_time", "SpinMotion.regular_exponent", "DiskPath.part",
     "Lattice.positions",
-    "GyroLog", "estimation.flight.free_flights", "estimation.flight.Window", "FittedThrow", "ModelScore", "ThrowFit",
-    "estimation.flight.find_flights", "estimation.rest.rest_stretches",
-    "estimation.pendulum.fit_pendulum", "OrbitalEquilibrium", "OrbitalEquilibrium.libration_period",
+    "GyroLog", "measuring.throws.flight.free_flights", "measuring.throws.flight.Window", "FittedThrow",
+    "ModelScore", "ThrowFit", "measuring.throws.flight.find_flights", "measuring.throws.rest.rest_stretches",
+    "measuring.pendulum.fitting.fit_pendulum", "OrbitalEquilibrium", "OrbitalEquilibrium.libration_period",
     "SpinningEquilibrium", "NearestRest",
     "AttitudeFit", "Tumbling", "TumblingInterval",
     "ChandlerFit", "ChandlerFit.term", "ChandlerFit.amplitude", "ChandlerProcess", "ChandlerWindows",
@@ -131,14 +133,14 @@ NO_ARRAYS = {
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""
 CALLED_BY_OTHERS = {
-    "estimation.gyro_log.check_sizes",
+    "measuring.throws.gyro_log.check_sizes",
     "algebra.base.HashableModule", "algebra.casimirs.check_degree", "algebra.casimirs.rational_brackets",
     "algebra.casimirs.invariant_terms", "algebra.constants.check_constants", "algebra.matrix.adjoint",
     "algebra.matrix.traceless", "algebra.matrix.check_size",
     "algebra.matrix.pfaffian", "algebra.so3.half_angle_factors", "algebra.so3.scaled_norm",
     "analysis.gyrostat_rotations.symmetry_axis", "systems.body_with_rotor.clean_direction",
     "rolling.euler_disk.system.rolling_parts",
-    "analysis.enclosures.enclose_by_series",
+    "proving.enclosures.enclosure.enclose_by_series",
     "analysis.energy_casimir.Stability", "analysis.energy_casimir.energy_casimir",
     "analysis.stability.judge_steady_motion", "certificates.rational.require_rational",
     "rolling.euler_disk.dissipation.slow_push", "analysis.energy_casimir.steady_drift",
@@ -163,7 +165,7 @@ CALLED_BY_OTHERS = {
     "systems.trajectories.make_trajectory", "solving.adaptive_solver", "solving.check_every",
     "solving.goes_along_orbit", "solving.is_adaptive", "solving.orbit_solver", "solving.step_angle",
     "solving.turning_rates",
-    "estimation.flight.check_windows",
+    "measuring.throws.flight.check_windows",
     "systems.base.as_finite_state", "systems.base.check_unit_attitude", "systems.base.components",
     "fields.point_vortices.system.rounds_of_pairs",
     "fields.spin_lattice.system.add_damping", "systems.base.join_state", "systems.base.attitude_change",

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import algebra, analysis, celestial, estimation, fields, poisson, rolling, spectra, systems
+from polhode import algebra, analysis, celestial, fields, measuring, poisson, rolling, spectra, systems
 from polhode.analysis import (
     alignment,
     comparison,
@@ -29,8 +29,8 @@ from polhode.analysis.twist import racket_twist
 from polhode.bodies import surface
 from polhode.celestial.spin_orbit import resonances as spin_orbit
 from polhode.errors import InvalidInput
-from polhode.estimation import pendulum_periods
 from polhode.exact.lagrange_top import steady_precession as tops
+from polhode.measuring.pendulum import periods as pendulum_periods
 from polhode.motion import frame
 from polhode.systems import body_with_rotor
 
@@ -70,16 +70,16 @@ def scaled(system, factor):
 
 
 REFUSED = {
-    "clean_log": (TIMES, lambda x: estimation.clean_log(x, np.ones((12, 3)))),
-    "fit_throw": (TIMES, lambda x: estimation.fit_throw(estimation.GyroLog(x, np.ones((12, 3))), gain_spread=x)),
-    "fit_attitude": (TIMES, lambda x: estimation.fit_attitude(x, TURNS)),
+    "clean_log": (TIMES, lambda x: measuring.clean_log(x, np.ones((12, 3)))),
+    "fit_throw": (TIMES, lambda x: measuring.fit_throw(measuring.GyroLog(x, np.ones((12, 3))), gain_spread=x)),
+    "fit_attitude": (TIMES, lambda x: measuring.fit_attitude(x, TURNS)),
     "fit_chandler": (TIMES, lambda x: celestial.fit_chandler(x, x, x)),
     "fit_chandler_process": (TIMES, lambda x: celestial.fit_chandler_process(x, x, x)),
     "fit_chandler_windows": (TIMES, lambda x: celestial.fit_chandler_windows(x, x, x)),
     "pole_spectrum": (TIMES, lambda x: celestial.pole_spectrum(x, x, x)),
     "polar_excitation": (TIMES, lambda x: celestial.polar_excitation(x, x, x, 4e7, 100.0)),
     "euler_chain": (0.003, celestial.euler_chain),
-    "moments_from_one": (0.3, lambda x: estimation.moments_from_one(None, 1, x)),
+    "moments_from_one": (0.3, lambda x: measuring.moments_from_one(None, 1, x)),
     "fit_tumbling": (THREE, lambda x: celestial.fit_tumbling(1.0, 20.0, x)),
     "least_period_ratios": (THREE, lambda x: celestial.least_period_ratios(x)),
     "equivalent_ellipsoid": (THREE, lambda x: celestial.equivalent_ellipsoid(x)),
@@ -87,7 +87,7 @@ REFUSED = {
     "ellipsoid_brightness": (THREE, lambda x: celestial.ellipsoid_brightness(x, [1.0, 0, 0], [0, 1.0, 0])),
     "light_curve": (TIMES, lambda x: celestial.light_curve(MOTION, x, [3, 2, 1], [1.0, 0, 0], [0, 1.0, 0])),
     "light_curve_lines": (THREE, lambda x: celestial.light_curve_lines(MOTION, x, [1.0, 0, 0], [0, 1.0, 0])),
-    "moments_from_weight": (AXIS, lambda x: estimation.moments_from_weight(None, None, 1.0, 1.0, x)),
+    "moments_from_weight": (AXIS, lambda x: measuring.moments_from_weight(None, None, 1.0, 1.0, x)),
     "FreeRigidBody": (THREE, systems.FreeRigidBody),
     "HeavyTop": (AXIS, lambda x: systems.HeavyTop(THREE, 1.0, x)),
     "HeavyTop.upright": (0.0, TOP.upright),

@@ -11,7 +11,7 @@ from oracle.lagrange import reference_top
 from oracle.reference import reference_state
 from polhode.errors import InvalidInput, NotConverged
 from polhode.proving.enclosures import enclosure as enclosures
-from polhode.proving.enclosures.taylor_balls import BallSystem
+from polhode.proving.enclosures._taylor_balls import BallSystem
 
 MOMENTS = (1.0, 2.0, 3.0)
 

@@ -8,7 +8,7 @@ from flint import acb, arb, ctx
 
 import polhode as ph
 from polhode.errors import InvalidInput
-from polhode.proving.enclosures.taylor_balls import BallSystem, eccentric_anomaly
+from polhode.proving.enclosures._taylor_balls import BallSystem, eccentric_anomaly
 from proving.test_enclosures import Scalar
 
 

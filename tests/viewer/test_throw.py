@@ -9,17 +9,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from estimation.thrown import BODIES, throw
+from measuring.thrown import BODIES, throw
 from polhode.errors import PolhodeError
-from polhode.estimation._rest_bias import rest_bias
-from polhode.estimation._saturation import saturation
-from polhode.estimation._throw_models import compute_moments
-from polhode.estimation._throw_search import Start
-from polhode.estimation.flight import free_flights
-from polhode.estimation.gyro_log import clean_log
-from polhode.estimation.throw import _cut, fit_throw
 from polhode.formats.column_mapping import ColumnMapping
-from polhode.formats.gyro_logs import read_gyro_log
+from polhode.measuring.throws._rest_bias import rest_bias
+from polhode.measuring.throws._saturation import saturation
+from polhode.measuring.throws._throw_models import compute_moments
+from polhode.measuring.throws._throw_search import Start
+from polhode.measuring.throws.flight import free_flights
+from polhode.measuring.throws.gyro_log import clean_log
+from polhode.measuring.throws.gyro_logs import read_gyro_log
+from polhode.measuring.throws.throw import _cut, fit_throw
 
 ROOT = Path(__file__).parents[2]
 SOURCES = ROOT / "viewer" / "src" / "throw"

@@ -6,9 +6,9 @@ import re
 import numpy as np
 import pytest
 
-from polhode.estimation.throw import fit_throw
-from polhode.formats.gyro_logs import read_gyro_log
 from polhode.kinds import playground
+from polhode.measuring.throws.gyro_logs import read_gyro_log
+from polhode.measuring.throws.throw import fit_throw
 from viewer.test_throw import BAD, BODIES, EXAMPLE, LOGS, ROOT
 
 

@@ -1,4 +1,4 @@
-"""From measured motion to the body: estimates with their covariance."""
+"""What fits share: estimates with their covariance, last steps of least squares, tests of residuals."""
 
 import lazy_loader
 

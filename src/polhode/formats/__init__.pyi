@@ -14,8 +14,6 @@ from .form import Content as Content
 from .form import Form as Form
 from .form import Kernels as Kernels
 from .gltf import write_gltf as write_gltf
-from .gyro_logs import ReadLog as ReadLog
-from .gyro_logs import read_gyro_log as read_gyro_log
 from .labels import AttitudeLabels as AttitudeLabels
 from .labels import Recording as Recording
 from .mesh import read_mesh as read_mesh

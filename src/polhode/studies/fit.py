@@ -13,10 +13,10 @@ from polhode.studies.fit_request import FitOptions, FitRequest, Progress, fit_re
 from polhode.studies.tables import take_columns
 
 if TYPE_CHECKING:
+    from polhode.measuring.attitudes.report import AttitudeReport
+    from polhode.measuring.pendulum.report import PendulumReport
+    from polhode.measuring.throws.report import ThrowReport
     from polhode.spectra.line_fit import LineFitReport
-    from polhode.studies.attitude_report import AttitudeReport
-    from polhode.studies.pendulum_report import PendulumReport
-    from polhode.studies.throw_report import ThrowReport
 
 
 def fit(

@@ -16,7 +16,7 @@ from polhode.analysis._tangent_flow import one_state
 from polhode.arrays import is_positive, require_doubles
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._interrupts import keep_interrupts
-from polhode.proving.enclosures.taylor_balls import Ball, BallSystem, collect_numbers
+from polhode.proving.enclosures._taylor_balls import Ball, BallSystem, collect_numbers
 from polhode.simulation import simulate
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable

@@ -1,0 +1,1 @@
+"""Bodies whose attitude was recorded: moments of inertia and a torque fitted to it."""

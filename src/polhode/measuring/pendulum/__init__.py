@@ -1,0 +1,1 @@
+"""Bodies that swing: moments of inertia from the periods on filaments or a pivot."""

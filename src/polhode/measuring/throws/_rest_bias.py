@@ -1,0 +1,53 @@
+"""The bias of a gyro, from stretches in which the device lies still."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from polhode.measuring.throws.flight import Window
+from polhode.measuring.throws.gyro_log import GyroLog
+from polhode.measuring.throws.rest import rest_stretches
+from polhode.types import Float64
+
+DRIFT = 0.003  # rad/s, by which a bias in flight differs from that at rest
+
+
+class RestBias(NamedTuple):
+    """The bias of a gyro by rests.
+
+    Attributes:
+        value: (3,) [rad/s, device frame].
+        spread: (3,) its standard deviation in flight [rad/s].
+        seconds: how long the rests are together.
+    """
+
+    value: Float64[np.ndarray, "3"]
+    spread: Float64[np.ndarray, "3"]
+    seconds: float
+
+
+def rest_bias(logs: list[GyroLog], windows: list[list[Window]]) -> RestBias | None:
+    """Return the bias of a gyro at rest, or None where one of the logs has no rest.
+
+    Args:
+        logs: of one gyro.
+        windows: of each log, the stretches of free flight, in which nothing rests.
+    """
+    means, lengths = [], []
+    for log, flights in zip(logs, windows, strict=True):
+        seconds = 0.0
+        for start, end in rest_stretches(log):
+            if any(start < flight.end and end > flight.start for flight in flights):
+                continue
+            within = (log.times >= start) & (log.times <= end)
+            means.append(log.rates[within].mean(axis=0))
+            lengths.append(end - start)
+            seconds += end - start
+        if not seconds:
+            return None
+    weights = np.array(lengths) / sum(lengths)
+    value = weights @ np.array(means)
+    apart = np.sqrt(weights @ (np.array(means) - value) ** 2)
+    return RestBias(value, np.hypot(DRIFT, apart), float(sum(lengths)))
