@@ -114,7 +114,7 @@ NO_ARRAYS = {
     "rotor_misfit", "damped_motion.time_constant", "predicted_exponents",
     "SpinMotion.predictable_time", "SpinMotion.regular_exponent", "DiskPath.part",
     "Lattice.positions",
-    "GyroLog", "measuring.throws.flight.free_flights", "measuring.throws.flight.Window", "FittedThrow",
+    "check_by_z3", "GyroLog", "measuring.throws.flight.free_flights", "measuring.throws.flight.Window", "FittedThrow",
     "ModelScore", "ThrowFit", "measuring.throws.flight.find_flights", "measuring.throws.rest.rest_stretches",
     "measuring.pendulum.fitting.fit_pendulum", "OrbitalEquilibrium", "OrbitalEquilibrium.libration_period",
     "SpinningEquilibrium", "NearestRest",
