@@ -33,6 +33,6 @@ def forget_entry_points():
     from polhode.spec import body_files, named
     from polhode.studies import fit_request
 
-    for listed in (registry._others, named._others, body_files._others, fit_request._others, form_registry.forms):
+    for listed in (registry._others, named._others, body_files._others, fit_request._others, form_registry._others):
         listed.cache_clear()
     plugins._loaded.clear()

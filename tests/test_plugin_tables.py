@@ -12,8 +12,12 @@ from pathlib import Path
 import pytest
 
 import polhode
+from polhode.formats import form_registry
+from polhode.kinds import registry
+from polhode.kinds.base import AbstractKind
 from polhode.plugins import GROUPS
 from polhode.plugins.wings import TABLE, wing_details, wing_names, wing_points
+from polhode.spec.models import BodyTable
 
 ROOT = Path(__file__).parents[1]
 SOURCES = Path(polhode.__file__).parent
@@ -39,6 +43,48 @@ def test_lines_of_the_help_are_those_of_the_commands():
     lines = {name: details["help"] for name, details in wing_details("polhode.commands").items()}
     points = wing_points("polhode.commands")
     assert lines == {name: " ".join(inspect.getdoc(points[name].load()).split("\n\n")[0].split()) for name in points}
+
+
+def test_what_is_told_of_kinds_is_so():
+    """A kind that a table does not tell about is not asked: its default, its subject and its offers would not count."""
+    told = wing_details("polhode.kinds")
+    own = {name: registry.find_kind(name) for name in registry._own()}
+    assert set(told) <= set(own)
+    for name, kind in own.items():
+        line = told.get(name, {})
+        assert line.get("subject", "") == kind.subject, name
+        assert bool(line.get("default")) is kind.is_default, name
+        assert ("offers" in line) is (type(kind).offers is not AbstractKind.offers), name
+        assert set(line.get("offers", ())) <= set(BodyTable.model_fields), name
+        assert set(line) <= {"subject", "default", "offers"}, name
+
+
+def test_what_is_told_of_formats_is_so():
+    """A line is needed by each, as a format without one is imported by every command."""
+    told = wing_details("polhode.formats")
+    lines = {line.get("name", name): line for name, line in told.items()}
+    own = {name: one.load() for name, one in form_registry._own().items()}
+    assert lines.keys() == own.keys()
+    for name, form in own.items():
+        line = lines[name]
+        assert (name, line["ending"]) == (form.name, form.ending)
+        assert bool(line.get("writes")) is (form.write is not None), name
+        assert ("heads" in line, "names" in line) == (form.begins is not None, form.named is not None), name
+        assert set(line) <= {"name", "ending", "writes", "heads", "names"}, name
+
+
+def test_a_format_that_is_told_nothing_of_is_asked(monkeypatch):
+    """So that a module can be dropped into the folder, before its line is written."""
+    asked = {"polhode.formats": {}}
+    monkeypatch.setattr(form_registry, "wing_details", lambda group: asked[group])
+    form_registry._own.cache_clear()
+    try:
+        assert "aem" in form_registry.writable_names() and "px4" not in form_registry.writable_names()
+        assert form_registry.form_that_begins(b"CCSDS_AEM_VERS = 2.0\n").name == "aem"
+        assert form_registry.form_that_is_named(Path("qbn.42")).name == "42"
+        assert [form.name for form in form_registry.forms_that_end(".bc")] == ["ck"]
+    finally:
+        form_registry._own.cache_clear()
 
 
 def run(code, path, folder):

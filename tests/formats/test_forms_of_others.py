@@ -30,7 +30,7 @@ def folder(tmp_path, monkeypatch, plugin):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "box.toml").write_text(SPEC)
     yield tmp_path
-    form_registry.forms.cache_clear()  # which a test has changed
+    form_registry._others.cache_clear()  # which a test has changed
 
 
 def run(capsys, *arguments):
@@ -146,7 +146,7 @@ def readers():
 @pytest.mark.parametrize(("read", "words"), list(readers()), ids=["own error", "runtime", "format", "none"])
 def test_readers_that_fail_in_any_way_are_told_in_words(folder, capsys, monkeypatch, read, words):
     broken = dataclasses.replace(form_registry.forms()["qlog"], read=read)
-    monkeypatch.setitem(form_registry.forms(), "qlog", broken)
+    monkeypatch.setitem(form_registry._others(), "qlog", broken)
     (folder / "bad.qlog").write_bytes(b"QLOG 1\n0 1 0 0 0\n")
     code, out, err = run(capsys, "import", "bad.qlog")
     assert code == 2 and not out and re.search(words, err) and err.count("\n") == 1
@@ -159,7 +159,7 @@ def test_readers_that_fail_in_any_way_are_told_in_words(folder, capsys, monkeypa
 def test_writers_that_fail_leave_what_was_there(folder, capsys, monkeypatch, write, words):
     """Half a file stood in place of the old one, and other formats of the same command stayed."""
     broken = dataclasses.replace(form_registry.forms()["qlog"], write=write)
-    monkeypatch.setitem(form_registry.forms(), "qlog", broken)
+    monkeypatch.setitem(form_registry._others(), "qlog", broken)
     (folder / "box.qlog").write_bytes(b"old")
     code, _, err = run(capsys, "export", "box.toml", "--to", "csv", "--to", "qlog")
     assert code == 2 and words in err and err.count("\n") == 1

@@ -14,7 +14,7 @@ from polhode.cli.render import as_json
 from polhode.cli.spec_reports import make_motion_report, make_report
 from polhode.errors import FormatError, InvalidInput, one_line, shown
 from polhode.formats.form import Content, Form
-from polhode.formats.form_registry import check_importable, writable_forms
+from polhode.formats.form_registry import check_importable, find_form, writable_names
 from polhode.formats.paths import write_all_or_none
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
@@ -49,13 +49,14 @@ def run_export(path: Path, names: Sequence[str], out: Path | None, json: bool = 
 
 
 def _form(name: str) -> Form:
-    known = writable_forms()
-    if name not in known:
+    form = find_form(name)
+    if form is None or form.write is None:
+        known = writable_names()
         check_importable(name)
         near = difflib.get_close_matches(name.lower(), known, n=1)
         hint = f"Did you mean {near[0]}?" if near else "Choose one of these."
         raise InvalidInput(f"--to must be one of {', '.join(known)}; got {shown(name)}. {hint}")
-    return known[name]
+    return form
 
 
 def gather_content(spec: Spec, report: SystemReport) -> Content:

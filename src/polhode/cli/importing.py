@@ -14,7 +14,7 @@ from polhode.cli.destinations import check_spares
 from polhode.cli.publish import publish
 from polhode.errors import InvalidInput, one_line
 from polhode.formats.form import Kernels
-from polhode.formats.form_registry import forms
+from polhode.formats.form_registry import find_form, forms_that_end
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.stamps import in_words
 from polhode.motion._layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, StateLayout
@@ -44,7 +44,7 @@ def run_import(
     if table is not None and kind != TABLE:
         why = f"is {kind_in_words(kind)}, and the options of columns are for tables"
         raise InvalidInput(f"{path}: {why}. Leave them out.")
-    if kind in forms() and forms()[kind].is_own:
+    if (form := find_form(kind)) is not None and form.is_own:
         raise InvalidInput(f"{path}: is {kind_in_words(kind)} of polhode's already; there is nothing to import.")
     notes, groups = [], []
     if is_table(kind):
@@ -86,7 +86,7 @@ def _check_ending(out: Path) -> None:
         InvalidInput: naming the form.
     """
     ending = out.suffix.lower()
-    known = [form for form in forms().values() if form.ending == ending != DATASET_ENDING]
+    known = forms_that_end(ending) if ending != DATASET_ENDING else []
     if not known:
         return
     form = next((form for form in known if form.write is not None), known[0])

@@ -59,8 +59,10 @@ def run_report(
 def _remove_outdated(folder: Path, written: list[str]) -> list[str]:
     """Remove the figures that an earlier report wrote into the folder and this one did not, by their names and content.
 
-    Files of other commands, and renamed ones, stay.
+    Files of other commands, and renamed ones, stay. Other kinds are imported only where something may have to go.
     """
+    if not _has_other_figures(folder, written):
+        return []
     known = {f"{name}.{form}" for name in known_figures() for form in FIGURE_FORMATS}
     outdated = sorted(folder / name for name in known - set(written))
     removed = []
@@ -73,3 +75,12 @@ def _remove_outdated(folder: Path, written: list[str]) -> list[str]:
             why = f"{path}: is of an earlier report and cannot be removed ({error.strerror}). Remove it yourself."
             raise InvalidInput(why) from None
     return removed
+
+
+def _has_other_figures(folder: Path, written: list[str]) -> bool:
+    """Whether a folder may have figures besides those just written, by the endings of names."""
+    endings = {f".{form}" for form in FIGURE_FORMATS}
+    try:
+        return any(path.suffix.lower() in endings and path.name not in written for path in folder.iterdir())
+    except OSError:  # of a folder that one may write into and not list
+        return True

@@ -1,13 +1,19 @@
-"""The list of file formats: the modules of ``formats/forms``, those of wings, and those of other packages."""
+"""The list of file formats: the modules of ``formats/forms``, those of wings, and those of other packages.
+
+What is asked of all of them stands in the tables ``plugin.toml``, so that only a format that is used is imported. Those
+of other packages are imported in order to ask them.
+"""
 
 from __future__ import annotations
 
 import contextlib
 import pkgutil
+from collections.abc import Callable, Iterator
+from fnmatch import fnmatch
 from functools import cache
-from importlib import import_module
+from importlib.metadata import EntryPoint
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from polhode.errors import InvalidInput
 from polhode.formats.form import Form
@@ -18,34 +24,58 @@ GROUP = "polhode.formats"
 HOME = Path(__file__).parent / "forms"
 
 
-@cache
+class _Listed(NamedTuple):
+    """A form of this package that need not be imported: where it is, and what its table says."""
+
+    point: EntryPoint
+    told: dict[str, Any]
+
+    def load(self) -> Form:
+        return self.point.load()
+
+    def may(self, fits: Callable[[dict[str, Any]], bool]) -> bool:
+        """Whether its table says something fitting, or too little to know."""
+        return "ending" not in self.told or fits(self.told)
+
+
 def forms() -> dict[str, Form]:
     """Return all forms by name, those of other packages last; those that cannot be imported are left out."""
-    own = _beside() | {name: point.load() for name, point in wing_points(GROUP).items()}
-    by_name: dict[str, Form] = {form.name: form for _, form in sorted(own.items())}
-    return by_name | {form.name: form for form in _of_others() if form.name not in by_name}
+    return {name: one.load() for name, one in _own().items()} | _others()
+
+
+def find_form(name: str) -> Form | None:
+    """Return a form by name, None where there is none; of polhode's own, it alone is imported."""
+    own = _own().get(name)
+    return _others().get(name) if own is None else own.load()
 
 
 def writable_names() -> list[str]:
     """Return the names of the forms that can be written, in the order of ``forms``; those of wings are not imported."""
-    beside = [form.name for form in _beside().values() if form.write is not None]
-    wings = [name for name, details in wing_details(GROUP).items() if details.get("writes")]
-    own = sorted({*beside, *wings})
-    return [*own, *(form.name for form in _of_others() if form.write is not None and form.name not in own)]
+    own = [name for name, one in _own().items() if _is_written(one)]
+    return [*own, *(name for name, form in _others().items() if form.write is not None)]
+
+
+def _is_written(one: _Listed) -> bool:
+    return bool(one.told.get("writes")) or ("ending" not in one.told and one.load().write is not None)
 
 
 @cache
-def _beside() -> dict[str, Form]:
-    """Return the forms in the folder ``forms``, by their modules."""
-    names = [module.name for module in pkgutil.iter_modules([str(HOME)])]
-    return {name: import_module(f"polhode.formats.forms.{name}").FORM for name in names}
+def _own() -> dict[str, _Listed]:
+    """Return the forms of this package by name, in the order of their modules; none is imported."""
+    beside = {module.name: f"polhode.formats.forms.{module.name}:FORM" for module in pkgutil.iter_modules([str(HOME)])}
+    points = {name: EntryPoint(name, value, GROUP) for name, value in beside.items()} | wing_points(GROUP)
+    listed = [_Listed(point, wing_details(GROUP).get(name, {})) for name, point in sorted(points.items())]
+    return {one.told.get("name", one.point.name): one for one in listed}
 
 
-def _of_others() -> list[Form]:
-    found = []
-    for point in find_entry_points(GROUP, {*_beside(), *wing_points(GROUP)}).values():
+@cache
+def _others() -> dict[str, Form]:
+    """Return the forms of other packages by name, but those that cannot be imported."""
+    found = {}
+    for point in find_entry_points(GROUP, _own()).values():
         with contextlib.suppress(InvalidInput):
-            found.append(_load(point))
+            form = _load(point)
+            found |= {} if form.name in _own() else {form.name: form}
     return found
 
 
@@ -68,14 +98,28 @@ def check_importable(name: str) -> None:
 
 def writable_forms() -> dict[str, Form]:
     """Return those that can be written, by name."""
-    return {name: form for name, form in forms().items() if form.write is not None}
+    return {name: form for name in writable_names() if (form := find_form(name)) is not None}
+
+
+def forms_that_end(ending: str) -> list[Form]:
+    """Return the forms whose files' names have an ending, in the order of ``forms``."""
+    return [form for form in _asked(lambda told: told["ending"] == ending) if form.ending == ending]
 
 
 def form_that_is_named(path: Path) -> Form | None:
     """Return the form of a file whose content does not show it, by its name; None for none of them."""
-    return next((form for form in forms().values() if form.named is not None and form.named(path)), None)
+    asked = _asked(lambda told: any(fnmatch(path.name, pattern) for pattern in told.get("names", ())))
+    return next((form for form in asked if form.named is not None and form.named(path)), None)
 
 
 def form_that_begins(head: bytes) -> Form | None:
     """Return the form of a file by the bytes that it begins with; None for none of them."""
-    return next((form for form in forms().values() if form.begins is not None and form.begins(head)), None)
+    small = head.lower()
+    asked = _asked(lambda told: any(text.lower().encode() in small for text in told.get("heads", ())))
+    return next((form for form in asked if form.begins is not None and form.begins(head)), None)
+
+
+def _asked(fits: Callable[[dict[str, Any]], bool]) -> Iterator[Form]:
+    """Yield the forms that the tables do not rule out, each imported when its turn comes, then those of others."""
+    yield from (one.load() for one in _own().values() if one.may(fits))
+    yield from _others().values()

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from polhode.errors import InvalidInput, shown
-from polhode.formats.form import Content
-from polhode.formats.form_registry import writable_forms
+from polhode.formats.form import Content, Form
+from polhode.formats.form_registry import forms_that_end, writable_forms
 from polhode.formats.paths import as_path
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.exact import ExactMotion
@@ -44,9 +44,13 @@ def write_content(content: Content, path: Path) -> Path:
     Raises:
         InvalidInput: as ``write_motion`` does.
     """
-    forms = {form.ending: form for form in writable_forms().values() if form.of_motion or form.sampled}
-    form = forms.get(path.suffix.lower())
-    if form is None or form.write is None:
-        raise InvalidInput(f"{path}: must end in {', '.join(sorted(forms))}, the formats of motions; "
+    fitting = [form for form in forms_that_end(path.suffix.lower()) if form.write is not None and _is_of_motions(form)]
+    if not fitting:
+        endings = sorted({form.ending for form in writable_forms().values() if _is_of_motions(form)})
+        raise InvalidInput(f"{path}: must end in {', '.join(endings)}, the formats of motions; "
                            f"got {shown(path.suffix)}. Rename it.")  # fmt: skip
-    return form.save(content, path)
+    return fitting[-1].save(content, path)
+
+
+def _is_of_motions(form: Form) -> bool:
+    return form.of_motion or form.sampled

@@ -1,10 +1,13 @@
-"""The list of kinds: the folders next to this file, those of wings, and those of other packages."""
+"""The list of kinds: the folders next to this file, those of wings, and those of other packages.
+
+What is asked of all of them stands in the tables ``plugin.toml``, so that a spec imports the kind that it names alone.
+"""
 
 from __future__ import annotations
 
 import contextlib
 import pkgutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from importlib.metadata import EntryPoint
 from pathlib import Path
@@ -13,7 +16,7 @@ from typing import Any
 from polhode.errors import InvalidInput, PolhodeError
 from polhode.kinds.base import AbstractKind, NextStep, Spec
 from polhode.plugins import find_entry_points, load_entry_point, record_nothing
-from polhode.plugins.wings import wing_points
+from polhode.plugins.wings import wing_details, wing_points
 
 GROUP = "polhode.kinds"
 HOME = Path(__file__).parent
@@ -58,12 +61,13 @@ def find_kind(name: str) -> AbstractKind | None:
 @cache
 def default_kind() -> AbstractKind:
     """Return the kind that a spec without [system] means, one of this package's own."""
-    return next(kind for name in sorted(_own()) if (kind := find_kind(name)) is not None and kind.is_default)
+    return next(_own()[name].load() for name, told in wing_details(GROUP).items() if told.get("default"))
 
 
 def other_kind(subject: str, in_closed_form: bool) -> AbstractKind | None:
     """Return another kind with the same subject, in closed form or by steps, for a remedy to name; None without one."""
-    alike = (kind for kind in _importable() if kind.subject == subject != "")
+    named = [name for name in kind_names() if _may_have(name, "subject", lambda told: told == subject)]
+    alike = (kind for kind in _importable(named) if kind.subject == subject != "")
     return next((kind for kind in alike if kind.in_closed_form == in_closed_form), None)
 
 
@@ -92,13 +96,26 @@ def kind_of_source(source: Any) -> AbstractKind | None:
 
 def next_steps(spec: Spec) -> list[NextStep]:
     """Return the commands that a report suggests: those of its own kind, and of other kinds that can use its body."""
-    others = (kind for kind in _importable() if kind is not spec.kind)
+    def is_for(keys: list[str]) -> bool:
+        return any(getattr(spec.source, key, None) is not None for key in keys)
+
+    named = [name for name in kind_names() if _may_have(name, "offers", is_for)]
+    others = (kind for kind in _importable(named) if kind is not spec.kind)
     return [*spec.kind.next_steps(spec), *(step for kind in others for step in kind.offers(spec))]
 
 
-def _importable() -> Iterator[AbstractKind]:
-    """Yield all kinds but those of other packages that cannot be imported; to be listed is not to take part."""
-    for name in kind_names():
+def _may_have(name: str, key: str, fits: Callable[[Any], bool]) -> bool:
+    """Whether a kind's line in the tables has a key with a fitting value; only importing tells it of others' kinds."""
+    told = wing_details(GROUP).get(name, {})
+    return name not in _own() or (key in told and fits(told[key]))
+
+
+def _importable(names: Iterable[str] | None = None) -> Iterator[AbstractKind]:
+    """Yield kinds, all or those of some names, but those of other packages that cannot be imported.
+
+    To be listed is not to take part.
+    """
+    for name in kind_names() if names is None else names:
         with contextlib.suppress(PolhodeError):
             with record_nothing():
                 kind = find_kind(name)

@@ -17,7 +17,7 @@ from polhode.analysis.attitude_history import AttitudeHistory
 from polhode.errors import FormatError, InvalidInput, PolhodeError, one_line, shown
 from polhode.formats.attitude_checks import check_recorded, single_attitude
 from polhode.formats.form import Form, Kernels
-from polhode.formats.form_registry import form_that_begins, form_that_is_named, forms
+from polhode.formats.form_registry import find_form, form_that_begins, form_that_is_named
 from polhode.formats.labels import AttitudeLabels, Recording, find_labels
 from polhode.formats.opening import is_folder, open_file
 from polhode.formats.stamps import exact_number
@@ -78,7 +78,7 @@ def kind_in_words(kind: str, article: bool = True) -> str:
     >>> kind_in_words("aem"), kind_in_words("spec", article=False)
     ('an AEM', 'spec')
     """
-    form = forms().get(kind)
+    form = find_form(kind)
     name = kind if form is None else form.title
     return f"{'an' if name[0] == 'A' else 'a'} {name}" if article else name
 
@@ -119,7 +119,7 @@ def detect_kind(path: Path, table: TableMapping | None = None) -> str:
 
 def is_table(kind: str) -> bool:
     """Whether a kind of file is a table of another tool, whose reading is told."""
-    return kind == TABLE or (kind in forms() and forms()[kind].is_table)
+    return kind == TABLE or ((form := find_form(kind)) is not None and form.is_table)
 
 
 def _fits(path: Path, table: TableMapping) -> bool:
@@ -168,7 +168,7 @@ def read_recorded(
             raise needs_mapping(path)
         read = read_columns(path, table.mapping)
         return kind, read, find_labels(read)
-    form = forms().get(kind)
+    form = find_form(kind)
     if form is None or form.read is None:
         raise InvalidInput(f"{path}: is no AEM, C-kernel, table or dataset, as it does not begin like one. Check the "
                            "file.")  # fmt: skip
@@ -234,7 +234,7 @@ def _resolution(kind: str, recorded: Trajectory) -> float:
     said = recorded.source.attributes.get("time_resolution") if isinstance(recorded.source, Recording) else None
     if isinstance(said, float | int) and said > 0.0:
         return float(said)
-    return forms()[kind].resolution if kind in forms() else 0.0
+    return 0.0 if (form := find_form(kind)) is None else form.resolution
 
 
 def _find_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanics | None:

@@ -1,4 +1,6 @@
 """The file formats: one module each with its ``FORM``, which is found without being registered.
 
+Its line in ``polhode/plugin.toml`` says how its files are recognised, so that it is imported only to be used.
+
 Another package adds one by the entry-point group ``polhode.formats``.
 """

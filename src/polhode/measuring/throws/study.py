@@ -10,7 +10,7 @@ import numpy as np
 
 from polhode.errors import InvalidInput, shown
 from polhode.formats.form import Kernels
-from polhode.formats.form_registry import forms
+from polhode.formats.form_registry import find_form
 from polhode.formats.numerals import read_number
 from polhode.measuring.attitudes.attitude_fit import fit_attitude
 from polhode.measuring.attitudes.report import AttitudeReport
@@ -66,7 +66,7 @@ def _attitude_kind(path: Path, table: TableMapping | None) -> str | None:
     if not path.is_file() or is_archive(path):
         return None
     kind = detect_kind(path, table)
-    return kind if kind in forms() else None
+    return None if find_form(kind) is None else kind
 
 
 def _fit_attitudes(path: Path, kind: str, options: FitOptions) -> AttitudeReport:
