@@ -6,7 +6,9 @@ import pytest
 from polhode.exact._blocks import columns_in_blocks
 from polhode.exact._closed_form import COMPILING
 from polhode.exact.free_body import _evaluation as free_body
+from polhode.exact.free_body import _preparation as of_free_body
 from polhode.exact.lagrange_top import _evaluation as lagrange_top
+from polhode.exact.lagrange_top import _preparation as of_lagrange_top
 
 
 class ByArrays:
@@ -31,8 +33,11 @@ class ByArrays:
 
 def numpy_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave all bodies and times to NumPy."""
-    for module, prepare in ((free_body, "_columns_of_bodies"), (lagrange_top, "_columns_of_tops")):
-        monkeypatch.setattr(module, "FORM", ByArrays(getattr(module, prepare), module.STATES.evaluate))
+    for module, prepare, states in (
+        (free_body, "_columns_of_bodies", of_free_body.STATES),
+        (lagrange_top, "_columns_of_tops", of_lagrange_top.STATES),
+    ):  # fmt: skip
+        monkeypatch.setattr(module, "FORM", ByArrays(getattr(module, prepare), states.evaluate))
 
 
 def compiled_alone(monkeypatch: pytest.MonkeyPatch) -> None:

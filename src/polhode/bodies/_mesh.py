@@ -6,7 +6,6 @@ import numpy as np
 
 from polhode.bodies._inertia import MassProperties, inertia_of_second
 from polhode.bodies._mesh_gate import as_mesh, check_mesh, triple_products
-from polhode.bodies._mesh_repair import repair_mesh
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -30,6 +29,8 @@ def mass_properties(
                 "Check sign and units."
             )
     if repair:
+        from polhode.bodies._mesh_repair import repair_mesh
+
         vertices, faces, _ = repair_mesh(vertices, faces)
     vertices, faces = check_mesh(vertices, faces, several, repair or repaired)
     volume, center, second = volume_moments(vertices[faces])

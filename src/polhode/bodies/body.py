@@ -11,9 +11,6 @@ from typing import Any
 import numpy as np
 
 from polhode.arrays import known_numbers_only
-from polhode.bodies import _mesh as mesh
-from polhode.bodies import _points as points
-from polhode.bodies import atoms
 from polhode.bodies._inertia import (
     LARGEST,
     ROUNDING,
@@ -164,7 +161,9 @@ class Body:
         >>> Body.from_points([1.0, 1.0], [[-1, 0, 0], [1, 0, 0]]).principal_moments
         array([0., 2., 2.])
         """
-        return cls(*points.mass_properties(masses, positions))
+        from polhode.bodies._points import mass_properties
+
+        return cls(*mass_properties(masses, positions))
 
     @classmethod
     @known_numbers_only
@@ -188,7 +187,9 @@ class Body:
         Raises:
             InvalidInput: for unknown symbols, atoms at one place, or arrays that do not match.
         """
-        return cls(*atoms.mass_properties(symbols, positions, masses))
+        from polhode.bodies.atoms import mass_properties
+
+        return cls(*mass_properties(symbols, positions, masses))
 
     @classmethod
     @known_numbers_only
@@ -219,7 +220,9 @@ class Body:
 
         Source: Tonon, J. Math. Stat. 1 (2004) 8 (signed tetrahedra); Mirtich, J. Graphics Tools 1 (1996) 31.
         """
-        return cls(*mesh.mass_properties(vertices, faces, mass=mass, density=density, several=several, repair=repair))
+        from polhode.bodies._mesh import mass_properties
+
+        return cls(*mass_properties(vertices, faces, mass=mass, density=density, several=several, repair=repair))
 
     @classmethod
     @known_numbers_only
@@ -245,7 +248,9 @@ class Body:
         >>> Body.from_sheet(square, [[0, 1, 2], [0, 2, 3]], mass=12.0).principal_moments
         array([1., 1., 2.])
         """
-        return cls(*mesh.sheet_properties(vertices, faces, mass=mass, density=density, thickness=thickness))
+        from polhode.bodies._mesh import sheet_properties
+
+        return cls(*sheet_properties(vertices, faces, mass=mass, density=density, thickness=thickness))
 
     @cached_property
     def _principal(self) -> tuple[Float64[Array, "3"], Float64[Array, "3 3"]]:

@@ -16,7 +16,6 @@ from polhode.formats.dataset_rules import COMPLEX_PART, COMPONENTS, COUNTED, MEM
 from polhode.formats.labels import AttitudeLabels, find_labels
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import as_path, write_whole
-from polhode.formats.zarr_gate import DOCUMENTS
 from polhode.motion._outcome import Outcome
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
@@ -261,6 +260,8 @@ def _check_finite(trajectory: Trajectory) -> None:
 
 def _is_our_store(path: Path) -> bool:
     """Whether a folder is the store of a motion, as written here; a sweep's store also has a hidden folder."""
+    from polhode.formats.zarr_gate import DOCUMENTS
+
     try:
         attributes = json.loads(read_file(path / ".zattrs", "Zarr", MB))
     except (ValueError, RecursionError):

@@ -10,14 +10,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.bodies._mesh_repair import repair_mesh
+from polhode.bodies._mesh import mass_properties
+from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.mesh_archives import LIBRARIES, check_archive
+from polhode.formats.mesh_archives import LIBRARIES, check_archive, names_its_unit
 from polhode.formats.mesh_checks import as_text, check_content
-from polhode.formats.obj_mesh import read_obj
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import as_path
-from polhode.formats.stl_mesh import read_stl
 from polhode.types import Array, Float64, Integer
 
 LARGEST_FILE = 256 * MB  # five million triangles of a binary STL
@@ -83,6 +82,8 @@ def load_mesh(path: str | Path, unit: float | None = None, repair: bool = False)
     vertices, faces = _merge(vertices, faces.astype(np.int64))
     if not repair:
         return LoadedMesh(vertices * unit, faces)
+    from polhode.bodies._mesh_repair import repair_mesh
+
     try:
         near, index = _merge_nearby(vertices, faces)
         merged = len(vertices) - len(near)
@@ -94,6 +95,15 @@ def load_mesh(path: str | Path, unit: float | None = None, repair: bool = False)
     return LoadedMesh(vertices * unit, faces, _say(changes, merged))
 
 
+def body_of_mesh(
+    read: LoadedMesh, mass: float | None, density: float | None, *, several: bool, repaired: bool
+) -> Body:
+    """Return the body that a mesh from a file bounds, which was repaired there if that was asked for."""
+    return Body(*mass_properties(
+        read.vertices, read.faces, mass=mass, density=density, several=several, repaired=repaired
+    ))  # fmt: skip
+
+
 def _say(changes: tuple[str, ...], merged: int) -> tuple[str, ...]:
     """Return what repair did as one sentence."""
     if merged:
@@ -101,11 +111,6 @@ def _say(changes: tuple[str, ...], merged: int) -> tuple[str, ...]:
     if not changes:
         return ("repair found nothing to mend.",)
     return (f"repair {' and '.join(filter(None, (', '.join(changes[:-1]), changes[-1])))}.",)
-
-
-def names_its_unit(path: str | Path) -> bool:
-    """Return whether mesh files of this ending say what their unit is."""
-    return Path(path).suffix.lower().lstrip(".") in LIBRARIES
 
 
 def _load(path: Path, content: bytes, unit: float | None) -> tuple[Array, Array, float]:
@@ -116,8 +121,12 @@ def _load(path: Path, content: bytes, unit: float | None) -> tuple[Array, Array,
         why = f"a mesh file must end in one of {known}; got {shown(path.suffix)}"
         raise FormatError(f"{path}: {why}. Convert it to STL.")
     if ending == "obj":
+        from polhode.formats.obj_mesh import read_obj
+
         return *read_obj(path, as_text(path, content)), unit or 1.0
     if ending == "stl":
+        from polhode.formats.stl_mesh import read_stl
+
         return *read_stl(path, content), unit or 1.0
     if ending in LIBRARIES:
         unit = check_archive(path, ending, content, unit)

@@ -22,6 +22,11 @@ _MODEL = re.compile(rb"<(?:\w+:)?model\b[^>]*?\bunit\s*=\s*[\"'](\w+)[\"']")
 _ASSET = re.compile(rb"<unit\b[^>]*?\bmeter\s*=\s*[\"']([^\"']+)[\"']")
 
 
+def names_its_unit(path: str | Path) -> bool:
+    """Return whether mesh files of this ending say what their unit is."""
+    return Path(path).suffix.lower().lstrip(".") in LIBRARIES
+
+
 def check_archive(path: Path, ending: str, content: bytes, unit: float | None) -> float:
     """Refuse a file that trimesh should not see, or whose unit is another one, and return its unit [m].
 

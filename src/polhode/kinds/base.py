@@ -18,7 +18,6 @@ from pydantic import BaseModel
 
 from polhode.analysis._mechanics import Mechanics
 from polhode.bodies.body import Body
-from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.kinds.ensembles import Ensemble, ManySpecs
@@ -28,18 +27,16 @@ from polhode.plugins import Plugin
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import MotionReport, SystemReport
 from polhode.spec.building import build_coning, build_spin
-from polhode.spec.looks import paint_body
 from polhode.spec.models import BodyTable, SpinTable, SystemTable
-from polhode.spec.part_overlaps import notes_on_places
 from polhode.spec.reach import REACH, most_extreme
 from polhode.spec.remarks import remarks_on
 from polhode.spec.rules import Mistake
-from polhode.spec.surfaces import surface_of_body
 from polhode.types import Array, Float64
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from polhode.bodies.surface import Surface
     from polhode.motion.base import AbstractMotion
     from polhode.viewer.panels import PageContent
     from polhode.viewer.samples import Samples
@@ -283,7 +280,11 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         Raises:
             InvalidInput: if a file that the body came from is gone since.
         """
-        return None if spec.source is None else surface_of_body(spec.source, spec.folder)
+        if spec.source is None:
+            return None
+        from polhode.spec.surfaces import surface_of_body
+
+        return surface_of_body(spec.source, spec.folder)
 
 
 def _kind_in(module: str) -> AbstractKind:
@@ -332,7 +333,11 @@ class Spec(Generic[TableT]):
     @cached_property
     def picture(self) -> Surface | None:
         """What a page draws of the body: its surface, painted if the spec names a look."""
-        return self.surface if self.source is None else paint_body(self.source, self.surface)
+        if self.source is None:
+            return self.surface
+        from polhode.spec.looks import paint_body
+
+        return paint_body(self.source, self.surface)
 
     @property
     def times(self) -> Float64[Array, "time"] | None:
@@ -352,6 +357,8 @@ class Spec(Generic[TableT]):
         parts = None if self.source is None else self.source.part
         if self.source is None or parts is None:
             return self.body_notes
+        from polhode.spec.part_overlaps import notes_on_places
+
         return self.body_notes + notes_on_places(parts, self.source.density, self.folder)
 
     def start(

@@ -12,8 +12,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
-from polhode.formats.mesh import names_its_unit
-from polhode.formats.molecule import FORMS
+from polhode.formats.mesh_archives import names_its_unit
 from polhode.formats.opening import open_for_a_spec
 from polhode.formats.paths import as_path
 from polhode.kinds.base import AbstractKind, Spec
@@ -21,9 +20,8 @@ from polhode.kinds.registry import default_kind, find_kind, kind_names, kinds_wi
 from polhode.plugins import record_plugins
 from polhode.reports.base import SystemReport
 from polhode.reports.report import with_inputs
-from polhode.spec.assembly import PartsRefused
 from polhode.spec.building import build_body
-from polhode.spec.built import BuiltBody
+from polhode.spec.built import BuiltBody, PartsRefused
 from polhode.spec.export import make_labels
 from polhode.spec.mistakes import as_message, list_mistakes
 from polhode.spec.models import BodyTable, SpecFile, SystemTable, known_keys
@@ -54,6 +52,8 @@ def read_spec_or_molecule(path: str | Path) -> Spec[Any]:
     Raises:
         InvalidInput, FormatError: as ``read_spec`` does.
     """
+    from polhode.formats.molecule import FORMS
+
     path = Path(path)
     if path.suffix.lower().lstrip(".") in FORMS:
         return build_spec({"body": {"molecule": path.name}}, path)

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from polhode.errors import InvalidInput
-from polhode.plugins.code import digest_code, list_edited_modules, modules_of
 
 # whose versions change numbers, or how a spec is read; a test of the house looks for others
 COMPUTED_BY = ("numpy", "scipy", "array-api-compat", "numba", "llvmlite", "jax", "jaxlib", "equinox", "diffrax",
@@ -129,6 +128,8 @@ def digest_plugins(plugins: Iterable[Plugin]) -> dict[Plugin, str]:
 
 def list_modules_of_others() -> list[Path]:
     """Return the files of modules of this process that are neither polhode's nor installed, whoever imported them."""
+    from polhode.plugins.code import list_edited_modules
+
     return sorted(set(list_edited_modules(_KNOWN)))
 
 
@@ -137,5 +138,7 @@ def _plugin(point: Any) -> Plugin:
 
 
 def _digest(point: Any) -> str:
+    from polhode.plugins.code import digest_code, modules_of
+
     own = modules_of(getattr(point, "dist", None))
     return digest_code(str(point.value).partition(":")[0].strip(), own, _KNOWN)

@@ -14,11 +14,11 @@ import numpy as np
 from polhode import rotation
 from polhode.bodies import _solids as solids
 from polhode.bodies._inertia import MassProperties, inertia_of_second
-from polhode.bodies._mesh import mass_properties, volume_moments
+from polhode.bodies._mesh import volume_moments
 from polhode.bodies.body import Body, combine
 from polhode.errors import InvalidInput
-from polhode.formats.mesh import LoadedMesh, load_mesh
-from polhode.spec.built import BuiltBody, BuiltPart, ReadBody
+from polhode.formats.mesh import body_of_mesh, load_mesh
+from polhode.spec.built import BuiltBody, BuiltPart, PartsRefused, ReadBody
 from polhode.spec.known_inertia import build_known
 from polhode.spec.models import MAY_HAVE, SHAPE_KEYS, PartTable
 from polhode.types import Array, Float64
@@ -27,18 +27,6 @@ TURNS = {"z": np.eye(3), "x": np.eye(3)[[2, 0, 1]], "y": np.eye(3)[[1, 2, 0]]}
 TURNS |= {f"-{axis}": turn * [1.0, -1.0, -1.0] for axis, turn in TURNS.items()}
 SAME_DENSITY = 1e-9  # relative: what volumes and masses in decimal digits leave
 NO_DENSITY = ("point", "disk", "rod")  # too thin to cut anything out of
-
-
-class PartsRefused(InvalidInput):
-    """Several parts are none that a body can have.
-
-    Attributes:
-        faults: number of each such part, and what is wrong with it.
-    """
-
-    def __init__(self, faults: Sequence[tuple[int, InvalidInput]]) -> None:
-        super().__init__("; ".join(f"part.{k + 1}: {error}" for k, error in faults))
-        self.faults = tuple(faults)
 
 
 def turn_of(part: PartTable) -> Float64[Array, "3 3"]:
@@ -157,12 +145,3 @@ def _mesh(part: PartTable, density: float | None, folder: Path) -> tuple[Body, f
         raise InvalidInput(f"mesh {part.mesh}: {error}") from None
     volume = abs(volume_moments(np.asarray(read.vertices)[read.faces])[0])
     return body, volume, read.notes
-
-
-def body_of_mesh(
-    read: LoadedMesh, mass: float | None, density: float | None, *, several: bool, repaired: bool
-) -> Body:
-    """Return the body that a mesh from a file bounds, which was repaired there if that was asked for."""
-    return Body(*mass_properties(
-        read.vertices, read.faces, mass=mass, density=density, several=several, repaired=repaired
-    ))  # fmt: skip

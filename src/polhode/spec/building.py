@@ -10,17 +10,11 @@ import numpy as np
 from pydantic import ValidationError
 
 from polhode import rotation
-from polhode.analysis.coning import coning_momentum
-from polhode.analysis.thermal import thermal_momentum
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput
-from polhode.formats.mesh import load_mesh
-from polhode.formats.molecule import read_molecule
-from polhode.spec.assembly import body_of_mesh, build_assembly, build_part
 from polhode.spec.body_files import read_body_file
 from polhode.spec.built import BuiltBody
-from polhode.spec.known_inertia import build_known
 from polhode.spec.mistakes import as_message, list_mistakes
 from polhode.spec.models import BodyTable, SpinTable
 from polhode.spec.parsing import read_tables
@@ -50,6 +44,8 @@ def build_part_of(table: BodyTable, number: int, folder: Path) -> Body | MassPro
     Raises:
         InvalidInput, FormatError: as ``build_body`` does.
     """
+    from polhode.spec.assembly import build_part
+
     files, part = _Files(), (table.part or [])[number]
     density = table.density or 1.0  # of a cut that leaves it to the others, whose centre of mass does not depend on it
     return build_part(part, density, folder, lambda path: files.read(path, ())).properties
@@ -85,13 +81,19 @@ class _Files:
     def build(self, table: BodyTable, folder: Path, above: tuple[Path, ...]) -> BuiltBody:
         """Return the body; ``above`` are the specs that it is part of, and its own."""
         if table.part is not None:
+            from polhode.spec.assembly import build_assembly
+
             return build_assembly(table.part, table.density, folder, lambda path: self.read(path, above))
         if table.mesh is not None:
+            from polhode.formats.mesh import body_of_mesh, load_mesh
+
             read = load_mesh(folder / table.mesh, table.mesh_unit, table.repair)
             with _of_file("mesh", table.mesh):
                 body = body_of_mesh(read, table.mass, table.density, several=table.several, repaired=table.repair)
             return BuiltBody(body, tuple(f"mesh {table.mesh}: {note}" for note in read.notes))
         if table.moments is not None or table.inertia is not None:
+            from polhode.spec.known_inertia import build_known
+
             return build_known(table)
         return BuiltBody(_of_molecule_or_file(table, folder))
 
@@ -120,6 +122,8 @@ def _of_molecule_or_file(table: BodyTable, folder: Path) -> Body:
             remedy = " Constants of a flat molecule that vibrates may: set allow_vibration = true to take them."
             raise InvalidInput(f"{error}{'' if table.allow_vibration else remedy}") from None
     if table.molecule is not None:
+        from polhode.formats.molecule import read_molecule
+
         atoms = read_molecule(folder / table.molecule)
         with _of_file("molecule", table.molecule):
             return Body.from_atoms(*atoms)
@@ -151,6 +155,8 @@ def build_spin(
     start = (1.0, 0.0, 0.0, 0.0) if table is None else table.attitude
     attitude = rotation.multiply(rotation.normalize(start), rotation.from_matrix(axes))
     if table is not None and table.temperature is not None:
+        from polhode.analysis.thermal import thermal_momentum
+
         return thermal_momentum(moments, table.temperature), attitude
     ways = () if table is None else (table.momentum, table.angular_velocity, table.rate)
     if table is None or all(way is None for way in ways):
@@ -176,6 +182,8 @@ def build_coning(
     Raises:
         InvalidInput: for another body, and for rates that no coning has.
     """
+    from polhode.analysis.coning import coning_momentum
+
     precession = None if table.precession is None else float(table.precession)
     attitude = rotation.multiply(rotation.normalize(table.attitude), rotation.from_matrix(axes))
     return coning_momentum(moments, table.nutation, table.spin, precession), attitude

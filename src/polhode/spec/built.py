@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
+from polhode.errors import InvalidInput
 
 
 class BuiltBody(NamedTuple):
@@ -38,3 +39,15 @@ class BuiltPart(NamedTuple):
 
 ReadBody = Callable[[Path], BuiltBody]
 """Returns the body of another spec."""
+
+
+class PartsRefused(InvalidInput):
+    """Several parts are none that a body can have.
+
+    Attributes:
+        faults: number of each such part, and what is wrong with it.
+    """
+
+    def __init__(self, faults: Sequence[tuple[int, InvalidInput]]) -> None:
+        super().__init__("; ".join(f"part.{k + 1}: {error}" for k, error in faults))
+        self.faults = tuple(faults)

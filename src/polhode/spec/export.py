@@ -10,7 +10,6 @@ from typing import Annotated, Any
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 
 from polhode.errors import shown
-from polhode.formats.epochs import read_epoch, shortest
 from polhode.formats.labels import AttitudeLabels, plain
 from polhode.spec.fields import one_of
 
@@ -90,6 +89,8 @@ def export_rules(table: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...],
     if isinstance(epoch, datetime) and epoch.tzinfo and system != "UTC":
         yield ("export", "epoch"), f"has a zone, which only UTC has; leave the zone out for {system}"
         return
+    from polhode.formats.epochs import read_epoch
+
     try:
         read_epoch(text, system)
     except ValueError as error:
@@ -114,6 +115,8 @@ def make_labels(table: ExportTable, name: str) -> AttitudeLabels:
     fields: dict[str, Any] = {"object_name": _in_ascii(name)}
     fields |= {key: value for key, value in table.model_dump().items() if value is not None}
     if table.epoch is not None:
+        from polhode.formats.epochs import read_epoch, shortest
+
         fields["epoch"] = shortest(read_epoch(table.epoch, table.time_system), table.time_system)
     return AttitudeLabels(**fields)
 

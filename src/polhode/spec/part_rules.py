@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from polhode.formats.mesh import names_its_unit
+from polhode.formats.mesh_archives import names_its_unit
 from polhode.spec.models import MAY_HAVE, PART_SOURCES, SHAPE_KEYS, WITHOUT_VOLUME
 from polhode.spec.words import list_words
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from polhode.analysis.thermal import BOLTZMANN, rotational_temperature
-from polhode.bodies.atoms import ATOMIC_MASS_UNIT
 from polhode.bodies.body import Body
 from polhode.spec.models import SpinTable
 
@@ -23,6 +21,8 @@ def remarks_on_body(body: Body | None) -> tuple[str, ...]:
     """Return what was assumed of a body."""
     if body is None or body.inertial_defect <= 0.0:
         return ()
+    from polhode.bodies.atoms import ATOMIC_MASS_UNIT
+
     defect = body.inertial_defect / (ATOMIC_MASS_UNIT * ANGSTROM**2)
     text = (
         "the rotational constants are averages over vibration, and their moments those of no rigid body: the inertial "
@@ -33,6 +33,8 @@ def remarks_on_body(body: Body | None) -> tuple[str, ...]:
 
 
 def _of_temperature(body: Body | None, temperature: float) -> str:
+    from polhode.analysis.thermal import BOLTZMANN, rotational_temperature
+
     text = (
         f"the spin is typical of {temperature:.6g} K: each principal axis has the root mean square angular momentum of "
         f"classical thermal equilibrium, √(kTI), and the energy is 3/2 kT = {1.5 * BOLTZMANN * temperature:.4g} J. "

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from polhode.errors import shown
-from polhode.formats.mesh import names_its_unit
+from polhode.formats.mesh_archives import names_its_unit
 from polhode.spec.body_files import body_file_keys
 from polhode.spec.export import export_rules
 from polhode.spec.models import LOOK_SOURCES, ONE_PART, SystemTable

@@ -1,4 +1,7 @@
-"""Runs the free body's closed form over batches: NumPy in blocks, JAX as one operation with its derivative."""
+"""Runs the free body's closed form over batches: NumPy in blocks, JAX as one operation with its derivative.
+
+What only JAX needs, and bodies that the kernels leave, is imported there: most motions are NumPy's and are not derived.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +11,6 @@ from polhode.arrays import Elementwise, is_jax, namespace, stack_last
 from polhode.exact._blocks import Constants, Vectors, columns_in_blocks, in_blocks, units
 from polhode.exact._closed_form import ClosedForm
 from polhode.exact.free_body import _geometry as geometry
-from polhode.exact.free_body._derivative import state_tangent
-from polhode.exact.free_body._geometry_tangent import changed_numbers
-from polhode.exact.free_body._preparation import STATES, prepare
 from polhode.types import Array, Float64
 
 IDENTITY = np.asarray([1.0, 0.0, 0.0, 0.0])
@@ -25,6 +25,8 @@ def motion_columns(arguments: Vectors) -> Constants:
 
 
 def _columns_of_bodies(moments: Array, momentum: Array, attitude: Array) -> tuple[Array, ...]:
+    from polhode.exact.free_body._preparation import prepare
+
     return prepare(moments, momentum, attitude).motion
 
 
@@ -51,6 +53,8 @@ def _state(moments: Array, momentum: Array, attitude: Array, elapsed: Array, res
     arguments = moments, momentum, attitude
     if not is_jax(elapsed, *arguments):
         return FORM.states(FORM.columns(arguments), elapsed, rest)
+    from polhode.exact.free_body._preparation import STATES
+
     columns = columns_in_blocks(_columns_of_bodies, arguments)
     parts = STATES.evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])
@@ -58,6 +62,8 @@ def _state(moments: Array, momentum: Array, attitude: Array, elapsed: Array, res
 
 def _state_jacobian(*arguments: Array) -> tuple[tuple[Array, Array], Array]:
     """The columns are of moments, momentum, attitude, elapsed time, and its rest, which changes nothing more."""
+    from polhode.exact.free_body._derivative import state_tangent
+
     value = _state(*arguments)
 
     def columns(moments: Array, momentum: Array, attitude: Array, time: Array, turned: Array, moved: Array) -> Array:
@@ -78,6 +84,9 @@ def _numbers(moments: Array, momentum: Array) -> geometry.Characteristics:
 
 
 def _numbers_jacobian(moments: Array, momentum: Array) -> tuple[geometry.Characteristics, Array]:
+    from polhode.exact.free_body._geometry_tangent import changed_numbers
+    from polhode.exact.free_body._preparation import prepare
+
     value = _numbers(moments, momentum)
 
     def columns(moments: Array, momentum: Array, *numbers: Array) -> Array:

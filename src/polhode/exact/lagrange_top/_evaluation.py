@@ -1,4 +1,7 @@
-"""Runs the Lagrange top's closed form over batches: NumPy in blocks, JAX as one operation with its derivative."""
+"""Runs the Lagrange top's closed form over batches: NumPy in blocks, JAX as one operation with its derivative.
+
+What only JAX needs, and tops that the kernels leave, is imported there: most motions are NumPy's and are not derived.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +11,6 @@ from polhode.arrays import Elementwise, is_jax, namespace, stack_last
 from polhode.exact._blocks import Constants, Vectors, columns_in_blocks, in_blocks, units
 from polhode.exact._closed_form import ClosedForm
 from polhode.exact.lagrange_top import _geometry as geometry
-from polhode.exact.lagrange_top._geometry_tangent import changed_numbers
-from polhode.exact.lagrange_top._preparation import STATES, prepare
-from polhode.exact.lagrange_top._tangent import state_tangent, tangent_data
 from polhode.types import Array, Float64
 
 SIZES = (3, 1, 3, 4)  # of moments, mgl, momentum, attitude
@@ -25,6 +25,8 @@ def motion_columns(arguments: Vectors) -> Constants:
 
 
 def _columns_of_tops(*arguments: Array) -> tuple[Array, ...]:
+    from polhode.exact.lagrange_top._preparation import prepare
+
     return prepare(*arguments).motion
 
 
@@ -57,6 +59,8 @@ def _state(*arguments: Array) -> tuple[Array, Array]:
     moments = _symmetric(moments)
     if not is_jax(*arguments):
         return FORM.states(FORM.columns((moments, *vectors)), elapsed, rest)
+    from polhode.exact.lagrange_top._preparation import STATES
+
     columns = columns_in_blocks(_columns_of_tops, (moments, *vectors))
     parts = STATES.evaluate(columns, elapsed, rest)
     return stack_last(parts[:4]), stack_last(parts[4:])
@@ -64,6 +68,9 @@ def _state(*arguments: Array) -> tuple[Array, Array]:
 
 def _state_jacobian(*arguments: Array) -> tuple[tuple[Array, Array], Array]:
     """The columns are of the arguments, of which the rest of the elapsed time changes nothing more."""
+    from polhode.exact.lagrange_top._preparation import prepare
+    from polhode.exact.lagrange_top._tangent import state_tangent, tangent_data
+
     value = _state(*arguments)
 
     def columns(*arguments: Array) -> Array:
@@ -87,6 +94,10 @@ def _numbers(moments: Array, *vectors: Array) -> geometry.Characteristics:
 
 
 def _numbers_jacobian(*arguments: Array) -> tuple[geometry.Characteristics, Array]:
+    from polhode.exact.lagrange_top._geometry_tangent import changed_numbers
+    from polhode.exact.lagrange_top._preparation import prepare
+    from polhode.exact.lagrange_top._tangent import tangent_data
+
     value = _numbers(*arguments)
 
     def columns(*arguments: Array) -> Array:
