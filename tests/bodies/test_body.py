@@ -125,20 +125,31 @@ def test_a_turned_symmetric_body_stays_symmetric_and_a_turned_rod_thin():
 
 
 def test_a_nearly_symmetric_body_is_not_taken_for_symmetric():
-    body = ph.Body.from_moments(1.0, 1.0 + 1e-12, 1.5).placed(ph.rotation.from_rotation_vector([0.3, 0.4, 0.5]))
+    body = ph.Body.from_moments((1.0, 1.0 + 1e-12, 1.5)).placed(ph.rotation.from_rotation_vector([0.3, 0.4, 0.5]))
     assert body.principal_moments[1] - body.principal_moments[0] == pytest.approx(1e-12, rel=1e-2)
-    exact = ph.Body.from_moments(1.0, np.nextafter(1.0, 2.0), 1.5).principal_moments
+    exact = ph.Body.from_moments((1.0, np.nextafter(1.0, 2.0), 1.5)).principal_moments
     assert exact[1] > exact[0]
 
 
 @pytest.mark.parametrize("order", list(itertools.permutations((1.0, 2.5, 3.0))))
 def test_given_axes_of_moments_are_kept(order):
-    body = ph.Body.from_moments(*order)
-    assert body.principal_moments.tolist() == [1.0, 2.5, 3.0]
+    body = ph.Body.from_moments(order)
+    assert body.principal_moments.tolist() == body.moments.tolist() == [1.0, 2.5, 3.0]
     assert np.diag(body.inertia).tolist() == list(order)
     for k, moment in enumerate((1.0, 2.5, 3.0)):
         assert np.abs(body.principal_axes[:, k]).tolist() == [float(value == moment) for value in order]
     assert np.linalg.det(body.principal_axes) == 1.0
+
+
+def test_a_body_takes_the_moments_that_a_motion_takes():
+    for moments in ((3.0, 1.0, 2.5), [3.0, 1.0, 2.5], np.array([3.0, 1.0, 2.5])):
+        body, motion = ph.Body.from_moments(moments, 2.0), ph.FreeMotion(moments, momentum=(0.0, 0.0, 1.0))
+        assert body.mass == 2.0
+        assert np.diag(body.inertia).tolist() == np.asarray(motion.moments).tolist()
+    with pytest.raises(TypeError):
+        ph.Body.from_moments(3.0, 1.0, 2.5)  # pyright: ignore  # as it was called once
+    with pytest.raises(InvalidInput, match="shape"):
+        ph.Body.from_moments(3.0)
 
 
 def test_a_body_cannot_change_under_its_cached_axes():
@@ -165,16 +176,16 @@ def test_other_arrays_are_converted():
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: ph.Body.from_moments(1.0, 1.0, 3.0), "I1 \\+ I2 ≥ I3"),
-        (lambda: ph.Body.from_moments(-1.0, 2.0, 2.0), "negative"),
-        (lambda: ph.Body.from_moments(np.nan, 2.0, 2.0), "finite"),
-        (lambda: ph.Body.from_moments(0.0, 0.0, 0.0), "vanish"),
+        (lambda: ph.Body.from_moments((1.0, 1.0, 3.0)), "I1 \\+ I2 ≥ I3"),
+        (lambda: ph.Body.from_moments((-1.0, 2.0, 2.0)), "negative"),
+        (lambda: ph.Body.from_moments((np.nan, 2.0, 2.0)), "finite"),
+        (lambda: ph.Body.from_moments((0.0, 0.0, 0.0)), "vanish"),
         (lambda: ph.Body(-1.0, (0, 0, 0), np.eye(3)), "mass"),
         (lambda: ph.Body(1.0, (0, 0, 0), [[1, 1, 0], [0, 1, 0], [0, 0, 1]]), "symmetric"),
-        (lambda: ph.Body.from_moments(1, 1, 1).about((0, 0, 1)), "mass"),
+        (lambda: ph.Body.from_moments((1, 1, 1)).about((0, 0, 1)), "mass"),
         (lambda: ph.combine([]), "at least one"),
         (lambda: ph.combine([3.0]), "Body objects"),
-        (lambda: ph.combine([ph.Body.from_moments(1, 1, 1)]), "mass"),
+        (lambda: ph.combine([ph.Body.from_moments((1, 1, 1))]), "mass"),
         (lambda: ph.Body(1.0, (0, 0), np.eye(3)), "shape"),
         (lambda: ph.Body(1.0, (0, 0, 0), np.eye(3) * (1 + 1j)), "complex"),
         (lambda: ph.Body(1.0, (0, 0, 0), np.eye(3, dtype=np.float32)), "float32"),
@@ -196,7 +207,7 @@ def test_a_rod_is_a_body_but_has_no_free_motion():
 
 
 def test_flat_bodies_are_physical_to_rounding():
-    assert ph.Body.from_moments(0.1, 0.2, 0.1 + 0.2).principal_moments[2] > 0.3
+    assert ph.Body.from_moments((0.1, 0.2, 0.1 + 0.2)).principal_moments[2] > 0.3
 
 
 def test_arrays_of_other_libraries_are_converted():
@@ -222,8 +233,8 @@ def test_placed_takes_a_scipy_rotation_or_only_a_shift():
 @pytest.mark.parametrize(
     "make",
     [
-        lambda: ph.Body.from_moments(1e300, 2e300, 3e300),
-        lambda: ph.Body.from_moments(1e-300, 2e-300, 3e-300),
+        lambda: ph.Body.from_moments((1e300, 2e300, 3e300)),
+        lambda: ph.Body.from_moments((1e-300, 2e-300, 3e-300)),
         lambda: ph.shapes.sphere(1.0, 1.0).placed(translation=(1e200, 0, 0)),
         lambda: ph.shapes.sphere(1.0, 1e200),
         lambda: ph.Body.from_points([1.0, 1.0], [[0, 0, 0], [1e200, 0, 0]]),

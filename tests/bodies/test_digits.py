@@ -108,7 +108,7 @@ def test_a_thin_body_of_two_moments_is_a_line_whatever_rounding_leaves():
     for turn in Rotation.random(200, rng=rng).as_matrix():
         body = ph.Body.from_points(rng.uniform(1.0, 9.0, 5), np.outer(rng.normal(size=5), turn[0]))
         assert body.principal_moments[0] == 0.0 and body.principal_moments[1] == body.principal_moments[2]
-    thin = Rotor.from_body(ph.Body.from_moments(1e-56, 1e-46, 1.0000000001e-46))
+    thin = Rotor.from_body(ph.Body.from_moments((1e-56, 1e-46, 1.0000000001e-46)))
     assert thin.is_linear and thin.constants[1] == thin.constants[2]
 
 

@@ -31,7 +31,7 @@ def test_synchronous_libration_on_a_circular_orbit_is_a_pendulum(amplitude):
 @pytest.mark.sweep
 def test_it_is_the_planar_motion_of_the_body_under_the_gravity_gradient():
     orbit = KeplerOrbit(0.7, 0.3, mean_anomaly=0.4)
-    system = SpinOrbit.from_body(ph.Body.from_moments(*MOMENTS), orbit)
+    system = SpinOrbit.from_body(ph.Body.from_moments(MOMENTS), orbit)
     times = np.linspace(0.0, 10.0, 21)
     angle, rate = 0.3, 1.1
     flat = ph.simulate(system, [angle, rate], times)
@@ -65,7 +65,7 @@ def test_the_rate_of_the_energy_is_its_derivative_along_the_motion(factor, kept)
 
 
 def test_from_body_takes_sorted_moments():
-    system = SpinOrbit.from_body(ph.Body.from_moments(3.0, 1.5, 2.0), KeplerOrbit(2.0, 0.1, 0.5))
+    system = SpinOrbit.from_body(ph.Body.from_moments((3.0, 1.5, 2.0)), KeplerOrbit(2.0, 0.1, 0.5))
     assert abs(float(system.asphericity) - np.sqrt(0.5)) < 1e-15
     assert float(system.mean_motion) == 2.0 and float(system.eccentricity) == 0.1
     assert float(system.orbit.mean_anomaly(0.0)) == 0.5

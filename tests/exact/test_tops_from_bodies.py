@@ -253,7 +253,7 @@ def _top(body, pivot, angular_velocity=None, momentum=None, **given):
 
 REFUSED = {
     "no body": (lambda: _top(3, PIVOT, VELOCITY), "`body` must be a Body; got 3"),
-    "no mass": (lambda: _top(ph.Body.from_moments(2, 2, 3), PIVOT, VELOCITY), "give `mass`"),
+    "no mass": (lambda: _top(ph.Body.from_moments((2, 2, 3)), PIVOT, VELOCITY), "give `mass`"),
     "no spin": (lambda: _top(CONE, (0, 0, 0.04)), "exactly one of `angular_velocity` and"),
     "two spins": (lambda: _top(CONE, (0, 0, 0.04), VELOCITY, VELOCITY), "exactly one of"),
     "three moments": (lambda: _top(ph.shapes.box(1, (1, 2, 3)), (0, 0, 1), VELOCITY),

@@ -145,7 +145,7 @@ def test_the_ellipsoid_that_is_drawn_has_the_motions_polhode_on_it():
 @pytest.mark.parametrize("moments", first(1, [[1.0, 1.9, 1.9], [0.01, 1.0, 1.005], [1.0, 1.0, 1.0], [1.0, 1.0, 1.8]]))
 @pytest.mark.parametrize("momentum", first(1, [[0.5, 0.1, 0.5], [0.0, 0.0, 1.0]]))
 def test_any_body_and_spin_can_be_drawn(moments, momentum):
-    report = free_body_report(Body.from_moments(*moments), np.array(momentum), np.array([1.0, 0.0, 0.0, 0.0]))
+    report = free_body_report(Body.from_moments(moments), np.array(momentum), np.array([1.0, 0.0, 0.0, 0.0]))
     assert inertia_ellipsoid(report.trajectory) is not None
 
 

@@ -177,7 +177,7 @@ def test_files_that_are_wrong(saved, old, new, words):
 
 def test_what_cannot_be_written(tmp_path):
     with pytest.raises(InvalidInput, match="URDF holds the mass"):
-        write_urdf_inertial(ph.Body.from_moments(1.0, 2.0, 2.5), tmp_path / "body.urdf")
+        write_urdf_inertial(ph.Body.from_moments((1.0, 2.0, 2.5)), tmp_path / "body.urdf")
     for name in ("", "  ", "a\nb", "a\0"):
         with pytest.raises(InvalidInput, match="`name` must be printable"):
             write_urdf_inertial(BODY, tmp_path / "body.urdf", name)

@@ -31,7 +31,7 @@ REGIMES = {
 
 def report_on(regime):
     moments, momentum = REGIMES[regime]
-    return free_body_report(ph.Body.from_moments(*moments, mass=2.0), momentum, IDENTITY)
+    return free_body_report(ph.Body.from_moments(moments, mass=2.0), momentum, IDENTITY)
 
 
 @pytest.mark.long_cases("separatrix")
@@ -72,7 +72,7 @@ def test_a_racket_flips_an_asteroid_tumbles_and_a_cone_is_a_cone():
     """Half-angles by hand: I = (1, 2, 2.9), L = (0, 2, 2) has tan² = P/Q = B L2² / (C L3²) … at the start, L1 = 0."""
     said = {}
     for momentum in ((0.01, 2.0, 0.01), (1.0, 1.0, 1.3), (0.1, 0.2, 3.0)):
-        report = free_body_report(ph.Body.from_moments(1.0, 2.0, 2.9), momentum, IDENTITY)
+        report = free_body_report(ph.Body.from_moments((1.0, 2.0, 2.9)), momentum, IDENTITY)
         said[report.as_json_dict()["form"]] = report
     assert set(said) == {"flipping", "tumbling", "coning"}
     flip, cone = said["flipping"], said["coning"]
@@ -104,7 +104,7 @@ def test_figures_say_what_they_show():
 
 def test_times_asked_for_and_not():
     assert report_on("long-axis").trajectory.times[-1] == pytest.approx(10 * report_on("long-axis").motion.period)
-    body, times = ph.Body.from_moments(1.0, 2.0, 3.0), np.array([0.0, 1.0])
+    body, times = ph.Body.from_moments((1.0, 2.0, 3.0)), np.array([0.0, 1.0])
     assert free_body_report(body, (1.0, 2.0, 3.0), IDENTITY, times).trajectory.times.tolist() == [0.0, 1.0]
 
 
@@ -140,7 +140,7 @@ def test_the_herpolhode_is_drawn_turn_by_turn():
     from polhode.figures.herpolhode_figure import herpolhode
     from polhode.kinds.free_body.answers import free_body_report
 
-    body = ph.Body.from_moments(1.0, 1.1, 1.2)
+    body = ph.Body.from_moments((1.0, 1.1, 1.2))
     times = np.linspace(0.0, 400.0, 200)
     report = free_body_report(body, np.array([0.1, 0.3, 1.0]), np.array([1.0, 0, 0, 0]), times)
     curve = np.stack(herpolhode(report.trajectory).axes[0].lines[2].get_data(), axis=-1)
@@ -159,7 +159,7 @@ def test_the_dataset_relates_principal_axes_to_the_given_ones(tmp_path):
 
 
 def test_a_note_where_times_are_beyond_all_meaning():
-    body = ph.Body.from_moments(1.0, 2.0, 3.0)
+    body = ph.Body.from_moments((1.0, 2.0, 3.0))
     near = free_body_report(body, np.array([0.3, 1.8, 1.5]), IDENTITY, np.linspace(0.0, 1e9, 5))
     far = free_body_report(body, np.array([0.3, 1.8, 1.5]), IDENTITY, np.linspace(0.0, 1e19, 5))
     assert near.notes == [] and "turns" in far.notes[0]
@@ -168,7 +168,7 @@ def test_a_note_where_times_are_beyond_all_meaning():
 def test_only_what_turns_over_has_a_flip_interval():
     """A T-handle spun about its axis 3 cones: it never turns over, and was said to every 1.5 s."""
     for momentum, flips in (((0.01, 2.0, 0.01), True), ((1.0, 1.0, 1.3), False), ((0.1, 0.2, 3.0), False)):
-        report = free_body_report(ph.Body.from_moments(1.0, 2.0, 2.9), momentum, IDENTITY)
+        report = free_body_report(ph.Body.from_moments((1.0, 2.0, 2.9)), momentum, IDENTITY)
         values = report.as_json_dict()
         assert (values["form"] == "flipping") == flips
         assert (values["flip_interval"] is not None) == (values["twist_per_flip"] is not None) == flips

@@ -41,7 +41,7 @@ TOP, DISK = systems.HeavyTop(THREE, 1.0), rolling.EulerDisk(1.0, 0.1)
 SYMMETRIC_TOP = systems.HeavyTop((1.0, 1.0, 0.5), 1.0)
 ROTOR, LOSING = systems.Gyrostat(THREE, THREE), systems.DoubleBracket(THREE, 0.1)
 SPIN, ROLLING = celestial.SpinOrbit(0.3, 0.1), rolling.EulerDisk(1.0, 0.1).rolling_state(0.3)
-SOLID, TIMES, TURNS = ph.Body.from_moments(1.0, 2.0, 2.5), np.arange(12.0), np.tile(FOUR, (12, 1))
+SOLID, TIMES, TURNS = ph.Body.from_moments((1.0, 2.0, 2.5)), np.arange(12.0), np.tile(FOUR, (12, 1))
 OF_MOTIONS = ("polhode", "herpolhode", "herpolhode_curve", "body_precession", "space_precession", "racket_twist",
               "axis_angles", "cone_angles", "velocity_angles", "rotation_form", "rotation_forms",
               "rotation_period", "turn_per_flip", "precession.fastest_rate", "HeavyTop.from_motion",
@@ -269,7 +269,7 @@ REFUSED = {
     "shapes.sphere_shell": (0.3, lambda x: ph.shapes.sphere_shell(1.0, 1.0, x)),
     "shapes.point": (THREE, lambda x: ph.shapes.point(1.0, x)),
     "from_sheet": (EYE, lambda x: ph.Body.from_sheet(x, [[0, 1, 2]], mass=1.0)),
-    "Body.from_moments": (2.0, lambda x: ph.Body.from_moments(x, 2.0, 2.5)),
+    "Body.from_moments": (2.0, lambda x: ph.Body.from_moments((x, 2.0, 2.5))),
     "Body.from_inertia": (np.diag([1.0, 2.0, 2.5]), ph.Body.from_inertia),
     "Body.about": (THREE, SOLID.about),
     "Body.placed": (THREE, lambda x: SOLID.placed(EYE, x)),

@@ -114,10 +114,10 @@ def test_symmetric_spherical_and_linear_limits():
 
 
 def test_constants_from_a_body():
-    body = ph.Body.from_moments(1e-47, 1.9e-47, 2.9e-47, mass=3e-26)
+    body = ph.Body.from_moments((1e-47, 1.9e-47, 2.9e-47), mass=3e-26)
     found = Rotor.from_body(body)
     assert found.constants == pytest.approx(8.392015881190e-36 / np.array([1e-47, 1.9e-47, 2.9e-47]), rel=1e-12)
-    assert Rotor.from_body(ph.Body.from_moments(0.0, 1e-46, 1e-46, mass=3e-26)).is_linear
+    assert Rotor.from_body(ph.Body.from_moments((0.0, 1e-46, 1e-46), mass=3e-26)).is_linear
 
 
 @pytest.mark.parametrize(

@@ -25,7 +25,7 @@ def made(chance):
 
     def body():
         s = size()
-        return ph.Body.from_moments(s, min(1.5 * s, 1.7e308), min(2.0 * s, 1.7e308), mass=size())
+        return ph.Body.from_moments((s, min(1.5 * s, 1.7e308), min(2.0 * s, 1.7e308)), mass=size())
 
     return {
         "disk": lambda: rolling.EulerDisk(size(), size(), gravity=size()),
@@ -65,7 +65,7 @@ def test_any_size_is_taken_or_refused(name):
     lambda: rolling.EulerDisk(1e-200, 1.0), lambda: rolling.EulerDisk(1.0, 1e100),
     lambda: rolling.EulerDisk(1e300, 1.0),
     lambda: rolling.EulerDisk(1.0, 1.0, axial_moment=1e-200, diametral_moment=1.0),
-    lambda: ph.Body.from_moments(1.0, 2.0, 2.5, mass=1.0).about((1e200, 0.0, 0.0)),
+    lambda: ph.Body.from_moments((1.0, 2.0, 2.5), mass=1.0).about((1e200, 0.0, 0.0)),
     lambda: systems.Manakov((1.0, 1.7e308, 1.7e308)), lambda: systems.GravityGradient(NUMBER, (1.0, 2.0, 3.0)),
     lambda: systems.LiePoisson(NUMBER, lambda x: x[0]), lambda: systems.TorquedBody((1.0, 2.0, 3.0), NUMBER),
     lambda: systems.LiePoisson(ph.algebra.SO3(), lambda x: x[0], conserved=NUMBER),

@@ -203,7 +203,7 @@ def test_sleeping_threshold():
         (lambda: HeavyTop((1.0, 2.0, 3.0), np.nan), "`mgl` must be a finite number"),
         (lambda: HeavyTop((1.0, 2.0, 3.0), 1.0, (0, 0, 0)), "`axis` must be a direction"),
         (lambda: HeavyTop((1.0, -2.0, 3.0), 1.0), "positive"),
-        (lambda: HeavyTop.from_body(ph.Body.from_moments(1, 2, 3), (0, 0, 0)), "mass"),
+        (lambda: HeavyTop.from_body(ph.Body.from_moments((1, 2, 3)), (0, 0, 0)), "mass"),
         (lambda: HeavyTop.from_body(ph.shapes.sphere(1.0, 1.0), (0, 0, 1), gravity=-1.0), "`gravity`"),
         (lambda: HeavyTop((1.0, 2.0, 3.0), 1.0).check_state([1, 0, 0, 0, 1, 1, 1, 0, 1, 0]), "Rᵀe_z"),
         (lambda: HeavyTop((1.0, 2.0, 3.0), 1.0, (0, 1, 1)).upright(2.0), "`spin` must be zero"),

@@ -47,6 +47,7 @@ body = ph.Body.from_mesh(corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], 
 assert_type(body, ph.Body)
 assert_type(body.mass, float | None)
 assert_type(body.principal_moments, Array)
+assert_type(body.moments, Array)
 both = ph.combine([body, ph.shapes.box(1.0, (0.1, 0.2, 0.3))])
 assert_type(ph.FreeMotion.from_body(both, angular_velocity=(0.0, 1.0, 0.01)), ph.FreeMotion)
 

@@ -377,7 +377,7 @@ def test_axes_are_counted_as_in_a_spec_whatever_the_order_of_the_moments(book, o
             spec.write_text(f'[body]\nmoments = {[f"{x} kg*m^2" for x in moments]}\n'
                             f'[spin]\nrate = "2 rad/s"\nabout = {about}\ntilt = "0.3 rad"\n')  # fmt: skip
             wanted = read_spec(spec).report().motion
-            axes = ph.Body.from_moments(*map(float, moments)).principal_axes
+            axes = ph.Body.from_moments(tuple(map(float, moments))).principal_axes
             found = settings_of(page)["spin"]["angular_velocity"]
             velocity = np.asarray(wanted.momentum_at_epoch) / np.asarray(wanted.moments)
             assert found == pytest.approx(axes @ velocity, abs=1e-14), (moments, about)

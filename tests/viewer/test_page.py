@@ -72,7 +72,7 @@ def test_levels_of_the_energy_where_all_turns_with_the_body(tmp_path):
 
 
 def test_principal_axes_of_a_motion_in_given_ones(tmp_path):
-    body = ph.Body.from_moments(1.0, 2.0, 3.0)
+    body = ph.Body.from_moments((1.0, 2.0, 3.0))
     turned = ph.Body(None, (0.0, 0.0, 0.0), np.array([[2.0, 0.5, 0.0], [0.5, 1.5, 0.2], [0.0, 0.2, 2.9]]))
     for found in (body, turned):
         motion = ph.FreeMotion.from_body(found, angular_velocity=(0.1, 1.0, 0.3))

@@ -86,16 +86,24 @@ class Body:
     @classmethod
     @known_numbers_only
     def from_moments(
-        cls, I1: float, I2: float, I3: float, mass: float | None = None, *, effective: bool = False
+        cls, moments: Real[ArrayLike, "3"], mass: float | None = None, *, effective: bool = False
     ) -> Body:
         """Return the body with inertia diag(I1, I2, I3) about its centre of mass, at the origin [kg m²].
 
-        The axes stay as given; ``principal_moments`` is sorted, and ``principal_axes`` says which axis went where.
+        The axes stay as given; ``moments`` of the body are sorted, and ``principal_axes`` says which axis went where.
 
-        >>> Body.from_moments(3.0, 1.0, 2.5).principal_moments
+        Args:
+            moments: (3,) I1, I2, I3 about the given axes [kg m²], in any order, as ``FreeMotion`` takes them.
+            mass: [kg], or None.
+            effective: whether they are averages over vibration, which need not be those of any rigid body.
+
+        Raises:
+            InvalidInput: for moments that no rigid body has, unless they are effective.
+
+        >>> Body.from_moments((3.0, 1.0, 2.5)).moments
         array([1. , 2.5, 3. ])
         """
-        return cls(mass, (0.0, 0.0, 0.0), np.diag(finite_array("moments", (I1, I2, I3), (3,))), effective)
+        return cls(mass, (0.0, 0.0, 0.0), np.diag(finite_array("moments", moments, (3,))), effective)
 
     @classmethod
     @known_numbers_only
@@ -265,6 +273,11 @@ class Body:
         Otherwise moments that differ by no more than the rounding of the inertia's entries come out equal, and those
         that do not rise above it as zero, so that a turned cylinder stays symmetric and a turned rod thin.
         """
+        return self._principal[0]
+
+    @property
+    def moments(self) -> Float64[Array, "3"]:
+        """(3,) ``principal_moments`` [kg m²] by the name that motions and systems take them by."""
         return self._principal[0]
 
     @property

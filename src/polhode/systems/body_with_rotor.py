@@ -86,7 +86,7 @@ def rotor_in_body(
         InvalidInput: for a rotor whose inertia, at least that of a thin disk, leaves none that a carrier could have.
 
     >>> import polhode as ph
-    >>> assembly = rotor_in_body(ph.Body.from_moments(2.0, 3.0, 4.0), (0, 0, 1), 0.5, 10.0, (0, 0, 1.0), free=True)
+    >>> assembly = rotor_in_body(ph.Body.from_moments((2.0, 3.0, 4.0)), (0, 0, 1), 0.5, 10.0, (0, 0, 1.0), free=True)
     >>> assembly.moments.tolist(), assembly.momentum, assembly.total.tolist()
     ([2.0, 3.0, 3.5], 5.5, [0.0, 0.0, 9.0])
 
