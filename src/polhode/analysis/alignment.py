@@ -8,6 +8,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis._attitude_noise import root_mean_square
+from polhode.analysis._printing import print_answer, write_numbers
 from polhode.arrays import known_numbers_only
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -39,6 +40,15 @@ class Alignment(NamedTuple):
     def rms(self) -> float:
         """Root mean square of the remaining angle [rad]."""
         return float(np.sqrt(np.mean(self.remaining**2)))
+
+    def __str__(self) -> str:
+        determined = "" if self.determined else "; others would explain as much"
+        return print_answer(
+            f"aligned, {write_numbers(self.rms, 'rad')} are left (rms){determined}",
+            turn_of_the_body_axes=write_numbers(self.body, "rad"),
+            turn_of_the_space_axes=write_numbers(self.space, "rad"),
+            rate_of_the_space_axes=write_numbers(self.rate, "rad/s"),
+        )
 
 
 @known_numbers_only

@@ -9,6 +9,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis._mechanics import Mechanics
+from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
 from polhode.arrays import is_traced
 from polhode.errors import InvalidInput
 from polhode.types import Array, Float64
@@ -47,3 +48,12 @@ class AttitudeHistory:
             return float(np.linalg.norm(self.angular_velocity, axis=-1).max())
         turns = rotation.angle_between(self.attitude[1:], self.attitude[:-1])
         return float(np.max(turns / np.diff(self.times), initial=0.0))
+
+    def __str__(self) -> str:
+        known = "exact" if self.exact is not None else "sampled"
+        return print_answer(
+            f"the attitude of {self.name} at {count_things(len(self.times), 'time')}, {known}",
+            times=write_span(self.times, "s"), fastest_turn=write_numbers(self.speed, "rad/s"),
+        )
+
+

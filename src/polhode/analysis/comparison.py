@@ -12,6 +12,7 @@ from polhode import rotation
 from polhode.analysis._attitude_noise import attitude_noise
 from polhode.analysis._clock_offset import ClockOffset, Moving, Samples, Wanted, find_clock_offset
 from polhode.analysis._mechanics import invariants_along
+from polhode.analysis._printing import print_answer, write_numbers, write_span
 from polhode.analysis.alignment import Alignment, fit_alignment
 from polhode.analysis.attitude_history import AttitudeHistory
 from polhode.errors import InvalidInput, shown
@@ -105,6 +106,19 @@ class Comparison:
             return False
         left = float(self.alignment.remaining.max())
         return left <= max(self.rounding, self.interpolation_error or 0.0) or self._is_noise(self.alignment.remaining)
+
+    def __str__(self) -> str:
+        size = f"the rotation between {' and '.join(self.names)} is at most {write_numbers(self.largest, 'rad')}"
+        if self.is_rounding:
+            size += ", which is rounding"
+        elif self.is_noise:
+            size += ", no more than their samples scatter"
+        elif self.explained:
+            size += ", which another choice of axes explains"
+        return print_answer(
+            size, times=write_span(self.times, "s"), rms=write_numbers(self.rms, "rad"),
+            growth=write_numbers(self.growth, "rad/s"),
+        )
 
 
 Source = AttitudeHistory | Trajectory | AbstractMotion

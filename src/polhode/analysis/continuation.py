@@ -12,6 +12,7 @@ import numpy as np
 from polhode.algebra._functions import Function
 from polhode.analysis._branches import LONGEST, Family, Place, crossings, follow, is_on, step_onto_branch, trace_family
 from polhode.analysis._conserved import choose_casimirs
+from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
 from polhode.analysis.equilibria import STARTS, find_equilibria
 from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
@@ -48,6 +49,14 @@ class Branch(NamedTuple):
     rates: Float64[np.ndarray, "m"]
     negative: Float64[np.ndarray, "m"]
 
+    def __str__(self) -> str:
+        verdicts = [f"{self.verdicts.count(one)} {one}" for one in dict.fromkeys(self.verdicts)]
+        ends = [self.values.min(), self.values.max()] if len(self.values) else None
+        return print_answer(
+            f"{count_things(len(self.values), 'equilibrium', 'equilibria')}: {', '.join(verdicts) or 'none'}",
+            parameter=write_span(ends) if ends else None,
+        )
+
 
 class Bifurcation(NamedTuple):
     """A bifurcation: branches turn back or meet, or lose their stability.
@@ -68,6 +77,12 @@ class Bifurcation(NamedTuple):
     point: Double[np.ndarray, "..."]
     branches: tuple[int, ...]
 
+    def __str__(self) -> str:
+        return print_answer(
+            f"a {self.kind} at {write_numbers(self.value)}", point=write_numbers(self.point),
+            branches=write_numbers(self.branches),
+        )
+
 
 class Continuation(NamedTuple):
     """All equilibria that were found over a range of a parameter.
@@ -79,6 +94,13 @@ class Continuation(NamedTuple):
 
     branches: tuple[Branch, ...]
     bifurcations: tuple[Bifurcation, ...]
+
+    def __str__(self) -> str:
+        bifurcations = [f"{one.kind} at {write_numbers(one.value)}" for one in self.bifurcations]
+        return print_answer(
+            f"{count_things(len(self.branches), 'branch', 'branches')} of equilibria and "
+            f"{count_things(len(bifurcations), 'bifurcation')}", bifurcations=", ".join(bifurcations) or None,
+        )
 
 
 @known_numbers_only

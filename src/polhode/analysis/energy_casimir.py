@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode.analysis._conserved_function import ConservedFunction
+from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis._reasons import (
     AbstractReason,
     DefiniteVariation,
@@ -99,6 +100,13 @@ class Stability:
     def restriction(self) -> str | None:
         """The restriction of "stable" in words, such as "up to the flow of J1"; None for no restriction."""
         return None if self.restricted is None else str(self.restricted)
+
+    def __str__(self) -> str:
+        at = f" {self.restricted}" if self.restricted is not None and not self.restricted.flows else ""
+        return print_answer(
+            f"{self.verdict}{at}: {self.certificate}", exponents=write_numbers(self.spectrum, "1/s"),
+            fastest_growth=write_numbers(self.rate, "1/s") if self.rate else None,
+        )
 
 
 @known_numbers_only

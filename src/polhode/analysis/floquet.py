@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis._tangent_flow import TangentFlow, check_start, compute_multipliers
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
@@ -52,6 +53,13 @@ class PeriodicMotion(NamedTuple):
     def verdict(self) -> str:
         """``"unstable"``, or ``"spectrally stable"``: no small change grows exponentially, as far as roundings tell."""
         return "unstable" if self.growth > 0.0 else "spectrally stable"
+
+    def __str__(self) -> str:
+        return print_answer(
+            f"a periodic motion, {self.verdict}", period=write_numbers(self.period, "s"),
+            multipliers=write_numbers(self.multipliers),
+            growth=write_numbers(self.growth, "1/s") if self.growth else None,
+        )
 
 
 @known_numbers_only

@@ -22,6 +22,7 @@ import numpy as np
 
 from polhode.algebra.semidirect import Semidirect
 from polhode.algebra.so3 import SO3
+from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
 from polhode.arrays import known_numbers_only
@@ -95,6 +96,14 @@ class OrbitalEquilibrium:
             raise InvalidInput(f"`amplitude` must be from 0 to below π/2; got {shown(amplitude)} rad.")
         return 4.0 * float(complete_k(math.cos(amplitude) ** 2)) / self.pitch_rate
 
+    def __str__(self) -> str:
+        return print_answer(
+            f"a rest in the orbit's frame, {self.region}",
+            axes_in_roll_pitch_yaw=f"{self.roll}, {self.pitch}, {self.yaw}",
+            pitch=write_numbers(self.pitch_rate, "rad/s"), roll_and_yaw=write_numbers(self.roll_yaw_rates, "rad/s"),
+            fastest_growth=write_numbers(self.growth, "1/s") if self.growth else None,
+        )
+
 
 @dataclass(frozen=True)
 class SpinningEquilibrium:
@@ -132,6 +141,13 @@ class SpinningEquilibrium:
         point = _rest(moments, self.mean_motion, R)
         point[2] = self.axial * self.spin
         return stability(orbiting_body(moments, self.mean_motion), point, [lambda x: x[2]])
+
+    def __str__(self) -> str:
+        return print_answer(
+            f"a {self.case} rest of a spinning body's axis, {self.region}", axis=write_numbers(self.axis),
+            spin=write_numbers(self.spin, "rad/s"), rates=write_numbers(self.rates, "rad/s"),
+            fastest_growth=write_numbers(self.growth, "1/s") if self.growth else None,
+        )
 
 
 @known_numbers_only

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis._steady_points import steady_points
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
@@ -42,6 +43,14 @@ class SteadyRotation(NamedTuple):
     circle: bool
     nutation: float | None
     verdict: Stability
+
+    def __str__(self) -> str:
+        many = ", one of a circle or sphere of them" if self.circle else ""
+        return print_answer(
+            f"a steady rotation, {self.verdict.verdict}, at a {self.extremum} of the energy{many}",
+            along=write_numbers(self.along), spin=write_numbers(self.spin, "rad/s"),
+            energy=write_numbers(self.energy, "J"), nutation=write_numbers(self.nutation, "rad/s"),
+        )
 
 
 @known_numbers_only

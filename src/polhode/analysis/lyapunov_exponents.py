@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode.analysis._printing import print_answer, write_numbers, write_span
 from polhode.analysis._tangent_flow import TangentFlow, check_start
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
@@ -43,6 +44,14 @@ class LyapunovExponents(NamedTuple):
     def is_chaotic(self) -> bool:
         """Whether the largest is positive beyond its error: chaos, unless the motion rests or is periodic itself."""
         return bool(self.exponents[0] > self.errors[0])
+
+    def __str__(self) -> str:
+        largest = write_numbers(self.exponents[:1], "1/s", self.errors)
+        seen = "above its error: chaos" if self.is_chaotic else "not above its error: no chaos is seen"
+        return print_answer(
+            f"the largest exponent, {largest}, is {seen}", exponents=write_numbers(self.exponents, "1/s", self.errors),
+            times=write_span(self.times, "s"),
+        )
 
 
 @known_numbers_only

@@ -11,6 +11,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
 from polhode.analysis._tangent_flow import TangentFlow, compute_multipliers
 from polhode.analysis.floquet import FLAT, PeriodicMotion, periodic_motion
 from polhode.arrays import known_numbers_only, require_doubles
@@ -58,6 +59,15 @@ class PeriodicBranch(NamedTuple):
         """``"spectrally stable"`` or ``"unstable"``, m of them."""
         return tuple(motion.verdict for motion in self.motions)
 
+    def __str__(self) -> str:
+        ends = [self.values.min(), self.values.max()] if len(self.values) else None
+        unstable = self.verdicts.count("unstable")
+        bifurcations = [f"{one.kind} at {write_numbers(one.value)}" for one in self.bifurcations]
+        return print_answer(
+            f"{count_things(len(self.motions), 'periodic motion')}, {unstable or 'none'} of them unstable",
+            parameter=write_span(ends) if ends else None, bifurcations=", ".join(bifurcations) or None,
+        )
+
 
 class PeriodicBifurcation(NamedTuple):
     """A place on a branch of periodic motions where their kind changes.
@@ -73,6 +83,12 @@ class PeriodicBifurcation(NamedTuple):
     kind: str
     value: float
     motion: PeriodicMotion
+
+    def __str__(self) -> str:
+        return print_answer(
+            f"a {self.kind} at {write_numbers(self.value)}", period=write_numbers(self.motion.period, "s"),
+            multipliers=write_numbers(self.motion.multipliers),
+        )
 
 
 class _Place(NamedTuple):

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.analysis._printing import count_things, print_answer, write_numbers
 from polhode.arrays import compiled_for_few_calls, known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._adaptive import check_events
@@ -38,6 +39,11 @@ class Section(NamedTuple):
     states: Double[Array, "..."]
     end: float
     event: str | None
+
+    def __str__(self) -> str:
+        crossings, end = count_things(len(self.times), "crossing"), write_numbers(self.end, "s")
+        why = f", where the motion ended by {self.event}" if self.event else ""
+        return print_answer(f"{crossings} up to {end}{why}", times=write_numbers(self.times, "s"))
 
 
 @known_numbers_only

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis.energy_casimir import Stability
 from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
@@ -28,6 +29,12 @@ class Threshold:
     uncertainty: float
     below: Stability
     above: Stability
+
+    def __str__(self) -> str:
+        return print_answer(
+            f"{self.below.verdict} below and {self.above.verdict} above",
+            threshold=write_numbers(self.value, errors=self.uncertainty),
+        )
 
 
 @known_numbers_only

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode.analysis._printing import print_answer
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
 from polhode.arrays import known_numbers_only
@@ -23,6 +24,10 @@ class TopRests(NamedTuple):
 
     upright: Stability
     hanging: Stability
+
+    def __str__(self) -> str:
+        verdicts = f"upright {self.upright.verdict}, hanging {self.hanging.verdict}"
+        return print_answer(verdicts, upright=str(self.upright.certificate), hanging=str(self.hanging.certificate))
 
 
 @known_numbers_only

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.analysis._exact_arithmetic import Ball, ExactNumber, exact_rational
+from polhode.analysis._printing import print_answer
 from polhode.types import Float64
 
 _ARB = re.compile(r"\[?(?P<middle>[^\[\]+ ]*) ?\+/- (?P<radius>[^\]]*)\]")
@@ -135,3 +136,10 @@ class EnclosedState(NamedTuple):
     def radii(self) -> Float64[np.ndarray, "7"]:
         """(7,) the radii of attitude and momentum."""
         return np.array([x.radius for x in (*self.attitude, *self.momentum)])
+
+    def __str__(self) -> str:
+        vectors = {"attitude": self.attitude, "momentum": self.momentum, "angular_velocity": self.angular_velocity}
+        return print_answer(
+            "proved enclosures of a state, each number with its radius",
+            **{name: ", ".join(map(str, numbers)) for name, numbers in vectors.items()},
+        )

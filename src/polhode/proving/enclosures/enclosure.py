@@ -12,6 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode.analysis._exact_arithmetic import import_flint
+from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
 from polhode.analysis._tangent_flow import one_state
 from polhode.arrays import is_positive, require_doubles
 from polhode.errors import InvalidInput, NotConverged, shown
@@ -60,6 +61,14 @@ class Enclosure(NamedTuple):
     steps: int
     order: int
     bits: int
+
+    def __str__(self) -> str:
+        of = "as it is" if self.exact else "with its numbers rounded to doubles"
+        return print_answer(
+            f"proved enclosures of the system {of}, at {count_things(len(self.times), 'time')} "
+            f"{write_span(self.times, 's')}", largest_radius_at_the_last_time=write_numbers(np.max(self.radii[-1])),
+            state_there=write_numbers(self.states[-1]),
+        )
 
 
 def enclose_by_series(
