@@ -224,6 +224,51 @@ def test_functions_that_are_no_casimirs_are_refused(casimirs, words):
         lie.from_structure_constants(ENGEL, casimirs=casimirs)
 
 
+OWN = [lambda x: x[3], square]
+
+
+def test_own_casimirs_have_names():
+    named = lie.from_structure_constants(ENGEL, casimirs=OWN, names=("charge", "spread"))
+    assert named.casimir_names == ("charge", "spread")
+    assert {k: float(v) for k, v in named.named_casimirs(np.array([1.0, 2.0, 3.0, 4.0])).items()} == {
+        "charge": 4.0, "spread": 7.0,
+    }  # fmt: skip
+    assert lie.Product(named, lie.SO3()).casimir_names == ("charge of 0", "spread of 0", "|L|² of 1")
+    rho = lie.SO3().structure_constants().transpose(0, 2, 1)
+    advected = lie.Semidirect(lie.SO3(), rho, [lambda x: x[3:] @ x[3:], lambda x: x[:3] @ x[3:]], ["|Γ|²", "L·Γ"])
+    assert advected.casimir_names == ("|Γ|²", "L·Γ")
+    turns = [[[[0, 0, 0], [0, 0, -1], [0, 1, 0]], [[0, 0, 1], [0, 0, 0], [-1, 0, 0]], [[0, -1, 0], [1, 0, 0], [0, 0, 0]]]
+    spins = lie.from_matrices(turns, [lambda x: x @ x], names=["size"])
+    assert spins.casimir_names == ("size",)
+    # polynomials that are their own names are called by the given ones too
+    found = lie.polynomial_casimirs(lie.from_structure_constants(ENGEL), 1)
+    assert lie.from_structure_constants(ENGEL, casimirs=found, names=["charge"]).casimir_names == ("charge",)
+
+
+def test_names_stand_in_what_a_run_keeps_and_a_certificate_says():
+    body = lie.from_structure_constants(lie.SO3().structure_constants(), [lambda x: x @ x], ["size"])
+    system = ph.systems.LiePoisson(body, lambda x: 0.5 * jnp.sum(x**2 / jnp.array([1.0, 2.0, 3.0])))
+    assert set(ph.simulate(system, [0.3, 1.8, 1.5], np.linspace(0.0, 1.0, 3)).drift) == {"energy", "size"}
+    assert "size" in ph.stability(system, np.array([0.0, 0.0, 1.0])).certificate
+
+
+@pytest.mark.parametrize(
+    ("casimirs", "names", "words"),
+    [
+        (None, ["charge"], "are of `casimirs`, which are not given"),
+        (OWN, ["charge"], "as many as `casimirs`, 2; got 1"),
+        (OWN, "charge", "list of texts"),
+        (OWN, ["charge", " "], "list of texts"),
+        (OWN, ["charge", 3], "list of texts"),
+        (OWN, ["charge", "charge"], "differ from each other"),
+        (OWN, ["charge", "energy"], 'from "energy"'),
+    ],
+)
+def test_names_that_do_not_fit_are_refused(casimirs, names, words):
+    with pytest.raises(InvalidInput, match=words):
+        lie.from_structure_constants(ENGEL, casimirs=casimirs, names=names)
+
+
 def test_without_flint_none_are_watched(monkeypatch):
     assert len(lie.from_structure_constants(ENGEL * np.sqrt(2.0)).casimir_names) == 2
     monkeypatch.setitem(sys.modules, "flint", None)

@@ -34,7 +34,7 @@ ANSWERS = {
     "stable": (lambda: axis(2), "Stable: the second variation of", "exponents: 0.333333i, -0.333333i 1/s"),
     "unstable": (lambda: axis(1), "Unstable: the linearised flow", "fastest growth: 0.288675 1/s"),
     "lyapunov": (lambda: ph.analysis.lyapunov(BODY, START, (0.0, 300.0)), "no chaos is seen", "times: from"),
-    "section": (lambda: ph.analysis.section(BODY, START, lambda t, L: L[1], (0.0, 99.0)), "crossings up to 99", "times:"),
+    "section": (lambda: ph.analysis.section(BODY, START, lambda t, L: L[1], (0.0, 99.0)), "crossings up to", "times:"),
     "threshold": (
         lambda: ph.analysis.stability_threshold(lambda spin: ph.stability(TOP, TOP.upright(spin)), 1.0, 6.0),
         "Unstable below and stable above.", "threshold: 4 ± ",
@@ -58,12 +58,13 @@ ANSWERS = {
         lambda: ph.analysis.steady_rotations(ph.systems.Gyrostat((1.0, 2.0, 3.0), (0.0, 0.0, 0.5)), 1.0)[0],
         "A steady rotation, stable, at a minimum", "along: ",
     ),
-    "orbit": (lambda: ph.analysis.orbital_equilibria((1.0, 2.0, 2.5), 1e-3)[0], "A rest in the orbit's frame", "axes in"),
+    "orbit": (lambda: ph.analysis.orbital_equilibria((1.0, 2.0, 2.5), 1e-3)[0], "A rest in the orbit's", "axes in"),
     "spin": (
         lambda: ph.analysis.spinning_equilibria(1.0, 1.5, 1e-3, 3e-3)[0], "rest of a spinning body's axis", "spin: ",
     ),
     "history": (
-        lambda: ph.analysis.AttitudeHistory("a.csv", np.arange(2.0), np.eye(4)[:2]), "The attitude of a.csv at 2", "times:",
+        lambda: ph.analysis.AttitudeHistory("a.csv", np.arange(2.0), np.eye(4)[:2]),
+        "The attitude of a.csv at 2 times, sampled.", "times: from 0 to 1 s",
     ),
 }  # fmt: skip
 

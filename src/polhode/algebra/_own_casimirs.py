@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -15,7 +16,7 @@ from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.casimirs import polynomial_casimirs
 from polhode.algebra.properties import index
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Float64
 
 HIGHEST_DEGREE = 4  # of polynomials looked for
@@ -114,3 +115,22 @@ def name_functions(functions: tuple[Function, ...]) -> tuple[str, ...]:
     """Return a name for each function: a short polynomial itself, else its number, counted from 1."""
     texts = [str(f) if isinstance(f, Polynomial) else "" for f in functions]
     return tuple(text if 0 < len(text) <= LONGEST_NAME else f"C{k + 1}" for k, text in enumerate(texts))
+
+
+def check_names(names: Iterable[str], functions: tuple[Function, ...] | None) -> tuple[str, ...]:
+    """Return names of given Casimirs, one for each.
+
+    Raises:
+        InvalidInput: for names without Casimirs, of another number, empty or repeated ones, and that of the energy,
+            beside which they stand.
+    """
+    if functions is None:
+        raise InvalidInput("`names` are of `casimirs`, which are not given. Give both, or neither.")
+    chosen = tuple(names) if isinstance(names, Iterable) else (names,)
+    if isinstance(names, str) or not all(isinstance(name, str) and name.strip() for name in chosen):
+        raise InvalidInput(f"`names` must be a list of texts that are not empty; got {shown(names)}.")
+    if len(chosen) != len(functions):
+        raise InvalidInput(f"`names` must be as many as `casimirs`, {len(functions)}; got {len(chosen)}.")
+    if len({*chosen, "energy"}) <= len(chosen):
+        raise InvalidInput(f"`names` must differ from each other and from \"energy\"; got {shown(chosen)}.")
+    return chosen

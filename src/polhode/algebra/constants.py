@@ -14,7 +14,14 @@ import numpy as np
 
 from polhode.algebra._fixed_array import FixedArray
 from polhode.algebra._functions import Function
-from polhode.algebra._own_casimirs import Found, check_casimirs, evaluate_functions, find_casimirs, name_functions
+from polhode.algebra._own_casimirs import (
+    Found,
+    check_casimirs,
+    check_names,
+    evaluate_functions,
+    find_casimirs,
+    name_functions,
+)
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
 from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput
@@ -36,15 +43,17 @@ class ConstantsAlgebra(AbstractLieAlgebra):
 
     table: FixedArray = eqx.field(static=True)
     given: tuple[Function, ...] | None
+    given_names: tuple[str, ...] | None = eqx.field(static=True)
     given_fractions: Fractions | None = eqx.field(static=True)
 
     def __init__(
         self, constants: Float64[Array, "dim dim dim"], casimirs: Iterable[Function] | None = None,
-        fractions: Fractions | None = None,
+        fractions: Fractions | None = None, names: Iterable[str] | None = None,
     ) -> None:  # fmt: skip
         self.table, self.given, self.given_fractions = FixedArray(constants), None, fractions
         if casimirs is not None:
             self.given = check_casimirs(ConstantsAlgebra(constants), casimirs)
+        self.given_names = None if names is None else check_names(names, self.given)
 
     @property
     def constants(self) -> Float64[np.ndarray, "dim dim dim"]:
@@ -72,7 +81,7 @@ class ConstantsAlgebra(AbstractLieAlgebra):
 
     @property
     def casimir_names(self) -> tuple[str, ...]:
-        return name_functions(self.own_casimirs)
+        return name_functions(self.own_casimirs) if self.given_names is None else self.given_names
 
     def casimirs(self, mu: Vector) -> Float64[Array, "*batch k"]:
         mu = jnp.asarray(mu)
@@ -103,8 +112,9 @@ class MatrixBasisAlgebra(ConstantsAlgebra):
         constants: Float64[Array, "dim dim dim"],
         matrices: Double[np.ndarray, "dim n n"],
         casimirs: Iterable[Function] | None = None,
+        names: Iterable[str] | None = None,
     ) -> None:
-        super().__init__(constants, casimirs)
+        super().__init__(constants, casimirs, names=names)
         self.basis = FixedArray(matrices)
         # over the reals: over the complex numbers B and iB are not independent
         self.readings = FixedArray(np.linalg.pinv(_real_rows(matrices).T))
@@ -130,8 +140,9 @@ class MatrixBasisAlgebra(ConstantsAlgebra):
 
 @known_numbers_only
 def from_structure_constants(
-    constants: Real[ArrayLike, "dim dim dim"], casimirs: Iterable[Function] | None = None
-) -> ConstantsAlgebra:
+    constants: Real[ArrayLike, "dim dim dim"], casimirs: Iterable[Function] | None = None,
+    names: Iterable[str] | None = None,
+) -> ConstantsAlgebra:  # fmt: skip
     """Return the algebra with [e_i, e_j] = Σ_k c[i,j,k] e_k, after checking that it is one.
 
     Its Casimirs are watched: they stand in the ``drift`` of what ``simulate`` returns, and ``stability`` takes them.
@@ -144,19 +155,24 @@ def from_structure_constants(
             beside the doubles next to them, for exact algebra.
         casimirs: functions of one point (dim,) with jax.numpy, or polynomials that ``polynomial_casimirs`` found, when
             more are known or found than by default; an empty list for none.
+        names: of these Casimirs, by which invariants and certificates call them; by default a short polynomial is its
+            own name, and others are C1, C2, ….
 
     Raises:
         InvalidInput: if the shape is wrong, c is not antisymmetric in its first two indices, or Jacobi's identity
-            fails; the offending indices are named. If a function is not a Casimir.
+            fails; the offending indices are named. If a function is not a Casimir, or names do not fit.
 
     >>> c = np.zeros((4, 4, 4))
     >>> c[0, 1, 2], c[1, 0, 2], c[0, 2, 3], c[2, 0, 3] = 1.0, -1.0, 1.0, -1.0
-    >>> from_structure_constants(c, casimirs=[lambda x: x[3], lambda x: 2 * x[1] * x[3] - x[2] ** 2]).casimir_names
+    >>> own = [lambda x: x[3], lambda x: 2 * x[1] * x[3] - x[2] ** 2]
+    >>> from_structure_constants(c, casimirs=own).casimir_names
     ('C1', 'C2')
+    >>> from_structure_constants(c, casimirs=own, names=["charge", "spread"]).casimir_names
+    ('charge', 'spread')
     """
     fractions = _keep_fractions(constants)
     doubles = constants if fractions is None else _doubles(fractions)
-    return ConstantsAlgebra(check_constants(doubles), casimirs, fractions)
+    return ConstantsAlgebra(check_constants(doubles), casimirs, fractions, names)
 
 
 def _doubles(fractions: Fractions) -> list[list[list[float]]]:
@@ -217,17 +233,18 @@ def _check_jacobi(c: np.ndarray, scale: float) -> None:
 
 @known_numbers_only
 def from_matrices(
-    basis: Real[ArrayLike, "dim n n"], casimirs: Iterable[Function] | None = None
+    basis: Real[ArrayLike, "dim n n"], casimirs: Iterable[Function] | None = None, names: Iterable[str] | None = None
 ) -> MatrixBasisAlgebra:
     """Return the algebra spanned over the reals by matrices, after checking that it closes under commutation.
 
     Args:
         basis: (dim, n, n), real or complex, linearly independent over the reals.
         casimirs: functions of coordinates (dim,) ⟨μ, B_i⟩, as for ``from_structure_constants``.
+        names: of these, as there.
 
     Raises:
         InvalidInput: if the matrices depend on each other, or a commutator leaves their span; its indices are named. If
-            a function is not a Casimir.
+            a function is not a Casimir, or names do not fit.
     """
     require_doubles(basis=basis)
     try:
@@ -256,7 +273,8 @@ def from_matrices(
     constants = solution.T.reshape(len(matrices), len(matrices), -1)
     near = np.rint(constants * 120.0) / 120.0  # what is a simple fraction is one exactly
     constants = np.where(np.abs(constants - near) < 1e-12 * np.abs(constants).max(initial=1.0), near, constants)
-    return MatrixBasisAlgebra(check_constants(0.5 * (constants - constants.transpose(1, 0, 2))), matrices, casimirs)
+    antisymmetric = check_constants(0.5 * (constants - constants.transpose(1, 0, 2)))
+    return MatrixBasisAlgebra(antisymmetric, matrices, casimirs, names)
 
 
 def _real_rows(matrices: np.ndarray) -> np.ndarray:

@@ -29,10 +29,11 @@ class Semidirect(ConstantsAlgebra):
         algebra: the algebra that acts.
         generators: (dim, m, m), the matrices ρ_i by which its basis acts.
         casimirs: functions of coordinates (dim + m,), as for ``from_structure_constants``.
+        names: of these, as there.
 
     Raises:
         InvalidInput: if the generators do not represent the algebra, [ρ_i, ρ_j] = Σ c_ijk ρ_k; the indices are named.
-            If a function is not a Casimir.
+            If a function is not a Casimir, or names do not fit.
     """
 
     algebra: AbstractLieAlgebra
@@ -44,6 +45,7 @@ class Semidirect(ConstantsAlgebra):
         algebra: AbstractLieAlgebra,
         generators: Real[ArrayLike, "dim m m"],
         casimirs: Iterable[Function] | None = None,
+        names: Iterable[str] | None = None,
     ) -> None:
         require_doubles(generators=generators)
         rho = np.array(generators, dtype=float)
@@ -57,7 +59,7 @@ class Semidirect(ConstantsAlgebra):
                 f"`generators` must represent {algebra.name}: [ρ_i, ρ_j] = Σ c_ijk ρ_k fails for (i, j) = ({i}, {j}), "
                 f"counted from 0, by {error[i, j]:.3g}."
             )
-        super().__init__(_constants(algebra.structure_constants(), rho), casimirs)
+        super().__init__(_constants(algebra.structure_constants(), rho), casimirs, names=names)
         self.algebra, self.action = algebra, FixedArray(rho)
 
     @property
