@@ -237,7 +237,7 @@ def test_own_casimirs_have_names():
     rho = lie.SO3().structure_constants().transpose(0, 2, 1)
     advected = lie.Semidirect(lie.SO3(), rho, [lambda x: x[3:] @ x[3:], lambda x: x[:3] @ x[3:]], ["|Γ|²", "L·Γ"])
     assert advected.casimir_names == ("|Γ|²", "L·Γ")
-    turns = [[[[0, 0, 0], [0, 0, -1], [0, 1, 0]], [[0, 0, 1], [0, 0, 0], [-1, 0, 0]], [[0, -1, 0], [1, 0, 0], [0, 0, 0]]]
+    turns = [[[0, 0, 0], [0, 0, -1], [0, 1, 0]], [[0, 0, 1], [0, 0, 0], [-1, 0, 0]], [[0, -1, 0], [1, 0, 0], [0, 0, 0]]]
     spins = lie.from_matrices(turns, [lambda x: x @ x], names=["size"])
     assert spins.casimir_names == ("size",)
     # polynomials that are their own names are called by the given ones too
