@@ -17,16 +17,8 @@ import numpy as np
 
 import polhode as ph
 from polhode import rotation
-from polhode.systems import (
-    GravityGradient,
-    HingedPart,
-    KeplerOrbit,
-    RigidBody,
-    SphericalPendulum,
-    SprungMass,
-    Thruster,
-    Wheel,
-)
+from polhode.spacecraft import GravityGradient, HingedPart, RigidBody, SphericalPendulum, SprungMass, Thruster, Wheel
+from polhode.systems import KeplerOrbit
 
 UNTIL, SAMPLES = 6000.0, 61
 STEP = 0.05  # s, of Basilisk's RKF78

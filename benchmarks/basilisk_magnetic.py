@@ -19,8 +19,9 @@ import numpy as np
 from basilisk import EARTH, SAMPLES, UNTIL, apart, basilisk
 
 import polhode as ph
-from polhode.systems import EarthDipoleField, KeplerOrbit, MagneticDipole, RigidBody, TorqueRods
-from polhode.systems.torques.earth_field import EARTH_ROTATION, IGRF_2020, REFERENCE_RADIUS
+from polhode.spacecraft import EarthDipoleField, MagneticDipole, RigidBody, TorqueRods
+from polhode.spacecraft.torques.earth_field import EARTH_ROTATION, IGRF_2020, REFERENCE_RADIUS
+from polhode.systems import KeplerOrbit
 
 MASS = 50.0  # kg; the centre of mass is the origin, where Basilisk takes the field
 INERTIA = np.diag([4.0, 3.0, 2.5])

@@ -56,7 +56,7 @@ SYSTEMS = {
         "PlaneVortices(np.array([1.0, 0.8, -0.7]))", "system.pack([[0.0, 0.0], [1.5, 0.2], [-0.3, 1.9]])",
     ),
     "body with a wheel": (
-        "RigidBody((1.0, 2.0, 3.5), [ph.systems.Wheel((0, 0, 1), 0.1)])",
+        "RigidBody((1.0, 2.0, 3.5), [ph.spacecraft.Wheel((0, 0, 1), 0.1)])",
         "system.pack((1, 0, 0, 0), (0.1, 1.0, 0.2), rates=[3.0])",
     ),
     "fluid of su(17)": ("SphereFluid(17)", "system.random([0.0, 1.0, 1.0, 1.0])"),

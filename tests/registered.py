@@ -30,7 +30,8 @@ def forget_entry_points():
     from polhode import plugins
     from polhode.formats import form_registry
     from polhode.kinds import registry
-    from polhode.spec import body_files, named
+    from polhode.spacecraft.rigid_body import named
+    from polhode.spec import body_files
     from polhode.studies import fit_request
 
     for listed in (registry._others, named._others, body_files._others, fit_request._others, form_registry._others):

@@ -42,7 +42,7 @@ def modules_with_examples():
 
 
 SLOW = {
-    "polhode.analysis.continuation", "polhode.analysis.damped_axes", "polhode.analysis.periodic_branches",
+    "polhode.analysis.continuation", "polhode.spacecraft.damped_body.damped_axes", "polhode.analysis.periodic_branches",
     "polhode.rolling.euler_disk.spin_down", "polhode.fields.point_vortices.equilibria",
     "polhode.measuring.attitudes.attitude_fit", "polhode.measuring.scale", "polhode.spectra.figures.racket_figure",
     "polhode.figures.sphere_figure",

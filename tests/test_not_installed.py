@@ -13,8 +13,8 @@ import polhode as ph
 from polhode.errors import InvalidInput, not_installed
 from polhode.formats.dataset import write_zarr
 from polhode.formats.dataset_reading import read_dataset
-from polhode.formats.spice_kernels import spiceypy
 from polhode.proving.symbolic import _gate
+from polhode.spacecraft.formats.spice_kernels import spiceypy
 from polhode.sweeps.command import SweepOptions, run_sweep
 from polhode.sweeps.running import Sweep
 

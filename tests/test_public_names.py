@@ -39,10 +39,10 @@ def test_each_is_there_or_its_new_name_is_told():
 
 
 @pytest.mark.parametrize(("table", "gone"), [
-    ("", ["polhode.systems.Wheels"]),
-    ("| `ph.systems.Wheels` | `ph.systems.Wheel` |", []),
-    ("| `ph.systems.Wheels` | `ph.spacecrafts.Wheel` |", ["polhode.systems.Wheels"]),
-    ("| `Wheel`, `Wheels` of `ph.systems` | of `ph.spacecrafts` |", ["polhode.systems.Wheels"]),
+    ("", ["polhode.systems.KeplerOrbits"]),
+    ("| `ph.systems.KeplerOrbits` | `ph.systems.KeplerOrbit` |", []),
+    ("| `ph.systems.KeplerOrbits` | `ph.spacecrafts.KeplerOrbit` |", ["polhode.systems.KeplerOrbits"]),
+    ("| `KeplerOrbit`, `KeplerOrbits` of `ph.systems` | of `ph.spacecrafts` |", ["polhode.systems.KeplerOrbits"]),
 ])  # fmt: skip
 def test_a_name_that_went_without_a_word_is_found(table, gone):
-    assert lost(["polhode.systems.Wheels", "polhode.systems.Wheel"], moves(table)) == gone
+    assert lost(["polhode.systems.KeplerOrbits", "polhode.systems.KeplerOrbit"], moves(table)) == gone

@@ -46,8 +46,8 @@ OTHERS = {"--xla": "XLA's own, in an environment variable", "--unit-acceleration
           "--inertial-stats": "of Gazebo's gz sdf"}  # fmt: skip
 # from which commands the texts of a file come; files of cli/ that are not here are their command's alone
 FROM = {
-    "cli/columns.py": "import compare fit", "studies/sources.py": "import compare", "studies/clocks.py": "compare",
-    "studies/tables.py": "import compare fit", "studies/compare.py": "compare",
+    "cli/columns.py": "import compare fit", "studies/sources.py": "import compare",
+    "studies/tables.py": "import compare fit",
     "cli/importing.py": "import", "studies/recorded_spec.py": "import",
     "spectra/line_fit_branch.py": "fit",
     "spectra/line_fit.py": "fit", "studies/fit.py": "fit", "cli/fit.py": "fit", "spectra/command.py": "lines",
@@ -55,10 +55,8 @@ FROM = {
     "cli/destinations.py": "view export import fit wobble lines",
     "formats/column_resolution.py": "import compare fit", "formats/column_meaning.py": "import compare fit",
     "formats/calendar_stamps.py": "import compare fit", "formats/attitude_columns.py": "import compare fit",
-    "formats/known_tables.py": "import compare fit", "analysis/_clock_offset.py": "compare",
-    "analysis/comparison.py": "compare",
-    "formats/plain_table.py": "import compare fit", "formats/spice_reading.py": "import compare fit",
-    "studies/comparison_report.py": "compare",
+    "formats/known_tables.py": "import compare fit", "spacecraft/comparing/_clock_offset.py": "compare",
+    "formats/plain_table.py": "import compare fit", "spacecraft/formats/spice_reading.py": "import compare fit",
     "proving/symbolic/command.py": "derive", "proving/verdicts/options.py": "report",
     "spec/places.py": "body",
 }  # fmt: skip
@@ -152,7 +150,7 @@ def test_options_that_messages_name_are_there():
 
 @pytest.mark.parametrize("words", ["Choose one with --segment.", "give it with --sclk FILE.tsc.", "Write --offsets."])
 def test_the_catalogue_would_notice(words):
-    assert wrong_options((Text("formats/spice_reading.py", 1, words),))
+    assert wrong_options((Text("spacecraft/formats/spice_reading.py", 1, words),))
 
 
 # ---------------------------------------------------------------- arguments, which the command calls by its options
@@ -178,12 +176,15 @@ def is_of_a_command(file: str) -> bool:
 
 def test_the_library_speaks_of_arguments():
     assert options_outside(catalogue()) == []
-    assert options_outside((Text("studies/clocks.py", 1, "Say it by --offset."),)) == ["studies/clocks.py:1: --offset"]
+    clocks = Text("spacecraft/comparing/clocks.py", 1, "Say it by --offset.")
+    assert options_outside((clocks,)) == [f"{clocks.file}:1: --offset"]
 
 
-UNHEARD = {"proving/enclosures/_motion_starts.py": "moments", "course/exercises.py": "to", "formats/urdf.py": "mass",
+UNHEARD = {"proving/enclosures/_motion_starts.py": "moments", "course/exercises.py": "to",
+           "spacecraft/formats/urdf.py": "mass",
            "integrators/_series.py": "order", "rolling/euler_disk/answers.py": "precession",
-           "testing/kinds.py": "figures", "systems/moving_parts.py": "mass", "judging/fixed_steps.py": "order",
+           "testing/kinds.py": "figures", "spacecraft/systems/moving_parts.py": "mass",
+           "judging/fixed_steps.py": "order",
            "sweeps/answers.py": "spec"}  # fmt: skip
 """Names of keys, methods and attributes in texts that do not come from the commands that have such an option."""
 
@@ -228,7 +229,7 @@ def test_a_name_that_is_no_argument_would_be_noticed(case):
     ("compare", "as `offset` says", "as --offset says"), ("compare", "`spec_of`", "`spec_of`"),
     ("fit", '`columns={"time": "t", "time_unit": "s"}` of `polhode.fit`', "--time t --time-unit s"),
     ("fit", "`columns` is", "--mapping is"), ("fit", "`rotor=True` or `rotor=False`", "--rotor or --no-rotor"),
-    ("fit", "`sclk` of `polhode.formats.read_ck`", "--sclk of `polhode import` and `polhode compare`"),
+    ("fit", "`sclk` of `polhode.spacecraft.read_ck`", "--sclk of `polhode import` and `polhode compare`"),
     ("fit", "by `windows=[(start, end)]`", "by --window START,END"), ("lines", "`lowest`", "--from"),
     ("tumble", '`precession="27.38 h"`', '--precession "27.38 h"'),
     ("tumble", "`moments=(0.61, 0.965, 1)`", "--moments 0.61 0.965 1"), ("lines", "`dipole=(0, 1)`", "--dipole 0,1"),

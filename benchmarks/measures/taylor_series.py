@@ -12,7 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 from measure import Row, compared, median, missing
 
-from polhode import certify, fields, systems
+from polhode import certify, fields, spacecraft, systems
 from polhode.taylor.expressions import Expression, Tape
 from polhode.taylor.jaxprs import write_jaxpr
 from polhode.taylor.operations import Operation
@@ -64,7 +64,7 @@ def cases() -> Iterator[Case]:
     spins = (spins / np.linalg.norm(spins, axis=1, keepdims=True)).reshape(8, 1, 1, 1, 3)
     chain = fields.SpinLattice(fields.Lattice([[1.0]], shape=(8,)), bonds=[fields.Bond(0, 0, (1,), 1.0)])
     yield Case("chain of eight spins", chain, spins)
-    pulled = systems.TorquedBody((1.0, 2.0, 2.5), [systems.GravityGradient(systems.KeplerOrbit(1.0))])
+    pulled = spacecraft.TorquedBody((1.0, 2.0, 2.5), [spacecraft.GravityGradient(systems.KeplerOrbit(1.0))])
     yield Case("body in orbit, gravity gradient", pulled, spinning)
 
 

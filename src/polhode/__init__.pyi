@@ -16,6 +16,7 @@ from . import proving as proving
 from . import reports as reports
 from . import rolling as rolling
 from . import rotation as rotation
+from . import spacecraft as spacecraft
 from . import special as special
 from . import spectra as spectra
 from . import systems as systems
@@ -46,9 +47,9 @@ from .proving.enclosures.certification import certify as certify
 from .simulation import simulate as simulate
 from .solving import Fold as Fold
 from .solving import solve as solve
+from .spacecraft.comparing.study import compare as compare
 from .spectra.study import levels as levels
 from .spectra.study import spectrum as spectrum
-from .studies.compare import compare as compare
 from .studies.fit import fit as fit
 from .sweeps.answers import sweep as sweep
 

@@ -27,7 +27,7 @@ def family(field):
 def histories():
     motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=START)
     other = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.multiply(START, 1.0 + 1e-6))
-    return ph.analysis.compare(motion, other.sample(np.linspace(0.0, 5.0, 50)))
+    return ph.spacecraft.compare(motion, other.sample(np.linspace(0.0, 5.0, 50)))
 
 
 ANSWERS = {

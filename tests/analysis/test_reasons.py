@@ -6,7 +6,7 @@ import pytest
 
 import polhode as ph
 from analysis.test_certificates import UNDECIDED, borel, e1, e3, fluid
-from polhode import analysis, rolling, systems
+from polhode import analysis, rolling, spacecraft, systems
 from polhode.analysis import _reasons as reasons
 from polhode.analysis.energy_casimir import energy_casimir
 from polhode.analysis.first_method import first_method
@@ -100,11 +100,11 @@ def test_the_sentence_is_printed_from_the_data():
 def test_of_a_circle_and_a_sphere_of_rests():
     """Across the equator of an oblate body the double bracket pulls L to the poles of a prolate one's circle."""
     alpha, norm, moments = 0.1, 2.0, (1.0, 3.0, 3.0)
-    found = analysis.damped_axis_stability(systems.DoubleBracket(moments, alpha), norm)[2]
+    found = spacecraft.damped_axis_stability(systems.DoubleBracket(moments, alpha), norm)[2]
     assert isinstance(found.reason, reasons.SettlesOnCircle)
     # L̇ = −α L × (L × Ω): along δL1 beside L = e3 it is −α |L|² (1/I1 − 1/I3) δL1
     assert found.reason.rate == pytest.approx(-alpha * norm**2 * (1.0 - 1.0 / 3.0), rel=1e-9)
-    sphere = analysis.damped_axis_stability(systems.DoubleBracket((2.0, 2.0, 2.0), alpha), norm)[0]
+    sphere = spacecraft.damped_axis_stability(systems.DoubleBracket((2.0, 2.0, 2.0), alpha), norm)[0]
     assert isinstance(sphere.reason, reasons.SphereOfRests)
     assert isinstance(first_method(np.zeros((0, 0))).reason, reasons.LeafIsPoint)
 

@@ -10,7 +10,8 @@ import polhode as ph
 from polhode import rotation
 from polhode.celestial import SpinOrbit
 from polhode.errors import InvalidInput
-from polhode.systems import GravityGradient, KeplerOrbit, TorquedBody
+from polhode.spacecraft import GravityGradient, TorquedBody
+from polhode.systems import KeplerOrbit
 
 MOTION = 1e-10  # of adaptive steps at 1e-12 over ten orbits
 MOMENTS = (1.0, 2.0, 2.6)

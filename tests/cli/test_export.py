@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pygltflib import GLTF2
 
-from polhode import formats, rotation
+from polhode import formats, rotation, spacecraft
 from polhode.cli.main import main
 from polhode.formats.form_registry import writable_forms
 from polhode.kinds.reading import read_spec
@@ -61,7 +61,7 @@ def test_animation_and_robot_link(run, tmp_path):
     (tmp_path / "case.toml").write_text(text, "utf-8")
     code, out, err = run("--to", "urdf")
     assert code == 0 and "samples" not in out
-    link = formats.read_urdf_inertial(tmp_path / "case.urdf")
+    link = spacecraft.read_urdf_inertial(tmp_path / "case.urdf")
     spec = read_spec(tmp_path / "case.toml")
     assert spec.body is not None and np.array_equal(link.inertia, spec.body.inertia) and link.mass == 30.0
 
@@ -80,7 +80,7 @@ def test_every_form_holds_the_motion(run, tmp_path):
         assert np.array_equal(found.momentum, report.trajectory.momentum)
         assert found.source.title == spec.name and found.source.labels == spec.labels
     given = report.trajectory.along("given")
-    table, message = formats.read_csv(tmp_path / "case.csv"), formats.read_aem(tmp_path / "case.aem")
+    table, message = formats.read_csv(tmp_path / "case.csv"), spacecraft.read_aem(tmp_path / "case.aem")
     assert np.array_equal(table.attitude, given.attitude) and np.array_equal(table.momentum, given.momentum)
     assert np.array_equal(found.frame.axes, report.trajectory.frame.axes)
     for one in (table, message):

@@ -8,7 +8,7 @@ import pytest
 import polhode as ph
 from polhode.cli import foreign
 from polhode.cli.main import main
-from polhode.spec import named
+from polhode.spacecraft.rigid_body import named
 
 
 @pytest.fixture(autouse=True)

@@ -12,8 +12,8 @@ from polhode.analysis.poinsot import herpolhode, herpolhode_curve
 from polhode.analysis.polhodes import polhode
 from polhode.analysis.precession import body_precession, space_precession
 from polhode.analysis.twist import racket_twist
-from polhode.formats.aem import write_aem
-from polhode.formats.aem_reading import read_aem
+from polhode.spacecraft.formats.aem import write_aem
+from polhode.spacecraft.formats.aem_reading import read_aem
 from polhode.viewer.samples import take_samples
 
 MOMENTS = np.array([0.00121, 0.01638, 0.01748])

@@ -13,10 +13,10 @@ from polhode import rotation
 from polhode.bodies._pivot import PivotedBody
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top._symmetry import third_axis_to_centre
-from polhode.formats.aem import write_aem
-from polhode.formats.aem_reading import read_aem
 from polhode.kinds.reading import read_spec
 from polhode.motion.frame import BodyFrame
+from polhode.spacecraft.formats.aem import write_aem
+from polhode.spacecraft.formats.aem_reading import read_aem
 from polhode.viewer.samples import take_samples
 from sweeping import only
 

@@ -122,7 +122,7 @@ def test_what_cannot_be_drawn_is_refused_in_words():
     with pytest.raises(InvalidInput, match="batch of shape"):
         several.sample(TIMES).plot()
     for draw, moved in ((ph.figures.momentum_sphere, TOP), (ph.figures.axis_locus, FREE), (ph.figures.parts, FREE),
-                        (ph.figures.comparison, FREE), (plot, "motion.nc"),
+                        (ph.spacecraft.comparison, FREE), (plot, "motion.nc"),
                         (ph.figures.axis_locus, FREE.sample(TIMES))):  # fmt: skip
         with pytest.raises(InvalidInput, match=r"must be|the figure is of"):
             draw(moved)

@@ -25,7 +25,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import polhode as ph
-from polhode import formats, spectra
+from polhode import formats, spacecraft, spectra
 from polhode.errors import InvalidInput
 from polhode.formats.form import Kernels
 from polhode.spectra import DEBYE, MeasuredLines, Rotor
@@ -204,7 +204,7 @@ def read_trajectory(read: Callable[[Path], Any]) -> Callable[[Path], None]:
 
 
 def read_body(path: Path) -> None:
-    body = formats.read_urdf_inertial(path)
+    body = spacecraft.read_urdf_inertial(path)
     assert np.isfinite([body.mass, *body.center_of_mass, *body.principal_moments, *body.principal_axes.ravel()]).all()
 
 
@@ -266,8 +266,8 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
     for name, text in {"a.pdb": PDB, "a.mol": MOL, "ext.xyz": EXTXYZ}.items():
         (folder / name).write_text(text)
     shutil.copy(EXAMPLES / "water.xyz", folder / "water.xyz")
-    formats.write_urdf_inertial(ph.shapes.box(12.0, (1.0, 2.0, 3.0)), folder / "a.urdf", principal=True)
-    formats.write_aem(motion, folder / "a.aem", LABELS, rates="angular velocity")
+    spacecraft.write_urdf_inertial(ph.shapes.box(12.0, (1.0, 2.0, 3.0)), folder / "a.urdf", principal=True)
+    spacecraft.write_aem(motion, folder / "a.aem", LABELS, rates="angular velocity")
     formats.write_csv(motion, folder / "a.csv")
     for name, text in messages(motion).items():
         (folder / name).write_text(text)
@@ -280,7 +280,7 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
     motion = replace(motion, frame=frame)
     formats.write_dataset(motion, folder / "a.nc")
     formats.write_zarr(motion, folder / "a.zarr")
-    formats.write_ck(motion, folder / "a.bc", labels=LABELS)
+    spacecraft.write_ck(motion, folder / "a.bc", labels=LABELS)
     binary = {name: Specimen(folder / name, in_bytes, read_mesh) for name in ("a.stl", "a.ply", "a.glb")}
     texts = {name: Specimen(folder / name, in_text, read_mesh)
              for name in ("ascii.stl", "ascii.ply", "a.obj", "a.off", "a.gltf")}  # fmt: skip
@@ -288,7 +288,7 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
                  for name in ("water.xyz", "ext.xyz", "a.pdb", "a.mol")}  # fmt: skip
     found = binary | texts | molecules | {
         "a.urdf": Specimen(folder / "a.urdf", in_text, read_body),
-        "a.aem": Specimen(folder / "a.aem", in_text, read_trajectory(formats.read_aem)),
+        "a.aem": Specimen(folder / "a.aem", in_text, read_trajectory(spacecraft.read_aem)),
         "a.cat": Specimen(folder / "a.cat", in_text, read_catalogue),
         "a.lin": Specimen(folder / "a.lin", in_text, read_lines),
         "a.par": Specimen(folder / "a.par", in_text, read_constants),
@@ -296,7 +296,7 @@ def specimens(folder: Path, names: list[str]) -> dict[str, Specimen]:
         "columns.csv": Specimen(folder / "columns.csv", in_text, read_trajectory(read_table)),
         "a.nc": Specimen(folder / "a.nc", in_hdf5, read_trajectory(formats.read_dataset)),
         "a.zarr": Specimen(folder / "a.zarr", in_store, read_trajectory(formats.read_dataset)),
-        "a.bc": Specimen(folder / "a.bc", in_kernels, read_trajectory(formats.read_ck)),
+        "a.bc": Specimen(folder / "a.bc", in_kernels, read_trajectory(spacecraft.read_ck)),
     }  # fmt: skip
     for name in messages(motion):
         form = "aem" if name.endswith("xml") else "csv" if name == "dates.csv" else name.partition(".")[2]

@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 
 import polhode as ph
-from polhode import formats
+from polhode import formats, spacecraft
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.dataset import label_attributes
 from polhode.motion import Outcome, StateLayout
@@ -69,12 +69,12 @@ def laden_body():
     """Return a trajectory of a body that has one of each mount, and a torque, with states of their own."""
     inertia = np.array([[2.0, 0.1, 0.2], [0.1, 3.0, -0.1], [0.2, -0.1, 2.5]])
     parts = [
-        ph.systems.Wheel((1.0, 0.0, 0.0), 0.01), ph.systems.SphericalSlug(0.02, 0.01),
-        ph.systems.SprungMass((0.1, 0.0, 0.0), np.eye(3)[:2], 0.2, 1.0, 0.1),
-        ph.systems.SphericalPendulum((0.1, 0.0, 0.2), (0.0, 0.0, -0.3), 0.1, 1.0),
+        ph.spacecraft.Wheel((1.0, 0.0, 0.0), 0.01), ph.spacecraft.SphericalSlug(0.02, 0.01),
+        ph.spacecraft.SprungMass((0.1, 0.0, 0.0), np.eye(3)[:2], 0.2, 1.0, 0.1),
+        ph.spacecraft.SphericalPendulum((0.1, 0.0, 0.2), (0.0, 0.0, -0.3), 0.1, 1.0),
     ]  # fmt: skip
-    lagged = ph.systems.LaggedTorque(lambda t, q, w: -0.1 * w, 0.5)
-    body = ph.systems.RigidBody.from_body(ph.Body(10.0, (0.1, 0.2, 0.05), inertia), parts, [lagged])
+    lagged = ph.spacecraft.LaggedTorque(lambda t, q, w: -0.1 * w, 0.5)
+    body = ph.spacecraft.RigidBody.from_body(ph.Body(10.0, (0.1, 0.2, 0.05), inertia), parts, [lagged])
     return ph.simulate(body, body.pack((1.0, 0.0, 0.0, 0.0), (0.1, 0.2, 0.3)), np.linspace(0.0, 5.0, 6))
 
 
@@ -158,8 +158,8 @@ def test_units_are_units():
 
 
 def test_an_attitude_file_becomes_a_dataset(tmp_path):
-    aem = formats.write_aem(MOTION.sample(TIMES), tmp_path / "motion.aem", rates="derivative")
-    read = formats.read_aem(aem)
+    aem = spacecraft.write_aem(MOTION.sample(TIMES), tmp_path / "motion.aem", rates="derivative")
+    read = spacecraft.read_aem(aem)
     found = formats.read_dataset(formats.write_dataset(read, tmp_path / "motion.nc"))
     assert found.source.labels == read.source.labels and np.array_equal(found.attitude, read.attitude)
     assert "state" not in ph.as_dataset(read)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import formats
+from polhode import formats, spacecraft
 from polhode.errors import InvalidInput
 from polhode.figures import style
 from polhode.formats.figure_file import save_figure
@@ -40,8 +40,8 @@ WRITERS = {
     "a.nc": lambda path: formats.write_dataset(MOTION, path),
     "a.zarr": lambda path: formats.write_zarr(MOTION, path),
     "a.csv": lambda path: formats.write_csv(MOTION, path),
-    "a.aem": lambda path: formats.write_aem(MOTION, path),
-    "a.bc": lambda path: formats.write_ck(MOTION, path),
+    "a.aem": lambda path: spacecraft.write_aem(MOTION, path),
+    "a.bc": lambda path: spacecraft.write_ck(MOTION, path),
     "a.glb": lambda path: formats.write_gltf(MOTION, path),
     "a.png": lambda path: drawn(path.parent),
     "a.txt": text,

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import formats
+from polhode import formats, spacecraft
 from polhode.errors import FormatError, InvalidInput
 
 
@@ -128,8 +128,9 @@ def test_binary_garbage_as_text_is_refused_at_once(saved):
     """Its encoding would be guessed, for minutes."""
     noise = np.random.default_rng(0).integers(0, 256, 10**6, dtype=np.uint8).tobytes()
     for name, read in {"a.stl": mesh, "a.obj": mesh, "a.off": mesh, "a.ply": mesh, "a.glb": mesh,
-                       "a.xyz": formats.read_molecule, "a.urdf": formats.read_urdf_inertial,
-                       "a.aem": formats.read_aem, "a.csv": formats.read_csv, "a.txt": plain_table}.items():  # fmt: skip
+                       "a.xyz": formats.read_molecule, "a.urdf": spacecraft.read_urdf_inertial,
+                       "a.aem": spacecraft.read_aem, "a.csv": formats.read_csv,
+                       "a.txt": plain_table}.items():  # fmt: skip
         refused(read, saved(name, noise))
         refused(read, saved(name, b"solid\n" + noise.replace(b"\0", b"\1")))
 
@@ -279,7 +280,7 @@ ROBOT = (
 
 @pytest.mark.parametrize("number", ["2_5", "１", "0x10", "1e400", "inf", "nan", "2.5f", "1e-400", "2,5", ""])
 def test_urdf_numbers(saved, number):
-    message = refused(formats.read_urdf_inertial, saved("robot.urdf", ROBOT.replace('"2.5"', f'"{number}"')))
+    message = refused(spacecraft.read_urdf_inertial, saved("robot.urdf", ROBOT.replace('"2.5"', f'"{number}"')))
     said = "must be finite numbers in decimal digits" if number else "must be one number"
     assert f"izz of <inertia> {said}" in message
 
@@ -294,7 +295,7 @@ def test_urdf_numbers(saved, number):
 ])  # fmt: skip
 def test_urdf(saved, old, new, words):
     text = ROBOT.replace(old, new).replace('izz="2.5"', 'izz="25"')
-    assert words in refused(formats.read_urdf_inertial, saved("robot.urdf", text))
+    assert words in refused(spacecraft.read_urdf_inertial, saved("robot.urdf", text))
 
 
 # ---------------------------------------------------------------- tables and messages
@@ -379,23 +380,23 @@ DATA_STOP
 ])  # fmt: skip
 def test_messages(saved, old, new, words):
     assert AEM.count(old) == 1
-    assert words in refused(formats.read_aem, saved("motion.aem", AEM.replace(old, new)))
+    assert words in refused(spacecraft.read_aem, saved("motion.aem", AEM.replace(old, new)))
 
 
 def test_messages_at_the_ends_of_the_calendar(saved):
     for year in ("0001", "9999"):
         text = AEM.replace("2026-03-01", f"{year}-12-31").replace("= UTC", "= TAI").replace("00:00:0", "23:59:5")
-        found = formats.read_aem(saved("motion.aem", text))
+        found = spacecraft.read_aem(saved("motion.aem", text))
         assert found.times.tolist() == [0.0, 1.0] and found.source.labels.epoch.startswith(year)
 
 
 def test_a_spin_too_fast_for_numbers(saved):
     text = AEM.replace("QUATERNION/ANGVEL", "SPIN/NUTATION").replace("0 0 0 1 1 2 3", "10 20 30 1 5 5e-324 3")
     text = text.replace("ANGVEL_FRAME = SC_BODY_1\n", "")
-    assert "line 15: gives a rotation or a rate too large" in refused(formats.read_aem, saved("motion.aem", text))
+    assert "line 15: gives a rotation or a rate too large" in refused(spacecraft.read_aem, saved("motion.aem", text))
 
 
 def test_text_in_utf_16(saved):
-    for name, text, read in (("a.aem", AEM, formats.read_aem), ("a.csv", TABLE, formats.read_csv)):
+    for name, text, read in (("a.aem", AEM, spacecraft.read_aem), ("a.csv", TABLE, formats.read_csv)):
         for encoding in ("utf-16", "utf-16-le", "utf-32"):
             refused(read, saved(name, text.encode(encoding)))

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import polhode as ph
-from polhode import formats
+from polhode import formats, spacecraft
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats import opening
 from polhode.formats.opening import check_is_file, open_file, read_file, read_text
@@ -21,12 +21,12 @@ BROKEN = Path("/proc/self/mem")  # a regular file whose first byte cannot be rea
 READERS = {
     "mesh.stl": lambda path: formats.read_mesh(path, 1.0),
     "molecule.xyz": formats.read_molecule,
-    "robot.urdf": formats.read_urdf_inertial,
-    "motion.aem": formats.read_aem,
+    "robot.urdf": spacecraft.read_urdf_inertial,
+    "motion.aem": spacecraft.read_aem,
     "motion.csv": formats.read_csv,
     "motion.txt": lambda path: formats.read_columns(path, formats.ColumnMapping(1, gyro=(2, 3, 4))),
     "motion.nc": formats.read_dataset,
-    "motion.bc": lambda path: formats.read_ck(path, sclk=__file__),
+    "motion.bc": lambda path: spacecraft.read_ck(path, sclk=__file__),
     "motion.tsc": lambda path: read_clock(path),
     "anything": detect_kind,
 }
@@ -36,7 +36,7 @@ def read_clock(path):
     with tempfile.TemporaryDirectory() as folder:
         kernel = Path(folder, "motion.bc")
         kernel.write_bytes(b"DAF/CK  ")
-        formats.read_ck(kernel, sclk=path)
+        spacecraft.read_ck(kernel, sclk=path)
 
 
 def pipe(path):

@@ -5,17 +5,17 @@ import re
 import numpy as np
 import pytest
 
-from formats.test_attitude_messages import RATES, TURN, apm, saved
 from polhode.bodies.atoms import ATOMIC_MASS_UNIT, atomic_masses
 from polhode.bodies.body import Body
 from polhode.cli.main import main
 from polhode.errors import FormatError, InvalidInput
-from polhode.formats.adm_state import read_apm
-from polhode.formats.mjcf import read_mjcf_inertial
 from polhode.formats.molecule import read_molecule
-from polhode.formats.sdf import read_sdf_inertial, read_sdf_robot
-from polhode.formats.urdf import read_urdf_inertial
 from polhode.kinds.reading import read_spec
+from polhode.spacecraft.formats.adm_state import read_apm
+from polhode.spacecraft.formats.mjcf import read_mjcf_inertial
+from polhode.spacecraft.formats.sdf import read_sdf_inertial, read_sdf_robot
+from polhode.spacecraft.formats.urdf import read_urdf_inertial
+from spacecraft.test_attitude_messages import RATES, TURN, apm, saved
 
 DEUTERIUM = 2.01410177812  # u, NIST
 INERTIA = "INERTIA_START\nINERTIA_REF_FRAME = {}\nIXX = 2\nIYY = 3\nIZZ = 4\nINERTIA_STOP\n"

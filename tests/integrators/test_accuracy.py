@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import polhode as ph
-from polhode import celestial, systems
+from polhode import celestial, spacecraft, systems
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import LieMidpoint, MuntheKaas, Splitting
 from polhode.integrators import _equal_steps as equal_steps
@@ -227,7 +227,7 @@ LEFT_THE_SADDLE = [
     # splitting, ends at the other saddle: told 9.6e-7
     (body, Splitting, [-2.8334101348668622e-11, 4.680678258523867, -2.858871617749798e-11], 2),
     # adaptive steps: error 3.5e-4, told 2.2e-6
-    (systems.RigidBody(MOMENTS), diffrax.Dopri8(), [1e-12, 2.0, 1e-12], 13),
+    (spacecraft.RigidBody(MOMENTS), diffrax.Dopri8(), [1e-12, 2.0, 1e-12], 13),
 ]
 
 

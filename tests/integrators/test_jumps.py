@@ -14,7 +14,8 @@ from polhode import systems
 from polhode.errors import InvalidInput
 from polhode.integrators import LieMidpoint, MuntheKaas
 from polhode.integrators.probing import find_undeclared_jumps
-from polhode.systems import AbstractSystem, AbstractTorque, LaggedTorque, RigidBody, Wheel
+from polhode.spacecraft import AbstractTorque, LaggedTorque, RigidBody, Wheel
+from polhode.systems import AbstractSystem
 
 MOMENTS = (1.0, 2.0, 3.0)
 SPAN = np.array([0.0, 1000.0])

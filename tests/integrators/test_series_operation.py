@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import celestial, systems
+from polhode import celestial, spacecraft, systems
 from polhode.errors import InvalidInput
 from polhode.integrators import LieMidpoint, Taylor
 from polhode.integrators import _series_derivatives as series_derivatives
@@ -109,7 +109,7 @@ def test_what_is_saved_may_be_less_or_a_function():
 def test_what_balances_received_is_integrated_and_differentiated():
     """A body that is braked loses what its drag takes: T and what it received differ by a constant, at any drag."""
 
-    braked = systems.RigidBody((1.0, 2.0, 3.0), torques=[systems.LinearDrag((0.1, 0.1, 0.1))])
+    braked = spacecraft.RigidBody((1.0, 2.0, 3.0), torques=[spacecraft.LinearDrag((0.1, 0.1, 0.1))])
 
     def left(drag):
         body = eqx.tree_at(lambda b: b.torques[0].coefficient, braked, drag * jnp.ones(3))
@@ -183,7 +183,7 @@ def test_what_it_cannot_do_is_refused(call, words):
         call()
 
 
-BRAKED = systems.RigidBody((1.0, 2.0, 3.0), torques=[systems.LinearDrag((0.1, 0.1, 0.1))])
+BRAKED = spacecraft.RigidBody((1.0, 2.0, 3.0), torques=[spacecraft.LinearDrag((0.1, 0.1, 0.1))])
 
 
 def gradients(loss, *arguments):

@@ -350,7 +350,7 @@ def test_losses_change_nutation_as_an_integrated_motion_does(spec, rate, word):
     path = spec(body, system, f'angular_velocity = ["0 rad/s", "0 rad/s", "{spin} rad/s"]')
     found = report_on(path).values()["losses"]
     assert found["platform"] == word
-    craft = ph.systems.RigidBody(moments, [ph.systems.Wheel((0, 0, 1), rotor), ph.systems.EnergySink(sink)])
+    craft = ph.spacecraft.RigidBody(moments, [ph.spacecraft.Wheel((0, 0, 1), rotor), ph.spacecraft.EnergySink(sink)])
     tilted = (1e-4 * momentum / moments[0], 0.0, spin)
     times = np.linspace(0.0, 20.0, 3)
     run = ph.simulate(craft, craft.pack(angular_velocity=tilted, rates=[speed, None]), times)

@@ -10,14 +10,14 @@ import sympy
 import polhode as ph
 from judged import run
 from polhode.errors import PolhodeError
-from polhode.formats import read_urdf_inertial
 from polhode.proving import LiePoissonBracket, SymbolicSystem
 from polhode.rational import read_number
+from polhode.spacecraft import read_urdf_inertial
+from polhode.spacecraft.comparing.clocks import parse_clocks
 from polhode.spec.keys import number_at, with_value
 from polhode.spec.models import SpecFile
 from polhode.spec.units import parse_exactly, parse_quantity
 from polhode.spectra import read_lin, read_par
-from polhode.studies.clocks import parse_clocks
 
 pytest.importorskip("flint")
 NUMERALS = ["1e99999999", "1e-99999999", "0e99999999", "0e-99999999", "1e99999999999999999999", "-1e9999999",

@@ -8,13 +8,13 @@ import pytest
 from tests.specimens import SYSTEMS, named
 
 import polhode as ph
-from polhode import systems
+from polhode import spacecraft, systems
 from polhode.arrays.traced_checks import check_function
 from polhode.errors import InvalidInput
+from polhode.spacecraft.systems.control_laws import UserLaw
+from polhode.spacecraft.systems.controlled_wheels import ControlTorque
+from polhode.spacecraft.torques.lagged import LaggedTorque
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
-from polhode.systems.control_laws import UserLaw
-from polhode.systems.controlled_wheels import ControlTorque
-from polhode.systems.torques.lagged import LaggedTorque
 
 SE3 = ph.algebra.SE3()
 POINT = jnp.arange(1.0, 7.0)
@@ -126,8 +126,8 @@ DOORS = {
     "bracket": lambda: ph.poisson.bracket(SE3, wrong, energy)(POINT),
     "bracket's second": lambda: ph.poisson.bracket(SE3, energy, wrong)(jnp.ones((2, 6))),
     "hamiltonian_field": lambda: ph.poisson.hamiltonian_field(SE3, wrong)(POINT),
-    "torque": lambda: systems.RigidBody((1.0, 2.0, 3.0), torques=[LaggedTorque(in_brackets, 1.0)]),
-    "control law": lambda: systems.RigidBody((1.0, 2.0, 3.0), torques=[ControlTorque(UserLaw(in_brackets))]),
+    "torque": lambda: spacecraft.RigidBody((1.0, 2.0, 3.0), torques=[LaggedTorque(in_brackets, 1.0)]),
+    "control law": lambda: spacecraft.RigidBody((1.0, 2.0, 3.0), torques=[ControlTorque(UserLaw(in_brackets))]),
     "simulate": lambda: ph.simulate(Own(), np.ones(3), [0.0, 1.0]),
     "simulate by diffrax": lambda: ph.simulate(Own(), np.ones(3), [0.0, 1.0], diffrax.Dopri8()),
     "simulate a subclass": lambda: ph.simulate(OwnLiePoisson(), np.ones(3), [0.0, 1.0]),

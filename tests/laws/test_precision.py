@@ -8,12 +8,12 @@ from jaxtyping import config
 
 import polhode as ph
 from limited import run_limited
-from polhode import algebra, poisson, rolling, systems
+from polhode import algebra, poisson, rolling, spacecraft, systems
 from polhode.errors import InvalidInput
+from polhode.spacecraft.torques import LinearDrag
 from polhode.special.carlson import carlson_rf
 from polhode.special.theta import theta3
 from polhode.systems.kepler_orbit import KeplerOrbit
-from polhode.systems.torques import LinearDrag
 
 LONG_ENOUGH = 120.0
 """Seconds; some four are needed."""
@@ -66,13 +66,13 @@ ENTRIES = {
     "Gyrostat rotor": (THREE, lambda x: systems.Gyrostat(THREE, x)),
     "Kirchhoff": (SIX, systems.Kirchhoff),
     "Manakov": (THREE, systems.Manakov),
-    "RigidBody": (THREE, systems.RigidBody),
-    "RigidBody.pack": (THREE, lambda x: systems.RigidBody(THREE).pack(angular_velocity=x)),
-    "Wheel axis": (THREE, lambda x: systems.Wheel(x, 0.1)),
-    "Wheel motor": (0.3, lambda x: systems.Wheel(THREE, 0.1, x)),
-    "HeldWheel rate": (0.3, lambda x: systems.HeldWheel(THREE, 0.1, x)),
-    "SphericalSlug": (0.3, lambda x: systems.SphericalSlug(x, 0.1)),
-    "LaggedTorque": (0.3, lambda x: systems.LaggedTorque(half, x)),
+    "RigidBody": (THREE, spacecraft.RigidBody),
+    "RigidBody.pack": (THREE, lambda x: spacecraft.RigidBody(THREE).pack(angular_velocity=x)),
+    "Wheel axis": (THREE, lambda x: spacecraft.Wheel(x, 0.1)),
+    "Wheel motor": (0.3, lambda x: spacecraft.Wheel(THREE, 0.1, x)),
+    "HeldWheel rate": (0.3, lambda x: spacecraft.HeldWheel(THREE, 0.1, x)),
+    "SphericalSlug": (0.3, lambda x: spacecraft.SphericalSlug(x, 0.1)),
+    "LaggedTorque": (0.3, lambda x: spacecraft.LaggedTorque(half, x)),
     "DoubleBracket rate": (0.3, lambda x: systems.DoubleBracket(THREE, x)),
     "BrunBody strength": (0.3, lambda x: systems.BrunBody(THREE, x)),
     "EulerDisk": (1.0, lambda x: rolling.EulerDisk(x, 0.1)),

@@ -19,7 +19,7 @@ import pytest
 
 import polhode as ph
 from polhode import algebra as lie
-from polhode import celestial, fields, integrators, rolling, systems
+from polhode import celestial, fields, integrators, rolling, spacecraft, systems
 from polhode.algebra.constants import ConstantsAlgebra, MatrixBasisAlgebra
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.exact.lagrange_top.motion import LagrangeMotion
@@ -31,7 +31,7 @@ from specimens import BONDS, EASY, OPEN
 MOVED = 1e-9  # relative to a leaf's size: rounding leaves 1e-15, and arguments are changed by a tenth
 MOMENTS = (1.0, 2.0, 2.5)
 ORBIT = systems.KeplerOrbit(1e-3, 0.1, 0.2, 0.3, 0.4, 0.5, 7e6)
-FIELD = systems.EarthDipoleField(ORBIT, 0.3)
+FIELD = spacecraft.EarthDipoleField(ORBIT, 0.3)
 PLATES = {"areas": (1.0, 2.0), "normals": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
           "positions": ((0.1, 0.2, 0.3), (0.3, 0.2, 0.1))}  # fmt: skip
 PENDULUM = {"pivot": (0.1, 0.2, 0.3), "arm": (0.0, 0.3, 0.4), "mass": 2.0, "stiffness": 0.3, "damping": 0.1}
@@ -96,54 +96,54 @@ SPECIMENS = {
     systems.KeplerOrbit: one(mean_motion=1e-3, eccentricity=0.1, mean_anomaly=0.2, inclination=0.3, node=0.4,
                              periapsis=0.5, semi_major_axis=7e6),
     celestial.SpinOrbit: one(asphericity=0.8, eccentricity=0.1, mean_motion=1.0, mean_anomaly=0.3),
-    systems.RigidBody: one(moments=MOMENTS, mounts=[systems.HeldWheel((0.0, 0.0, 1.0), 0.1, 3.0)],
-                           torques=[systems.GravityGradient(ORBIT)]),
-    systems.TorquedBody: one(moments=MOMENTS, torques=[systems.LinearDrag(0.1)]),
-    systems.QuaternionPD: Specimen({"gain": (1.0, 2.0, 3.0), "rate_gain": (0.1, 0.2, 0.3),
+    spacecraft.RigidBody: one(moments=MOMENTS, mounts=[spacecraft.HeldWheel((0.0, 0.0, 1.0), 0.1, 3.0)],
+                           torques=[spacecraft.GravityGradient(ORBIT)]),
+    spacecraft.TorquedBody: one(moments=MOMENTS, torques=[spacecraft.LinearDrag(0.1)]),
+    spacecraft.QuaternionPD: Specimen({"gain": (1.0, 2.0, 3.0), "rate_gain": (0.1, 0.2, 0.3),
                                     "attitude": (0.8, 0.0, 0.6, 0.0)}, {"attitude": (0.6, 0.8, 0.0, 0.0)}),
-    systems.RateControl: one(angular_velocity=(0.1, 0.2, 0.3), rate_gain=(0.1, 0.2, 0.3)),
-    systems.UserLaw: one(command=command, jumps=(1.0, 2.0)),
-    systems.ControlTorque: one(law=systems.UserLaw(command), limit=(1.0, 2.0, 3.0)),
-    systems.ControlledWheels: Specimen(
-        {"axes": AXES, "moments": (0.1, 0.2, 0.3, 0.4), "law": systems.UserLaw(command), "max_torque": 0.1,
+    spacecraft.RateControl: one(angular_velocity=(0.1, 0.2, 0.3), rate_gain=(0.1, 0.2, 0.3)),
+    spacecraft.UserLaw: one(command=command, jumps=(1.0, 2.0)),
+    spacecraft.ControlTorque: one(law=spacecraft.UserLaw(command), limit=(1.0, 2.0, 3.0)),
+    spacecraft.ControlledWheels: Specimen(
+        {"axes": AXES, "moments": (0.1, 0.2, 0.3, 0.4), "law": spacecraft.UserLaw(command), "max_torque": 0.1,
          "max_rate": 100.0, "friction": 0.01}, {"axes": OTHER_AXES}),
-    systems.ControlMomentGyroscope: Specimen(
-        {"gimbal_axis": (1.0, 0.0, 0.0), "rotor": systems.HeldWheel((0.0, 0.0, 1.0), 0.1, 3.0),
+    spacecraft.ControlMomentGyroscope: Specimen(
+        {"gimbal_axis": (1.0, 0.0, 0.0), "rotor": spacecraft.HeldWheel((0.0, 0.0, 1.0), 0.1, 3.0),
          "moments": (0.2, 0.3, 0.25), "gimbal_rate": 0.1, "bandwidth": 2.0, "friction": 0.1, "jumps": (1.0, 2.0)},
         {"gimbal_axis": (0.0, 1.0, 0.0)}),
-    systems.HingedPart: Specimen(
+    spacecraft.HingedPart: Specimen(
         {"hinge": (0.1, 0.2, 0.3), "axis": (0.0, 0.0, 1.0), "center": (0.5, 0.2, 0.3), "mass": 2.0, "inertia": LOWER,
          "stiffness": 0.3, "damping": 0.1, "motor": 0.2, "jumps": (1.0, 2.0)}, {"axis": (0.0, 0.6, 0.8)}),
-    systems.LockedPart: Specimen({"part": systems.SphericalPendulum(**PENDULUM), "coordinates": (0.1, 0.2, 0.3)},
-                                 {"part": systems.SphericalPendulum(**PENDULUM | {"mass": 3.0})}),
-    systems.SphericalPendulum: Specimen(PENDULUM, {"arm": (0.1, 0.3, 0.5)}),
-    systems.SprungMass: Specimen(
+    spacecraft.LockedPart: Specimen({"part": spacecraft.SphericalPendulum(**PENDULUM), "coordinates": (0.1, 0.2, 0.3)},
+                                 {"part": spacecraft.SphericalPendulum(**PENDULUM | {"mass": 3.0})}),
+    spacecraft.SphericalPendulum: Specimen(PENDULUM, {"arm": (0.1, 0.3, 0.5)}),
+    spacecraft.SprungMass: Specimen(
         {"position": (0.1, 0.2, 0.3), "directions": AXES[:2], "mass": 2.0, "stiffness": (3.0, 4.0),
          "damping": (0.1, 0.2)}, {"directions": ((0.8, 0.6, 0.0), (0.0, 0.0, 1.0))}),
-    systems.Propellant: one(position=(0.1, 0.2, 0.3), mass=5.0, nozzle=(0.0, 0.0, -1.0), flow=0.1,
+    spacecraft.Propellant: one(position=(0.1, 0.2, 0.3), mass=5.0, nozzle=(0.0, 0.0, -1.0), flow=0.1,
                             exhaust_velocity=(0.0, 0.0, -300.0), at=1.0, lasting=2.0, inertia=LOWER, jumps=(4.0,)),
-    systems.EnergySink: one(rate=0.1),
-    systems.SphericalSlug: one(moment=0.1, damping=0.2),
-    systems.Wheel: Specimen(
+    spacecraft.EnergySink: one(rate=0.1),
+    spacecraft.SphericalSlug: one(moment=0.1, damping=0.2),
+    spacecraft.Wheel: Specimen(
         {"axis": (0.0, 0.6, 0.8), "moment": 0.1, "motor": 0.2, "friction": 0.1, "jumps": (1.0, 2.0),
          "coulomb_friction": 0.1, "sliding_rate": 0.3, "max_torque": 0.5, "max_rate": 100.0},
         {"axis": (0.6, 0.0, 0.8)}),
-    systems.HeldWheel: Specimen({"axis": (0.0, 0.6, 0.8), "moment": 0.1, "rate": 3.0}, {"axis": (0.6, 0.0, 0.8)}),
-    systems.EarthDipoleField: one(orbit=ORBIT, greenwich=0.3, coefficients=(-29e-6, -1.4e-6, 4.6e-6)),
-    systems.MagneticDipole: one(field=FIELD, moment=(0.1, 0.2, 0.3)),
-    systems.EddyCurrents: one(field=FIELD, coefficient=0.1),
-    systems.TorqueRods: Specimen({"field": FIELD, "gain": 0.1, "limit": (1.0, 2.0, 3.0), "axes": np.eye(3)},
+    spacecraft.HeldWheel: Specimen({"axis": (0.0, 0.6, 0.8), "moment": 0.1, "rate": 3.0}, {"axis": (0.6, 0.0, 0.8)}),
+    spacecraft.EarthDipoleField: one(orbit=ORBIT, greenwich=0.3, coefficients=(-29e-6, -1.4e-6, 4.6e-6)),
+    spacecraft.MagneticDipole: one(field=FIELD, moment=(0.1, 0.2, 0.3)),
+    spacecraft.EddyCurrents: one(field=FIELD, coefficient=0.1),
+    spacecraft.TorqueRods: Specimen({"field": FIELD, "gain": 0.1, "limit": (1.0, 2.0, 3.0), "axes": np.eye(3)},
                                  {"axes": OTHER_AXES[:3]}),
-    systems.GravityGradient: one(orbit=ORBIT, moments=MOMENTS),
-    systems.LaggedTorque: one(command=command, time_constant=2.0, jumps=(1.0, 2.0)),
-    systems.LinearDrag: one(coefficient=(0.1, 0.2, 0.3)),
-    systems.QuadraticDrag: one(coefficient=0.1),
-    systems.ConstantTorque: one(torque=(0.1, 0.2, 0.3)),
-    systems.DumpingThrusters: one(rate=0.1, limit=(1.0, 2.0, 3.0), dead_band=0.1),
-    systems.Thruster: one(at=(1.0, 3.0), lasting=(0.5, 0.25), force=(1.0, 2.0, 3.0), position=(0.1, 0.2, 0.3)),
-    systems.AerodynamicDrag: Specimen({"orbit": ORBIT, "density": 1e-11, "coefficient": 2.2} | PLATES,
+    spacecraft.GravityGradient: one(orbit=ORBIT, moments=MOMENTS),
+    spacecraft.LaggedTorque: one(command=command, time_constant=2.0, jumps=(1.0, 2.0)),
+    spacecraft.LinearDrag: one(coefficient=(0.1, 0.2, 0.3)),
+    spacecraft.QuadraticDrag: one(coefficient=0.1),
+    spacecraft.ConstantTorque: one(torque=(0.1, 0.2, 0.3)),
+    spacecraft.DumpingThrusters: one(rate=0.1, limit=(1.0, 2.0, 3.0), dead_band=0.1),
+    spacecraft.Thruster: one(at=(1.0, 3.0), lasting=(0.5, 0.25), force=(1.0, 2.0, 3.0), position=(0.1, 0.2, 0.3)),
+    spacecraft.AerodynamicDrag: Specimen({"orbit": ORBIT, "density": 1e-11, "coefficient": 2.2} | PLATES,
                                       {"normals": ((0.0, 0.6, 0.8), (1.0, 0.0, 0.0))}),
-    systems.SolarPressure: Specimen(
+    spacecraft.SolarPressure: Specimen(
         {"sun": (0.0, 0.6, 0.8), "specular": 0.3, "diffuse": 0.2, "pressure": 4.5e-6, "orbit": ORBIT,
          "shading_radius": 6e6} | PLATES,
         {"shading_radius": 5e6, "sun": (0.6, 0.0, 0.8), "normals": ((0.0, 0.6, 0.8), (1.0, 0.0, 0.0))}),
@@ -159,18 +159,18 @@ SPECIMENS = {
 }  # fmt: skip
 
 OTHER_PARAMETERS = {
-    (systems.HingedPart, "hinge"): "the arm, from there to the centre, is a leaf",
-    (systems.Thruster, "at"): "the end of each pulse is a leaf",
+    (spacecraft.HingedPart, "hinge"): "the arm, from there to the centre, is a leaf",
+    (spacecraft.Thruster, "at"): "the end of each pulse is a leaf",
 }
 """Arguments in place of which other numbers are leaves, as many and independent of each other."""
 PINV = "the pseudoinverse of the axes, which has no derivatives where they do not span space"
 LEGENDRE = "coefficients of the disk's Legendre function, made with the numbers in 30 digits"
 STEP = "normal numbers are of the step that the solver is made with, which a run makes shorter between samples"
 COPIES = {
-    (systems.ControlledWheels, "axes"): PINV,
-    (systems.TorqueRods, "axes"): PINV,
+    (spacecraft.ControlledWheels, "axes"): PINV,
+    (spacecraft.TorqueRods, "axes"): PINV,
     **{(rolling.EulerDisk, name): LEGENDRE for name in ("mass", "radius", "axial_moment", "diametral_moment")},
-    (systems.RigidBody, "moments"): "torques are bound to a body, which checks them, and keep its moments",
+    (spacecraft.RigidBody, "moments"): "torques are bound to a body, which checks them, and keep its moments",
     (fields.TransportNoise, "step_size"): STEP,
     (fields.NoiseDriftNoise, "step_size"): STEP,
 }

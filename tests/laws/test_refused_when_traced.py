@@ -7,18 +7,14 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import algebra, analysis, celestial, fields, measuring, poisson, rolling, spectra, systems
+from polhode import algebra, analysis, celestial, fields, measuring, poisson, rolling, spacecraft, spectra, systems
 from polhode.analysis import (
-    alignment,
-    comparison,
     coning,
     dual_spin,
-    energy_sink,
     first_method,
     free_axes,
     gravity_gradient,
     gyrostat_rotations,
-    nutation_damping,
     poinsot,
     polhodes,
     top_rates,
@@ -32,6 +28,8 @@ from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import steady_precession as tops
 from polhode.measuring.pendulum import periods as pendulum_periods
 from polhode.motion import frame
+from polhode.spacecraft.comparing import alignment, comparison
+from polhode.spacecraft.damped_body import energy_sink, nutation_damping
 from polhode.systems import body_with_rotor
 
 THREE, FOUR, EYE = np.array([1.0, 2.0, 2.5]), np.array([1.0, 0.0, 0.0, 0.0]), np.eye(3)
@@ -147,16 +145,16 @@ REFUSED = {
     "KeplerOrbit": (0.3, lambda x: systems.KeplerOrbit(1.0, x)),
     "KeplerOrbit.from_semi_major_axis": (1.0, lambda x: systems.KeplerOrbit.from_semi_major_axis(x, 1.0, 0.1)),
     "SpinOrbit": (0.3, lambda x: celestial.SpinOrbit(x, 0.1)),
-    "LinearDrag": (0.3, systems.LinearDrag),
-    "QuadraticDrag": (0.3, systems.QuadraticDrag),
-    "GravityGradient": (THREE, lambda x: systems.GravityGradient(systems.KeplerOrbit(1.0, 0.1), x)),
-    "LaggedTorque": (0.3, lambda x: systems.LaggedTorque(lambda t, attitude, velocity: velocity, x)),
-    "RigidBody": (THREE, systems.RigidBody),
-    "Wheel": (0.3, lambda x: systems.Wheel(AXIS, x)),
-    "HeldWheel": (0.3, lambda x: systems.HeldWheel(AXIS, 0.1, x)),
-    "SphericalSlug": (0.3, lambda x: systems.SphericalSlug(x, 0.1)),
-    "EnergySink": (0.3, systems.EnergySink),
-    "TorquedBody": (THREE, lambda x: systems.TorquedBody(x, [])),
+    "LinearDrag": (0.3, spacecraft.LinearDrag),
+    "QuadraticDrag": (0.3, spacecraft.QuadraticDrag),
+    "GravityGradient": (THREE, lambda x: spacecraft.GravityGradient(systems.KeplerOrbit(1.0, 0.1), x)),
+    "LaggedTorque": (0.3, lambda x: spacecraft.LaggedTorque(lambda t, attitude, velocity: velocity, x)),
+    "RigidBody": (THREE, spacecraft.RigidBody),
+    "Wheel": (0.3, lambda x: spacecraft.Wheel(AXIS, x)),
+    "HeldWheel": (0.3, lambda x: spacecraft.HeldWheel(AXIS, 0.1, x)),
+    "SphericalSlug": (0.3, lambda x: spacecraft.SphericalSlug(x, 0.1)),
+    "EnergySink": (0.3, spacecraft.EnergySink),
+    "TorquedBody": (THREE, lambda x: spacecraft.TorquedBody(x, [])),
     "AbstractLiePoissonSystem.check_state": (THREE, BODY.check_state),
     "from_structure_constants": (SO3.structure_constants(), algebra.from_structure_constants),
     "from_matrices": (algebra.SU(2).basis, algebra.from_matrices),
@@ -205,7 +203,7 @@ REFUSED = {
     "continue_periodic": (THREE, lambda x: ph.analysis.continue_periodic(lambda a: BODY, (0.0, 1.0), x, 9.0)),
     "first_method": (EYE, first_method.first_method),
     "steady_rotations": (1.0, lambda x: analysis.steady_rotations(ROTOR, x)),
-    "damped_axis_stability": (1.0, lambda x: analysis.damped_axis_stability(LOSING, x)),
+    "damped_axis_stability": (1.0, lambda x: spacecraft.damped_axis_stability(LOSING, x)),
     "top_stability": (1.0, lambda x: analysis.top_stability(TOP, x)),
     "HeavyTop.leaning": (0.3, TOP.leaning),
     "HeavyTop.from_motion": (THREE, lambda x: systems.HeavyTop.from_motion(swinging(x))),
@@ -229,10 +227,10 @@ REFUSED = {
     "find_direction": (THREE, body_with_rotor.find_direction),
     "symmetric_rates": (THREE, lambda x: analysis.symmetric_rates(ROTOR, x)),
     "angle_from_axis": (THREE, lambda x: analysis.angle_from_axis(x, AXIS)),
-    "angle_to_major_axis": (THREE, lambda x: analysis.angle_to_major_axis(x, THREE)),
-    "angle_to_axis": (THREE, lambda x: analysis.angle_to_axis(x, 0)),
-    "drag_time_constant": (0.3, lambda x: analysis.drag_time_constant(1.0, 1.0, x)),
-    "settling_time": (THREE, lambda x: analysis.settling_time([], x, THREE)),
+    "angle_to_major_axis": (THREE, lambda x: spacecraft.angle_to_major_axis(x, THREE)),
+    "angle_to_axis": (THREE, lambda x: spacecraft.angle_to_axis(x, 0)),
+    "drag_time_constant": (0.3, lambda x: spacecraft.drag_time_constant(1.0, 1.0, x)),
+    "settling_time": (THREE, lambda x: spacecraft.settling_time([], x, THREE)),
     "rotation_period": (THREE, lambda x: analysis.rotation_period(moving(x))),
     "turn_per_flip": (THREE, lambda x: analysis.turn_per_flip(moving(x))),
     "precession.fastest_rate": (THREE, lambda x: fastest_rate(moving(x))),
@@ -351,7 +349,7 @@ KNOWN = {
     "HeavyTop.pack": lambda: TOP.pack(jnp.asarray(FOUR), jnp.asarray(THREE)),
     "KeplerOrbit": lambda: systems.KeplerOrbit(1.0, 0.1).direction(0.3),
     "SpinOrbit": lambda: celestial.SpinOrbit(0.3, 0.1).vector_field(0.3, THREE[:2]),
-    "GravityGradient": lambda: systems.GravityGradient(systems.KeplerOrbit(1.0, 0.1), THREE).torque(0.0, FOUR, AXIS),
+    "GravityGradient": lambda: spacecraft.GravityGradient(systems.KeplerOrbit(1.0, 0.1), THREE).torque(0.0, FOUR, AXIS),
     "orbit_dimension": lambda: poisson.orbit_dimension(SO3, THREE),
     "killing_form": lambda: algebra.killing_form(algebra.SU(2)),
     "centre": lambda: algebra.centre(algebra.Heisenberg(1)),

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import systems
+from polhode import spacecraft, systems
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractSystem
 
@@ -25,7 +25,7 @@ def rounded(x):
     return jnp.asarray(jnp.asarray(x, jnp.float32), float)
 
 
-class Drag(systems.AbstractTorque):
+class Drag(spacecraft.AbstractTorque):
     """A torque that rounds the rate of turning."""
 
     def torque(self, t, attitude, angular_velocity, actuator=None):
@@ -46,8 +46,9 @@ DOORS = {
     "Hamiltonian": lambda: systems.LiePoisson(SO3, lambda m: energy(rounded(m))),
     "potential": lambda: systems.BodyInPotential((1.0, 2.0, 3.0), lambda up: rounded(up)[2]),
     "integral": lambda: ph.stability(BODY, (0.0, 0.0, 1.0), integrals=[lambda m: energy(rounded(m))]),
-    "torque": lambda: systems.RigidBody((1.0, 2.0, 2.5), [], [Drag()]),
-    "motor": lambda: systems.RigidBody((1.0, 2.0, 2.5), [systems.Wheel((1, 0, 0), 0.1, lambda t, *_: rounded(t))]),
+    "torque": lambda: spacecraft.RigidBody((1.0, 2.0, 2.5), [], [Drag()]),
+    "motor": lambda: spacecraft.RigidBody(
+        (1.0, 2.0, 2.5), [spacecraft.Wheel((1, 0, 0), 0.1, lambda t, *_: rounded(t))]),
     "bracket": lambda: ph.poisson.bracket(SO3, energy, lambda m: energy(rounded(m)))(jnp.asarray(POINT)),
     "simulate": lambda: ph.simulate(Own(), np.ones(3), [0.0, 1.0]),
     "solve": lambda: ph.solve(Own(), jnp.ones(3), jnp.array([0.0, 1.0])),

@@ -7,9 +7,10 @@ import pytest
 from polhode.celestial import SpinOrbit
 from polhode.errors import InvalidInput
 from polhode.rolling import EulerDisk
-from polhode.systems import DoubleBracket, EnergySink, FreeRigidBody, LiePoisson, Manakov, RigidBody, TorquedBody
+from polhode.spacecraft import EnergySink, RigidBody, TorquedBody
+from polhode.spacecraft.torques import LinearDrag
+from polhode.systems import DoubleBracket, FreeRigidBody, LiePoisson, Manakov
 from polhode.systems.base import Balance
-from polhode.systems.torques import LinearDrag
 from polhode.testing import LawBroken, check_system
 from specimens import SYSTEMS, named
 from sweeping import first

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import polhode
-from polhode import celestial, fields, rolling, systems
+from polhode import celestial, fields, rolling, spacecraft, systems
 from polhode.systems.base import AbstractLiePoissonSystem, components
 from registered import public_classes
 from specimens import SYSTEMS
@@ -27,52 +27,52 @@ def motor(t, attitude, angular_velocity, rate):
     return 0.3 * t - 0.1 * rate + 0.2 * attitude[..., 1] + 0.1 * angular_velocity[..., 0]
 
 
-ROTOR, SLUG = systems.Wheel((1.0, 2.0, 3.0), 0.3, motor, 0.1), systems.SphericalSlug(0.2, 0.3)
-SINK = systems.EnergySink(0.1)
-LAGGED = systems.LaggedTorque(lambda t, attitude, velocity: t[..., None] * velocity + attitude[..., 1:], 0.7)
-HELD = systems.HeldWheel((0.0, 1.0, 1.0), 0.1, 5.0)
-GRAVITY = systems.GravityGradient(systems.KeplerOrbit(0.7, 0.0, 0.4), MOMENTS)
+ROTOR, SLUG = spacecraft.Wheel((1.0, 2.0, 3.0), 0.3, motor, 0.1), spacecraft.SphericalSlug(0.2, 0.3)
+SINK = spacecraft.EnergySink(0.1)
+LAGGED = spacecraft.LaggedTorque(lambda t, attitude, velocity: t[..., None] * velocity + attitude[..., 1:], 0.7)
+HELD = spacecraft.HeldWheel((0.0, 1.0, 1.0), 0.1, 5.0)
+GRAVITY = spacecraft.GravityGradient(systems.KeplerOrbit(0.7, 0.0, 0.4), MOMENTS)
 WAY = systems.KeplerOrbit.from_semi_major_axis(7e6, 3.986004418e14, 0.05, 0.4, inclination=1.1, node=0.7, periapsis=0.3)
-FIELD = systems.EarthDipoleField(WAY, 0.3)
+FIELD = spacecraft.EarthDipoleField(WAY, 0.3)
 PLATES = {"areas": [1.0, 2.0], "normals": np.eye(3)[:2], "positions": np.eye(3)[1:]}
-POINTING = systems.QuaternionPD(0.3, (0.2, 0.3, 0.4), target="nadir", orbit=WAY)
-STEADYING = systems.RateControl((0.1, 0.2, 0.3), 0.5)
-OWN_LAW = systems.UserLaw(lambda t, q, w, own: q[..., 1:] - w + own, lambda t, q, w, own: w - 0.1 * own, 3)
-WHEELS = systems.ControlledWheels(np.eye(3), 0.01, OWN_LAW, max_torque=0.9, max_rate=300.0, friction=0.1)
+POINTING = spacecraft.QuaternionPD(0.3, (0.2, 0.3, 0.4), target="nadir", orbit=WAY)
+STEADYING = spacecraft.RateControl((0.1, 0.2, 0.3), 0.5)
+OWN_LAW = spacecraft.UserLaw(lambda t, q, w, own: q[..., 1:] - w + own, lambda t, q, w, own: w - 0.1 * own, 3)
+WHEELS = spacecraft.ControlledWheels(np.eye(3), 0.01, OWN_LAW, max_torque=0.9, max_rate=300.0, friction=0.1)
 CONTROL = [
-    FIELD, POINTING, STEADYING, OWN_LAW, WHEELS, systems.ControlTorque(POINTING, 0.4),
-    systems.Thruster([0.6, 1.1], 0.4, (1.0, 2.0, 3.0), (0.1, 0.2, 0.3)),
-    systems.ConstantTorque((0.1, 0.2, 0.3), "space"), systems.DumpingThrusters(0.2, 0.1, 0.3),
-    systems.MagneticDipole(FIELD, (1e3, 2e3, 3e3)),
-    systems.TorqueRods(FIELD, 1e7, "dump", limit=1e5), systems.EddyCurrents(FIELD, 1e9),
-    systems.SolarPressure((1.0, 2.0, 3.0), **PLATES, specular=0.3, diffuse=0.2, pressure=1.0, orbit=WAY),
-    systems.AerodynamicDrag(WAY, 1e-8, **PLATES),
+    FIELD, POINTING, STEADYING, OWN_LAW, WHEELS, spacecraft.ControlTorque(POINTING, 0.4),
+    spacecraft.Thruster([0.6, 1.1], 0.4, (1.0, 2.0, 3.0), (0.1, 0.2, 0.3)),
+    spacecraft.ConstantTorque((0.1, 0.2, 0.3), "space"), spacecraft.DumpingThrusters(0.2, 0.1, 0.3),
+    spacecraft.MagneticDipole(FIELD, (1e3, 2e3, 3e3)),
+    spacecraft.TorqueRods(FIELD, 1e7, "dump", limit=1e5), spacecraft.EddyCurrents(FIELD, 1e9),
+    spacecraft.SolarPressure((1.0, 2.0, 3.0), **PLATES, specular=0.3, diffuse=0.2, pressure=1.0, orbit=WAY),
+    spacecraft.AerodynamicDrag(WAY, 1e-8, **PLATES),
 ]
-SLOSH = systems.SprungMass((0.1, 0.2, 0.1), [(1.0, 0.0, 0.0), (0.0, 1.0, 1.0)], 0.3, 2.0, 0.1)
-PANEL = systems.HingedPart(
+SLOSH = spacecraft.SprungMass((0.1, 0.2, 0.1), [(1.0, 0.0, 0.0), (0.0, 1.0, 1.0)], 0.3, 2.0, 0.1)
+PANEL = spacecraft.HingedPart(
     (0.2, 0.0, 0.0), (0.0, 1.0, 0.0), (0.5, 0.0, 0.1), 0.2, np.diag([0.02, 0.03, 0.04]), 1.0, 0.1,
     motor=lambda t, attitude, velocity, angle, rate: 0.1 * t + attitude[..., 1] - rate,
 )  # fmt: skip
-PENDULUM = systems.SphericalPendulum((0.0, 0.1, 0.2), (0.0, 0.1, -0.3), 0.2, 0.4, 0.05)
-GYROSCOPE = systems.ControlMomentGyroscope((0.0, 0.0, 1.0), systems.Wheel((1.0, 0.0, 0.0), 0.02, motor),
+PENDULUM = spacecraft.SphericalPendulum((0.0, 0.1, 0.2), (0.0, 0.1, -0.3), 0.2, 0.4, 0.05)
+GYROSCOPE = spacecraft.ControlMomentGyroscope((0.0, 0.0, 1.0), spacecraft.Wheel((1.0, 0.0, 0.0), 0.02, motor),
                                            (0.05, 0.03, 0.04), 0.1, friction=0.2)  # fmt: skip
-LOCKED = systems.LockedPart(PANEL, 0.4)
-FUEL = systems.Propellant((0.0, 0.1, 0.0), 0.5, (0.0, 0.0, -0.7), lambda t: 0.01 * t, (0.0, 0.0, -3.0))
+LOCKED = spacecraft.LockedPart(PANEL, 0.4)
+FUEL = spacecraft.Propellant((0.0, 0.1, 0.0), 0.5, (0.0, 0.0, -0.7), lambda t: 0.01 * t, (0.0, 0.0, -3.0))
 CRAFT = polhode.Body(12.0, (0.01, 0.02, -0.03), np.diag(MOMENTS))
 SPECIMENS = [
     SLOSH, PANEL, PENDULUM, GYROSCOPE, LOCKED, FUEL,
     *{type(system): system for system in reversed(SYSTEMS)}.values(), DISK, celestial.SpinOrbit(0.89, 0.4), ORBIT,
     *LAWS,
-    systems.LinearDrag((0.1, 0.2, 0.3)), systems.QuadraticDrag(0.05), systems.GravityGradient(ORBIT, MOMENTS),
+    spacecraft.LinearDrag((0.1, 0.2, 0.3)), spacecraft.QuadraticDrag(0.05), spacecraft.GravityGradient(ORBIT, MOMENTS),
     ROTOR, HELD, SLUG, SINK, LAGGED, systems.RigidBody.from_body(
         CRAFT, [ROTOR, HELD, SLUG, SINK, SLOSH, PANEL, PENDULUM, GYROSCOPE, LOCKED, FUEL], [GRAVITY, LAGGED]),
-    systems.TorquedBody(MOMENTS, [systems.LinearDrag(0.3), systems.GravityGradient(ORBIT, MOMENTS)]),
+    spacecraft.TorquedBody(MOMENTS, [spacecraft.LinearDrag(0.3), spacecraft.GravityGradient(ORBIT, MOMENTS)]),
     systems.TorquedGyrostat(MOMENTS, (1.0, 2.0, 3.0), 0.3, 0.1), systems.Variations(systems.FreeRigidBody(MOMENTS), 2),
-    *CONTROL, systems.RigidBody(MOMENTS, [WHEELS], [systems.TorqueRods(FIELD, 1e7, "dump", limit=1e5)]),
+    *CONTROL, spacecraft.RigidBody(MOMENTS, [WHEELS], [spacecraft.TorqueRods(FIELD, 1e7, "dump", limit=1e5)]),
 ]  # fmt: skip
-NOT_MOVING = {systems.AbstractControlLaw, systems.Argument, systems.AbstractMovingPart,
-              systems.AbstractLiePoissonSystem, systems.AbstractSystem, systems.AbstractTorque, systems.AbstractMount,
-              systems.AbstractRigidBody, rolling.RollingDissipation, systems.Balance, systems.RotorInBody,
+NOT_MOVING = {spacecraft.AbstractControlLaw, spacecraft.Argument, spacecraft.AbstractMovingPart,
+              systems.AbstractLiePoissonSystem, systems.AbstractSystem, spacecraft.AbstractTorque,
+              spacecraft.AbstractMount, spacecraft.AbstractRigidBody, rolling.RollingDissipation, systems.Balance, systems.RotorInBody,
               fields.Bond, fields.Lattice, fields.exchange_matrix, fields.quiet_start,
               systems.rotor_in_body}  # fmt: skip
 LEFT_OUT = {
@@ -107,7 +107,7 @@ LEFT_OUT = {
     "as_given": "takes a state apart, and is called by the others",
     "torques_apart": "returns a list, whose sum is tested by external_torque",
     "at_rest": "takes nothing, and is called by the equations of motion",
-    "Propellant.start": "takes no rate, and is tested in tests/systems/test_moving_parts.py",
+    "Propellant.start": "takes no rate, and is tested in tests/spacecraft/test_moving_parts.py",
     "from_beam": "refuses traced numbers, see test_refused_when_traced",
     "RigidBody.from_body": "takes a body, whose numbers are known",
     "layout": "says what numbers mean, and returns none",
@@ -166,7 +166,7 @@ def arguments(system, method):
         values["own"] = values["actuator"] = RNG.normal(size=(3, system.state_size))
         values["rate"] = RNG.normal(size=(3, 3) if system in (SLUG, WHEELS) else 3)
         values["stored"] = RNG.normal(size=(3, 3))
-    if isinstance(system, systems.AbstractMovingPart):
+    if isinstance(system, spacecraft.AbstractMovingPart):
         values["q"] = 0.3 * RNG.normal(size=(3, system.count))
         count = system.rate_count if method.__name__ == "start_further" else system.count
         values["rate"] = RNG.normal(size=(3, count))
@@ -181,8 +181,9 @@ def arguments(system, method):
 
 
 VORTICES = (fields.SphereVortices, fields.PlaneVortices)
-ATTACHED = (systems.AbstractMount, systems.AbstractMovingPart, systems.AbstractTorque, systems.AbstractControlLaw)
-NO_STATE = (systems.KeplerOrbit, systems.EarthDipoleField, rolling.RollingDissipation, *ATTACHED)
+ATTACHED = (spacecraft.AbstractMount, spacecraft.AbstractMovingPart, spacecraft.AbstractTorque,
+            spacecraft.AbstractControlLaw)
+NO_STATE = (systems.KeplerOrbit, spacecraft.EarthDipoleField, rolling.RollingDissipation, *ATTACHED)
 
 
 def methods():

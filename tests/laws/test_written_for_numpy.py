@@ -9,9 +9,9 @@ import pytest
 
 import polhode as ph
 from polhode import algebra as lie
-from polhode import systems
+from polhode import spacecraft, systems
 from polhode.errors import InvalidInput
-from polhode.systems.torques import AbstractTorque
+from polhode.spacecraft.torques import AbstractTorque
 
 SO3 = ph.algebra.SO3()
 
@@ -60,8 +60,8 @@ CALLS = {
     "an integral": lambda: ph.stability(systems.FreeRigidBody(MOMENTS), (0, 0, 1), integrals=[square]),
     "a Casimir": lambda: ph.stability(systems.FreeRigidBody(MOMENTS), (0, 0, 1), casimirs=[square]),
     "a potential": lambda: systems.BodyInPotential(MOMENTS, square),
-    "a torque": lambda: ph.simulate(systems.TorquedBody(MOMENTS, [Torque()]), (0, 0, 1.0), LAST),
-    "a torque with if": lambda: ph.simulate(systems.TorquedBody(MOMENTS, [Branching()]), (0, 0, 1.0), LAST),
+    "a torque": lambda: ph.simulate(spacecraft.TorquedBody(MOMENTS, [Torque()]), (0, 0, 1.0), LAST),
+    "a torque with if": lambda: ph.simulate(spacecraft.TorquedBody(MOMENTS, [Branching()]), (0, 0, 1.0), LAST),
     "a field": lambda: ph.simulate(Field(), (0.3, 1.0), LAST),
     "an invariant": lambda: ph.simulate(Invariants(), (0.3, 1.0), LAST),
     "an energy": lambda: ph.simulate(WITH_ENERGY(MOMENTS), (0.3, 1.0, 1.0), LAST),

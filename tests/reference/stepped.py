@@ -20,17 +20,8 @@ from polhode.rolling import (
     RollingCouple,
     ViscousContourFriction,
 )
-from polhode.systems import (
-    DoubleBracket,
-    GravityGradient,
-    Gyrostat,
-    HeavyTop,
-    KeplerOrbit,
-    LinearDrag,
-    QuadraticDrag,
-    TorquedBody,
-    TorquedGyrostat,
-)
+from polhode.spacecraft import GravityGradient, LinearDrag, QuadraticDrag, TorquedBody
+from polhode.systems import DoubleBracket, Gyrostat, HeavyTop, KeplerOrbit, TorquedGyrostat
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 HERE = Path(__file__).parent

@@ -45,7 +45,7 @@ def installed(tmp_path_factory):
         pytest.skip("npm is missing")
     folder = tmp_path_factory.mktemp("npm")
     clone = folder / "repository"
-    for part in ("reference", "src/polhode/testing"):
+    for part in ("reference", "src/polhode/judging"):
         shutil.copytree(ROOT / part, clone / part)
     shutil.copy(ROOT / "LICENSE", clone)
     done = subprocess.run([NPM, "pack", "--offline", "--json"], cwd=clone / "reference", capture_output=True, text=True,

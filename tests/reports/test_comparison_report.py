@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from polhode import FreeMotion, rotation
-from polhode.analysis.comparison import AttitudeHistory, compare
-from polhode.studies.comparison_report import ComparisonReport
+from polhode.spacecraft.comparing.comparison import AttitudeHistory, compare
+from polhode.spacecraft.comparing.report import ComparisonReport
 
 MOTION = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
 TIMES = np.linspace(0.0, 10.0, 50)

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from polhode.analysis.comparison import AttitudeHistory, compare
 from polhode.reports.answer import collect_values
 from polhode.reports.wording import count_known_digits, uncertain
-from polhode.studies.comparison_report import ComparisonReport
+from polhode.spacecraft.comparing.comparison import AttitudeHistory, compare
+from polhode.spacecraft.comparing.report import ComparisonReport
 
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]\d+)?"
 PAIR = re.compile(rf"({NUMBER}) ± ({NUMBER})")

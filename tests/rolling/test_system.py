@@ -21,8 +21,8 @@ from polhode.rolling import (
 )
 from polhode.rolling.euler_disk._mechanics import RollingMechanics
 from polhode.rolling.euler_disk.dissipation import couples
+from spacecraft.newton_euler import DIGITS, accelerations, cross, dot, vector
 from sweeping import first
-from systems.newton_euler import DIGITS, accelerations, cross, dot, vector
 
 MASS, RADIUS, THICKNESS = 0.4387, 0.0381, 0.0127
 LAWS = (

@@ -62,7 +62,7 @@ def reported(folder, text, *options):
 def test_every_number_has_a_spec_that_it_is_drawn_in(hosts, any_type):
     """A new key is drawn too, or this says which spec of ``mutations.EXTRA`` it must be added to."""
     numbers = [(key, host) for kind in KINDS for key, host in hosts(kind) if key.form in ("number", "whole")
-               and key.path[:2] != ("body", "joints")]  # fmt: skip  # of robots' files, in formats/test_robots.py
+               and key.path[:2] != ("body", "joints")]  # fmt: skip  # of robots' files, in spacecraft/test_robots.py
     missing = [str(key) for key, host in numbers if host is None and key.path[0] == "system"]
     reached = {key.path for key, host in numbers if host is not None}
     missing += sorted({".".join(map(str, key.path)) for key, _ in numbers if key.path not in reached})

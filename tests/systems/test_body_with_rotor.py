@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import analysis, rotation, systems
+from polhode import analysis, rotation, spacecraft, systems
 from polhode.errors import InvalidInput
 
 BODY = ph.Body(2.0, (0.0, 0.0, 0.0), [[3.0, 0.2, 0.1], [0.2, 2.5, 0.0], [0.1, 0.0, 4.0]])
@@ -36,7 +36,7 @@ def test_it_moves_like_a_body_put_together_of_mounts():
     times = np.linspace(0.0, 2.0, 5)
     ours = ph.simulate(made.gyrostat, np.concatenate([made.attitude, made.total]), times, step=1e-3)
     principal = BODY.principal_axes
-    whole = systems.RigidBody(BODY.principal_moments, [systems.Wheel(principal.T @ AXIS, MOMENT)])
+    whole = spacecraft.RigidBody(BODY.principal_moments, [spacecraft.Wheel(principal.T @ AXIS, MOMENT)])
     attitude = rotation.multiply(TURNED, rotation.from_matrix(principal))
     start = whole.pack(attitude=attitude, angular_velocity=principal.T @ VELOCITY, rates=[RATE])
     theirs = ph.simulate(whole, start, times)

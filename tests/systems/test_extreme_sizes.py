@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import celestial, rolling, systems
+from polhode import celestial, rolling, spacecraft, systems
 from polhode.errors import PolhodeError
 
 SIZES = (1e-320, 1e-300, 1e-200, 1e-155, 1e-60, 1.0, 2.0, 1e60, 1e155, 1e200, 1e300, 1.7e308)
@@ -34,8 +34,8 @@ def made(chance):
         "gyrostat": lambda: systems.Gyrostat((size(), size(), size()), vector()),
         "masses": lambda: systems.Manakov((size(), size(), signed(), size())),
         "spin and orbit": lambda: celestial.SpinOrbit(signed(), signed()),
-        "drag": lambda: systems.TorquedBody((size(), size(), size()), [systems.LinearDrag(signed())]),
-        "rotor": lambda: systems.RigidBody((size(), size(), size()), [systems.Wheel(vector(), size(), signed())]),
+        "drag": lambda: spacecraft.TorquedBody((size(), size(), size()), [spacecraft.LinearDrag(signed())]),
+        "rotor": lambda: spacecraft.RigidBody((size(), size(), size()), [spacecraft.Wheel(vector(), size(), signed())]),
         "body": lambda: ph.Body(size(), vector(), np.diag((size(), size(), size()))),
         "about": lambda: body().about(vector()),
         "placed": lambda: body().placed((1.0, 0.0, 0.0, 0.0), vector()),
@@ -66,8 +66,8 @@ def test_any_size_is_taken_or_refused(name):
     lambda: rolling.EulerDisk(1e300, 1.0),
     lambda: rolling.EulerDisk(1.0, 1.0, axial_moment=1e-200, diametral_moment=1.0),
     lambda: ph.Body.from_moments((1.0, 2.0, 2.5), mass=1.0).about((1e200, 0.0, 0.0)),
-    lambda: systems.Manakov((1.0, 1.7e308, 1.7e308)), lambda: systems.GravityGradient(NUMBER, (1.0, 2.0, 3.0)),
-    lambda: systems.LiePoisson(NUMBER, lambda x: x[0]), lambda: systems.TorquedBody((1.0, 2.0, 3.0), NUMBER),
+    lambda: systems.Manakov((1.0, 1.7e308, 1.7e308)), lambda: spacecraft.GravityGradient(NUMBER, (1.0, 2.0, 3.0)),
+    lambda: systems.LiePoisson(NUMBER, lambda x: x[0]), lambda: spacecraft.TorquedBody((1.0, 2.0, 3.0), NUMBER),
     lambda: systems.LiePoisson(ph.algebra.SO3(), lambda x: x[0], conserved=NUMBER),
 ])  # fmt: skip
 @pytest.mark.usefixtures("any_type")

@@ -12,7 +12,8 @@ from polhode.algebra import Heisenberg
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import Taylor
 from polhode.motion import Status
-from polhode.systems import LiePoisson, RigidBody, SolarPressure, Wheel
+from polhode.spacecraft import RigidBody, SolarPressure, Wheel
+from polhode.systems import LiePoisson
 from polhode.taylor import machine, sides, switching
 from polhode.taylor.expressions import Untraceable
 from taylor.test_coefficients import OwnField

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import quad
 
 import polhode as ph
-from polhode import systems
+from polhode import spacecraft
 from polhode.errors import NotConverged
 from polhode.integrators import Taylor, _series
 from polhode.taylor import flight, kernel_series, kernels
@@ -87,8 +87,8 @@ def test_without_the_bound_it_is_jumped_over(monkeypatch):
 @pytest.mark.long
 def test_drag_brings_a_body_to_rest_and_a_torque_takes_it_on():
     """I ω̇ = −c ω|ω| − τ from ω = 1: ω = tan(π/4 − t/3) up to rest at t = 3π/4, then −tanh((t − 3π/4)/3)."""
-    body = systems.RigidBody((1.0, 2.0, 3.0), torques=[systems.QuadraticDrag(1.0),
-                                                       systems.ConstantTorque((0.0, 0.0, -1.0))])  # fmt: skip
+    body = spacecraft.RigidBody((1.0, 2.0, 3.0), torques=[spacecraft.QuadraticDrag(1.0),
+                                                       spacecraft.ConstantTorque((0.0, 0.0, -1.0))])  # fmt: skip
     run = ph.simulate(body, body.pack(angular_velocity=(0.0, 0.0, 1.0)), [0.0, 4.0])
     assert run.momentum[-1, 2] / 3.0 == pytest.approx(-np.tanh((4.0 - 0.75 * np.pi) / 3.0), abs=1e-10)
 

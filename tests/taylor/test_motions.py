@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode import fields, systems
+from polhode import fields, spacecraft, systems
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import Taylor
 from polhode.taylor.expressions import Untraceable
@@ -171,7 +171,7 @@ def test_events_of_copies_and_one_that_never_happens():
         ph.simulate(body, START * [1, 1, 1, 1, 1, 0.4, 1], [0.0, 1.0], Taylor)
 
 
-class Pulse(systems.AbstractTorque):
+class Pulse(spacecraft.AbstractTorque):
     """A torque about the third axis that grows with time, on for a while."""
 
     start: Any
@@ -191,14 +191,14 @@ class Pulse(systems.AbstractTorque):
 @pytest.mark.parametrize("times", [[0.0, 2.5, 10.0], [10.0, 4.0, 0.0]], ids=["on", "back"])
 def test_steps_end_where_a_torque_starts_and_ends(times):
     """∫ ½ sin t dt between the jumps, as the torque is about the axis of the spin."""
-    body = systems.RigidBody(MOMENTS, torques=[Pulse(3.0, 4.5)])
+    body = spacecraft.RigidBody(MOMENTS, torques=[Pulse(3.0, 4.5)])
     found = ph.simulate(body, body.pack(angular_velocity=(0.0, 0.0, 1.0)), times, Taylor)
     gained = np.diff(found.momentum[:, 2]).sum()
     assert gained == pytest.approx(np.sign(times[-1] - times[0]) * 0.5 * (np.cos(3.0) - np.cos(4.5)), rel=1e-14)
     assert found.error_estimate < 1e-14 and max(v for v in found.drift.values()) < 1e-14
 
 
-class Unnamed(systems.AbstractTorque):
+class Unnamed(spacecraft.AbstractTorque):
     """A pulse that nobody named, too short to be found by trying times."""
 
     def torque(self, t, attitude, angular_velocity, actuator=None):
@@ -207,11 +207,11 @@ class Unnamed(systems.AbstractTorque):
 
 
 def test_a_branch_on_the_time_without_a_jump_is_watched_and_not_lost():
-    body = systems.RigidBody(MOMENTS, torques=[Unnamed()])
+    body = spacecraft.RigidBody(MOMENTS, torques=[Unnamed()])
     start = body.pack(angular_velocity=(0.0, 0.0, 1.0))
     found = ph.simulate(body, start, [0.0, 10.0], Taylor)
     assert np.diff(found.momentum[:, 2]) == pytest.approx(0.5e-7, rel=1e-7)
-    both = systems.RigidBody(MOMENTS, torques=[Pulse(3.0, 4.5), Pulse(6.0, 7.0)])
+    both = spacecraft.RigidBody(MOMENTS, torques=[Pulse(3.0, 4.5), Pulse(6.0, 7.0)])
     build_machine(both, start, (4.6, 5.9))
     with pytest.raises(Untraceable, match="changes where no jump is named"):
         build_machine(both, start, (5.0, 9.0))
@@ -219,7 +219,7 @@ def test_a_branch_on_the_time_without_a_jump_is_watched_and_not_lost():
 
 def test_balances_receive_what_is_lost():
     """With drag, and a body that spins about one axis: dω/dt = −c ω|ω| / I₃ is solved by ω₀ / (1 + c ω₀ t / I₃)."""
-    body = systems.RigidBody(MOMENTS, torques=[systems.LinearDrag(0.2)])
+    body = spacecraft.RigidBody(MOMENTS, torques=[spacecraft.LinearDrag(0.2)])
     found = ph.simulate(body, body.pack(angular_velocity=(0.0, 0.0, 2.0)), np.linspace(0.0, 5.0, 6), Taylor)
     assert found.angular_velocity[:, 2] == pytest.approx(2.0 * np.exp(-0.2 * found.times / 3.5), rel=1e-14)
     lost = found.received["kinetic_energy"]

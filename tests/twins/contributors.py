@@ -30,7 +30,7 @@ samples = 3
 # a constant torque about the third axis: from rest, I3 Ω3 = torque × time
 TORQUE = """
 import jax.numpy as jnp
-from polhode.systems import AbstractTorque
+from polhode.spacecraft import AbstractTorque
 from law_of_others import FACTOR
 
 class Part(AbstractTorque):
@@ -39,7 +39,7 @@ class Part(AbstractTorque):
 """
 LAW = """
 import jax.numpy as jnp
-from polhode.systems import AbstractControlLaw
+from polhode.spacecraft import AbstractControlLaw
 from law_of_others import FACTOR
 
 class Part(AbstractControlLaw):
@@ -49,7 +49,7 @@ class Part(AbstractControlLaw):
 # a rotor that always turns: at rest the body's whole momentum is the rotor's
 MOUNT = """
 import jax.numpy as jnp
-from polhode.systems import AbstractMount
+from polhode.spacecraft import AbstractMount
 from law_of_others import FACTOR
 
 class Part(AbstractMount):

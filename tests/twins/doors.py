@@ -16,14 +16,14 @@ import numpy as np
 
 from cli.ends import COMMANDS, EXAMPLE, GIVEN, NUMBER, options_of, with_option, write_given
 from formats.reader_fuzz import in_text, read_form, specimens
-from formats.test_other_programs import CASES, OMEGA, TIMES, lines
-from formats.test_robots import MJCF, SDF
 from judged import Outcome, bounded, faults_of, run
 from laws.test_precision import ENTRIES
 from polhode.errors import InvalidInput, PolhodeError
-from polhode.formats.mjcf import read_mjcf_robot
-from polhode.formats.sdf import read_sdf_inertial
 from polhode.kinds.reading import read_spec
+from polhode.spacecraft.formats.mjcf import read_mjcf_robot
+from polhode.spacecraft.formats.sdf import read_sdf_inertial
+from spacecraft.test_other_programs import CASES, OMEGA, TIMES, lines
+from spacecraft.test_robots import MJCF, SDF
 from spec.ends import changed, host_of, hosts_of, keys_of
 from spec.mutations import EXAMPLES, FILES
 

@@ -345,7 +345,7 @@ def test_code_that_changed_after_it_was_imported(tmp_path, monkeypatch):
     """Which of the two this process runs is not known, so that nothing is kept, and a sweep stops."""
     install(tmp_path, "polhode.torques")
     run = Here(tmp_path, monkeypatch)
-    from polhode.spec.named import TORQUES, find_part
+    from polhode.spacecraft.rigid_body.named import TORQUES, find_part
 
     find_part(TORQUES, "of-others")
     plugin = Plugin("polhode.torques", "of-others", CONTRIBUTORS["polhode.torques"].point)

@@ -19,7 +19,8 @@ from polhode.formats.labels import AttitudeLabels, Recording
 from polhode.kinds.free_body.answers import free_body_report
 from polhode.kinds.page import page_of_report, show, write_page
 from polhode.kinds.reading import read_spec
-from polhode.systems import FreeRigidBody, HeavyTop, LinearDrag, RigidBody, Wheel
+from polhode.spacecraft import LinearDrag, RigidBody, Wheel
+from polhode.systems import FreeRigidBody, HeavyTop
 from polhode.viewer.encoding import with_powers
 from polhode.viewer.page import check_given
 from polhode.viewer.samples import MOST

@@ -1,11 +1,7 @@
 from ._conserved_function import ConservedFunction as ConservedFunction
 from ._mechanics import Mechanics as Mechanics
 from ._mechanics import invariants_along as invariants_along
-from .alignment import Alignment as Alignment
-from .alignment import fit_alignment as fit_alignment
 from .attitude_history import AttitudeHistory as AttitudeHistory
-from .comparison import Comparison as Comparison
-from .comparison import compare as compare
 from .cone import axis_angles as axis_angles
 from .cone import cone_angles as cone_angles
 from .cone import rotation_form as rotation_form
@@ -17,18 +13,9 @@ from .continuation import Bifurcation as Bifurcation
 from .continuation import Branch as Branch
 from .continuation import Continuation as Continuation
 from .continuation import continue_equilibria as continue_equilibria
-from .damped_axes import damped_axis_stability as damped_axis_stability
-from .damped_motion import angle_to_axis as angle_to_axis
-from .damped_motion import angle_to_major_axis as angle_to_major_axis
-from .damped_motion import drag_time_constant as drag_time_constant
-from .damped_motion import settling_time as settling_time
-from .damped_motion import time_constant as time_constant
 from .dual_spin import DualSpinDamping as DualSpinDamping
 from .dual_spin import dual_spin_damping as dual_spin_damping
 from .energy_casimir import Stability as Stability
-from .energy_sink import flat_spin_time as flat_spin_time
-from .energy_sink import sink_rate_by_loss as sink_rate_by_loss
-from .energy_sink import sink_rate_by_time as sink_rate_by_time
 from .equilibria import find_equilibria as find_equilibria
 from .floquet import PeriodicMotion as PeriodicMotion
 from .floquet import monodromy as monodromy
@@ -48,9 +35,6 @@ from .gyrostat_rotations import symmetric_rates as symmetric_rates
 from .lyapunov_exponents import LyapunovExponents as LyapunovExponents
 from .lyapunov_exponents import lyapunov as lyapunov
 from .manakov_rotations import plane_rotation_exponents as plane_rotation_exponents
-from .nutation_damping import damper_loss as damper_loss
-from .nutation_damping import nutation_time_constant as nutation_time_constant
-from .nutation_damping import slosh_frequency as slosh_frequency
 from .periodic_branches import continue_periodic as continue_periodic
 from .poinsot import (
     Herpolhode as Herpolhode,

@@ -20,7 +20,7 @@ OTHERWISE = {
     "wobble": {"start": "--from", "end": "--to"}, "sweep": {"store": "--out"}, "learn": {"folder": "--from"},
 }  # fmt: skip
 """Arguments that are not called as the command's options are."""
-COMMANDS = {"polhode.formats.read_ck": "`polhode import` and `polhode compare`"}
+COMMANDS = {"polhode.spacecraft.read_ck": "`polhode import` and `polhode compare`"}
 """The commands that do what functions do which messages name; each command is the function of its name."""
 COLUMNS = "columns"  # an argument of which the command has an option for each word
 

@@ -1,5 +1,4 @@
 from .axis_figure import axis_locus as axis_locus
-from .comparison_figure import comparison as comparison
 from .components_figure import components as components
 from .ellipsoid_figure import inertia_ellipsoid as inertia_ellipsoid
 from .herpolhode_figure import herpolhode as herpolhode

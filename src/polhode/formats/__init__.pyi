@@ -1,5 +1,3 @@
-from .aem import write_aem as write_aem
-from .aem_reading import read_aem as read_aem
 from .attitude_checks import single_attitude as single_attitude
 from .body_file import BodyFile as BodyFile
 from .column_mapping import ColumnMapping as ColumnMapping
@@ -17,17 +15,8 @@ from .gltf import write_gltf as write_gltf
 from .labels import AttitudeLabels as AttitudeLabels
 from .labels import Recording as Recording
 from .mesh import read_mesh as read_mesh
-from .mjcf import read_mjcf_inertial as read_mjcf_inertial
-from .mjcf import read_mjcf_robot as read_mjcf_robot
 from .molecule import read_molecule as read_molecule
 from .paths import write_whole as write_whole
 from .saving import write_motion as write_motion
 from .scipy_rotation import as_rotation as as_rotation
 from .scipy_rotation import as_rotation_spline as as_rotation_spline
-from .sdf import read_sdf_inertial as read_sdf_inertial
-from .sdf import read_sdf_robot as read_sdf_robot
-from .spice import write_ck as write_ck
-from .spice_reading import read_ck as read_ck
-from .urdf import read_urdf_inertial as read_urdf_inertial
-from .urdf import read_urdf_robot as read_urdf_robot
-from .urdf import write_urdf_inertial as write_urdf_inertial

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import jax.numpy as jnp
 
 import polhode as ph
-from polhode.systems import AbstractTorque, Argument
+from polhode.spacecraft import AbstractTorque, Argument
 
 
 class BDotCoils(AbstractTorque):

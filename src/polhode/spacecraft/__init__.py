@@ -1,0 +1,10 @@
+"""Spacecraft: rigid bodies with wheels, gyroscopes, moving parts, torques and control, and files of their attitude.
+
+It answers how a satellite turns under what is mounted in it and what acts on it, when dissipation makes its spin flat,
+and how two attitude histories differ. Sources: Hughes (1986), Wertz (1978), the CCSDS books 504.0 and 500.0, and the
+SPICE documents. From the core it takes the bracket of so(3), free bodies and integrators.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

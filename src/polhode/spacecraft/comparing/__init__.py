@@ -1,0 +1,1 @@
+"""Two attitude histories compared: files, clocks, misalignment, and how far they differ."""

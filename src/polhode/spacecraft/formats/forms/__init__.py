@@ -1,0 +1,1 @@
+"""The formats of attitudes and robots: one module each with its ``FORM``."""

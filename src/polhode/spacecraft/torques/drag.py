@@ -1,0 +1,74 @@
+"""Drag of a flow about a body that turns."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import jax.numpy as jnp
+import numpy as np
+
+from polhode.arrays import known_numbers_only, require_doubles
+from polhode.errors import InvalidInput, shown
+from polhode.spacecraft.systems.attachments import Argument, Attitude, Own, Time, Velocity
+from polhode.spacecraft.torques.base import AbstractTorque
+from polhode.systems._checks import checked_number
+from polhode.types import Array, ArrayLike, Float64, Real
+
+
+class LinearDrag(AbstractTorque):
+    """τ = −c Ω, the drag of a slow flow.
+
+    Args:
+        coefficient: c [N m s], one for all axes or one for each (3,), not negative.
+    """
+
+    name: ClassVar[str] = "linear-drag"
+    arguments: ClassVar[dict[str, Argument]] = {"coefficient": Argument("N*m*s", many=True)}
+
+    coefficient: Float64[Array, "*components"]
+
+    @known_numbers_only
+    def __init__(self, coefficient: Real[ArrayLike, "*components"]) -> None:
+        require_doubles(coefficient=coefficient)
+        values = np.asarray(coefficient, dtype=float)
+        if values.shape not in ((), (3,)) or not (np.isfinite(values).all() and (values >= 0).all()):
+            raise InvalidInput(
+                f"`coefficient` of linear drag must be one or three finite numbers, not negative [N m s]; "
+                f"got {shown(values.tolist())}. Drag takes energy: give its size without a sign."
+            )
+        self.coefficient = jnp.asarray(values)
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
+
+    def torque(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+        return -self.coefficient * angular_velocity
+
+
+class QuadraticDrag(AbstractTorque):
+    """τ = −k |Ω| Ω, the drag of a fast flow.
+
+    Args:
+        coefficient: k [N m s²], not negative.
+    """
+
+    name: ClassVar[str] = "quadratic-drag"
+    arguments: ClassVar[dict[str, Argument]] = {"coefficient": Argument("N*m*s^2")}
+
+    coefficient: Float64[Array, ""]
+
+    @known_numbers_only
+    def __init__(self, coefficient: float) -> None:
+        self.coefficient = checked_number("coefficient", coefficient, least=0.0, unit="N m s²")
+
+    @property
+    def names_all_jumps(self) -> bool:
+        return True
+
+    def torque(
+        self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
+    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+        return -self.coefficient * jnp.linalg.norm(angular_velocity, axis=-1, keepdims=True) * angular_velocity
