@@ -72,7 +72,8 @@ SPECIMENS = [
 ]  # fmt: skip
 NOT_MOVING = {spacecraft.AbstractControlLaw, spacecraft.Argument, spacecraft.AbstractMovingPart,
               systems.AbstractLiePoissonSystem, systems.AbstractSystem, spacecraft.AbstractTorque,
-              spacecraft.AbstractMount, spacecraft.AbstractRigidBody, rolling.RollingDissipation, systems.Balance, systems.RotorInBody,
+              spacecraft.AbstractMount, spacecraft.AbstractRigidBody, rolling.RollingDissipation,
+              systems.Balance, systems.RotorInBody,
               fields.Bond, fields.Lattice, fields.exchange_matrix, fields.quiet_start,
               systems.rotor_in_body}  # fmt: skip
 LEFT_OUT = {
