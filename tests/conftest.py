@@ -243,7 +243,7 @@ def plugin():
 @pytest.fixture
 def add_entry_points(monkeypatch):
     """Have further entry points of one group found, during a test; what the registries cache of them is cleared."""
-    from polhode import plugins
+    from polhode._base import plugins
 
     real, added = plugins.entry_points, {}
 

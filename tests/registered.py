@@ -6,7 +6,7 @@ import inspect
 
 def public_classes(package, *bases):
     """Return the public classes of a package, and those of wings that derive from one of its base classes."""
-    from polhode.plugins.wings import wing_names
+    from polhode._base.plugins.wings import wing_names
 
     here = {getattr(package, name) for name in package.__all__}
     wings = [importlib.import_module(f"polhode.{name}") for name in wing_names()]
@@ -18,8 +18,8 @@ def every_command():
     """Return the commands of the application and of wings by name, as Typer has them."""
     from typer.main import get_command
 
+    from polhode._base.plugins.wings import wing_points
     from polhode.cli.commands import app
-    from polhode.plugins.wings import wing_points
 
     group = get_command(app)
     return {name: group.get_command(None, name) for name in [*group.commands, *wing_points("polhode.commands")]}
@@ -27,7 +27,7 @@ def every_command():
 
 def forget_entry_points():
     """Have registries look for entry points again, and let changed code count as never imported."""
-    from polhode import plugins
+    from polhode._base import plugins
     from polhode.formats import form_registry
     from polhode.kinds import registry
     from polhode.spacecraft.rigid_body import named

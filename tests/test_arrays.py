@@ -14,7 +14,7 @@ jax.config.update("jax_enable_x64", True)
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from polhode.arrays import stack_last
+from polhode._base.arrays import stack_last
 from polhode.special import _doubledouble as dd
 
 def chain(a, b):
@@ -41,7 +41,7 @@ import jax
 jax.config.update("jax_enable_x64", True)
 import jax.numpy as jnp
 import numpy as np
-from polhode.arrays import barrier
+from polhode._base.arrays import barrier
 
 plain = lambda x: (jnp.sin(x), (jnp.cos(x) * x, x > 0.5))
 held = lambda x: barrier(plain(x))

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import polhode.algebra  # noqa: F401, switches JAX to 64 bits
-from polhode.arrays.by_numpy import BY_NUMPY
-from polhode.arrays.steps import NoSteps, Steps, split_scan
+from polhode._base.arrays.by_numpy import BY_NUMPY
+from polhode._base.arrays.steps import NoSteps, Steps, split_scan
 
 A = np.random.default_rng(0).uniform(0.2, 1.5, (2, 3, 4))
 B = np.random.default_rng(1).uniform(0.2, 1.5, (2, 3, 4))

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.arrays import Elementwise
-from polhode.arrays.few_calls import quick_options
+from polhode._base.arrays import Elementwise
+from polhode._base.arrays.few_calls import quick_options
 from polhode.errors import InvalidInput
 
 MOMENTS, MOMENTUM = np.array([1.0, 2.0, 3.0]), np.array([0.3, 1.8, 1.5])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import polhode.systems  # noqa: F401, switches JAX to 64 bits
-from polhode.arrays import compiled_for_few_calls, few_calls
+from polhode._base.arrays import compiled_for_few_calls, few_calls
 
 X = np.linspace(0.3, 1.7, 5)
 

@@ -51,8 +51,8 @@ SLOW = {
 }  # fmt: skip
 LONG = [
     f"polhode.{name}" for name in (
-        "analysis.gyrostat_rotations", "analysis.lyapunov_exponents", "analysis.threshold", "arrays.elementwise",
-        "fields.sphere_fluid.transport_noise", "symbolic.registry",
+        "analysis.gyrostat_rotations", "analysis.lyapunov_exponents", "analysis.threshold", "_base.arrays.elementwise",
+        "fields.sphere_fluid.transport_noise", "proving.symbolic.registry",
     )
 ]  # fmt: skip
 

@@ -12,11 +12,11 @@ from pathlib import Path
 import pytest
 
 import polhode
+from polhode._base.plugins import GROUPS
+from polhode._base.plugins.wings import TABLE, wing_details, wing_names, wing_points
 from polhode.formats import form_registry
 from polhode.kinds import registry
 from polhode.kinds.base import AbstractKind
-from polhode.plugins import GROUPS
-from polhode.plugins.wings import TABLE, wing_details, wing_names, wing_points
 from polhode.spec.models import BodyTable
 
 ROOT = Path(__file__).parents[1]

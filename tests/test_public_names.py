@@ -28,8 +28,12 @@ def resolves(name):
 
 
 def lost(names, table):
-    """Return the names that are neither where they were nor where the table has them."""
-    return [name for name in names if not resolves(name) and not resolves(table.get(name, name))]
+    """Return the names that are neither where they were nor where the table has them or their package."""
+    def now(name):
+        package, _, attribute = name.rpartition(".")
+        return table.get(name, f"{table.get(package, package)}.{attribute}")
+
+    return [name for name in names if not resolves(name) and not resolves(now(name))]
 
 
 @pytest.mark.long

@@ -20,6 +20,7 @@ import typer
 from pydantic import BaseModel
 
 import polhode
+from polhode._base.plugins.wings import wing_names, wing_points
 from polhode.bodies.body import Body
 from polhode.cli.commands import app
 from polhode.cli.main import main
@@ -28,7 +29,6 @@ from polhode.errors import InvalidInput
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind, kind_names
-from polhode.plugins.wings import wing_names, wing_points
 from polhode.spec.models import SpecFile
 from polhode.sweeps.plan import SweepTable
 from registered import every_command

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from polhode.plugins.wings import wing_names
+from polhode._base.plugins.wings import wing_names
 from wings_contract import WingsAreBlindToEachOther
 
 ROOT = Path(__file__).parents[1]

@@ -5,7 +5,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from polhode.arrays.few_calls import quick_options
+from polhode._base.arrays.few_calls import quick_options
 from polhode.errors import InvalidInput
 
 SAME = 1e-12

@@ -4,7 +4,7 @@
     which stands in for it under JAX (XLA would simplify the multiplication away): both give halves as [Products.v]
     wants them, of a number that is not subnormal.  Hence [jax_two_product] and [numpy_two_square] are exact.
 
-    Code: polhode.arrays.loops.split_halves, polhode.special._doubledouble. *)
+    Code: polhode._base.arrays.loops.split_halves, polhode.special._doubledouble. *)
 From Coq Require Import Reals ZArith Lia Lra.
 From Flocq Require Import Core Pff2Flocq.
 From Polhode.rounding Require Import Grid Sums Products.

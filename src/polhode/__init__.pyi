@@ -21,10 +21,10 @@ from . import special as special
 from . import spectra as spectra
 from . import systems as systems
 from . import testing as testing
+from ._base.arrays import closed_forms as closed_forms
 from .analysis.equilibria import find_equilibria as find_equilibria
 from .analysis.sections import section as section
 from .analysis.stability import stability as stability
-from .arrays import closed_forms as closed_forms
 from .bodies import shapes as shapes
 from .bodies.body import Body as Body
 from .bodies.body import combine as combine

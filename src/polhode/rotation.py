@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from polhode.arrays import as_float64, compiled, is_traced, known_false, namespace
+from polhode._base.arrays import as_float64, compiled, is_traced, known_false, namespace
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 

@@ -14,7 +14,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import integrators
-from polhode.arrays import is_positive, known_numbers_only
+from polhode._base.arrays import is_positive, known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, adaptive_error, solve_adaptively

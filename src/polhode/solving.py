@@ -15,7 +15,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import integrators
-from polhode.arrays import in_jax_numpy, is_positive, is_traced, is_tracing, require_doubles
+from polhode._base.arrays import in_jax_numpy, is_positive, is_traced, is_tracing, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import TOLERANCE

@@ -10,10 +10,10 @@ import pytest
 import polhode as ph
 from polhode import algebra as lie
 from polhode import fields
+from polhode._base.rational import _sparse as sparse
 from polhode.algebra._own_casimirs import find_casimirs
 from polhode.algebra.casimirs import rational_brackets
 from polhode.errors import InvalidInput
-from polhode.rational import _sparse as sparse
 from specimens import ALGEBRAS
 from sweeping import first
 

@@ -11,6 +11,18 @@ import numpy as np
 import pytest
 
 import polhode as ph
+from polhode._base.rational import read_number
+from polhode._base.rational._matrices import (
+    characteristic_polynomial,
+    combine,
+    count_roots_beyond,
+    identity,
+    multiply,
+    solve_near,
+    split_into_squares,
+    transpose,
+)
+from polhode._base.rational._polynomials import RationalPolynomial, linear_form, total
 from polhode.algebra.casimirs import rational_brackets
 from polhode.analysis._conserved import Energy
 from polhode.analysis._exact_equations import Field
@@ -22,18 +34,6 @@ from polhode.errors import InvalidInput
 from polhode.proving import check_by_z3
 from polhode.proving.symbolic._polynomials import to_terms
 from polhode.proving.verdicts.rocq import proof_text
-from polhode.rational import read_number
-from polhode.rational._matrices import (
-    characteristic_polynomial,
-    combine,
-    count_roots_beyond,
-    identity,
-    multiply,
-    solve_near,
-    split_into_squares,
-    transpose,
-)
-from polhode.rational._polynomials import RationalPolynomial, linear_form, total
 
 pytest.importorskip("flint")
 BODY = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))

@@ -5,10 +5,10 @@ import json
 import pytest
 
 import polhode as ph
+from polhode._base.plugins import record_plugins
+from polhode._base.plugins.wings import wing_points
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
-from polhode.plugins import record_plugins
-from polhode.plugins.wings import wing_points
 from polhode.studies import fit_request as branches
 
 TIMES = "0\n1.001\n2.0\n3.002\n4.0\n"

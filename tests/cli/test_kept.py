@@ -10,6 +10,7 @@ import jaxtyping
 import numpy as np
 import pytest
 
+from polhode._base.plugins import Plugin
 from polhode.cli import kept
 from polhode.formats.dataset import write_dataset
 from polhode.formats.labels import AttitudeLabels
@@ -18,7 +19,6 @@ from polhode.kinds import page
 from polhode.kinds.base import Spec
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind
-from polhode.plugins import Plugin
 
 SPEC = """
 name = "a body"

@@ -5,9 +5,9 @@ import sys
 
 import pytest
 
+from polhode._base.plugins.wings import wing_points
 from polhode.cli import report_options
 from polhode.cli.main import main
-from polhode.plugins.wings import wing_points
 
 SPEC = '[body]\nmoments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"]\n[time]\nuntil = "1 s"\nsamples = 3\n'
 

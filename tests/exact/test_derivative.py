@@ -10,7 +10,7 @@ from mpmath import mp
 
 import polhode as ph
 from oracle.derivatives import Direction, reference_derivative
-from polhode.arrays.few_calls import quick_options
+from polhode._base.arrays.few_calls import quick_options
 from polhode.errors import InvalidInput
 from polhode.exact.free_body._derivative import state_tangent
 from starts import free_motion

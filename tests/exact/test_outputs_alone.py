@@ -39,7 +39,7 @@ jax.config.update("jax_enable_x64", True)
 import jax.numpy as jnp
 import numpy as np
 import polhode as ph
-from polhode.arrays.few_calls import quick_options
+from polhode._base.arrays.few_calls import quick_options
 
 QUICKLY = quick_options()
 

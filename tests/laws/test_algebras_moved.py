@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 
 import polhode as ph
 from polhode import algebra as lie
-from polhode.arrays.few_calls import quick_options
+from polhode._base.arrays.few_calls import quick_options
 from specimens import ALGEBRAS, SL2_MATRICES, so3
 
 TIMES = np.linspace(0.0, 0.6, 4)

@@ -9,9 +9,9 @@ import sympy
 
 import polhode as ph
 from judged import run
+from polhode._base.rational import read_number
 from polhode.errors import PolhodeError
 from polhode.proving import LiePoissonBracket, SymbolicSystem
-from polhode.rational import read_number
 from polhode.spacecraft import read_urdf_inertial
 from polhode.spacecraft.comparing.clocks import parse_clocks
 from polhode.spec.keys import number_at, with_value

@@ -9,7 +9,7 @@ from tests.specimens import SYSTEMS, named
 
 import polhode as ph
 from polhode import spacecraft, systems
-from polhode.arrays.traced_checks import check_function
+from polhode._base.arrays.traced_checks import check_function
 from polhode.errors import InvalidInput
 from polhode.spacecraft.systems.control_laws import UserLaw
 from polhode.spacecraft.systems.controlled_wheels import ControlTorque

@@ -4,7 +4,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from polhode.arrays import is_traced
+from polhode._base.arrays import is_traced
 from transformed import check_alone
 
 POINTS = np.array([[0.0, 1.0], [0.5, 2.0], [1.0, 3.0]])

@@ -7,6 +7,7 @@ import pytest
 
 import polhode
 from polhode import celestial, fields, rolling, spacecraft, systems
+from polhode.spacecraft.systems.attachments import AbstractAttachment
 from polhode.systems.base import AbstractLiePoissonSystem, components
 from registered import public_classes
 from specimens import SYSTEMS
@@ -64,7 +65,7 @@ SPECIMENS = [
     *{type(system): system for system in reversed(SYSTEMS)}.values(), DISK, celestial.SpinOrbit(0.89, 0.4), ORBIT,
     *LAWS,
     spacecraft.LinearDrag((0.1, 0.2, 0.3)), spacecraft.QuadraticDrag(0.05), spacecraft.GravityGradient(ORBIT, MOMENTS),
-    ROTOR, HELD, SLUG, SINK, LAGGED, systems.RigidBody.from_body(
+    ROTOR, HELD, SLUG, SINK, LAGGED, spacecraft.RigidBody.from_body(
         CRAFT, [ROTOR, HELD, SLUG, SINK, SLOSH, PANEL, PENDULUM, GYROSCOPE, LOCKED, FUEL], [GRAVITY, LAGGED]),
     spacecraft.TorquedBody(MOMENTS, [spacecraft.LinearDrag(0.3), spacecraft.GravityGradient(ORBIT, MOMENTS)]),
     systems.TorquedGyrostat(MOMENTS, (1.0, 2.0, 3.0), 0.3, 0.1), systems.Variations(systems.FreeRigidBody(MOMENTS), 2),
@@ -209,7 +210,8 @@ def same_numbers():
 
 
 def test_no_public_class_is_forgotten():
-    classes = public_classes(systems, systems.AbstractSystem, rolling.RollingDissipation)
+    classes = public_classes(systems, systems.AbstractSystem, rolling.RollingDissipation, AbstractAttachment,
+                             spacecraft.EarthDipoleField)  # fmt: skip
     assert classes - NOT_MOVING == {type(system) for system in SPECIMENS}
 
 

@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from polhode.arrays.few_calls import quick_options
+from polhode._base.arrays.few_calls import quick_options
 
 ROOMS = ("rotation", "special.carlson", "special.elliptic", "special.theta")
 LEFT_OUT = {

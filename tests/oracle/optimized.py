@@ -2,7 +2,7 @@
 
 import os
 
-from polhode.arrays.few_calls import quick_options
+from polhode._base.arrays.few_calls import quick_options
 
 CHANGED = bool(os.environ.get("XLA_FLAGS"))
 FULLY = {"xla_cpu_use_fusion_emitters": True, "xla_backend_optimization_level": 3}

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numba import njit
 
-from polhode.arrays import split_halves
+from polhode._base.arrays import split_halves
 from polhode.exact import _kernel_arithmetic as kernel
 from polhode.exact._compiled_arithmetic import two_product as compiled_two_product
 from polhode.special import _doubledouble as dd

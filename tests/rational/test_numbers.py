@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 import sympy
 
+from polhode._base.rational import read_number
+from polhode._base.rational.numbers import LARGEST_EXPONENT, LONGEST
 from polhode.errors import InvalidInput
-from polhode.rational import read_number
-from polhode.rational.numbers import LARGEST_EXPONENT, LONGEST
 
 
 def by_bits(value):

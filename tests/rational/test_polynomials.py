@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy
 
-from polhode.rational._polynomials import RationalPolynomial
+from polhode._base.rational._polynomials import RationalPolynomial
 
 X = sympy.symbols("x1:4")
 

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import polhode as ph
-from polhode import formats, spacecraft, systems
+from polhode import formats, spacecraft
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
 from polhode.kinds.reading import build_spec, read_spec
@@ -382,7 +382,7 @@ def test_mounts_of_a_spec_start_as_it_says(tmp_path):
         spacecraft.SphericalSlug(0.01, 0.001),
         spacecraft.Propellant((0, 0, 0.2), 5.0, (0, 0, -1), 0.05, (0, 0, -2000.0), 1.0, 3.0),
     ]  # fmt: skip
-    body = systems.RigidBody.from_body(ph.Body(100.0, (0, 0, 0), np.diag([85.0, 2500.0, 2530.0])), parts)
+    body = spacecraft.RigidBody.from_body(ph.Body(100.0, (0, 0, 0), np.diag([85.0, 2500.0, 2530.0])), parts)
     start = body.pack((1, 0, 0, 0), (0.0, 0.2, 0.1), rates=[(0.2, 30.0), (0.1, 0.2, 0.0), None, 0.1, (0.1, 0, 0), None],
                       coordinates=[0.5, (0.0, 0.6, 0.2), (0.01, -0.02), 0.3, None, None])  # fmt: skip
     assert np.asarray(found.states[0]) == pytest.approx(np.asarray(start), abs=1e-13)

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import polhode as ph
+from polhode._base.plugins.wings import wing_points
 from polhode.errors import FormatError, InvalidInput
-from polhode.plugins.wings import wing_points
 from polhode.spec import body_files
 
 MASSES = "1 2 0 0\n1 -2 0 0\n2 0 1 0\n2 0 -1 0\n"  # by hand: I = (4, 8, 12) kg m²

@@ -7,7 +7,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from polhode.arrays import split_halves
+from polhode._base.arrays import split_halves
 from polhode.special._circular import reduced_phase, sine_cosine_turns, split_rate
 
 SINE_ERROR = 4e-16

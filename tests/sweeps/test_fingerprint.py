@@ -9,12 +9,12 @@ from pathlib import Path
 import pytest
 
 import polhode as ph
+from polhode._base.plugins import COMPUTED_BY, program
 from polhode.errors import InvalidInput
 from polhode.formats.dataset import write_dataset
 from polhode.formats.opening import content_digest, read_text, record_files
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind, kind_names
-from polhode.plugins import COMPUTED_BY, program
 from polhode.spec.body_files import body_file_keys
 from polhode.spec.models import BodyTable, PartTable, SpecFile, SpinTable
 from polhode.sweeps import running

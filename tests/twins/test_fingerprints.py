@@ -11,10 +11,10 @@ from importlib.metadata import EntryPoint
 
 import pytest
 
-from polhode import plugins
+from polhode._base import plugins
+from polhode._base.plugins import GROUPS, Plugin, digest_plugins
+from polhode._base.plugins.code import digest_code
 from polhode.cli.main import main
-from polhode.plugins import GROUPS, Plugin, digest_plugins
-from polhode.plugins.code import digest_code
 from registered import forget_entry_points
 from sweeping import only
 from twins.contributors import BODY, CONTRIBUTORS, forget, install, number_in, set_law

@@ -9,7 +9,7 @@ from flint import ctx
 import polhode.exact
 import polhode.rotation
 from oracle.lagrange import reference_top
-from polhode.arrays.elementwise import WAYS
+from polhode._base.arrays.elementwise import WAYS
 from polhode.exact._closed_form import COMPILING, Kernels
 from reference.solvers import REFERENCE, ROOT
 from twins.families import BODIES, KINDS, TOPS

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 import polhode
-from polhode import seals
-from polhode.arrays.kept_programs import SealedPrograms
+from polhode._base import seals
+from polhode._base.arrays.kept_programs import SealedPrograms
+from polhode._base.seals import drop_oldest, read_sealed, seal, unseal, write_sealed
 from polhode.cli import compiled, kept
 from polhode.kinds.reading import read_spec
-from polhode.seals import drop_oldest, read_sealed, seal, unseal, write_sealed
 from polhode.spec import kept_units
 from polhode.sweeps import marks
 from polhode.sweeps.plan import read_plan
@@ -28,7 +28,7 @@ FLIPS, MANY_FLIPS, SEED = 60, 400, 46
 LARGE = 10**8
 SEALED = {
     "report": "cli/kept.py", "page": "cli/kept.py", "mark of a chunk": "sweeps/marks.py",
-    "compiled by JAX": "arrays/kept_programs.py", "compiled by Numba": "_base/compiled/compiling.py",
+    "compiled by JAX": "_base/arrays/kept_programs.py", "compiled by Numba": "_base/compiled/compiling.py",
     "table of units": "spec/kept_units.py", "flags of the compiler": "cli/compiled.py",
 }  # fmt: skip
 """What is kept under a seal, and by which file.

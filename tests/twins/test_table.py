@@ -2,7 +2,7 @@
 
 import pytest
 
-from polhode.plugins import GROUPS
+from polhode._base.plugins import GROUPS
 from twins.families import KINDS
 from twins.motions_implementations import IMPLEMENTATIONS
 from twins.table import HERE, MADE_HERE, functions_of, named_tests, read_table, read_tables

@@ -9,8 +9,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import in_jax_numpy
-from polhode.arrays.traced_checks import check_traced
+from polhode._base.arrays import in_jax_numpy
+from polhode._base.arrays.traced_checks import check_traced
 from polhode.errors import InvalidInput, PolhodeError, shown
 from polhode.types import Array, Double, Float64
 

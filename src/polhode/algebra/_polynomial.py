@@ -8,8 +8,8 @@ from typing import Any
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import is_jax
-from polhode.rational._polynomials import SUPERSCRIPTS
+from polhode._base.arrays import is_jax
+from polhode._base.rational._polynomials import SUPERSCRIPTS
 from polhode.types import Array, ArrayLike, Float64, Real
 
 

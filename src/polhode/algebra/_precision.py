@@ -6,7 +6,7 @@ import os
 
 import jax
 
-from polhode.arrays.kept_programs import keep_programs
+from polhode._base.arrays.kept_programs import keep_programs
 from polhode.errors import InvalidInput, shown
 
 

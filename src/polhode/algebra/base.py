@@ -18,7 +18,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import custom_derivative, is_traced
+from polhode._base.arrays import custom_derivative, is_traced
 from polhode.errors import InvalidInput
 from polhode.motion._layout import StatePart
 from polhode.types import Array, ArrayLike, Double, Float64

@@ -16,12 +16,12 @@ from typing import Any
 
 import numpy as np
 
+from polhode._base.rational._sparse import REMEDY, new_terms, null_space
+from polhode._base.rational._terms import Terms, exponents_of, multiply_together, whole_terms
+from polhode._base.rational.numbers import EXACT, read_number
 from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
-from polhode.rational._sparse import REMEDY, new_terms, null_space
-from polhode.rational._terms import Terms, exponents_of, multiply_together, whole_terms
-from polhode.rational.numbers import EXACT, read_number
 
 RationalBrackets = list[list[dict[int, Fraction]]]
 

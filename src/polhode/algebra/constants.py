@@ -12,6 +12,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only, require_doubles
+from polhode._base.rational.numbers import nearest_double, read_number
 from polhode.algebra._fixed_array import FixedArray
 from polhode.algebra._functions import Function
 from polhode.algebra._own_casimirs import (
@@ -23,9 +25,7 @@ from polhode.algebra._own_casimirs import (
     name_functions,
 )
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
-from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput
-from polhode.rational.numbers import nearest_double, read_number
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 Fractions = tuple[tuple[tuple[Fraction, ...], ...], ...]

@@ -10,8 +10,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import is_traced
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import is_traced
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 

@@ -8,11 +8,11 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra._fixed_array import FixedArray
 from polhode.algebra._functions import Function
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
 from polhode.algebra.constants import ConstantsAlgebra
-from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -19,6 +19,7 @@ import jax.extend
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import arrays_for_few_calls
 from polhode.algebra._functions import Function, check_functions
 from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
@@ -26,7 +27,6 @@ from polhode.algebra.casimirs import polynomial_casimirs
 from polhode.algebra.constants import ConstantsAlgebra
 from polhode.algebra.properties import index
 from polhode.analysis._reasons import MissingCasimirs
-from polhode.arrays import arrays_for_few_calls
 from polhode.errors import InvalidInput
 from polhode.systems._agreement import moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem

@@ -9,6 +9,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.rational._polynomials import RationalPolynomial
 from polhode.algebra._functions import Function
 from polhode.analysis._conserved import (
     Casimirs,
@@ -27,7 +28,6 @@ from polhode.analysis._conserved import (
     samples_around,
 )
 from polhode.analysis._exact_functions import ExactFunctions, polynomial_derivatives, refuse_inexact
-from polhode.rational._polynomials import RationalPolynomial
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Float64
 

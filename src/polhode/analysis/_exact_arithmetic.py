@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from polhode._base.rational.numbers import read_number
 from polhode.errors import InvalidInput, NotConverged, not_installed, shown
-from polhode.rational.numbers import read_number
 
 Ball = Any
 """A real or complex ball of python-flint."""

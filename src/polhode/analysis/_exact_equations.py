@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 import equinox as eqx
 import jax.numpy as jnp
 
+from polhode._base.rational._polynomials import RationalPolynomial
+from polhode._base.rational.numbers import EXACT, check_reading, read_number
 from polhode.algebra._functions import Function
 from polhode.algebra.casimirs import polynomial_casimirs, rational_brackets
 from polhode.analysis._conserved import HIGHEST_DEGREE, Energy, Source, choose_casimirs
@@ -28,8 +30,6 @@ from polhode.certificates._equations import (
 from polhode.certificates._exact_tracing import trace_polynomials
 from polhode.certificates.rational import RationalCertificate, find_certificate
 from polhode.errors import InvalidInput
-from polhode.rational._polynomials import RationalPolynomial
-from polhode.rational.numbers import EXACT, check_reading, read_number
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, Float64

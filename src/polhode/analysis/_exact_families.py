@@ -9,10 +9,10 @@ from fractions import Fraction
 
 import numpy as np
 
+from polhode._base.rational._matrices import null_space, rank, reduce_rows, solve_near
+from polhode._base.rational._polynomials import RationalPolynomial, total
 from polhode.analysis._exact_functions import ExactFunctions
 from polhode.certificates._equations import quadratic_integrals
-from polhode.rational._matrices import null_space, rank, reduce_rows, solve_near
-from polhode.rational._polynomials import RationalPolynomial, total
 from polhode.types import Array, Float64
 
 MOST_QUADRATIC = 6  # coordinates up to which all integrals of second degree are looked for, as columns of a matrix

@@ -13,6 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base.rational._matrices import null_space, rank, signature
+from polhode._base.rational._polynomials import RationalPolynomial
 from polhode.algebra.casimirs import rational_brackets
 from polhode.analysis._conserved import (
     DIFFERENTIATION,
@@ -27,8 +29,6 @@ from polhode.analysis._conserved import (
 from polhode.certificates._equations import poisson_field
 from polhode.certificates._exact_tracing import trace_polynomials
 from polhode.errors import InvalidInput
-from polhode.rational._matrices import null_space, rank, signature
-from polhode.rational._polynomials import RationalPolynomial
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, Float64

@@ -13,6 +13,18 @@ from functools import cached_property
 
 import numpy as np
 
+from polhode._base.rational._matrices import (
+    Rows,
+    characteristic_polynomial,
+    combine,
+    multiply,
+    null_space,
+    rank,
+    reduce_rows,
+    signature,
+    transpose,
+)
+from polhode._base.rational._univariate import largest_real_part
 from polhode.analysis._conserved_function import ConservedFunction
 from polhode.analysis._equilibrium_data import Problem
 from polhode.analysis._exact_families import moves_along_equilibria
@@ -30,18 +42,6 @@ from polhode.analysis.energy_casimir import Stability, growing_direction, steady
 from polhode.certificates._confinement import Confinement, as_floats, find_confinement, restrict
 from polhode.certificates._equations import ENERGY, Equations, rational_equilibrium
 from polhode.errors import InvalidInput
-from polhode.rational._matrices import (
-    Rows,
-    characteristic_polynomial,
-    combine,
-    multiply,
-    null_space,
-    rank,
-    reduce_rows,
-    signature,
-    transpose,
-)
-from polhode.rational._univariate import largest_real_part
 from polhode.types import Complex128, Float64
 
 Exact = list[Fraction]

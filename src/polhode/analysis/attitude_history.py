@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from polhode import rotation
+from polhode._base.arrays import is_traced
 from polhode.analysis._mechanics import Mechanics
 from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
-from polhode.arrays import is_traced
 from polhode.errors import InvalidInput
 from polhode.types import Array, Float64
 

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from polhode._base.rational.numbers import EXACT
 from polhode.errors import InvalidInput
-from polhode.rational.numbers import EXACT
 from polhode.types import Array, Float64
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ import math
 
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis.poinsot import herpolhode
-from polhode.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.free_body._geometry import REGIMES
 from polhode.exact.free_body._reduction import canonical_reduction

@@ -9,12 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
 from polhode.analysis._branches import LONGEST, Family, Place, crossings, follow, is_on, step_onto_branch, trace_family
 from polhode.analysis._conserved import choose_casimirs
 from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
 from polhode.analysis.equilibria import STARTS, find_equilibria
-from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.poisson.brackets import as_points
 from polhode.systems.base import AbstractLiePoissonSystem

@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis._conserved_function import ConservedFunction
 from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis._reasons import (
@@ -35,7 +36,6 @@ from polhode.analysis._reasons import (
 )
 from polhode.analysis._second_variation import Leaf, null_space, scale_leaf
 from polhode.analysis.certificate import Certificate, Subject
-from polhode.arrays import known_numbers_only
 from polhode.certificates._definite import definite_combination
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real

@@ -10,10 +10,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.algebra._functions import Function
 from polhode.analysis._conserved import Energy, Source, check_motion, choose_casimirs, choose_unit
 from polhode.analysis.stability import AT_REST, scaled_field
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
 from polhode.systems.base import AbstractLiePoissonSystem

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis._reasons import Exponents, LeafIsPoint
 from polhode.analysis.energy_casimir import Stability
-from polhode.arrays import known_numbers_only
 from polhode.types import ArrayLike, Real
 
 

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis._conserved_function import ConservedFunction
 from polhode.analysis._reasons import AxisOfFreeBody
 from polhode.analysis.certificate import Subject
 from polhode.analysis.energy_casimir import Stability, energy_casimir
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import ArrayLike, Real
 

@@ -20,12 +20,12 @@ from functools import cached_property
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.algebra.semidirect import Semidirect
 from polhode.algebra.so3 import SO3
 from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.rotation import hat
 from polhode.special.elliptic import complete_k

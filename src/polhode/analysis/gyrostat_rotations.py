@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis._steady_points import steady_points
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.body_with_rotor import clean_direction
 from polhode.systems.gyrostat import Gyrostat

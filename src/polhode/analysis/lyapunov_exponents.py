@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis._printing import print_answer, write_numbers, write_span
 from polhode.analysis._tangent_flow import TangentFlow, check_start
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
 from polhode.types import ArrayLike, Double, Float64, Real

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only, require_doubles
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput
 from polhode.systems.manakov import Manakov
 from polhode.types import Array, ArrayLike, Complex128, Real

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import as_float64, known_numbers_only, namespace
+from polhode._base.arrays import as_float64, known_numbers_only, namespace
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.free_body._reduction import canonical_reduction
 from polhode.types import Array, ArrayLike, Float64, Real

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
 from polhode.motion._inputs import finite
 from polhode.types import Array, ArrayLike, Float64, Real

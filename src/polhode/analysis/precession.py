@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.exact.free_body import FreeMotion
 from polhode.motion._inputs import finite
 

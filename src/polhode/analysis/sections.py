@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import compiled_for_few_calls, known_numbers_only, require_doubles
 from polhode.analysis._printing import count_things, print_answer, write_numbers
-from polhode.arrays import compiled_for_few_calls, known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._adaptive import check_events
 from polhode.integrators._interrupts import keep_interrupts

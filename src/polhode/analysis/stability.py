@@ -19,6 +19,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.algebra._functions import Function, check_functions
 from polhode.algebra.properties import index, is_compact
 from polhode.analysis._conserved import Casimirs, Energy, Source, check_motion, choose_casimirs, samples_around
@@ -39,7 +40,6 @@ from polhode.analysis._second_variation import null_space
 from polhode.analysis.certificate import Subject
 from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.analysis.first_method import first_method
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem

@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis.energy_casimir import Stability
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 
 MOST_HALVINGS = 200

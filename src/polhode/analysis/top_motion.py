@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, steady_precession

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.exact.lagrange_top.steady_precession import steady_precession
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import ArrayLike, Float64, Real

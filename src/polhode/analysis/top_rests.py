@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis._printing import print_answer
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems.heavy_top import HeavyTop
 

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from polhode import rotation
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis.top_motion import VERTICAL, axis_in_space
-from polhode.arrays import known_numbers_only
 from polhode.bodies._pivot import axis_of_symmetry
 from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, least_spin_rate, steady_precession

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.exact.free_body import FreeMotion
 from polhode.motion._inputs import finite

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.arrays import as_float64, is_traced
+from polhode._base.arrays import as_float64, is_traced
 from polhode.bodies._digits import judge_moments
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.arrays import is_positive, is_traced, require_doubles
+from polhode._base.arrays import is_positive, is_traced, require_doubles
 from polhode.bodies._inertia import principal_axes
 from polhode.bodies.body import Body, check_is_body
 from polhode.errors import InvalidInput, shown

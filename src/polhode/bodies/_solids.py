@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.arrays import as_float64
+from polhode._base.arrays import as_float64
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Float64
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.bodies._inertia import (
     LARGEST,
     ROUNDING,

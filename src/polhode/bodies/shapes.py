@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.bodies import _solids as solids
 from polhode.bodies._inertia import MassProperties, finite_array, inertia_of_second
 from polhode.bodies.body import Body

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.bodies._inertia import point_inertia, principal_axes
 from polhode.errors import InvalidInput
 from polhode.motion.frame import BodyFrame

@@ -10,10 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.certificates._definite import definite_combination
-from polhode.certificates._definite_exact import definite_in_pencil, is_definite
-from polhode.certificates._equations import DENOMINATORS, ENERGY, Equations
-from polhode.rational._matrices import (
+from polhode._base.rational._matrices import (
     Rows,
     combine,
     identity,
@@ -23,7 +20,10 @@ from polhode.rational._matrices import (
     split_into_squares,
     transpose,
 )
-from polhode.rational._polynomials import RationalPolynomial, linear_form, total
+from polhode._base.rational._polynomials import RationalPolynomial, linear_form, total
+from polhode.certificates._definite import definite_combination
+from polhode.certificates._definite_exact import definite_in_pencil, is_definite
+from polhode.certificates._equations import DENOMINATORS, ENERGY, Equations
 from polhode.types import Array, Float64
 
 Squares = tuple[tuple[Fraction, tuple[Fraction, ...]], ...]

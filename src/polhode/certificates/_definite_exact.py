@@ -8,8 +8,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from polhode.rational._matrices import Rows, combine, determinant, reduce_rows, signature
-from polhode.rational._univariate import derivative, squarefree
+from polhode._base.rational._matrices import Rows, combine, determinant, reduce_rows, signature
+from polhode._base.rational._univariate import derivative, squarefree
 
 FAR = 2  # times the largest root of a determinant: nothing changes its sign beyond
 

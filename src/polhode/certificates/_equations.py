@@ -9,10 +9,10 @@ from functools import cached_property
 from itertools import combinations_with_replacement
 from typing import Any
 
+from polhode._base.rational._matrices import Rows, combine, null_space, solve_near
+from polhode._base.rational._polynomials import RationalPolynomial, total
+from polhode._base.rational.numbers import EXACT, READINGS
 from polhode.errors import InvalidInput
-from polhode.rational._matrices import Rows, combine, null_space, solve_near
-from polhode.rational._polynomials import RationalPolynomial, total
-from polhode.rational.numbers import EXACT, READINGS
 
 FARTHEST = Fraction(1, 10**9)  # of the largest component of a point, how far it may be moved to an exact equilibrium
 DENOMINATORS = (1, 2, 4, 8, 10, 16, 32, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15)

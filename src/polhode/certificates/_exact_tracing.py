@@ -17,9 +17,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.rational._polynomials import RationalPolynomial
-from polhode.rational._polynomials import total as sum_polynomials
-from polhode.rational.numbers import read_number
+from polhode._base.rational._polynomials import RationalPolynomial
+from polhode._base.rational._polynomials import total as sum_polynomials
+from polhode._base.rational.numbers import read_number
 from polhode.taylor.expressions import Complex, Expression, Tape, Untraceable
 from polhode.taylor.operations import Operation
 from polhode.taylor.structure import Structure, split_numbers

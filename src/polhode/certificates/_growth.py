@@ -11,17 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.certificates._confinement import (
-    Squares,
-    as_floats,
-    norm,
-    power_of_two,
-    radius_for,
-    show_squares,
-    sum_of_squares,
-)
-from polhode.certificates._equations import Equations, as_terms
-from polhode.rational._matrices import (
+from polhode._base.rational._matrices import (
     Rows,
     characteristic_polynomial,
     combine,
@@ -33,7 +23,17 @@ from polhode.rational._matrices import (
     split_into_squares,
     transpose,
 )
-from polhode.rational._polynomials import RationalPolynomial, linear_form, quadratic_form, total
+from polhode._base.rational._polynomials import RationalPolynomial, linear_form, quadratic_form, total
+from polhode.certificates._confinement import (
+    Squares,
+    as_floats,
+    norm,
+    power_of_two,
+    radius_for,
+    show_squares,
+    sum_of_squares,
+)
+from polhode.certificates._equations import Equations, as_terms
 
 SHARES = (0.5, 0.375, 0.625, 0.25, 0.75, 0.4375, 0.125, 0.875)  # of the fastest growth, tried one after the other
 SURE = 1e-9  # of the largest entry: a real part that doubles do not make of zero

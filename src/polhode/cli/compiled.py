@@ -35,7 +35,7 @@ def _known_flags(flags: tuple[str, ...]) -> tuple[str, ...]:
     from jaxlib.version import __version__  # without loading JAX
     from platformdirs import user_cache_path
 
-    from polhode.seals import read_sealed, write_sealed
+    from polhode._base.seals import read_sealed, write_sealed
 
     spec = find_spec("jaxlib")
     build = zlib.crc32(f"{spec and spec.origin} {flags}".encode())

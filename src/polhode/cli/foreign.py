@@ -9,10 +9,10 @@ from typing import Any
 import typer
 from typer.core import TyperCommand, TyperGroup
 
+from polhode._base.plugins import find_entry_points, load_entry_point
+from polhode._base.plugins.wings import wing_details, wing_points
 from polhode.cli.arguments import StrictCommand
 from polhode.errors import InvalidInput
-from polhode.plugins import find_entry_points, load_entry_point
-from polhode.plugins.wings import wing_details, wing_points
 
 GROUP = "polhode.commands"
 

@@ -25,13 +25,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, ValidationError
 
+from polhode._base.plugins import Plugin, list_modules_of_others, record_plugins
+from polhode._base.plugins.program import program_digest
+from polhode._base.seals import drop_oldest, read_sealed, write_sealed
 from polhode.errors import PolhodeError
 from polhode.formats.opening import content_digest, record_files
 from polhode.kinds.base import Spec
-from polhode.plugins import Plugin, list_modules_of_others, record_plugins
-from polhode.plugins.program import program_digest
 from polhode.reports.base import SystemReport
-from polhode.seals import drop_oldest, read_sealed, write_sealed
 
 if TYPE_CHECKING:
     from polhode.viewer.page import Page

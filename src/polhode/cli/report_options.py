@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from polhode._base.plugins import find_entry_points, load_entry_point, record_nothing
+from polhode._base.plugins.wings import wing_details, wing_points
 from polhode.cli.arguments import StrictCommand
 from polhode.errors import InvalidInput, PolhodeError, one_line
-from polhode.plugins import find_entry_points, load_entry_point, record_nothing
-from polhode.plugins.wings import wing_details, wing_points
 
 if TYPE_CHECKING:
     from polhode.reports.report import Report

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from polhode.arrays import iterate_until, namespace
+from polhode._base.arrays import iterate_until, namespace
 from polhode.exact import _formulas as formulas
 from polhode.exact._array_arithmetic import for_arrays
 from polhode.exact._formulas import CONVERGED, MOST_STEPS

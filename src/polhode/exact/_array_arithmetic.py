@@ -6,8 +6,8 @@ from collections.abc import Callable
 from types import ModuleType, SimpleNamespace
 from typing import Any
 
+from polhode._base.arrays import namespace, nearest, split_halves
 from polhode._base.compiled.copying import copy_modules
-from polhode.arrays import namespace, nearest, split_halves
 from polhode.exact import _formulas as formulas
 from polhode.exact import _kernel_arithmetic as kernel_arithmetic
 from polhode.special import _circular as circular

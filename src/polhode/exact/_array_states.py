@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from types import ModuleType
 
-from polhode.arrays import choose, namespace, split_halves
+from polhode._base.arrays import choose, namespace, split_halves
 from polhode.exact._array_arithmetic import for_arrays
 from polhode.exact._blocks import Columns
 from polhode.types import Array, ArrayOrFloat, Float64

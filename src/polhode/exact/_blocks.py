@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import is_jax, namespace, stop_gradient
+from polhode._base.arrays import is_jax, namespace, stop_gradient
 from polhode.types import Array, ArrayOrFloat, Float64, Shaped
 
 Vectors = tuple[Float64[Array, "..."], ...]

@@ -15,10 +15,10 @@ from importlib.metadata import EntryPoint
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from polhode._base.plugins import find_entry_points, load_entry_point
+from polhode._base.plugins.wings import wing_details, wing_points
 from polhode.errors import InvalidInput
 from polhode.formats.form import Form
-from polhode.plugins import find_entry_points, load_entry_point
-from polhode.plugins.wings import wing_details, wing_points
 
 GROUP = "polhode.formats"
 HOME = Path(__file__).parent / "forms"

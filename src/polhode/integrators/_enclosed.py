@@ -12,8 +12,8 @@ import jax.numpy as jnp
 import numpy as np
 from jax.custom_derivatives import SymbolicZero
 
-from polhode.arrays import is_traced
-from polhode.arrays.namespaces import ENCLOSED
+from polhode._base.arrays import is_traced
+from polhode._base.arrays.namespaces import ENCLOSED
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractSystem
 

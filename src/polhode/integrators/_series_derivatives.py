@@ -16,7 +16,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays.elementwise import Elementwise, Ways
+from polhode._base.arrays.elementwise import Elementwise, Ways
 from polhode.integrators._series_adjoint import Returning, weights_back
 from polhode.motion._outcome import Status
 from polhode.systems._forms import rates_of_change

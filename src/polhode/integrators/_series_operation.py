@@ -8,9 +8,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import is_traced
-from polhode.arrays.elementwise import Elementwise
-from polhode.arrays.namespaces import ENCLOSED
+from polhode._base.arrays import is_traced
+from polhode._base.arrays.elementwise import Elementwise
+from polhode._base.arrays.namespaces import ENCLOSED
 from polhode.errors import InvalidInput
 from polhode.integrators._series_derivatives import Sensitive, Skeleton, make_operation
 from polhode.systems.base import AbstractSystem

@@ -20,8 +20,8 @@ import jax.numpy as jnp
 import numpy as np
 from jax.interpreters import partial_eval
 
-from polhode.arrays import compiled_quickly
-from polhode.arrays.traced_checks import check_traced
+from polhode._base.arrays import compiled_quickly
+from polhode._base.arrays.traced_checks import check_traced
 from polhode.errors import InvalidInput, shown
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import FURTHER, rates_of_change

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeVar
 import numpy as np
 from pydantic import BaseModel
 
+from polhode._base.plugins import Plugin
 from polhode.analysis._mechanics import Mechanics
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
@@ -23,7 +24,6 @@ from polhode.formats.labels import AttitudeLabels
 from polhode.kinds.ensembles import Ensemble, ManySpecs
 from polhode.kinds.panel import KindPanel
 from polhode.motion._trajectory import Trajectory
-from polhode.plugins import Plugin
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import MotionReport, SystemReport
 from polhode.spec.building import build_coning, build_spin

@@ -11,13 +11,13 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
+from polhode._base.plugins import record_plugins
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
 from polhode.formats.mesh_archives import names_its_unit
 from polhode.formats.opening import open_for_a_spec
 from polhode.formats.paths import as_path
 from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.registry import default_kind, find_kind, kind_names, kinds_with_table
-from polhode.plugins import record_plugins
 from polhode.reports.base import SystemReport
 from polhode.reports.report import with_inputs
 from polhode.spec.building import build_body

@@ -13,10 +13,10 @@ from importlib.metadata import EntryPoint
 from pathlib import Path
 from typing import Any
 
+from polhode._base.plugins import find_entry_points, load_entry_point, record_nothing
+from polhode._base.plugins.wings import wing_details, wing_points
 from polhode.errors import InvalidInput, PolhodeError
 from polhode.kinds.base import AbstractKind, NextStep, Spec
-from polhode.plugins import find_entry_points, load_entry_point, record_nothing
-from polhode.plugins.wings import wing_details, wing_points
 
 GROUP = "polhode.kinds"
 HOME = Path(__file__).parent

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation._estimate import Estimate
 from polhode.measuring.attitudes.attitude_fit import AttitudeFit

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import as_float64, is_traced, namespace
+from polhode._base.arrays import as_float64, is_traced, namespace
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import is_jax, namespace
+from polhode._base.arrays import is_jax, namespace
 from polhode.types import Array
 
 CORES = {"moments": 1, "momentum_at_epoch": 1, "attitude_at_epoch": 1, "axes": 2, "given_axes": 2}  # axes of one body's

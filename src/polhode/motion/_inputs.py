@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import as_float64, compiled, is_jax, is_traced, namespace
+from polhode._base.arrays import as_float64, compiled, is_jax, is_traced, namespace
 from polhode.errors import InvalidInput, shown
 from polhode.rotation import UNIT_TOLERANCE
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, FloatOrArray, Integer, Real, Shaped

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn, chosen_axes
 from polhode.motion._layout import Quantity, StateLayout, StatePart

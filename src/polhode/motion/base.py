@@ -11,7 +11,7 @@ from typing import Any, ClassVar, NamedTuple, TypeVar
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import always, as_float64, compiled, is_jax, namespace
+from polhode._base.arrays import always, as_float64, compiled, is_jax, namespace
 from polhode.errors import InvalidInput
 from polhode.motion._axes import PlainTurn, Turn, chosen_axes, shared_axes
 from polhode.motion._fields import broadcast_fields, register_fields

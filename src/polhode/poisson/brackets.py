@@ -14,9 +14,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import in_jax_numpy, is_traced, require_doubles
+from polhode._base.arrays.traced_checks import check_function
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import in_jax_numpy, is_traced, require_doubles
-from polhode.arrays.traced_checks import check_function
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Double, Float64
 

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 import jax
 import jax.numpy as jnp
 
+from polhode._base.arrays import known_false, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import known_false, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.poisson.reconstruction import NODES, hermite
 from polhode.types import Array, ArrayLike, Float64, Real

@@ -13,9 +13,9 @@ import math
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.poisson.brackets import as_points, poisson_tensor
 from polhode.types import Array, ArrayLike, Float64, Integer, Real

@@ -15,7 +15,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_false, require_doubles
+from polhode._base.arrays import known_false, require_doubles
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 

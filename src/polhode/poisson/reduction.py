@@ -9,7 +9,7 @@ Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §13.2–13.4
 from __future__ import annotations
 
 from polhode import rotation
-from polhode.arrays import require_doubles
+from polhode._base.arrays import require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 

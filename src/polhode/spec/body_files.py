@@ -7,12 +7,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from polhode._base.plugins import find_entry_points, load_entry_point
+from polhode._base.plugins.wings import wing_points
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, PolhodeError, one_line, shown
 from polhode.formats.body_file import BodyFile, Pose
 from polhode.formats.opening import check_is_file
-from polhode.plugins import find_entry_points, load_entry_point
-from polhode.plugins.wings import wing_points
 
 GROUP = "polhode.bodies"
 _reserved: set[str] = set()  # keys of [body] itself

@@ -14,8 +14,8 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from polhode.plugins.code import find_version
-from polhode.seals import read_sealed, write_sealed
+from polhode._base.plugins.code import find_version
+from polhode._base.seals import read_sealed, write_sealed
 
 LARGEST = 10_000_000  # bytes; they are 300,000
 

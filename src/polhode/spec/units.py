@@ -11,8 +11,8 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
+from polhode._base.rational import read_number
 from polhode.errors import InvalidInput, shown
-from polhode.rational import read_number
 
 SPEED_OF_LIGHT = 299792458.0  # m/s, exact by definition
 EXAMPLES = {

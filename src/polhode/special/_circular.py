@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from polhode.arrays import is_jax, namespace, nearest, split_halves
+from polhode._base.arrays import is_jax, namespace, nearest, split_halves
 from polhode.special._doubledouble import two_sum
 from polhode.types import Array, ArrayOrFloat, Float64
 

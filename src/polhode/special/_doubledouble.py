@@ -13,7 +13,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from polhode.arrays import is_jax, iterate, namespace, split_halves
+from polhode._base.arrays import is_jax, iterate, namespace, split_halves
 from polhode.types import Array, ArrayOrFloat, Bool, Float64
 
 DoubleDouble = tuple[Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."]]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from polhode.arrays import iterate
+from polhode._base.arrays import iterate
 from polhode.special import _doubledouble as dd
 from polhode.special._doubledouble import DoubleDouble
 from polhode.types import Array

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.types import Array, Float64
 
 BLOCK = 8

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Float64
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.arrays import as_float64, forward_columns, is_jax, is_traced, iterate, iterate_until, namespace
+from polhode._base.arrays import as_float64, forward_columns, is_jax, is_traced, iterate, iterate_until, namespace
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Real
 

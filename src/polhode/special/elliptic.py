@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from polhode.arrays import as_float64, known_false, namespace
+from polhode._base.arrays import as_float64, known_false, namespace
 from polhode.errors import InvalidInput
 from polhode.special import _doubledouble as dd
 from polhode.special.carlson import carlson_rd, carlson_rf, carlson_rj

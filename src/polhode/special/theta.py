@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from polhode.arrays import as_float64, known_false, namespace
+from polhode._base.arrays import as_float64, known_false, namespace
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import least_squares
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged
 from polhode.special._residual_noise import NoiseTest, test_known_errors
 from polhode.spectra._derivatives import AXES, LevelModel, check_names, find_tied, get_constant, once_each

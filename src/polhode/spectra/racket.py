@@ -17,7 +17,7 @@ import numpy as np
 from scipy.linalg import eigh_tridiagonal
 from scipy.optimize import brentq, minimize_scalar
 
-from polhode.arrays import known_numbers_only, require_doubles
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body import FreeMotion
 from polhode.spectra._operators import Representation, matrix_elements, rigid_terms

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only, require_doubles
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.spectra import _wang as wang

@@ -18,7 +18,7 @@ import numpy as np
 from scipy.optimize import elementwise
 from scipy.special import loggamma
 
-from polhode.arrays import known_numbers_only, require_doubles
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.spectra._orbits import Three, orbit
 from polhode.spectra.rotor import Rotor, check_j, equal_constants

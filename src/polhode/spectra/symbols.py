@@ -11,7 +11,7 @@ import math
 import numpy as np
 from scipy.special import gammaln, sph_harm_y
 
-from polhode.arrays import known_numbers_only, require_doubles
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.special._spherical_tensors import spherical_tensor
 from polhode.spectra.spin import unit_vectors

@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base.plugins import find_entry_points, load_entry_point
+from polhode._base.plugins.wings import wing_points
 from polhode.errors import InvalidInput, PolhodeError, one_line, shown
-from polhode.plugins import find_entry_points, load_entry_point
-from polhode.plugins.wings import wing_points
 from polhode.reports.report import StudyReport
 from polhode.studies.tables import TableMapping
 

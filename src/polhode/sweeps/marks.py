@@ -14,7 +14,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from polhode.seals import seal, unseal
+from polhode._base.seals import seal, unseal
 from polhode.sweeps.evaluation import Chunk, Column
 from polhode.sweeps.layout import Layout
 from polhode.sweeps.summary import KNOTS, Numbers, Summary, summarise

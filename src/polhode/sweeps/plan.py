@@ -10,11 +10,11 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, StrictInt, ValidationError
 
+from polhode._base.plugins import Plugin, record_plugins
 from polhode.errors import InvalidInput, shown
 from polhode.formats.opening import record_files
 from polhode.kinds.base import AbstractKind
 from polhode.kinds.reading import SWEEP, kind_of_tables, model_of_tables
-from polhode.plugins import Plugin, record_plugins
 from polhode.spec.fields import Duration, Flag, one_of
 from polhode.spec.keys import number_at
 from polhode.spec.mistakes import as_message, list_mistakes

@@ -18,11 +18,11 @@ from pathlib import Path
 from typing import Any
 
 from polhode._base.compiled.threads import available_cores
+from polhode._base.plugins import Plugin, digest_plugins, record_plugins
+from polhode._base.plugins.program import program_digest, program_parts
 from polhode.errors import InvalidInput, PolhodeError, not_installed
 from polhode.formats.opening import record_files
 from polhode.formats.paths import FULL
-from polhode.plugins import Plugin, digest_plugins, record_plugins
-from polhode.plugins.program import program_digest, program_parts
 from polhode.sweeps.evaluation import STATUS, Column, Evaluator
 from polhode.sweeps.layout import Layout
 from polhode.sweeps.plan import Plan

@@ -12,8 +12,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import in_jax_numpy
-from polhode.arrays.traced_checks import check_function
+from polhode._base.arrays import in_jax_numpy
+from polhode._base.arrays.traced_checks import check_function
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, components, join_state
 from polhode.types import Array, ArrayLike, Double, Real

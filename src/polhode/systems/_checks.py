@@ -8,8 +8,8 @@ from typing import Any
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import compiled_for_few_calls, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import compiled_for_few_calls, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 

@@ -6,7 +6,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import arrays_for_few_calls
+from polhode._base.arrays import arrays_for_few_calls
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, Double, Float64
 

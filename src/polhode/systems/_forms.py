@@ -10,7 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import compiled_for_few_calls, is_jax
+from polhode._base.arrays import compiled_for_few_calls, is_jax
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64

@@ -12,9 +12,9 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode._base.arrays import known_numbers_only, namespace, require_doubles
 from polhode.algebra._functions import Function
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
-from polhode.arrays import known_numbers_only, namespace, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import (
     ATTITUDE,

@@ -8,10 +8,10 @@ from typing import ClassVar
 import jax
 import jax.numpy as jnp
 
+from polhode._base.arrays import known_numbers_only
 from polhode.algebra._functions import check_scalar
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
-from polhode.arrays import known_numbers_only
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
 from polhode.systems.free_rigid_body import axis_flows, checked_moments
 from polhode.types import Array, ArrayLike, Float64, Real

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.bodies._inertia import principal_axes
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown

@@ -6,9 +6,9 @@ from typing import ClassVar
 
 import jax.numpy as jnp
 
+from polhode._base.arrays import known_numbers_only
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
-from polhode.arrays import known_numbers_only
 from polhode.systems._checks import checked_number
 from polhode.systems._top_integrals import Integral
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow

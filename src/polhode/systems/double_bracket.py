@@ -6,9 +6,9 @@ from typing import ClassVar
 
 import jax.numpy as jnp
 
+from polhode._base.arrays import known_numbers_only
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.arrays import known_numbers_only
 from polhode.systems._checks import checked_number
 from polhode.systems.base import AbstractLiePoissonSystem, Balance
 from polhode.systems.free_rigid_body import checked_moments

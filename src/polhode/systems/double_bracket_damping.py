@@ -7,8 +7,8 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput
 from polhode.motion._layout import Quantity
 from polhode.systems._checks import checked_number

@@ -7,9 +7,9 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.systems._checks import as_floats
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow

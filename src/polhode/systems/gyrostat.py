@@ -10,9 +10,9 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode._base.arrays import compiled_for_few_calls, is_traced, known_numbers_only, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.arrays import compiled_for_few_calls, is_traced, known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.motion._inputs import refuse_not_finite
 from polhode.motion._layout import (

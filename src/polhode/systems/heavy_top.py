@@ -10,9 +10,9 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode._base.arrays import is_traced, known_numbers_only, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
-from polhode.arrays import is_traced, known_numbers_only, require_doubles
 from polhode.bodies._pivot import STANDARD_GRAVITY, about_pivot
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown

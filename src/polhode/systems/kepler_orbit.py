@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import compiled_for_few_calls, known_numbers_only
+from polhode._base.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.systems._checks import checked_number
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real

@@ -6,9 +6,9 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 
+from polhode._base.arrays import require_doubles
 from polhode.algebra._functions import Function, check_scalar
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.arrays import require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayLike, Float64, Real

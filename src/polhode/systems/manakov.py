@@ -6,10 +6,10 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import SO
-from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, components
 from polhode.types import Array, ArrayLike, Float64, Real

@@ -10,7 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import arrays_for_few_calls
+from polhode._base.arrays import arrays_for_few_calls
 from polhode.motion._outcome import Ends, Outcome
 from polhode.motion._trajectory import Trajectory
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem

@@ -18,7 +18,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax.extend.core import Literal
 
-from polhode.arrays.steps import split_scan
+from polhode._base.arrays.steps import split_scan
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.jaxprs import INNER
 from polhode.taylor.kernel_series import MOST_ANGLE, MOST_EXPONENT

@@ -15,7 +15,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import compiled_quickly
+from polhode._base.arrays import compiled_quickly
 from polhode.motion._outcome import Status
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import rates_of_change

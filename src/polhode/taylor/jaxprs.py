@@ -10,7 +10,7 @@ import jax
 import numpy as np
 from jax.extend.core import ClosedJaxpr, Jaxpr, Literal
 
-from polhode.arrays.steps import INNER
+from polhode._base.arrays.steps import INNER
 
 
 def write_jaxpr(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:

@@ -13,8 +13,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import in_jax_numpy
-from polhode.arrays.traced_checks import check_traced
+from polhode._base.arrays import in_jax_numpy
+from polhode._base.arrays.traced_checks import check_traced
 from polhode.systems._forms import distances, rates_of_change
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import jax
 import numpy as np
 
-from polhode.arrays import arrays_for_few_calls
+from polhode._base.arrays import arrays_for_few_calls
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import FURTHER
 from polhode.systems.base import AbstractSystem, Event

@@ -18,8 +18,8 @@ import jax.numpy as jnp
 import numpy as np
 from jax.extend.core import Literal
 
-from polhode.arrays.by_numpy import by_numbers, factors, spread, take_slice
-from polhode.arrays.steps import INNER, split_scan
+from polhode._base.arrays.by_numpy import by_numbers, factors, spread, take_slice
+from polhode._base.arrays.steps import INNER, split_scan
 from polhode.taylor.elementary import (
     cube_root,
     eccentric_anomaly,

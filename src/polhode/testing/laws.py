@@ -9,7 +9,7 @@ from typing import Any
 import jax
 import numpy as np
 
-from polhode.arrays import compiled_for_few_calls
+from polhode._base.arrays import compiled_for_few_calls
 from polhode.types import Array
 
 Laws = dict[str, tuple[Array, Array]]  # both sides of each law

@@ -8,7 +8,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays.traced_checks import check_function
+from polhode._base.arrays.traced_checks import check_function
 from polhode.errors import InvalidInput, shown
 from polhode.systems._forms import refuse_other_objects
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, components

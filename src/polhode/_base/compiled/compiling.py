@@ -15,7 +15,7 @@ from numba import njit, typeof
 from numba.core import event
 from numba.core.caching import IndexDataCacheFile
 
-from polhode.seals import read_sealed, write_sealed
+from polhode._base.seals import read_sealed, write_sealed
 
 _TAKE: Any = njit  # whose types do not know all of its options
 LONGEST = 600.0  # s that another process may take to compile

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.plugins.code import find_version
+from polhode._base.plugins.code import find_version
 
 COMPILED_BY = ("numba", "llvmlite", "numpy")
 CONSTANTS = bool | int | float | complex | str | tuple | frozenset | None

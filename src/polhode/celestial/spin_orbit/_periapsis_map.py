@@ -15,7 +15,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import compiled_for_few_calls
+from polhode._base.arrays import compiled_for_few_calls
 from polhode.celestial.spin_orbit.system import SpinOrbit
 from polhode.integrators._composition import stages
 from polhode.systems.kepler_orbit import ratio_from_eccentric, solve_kepler, true_from_eccentric

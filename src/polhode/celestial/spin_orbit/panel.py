@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import compiled_for_few_calls
+from polhode._base.arrays import compiled_for_few_calls
 from polhode.bodies.surface import Surface
 from polhode.celestial.spin_orbit.motion import steps_for
 from polhode.celestial.spin_orbit.resonances import poincare_section

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.celestial.spin_orbit._periapsis_map import Kicks, carry_neighbours, section, tabulate
 from polhode.celestial.spin_orbit.system import SpinOrbit
 from polhode.errors import InvalidInput, shown

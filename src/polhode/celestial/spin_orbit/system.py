@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import jax.numpy as jnp
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import Quantity, StateLayout, StatePart

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize.elementwise import find_root
 from scipy.spatial.transform import Rotation
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation._estimate import Estimate
 from polhode.exact.free_body.motion import FreeMotion

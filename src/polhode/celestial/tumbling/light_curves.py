@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body.motion import FreeMotion
 from polhode.motion._inputs import number_of, refuse_not_finite

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 from scipy.special import factorial
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.celestial.wobble._pole_series import DAY, YEAR, average_steps, clean_pole, step_moments
 from polhode.errors import InvalidInput
 from polhode.estimation._estimate import Estimate

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.celestial.wobble._pole_series import DAY, clean_pole, even
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real

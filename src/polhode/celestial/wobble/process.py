@@ -22,7 +22,7 @@ from scipy.linalg import cho_solve, cholesky, solve_triangular, toeplitz
 from scipy.optimize import brentq, minimize
 from scipy.stats import chi2
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.celestial.wobble._pole_series import DAY, Pole, even
 from polhode.celestial.wobble.estimation import ANNUAL, ChandlerFit, fit_chandler
 from polhode.estimation._estimate import Estimate

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.celestial.wobble._pole_series import DAY, YEAR, Pole, average_steps, clean_pole, even
 from polhode.celestial.wobble.estimation import LONGEST, SEASONS, SHORTEST, STEP, fit_chandler
 from polhode.errors import InvalidInput, shown

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from polhode import rotation
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.exact.free_body._preparation import prepare
 from polhode.exact.free_body._reduction import as_sorted, from_sorted
 from polhode.exact.free_body._tangent import momentum_tangent, sorted_sizes

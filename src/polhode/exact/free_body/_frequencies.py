@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.exact._agm import third_kind_agm
 from polhode.exact.free_body._reduction import FORMULAS, Reduction
 from polhode.special import _doubledouble as dd

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.exact.free_body._frequencies import Frequencies, canonical_frequencies
 from polhode.exact.free_body._reduction import Reduction, canonical_reduction
 from polhode.special import _doubledouble as dd

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.exact.free_body._geometry import Characteristics
 from polhode.exact.free_body._preparation import Prepared
 from polhode.exact.free_body._reduction import as_sorted

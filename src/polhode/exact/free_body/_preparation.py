@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from polhode.arrays import choose, compiled, namespace, split_halves
+from polhode._base.arrays import choose, compiled, namespace, split_halves
 from polhode.exact._array_states import ArrayStates
 from polhode.exact._blocks import Columns, flatten_motion
 from polhode.exact.free_body import _formulas as formulas

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
-from polhode.arrays import choose, compiled, namespace
+from polhode._base.arrays import choose, compiled, namespace
 from polhode.exact._array_arithmetic import for_arrays
 from polhode.exact.free_body import _formulas_setup as formulas_setup
 from polhode.special import _doubledouble as dd

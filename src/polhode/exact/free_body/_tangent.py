@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.exact.free_body._preparation import Prepared
 from polhode.exact.free_body._reduction import Reduction, half_turn_sign, total
 from polhode.exact.free_body._tangent_kernel import Kernel, elliptic_kernel

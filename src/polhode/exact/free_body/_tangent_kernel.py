@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.special.elliptic import jacobi_at_reduced_phase, nome, sd_squared_over_half_period
 from polhode.types import Array, ArrayOrFloat, Float64
 

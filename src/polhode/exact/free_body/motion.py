@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import compiled, is_traced, namespace
+from polhode._base.arrays import compiled, is_traced, namespace
 from polhode.bodies.body import Body, check_is_body
 from polhode.exact.free_body import _evaluation as evaluation
 from polhode.exact.free_body import _geometry as geometry

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from polhode.arrays import Elementwise, is_jax, namespace, stack_last
+from polhode._base.arrays import Elementwise, is_jax, namespace, stack_last
 from polhode.exact._blocks import Constants, Vectors, columns_in_blocks, in_blocks, units
 from polhode.exact._closed_form import ClosedForm
 from polhode.exact.lagrange_top import _geometry as geometry

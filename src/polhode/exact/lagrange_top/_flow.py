@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import is_jax, iterate, namespace, stop_gradient
+from polhode._base.arrays import is_jax, iterate, namespace, stop_gradient
 from polhode.types import Array, ArrayOrFloat, Complex128, Float64
 
 ORDER = 24

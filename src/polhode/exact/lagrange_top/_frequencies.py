@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.exact._agm import third_kind_agm
 from polhode.exact.lagrange_top._formulas_setup import TurningPoints
 from polhode.exact.lagrange_top._reduction import Reduction

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from polhode.arrays import compiled, namespace
+from polhode._base.arrays import compiled, namespace
 from polhode.exact.lagrange_top._frequencies import Frequencies, top_frequencies
 from polhode.exact.lagrange_top._reduction import Reduction, reduce_top
 from polhode.exact.lagrange_top._roots import TurningPoints, turning_points

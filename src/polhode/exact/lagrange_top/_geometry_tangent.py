@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.exact._blocks import Vectors
 from polhode.exact.lagrange_top._periods import Invariants, change_of_nutation
 from polhode.exact.lagrange_top._tangent import TangentData, changed_invariants, scaled_changes

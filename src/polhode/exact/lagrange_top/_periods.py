@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.special.carlson import carlson_rd
 from polhode.types import Array, Complex128, Float64
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from polhode.arrays import namespace
+from polhode._base.arrays import namespace
 from polhode.special import _doubledouble as dd
 from polhode.special._doubledouble import DoubleDouble
 from polhode.types import Array, Bool, Float64, Integer

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.arrays import iterate, namespace
+from polhode._base.arrays import iterate, namespace
 from polhode.exact._array_arithmetic import for_arrays
 from polhode.exact.lagrange_top import _formulas as formulas
 from polhode.exact.lagrange_top import _formulas_setup as formulas_setup

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from polhode.arrays import namespace, split_halves
+from polhode._base.arrays import namespace, split_halves
 from polhode.special import _doubledouble as dd
 from polhode.special._circular import reduced_phase, sine_cosine_turns, split_rate
 from polhode.special._doubledouble import DoubleDouble

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from polhode.arrays import COMPLEX_STEP, derivative_columns, namespace, split_halves
+from polhode._base.arrays import COMPLEX_STEP, derivative_columns, namespace, split_halves
 from polhode.exact._blocks import Vectors
 from polhode.exact.lagrange_top import _standing as standing
 from polhode.exact.lagrange_top._flow import flow, slopes

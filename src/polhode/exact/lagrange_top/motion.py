@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import is_traced, known_false, namespace
+from polhode._base.arrays import is_traced, known_false, namespace
 from polhode.bodies._pivot import EQUAL, STANDARD_GRAVITY, about_pivot
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput

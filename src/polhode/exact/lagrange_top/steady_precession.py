@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 
 LEVEL = 3.6e-15  # cosine of the tilt of a level axis, 16 roundings: π/2 is no double, and attitudes round it further

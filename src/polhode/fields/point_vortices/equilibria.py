@@ -8,10 +8,10 @@ from typing import NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
-from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.fields.point_vortices.system import PlaneVortices, SphereVortices
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real

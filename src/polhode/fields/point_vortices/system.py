@@ -8,11 +8,11 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import is_traced, known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
 from polhode.algebra.heisenberg import Heisenberg
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
-from polhode.arrays import is_traced, known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.fields._turns import dot, turn
 from polhode.motion._layout import Quantity

@@ -16,9 +16,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import is_traced
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import AbstractMatrixAlgebra, Element, Operand, adjoint, check_size, traceless
-from polhode.arrays import is_traced
 from polhode.special._spherical_tensors import spherical_tensor
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 

@@ -9,8 +9,8 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.algebra._functions import Function
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.fields.sphere._harmonics import (
     checked_coefficients,

@@ -8,9 +8,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.algebra._functions import Function
 from polhode.algebra.dual_numbers import DualNumbers
-from polhode.arrays import known_numbers_only
 from polhode.fields.sphere._harmonics import (
     checked_coefficients,
     checked_energies,

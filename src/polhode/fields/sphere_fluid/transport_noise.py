@@ -8,7 +8,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import is_traced
+from polhode._base.arrays import is_traced
 from polhode.errors import InvalidInput, shown
 from polhode.integrators._group import attitude_by_exp
 from polhode.integrators._step_noise import normals_of_step

@@ -9,7 +9,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.fields.spin_lattice.system import SpinLattice
 from polhode.integrators.spherical_midpoint import SphericalMidpoint

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import ArrayLike, Float64, Real
 

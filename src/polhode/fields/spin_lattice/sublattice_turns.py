@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.fields.spin_lattice.lattice import Bond
 from polhode.fields.spin_lattice.system import SpinLattice

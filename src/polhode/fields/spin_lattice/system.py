@@ -9,10 +9,10 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import is_traced, known_numbers_only
 from polhode.algebra._functions import Function
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
-from polhode.arrays import is_traced, known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.fields._turns import dot, turn
 from polhode.fields.spin_lattice._bonds import BondType, Matrix, bond_flows, checked_bonds, find_cells

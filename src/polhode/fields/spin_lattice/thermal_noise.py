@@ -6,8 +6,8 @@ from typing import Any, ClassVar, NamedTuple
 
 import jax.numpy as jnp
 
+from polhode._base.arrays import is_traced
 from polhode.algebra.so3 import scaled_norm
-from polhode.arrays import is_traced
 from polhode.errors import InvalidInput, shown
 from polhode.integrators._fixed_point import fixed_point
 from polhode.integrators._step_noise import normals_of_step

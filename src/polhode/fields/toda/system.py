@@ -11,8 +11,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import require_doubles
 from polhode.algebra._functions import Function
-from polhode.arrays import require_doubles
 from polhode.fields.toda.algebra import Bidiagonal
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
 from polhode.types import Array, ArrayLike, Float64, Real

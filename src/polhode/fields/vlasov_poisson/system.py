@@ -10,10 +10,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
 from polhode.algebra.heisenberg import Heisenberg
 from polhode.algebra.power import Power
-from polhode.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.systems._checks import checked_number
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.special import wofz
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.types import Array, Float64
 

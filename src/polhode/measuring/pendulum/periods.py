@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.bodies._pivot import STANDARD_GRAVITY
 from polhode.errors import InvalidInput
 from polhode.motion._inputs import refuse_not_positive

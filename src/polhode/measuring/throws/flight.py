@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.measuring.throws._momentum_flight import UNEVEN, Stretch, momentum_stretches, of_one_body, within
 from polhode.measuring.throws._weightless_flight import weightless_stretches

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation._estimate import Estimate
 from polhode.exact.free_body.motion import FreeMotion

@@ -10,11 +10,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode._base.rational.numbers import nearest_double
 from polhode.analysis._exact_arithmetic import Ball, Rational, Wanted, exact_rationals, refine
 from polhode.errors import InvalidInput, shown
 from polhode.motion.base import AbstractMotion
 from polhode.proving.enclosures.enclosed_numbers import EnclosedNumber
-from polhode.rational.numbers import nearest_double
 
 DOUBLES, GIVEN = "the nearest doubles", "the exact numbers given"
 NEAR = 4.0 * 2.0**-52  # of their size, how far exact numbers may be from the doubles of the motion

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, overload
 
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis._exact_arithmetic import check_digits, import_flint
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.lagrange_top import LagrangeMotion

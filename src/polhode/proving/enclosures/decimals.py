@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from polhode import rotation
+from polhode._base.rational import read_number
 from polhode.formats.opening import read_text
 from polhode.proving.enclosures._ball_turns import multiply
-from polhode.rational import read_number
 from polhode.spec.parsing import LARGEST
 from polhode.spec.units import parse_exactly
 from polhode.types import Array, Float64

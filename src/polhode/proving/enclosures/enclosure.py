@@ -11,10 +11,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import is_positive, require_doubles
 from polhode.analysis._exact_arithmetic import import_flint
 from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
 from polhode.analysis._tangent_flow import one_state
-from polhode.arrays import is_positive, require_doubles
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.proving.enclosures._taylor_balls import Ball, BallSystem, collect_numbers

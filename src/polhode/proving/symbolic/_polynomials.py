@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
+from polhode._base.rational._terms import Terms
 from polhode.errors import InvalidInput, shown
 from polhode.proving.symbolic._gate import sympy
-from polhode.rational._terms import Terms
 
 
 def to_terms(expression: Any, coordinates: Sequence[Any]) -> Terms:

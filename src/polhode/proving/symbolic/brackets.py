@@ -12,12 +12,12 @@ from typing import Any
 
 import numpy as np
 
+from polhode._base.rational.numbers import EXACT, check_reading, read_number
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.casimirs import invariant_terms, rational_brackets
 from polhode.errors import InvalidInput, shown
 from polhode.proving.symbolic._gate import sympy
 from polhode.proving.symbolic._polynomials import from_terms
-from polhode.rational.numbers import EXACT, check_reading, read_number
 
 Expression = Any  # of SymPy, which has no types of its own for checkers
 

@@ -14,14 +14,14 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
+from polhode._base.rational._sparse import new_terms, null_space
+from polhode._base.rational._terms import exponents_of, multiply_together, whole_terms
+from polhode._base.rational.numbers import EXACT
 from polhode.algebra.casimirs import check_degree
 from polhode.errors import InvalidInput
 from polhode.proving.symbolic._gate import sympy
 from polhode.proving.symbolic._polynomials import bracket_terms, from_terms, symbolic_terms, to_terms
 from polhode.proving.symbolic.systems import SymbolicSystem, as_symbolic
-from polhode.rational._sparse import new_terms, null_space
-from polhode.rational._terms import exponents_of, multiply_together, whole_terms
-from polhode.rational.numbers import EXACT
 from polhode.systems.base import AbstractLiePoissonSystem
 
 MOST_SYMBOLIC = 250  # monomials where coefficients are functions of symbols: 209 take a second, 461 minutes

@@ -11,6 +11,8 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.rational._terms import Terms
+from polhode._base.rational.numbers import EXACT, nearest_double, read_number
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.constants import from_structure_constants
 from polhode.analysis._conserved import Energy
@@ -19,8 +21,6 @@ from polhode.errors import InvalidInput, shown
 from polhode.proving.symbolic._gate import sympy
 from polhode.proving.symbolic._polynomials import from_terms
 from polhode.proving.symbolic.brackets import LiePoissonBracket, name_symbols, read_doubles
-from polhode.rational._terms import Terms
-from polhode.rational.numbers import EXACT, nearest_double, read_number
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.systems.lie_poisson import LiePoisson
 from polhode.taylor.expressions import Untraceable
@@ -62,7 +62,7 @@ class SymbolicSystem:
         """Return a numerical system with exact numbers.
 
         Its energy is computed in fractions from the numbers that the system has, so that a moment of 3 gives 1/6, as
-        certificates do; see ``polhode.rational.read_number`` for the doubles.
+        certificates do (docs/symbolic.md, Doubles).
 
         Args:
             system: of `polhode.systems`, with an energy that is a polynomial.

@@ -8,13 +8,13 @@ from fractions import Fraction
 from importlib import resources
 from pathlib import Path
 
+from polhode._base.rational._polynomials import RationalPolynomial, quadratic_form
+from polhode._base.rational.numbers import READINGS
 from polhode.certificates._confinement import Confinement, Squares
 from polhode.certificates._equations import Equations
 from polhode.certificates._growth import Drift, Growth
 from polhode.certificates.rational import RationalCertificate, require_rational
 from polhode.errors import InvalidInput, shown
-from polhode.rational._polynomials import RationalPolynomial, quadratic_form
-from polhode.rational.numbers import READINGS
 
 THEORY = "checker.v"
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\.v")

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
+from polhode._base.rational._polynomials import RationalPolynomial, quadratic_form
 from polhode.certificates._confinement import Confinement
 from polhode.certificates._equations import Equations
 from polhode.certificates._growth import Drift, Growth
 from polhode.certificates.rational import RationalCertificate, require_rational
 from polhode.errors import InvalidInput, not_installed
-from polhode.rational._polynomials import RationalPolynomial, quadratic_form
 
 PATIENCE = 20_000  # milliseconds for one claim
 

@@ -16,9 +16,9 @@ from typing import NamedTuple
 import jax
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import judge_steady_motion
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.rolling.euler_disk._mechanics import RollingMechanics
 from polhode.rolling.euler_disk._steady_motion import WITHOUT_DISSIPATION

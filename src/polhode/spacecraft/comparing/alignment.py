@@ -7,9 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis._attitude_noise import root_mean_square
 from polhode.analysis._printing import print_answer, write_numbers
-from polhode.arrays import known_numbers_only
 from polhode.types import Array, ArrayLike, Float64, Real
 
 FEWEST = 10  # samples for nine unknowns

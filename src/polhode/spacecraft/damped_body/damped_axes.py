@@ -9,10 +9,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.analysis._reasons import SettlesOnCircle, SphereOfRests
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.first_method import first_method
-from polhode.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.spacecraft.systems.torqued_body import TorquedBody
 from polhode.systems.double_bracket import DoubleBracket

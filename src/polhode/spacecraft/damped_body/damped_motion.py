@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis.energy_casimir import Stability
-from polhode.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 

@@ -14,7 +14,7 @@ import math
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body import FreeMotion
 from polhode.special.carlson import carlson_rd

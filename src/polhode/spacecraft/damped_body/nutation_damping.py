@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.motion._inputs import refuse_not_positive
 

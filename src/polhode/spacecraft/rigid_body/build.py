@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import compiled_for_few_calls
+from polhode._base.arrays import compiled_for_few_calls
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.spacecraft.rigid_body.arguments import make_part

@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import compiled_for_few_calls
+from polhode._base.arrays import compiled_for_few_calls
 from polhode.spacecraft.systems.control_laws import AbstractControlLaw, AbstractLawActuator, target_at
 from polhode.spacecraft.systems.rigid_body import RigidBody
 from polhode.spacecraft.torques.base import in_body

@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import compiled_for_few_calls
+from polhode._base.arrays import compiled_for_few_calls
 from polhode.motion._layout import Quantity
 from polhode.motion._trajectory import Trajectory
 from polhode.spacecraft.systems.control_laws import AbstractLawActuator

@@ -7,9 +7,9 @@ from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from polhode._base.plugins import find_entry_points, load_entry_point
+from polhode._base.plugins.wings import wing_points
 from polhode.errors import InvalidInput, shown
-from polhode.plugins import find_entry_points, load_entry_point
-from polhode.plugins.wings import wing_points
 
 if TYPE_CHECKING:
     from polhode.spacecraft.systems.attachments import AbstractAttachment

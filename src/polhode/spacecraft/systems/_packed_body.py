@@ -12,7 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import compiled_for_few_calls, is_traced, known_numbers_only, require_doubles
+from polhode._base.arrays import compiled_for_few_calls, is_traced, known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn
 from polhode.motion._inputs import refuse_not_finite

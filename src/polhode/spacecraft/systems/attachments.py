@@ -10,8 +10,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import in_jax_numpy, is_traced, require_doubles
-from polhode.arrays.traced_checks import check_traced
+from polhode._base.arrays import in_jax_numpy, is_traced, require_doubles
+from polhode._base.arrays.traced_checks import check_traced
 from polhode.errors import InvalidInput, PolhodeError, shown
 from polhode.motion._layout import StateLayout, StatePart
 from polhode.motion.frame import BodyFrame

@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import compiled_for_few_calls, known_numbers_only, require_doubles
+from polhode._base.arrays import compiled_for_few_calls, known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame

@@ -8,7 +8,7 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.motion._layout import StatePart
 from polhode.spacecraft.systems.attachments import Attitude, Own, Time, Velocity

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 import jax.numpy as jnp
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.motion._layout import StatePart
 from polhode.spacecraft.systems.attachments import AbstractAttachment, Argument, Attitude, Own, Time, Velocity
 from polhode.systems._checks import checked_number

@@ -8,7 +8,7 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import is_traced, known_numbers_only
+from polhode._base.arrays import is_traced, known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart

@@ -9,7 +9,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode.arrays import compiled_for_few_calls, known_numbers_only
+from polhode._base.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn

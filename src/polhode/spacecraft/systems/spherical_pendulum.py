@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 import equinox as eqx
 import jax.numpy as jnp
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.motion._layout import StatePart
 from polhode.spacecraft.systems.attachments import Argument, Attitude, Time, Velocity
 from polhode.spacecraft.systems.moving_parts import AbstractMovingPart, Coordinates

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.motion.frame import BodyFrame
 from polhode.spacecraft.systems.mounts import AbstractMounted
 from polhode.spacecraft.systems.rigid_body import AbstractRigidBody

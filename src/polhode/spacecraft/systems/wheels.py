@@ -7,7 +7,7 @@ from collections.abc import Callable
 import equinox as eqx
 import jax.numpy as jnp
 
-from polhode.arrays import known_numbers_only
+from polhode._base.arrays import known_numbers_only
 from polhode.motion._layout import StatePart
 from polhode.spacecraft.systems.attachments import Attitude, Own, Time, Velocity, checked_jumps
 from polhode.spacecraft.systems.mounts import AbstractMount

@@ -7,7 +7,7 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
-from polhode.arrays import known_numbers_only, require_doubles
+from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.spacecraft.systems.attachments import Argument, Attitude, Own, Time, Velocity
 from polhode.spacecraft.torques.base import AbstractTorque

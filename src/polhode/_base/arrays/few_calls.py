@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from polhode.arrays.namespaces import is_traced, is_tracing
+from polhode._base.arrays.namespaces import is_traced, is_tracing
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 QUICKLY = {"xla_cpu_use_fusion_emitters": False, "xla_backend_optimization_level": 0}  # a third of the time
@@ -101,7 +101,7 @@ def _write(
     import equinox as eqx
     import jax
 
-    from polhode.arrays.steps import NoSteps, Steps
+    from polhode._base.arrays.steps import NoSteps, Steps
 
     static: list[Any] = []
 

@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.arrays.by_numpy import BY_NUMPY, by_numbers
-from polhode.arrays.namespaces import is_traced
-from polhode.arrays.steps import INNER, split_scan
+from polhode._base.arrays.by_numpy import BY_NUMPY, by_numbers
+from polhode._base.arrays.namespaces import is_traced
+from polhode._base.arrays.steps import INNER, split_scan
 from polhode.errors import InvalidInput
 
 LARGEST = 100_000  # entries of an array of indices that is followed, of a table of neighbours; larger ones take seconds

@@ -10,7 +10,7 @@ import contextlib
 import os
 from pathlib import Path
 
-from polhode.seals import drop_oldest, read_sealed, write_sealed
+from polhode._base.seals import drop_oldest, read_sealed, write_sealed
 
 FOLDER = "POLHODE_COMPILED_CACHE"  # in the environment: where a command keeps what JAX compiles
 LARGEST = 300_000_000  # bytes of all that is kept; what was not used for the longest time goes first

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from polhode.arrays.indices import refuse_beyond
+from polhode._base.arrays.indices import refuse_beyond
 from polhode.errors import InvalidInput
 
 FEW_DIGITS = frozenset({"float32", "float16", "bfloat16", "complex64"})

@@ -12,7 +12,7 @@ from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from polhode.arrays.elementwise import Elementwise
+    from polhode._base.arrays.elementwise import Elementwise
 
 
 def push(

@@ -8,8 +8,8 @@ from fractions import Fraction
 
 import numpy as np
 
+from polhode._base.rational._terms import Terms
 from polhode.errors import InvalidInput, not_installed
-from polhode.rational._terms import Terms
 
 MOST_WORK = 5e9  # rows × columns² of one block of equations: some six seconds of exact elimination, without a break
 REMEDY = "Lower the degree; `stability` takes Casimirs that are known otherwise by `casimirs=`."

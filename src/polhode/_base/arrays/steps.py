@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.arrays.by_numpy import BY_NUMPY
+from polhode._base.arrays.by_numpy import BY_NUMPY
 from polhode.types import Array, Shaped
 
 INNER = ("jaxpr", "call_jaxpr", "fun_jaxpr")

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays.derivatives import custom_derivative
-from polhode.arrays.namespaces import is_foreign, is_jax, is_traced, namespace
+from polhode._base.arrays.derivatives import custom_derivative
+from polhode._base.arrays.namespaces import is_foreign, is_jax, is_traced, namespace
 
 
 def barrier(values: Any) -> Any:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 TABLE = "plugin.toml"
-PACKAGE = Path(__file__).parents[1]
+PACKAGE = Path(__file__).parents[2]
 
 
 def wing_names() -> list[str]:

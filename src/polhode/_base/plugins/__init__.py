@@ -128,7 +128,7 @@ def digest_plugins(plugins: Iterable[Plugin]) -> dict[Plugin, str]:
 
 def list_modules_of_others() -> list[Path]:
     """Return the files of modules of this process that are neither polhode's nor installed, whoever imported them."""
-    from polhode.plugins.code import list_edited_modules
+    from polhode._base.plugins.code import list_edited_modules
 
     return sorted(set(list_edited_modules(_KNOWN)))
 
@@ -138,7 +138,7 @@ def _plugin(point: Any) -> Plugin:
 
 
 def _digest(point: Any) -> str:
-    from polhode.plugins.code import digest_code, modules_of
+    from polhode._base.plugins.code import digest_code, modules_of
 
     own = modules_of(getattr(point, "dist", None))
     return digest_code(str(point.value).partition(":")[0].strip(), own, _KNOWN)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays.namespaces import is_jax
+from polhode._base.arrays.namespaces import is_jax
 from polhode.errors import InvalidInput
 
 COMPLEX_STEP = 1e-150  # its square is nothing beside one

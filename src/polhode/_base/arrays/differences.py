@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from polhode.arrays.namespaces import namespace
+from polhode._base.arrays.namespaces import namespace
 
 if TYPE_CHECKING:
-    from polhode.arrays.elementwise import Elementwise
+    from polhode._base.arrays.elementwise import Elementwise
 
 STEP = 0.003  # of the distance over which the values change by their own size
 # Σ w_k f(x + kh) = h f′(x) exactly for polynomials up to degree eight; the error is h⁸ f⁽⁹⁾/630, for a step of 0.003 of

@@ -18,10 +18,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.arrays.differences import differences
-from polhode.arrays.namespaces import is_jax
-from polhode.arrays.pushed import push, split_values
-from polhode.arrays.underflow import gradual_underflow, remember_environment
+from polhode._base.arrays.differences import differences
+from polhode._base.arrays.namespaces import is_jax
+from polhode._base.arrays.pushed import push, split_values
+from polhode._base.arrays.underflow import gradual_underflow, remember_environment
 from polhode.errors import InvalidInput, shown
 
 WAYS = ("host", "compiled")

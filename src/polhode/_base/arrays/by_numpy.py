@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.arrays.gathering import gather, scatter, take_dynamic_slice, update_dynamic_slice
+from polhode._base.arrays.gathering import gather, scatter, take_dynamic_slice, update_dynamic_slice
 from polhode.types import Array, Shaped
 
 

@@ -15,7 +15,7 @@ from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 
-from polhode.plugins import COMPUTED_BY, Plugin, digest_plugins
+from polhode._base.plugins import COMPUTED_BY, Plugin, digest_plugins
 
 SETTINGS = ("XLA_FLAGS", "NUMBA_DISABLE_JIT", "NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES", "NPY_DISABLE_CPU_FEATURES",
             "OPENBLAS_CORETYPE")  # fmt: skip

@@ -3,7 +3,7 @@
 It is the only folder of the closed-form rooms that may import JAX, and does so only once a JAX array has come in.
 """
 
-from polhode.arrays.derivatives import (
+from polhode._base.arrays.derivatives import (
     COMPLEX_STEP,
     custom_derivative,
     derivative_columns,
@@ -11,18 +11,10 @@ from polhode.arrays.derivatives import (
     forward_columns,
     stop_gradient,
 )
-from polhode.arrays.elementwise import Elementwise, closed_forms
-from polhode.arrays.few_calls import arrays_for_few_calls, compiled_for_few_calls, compiled_quickly
-from polhode.arrays.loops import (
-    barrier,
-    choose,
-    compiled,
-    iterate,
-    iterate_until,
-    split_halves,
-    stack_last,
-)
-from polhode.arrays.namespaces import (
+from polhode._base.arrays.elementwise import Elementwise, closed_forms
+from polhode._base.arrays.few_calls import arrays_for_few_calls, compiled_for_few_calls, compiled_quickly
+from polhode._base.arrays.loops import barrier, choose, compiled, iterate, iterate_until, split_halves, stack_last
+from polhode._base.arrays.namespaces import (
     always,
     as_float64,
     in_jax_numpy,

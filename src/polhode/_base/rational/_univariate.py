@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 
-from polhode.rational._matrices import is_hurwitz, shift_origin
+from polhode._base.rational._matrices import is_hurwitz, shift_origin
 
 Coefficients = list[Fraction]
 BISECTIONS = 60  # of a root between two powers of two: below a rounding error of a double
