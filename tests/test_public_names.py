@@ -1,6 +1,6 @@
 """No public name is lost: each that there was is there, or the changelog's table says what it is called now."""
 
-import importlib
+import importlib.util
 import re
 from pathlib import Path
 
@@ -22,7 +22,7 @@ def moves(text):
 def resolves(name):
     package, _, attribute = name.rpartition(".")
     try:
-        return hasattr(importlib.import_module(package), attribute)
+        return hasattr(importlib.import_module(package), attribute) or importlib.util.find_spec(name) is not None
     except ModuleNotFoundError:
         return False
 
