@@ -22,7 +22,6 @@ from polhode.integrators._adaptive import TOLERANCE
 from polhode.integrators._enclosed import refuse_derivatives_by_enclosed
 from polhode.integrators._sampled import Observe, Sampled, as_floats, sample_by_either_mode
 from polhode.integrators._series import Taylor, is_series
-from polhode.integrators._series_operation import series_solution
 from polhode.integrators._step_results import Memory
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps
 from polhode.motion._outcome import Status
@@ -224,6 +223,8 @@ def _by_series(
     system: AbstractSystem, state: Array, times: Array, method: Any, step: Any, order: int | None, tolerance: Any,
     every: int, observe: Any,
 ) -> Solution:  # fmt: skip
+    from polhode.integrators._series_operation import series_solution
+
     if is_traced(step, tolerance):
         raise InvalidInput("`step` and `tolerance` of Taylor must be known numbers, not traced ones.")
     method = Taylor(order) if method is Taylor else method
@@ -234,8 +235,7 @@ def _by_series(
     axis, kept = jnp.ndim(motion.failed), jnp.asarray(times)[::every]
     saved, received = motion.states, motion.received
     if isinstance(observe, Fold):
-        saved = _fold(observe, jnp.asarray(times), motion.states, axis)
-        received = {}
+        saved, received = _fold(observe, jnp.asarray(times), motion.states, axis), {}
     elif observe is not None:
         seen = jax.vmap(lambda t, one: as_floats(observe(t, one)))
         for _ in range(axis):

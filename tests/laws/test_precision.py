@@ -83,7 +83,7 @@ ENTRIES = {
     "field": (THREE, poisson.hamiltonian_field(SO3, half)),
     "kks_form": (THREE, lambda x: poisson.kks_form(SO3, THREE, x, jnp.ones(3))),
     "orbit_dimension": (THREE, lambda x: poisson.orbit_dimension(SO3, x)),
-    "covector": (MATRIX, lambda x: poisson.reduction.left_trivialize(FOUR, x)),
+    "covector": (MATRIX, lambda x: poisson.left_trivialize(FOUR, x)),
     "reconstruct_group": (THREE, lambda x: poisson.reconstruct_group(SO3, x, np.ones((3, 3)), lambda L: L)),
     "reconstruct": (THREE, lambda x: poisson.reconstruct(x, np.ones((3, 3)), lambda L: L)),
     "vector_field": (THREE, lambda x: BODY.vector_field(0.0, x)),

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from polhode import rotation
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, steady_precession
 from polhode.systems.heavy_top import ALONG, HeavyTop
 from polhode.types import Array, ArrayLike, Float64, Real
+
+if TYPE_CHECKING:
+    from polhode.exact.lagrange_top import LagrangeMotion
 
 CONSTANT = 1e-12  # rad between the limits of a tilt below which it is constant, but for rounding of what was given
 VERTICAL = 1e-12  # rad from a vertical within which no steady precession is told apart from standing
@@ -82,6 +85,7 @@ def steady_precession_of(motion: LagrangeMotion) -> SteadyPrecession | None:
 
     None if the axis is vertical, or if the top spins too slowly for steady precession; see ``steady_precession``.
 
+    >>> from polhode import LagrangeMotion
     >>> top = LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, 2.5), attitude=(3**0.5 / 2, 0.5, 0.0, 0.0))
     >>> round(steady_precession_of(top).slow, 12)
     0.438447187191

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.figures import style
 from polhode.figures.sphere import draw_curve, draw_disk, mark_point, view_frame
 from polhode.figures.top_shown import sample_axis, take_top
 from polhode.motion._trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from polhode.exact.lagrange_top import LagrangeMotion
 
 VIEW = (0.62, -0.62, 0.48)
 

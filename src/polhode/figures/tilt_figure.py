@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.figures import style
 from polhode.figures.top_shown import TopShown, take_top
 from polhode.motion._inputs import finite
 from polhode.motion._trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from polhode.exact.lagrange_top import LagrangeMotion
 
 LOST = 0.1  # of the largest rate: curves smaller than this are enlarged, their fast swings being a band else
 EVEN = 0.5  # degrees on either side of a tilt that is constant

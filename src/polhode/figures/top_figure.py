@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -10,13 +10,15 @@ from matplotlib.figure import Figure
 from polhode import rotation
 from polhode.bodies._turned import revolve
 from polhode.bodies.surface import Surface, box_in_place
-from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.figures import style
 from polhode.figures.scene import Scene, circle_about, draw_cone
 from polhode.figures.sphere import view_frame
 from polhode.figures.top_shown import Followed, TopShown, sample_axis, take_top
 from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
+
+if TYPE_CHECKING:
+    from polhode.exact.lagrange_top import LagrangeMotion
 
 ELEVATION = np.radians(20.0)
 TURNED = np.radians(20.0)  # of the lean, from across the line of sight towards the viewer

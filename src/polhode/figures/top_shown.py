@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeGuard
 
 import numpy as np
 
@@ -11,11 +11,14 @@ from polhode import rotation
 from polhode.analysis.top_motion import is_steady_precession
 from polhode.errors import InvalidInput
 from polhode.errors import shown as in_words
-from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.motion._inputs import finite
 from polhode.motion._trajectory import Trajectory
+from polhode.motion.exact import ExactMotion
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, Float64
+
+if TYPE_CHECKING:
+    from polhode.exact.lagrange_top import LagrangeMotion
 
 PERIODS = 4  # drawn at most
 SAMPLES = 6000
@@ -58,22 +61,31 @@ def take_top(shown: LagrangeMotion | Trajectory) -> TopShown:
     Raises:
         InvalidInput: for the motion of anything but a top, a batch, or one without samples.
     """
-    if not isinstance(shown, LagrangeMotion | Trajectory):
+    if not (isinstance(shown, Trajectory) or _is_lagrange(shown)):
         raise InvalidInput(f"the figure is of a top; got {in_words(shown)}. {REMEDY}")
-    trajectory = (_sample(shown) if isinstance(shown, LagrangeMotion) else shown).along("principal")
+    trajectory = (shown if isinstance(shown, Trajectory) else _sample(shown)).along("principal")
     if trajectory.batch_shape or not len(trajectory):
         raise InvalidInput(
             f"the figure is of one top at one time at least; got {len(trajectory)} samples of a batch of shape "
             f"{trajectory.batch_shape}. Take one top, and give it times."
         )
     source = trajectory.source
-    if isinstance(source, LagrangeMotion):
+    if _is_lagrange(source):
         return TopShown(trajectory, source, np.array([0.0, 0.0, 1.0]), float(source.mgl) == 0.0)
     if not isinstance(source, HeavyTop) or trajectory.attitude is None:
         origin = "a file" if source is None else type(source).__name__
         without = " without attitude" if isinstance(source, HeavyTop) else ""
         raise InvalidInput(f"the figure is of a top; got a trajectory of {origin}{without}. {REMEDY}")
     return TopShown(trajectory, None, np.asarray(source.axis), float(source.mgl) == 0.0)
+
+
+def _is_lagrange(shown: Any) -> TypeGuard[LagrangeMotion]:
+    """Whether it is a Lagrange top's motion, whose closed form is imported for other exact motions alone."""
+    if not isinstance(shown, ExactMotion):
+        return False
+    from polhode.exact.lagrange_top import LagrangeMotion
+
+    return isinstance(shown, LagrangeMotion)
 
 
 def _sample(motion: LagrangeMotion) -> Trajectory:

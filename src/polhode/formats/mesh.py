@@ -14,7 +14,6 @@ from polhode.bodies._mesh import mass_properties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.mesh_archives import LIBRARIES, check_archive, names_its_unit
-from polhode.formats.mesh_checks import as_text, check_content
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import as_path
 from polhode.types import Array, Float64, Integer
@@ -121,6 +120,7 @@ def _load(path: Path, content: bytes, unit: float | None) -> tuple[Array, Array,
         why = f"a mesh file must end in one of {known}; got {shown(path.suffix)}"
         raise FormatError(f"{path}: {why}. Convert it to STL.")
     if ending == "obj":
+        from polhode.formats.mesh_checks import as_text
         from polhode.formats.obj_mesh import read_obj
 
         return *read_obj(path, as_text(path, content)), unit or 1.0
@@ -131,6 +131,8 @@ def _load(path: Path, content: bytes, unit: float | None) -> tuple[Array, Array,
     if ending in LIBRARIES:
         unit = check_archive(path, ending, content, unit)
     else:
+        from polhode.formats.mesh_checks import check_content
+
         content = check_content(path, ending, content)
     trimesh = _trimesh()
     try:

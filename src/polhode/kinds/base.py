@@ -21,7 +21,6 @@ from polhode.analysis._mechanics import Mechanics
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.formats.labels import AttitudeLabels
-from polhode.kinds.ensembles import Ensemble, ManySpecs
 from polhode.kinds.panel import KindPanel
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table
@@ -37,6 +36,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from polhode.bodies.surface import Surface
+    from polhode.kinds.ensembles import Ensemble, ManySpecs
     from polhode.motion.base import AbstractMotion
     from polhode.viewer.panels import PageContent
     from polhode.viewer.samples import Samples

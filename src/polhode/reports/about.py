@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from polhode.analysis._conserved_function import ConservedFunction
-from polhode.analysis.energy_casimir import Stability
 from polhode.bodies.body import Body
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.wording import distinct, drifts, vector
 from polhode.types import Array, Float64
+
+if TYPE_CHECKING:
+    from polhode.analysis._conserved_function import ConservedFunction
+    from polhode.analysis.energy_casimir import Stability
 
 GIVEN = "  (given axes)"
 

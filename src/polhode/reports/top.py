@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,7 +17,6 @@ from polhode.analysis.top_start import steady_precession_at, top_velocity
 from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput
-from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
 from polhode.reports.about import (
@@ -35,6 +35,9 @@ from polhode.spec.building import compute_momentum
 from polhode.spec.models import SpinTable
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, ArrayLike, Float64, Real
+
+if TYPE_CHECKING:
+    from polhode.exact.lagrange_top import LagrangeMotion
 
 PERIODS = 10
 LARGEST = 1e200  # J

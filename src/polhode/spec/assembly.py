@@ -14,12 +14,9 @@ import numpy as np
 from polhode import rotation
 from polhode.bodies import _solids as solids
 from polhode.bodies._inertia import MassProperties, inertia_of_second
-from polhode.bodies._mesh import volume_moments
 from polhode.bodies.body import Body, combine
 from polhode.errors import InvalidInput
-from polhode.formats.mesh import body_of_mesh, load_mesh
 from polhode.spec.built import BuiltBody, BuiltPart, PartsRefused, ReadBody
-from polhode.spec.known_inertia import build_known
 from polhode.spec.models import MAY_HAVE, SHAPE_KEYS, PartTable
 from polhode.types import Array, Float64
 
@@ -105,6 +102,8 @@ def build_part(part: PartTable, density: float | None, folder: Path, read_body: 
             raise InvalidInput(f"the body of {part.spec} has no mass, which a part needs; give it there")
         return BuiltPart(made.body.placed(turn, place), None, made.notes)
     if part.inertia is not None:
+        from polhode.spec.known_inertia import build_known
+
         made = build_known(part)
         return BuiltPart(made.body.placed(turn, place), None, made.notes)
     if part.shape == "point":
@@ -133,6 +132,9 @@ def _shape(part: PartTable, density: float | None) -> tuple[Body, float | None, 
 
 
 def _mesh(part: PartTable, density: float | None, folder: Path) -> tuple[Body, float | None, tuple[str, ...]]:
+    from polhode.bodies._mesh import volume_moments
+    from polhode.formats.mesh import body_of_mesh, load_mesh
+
     assert part.mesh is not None
     read = load_mesh(folder / part.mesh, part.mesh_unit, part.repair)
     amount = {"mass": part.mass, "density": None if part.mass is not None else density}

@@ -14,7 +14,6 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from polhode._base.plugins.code import find_version
 from polhode._base.seals import read_sealed, write_sealed
 
 LARGEST = 10_000_000  # bytes; they are 300,000
@@ -24,7 +23,7 @@ def load_registry(folder: Path) -> Any:
     """Return pint's registry, from what is kept in a folder or from its definitions, which are then kept there."""
     import pint
 
-    place = folder / f"pint-{find_version('pint')}.units"
+    place = folder / f"pint-{pint.__version__}.units"
     kept = read_sealed(place, LARGEST)
     with tempfile.TemporaryDirectory(prefix="polhode-") as name:
         within = Path(name)

@@ -12,14 +12,12 @@ import numpy as np
 
 from polhode.bodies._extruded import extrude, regular_outline
 from polhode.bodies._turned import SECTIONS, ball, bar, capsule, cone, torus, tube
+from polhode.bodies.atoms import ANGSTROM
 from polhode.bodies.surface import Surface, box_in_place, cuboid, join_surfaces
 from polhode.errors import InvalidInput
-from polhode.formats.mesh import read_mesh
 from polhode.formats.mesh_checks import MOST_TRIANGLES
-from polhode.formats.molecule import ANGSTROM, read_molecule
 from polhode.spec.assembly import turn_of
 from polhode.spec.building import build_body, read_body_table
-from polhode.spec.known_inertia import build_known
 from polhode.spec.models import BodyTable, PartTable
 from polhode.types import Array, Float64
 
@@ -42,6 +40,8 @@ def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
         InvalidInput: if a file that the body came from is gone.
     """
     if table.mesh is not None:
+        from polhode.formats.mesh import read_mesh
+
         return Surface(*read_mesh(folder / table.mesh, table.mesh_unit, table.repair))
     if table.part is not None:
         if (count := _count_pieces(table, folder, {})) > MOST_PIECES:
@@ -50,6 +50,8 @@ def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
                                "no page can draw. The report needs no picture.")  # fmt: skip
         return surface_of_parts(table.part, folder)
     if table.molecule is not None:
+        from polhode.formats.molecule import read_molecule
+
         symbols, positions, _ = read_molecule(folder / table.molecule)
         return surface_of_atoms(symbols, positions)
     return None
@@ -105,8 +107,12 @@ def surface_of_part(part: PartTable, folder: Path = Path()) -> Surface | None:
         table = read_body_table(path)
         local = surface_of_body(table, path.parent) or box_in_place(build_body(table, path.parent, path).body.frame)
     elif part.mesh is not None:
+        from polhode.formats.mesh import read_mesh
+
         local = Surface(*read_mesh(folder / part.mesh, part.mesh_unit, part.repair))
     elif part.inertia is not None:
+        from polhode.spec.known_inertia import build_known
+
         local = box_in_place(build_known(part).body.frame)
     else:
         local = _make_shape(part)

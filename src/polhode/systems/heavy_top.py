@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -16,7 +16,6 @@ from polhode.algebra.se3 import SE3
 from polhode.bodies._pivot import STANDARD_GRAVITY, about_pivot
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
-from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.motion._inputs import refuse_not_finite
 from polhode.motion._layout import Quantity
 from polhode.systems._checks import as_floats, checked_number
@@ -24,6 +23,9 @@ from polhode.systems._top_integrals import INTEGRAL_UNITS, Integral, integrable_
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_rigid_body import axis_flows, checked_moments
 from polhode.types import Array, ArrayLike, Float64, Real
+
+if TYPE_CHECKING:
+    from polhode.exact.lagrange_top import LagrangeMotion
 
 ALONG = 1e-9  # sine of the angle up to which the line to the centre of mass counts as a principal axis
 UPRIGHT = 1e-6  # Γ may miss the direction that the attitude gives by this much

@@ -7,6 +7,6 @@ The derivative is in ``tangent``, from ``flow`` (less than a nutation), ``period
 (tops whose axis stays vertical).
 """
 
-from polhode.exact.lagrange_top.motion import LagrangeMotion
+import lazy_loader
 
-__all__ = ["LagrangeMotion"]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -29,11 +29,13 @@ from polhode.spacecraft.rigid_body.control_margins import (
     linearize_loop,
     loop_margins,
 )
-from polhode.spacecraft.rigid_body.gravity import GravityAnswers, judge_gravity
 from polhode.spacecraft.rigid_body.history import History, follow
 from polhode.spacecraft.rigid_body.table import RigidBodyTable
 from polhode.spacecraft.systems.control_laws import QuaternionPD
 from polhode.types import Array, Float64
+
+if TYPE_CHECKING:
+    from polhode.spacecraft.rigid_body.gravity import GravityAnswers
 
 WITHIN = math.radians(1.0)  # of the target: the usual pointing error below which a body has settled
 FINEST = 4001  # samples at which limits are looked at, at least
@@ -71,7 +73,11 @@ class RigidBodyReport(MotionReport):
     @cached_property
     def gravity(self) -> GravityAnswers | None:
         """Answers about rests under gravity's gradient; None unless it acts alone on a circular orbit."""
-        return judge_gravity(self.spec, self.craft, self.trajectory)
+        if not self.craft.falls_freely or self.trajectory.attitude is None:
+            return None
+        from polhode.spacecraft.rigid_body.gravity import judge_gravity
+
+        return judge_gravity(self.craft, self.trajectory)
 
     @property
     def body(self) -> Body:

@@ -24,6 +24,7 @@ from polhode.spacecraft.systems.rigid_body import RigidBody
 from polhode.spacecraft.systems.wheels import HeldWheel, Wheel
 from polhode.spacecraft.torques.base import AbstractTorque
 from polhode.spacecraft.torques.earth_field import EarthDipoleField
+from polhode.spacecraft.torques.gravity import GravityGradient
 from polhode.spacecraft.torques.surfaces import EARTH_RADIUS
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.types import Array, Float64
@@ -49,6 +50,13 @@ class Craft(NamedTuple):
     law: AbstractControlLaw | None
     wheels: ControlledWheels | None
     wheel_tables: tuple[WheelTable, ...]
+
+    @property
+    def falls_freely(self) -> bool:
+        """Whether gravity's gradient acts alone, on a circular orbit, on a body without mounts."""
+        torques, orbit = self.system.torques, self.orbit
+        alone = len(torques) == 1 and isinstance(torques[0], GravityGradient) and not self.system.mounts
+        return alone and orbit is not None and not float(orbit.eccentricity)
 
 
 def build(spec: Spec[RigidBodyTable]) -> Craft:

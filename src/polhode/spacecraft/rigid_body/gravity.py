@@ -21,13 +21,10 @@ from polhode.analysis.gravity_gradient import (
     nearest_rest,
     spinning_equilibria,
 )
-from polhode.kinds.base import Spec
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
 from polhode.reports.wording import degrees
 from polhode.spacecraft.rigid_body.build import Craft
-from polhode.spacecraft.rigid_body.table import RigidBodyTable
-from polhode.spacecraft.torques.gravity import GravityGradient
 from polhode.types import Float64
 
 SURE = 1e-9  # of the height to escape over: nearer to it, rounding could decide
@@ -50,12 +47,10 @@ class GravityAnswers(NamedTuple):
     notes: list[str]
 
 
-def judge_gravity(spec: Spec[RigidBodyTable], craft: Craft, trajectory: Trajectory) -> GravityAnswers | None:
-    """Return the answers; None unless the gradient acts alone, on a circular orbit, on a body without mounts."""
+def judge_gravity(craft: Craft, trajectory: Trajectory) -> GravityAnswers:
+    """Return the answers about a motion under the gradient alone, of which ``Craft.falls_freely`` tells."""
     system = craft.system
-    alone = len(system.torques) == 1 and isinstance(system.torques[0], GravityGradient) and not system.mounts
-    if not alone or craft.orbit is None or float(craft.orbit.eccentricity) or trajectory.attitude is None:
-        return None
+    assert craft.orbit is not None and trajectory.attitude is not None
     n, moments = float(craft.orbit.mean_motion), np.asarray(system.moments)
     frames = np.asarray(craft.orbit.frame(jnp.asarray(trajectory.times)))
     turned = rotation.as_matrix(rotation.multiply(rotation.conjugate(frames), np.asarray(trajectory.attitude)))

@@ -1,0 +1,1 @@
+from .motion import LagrangeMotion as LagrangeMotion
