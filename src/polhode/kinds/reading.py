@@ -17,7 +17,7 @@ from polhode.formats.mesh_archives import names_its_unit
 from polhode.formats.opening import open_for_a_spec
 from polhode.formats.paths import as_path
 from polhode.kinds.base import AbstractKind, Spec
-from polhode.kinds.registry import default_kind, find_kind, kind_names, kinds_with_table
+from polhode.kinds.registry import default_kind_name, find_kind, kind_names, kinds_with_table
 from polhode.reports.base import SystemReport
 from polhode.reports.report import with_inputs
 from polhode.spec.building import build_body
@@ -74,7 +74,7 @@ def build_spec(tables: dict[str, Any], path: Path) -> Spec:
 
 def _build_spec(tables: dict[str, Any], path: Path) -> Spec:
     table = dict(name_parts(tables))
-    raw, kind, faults = _read_system(table.pop("system", default_kind().name))
+    raw, kind, faults = _read_system(table.pop("system", default_kind_name()))
     mistakes, model = [], None
     raw, misplaced = _join_tables_beside(kind, raw, table)
     mistakes += find_broken_rules(table, _rules_of_kind(kind, table | {"system": raw}))
@@ -142,7 +142,7 @@ def kind_of_tables(tables: dict[str, Any], path: Path) -> AbstractKind:
     Raises:
         InvalidInput: where there is no such kind.
     """
-    _, kind, mistakes = _read_system(tables.get("system", default_kind().name))
+    _, kind, mistakes = _read_system(tables.get("system", default_kind_name()))
     if kind is None:
         raise InvalidInput(*as_message(path, mistakes))
     return kind

@@ -58,10 +58,14 @@ def find_kind(name: str) -> AbstractKind | None:
     return kind
 
 
-@cache
 def default_kind() -> AbstractKind:
     """Return the kind that a spec without [system] means, one of this package's own."""
-    return next(_own()[name].load() for name, told in wing_details(GROUP).items() if told.get("default"))
+    return _own()[default_kind_name()].load()
+
+
+def default_kind_name() -> str:
+    """Return the name of ``default_kind``, which is not imported."""
+    return next(name for name, told in wing_details(GROUP).items() if told.get("default"))
 
 
 def other_kind(subject: str, in_closed_form: bool) -> AbstractKind | None:
