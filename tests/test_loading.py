@@ -7,10 +7,10 @@ import sys
 from pathlib import Path
 
 import pytest
+from polhode.plugins.wings import wing_names
 
 import polhode
 from polhode.kinds.registry import kind_names
-from polhode.plugins.wings import wing_names
 
 ROOT = Path(__file__).parents[1]
 SOURCES = Path(polhode.__file__).parent
