@@ -6,8 +6,10 @@ import math
 import re
 import subprocess
 import sys
+import threading
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import jaxtyping
 import pytest
@@ -128,6 +130,33 @@ def test_a_report_that_breaks_a_law_is_found(bent, words, monkeypatch):
     monkeypatch.setattr(Spec, "report", lambda spec, real=Spec.report: bent_report(real(spec), **bent))
     with pytest.raises(LawBroken, match=words):
         check_kind(kind)
+
+
+def with_a_field(value):
+    """A report that has one field more."""
+    return lambda spec, real=Spec.report: vars(report := real(spec)).update(extra=value) or report
+
+
+class Closed:
+    """What is pickled but not read again: its constructor takes more than pickle knows."""
+
+    def __reduce__(self):
+        return Closed, ("more",)
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        ({"turned": (1.0, lambda t: t)}, r"`report.extra\['turned'\]\[1\]`, <function.*cannot: .*at the top of one"),
+        (SimpleNamespace(lock=threading.Lock()), r"`report.extra.lock`, <unlocked.*: cannot pickle '_thread.lock'"),
+        (Answer("a", (n for n in ())), r"`report.extra.value`, <generator.*cannot: cannot pickle 'generator'"),
+        (Closed(), "can be read again after it is pickled; it raises TypeError"),
+    ],
+)
+def test_what_of_a_report_cannot_be_pickled_is_said_in_words(value, words, monkeypatch):
+    monkeypatch.setattr(Spec, "report", with_a_field(value))
+    with pytest.raises(LawBroken, match=words):
+        check_kind(find_kind("free-body"))
 
 
 def ends_with_a_number(error=0.0, summary="It turns."):

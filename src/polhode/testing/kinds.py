@@ -25,6 +25,7 @@ from polhode.reports.base import MotionReport, SystemReport
 from polhode.reports.wording import round_words
 from polhode.spec.models import SystemTable
 from polhode.spec.parsing import read_tables
+from polhode.testing._pickling import find_what_is_not_pickled
 from polhode.testing.laws import LawBroken
 
 VECTORS = ("attitude", "momentum", "angular_velocity")
@@ -163,7 +164,12 @@ def _check_figures(kind: AbstractKind, report: SystemReport, folder: Path) -> No
 
 
 def _check_kept(report: SystemReport) -> None:
-    again = pickle.loads(pickle.dumps(report))
+    why = find_what_is_not_pickled("report", report)
+    _require(not why, f"a report can be pickled, as commands keep it; {why}")
+    try:
+        again = pickle.loads(pickle.dumps(report))
+    except Exception as error:  # of any __setstate__ and constructor
+        raise LawBroken(f"a report can be read again after it is pickled; it raises {error!r}.") from error
     same = again.as_json_dict() == report.as_json_dict()
     _require(same, "a report is the same after it is pickled, as commands keep it")
 
