@@ -43,9 +43,7 @@ def plot(motion: AbstractMotion | Trajectory | Report) -> Figure:
     kind = kind_of_source(motion.source if isinstance(motion, Trajectory) else motion)
     sides = () if kind is None else kind.overview()
     if not sides:
-        if isinstance(motion, Trajectory):
-            return parts(motion)
-        raise InvalidInput(f"`motion` is a {type(motion).__name__}, which no kind draws; plot motion.sample(times).")
+        return parts(motion if isinstance(motion, Trajectory) else motion.sample())
     figure = style.new_figure(width=len(sides) * style.COLUMN, height=style.COLUMN)
     for half, (draw, rows) in zip(figure.subfigures(1, len(sides), squeeze=False)[0], sides, strict=True):
         panels = list(half.subplots(rows, 1, sharex=True, squeeze=False)[:, 0])

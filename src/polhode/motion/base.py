@@ -22,11 +22,14 @@ from polhode.motion._inputs import (
     checked_last_axis,
     checked_sample_times,
     checked_times,
+    common_shape,
     momentum_of,
+    refuse_not_finite,
     refuse_overflow,
     refuse_tensor,
     spin_of,
 )
+from polhode.motion._invariants import drift
 from polhode.motion._layout import ATTITUDE, MOMENTUM, Quantity, StateLayout
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.exact import ExactMotion
@@ -66,9 +69,13 @@ class AbstractMotion(ExactMotion):
 
     Subclasses are final, frozen, and pytrees of JAX: their leaves are the fields below, from which all else is computed
     when it is needed. JAX arrays among them all have the axes of a batch, as ``vmap`` takes them apart. All vectors
-    are along the body's axes that ``axes`` tells, ``moments`` alone are about the principal ones. A subclass says what
-    a body is made of beyond its moments, and gives its closed form along the principal axes: ``_columns_of``,
-    ``_closed_form``, ``_fastest``.
+    are along the body's axes that ``axes`` tells, ``moments`` alone are about the principal ones.
+
+    A motion of one's own is a subclass. It names by ``body_numbers`` what a body is made of beyond its moments, has a
+    constructor that hands these to this one, and gives its closed form along the principal axes: ``closed_form``,
+    ``fastest_rate``, ``cycle``, ``quantities`` and ``conserved_along``, from ``moments``, its own numbers and
+    ``principal_start``. ``checked_start`` and ``conserved_sizes`` may be left as they are.
+    ``polhode.testing.check_motion`` checks it.
 
     Attributes:
         title: name of such a motion.
@@ -101,7 +108,20 @@ class AbstractMotion(ExactMotion):
         self, moments: ArrayLike, numbers: dict[str, ArrayLike], momentum: ArrayLike | None, attitude: ArrayLike | None,
         epoch: ArrayLike, angular_velocity: ArrayLike | None, axes: ArrayLike | None,
     ) -> None:  # fmt: skip
-        """Check the arguments, and set all fields."""
+        """Check the arguments, and set all fields.
+
+        Args:
+            moments: (…, 3) [kg m²].
+            numbers: (…) those of ``body_numbers``, by name and in that order.
+            momentum: (…, 3) at the epoch [kg m²/s, body axes]; None where ``angular_velocity`` is given.
+            attitude: (…, 4) at the epoch; None for the identity.
+            epoch: (…) [s].
+            angular_velocity: (…, 3) [rad/s, body axes], or None.
+            axes: (…, 3, 3) the principal axes by columns in those that vectors and attitude are along, or None.
+
+        Raises:
+            InvalidInput: for values that no motion has, and those that ``checked_start`` refuses.
+        """
         attitude = (1.0, 0.0, 0.0, 0.0) if attitude is None else attitude
         name, vector = spin_of(momentum, angular_velocity)
         named = {"moments": moments, **numbers, name: vector, "attitude": attitude, "epoch": epoch}
@@ -118,13 +138,24 @@ class AbstractMotion(ExactMotion):
                 vector = to_principal.vector(vector)
         momentum = vector if angular_velocity is None else momentum_of(moments, vector)
         moments, momentum, attitude = checked(xp, moments, momentum, attitude, epoch)
-        body = (moments, *(arrays[key] for key in numbers))
-        self._hold(*self._checked_further(xp, body, momentum, attitude, epoch), epoch, axes, axes)
+        own = {key: arrays[key] for key in numbers}
+        if own:
+            refuse_not_finite(**own)
+            common_shape(moments=moments[..., 0], **own, momentum=momentum[..., 0], epoch=epoch)
+        self._hold(*self.checked_start(xp, (moments, *own.values()), momentum, attitude), epoch, axes, axes)
 
-    def _checked_further(
-        self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array
+    def checked_start(
+        self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array
     ) -> tuple[tuple[Array, ...], Array, Array]:
         """Return body, momentum and attitude along the principal axes as the closed form takes them.
+
+        A subclass overrides it to refuse what it does not cover; what JAX traces has no values to look at.
+
+        Args:
+            xp: the namespace of the arrays, as NumPy or ``jax.numpy``.
+            body: moments (…, 3) and the own numbers (…), finite.
+            momentum: (…, 3) [kg m²/s].
+            attitude: (…, 4).
 
         Raises:
             InvalidInput: for values that this motion does not cover.
@@ -171,35 +202,50 @@ class AbstractMotion(ExactMotion):
         numbers = (getattr(self, name)[..., None] for name in self.body_numbers)
         return (self.moments, *numbers, *principal)
 
+    @property
+    def principal_start(self) -> tuple[Float64[Array, "... 4"], Float64[Array, "... 3"]]:
+        """Attitude (…, 4) and momentum (…, 3) [kg m²/s] at the epoch, along the principal axes."""
+        momentum, attitude = self._principal
+        return attitude, momentum
+
     @cached_property
     def _columns(self) -> Any:
-        """The constants of the motion, found when they are first needed."""
+        """The constants of the motion, found when they are first needed; None where there are no compiled kernels."""
         return self._columns_of()
 
     @cached_property
     def _alone(self) -> _Alone | None:
         """Constants from which states of one body are computed with plain numbers; None for other motions."""
-        if self.batch_shape or is_jax(*self._arguments, self.epoch):
+        if self.batch_shape or is_jax(*self._arguments, self.epoch) or self._columns is None:
             return None
         # the same turn as of arrays, in plain numbers
         turn = None if self.axes is None else self._from_principal.plain()
-        return _Alone(tuple(self._columns.tolist()), float(self.epoch), float(self._fastest()), turn)
+        return _Alone(tuple(self._columns.tolist()), float(self.epoch), float(self.fastest_rate), turn)
 
-    @abc.abstractmethod
     def _columns_of(self) -> Any:
-        """Return the constants of the motion, flat columns of the bodies' common shape."""
+        """Return the constants of the motion, flat columns of the bodies' common shape; None without kernels."""
+        return None
 
-    @abc.abstractmethod
     def _state_of(self, column: tuple[float, ...], elapsed: float, rest: float) -> tuple[float, ...]:
         """Return attitude and momentum, seven numbers, of one body with these constants."""
+        raise NotImplementedError(f"{type(self).__name__} has constants of one body, and no `_state_of` for them.")
 
     @abc.abstractmethod
-    def _closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
-        """Return attitude (…, 4) and momentum (…, 3) at a time since the epoch, given in two parts."""
+    def closed_form(
+        self, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+    ) -> tuple[Float64[Array, "... 4"], Float64[Array, "... 3"]]:
+        """Return attitude (…, 4) and momentum (…, 3) [kg m²/s] at a time since the epoch, along the principal axes.
 
+        Args:
+            elapsed: (…) time since the epoch [s], which broadcasts against the bodies' numbers (…).
+            rest: what the difference of time and epoch has beyond a double's digits [s]; a closed form that is to have
+                all digits at 10⁹ turns adds it to its phases.
+        """
+
+    @property
     @abc.abstractmethod
-    def _fastest(self) -> Array:
-        """Return about how fast the bodies turn (…) [rad/s]."""
+    def fastest_rate(self) -> Float64[Array, "..."]:
+        """(…) about how fast the bodies turn [rad/s], by which times are refused that are beyond all phases."""
 
     @property
     @abc.abstractmethod
@@ -216,8 +262,22 @@ class AbstractMotion(ExactMotion):
         """Unit and meaning of what the motion conserves, by name."""
 
     @abc.abstractmethod
-    def _invariants(self, attitude: Array, momentum: Array, velocity: Array) -> tuple[dict[str, Array], dict[str, Any]]:
-        """Return the invariants at samples (…, T, k), by name, and their drift."""
+    def conserved_along(self, attitude: Array, momentum: Array, angular_velocity: Array) -> dict[str, Array]:
+        """Return what is conserved at samples, numbers (…, T) or vectors (…, T, 3), by the names of ``quantities``.
+
+        Args:
+            attitude: (…, T, 4).
+            momentum: (…, T, 3) [kg m²/s, principal axes].
+            angular_velocity: (…, T, 3) [rad/s, principal axes].
+        """
+
+    def conserved_sizes(self, attitude: Array, momentum: Array, angular_velocity: Array) -> dict[str, Array]:
+        """Return the sizes (…, 1) to which drifts are relative, by name; the first sample's own for names left out."""
+        return {}
+
+    def _drift(self, xp: Any, values: dict[str, Array], sizes: dict[str, Array], axes: int) -> dict[str, Any]:
+        """Return the drift of what is conserved; a vector has an axis more than the ``axes`` of samples."""
+        return {name: drift(xp, value, value.ndim > axes, sizes.get(name)) for name, value in values.items()}
 
     # ------------------------------------------------------------------ what every motion offers
 
@@ -260,8 +320,11 @@ class AbstractMotion(ExactMotion):
         """Return attitude (…, 4) and momentum (…, 3) along the principal axes."""
         xp = namespace(t, self.moments)
         t = checked_times(xp, t, self.batch_shape)
-        attitude, momentum = self._closed_form(*compiled(_elapsed, t if is_jax(t) else self.epoch)(t, self.epoch))
-        refuse_overflow(attitude, t, self._fastest)
+        attitude, momentum = self.closed_form(*compiled(_elapsed, t if is_jax(t) else self.epoch)(t, self.epoch))
+        if attitude.shape[:-1] != momentum.shape[:-1]:  # where only one of them changes with time
+            shape = np.broadcast_shapes(attitude.shape[:-1], momentum.shape[:-1])
+            attitude, momentum = (xp.broadcast_to(v, (*shape, v.shape[-1])) for v in (attitude, momentum))
+        refuse_overflow(attitude, t, lambda: self.fastest_rate)
         return attitude, momentum
 
     def attitude(self, t: Real[ArrayLike, "..."]) -> Float64[Array, "... 4"]:
@@ -307,7 +370,8 @@ class AbstractMotion(ExactMotion):
         motion = self._with_time_axis()
         attitude, momentum = motion._principal_state(times)
         velocity = momentum / motion.moments
-        invariants, drift = motion._invariants(attitude, momentum, velocity)
+        invariants = motion.conserved_along(attitude, momentum, velocity)
+        sizes = motion.conserved_sizes(attitude, momentum, velocity)
         trajectory = Trajectory(
             times=times,
             states=xp.concat([attitude, momentum], axis=-1),
@@ -316,7 +380,7 @@ class AbstractMotion(ExactMotion):
             momentum=momentum,
             angular_velocity=velocity,
             invariants=invariants,
-            drift=drift,
+            drift=motion._drift(xp, invariants, sizes, momentum.ndim - 1),
             quantities=self.quantities,
             source=self._standing(None),
             given_axes=given,

@@ -23,7 +23,7 @@ from polhode.motion._inputs import (
     plain_number,
     spin_of,
 )
-from polhode.motion._invariants import drift, norm
+from polhode.motion._invariants import norm
 from polhode.motion._layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
 from polhode.motion.base import AbstractMotion
 from polhode.types import Array, ArrayLike, Float64, FloatOrArray, Integer, Real
@@ -123,8 +123,8 @@ class FreeMotion(AbstractMotion):
 
     # ------------------------------------------------------------------ evaluation
 
-    def _checked_further(
-        self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array
+    def checked_start(
+        self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array
     ) -> tuple[tuple[Array, ...], Array, Array]:
         return body, momentum, compiled(_of_unit_length, attitude)(attitude)
 
@@ -134,10 +134,12 @@ class FreeMotion(AbstractMotion):
     def _state_of(self, column: tuple[float, ...], elapsed: float, rest: float) -> tuple[float, ...]:
         return evaluation.FORM.state(column, elapsed, rest)
 
-    def _closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+    def closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
         return evaluation.state(self._columns, self._arguments, elapsed, rest)
 
-    def _fastest(self) -> Array:
+    @property
+    def fastest_rate(self) -> Float64[Array, "*batch"]:
+        """(…) about how fast the bodies turn [rad/s]: the largest component of Ω."""
         momentum, moments = known(self._principal[0], self.moments)
         xp = namespace(momentum, moments)
         x, y, z = (xp.abs(momentum[..., k] / moments[..., k]) for k in range(3))  # NumPy is slow along short axes
@@ -151,14 +153,13 @@ class FreeMotion(AbstractMotion):
     def quantities(self) -> dict[str, Quantity]:
         return {"energy": ENERGY, "momentum_norm": MOMENTUM_NORM, "momentum_space": MOMENTUM_SPACE}
 
-    def _invariants(self, attitude: Array, momentum: Array, velocity: Array) -> tuple[dict[str, Array], dict[str, Any]]:
-        xp = namespace(momentum, velocity)
-        values = {
-            "energy": 0.5 * xp.sum(momentum * velocity, axis=-1),
+    def conserved_along(self, attitude: Array, momentum: Array, angular_velocity: Array) -> dict[str, Array]:
+        xp = namespace(momentum, angular_velocity)
+        return {
+            "energy": 0.5 * xp.sum(momentum * angular_velocity, axis=-1),
             "momentum_norm": norm(xp, momentum),
             "momentum_space": rotation.rotate(attitude, momentum),
         }
-        return values, {name: drift(xp, value, name == "momentum_space") for name, value in values.items()}
 
     # ------------------------------------------------------------------ meaning
 

@@ -18,17 +18,15 @@ from polhode.exact.lagrange_top import _geometry as geometry
 from polhode.exact.lagrange_top._symmetry import third_axis_to_centre
 from polhode.motion._inputs import (
     cached_unless_traced,
-    common_shape,
     finite,
     known,
     named_code,
     one_of,
     plain_answer,
     plain_number,
-    refuse_not_finite,
     spin_of,
 )
-from polhode.motion._invariants import drift, norm
+from polhode.motion._invariants import norm
 from polhode.motion._layout import ENERGY, Quantity
 from polhode.motion.base import AbstractMotion
 from polhode.types import Array, ArrayLike, Float64, FloatOrArray, Integer, Real
@@ -149,12 +147,10 @@ class LagrangeMotion(AbstractMotion):
 
     # ------------------------------------------------------------------ evaluation
 
-    def _checked_further(
-        self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array
+    def checked_start(
+        self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array
     ) -> tuple[tuple[Array, ...], Array, Array]:
         moments, mgl = body
-        refuse_not_finite(mgl=mgl)
-        common_shape(moments=moments[..., 0], mgl=mgl, momentum=momentum[..., 0], epoch=epoch)
         moments = _checked_symmetry(xp, moments)
         if is_traced(moments):  # NaN in the momentum reaches whatever is computed of the top, as fields keep their own
             momentum = xp.where(xp.isnan(moments[..., :1]), math.nan, momentum)
@@ -166,10 +162,12 @@ class LagrangeMotion(AbstractMotion):
     def _state_of(self, column: tuple[float, ...], elapsed: float, rest: float) -> tuple[float, ...]:
         return evaluation.FORM.state(column, elapsed, rest)
 
-    def _closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+    def closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
         return evaluation.state(self._columns, self._arguments, elapsed, rest)
 
-    def _fastest(self) -> Array:
+    @property
+    def fastest_rate(self) -> Float64[Array, "*batch"]:
+        """(…) about how fast the tops turn [rad/s]: components of Ω, and the rate of small swings."""
         momentum, moments, mgl = known(self._principal[0], self.moments, self.mgl)
         xp = namespace(momentum, moments, mgl)
         x, y, z = (xp.abs(momentum[..., k] / moments[..., k]) for k in range(3))  # NumPy is slow along short axes
@@ -189,20 +187,22 @@ class LagrangeMotion(AbstractMotion):
             "axial_momentum": Quantity("kg m2 s-1", "angular momentum about the top's axis"),
         }
 
-    def _invariants(self, attitude: Array, momentum: Array, velocity: Array) -> tuple[dict[str, Array], dict[str, Any]]:
-        """Return energy and momenta; drifts are relative to the largest kinetic energy plus |mgl|, and to max |L|."""
+    def conserved_along(self, attitude: Array, momentum: Array, angular_velocity: Array) -> dict[str, Array]:
         xp = namespace(momentum, self.moments)
-        kinetic = 0.5 * xp.sum(momentum * velocity, axis=-1)
-        vertical_momentum = rotation.rotate(attitude, momentum)[..., 2]
-        values = {
+        kinetic = 0.5 * xp.sum(momentum * angular_velocity, axis=-1)
+        return {
             "energy": kinetic + self.mgl * _vertical(xp, attitude),
-            "vertical_momentum": vertical_momentum,
+            "vertical_momentum": rotation.rotate(attitude, momentum)[..., 2],
             "axial_momentum": momentum[..., 2],
         }
+
+    def conserved_sizes(self, attitude: Array, momentum: Array, angular_velocity: Array) -> dict[str, Array]:
+        """Return the largest kinetic energy plus |mgl|, and the largest |L|."""
+        xp = namespace(momentum, self.moments)
+        kinetic = 0.5 * xp.sum(momentum * angular_velocity, axis=-1)
         of_momentum = xp.max(norm(xp, momentum), axis=-1, keepdims=True)
         of_energy = xp.max(kinetic + xp.abs(self.mgl), axis=-1, keepdims=True)
-        sizes = {name: of_energy if name == "energy" else of_momentum for name in values}
-        return values, {name: drift(xp, value, False, sizes[name]) for name, value in values.items()}
+        return {"energy": of_energy, "vertical_momentum": of_momentum, "axial_momentum": of_momentum}
 
     # ------------------------------------------------------------------ meaning
 
