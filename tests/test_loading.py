@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from polhode.plugins.wings import wing_names
 
 import polhode
+from polhode._base.plugins.wings import wing_names
 from polhode.kinds.registry import kind_names
 
 ROOT = Path(__file__).parents[1]
