@@ -18,7 +18,7 @@ MOST_LINES = {"t_handle": 20_000, "gyroscope": 36_000, "cubesat_6u": 34_500, "wa
 """Lines of the modules of polhode that a report of an example may load: what it does, and a twentieth more."""
 OWN = {
     "t_handle": {"kinds.free_body"}, "gyroscope": {"kinds.heavy_top", "kinds.lagrange_top"},
-    "cubesat_6u": {"kinds.rigid_body"}, "water_spectrum": {"spectra.quantum_rotor"},
+    "cubesat_6u": {"spacecraft.rigid_body"}, "water_spectrum": {"spectra.quantum_rotor"},
 }  # fmt: skip
 """The kinds that it may load: its own; a heavy top also asks which other kind has tops in closed form."""
 SLOW = pytest.mark.sweep
