@@ -7,9 +7,10 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from importlib import import_module, resources
 from importlib.resources.abc import Traversable
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeVar
 
@@ -87,9 +88,20 @@ class AbstractKind(abc.ABC, Generic[TableT]):
 
     A folder of ``polhode.kinds``, or a module that a wing names under [kinds] of its ``plugin.toml``, or another
     package in the entry-point group ``polhode.kinds``, offers one object of a subclass as ``KIND``. Importing it must
-    be cheap: the methods import the other files of the folder when they are needed. ``report`` must be overridden; all
-    other methods may be. A system or motion names its kind by ``kind``, so that its pages and ``plot`` show the
-    pictures of this kind.
+    be cheap: the other files of its folder are imported when they are needed. What they have under these names is
+    found, and a method that needs more than that is overridden:
+
+    ========================  ==================================================================================
+    ``answers.py``            ``make_report``, which each kind needs; ``simulate_motion``, ``make_motion``,
+                              ``answers_without_motion``, for ``motion``, ``closed_form``, ``answers_without_motion``
+    ``figures.py``            ``FIGURES`` and ``OVERVIEW``
+    ``panel.py``              ``PANEL``, an object of a subclass of ``KindPanel``
+    ``ensemble.py``           ``evaluate_ensemble``
+    ``rules.py``              ``find_mistakes``
+    ``table.py``              ``model_of`` and ``settle``
+    ========================  ==================================================================================
+
+    A system or motion names its kind by ``kind``, so that its pages and ``plot`` show the pictures of this kind.
 
     Attributes:
         name: as specs write it; the folder's name has underscores for its hyphens.
@@ -123,29 +135,35 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         return self._file("example.toml")
 
     def model_of(self, raw: dict[str, Any]) -> type[BaseModel]:
-        """Return the model that checks a raw [system], with what stands beside it; ``table`` unless overridden."""
-        return self.table
+        """Return the model that checks a raw [system], with what stands beside it; ``table`` where none is chosen."""
+        return self._call("table", "model_of", raw, otherwise=self.table)
 
     def settle(self, checked: Any) -> TableT:
-        """Return what a spec keeps of the object of ``model_of``; itself unless overridden."""
-        return checked
+        """Return what a spec keeps of the object of ``model_of``: itself where nothing else is chosen."""
+        return self._call("table", "settle", checked, otherwise=checked)
 
-    @abc.abstractmethod
     def report(self, spec: Spec[TableT]) -> SystemReport:
         """Return the answers about a spec of this kind.
 
         Raises:
             InvalidInput: for values that the system refuses.
             NotConverged: where a motion could not be followed.
+            NotImplementedError: where the kind's folder has no ``make_report`` in ``answers.py``.
         """
+        make = self._find("answers", "make_report")
+        if make is None:
+            raise NotImplementedError(f"the kind {self.name} needs `make_report` in answers.py of its folder")
+        return make(spec)
 
     def motion(self, spec: Spec[TableT]) -> SpecMotion:
-        """Return the motion alone; a kind overrides it where much of the report is not needed for it.
+        """Return the motion alone: from the report, where ``answers.py`` has no quicker way.
 
         Raises:
             InvalidInput, NotConverged: as ``report`` does.
         """
         self.check_motion()
+        if (simulate := self._find("answers", "simulate_motion")) is not None:
+            return simulate(spec)
         report = require_motion_report(self.report(spec))
         return SpecMotion(report.trajectory, report.mechanics)
 
@@ -157,21 +175,21 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         Raises:
             InvalidInput: as ``report`` does.
         """
-        return None
+        return self._call("answers", "make_motion", spec)
 
     def answers_without_motion(self, spec: Spec[TableT]) -> Iterable[Group | Table]:
-        """Return the answers that need no trajectory, the quickest first; none unless overridden.
+        """Return the answers that need no trajectory, the quickest first.
 
         They are computed one after the other as they are asked for.
 
         Raises:
             InvalidInput: for values that the system refuses.
         """
-        return ()
+        return self._call("answers", "answers_without_motion", spec, otherwise=())
 
     def panel(self) -> KindPanel | None:
         """Return this kind's own pictures of a page; None where the page is that of any body."""
-        return None
+        return self._find("panel", "PANEL")
 
     def next_steps(self, spec: Spec) -> Sequence[NextStep]:
         """Return the commands that a report of this kind suggests next."""
@@ -219,19 +237,19 @@ class AbstractKind(abc.ABC, Generic[TableT]):
             names: of answers, as the JSON has them, and of parts of states, after ``states.``.
             times: (T,) [s] of states.
         """
-        return None
+        return self._call("ensemble", "evaluate_ensemble", samples, names, times)
 
     def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
         """Yield violations of rules between keys of a file's raw tables, and where they are."""
-        yield from ()
+        yield from self._call("rules", "find_mistakes", tables, otherwise=())
 
     def figures(self) -> Figures:
         """Return the functions that draw the figures of a report, by the names in ``figure_names``."""
-        return {}
+        return self._find("figures", "FIGURES") or {}
 
     def overview(self) -> Overview:
         """Return the pictures of ``motion.plot()``; without any, each part of the state is drawn against time."""
-        return ()
+        return self._find("figures", "OVERVIEW") or ()
 
     def shown(self, report: SystemReport) -> Trajectory:
         """Return the motion that the page of a report without a motion shows.
@@ -261,6 +279,18 @@ class AbstractKind(abc.ABC, Generic[TableT]):
             return replace(choose_content(trajectory.source, samples, surface, trajectory.frame), model=model)
         return PageContent(panels, self._scripts(), model, **panel.plots(trajectory, samples))
 
+    def _find(self, file: str, name: str) -> Any:
+        """Return what a file of the kind's folder has under a name; None where there is no such file or name."""
+        place = type(self).__module__
+        package = import_module(place).__package__ or place
+        module = f"{package}.{file}"
+        return getattr(import_module(module), name, None) if _is_there(module) else None
+
+    def _call(self, file: str, name: str, *args: Any, otherwise: Any = None) -> Any:
+        """Return what such a function gives; something else where there is none."""
+        function = self._find(file, name)
+        return otherwise if function is None else function(*args)
+
     def _scripts(self) -> tuple[str, ...]:
         drawn = self._folder / "panel.js"
         return (drawn.read_text("utf-8"),) if drawn.is_file() else ()
@@ -285,6 +315,14 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         from polhode.spec.surfaces import surface_of_body
 
         return surface_of_body(spec.source, spec.folder)
+
+
+@cache
+def _is_there(module: str) -> bool:
+    try:
+        return find_spec(module) is not None
+    except ModuleNotFoundError:  # a kind in a single module has no folder
+        return False
 
 
 def _kind_in(module: str) -> AbstractKind:

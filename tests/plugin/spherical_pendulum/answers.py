@@ -50,7 +50,7 @@ class PendulumReport(MotionReport):
         ])]  # fmt: skip
 
 
-def report_of(spec: Spec[PendulumTable]) -> PendulumReport:
+def make_report(spec: Spec[PendulumTable]) -> PendulumReport:
     """Return the report on a spherical pendulum."""
     table = spec.system
     system = SphericalPendulum(jnp.asarray(table.length), jnp.asarray(table.gravity))

@@ -15,3 +15,6 @@ class PendulumPanel(KindPanel):
         """Return the rod, the mass and its path, in lengths of the rod."""
         place = np.asarray(samples.states)[:, :3] / float(trajectory.source.length)
         return [{"type": "pendulum", "place": pack(place)}]
+
+
+PANEL = PendulumPanel()

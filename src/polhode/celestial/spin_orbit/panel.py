@@ -67,3 +67,6 @@ class SpinOrbitPanel(KindPanel):
         section = {"title": "Section at periapsis", "words": ["{count} orbits: θ̇/n against θ [°]", {"count": ORBITS}],
                    "x": pack(np.degrees(turned), "f4"), "y": pack(points[:, 1] / n, "f4")}  # fmt: skip
         return {"plots": plots, "scatters": (section,)}
+
+
+PANEL = SpinOrbitPanel()

@@ -9,8 +9,9 @@ from polhode.spec.rules import NO_BODY, Mistake
 from polhode.spec.words import list_words
 
 
-def spin_orbit_rules(system: dict[str, Any], has_body: bool) -> Iterator[Mistake]:
+def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
     """Yield mistakes in shape and orbit, each of which is given in exactly one of two ways."""
+    system, has_body = tables["system"], "body" in tables
     if has_body and "asphericity" in system:
         yield ("system", "asphericity"), "goes without [body], whose moments already give it; leave out one"
     if not has_body and "asphericity" not in system:

@@ -50,3 +50,6 @@ class PointVorticesPanel(KindPanel):
              "series": [{"name": str(k + 1), "values": pack(values[:, k], "f4")} for k in range(values.shape[1])]}
             for title, (values, unit) in curves.items()
         ]}  # fmt: skip
+
+
+PANEL = PointVorticesPanel()

@@ -11,8 +11,9 @@ from polhode.spec.words import list_words
 IN_PLANE, ON_SPHERE = ("positions", "ring_radius"), ("coordinates", "ring_latitude")
 
 
-def vortex_rules(system: dict[str, Any]) -> Iterator[Mistake]:
+def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
     """Yield mistakes in the positions: exactly one of four keys may give them, one for each vortex."""
+    system = tables["system"]
     ways = (*IN_PLANE, *ON_SPHERE)
     keys = [key for key in ways if key in system]
     if len(keys) != 1:

@@ -46,3 +46,6 @@ class SphereFluidPanel(KindPanel):
             for k in CURVES if k < trajectory.source.size
         ]  # fmt: skip
         return {"plots": [{"title": "energy in eddies", "unit": "of all", "series": series}]}
+
+
+PANEL = SphereFluidPanel()

@@ -12,8 +12,9 @@ from polhode.spec.words import list_words
 STARTS = ("random", "vortices", "waves")
 
 
-def fluid_rules(system: dict[str, Any]) -> Iterator[Mistake]:
+def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
     """Yield missing or conflicting starts, and harmonics beyond the resolution."""
+    system = tables["system"]
     starts = [key for key in STARTS if key in system]
     if "start_from" in system and starts:
         yield ("system", "start_from"), f"goes without {list_words(starts)}; leave out one or the other"

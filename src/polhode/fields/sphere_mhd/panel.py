@@ -52,3 +52,6 @@ class SphereMHDPanel(KindPanel):
         totals = np.asarray(trajectory.source.energy_spectrum(samples.states)).sum(axis=-1)
         series = [{"name": name, "values": pack(totals[:, k], "f4")} for k, name in enumerate(("kinetic", "magnetic"))]
         return {"plots": [{"title": "energy", "unit": "rad²/s²", "series": series}]}
+
+
+PANEL = SphereMHDPanel()

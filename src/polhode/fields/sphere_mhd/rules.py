@@ -13,8 +13,9 @@ SUMMED = ("random", "waves", "random_field", "field_waves")
 ALONE = ("alfven_wave", "start_from")
 
 
-def magnetic_rules(system: dict[str, Any]) -> Iterator[Mistake]:
+def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
     """Yield missing or conflicting starts, and harmonics beyond the resolution."""
+    system = tables["system"]
     summed, alone = ([key for key in keys if key in system] for keys in (SUMMED, ALONE))
     if alone and len(summed) + len(alone) > 1:
         others = [*summed, *alone[1:]]

@@ -47,3 +47,6 @@ class SpinLatticePanel(KindPanel):
         mean = states.mean(axis=(1, 2, 3, 4)) / float(np.mean(trajectory.source.spin))
         series = [{"name": name, "values": pack(mean[:, k], "f4")} for k, name in enumerate("xyz")]
         return {"plots": [{"title": "magnetisation", "unit": "of the largest", "series": series}]}
+
+
+PANEL = SpinLatticePanel()

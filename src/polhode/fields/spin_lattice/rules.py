@@ -10,8 +10,9 @@ from polhode.fields.spin_lattice.table import MOST
 from polhode.spec.rules import Mistake
 
 
-def spin_rules(system: dict[str, Any]) -> Iterator[Mistake]:
+def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
     """Yield lists whose lengths do not fit each other, and keys that exclude each other."""
+    system = tables["system"]
     vectors, cells, basis = (system.get(key) for key in ("vectors", "cells", "basis"))
     count = len(vectors) if isinstance(vectors, list) else None
     if count and isinstance(cells, list) and len(cells) != count:

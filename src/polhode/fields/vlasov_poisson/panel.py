@@ -49,3 +49,6 @@ class VlasovPoissonPanel(KindPanel):
             for k, values in enumerate(shown.T)
         ]
         return {"plots": [{"title": "field", "unit": "log₁₀", "series": series}]}
+
+
+PANEL = VlasovPoissonPanel()

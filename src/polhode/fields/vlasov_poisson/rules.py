@@ -12,8 +12,9 @@ MOST = 4_000_000  # particles times modes: more take minutes a hundred steps
 WHOLE = 1e-9  # by which shares may miss one
 
 
-def plasma_rules(system: dict[str, Any]) -> Iterator[Mistake]:
+def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
     """Yield beams whose shares do not add up to one, and runs that are too large."""
+    system = tables["system"]
     beams = system.get("beams")
     if isinstance(beams, list) and all(isinstance(beam, dict) for beam in beams):
         shares = [beam.get("share", 1.0) for beam in beams]

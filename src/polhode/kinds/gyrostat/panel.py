@@ -60,3 +60,6 @@ class GyrostatPanel(KindPanel):
             rotor = last * np.asarray(system.axis, dtype=float)
             words = "direction of L in body axes; levels are those at the end"
         return [*panels, sphere_of_levels(samples.momentum, moments, rotor, words)]
+
+
+PANEL = GyrostatPanel()

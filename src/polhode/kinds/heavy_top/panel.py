@@ -20,3 +20,6 @@ class HeavyTopPanel(KindPanel):
         if start is None:
             return None
         return {"solver": "HeavyTop", "mgl": float(top.mgl), "axis": np.asarray(top.axis).tolist(), **start}
+
+
+PANEL = HeavyTopPanel()

@@ -63,3 +63,6 @@ class EulerDiskPanel(KindPanel):
              "y": pack(np.log10(np.asarray(values)), "f4")}
             for title, unit, values in (("Tilt", "[°]", tilt), ("Precession", "[rad/s]", rate))
         )  # fmt: skip
+
+
+PANEL = EulerDiskPanel()

@@ -8,13 +8,15 @@ from typing import Any
 
 from polhode.errors import shown
 from polhode.rolling.euler_disk.laws import law_rules
+from polhode.spec.rules import Mistake
 from polhode.spec.units import parse_quantity
 
 RATES = ("precession", "spin")
 
 
-def disk_rules(system: dict[str, Any]) -> Iterator[tuple[tuple[str | int, ...], str]]:
+def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
     """Yield the places where a raw table [system] of a disk breaks a rule, and the messages."""
+    system = tables["system"]
     measures = (("thickness", "m"), ("radius", "m"), ("tilt", "rad"))
     thickness, radius, tilt = (_value(system.get(key), unit) for key, unit in measures)
     if thickness is not None and radius is not None and 0.0 < 2.0 * radius < thickness:

@@ -19,3 +19,6 @@ class DampedBodyPanel(KindPanel):
         if start is None or not isinstance(system, DoubleBracket):
             return None
         return {"solver": "DampedBody", "rate": float(system.rate), **start}
+
+
+PANEL = DampedBodyPanel()

@@ -9,8 +9,9 @@ from polhode.spec.rules import Mistake
 from polhode.spec.words import list_words
 
 
-def find_broken_rules(system: dict[str, Any]) -> Iterator[Mistake]:
+def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
     """Yield the places where a raw table [system] breaks a rule, and the messages."""
+    system = tables["system"]
     outer = [key for key in ("linear_drag", "quadratic_drag", "orbital_period", "eccentricity") if key in system]
     inside = [key for key in ("damping", "damping_time", "loss_rate") if key in system]
     if len(inside) > 1:

@@ -34,3 +34,6 @@ class RigidBodyPanel(KindPanel):
 
 def _series(name: str, values: Array) -> dict[str, Any]:
     return {"name": name, "values": pack(values, "f4")}
+
+
+PANEL = RigidBodyPanel()

@@ -15,8 +15,9 @@ SIZES = ("period", "semi_major_axis", "altitude")
 OF_MOTORS = ("max_torque", "max_rate")
 
 
-def find_broken_rules(system: dict[str, Any]) -> Iterator[Mistake]:
+def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
     """Yield the places where raw tables break a rule, and the messages."""
+    system = tables["system"]
     for key in ("wheel", *LISTS):
         if key in system and not isinstance(system[key], list):
             yield ("system", key), f"must be written with two brackets, [[{key}]], as there may be several"

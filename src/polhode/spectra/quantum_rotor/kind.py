@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, ClassVar
 
 from polhode.kinds.base import AbstractKind, NextStep, Spec
 from polhode.spec.models import SystemTable
-from polhode.spec.rules import Mistake
 from polhode.spectra.quantum_rotor.table import QuantumRotorTable
 
 if TYPE_CHECKING:
-    from polhode.kinds.base import Figures
-    from polhode.spectra.quantum_rotor.answers import QuantumRotorReport
-    from polhode.spectra.quantum_rotor.panel import QuantumRotorPanel
     from polhode.spectra.spec_rotors import SpecRotor
 
 
@@ -27,26 +23,6 @@ class QuantumRotorKind(AbstractKind[QuantumRotorTable]):
     figure_names: ClassVar[tuple[str, ...]] = (
         "levels", "spectrum", "energy_surface", "momentum_sphere", "racket", "wigner", "racket_wigner",
     )  # fmt: skip
-
-    def report(self, spec: Spec[QuantumRotorTable]) -> QuantumRotorReport:
-        from polhode.spectra.quantum_rotor.answers import make_report
-
-        return make_report(spec)
-
-    def figures(self) -> Figures:
-        from polhode.spectra.quantum_rotor.figures import FIGURES
-
-        return FIGURES
-
-    def panel(self) -> QuantumRotorPanel:
-        from polhode.spectra.quantum_rotor.panel import QuantumRotorPanel
-
-        return QuantumRotorPanel()
-
-    def rules(self, tables: dict[str, Any]) -> Iterator[Mistake]:
-        from polhode.spectra.quantum_rotor.rules import rotor_rules
-
-        return rotor_rules(tables)
 
     def rotor(self, spec: Spec) -> SpecRotor:
         """Return the quantum rotor that a spec describes; ``spectra.spec_rotors.rotor_of_spec`` asks for it."""

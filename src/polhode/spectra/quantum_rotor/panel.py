@@ -198,3 +198,6 @@ class QuantumRotorPanel(KindPanel):
         units = {"energy": [constants.h * WAVE_NUMBER, "cm⁻¹"], "momentum": [constants.hbar, "ħ"]}
         words = {"axes": axes, "units": units}
         return PageContent(panels, model=_model(report, directions), solved=True, words=words)
+
+
+PANEL = QuantumRotorPanel()

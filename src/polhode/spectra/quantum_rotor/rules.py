@@ -8,7 +8,7 @@ from typing import Any
 from polhode.spec.rules import Mistake
 
 
-def rotor_rules(tables: dict[str, Any]) -> Iterator[Mistake]:
+def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
     """Yield the places where the raw tables of a file break a rule, and the messages."""
     system = tables["system"]
     if ("constants" in system) == ("body" in tables):
