@@ -14,7 +14,6 @@ from polhode.formats.mesh_archives import names_its_unit
 from polhode.spec.body_files import body_file_keys
 from polhode.spec.export import export_rules
 from polhode.spec.models import LOOK_SOURCES, ONE_PART, SystemTable
-from polhode.spec.part_rules import find_broken_part_rules
 from polhode.spec.units import parse_quantity
 from polhode.spec.words import list_words
 
@@ -54,7 +53,10 @@ def find_broken_body_rules(body: dict[str, Any]) -> Iterator[Mistake]:
 
 def _rules_of_parts(body: dict[str, Any]) -> Iterator[Mistake]:
     parts = body.get("part")
-    parts = parts if isinstance(parts, list) else []
+    if not isinstance(parts, list):
+        return
+    from polhode.spec.part_rules import find_broken_part_rules
+
     names = [part.get("name") for part in parts if isinstance(part, dict)]
     for k, part in enumerate(parts):
         if isinstance(part, dict):

@@ -18,9 +18,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode._base.arrays.differences import differences
 from polhode._base.arrays.namespaces import is_jax
-from polhode._base.arrays.pushed import push, split_values
 from polhode._base.arrays.underflow import gradual_underflow, remember_environment
 from polhode.errors import InvalidInput, shown
 
@@ -147,6 +145,8 @@ def _differential(function: Elementwise) -> Elementwise:
         return (*values, columns)
 
     columns = (sum(math.prod(function.outputs[k][0]) for k in function.smooth), function.width), float
+    from polhode._base.arrays.differences import differences
+
     again = partial(differences, function) if function.order == 1 else None
     return Elementwise(function.name, both, function.inputs, (*function.outputs, columns), again, function.positive,
                        function.order + 1, on_host=function.on_host)  # fmt: skip
@@ -259,6 +259,8 @@ def _jvp(primals: Any, tangents: Any, *, function: Elementwise, compiled: bool) 
         *values, columns = bind(*primals, function=function.differential)
         smooth_changes = _changes(function, which)(columns, *ways)
     else:
+        from polhode._base.arrays.pushed import push
+
         values = bind(*primals, function=function)
         smooth_changes = push(function, compiled, primals, which, ways)
     changes: list[Any] = [ad.Zero(_tangent_type(v)) for v in values]
@@ -271,6 +273,8 @@ def _jvp(primals: Any, tangents: Any, *, function: Elementwise, compiled: bool) 
 def _changes(function: Elementwise, which: tuple[int, ...]) -> Any:
     import jax
     import jax.numpy as jnp
+
+    from polhode._base.arrays.pushed import split_values
 
     def apply(columns: Any, *ways: Any) -> list[Any]:
         change: Any = 0.0
