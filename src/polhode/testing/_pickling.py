@@ -46,7 +46,7 @@ def _error_of(value: Any) -> Exception | None:
 def _parts(value: Any) -> Iterator[tuple[str, Any]]:
     """Yield what is pickled of an object, each with what leads there: an attribute, an index or a key."""
     if isinstance(value, dict):
-        yield from ((f"[{key!r}]", inner) for key, inner in value.items())
+        yield from ((f"[{shown(key)}]", inner) for key, inner in value.items())
         return
     fields = getattr(value, "_fields", None)
     if isinstance(value, tuple) and fields is not None:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput, one_line, shown
 from polhode.formats.dataset_reading import read_dataset
 from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.page import page_of_report
@@ -169,7 +169,8 @@ def _check_kept(report: SystemReport) -> None:
     try:
         again = pickle.loads(pickle.dumps(report))
     except Exception as error:  # of any __setstate__ and constructor
-        raise LawBroken(f"a report can be read again after it is pickled; it raises {error!r}.") from error
+        raised = f"{type(error).__name__}: {one_line(str(error))}"
+        raise LawBroken(f"a report can be read again after it is pickled; it raises {raised}.") from error
     same = again.as_json_dict() == report.as_json_dict()
     _require(same, "a report is the same after it is pickled, as commands keep it")
 
