@@ -30,6 +30,11 @@ LEFT_OUT = {
     "along": "gives a motion, whose methods are tested",
     "cycle": "seconds to look at, of one known motion",
     "sample": "a trajectory for files and pictures, made of state",
+    "closed_form": "is called by state, with columns of numbers",
+    "checked_start": "is called by the constructor",
+    "conserved_along": "is called by sample",
+    "conserved_sizes": "is called by sample",
+    "fastest_rate": "takes numbers that are known, to refuse times",
 }
 EVALUATIONS = {"state", "attitude", "momentum", "angular_velocity", "rotation_matrix"}
 

@@ -104,7 +104,8 @@ def of_classes(kinds):
 NO_ARRAYS = {
     "AbstractLieAlgebra.batch_shape", "AbstractLieAlgebra.structure_constants", "has_cayley", "has_cayley_terms",
     "is_compact",
-    "from_scipy", "testing.algebras.check_algebra", "testing.kinds.check_kind", "testing.systems.check_system",
+    "from_scipy", "testing.algebras.check_algebra", "testing.kinds.check_kind", "testing.motions.check_motion",
+    "testing.systems.check_system",
     "judging.motion_table.reference_motions", "judging.motion_table.parse_motions", "judging.engines.compare_engine",
     "FixedStepCase", "FixedStepResults", "fixed_step_cases", "run_fixed_steps",
     "ReferenceMotion", "MotionErrors", "EngineComparison", "Comparison", "align_clocks", "SpinDown", "Resonance",

@@ -146,7 +146,7 @@ class AbstractMotion(ExactMotion):
 
     def checked_start(
         self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array
-    ) -> tuple[tuple[Array, ...], Array, Array]:
+    ) -> tuple[tuple[Float64[Array, "..."], ...], Float64[Array, "... 3"], Float64[Array, "... 4"]]:
         """Return body, momentum and attitude along the principal axes as the closed form takes them.
 
         A subclass overrides it to refuse what it does not cover; what JAX traces has no values to look at.
@@ -262,7 +262,9 @@ class AbstractMotion(ExactMotion):
         """Unit and meaning of what the motion conserves, by name."""
 
     @abc.abstractmethod
-    def conserved_along(self, attitude: Array, momentum: Array, angular_velocity: Array) -> dict[str, Array]:
+    def conserved_along(
+        self, attitude: Array, momentum: Array, angular_velocity: Array
+    ) -> dict[str, Float64[Array, "..."]]:
         """Return what is conserved at samples, numbers (…, T) or vectors (…, T, 3), by the names of ``quantities``.
 
         Args:
@@ -271,7 +273,9 @@ class AbstractMotion(ExactMotion):
             angular_velocity: (…, T, 3) [rad/s, principal axes].
         """
 
-    def conserved_sizes(self, attitude: Array, momentum: Array, angular_velocity: Array) -> dict[str, Array]:
+    def conserved_sizes(
+        self, attitude: Array, momentum: Array, angular_velocity: Array
+    ) -> dict[str, Float64[Array, "..."]]:
         """Return the sizes (…, 1) to which drifts are relative, by name; the first sample's own for names left out."""
         return {}
 

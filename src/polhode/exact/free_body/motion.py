@@ -125,7 +125,7 @@ class FreeMotion(AbstractMotion):
 
     def checked_start(
         self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array
-    ) -> tuple[tuple[Array, ...], Array, Array]:
+    ) -> tuple[tuple[Float64[Array, "..."], ...], Float64[Array, "... 3"], Float64[Array, "... 4"]]:
         return body, momentum, compiled(_of_unit_length, attitude)(attitude)
 
     def _columns_of(self) -> Any:
@@ -134,7 +134,9 @@ class FreeMotion(AbstractMotion):
     def _state_of(self, column: tuple[float, ...], elapsed: float, rest: float) -> tuple[float, ...]:
         return evaluation.FORM.state(column, elapsed, rest)
 
-    def closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+    def closed_form(
+        self, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+    ) -> tuple[Float64[Array, "... 4"], Float64[Array, "... 3"]]:
         return evaluation.state(self._columns, self._arguments, elapsed, rest)
 
     @property
@@ -153,7 +155,9 @@ class FreeMotion(AbstractMotion):
     def quantities(self) -> dict[str, Quantity]:
         return {"energy": ENERGY, "momentum_norm": MOMENTUM_NORM, "momentum_space": MOMENTUM_SPACE}
 
-    def conserved_along(self, attitude: Array, momentum: Array, angular_velocity: Array) -> dict[str, Array]:
+    def conserved_along(
+        self, attitude: Array, momentum: Array, angular_velocity: Array
+    ) -> dict[str, Float64[Array, "..."]]:
         xp = namespace(momentum, angular_velocity)
         return {
             "energy": 0.5 * xp.sum(momentum * angular_velocity, axis=-1),

@@ -149,7 +149,7 @@ class LagrangeMotion(AbstractMotion):
 
     def checked_start(
         self, xp: Any, body: tuple[Array, ...], momentum: Array, attitude: Array
-    ) -> tuple[tuple[Array, ...], Array, Array]:
+    ) -> tuple[tuple[Float64[Array, "..."], ...], Float64[Array, "... 3"], Float64[Array, "... 4"]]:
         moments, mgl = body
         moments = _checked_symmetry(xp, moments)
         if is_traced(moments):  # NaN in the momentum reaches whatever is computed of the top, as fields keep their own
@@ -162,7 +162,9 @@ class LagrangeMotion(AbstractMotion):
     def _state_of(self, column: tuple[float, ...], elapsed: float, rest: float) -> tuple[float, ...]:
         return evaluation.FORM.state(column, elapsed, rest)
 
-    def closed_form(self, elapsed: Array, rest: Array) -> tuple[Array, Array]:
+    def closed_form(
+        self, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+    ) -> tuple[Float64[Array, "... 4"], Float64[Array, "... 3"]]:
         return evaluation.state(self._columns, self._arguments, elapsed, rest)
 
     @property
@@ -187,7 +189,9 @@ class LagrangeMotion(AbstractMotion):
             "axial_momentum": Quantity("kg m2 s-1", "angular momentum about the top's axis"),
         }
 
-    def conserved_along(self, attitude: Array, momentum: Array, angular_velocity: Array) -> dict[str, Array]:
+    def conserved_along(
+        self, attitude: Array, momentum: Array, angular_velocity: Array
+    ) -> dict[str, Float64[Array, "..."]]:
         xp = namespace(momentum, self.moments)
         kinetic = 0.5 * xp.sum(momentum * angular_velocity, axis=-1)
         return {
@@ -196,7 +200,9 @@ class LagrangeMotion(AbstractMotion):
             "axial_momentum": momentum[..., 2],
         }
 
-    def conserved_sizes(self, attitude: Array, momentum: Array, angular_velocity: Array) -> dict[str, Array]:
+    def conserved_sizes(
+        self, attitude: Array, momentum: Array, angular_velocity: Array
+    ) -> dict[str, Float64[Array, "..."]]:
         """Return the largest kinetic energy plus |mgl|, and the largest |L|."""
         xp = namespace(momentum, self.moments)
         kinetic = 0.5 * xp.sum(momentum * angular_velocity, axis=-1)
