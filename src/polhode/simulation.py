@@ -276,7 +276,7 @@ def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: 
         raise NoSeries(f"the rates of change of {type(system).__name__} are too many operations.")
     method = Taylor(asked.order) if method in (None, Taylor) else method
     if asked.order is not None and method.order != asked.order:
-        raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
+        raise InvalidInput("Give `order` only with the class `Taylor`; `Taylor(order=…)` already has one.")
     named, meter = name_jumps(system, find_undeclared_jumps(system, state, times)), _meter(asked.progress)
     if asked.tolerance is not None and asked.estimate_error:
         arguments = named, method, state, times, meter, asked.step, asked.tolerance, asked.every

@@ -229,7 +229,7 @@ def _by_series(
         raise InvalidInput("`step` and `tolerance` of Taylor must be known numbers, not traced ones.")
     method = Taylor(order) if method is Taylor else method
     if order not in (None, method.order):
-        raise InvalidInput("`order` goes with the class; the object of Taylor that is given has its own.")
+        raise InvalidInput("Give `order` only with the class `Taylor`; `Taylor(order=…)` already has one.")
     precision = choose_precision(None if tolerance is None else float(tolerance), method.order, method.is_extended)
     motion = series_solution(system, state, times, precision, math.inf if step is None else float(step))
     axis, kept = jnp.ndim(motion.failed), jnp.asarray(times)[::every]

@@ -160,7 +160,7 @@ def _make_back(function: Elementwise, compiled: bool) -> Any:
 def _make_differentiable(
     function: Elementwise, values: Any, inputs: Any, outputs: Any, compiled: bool, by_columns: Any, formed: Any
 ) -> Any:
-    """Return values as an operation whose derivative is that of the same by the Jacobian."""
+    """Wrap computed values so that their derivative comes from the given Jacobian."""
     import jax
 
     operation = replace(function, values=values, inputs=inputs, outputs=outputs, jacobian=None, ways=None)

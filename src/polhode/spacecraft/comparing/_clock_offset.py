@@ -18,29 +18,8 @@ import numpy as np
 from polhode import rotation
 from polhode.analysis._attitude_noise import root_mean_square
 from polhode.errors import InvalidInput
+from polhode.spacecraft.comparing._offset_limits import LIMITS, SEARCH
 from polhode.types import Array, Float64
-
-TURN = 0.2  # rad between offsets that are tried first
-MOST_OFFSETS = 100_000
-SEEN, USED = 48, 1500  # samples that the search and the refinement look at
-CANDIDATES = 12  # offsets that are refined
-ROUNDS = 25
-SETTLED = 1e-13  # of the usual step between samples
-ALIKE = 3.0  # times what the best offset leaves: one that leaves less may be the right one
-FITS = 0.3  # rad, rms; what leaves more is another motion, and axes turned by more are other axes
-EXPLAINED = 0.3  # of how far the samples turn, rms; what leaves more does not follow them, however little it is
-KNOWN = 0.1  # of the span that offsets are sought in; an error that is larger leaves them all possible
-TOLD = 0.1  # rad that the body turns within an offset's error: a turn of axes larger than that is not told from it
-BLURRED = 1e-6  # of the information on an offset; where less is left beside turned axes, the motion has none
-LEAST_NOISE = 1e-12  # rad, rms; rounding, below which residuals are not compared
-PROVEN = 12.0  # fall of χ² by three more unknowns: noise alone does as much once in 140 times
-SAME = 1e-7  # of the largest singular value; below, two unknowns have the same effect to what steps can resolve
-SEEN_ALONE = 1e-2  # of the same; turns seen less are not measured
-STEADY = 1e-11  # rad; steps of axes below no longer change an offset
-CLEARLY = 0.5  # of the distance to the second: an offset as near as that is the one that is meant
-COARSE = 0.25 * (0.5 * TURN) ** 2  # of agreement, lost where an offset lies between two that are tried
-UNSEEN = 2.0  # times the turn that two axes show: a third exceeds twice that error once in 30, so few axes tell little
-OVERLAP = 0.5  # of the shorter history
 
 STILL = "the attitude does not change, so that it shows no offset of the clocks"
 ONE = np.array([1.0, 0.0, 0.0, 0.0])
@@ -156,7 +135,7 @@ def find_clock_offset(motion: Moving, samples: Samples, speed: float, wanted: Wa
     """
     if not speed > 0.0:
         raise InvalidInput(f"{STILL}. Say it by `offset`.")
-    some, many = _take(samples, SEEN), _take(samples, USED)
+    some, many = _take(samples, SEARCH.coarse_samples), _take(samples, SEARCH.fine_samples)
     grid = _offsets(motion, samples.times, speed)
     nearest, turns = None, _spread(many.attitude)
     for turned in (False, True):
@@ -166,12 +145,12 @@ def find_clock_offset(motion: Moving, samples: Samples, speed: float, wanted: Wa
             continue
         best = fits[0]
         nearest = best if nearest is None or best.left < nearest.left else nearest
-        if best.left > FITS:
+        if best.left > LIMITS.max_residual:
             continue
         if not np.isfinite(best.error):
             steady = "the body turns steadily, so that with other axes of space any offset fits" if turned else STILL
             raise InvalidInput(f"{steady}. Say it by `offset`.")
-        if best.left > EXPLAINED * turns:
+        if best.left > LIMITS.max_unexplained * turns:
             continue
         return _settle(motion, many, fits, Rule(speed, float(grid[-1] - grid[0]), wanted, missed))
     raise InvalidInput(f"no offset of the clocks makes the two agree{_word_nearest(nearest, turns, wanted)}. Check "
@@ -209,8 +188,10 @@ def _settle(motion: Moving, samples: Samples, fits: list[Fit], rule: Rule) -> Cl
     if lean and askew and not turned:
         tilted = _fit_along(motion, samples, askew, (True, True), rule)
         best, lean = (_choose(tilted, rule), 0.0) if tilted else (best, lean)
-    error = best.error * float(np.hypot(1.0, UNSEEN * lean * np.sqrt(best.spare) / best.left)) if lean else best.error
-    if error > KNOWN * rule.span:
+    error = best.error
+    if lean:
+        error *= float(np.hypot(1.0, LIMITS.axes_unmeasured * lean * np.sqrt(best.spare) / best.left))
+    if error > LIMITS.max_error * rule.span:
         raise InvalidInput(
             f"the attitudes do not determine the offset of the clocks: the best is {rule.wanted.word(best.offset)} ± "
             f"{error:.2g} s, and its error must be at most a tenth of the {rule.span:.6g} s that it "
@@ -225,10 +206,12 @@ def _settle(motion: Moving, samples: Samples, fits: list[Fit], rule: Rule) -> Cl
 def _fit_along(motion: Moving, samples: Samples, fits: list[Fit], free: tuple[bool, bool], rule: Rule) -> list[Fit]:
     """Return fits with more turns of axes, the best first; none where they do not leave one offset."""
     # one that the turns lead astray is kept as it was: it still leaves no more than that
-    wider = _sort([_refine(motion, samples, fit._replace(free=free)) or fit for fit in fits if fit.left < FITS])
+    near = [fit for fit in fits if fit.left < LIMITS.max_residual]
+    wider = _sort([_refine(motion, samples, fit._replace(free=free)) or fit for fit in near])
     best = _pick(wider, rule)
-    told = best is not None and best.free == free and best.error * rule.speed < TOLD
-    return wider if told else []
+    if best is None or best.free != free:
+        return []
+    return wider if best.error * rule.speed < LIMITS.max_turn_within_error else []
 
 
 def _sort(fits: list[Fit | None]) -> list[Fit]:
@@ -239,8 +222,8 @@ def _sort(fits: list[Fit | None]) -> list[Fit]:
 def _list_alike(fits: list[Fit], rule: Rule) -> list[Fit]:
     """Return the best offset, and those far from it and from each other that leave nearly as little."""
     best = fits[0]
-    limit = ALIKE * max(best.left, LEAST_NOISE)
-    apart = max(TURN / rule.speed, 10.0 * best.error)
+    limit = LIMITS.rival * max(best.left, LIMITS.min_noise)
+    apart = max(SEARCH.turn / rule.speed, 10.0 * best.error)
     alike: list[Fit] = [best]
     for fit in fits[1:]:
         if fit.left < limit and all(abs(fit.offset - other.offset) > apart for other in alike):
@@ -255,7 +238,7 @@ def _pick(fits: list[Fit], rule: Rule) -> Fit | None:
     if len(alike) == 1 or near is None:
         return alike[0] if len(alike) == 1 else None
     first, second = sorted(alike, key=lambda fit: abs(fit.offset - near))[:2]
-    return first if abs(first.offset - near) < CLEARLY * abs(second.offset - near) else None
+    return first if abs(first.offset - near) < LIMITS.nearest * abs(second.offset - near) else None
 
 
 def _choose(fits: list[Fit], rule: Rule) -> Fit:
@@ -269,7 +252,7 @@ def _choose(fits: list[Fit], rule: Rule) -> Fit:
         return best
     alike = sorted(_list_alike(fits, rule), key=lambda fit: fit.offset)
     word, near = rule.wanted.word, rule.wanted.near
-    least = "at least " if rule.missed > min(fit.share for fit in alike) - COARSE else ""
+    least = "at least " if rule.missed > min(fit.share for fit in alike) - SEARCH.coarse_loss else ""
     listed = f"{', '.join(word(fit.offset) for fit in alike[:-1])} and {word(alike[-1].offset)} s"
     left = [f"{choice(fit.left for fit in alike):.2g}" for choice in (min, max)]
     span = left[0] if left[0] == left[1] else f"{left[0]} to {left[1]}"
@@ -299,9 +282,9 @@ def _spread(attitude: Array) -> float:
 def _offsets(motion: Moving, times: Array, speed: float) -> Array:
     """Return the offsets to try, those at which half of the shorter history overlaps."""
     length = min(motion.last - motion.first, float(times[-1] - times[0]))
-    first = motion.first - float(times[-1]) + OVERLAP * length
-    last = motion.last - float(times[0]) - OVERLAP * length
-    count = int(np.clip(np.ceil((last - first) * speed / TURN), 1, MOST_OFFSETS)) + 1
+    first = motion.first - float(times[-1]) + LIMITS.min_overlap * length
+    last = motion.last - float(times[0]) - LIMITS.min_overlap * length
+    count = int(np.clip(np.ceil((last - first) * speed / SEARCH.turn), 1, SEARCH.max_offsets)) + 1
     return np.linspace(first, last, count)
 
 
@@ -313,9 +296,9 @@ def _search(motion: Moving, samples: Samples, grid: Array, turned: bool, near: f
     padded = np.concatenate([[-2.0], share, [-2.0]])
     peaks = np.flatnonzero((share >= padded[:-2]) & (share >= padded[2:]) & (share >= 0.0))
     peaks = peaks[np.argsort(share[peaks])[::-1]]
-    some, rest = peaks[:CANDIDATES], peaks[CANDIDATES:]
+    some, rest = peaks[:SEARCH.candidates], peaks[SEARCH.candidates:]
     if near is not None and len(rest):
-        half = CANDIDATES // 2
+        half = SEARCH.candidates // 2
         others = peaks[half:]
         order = np.argsort(np.abs(grid[others] - near), kind="stable")
         some, rest = np.concatenate([peaks[:half], others[order[:half]]]), others[order[half:]]
@@ -345,7 +328,7 @@ def _agreement(motion: Moving, samples: Samples, grid: Array, turned: bool) -> A
             sums += ok[:, None, None] * product[:, :, None] * product[:, None, :]
     if sums is not None:
         agreement = np.linalg.eigvalsh(sums)[:, -1]
-    return np.where(weight >= OVERLAP * len(times), agreement / np.maximum(weight, 1), -1.0)
+    return np.where(weight >= LIMITS.min_overlap * len(times), agreement / np.maximum(weight, 1), -1.0)
 
 
 class _Laid(NamedTuple):
@@ -366,7 +349,7 @@ def _lay(motion: Moving, samples: Samples, fit: Fit, is_new: bool) -> tuple[_Lai
     """Return what is left at an offset, and the fit, with a first S where it has none; None where little overlaps."""
     moved, count = samples.times + fit.offset, len(samples.times)
     inside = (moved >= motion.first) & (moved <= motion.last) if motion.is_bounded else np.ones(count, dtype=bool)
-    if inside.sum() < OVERLAP * count or inside.sum() < 3:
+    if inside.sum() < LIMITS.min_overlap * count or inside.sum() < 3:
         return None
     there, velocity = motion.at(moved[inside])
     here = samples.attitude[inside]
@@ -382,29 +365,30 @@ def _lay(motion: Moving, samples: Samples, fit: Fit, is_new: bool) -> tuple[_Lai
 def _refine(motion: Moving, samples: Samples, fit: Fit) -> Fit | None:
     """Return a fit improved from a start; None if it leaves the span, does not converge, or turns body axes too far."""
     usual = float(np.median(np.diff(samples.times)))
-    for k in range(ROUNDS):
+    for k in range(SEARCH.max_rounds):
         known = _lay(motion, samples, fit, k == 0)
         if known is None:
             return None
         laid, fit = known
         first, others = laid.by_offset.reshape(-1), laid.columns(fit.free)
         speed = float(np.sqrt(np.mean(first**2))) or 1.0
-        alone = first - others @ np.linalg.lstsq(others, first, rcond=SAME)[0]
+        alone = first - others @ np.linalg.lstsq(others, first, rcond=LIMITS.same_effect)[0]
         rms, spare = root_mean_square(laid.left), float(len(first) - 1 - others.shape[1])
-        determined = alone @ alone > BLURRED * (first @ first)
+        determined = alone @ alone > LIMITS.min_information_left * (first @ first)
         error = rms * np.sqrt(len(laid.left) / (spare * (alone @ alone))) if determined else np.inf
         fit = fit._replace(left=rms, error=float(error), spare=spare)
         if not determined:
             return fit
         design = np.concatenate([first[:, None] / speed, others], axis=1)
-        step = np.linalg.lstsq(design, -laid.left.reshape(-1), rcond=SAME)[0]
+        step = np.linalg.lstsq(design, -laid.left.reshape(-1), rcond=LIMITS.same_effect)[0]
         move, turns = float(step[0]) / speed, step[1:]
-        if abs(move) < SETTLED * usual + 4.0 * np.spacing(abs(fit.offset)) and np.abs(turns).max(initial=0.0) < STEADY:
+        resolved = LIMITS.settled_step * usual + 4.0 * np.spacing(abs(fit.offset))
+        if abs(move) < resolved and np.abs(turns).max(initial=0.0) < LIMITS.settled_turn:
             return fit
         fit = _step(fit, move, turns)
-        if fit.free[1] and rotation.angle_between(fit.body, ONE) > FITS:
+        if fit.free[1] and rotation.angle_between(fit.body, ONE) > LIMITS.max_residual:
             return None
-    return fit if fit.left < FITS else None
+    return fit if fit.left < LIMITS.max_residual else None
 
 
 def _step(fit: Fit, move: float, turns: Array) -> Fit:
@@ -425,8 +409,8 @@ def _find_lean(motion: Moving, samples: Samples, fit: Fit, new: tuple[bool, bool
     laid, _ = known
     others = np.concatenate([laid.by_offset.reshape(-1, 1), laid.columns(fit.free)], axis=1)
     added, left = laid.columns(new), laid.left.reshape(-1)
-    added = added - others @ np.linalg.lstsq(others, added, rcond=SAME)[0]
-    turns = np.linalg.lstsq(added, left, rcond=SEEN_ALONE)[0]
+    added = added - others @ np.linalg.lstsq(others, added, rcond=LIMITS.same_effect)[0]
+    turns = np.linalg.lstsq(added, left, rcond=LIMITS.same_effect_alone)[0]
     explained = float(np.sum((added @ turns) ** 2))
-    noise = max((float(left @ left) - explained) / max(fit.spare - len(turns), 1.0), LEAST_NOISE**2)
-    return float(np.linalg.norm(turns)) if explained > PROVEN * noise else 0.0
+    noise = max((float(left @ left) - explained) / max(fit.spare - len(turns), 1.0), LIMITS.min_noise**2)
+    return float(np.linalg.norm(turns)) if explained > LIMITS.min_improvement * noise else 0.0

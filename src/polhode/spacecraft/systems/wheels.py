@@ -175,7 +175,7 @@ class Wheel(AbstractMount):
         return largest
 
     def _limited(self, torque: Array, rate: Array) -> Array:
-        """Return what the motor gives (…) of what it is told to give."""
+        """Return the delivered torque (…) [N m] for a commanded one, after limits and friction."""
         if self.max_torque is not None:
             torque = jnp.clip(torque, -self.max_torque, self.max_torque)
         if self.max_rate is None:
