@@ -15,11 +15,11 @@ from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
-import jax.extend
 import jax.numpy as jnp
 import numpy as np
 
 from polhode._base.arrays import arrays_for_few_calls
+from polhode._base.jax_inner import Literal
 from polhode.algebra._functions import Function, check_functions
 from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
@@ -436,9 +436,9 @@ def depends_on_time(system: AbstractLiePoissonSystem, point: Double[Array, "..."
     steps = jax.make_jaxpr(system.generator)(jnp.zeros(()), point).jaxpr
     late = {steps.invars[0]}
     for step in steps.eqns:
-        if any(not isinstance(x, jax.extend.core.Literal) and x in late for x in step.invars):
+        if any(not isinstance(x, Literal) and x in late for x in step.invars):
             late.update(step.outvars)
-    return any(not isinstance(x, jax.extend.core.Literal) and x in late for x in steps.outvars)
+    return any(not isinstance(x, Literal) and x in late for x in steps.outvars)
 
 
 def _normalise(vectors: Array) -> Array:

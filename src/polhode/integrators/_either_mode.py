@@ -13,11 +13,9 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
-from jax.core import ShapedArray
 from jax.custom_derivatives import SymbolicZero
-from jax.extend.core import Primitive
-from jax.interpreters import ad, batching, mlir
 
+from polhode._base.jax_inner import Primitive, ShapedArray, ad, batching, mlir
 from polhode.errors import InvalidInput
 from polhode.types import Array
 

@@ -24,6 +24,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.jax_inner import eval_jaxpr
 from polhode.integrators._either_mode import by_either_mode
 from polhode.types import Array, Bool, Double, Float64, Integer
 
@@ -91,7 +92,7 @@ def repeat_steps(step: Step, inputs: Given, parts: Sequence[Any], symmetric: boo
     jaxpr, hints = traced.jaxpr, jax.tree.structure(inputs.hint)
 
     def take_step(held: Any, t: Array, h: Array, state: Array, lost: Array, hint: Any) -> tuple[Any, ...]:
-        out = jax.core.eval_jaxpr(jaxpr, held, t, h, state, lost, *jax.tree.leaves(hint))  # type: ignore[attr-defined]
+        out = eval_jaxpr(jaxpr, held, t, h, state, lost, *jax.tree.leaves(hint))
         return *out[:4], jax.tree.map(jax.lax.stop_gradient, jax.tree.unflatten(hints, out[4:]))
 
     def forward(inputs: Given) -> Reached:

@@ -18,10 +18,10 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax.interpreters import partial_eval
 
 from polhode._base.arrays import compiled_quickly
 from polhode._base.arrays.traced_checks import check_traced
+from polhode._base.jax_inner import partial_eval
 from polhode.errors import InvalidInput, shown
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import FURTHER, rates_of_change

@@ -16,9 +16,9 @@ from typing import Any, NamedTuple
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax.extend.core import Literal
 
 from polhode._base.arrays.steps import split_scan
+from polhode._base.jax_inner import Literal
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.jaxprs import INNER
 from polhode.taylor.kernel_series import MOST_ANGLE, MOST_EXPONENT

@@ -8,9 +8,9 @@ from typing import Any
 
 import jax
 import numpy as np
-from jax.extend.core import ClosedJaxpr, Jaxpr, Literal
 
 from polhode._base.arrays.steps import INNER
+from polhode._base.jax_inner import ClosedJaxpr, Jaxpr, Literal
 
 
 def write_jaxpr(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:

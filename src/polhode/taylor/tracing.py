@@ -16,10 +16,10 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax.extend.core import Literal
 
 from polhode._base.arrays.by_numpy import by_numbers, factors, spread, take_slice
 from polhode._base.arrays.steps import INNER, split_scan
+from polhode._base.jax_inner import Literal
 from polhode.taylor.elementary import (
     cube_root,
     eccentric_anomaly,

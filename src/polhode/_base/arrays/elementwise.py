@@ -155,8 +155,7 @@ def _differential(function: Elementwise) -> Elementwise:
 @cache
 def _primitive() -> Any:
     """Return the operation, made when a JAX array first comes in."""
-    from jax.extend.core import Primitive
-    from jax.interpreters import ad, batching, mlir
+    from polhode._base.jax_inner import Primitive, ad, batching, mlir
 
     remember_environment()
     primitive = Primitive("polhode_elementwise")
@@ -172,7 +171,7 @@ def _primitive() -> Any:
 
 
 def _abstract(*args: Any, function: Elementwise, compiled: bool) -> list[Any]:
-    from jax.core import ShapedArray
+    from polhode._base.jax_inner import ShapedArray
 
     return [ShapedArray(*shape) for shape in function.shapes(args)]
 
@@ -198,8 +197,8 @@ def _at_once(*args: Any, function: Elementwise, compiled: bool) -> list[Any]:
 
 def _lower(in_line: Any, is_cpu: bool, ctx: Any, *operands: Any, function: Elementwise, compiled: bool) -> Any:
     import jax
-    from jax.core import ShapedArray
-    from jax.interpreters import mlir
+
+    from polhode._base.jax_inner import ShapedArray, mlir
 
     if not function.on_host and (compiled or not is_cpu):
         return in_line(ctx, *operands, function=function, compiled=compiled)
@@ -246,7 +245,7 @@ def _batch(args: Any, axes: Any, *, function: Elementwise, compiled: bool) -> tu
 
 
 def _jvp(primals: Any, tangents: Any, *, function: Elementwise, compiled: bool) -> tuple[Any, Any]:
-    from jax.interpreters import ad
+    from polhode._base.jax_inner import ad
 
     bind = partial(_primitive().bind, compiled=compiled)
     if function.jacobian is None:

@@ -141,7 +141,7 @@ def _inner(equation: Any, values: list[Any]) -> list[tuple[Any, list[Any]]]:
 
 
 def _closed(jaxpr: Any) -> Any:
-    from jax.extend.core import ClosedJaxpr
+    from polhode._base.jax_inner import ClosedJaxpr
 
     return ClosedJaxpr(jaxpr, ())
 

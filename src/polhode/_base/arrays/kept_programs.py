@@ -49,10 +49,8 @@ def keep_programs() -> None:
         return
     import jax
 
-    try:
-        from jax._src import compilation_cache
-    except ImportError:
-        return
+    from polhode._base.jax_inner import compilation_cache
+
     if not callable(getattr(compilation_cache, "get_file_cache", None)):
         return
     compilation_cache.get_file_cache = lambda path: (SealedPrograms(Path(path)), path)

@@ -32,7 +32,8 @@ def _library(kind: type) -> str:
     """Return which library an array type belongs to; numbers and lists count as NumPy's."""
     if "jax" in sys.modules:
         import jax
-        from jax.core import Tracer
+
+        from polhode._base.jax_inner import Tracer
 
         if issubclass(kind, jax.Array | Tracer):
             return "jax"
@@ -54,7 +55,7 @@ def is_traced(*values: Any) -> bool:
     """Whether any of the values is a JAX tracer, whose numbers cannot be looked at."""
     if not is_jax(*values):
         return False
-    from jax.core import Tracer
+    from polhode._base.jax_inner import Tracer
 
     return any(isinstance(value, Tracer) for value in values)
 

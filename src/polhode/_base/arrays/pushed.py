@@ -32,8 +32,7 @@ def push(
 
 @cache
 def _primitive() -> Any:
-    from jax.extend.core import Primitive
-    from jax.interpreters import ad, batching, mlir
+    from polhode._base.jax_inner import Primitive, ad, batching, mlir
 
     primitive = Primitive("polhode_pushed")
     primitive.multiple_results = True
@@ -55,7 +54,7 @@ def _push(*args: Any, function: Elementwise, compiled: bool, which: tuple[int, .
 
 
 def _abstract(*args: Any, function: Elementwise, **_: Any) -> list[Any]:
-    from jax.core import ShapedArray
+    from polhode._base.jax_inner import ShapedArray
 
     shapes = function.shapes(args[: len(function.inputs)])
     return [ShapedArray(*shapes[k]) for k in function.smooth]
@@ -63,7 +62,8 @@ def _abstract(*args: Any, function: Elementwise, **_: Any) -> list[Any]:
 
 def _jvp(primals: Any, tangents: Any, **known: Any) -> tuple[Any, Any]:
     import jax
-    from jax.interpreters import ad
+
+    from polhode._base.jax_inner import ad
 
     return jax.jvp(partial(_push, **known), tuple(primals), tuple(ad.instantiate_zeros(x) for x in tangents))
 
@@ -77,7 +77,8 @@ def _batch(args: Any, axes: Any, **known: Any) -> tuple[Any, list[int]]:
 
 def _transpose(weights: Any, *args: Any, function: Elementwise, compiled: bool, which: tuple[int, ...]) -> list[Any]:
     import jax.numpy as jnp
-    from jax.interpreters import ad
+
+    from polhode._base.jax_inner import ad
 
     primals, ways = args[: len(function.inputs)], args[len(function.inputs) :]
     # w·(J dx) = (Jᵀw)·dx: the transpose of the forward derivative is the reverse one

@@ -1,0 +1,23 @@
+"""What polhode uses of JAX that JAX does not promise to keep: its interpreters, programs, tracers and its cache.
+
+All of it is named here alone, so that a new version of JAX is met in one file; tests/test_jax_inner.py looks at that,
+and the default tests run by the oldest JAX that is allowed and by the newest. Whoever must not import JAX before an
+array of it has come imports this file where it is needed.
+"""
+
+from jax.core import ShapedArray as ShapedArray
+from jax.core import Tracer as Tracer
+from jax.core import eval_jaxpr as eval_jaxpr  # type: ignore[attr-defined]
+from jax.extend.core import ClosedJaxpr as ClosedJaxpr
+from jax.extend.core import Jaxpr as Jaxpr
+from jax.extend.core import Literal as Literal
+from jax.extend.core import Primitive as Primitive
+from jax.interpreters import ad as ad
+from jax.interpreters import batching as batching
+from jax.interpreters import mlir as mlir
+from jax.interpreters import partial_eval as partial_eval
+
+try:
+    from jax._src import compilation_cache as compilation_cache
+except ImportError:  # then nothing that JAX compiles is kept
+    compilation_cache = None
