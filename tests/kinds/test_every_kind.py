@@ -16,7 +16,7 @@ import pytest
 
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
-from polhode.kinds import Answer, Group, Spec, SpecMotion, reading, registry
+from polhode.kinds import AbstractKind, Answer, Group, Spec, SpecMotion, reading, registry
 from polhode.kinds.page import write_page
 from polhode.kinds.reading import read_spec
 from polhode.kinds.registry import find_kind
@@ -70,6 +70,15 @@ def test_a_kind_without_pictures_is_right_and_has_no_page(monkeypatch, plugin):
 
 def test_ten_kinds_have_answers_without_motion():
     assert len([name for name in OWN if find_kind(name)._find("answers", "answers_without_motion")]) == 10
+
+
+def test_a_kind_that_derives_from_another_has_its_files():
+    heir = type("Heir", (type(find_kind("gyrostat")),), {"__module__": "elsewhere"})()
+    assert heir.figures() is find_kind("gyrostat").figures() and heir.panel() is find_kind("gyrostat").panel()
+    alone = type("Alone", (AbstractKind,), {"__module__": "elsewhere", "name": "alone"})()
+    assert not alone.figures() and alone.panel() is None
+    with pytest.raises(NotImplementedError, match=r"the kind alone needs `make_report` in answers\.py"):
+        alone.report(None)
 
 
 def bent_report(report, **bent):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import abc
 import re
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
@@ -280,11 +281,12 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         return PageContent(panels, self._scripts(), model, **panel.plots(trajectory, samples))
 
     def _find(self, file: str, name: str) -> Any:
-        """Return what a file of the kind's folder has under a name; None where there is no such file or name."""
-        place = type(self).__module__
-        package = import_module(place).__package__ or place
-        module = f"{package}.{file}"
-        return getattr(import_module(module), name, None) if _is_there(module) else None
+        """Return what a file of the kind's folder has under a name, or of that of a kind it derives from; else None."""
+        for kind in type(self).__mro__[: -len(AbstractKind.__mro__)]:
+            module = f"{getattr(sys.modules.get(kind.__module__), '__package__', None) or kind.__module__}.{file}"
+            if _is_there(module) and (thing := getattr(import_module(module), name, None)) is not None:
+                return thing
+        return None
 
     def _call(self, file: str, name: str, *args: Any, otherwise: Any = None) -> Any:
         """Return what such a function gives; something else where there is none."""
