@@ -2,40 +2,15 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
+from polhode.cli.source_options import ColumnOptions
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.column_mapping import ColumnMapping, make_mapping
 from polhode.spec.parsing import read_tables
 from polhode.studies.tables import TableMapping
 
 SIDES = ("a", "b")
-
-
-class ColumnOptions(NamedTuple):
-    """The options, each None where it is not given."""
-
-    mapping: Path | None = None
-    time: str | None = None
-    time_unit: str | None = None
-    time_system: str | None = None
-    quat: str | None = None
-    order: str | None = None
-    direction: str | None = None
-    matrix: str | None = None
-    mrp: str | None = None
-    euler: str | None = None
-    sequence: str | None = None
-    gyro: str | None = None
-    unit: str | None = None
-    scale: str | None = None
-    decimal: str | None = None
-
-    @property
-    def words(self) -> dict[str, Any]:
-        """The given options, without the mapping file."""
-        return {name: value for name, value in self._asdict().items() if value is not None and name != "mapping"}
 
 
 def table_to_import(options: ColumnOptions) -> TableMapping | None:

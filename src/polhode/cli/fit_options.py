@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import typer
 
@@ -69,3 +69,18 @@ AddedWeight = Annotated[
     typer.Option("--added-weight", metavar="WEIGHT",
                  help='Like "20 g at 0, 70, 0 mm", from the body\'s centre of mass along the device\'s axes.'),
 ]  # fmt: skip
+
+
+class ThrowOptions(NamedTuple):
+    """Options of ``fit`` for logs of throws, each None where it is not given."""
+
+    window: FitWindows = None
+    drag: WithDrag = None
+    torque: WithTorque = None
+    rotor: WithRotor = None
+    gain: WithGain = None
+    clip: ClipRate = None
+    moment: OneMoment = None
+    mass: BodyMass = None
+    added_weight: AddedWeight = None
+    weighted: WeightedLogs = None

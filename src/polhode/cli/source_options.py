@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any, NamedTuple
 
 import typer
 
@@ -96,3 +96,37 @@ MappingFile = Annotated[
     Path | None,
     typer.Option("--mapping", metavar="FILE", help="TOML file with these words; [a] and [b] for one file each."),
 ]
+
+
+class KernelOptions(NamedTuple):
+    """Options for a C-kernel, each None where it is not given."""
+
+    sclk: ClockKernel = None
+    fk: FrameKernel = None
+    lsk: LeapSeconds = None
+    spice_id: SpiceId = None
+
+
+class ColumnOptions(NamedTuple):
+    """Options for the columns of a table, each None where it is not given."""
+
+    mapping: MappingFile = None
+    time: TimeColumn = None
+    time_unit: TimeUnit = None
+    time_system: TimeSystem = None
+    quat: QuatColumns = None
+    order: QuatOrder = None
+    direction: Direction = None
+    matrix: MatrixColumns = None
+    mrp: MrpColumns = None
+    euler: EulerColumns = None
+    sequence: EulerSequence = None
+    gyro: GyroColumns = None
+    unit: ColumnUnit = None
+    scale: CountScale = None
+    decimal: Decimal = None
+
+    @property
+    def words(self) -> dict[str, Any]:
+        """The given options, without the mapping file."""
+        return {name: value for name, value in self._asdict().items() if value is not None and name != "mapping"}

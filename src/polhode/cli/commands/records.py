@@ -10,27 +10,8 @@ import typer
 from polhode.cli import fit_options as options
 from polhode.cli.arguments import StrictCommand
 from polhode.cli.commands.application import AsJson, BodySpec, SpecPath, app
-from polhode.cli.source_options import (
-    ClockKernel,
-    ColumnUnit,
-    CountScale,
-    Decimal,
-    Direction,
-    EulerColumns,
-    EulerSequence,
-    FrameKernel,
-    GyroColumns,
-    LeapSeconds,
-    MappingFile,
-    MatrixColumns,
-    MrpColumns,
-    QuatColumns,
-    QuatOrder,
-    SpiceId,
-    TimeColumn,
-    TimeSystem,
-    TimeUnit,
-)
+from polhode.cli.grouped_options import grouped
+from polhode.cli.source_options import ColumnOptions, KernelOptions
 from polhode.formats.form_registry import writable_names
 
 
@@ -41,6 +22,7 @@ def _list_forms() -> str:
 
 
 @app.command(cls=StrictCommand)
+@grouped
 def fit(
     files: options.FitFiles,
     json: AsJson = False,
@@ -48,31 +30,9 @@ def fit(
     free: options.FreeNames = None,
     out: options.FitOut = None,
     figures: options.FitFigures = None,
-    window: options.FitWindows = None,
-    drag: options.WithDrag = None,
-    torque: options.WithTorque = None,
-    rotor: options.WithRotor = None,
-    gain: options.WithGain = None,
-    clip: options.ClipRate = None,
-    moment: options.OneMoment = None,
-    mass: options.BodyMass = None,
-    added_weight: options.AddedWeight = None,
-    weighted: options.WeightedLogs = None,
-    mapping: MappingFile = None,
-    time: TimeColumn = None,
-    time_unit: TimeUnit = None,
-    time_system: TimeSystem = None,
-    quat: QuatColumns = None,
-    order: QuatOrder = None,
-    direction: Direction = None,
-    matrix: MatrixColumns = None,
-    mrp: MrpColumns = None,
-    euler: EulerColumns = None,
-    sequence: EulerSequence = None,
-    gyro: GyroColumns = None,
-    unit: ColumnUnit = None,
-    scale: CountScale = None,
-    decimal: Decimal = None,
+    *,
+    throws: options.ThrowOptions,
+    columns: ColumnOptions,
 ) -> None:
     """Fit the inertia of a body to gyro logs of throws or to a pendulum's periods, or a molecule's constants to lines.
 
@@ -80,13 +40,10 @@ def fit(
     are what, like --time t --time-unit s --gyro gx,gy,gz --unit deg/s. Several logs are of the same thing. The exit
     code is 3 where the logs do not tell the inertia; the report says why.
     """
-    from polhode.cli.columns import ColumnOptions
     from polhode.cli.fit import run_fit
     from polhode.studies.fit_request import FitOptions
 
-    columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
-                            gyro, unit, scale, decimal)  # fmt: skip
-    for_throws = FitOptions(window or (), drag, torque, rotor, gain, clip, moment, mass, added_weight, weighted or ())
+    for_throws = FitOptions(throws.window or (), *throws[1:-1], throws.weighted or ())
     run_fit(files, free, for_throws, columns, out, figures, json, pendulum)
 
 
@@ -110,6 +67,7 @@ def export(
 
 
 @app.command("import", cls=StrictCommand)
+@grouped
 def import_(
     file: Annotated[
         Path, typer.Argument(metavar="FILE", help="Of CCSDS, SPICE, STK, 42 and others, or any table of numbers.")
@@ -121,25 +79,9 @@ def import_(
                      "_imported)."),
     ] = None,
     spec: BodySpec = None,
-    sclk: ClockKernel = None,
-    fk: FrameKernel = None,
-    lsk: LeapSeconds = None,
-    spice_id: SpiceId = None,
-    mapping: MappingFile = None,
-    time: TimeColumn = None,
-    time_unit: TimeUnit = None,
-    time_system: TimeSystem = None,
-    quat: QuatColumns = None,
-    order: QuatOrder = None,
-    direction: Direction = None,
-    matrix: MatrixColumns = None,
-    mrp: MrpColumns = None,
-    euler: EulerColumns = None,
-    sequence: EulerSequence = None,
-    gyro: GyroColumns = None,
-    unit: ColumnUnit = None,
-    scale: CountScale = None,
-    decimal: Decimal = None,
+    *,
+    kernels: KernelOptions,
+    columns: ColumnOptions,
 ) -> None:
     """Read another tool's attitude history; write it as NetCDF.
 
@@ -148,10 +90,7 @@ def import_(
     --time t --time-unit s --quat qw,qx,qy,qz --gyro gx,gy,gz --unit deg/s; how they are read is printed. Of a message
     with inertia and spin at one time, an APM, a spec is written.
     """
-    from polhode.cli.columns import ColumnOptions
     from polhode.cli.importing import run_import
     from polhode.formats.form import Kernels
 
-    columns = ColumnOptions(mapping, time, time_unit, time_system, quat, order, direction, matrix, mrp, euler, sequence,
-                            gyro, unit, scale, decimal)  # fmt: skip
-    run_import(file, json, out, spec, Kernels(sclk, fk, lsk, spice_id), columns)
+    run_import(file, json, out, spec, Kernels(*kernels), columns)
