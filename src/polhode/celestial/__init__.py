@@ -2,7 +2,8 @@
 
 It answers in which mode an asteroid tumbles and what its light curve shows, which spin–orbit resonances hold a moon and
 where their chaos begins, and the period and quality of the Chandler wobble. Sources: Samarasinha and A'Hearn (1991),
-Wisdom, Peale and Mignard (1984), Wilson and Vicente (1990). From the core it takes exact motions and estimates.
+Wisdom, Peale and Mignard (1984), Wilson and Vicente (1990). From the core it takes free bodies (``exact``), the Kepler
+orbit (``systems``), ``simulation``, and estimates with their noise (``estimation``).
 """
 
 import lazy_loader

@@ -1,8 +1,9 @@
 """Is another engine right: tables of hard motions, and verdicts on what an engine computed of them.
 
 It answers of which order a physics engine's method is, what its energy and momentum do, and which known mistake
-explains its errors, from its states in a file or from its step in Python. The motions are those of free bodies, exact
-to rounding. From the core it takes closed forms; from the application reports and figures.
+explains its errors, from its states in a file or from its step in Python. Judged are free bodies; the tables have
+Lagrange tops too, exact to rounding. Sources: Richardson (1927) and Roache (1994) on observed orders. From the core it
+takes closed forms (``exact``) and ``rotation``; from the application reports and a figure.
 """
 
 import lazy_loader

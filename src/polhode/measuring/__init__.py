@@ -2,8 +2,8 @@
 
 It answers which moments of inertia and principal axes explain a phone's gyro log, a recorded attitude or the periods
 of a swinging body, each with its covariance, and says what the model leaves unexplained. Sources: Kane and Tseng (1967)
-and Jardin and Mueller (2009) on pendulums, MacKay (1992) on unmodelled torques. From the core it takes exact
-motions and estimates.
+and Jardin and Mueller (2009) on pendulums, MacKay (1992) on unmodelled torques. From the core it takes free bodies
+(``exact``), estimates (``estimation``) and tests of residuals (``special``).
 """
 
 import lazy_loader

@@ -1,8 +1,9 @@
 """A disk that rolls on a table: Euler's disk, from its wobble to the sudden end.
 
 It answers how fast a coin rolls steadily and whether that is stable, how its path bends, and how its motion ends under
-each of five ways of losing energy. The mechanics are those of Appell (1900) and O'Reilly (1996), the losses those of
-Moffatt (2000), Bildsten (2002) and Leine (2009). From the core it takes rotations, integrators and certificates.
+each of six ways of losing energy. The mechanics are those of Appell (1900) and O'Reilly (1996), the losses those of
+Moffatt (2000), Bildsten (2002) and Leine (2009) beside the classical couple. From the core it takes ``integrators`` and
+``simulation``, Legendre functions (``special``) and verdicts on steady motions (``analysis``).
 """
 
 import lazy_loader

@@ -1,8 +1,9 @@
 """Spacecraft: rigid bodies with wheels, gyroscopes, moving parts, torques and control, and files of their attitude.
 
 It answers how a satellite turns under what is mounted in it and what acts on it, when dissipation makes its spin flat,
-and how two attitude histories differ. Sources: Hughes (1986), Wertz (1978), the CCSDS books 504.0 and 500.0, and the
-SPICE documents. From the core it takes the bracket of so(3), free bodies and integrators.
+and how two attitude histories differ. Sources: Hughes (1986), Wertz (1978), the CCSDS books 504.0 and 505.0, and NAIF's
+documents on SPICE. From the core it takes ``bodies``, trajectories (``motion``), the Kepler orbit and the double
+bracket (``systems``), ``simulation`` and verdicts on stability (``analysis``).
 """
 
 import lazy_loader

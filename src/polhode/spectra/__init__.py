@@ -1,8 +1,9 @@
 """Quantum rotors: spins and molecules, the quantised orbits of so(3)*.
 
 It answers at which energies a molecule rotates and which lines it has, fits its constants to measured lines, and shows
-the flip of a racket as a wave packet. Hamiltonians are Watson's (1977), spherical tensors those of Varshalovich et al.
-(1988), files those of Pickett's SPFIT and SPCAT (1991). From the core it takes moments, polhodes and exact motions.
+the flip of a racket as a wave packet. Sources: Watson (1977) on reduced operators, Varshalovich, Moskalev and
+Khersonskii (1988) on spherical tensors, Pickett (1991) on the files of SPFIT and SPCAT. From the core it takes moments
+(``bodies``), polhodes (``analysis``) and free bodies (``exact``).
 """
 
 import lazy_loader

@@ -1,7 +1,7 @@
 """Functions on the sphere that represent operators on a spin: Weyl's (Wigner's), Q and P.
 
 Source: Stratonovich, Sov. Phys. JETP 4 (1957) 891; Várilly & Gracia-Bondía, Ann. Phys. 190 (1989) 107; Varshalovich,
-Moskalev & Khersonskii, *Quantum Theory of Angular Momentum*, §2.4, for the tensors.
+Moskalev & Khersonskii, *Quantum Theory of Angular Momentum* (1988), §2.4, for the tensors.
 """
 
 from __future__ import annotations

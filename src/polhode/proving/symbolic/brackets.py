@@ -1,7 +1,7 @@
 """Lie–Poisson brackets of SymPy expressions, for any algebra or table of structure constants.
 
 {F, G} = sign · Σ c_ijk x_k ∂F/∂x_i ∂G/∂x_j in the coordinates x_k = ⟨μ, e_k⟩; minus (left-invariant) is the default,
-and Ḟ = {F, H}. Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, §10.1 and §13.1.
+and Ḟ = {F, H}. Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry* (1999), §10.1 and §13.1.
 """
 
 from __future__ import annotations
