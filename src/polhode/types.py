@@ -23,6 +23,10 @@ if TYPE_CHECKING:
     ArrayOrFloat = Any
     FloatOrArray = float | Array
     from typing import Self as Self
+
+    from typing_extensions import TypeVar
+
+    Answer = TypeVar("Answer", bound=FloatOrArray, default=FloatOrArray, covariant=True)
 else:
     Self = Any  # which beartype takes on methods of classes alone that it decorates itself
     Array = Any
@@ -35,6 +39,10 @@ else:
     """An array, or one float of Python's, as elementwise functions take it."""
     FloatOrArray = Any | float
     """What a motion answers: a float of one known body, an array of a batch or of traced numbers."""
+    from typing import TypeVar
+
+    Answer = TypeVar("Answer", bound=FloatOrArray, covariant=True)
+    """The same where the arguments tell a type checker which of them it is: three plain numbers are of one body."""
 
 ArrayLike = Any
 """What a function makes an array of: an array, a number, or nested lists or tuples of these."""

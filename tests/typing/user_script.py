@@ -22,11 +22,25 @@ assert_type(attitude, Array)
 assert_type(momentum, Array)
 assert_type(momentum.shape, Any | tuple[int, ...])
 speed = float(np.linalg.norm(motion.angular_velocity(1.0)))
-assert_type(motion.energy, float | Array)
-assert_type(motion.period, float | Array | None)
-assert_type(motion.tumbling_periods, tuple[float | Array | None, float | Array | None])
+assert_type(motion.energy, float)  # of one body; the period is None where none is defined
+assert_type(motion.period, float | None)
+assert_type(motion.along("given").tumbling_periods, tuple[float | None, float | None])
 assert_type(motion.regime, str | Array)
 assert_type(motion.encircled_axis, int | Array | None)
+if motion.period is not None:
+    print(f"{motion.period:.3f} s", round(motion.energy, 3))
+many = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((5, 3)))
+assert_type(many.energy, float | Array)
+assert_type(many.period, float | Array | None)
+assert_type(ph.FreeMotion((1.0, 2.0, 3.0), momentum=[[0.3, 1.8, 1.5]]).energy, float | Array)
+
+
+def turns(motion: ph.FreeMotion) -> None:
+    """What takes any motion takes one body's, and says nothing of the rest."""
+    assert_type(motion.period, float | Array | None)
+
+
+turns(motion)
 trajectory = motion.sample(times)
 assert_type(trajectory, Trajectory)
 assert_type(trajectory.times, Array)
@@ -49,14 +63,18 @@ assert_type(body.mass, float | None)
 assert_type(body.principal_moments, Array)
 assert_type(body.moments, Array)
 both = ph.combine([body, ph.shapes.box(1.0, (0.1, 0.2, 0.3))])
-assert_type(ph.FreeMotion.from_body(both, angular_velocity=(0.0, 1.0, 0.01)), ph.FreeMotion)
+assert_type(ph.FreeMotion.from_body(both, angular_velocity=(0.0, 1.0, 0.01)), ph.FreeMotion[float])
+assert_type(ph.FreeMotion.from_body(both, angular_velocity=np.ones((5, 3))), ph.FreeMotion)
 
 # a top
 top = ph.LagrangeMotion(moments=(1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, 2.5), attitude=(0.75**0.5, 0.5, 0.0, 0.0))
 assert_type(top.rotation_matrix(times), Array)
-assert_type(top.energy, float | Array)
-assert_type(top.nutation_limits, tuple[float | Array | None, float | Array | None])
-assert_type(top.nutation_period, float | Array | None)
+assert_type(top.energy, float)
+assert_type(top.nutation_limits, tuple[float | None, float | None])
+assert_type(top.nutation_period, float | None)
+assert_type(ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=np.ones(4), momentum=(0.0, 0.0, 2.5)).energy, float | Array)
+on_its_point = ph.LagrangeMotion.from_body(ph.shapes.cone(0.1, 0.03, 0.05), pivot=(0.0, 0.0, 0.03), momentum=(0, 0, 1))
+assert_type(on_its_point.precession_per_period, float | None)
 assert_type(top.regime, str | Array)
 
 # a system

@@ -219,12 +219,12 @@ def checked_sample_times(xp: Any, times: Real[ArrayLike, "time"]) -> Float64[Arr
     return times
 
 
-def plain_number(value: Float64[ArrayOrFloat, "*batch"]) -> Float64[FloatOrArray, "*batch"]:
+def plain_number(value: Float64[ArrayOrFloat, "*batch"]) -> Float64[ArrayOrFloat, "*batch"]:
     """Return a float for one concrete body; the array as it is otherwise."""
     return value if np.ndim(value) or is_traced(value) else float(value)
 
 
-def plain_answer(value: Float64[ArrayOrFloat, "*batch"]) -> Float64[FloatOrArray, "*batch"] | None:
+def plain_answer(value: Float64[ArrayOrFloat, "*batch"]) -> Float64[ArrayOrFloat, "*batch"] | None:
     """Return a float for one concrete body, None where it is undefined; the array as it is otherwise."""
     number = plain_number(value)
     return None if isinstance(number, float) and math.isnan(number) else number

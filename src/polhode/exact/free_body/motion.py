@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Generic, overload
 
 import numpy as np
 
@@ -26,7 +27,7 @@ from polhode.motion._inputs import (
 from polhode.motion._invariants import norm
 from polhode.motion._layout import ENERGY, MOMENTUM_NORM, MOMENTUM_SPACE, Quantity
 from polhode.motion.base import AbstractMotion
-from polhode.types import Array, ArrayLike, Float64, FloatOrArray, Integer, Real
+from polhode.types import Answer, Array, ArrayLike, Float64, Integer, Real
 
 Spin = Real[ArrayLike, "*#batch 3"] | None
 Attitude = Real[ArrayLike, "*#batch 4"]
@@ -39,7 +40,7 @@ def _of_unit_length(attitude: Array) -> Array:
 
 
 @dataclass(frozen=True, eq=False, init=False)
-class FreeMotion(AbstractMotion):
+class FreeMotion(AbstractMotion, Generic[Answer]):
     """Torque-free motion of rigid bodies in closed form: dL/dt = L × Ω, L = IΩ, dR/dt = R hat(Ω).
 
     The attitude quaternion is evaluated as a quotient of theta functions whose phases are kept in double-double, so
@@ -85,6 +86,18 @@ class FreeMotion(AbstractMotion):
     page_solver: ClassVar[str] = "FreeMotion"
     title: ClassVar[str] = "Free motion"
 
+    @overload
+    def __init__(
+        self: FreeMotion[float], moments: Sequence[float], *, momentum: Sequence[float] | None = None,
+        angular_velocity: Sequence[float] | None = None, attitude: Sequence[float] | None = None, epoch: float = 0.0,
+        momentum_at_epoch: Sequence[float] | None = None, attitude_at_epoch: Sequence[float] | None = None,
+    ) -> None: ...  # fmt: skip
+    @overload
+    def __init__(
+        self, moments: Real[ArrayLike, "*#batch 3"], *, momentum: Spin = None,
+        angular_velocity: Spin = None, attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
+        momentum_at_epoch: Spin = None, attitude_at_epoch: Attitude | None = None, axes: Axes | None = None,
+    ) -> None: ...  # fmt: skip
     def __init__(
         self, moments: Real[ArrayLike, "*#batch 3"], *, momentum: Spin = None, angular_velocity: Spin = None,
         attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
@@ -94,6 +107,19 @@ class FreeMotion(AbstractMotion):
         attitude = one_of("attitude", attitude, attitude_at_epoch)
         super().__init__(moments, {}, momentum, attitude, epoch, angular_velocity, axes)
 
+    @overload
+    @classmethod
+    def from_body(
+        cls, body: Body, *, angular_velocity: Sequence[float] | None = None,
+        momentum: Sequence[float] | None = None, attitude: Sequence[float] | None = None,
+        epoch: float = 0.0,
+    ) -> FreeMotion[float]: ...  # fmt: skip
+    @overload
+    @classmethod
+    def from_body(
+        cls, body: Body, *, angular_velocity: Spin = None, momentum: Spin = None,
+        attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
+    ) -> FreeMotion: ...  # fmt: skip
     @classmethod
     def from_body(
         cls,
@@ -176,7 +202,7 @@ class FreeMotion(AbstractMotion):
         return evaluation.characteristics(self.moments, self._principal[0])
 
     @property
-    def energy(self) -> Float64[FloatOrArray, "*batch"]:
+    def energy(self) -> Float64[Answer, "*batch"]:
         """Kinetic energy E = Σ L_i²/2I_i [J]."""
         momentum = self._principal[0]
         xp = namespace(self.moments, momentum)
@@ -185,7 +211,7 @@ class FreeMotion(AbstractMotion):
         return plain_number(energy)
 
     @property
-    def momentum_norm(self) -> Float64[FloatOrArray, "*batch"]:
+    def momentum_norm(self) -> Float64[Answer, "*batch"]:
         """|L| [kg m²/s], the Casimir's root."""
         return plain_number(self._size)
 
@@ -207,17 +233,17 @@ class FreeMotion(AbstractMotion):
         return axis if np.ndim(axis) or is_traced(axis) else (int(axis) if axis >= 0 else None)
 
     @property
-    def modulus(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def modulus(self) -> Float64[Answer, "*batch"] | None:
         """Modulus k of the elliptic functions, k² = AP/BQ."""
         return plain_answer(self._numbers.modulus)
 
     @property
-    def period(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def period(self) -> Float64[Answer, "*batch"] | None:
         """Polhode period T = 4K/λ [s], after which L is back along the body's axes."""
         return plain_answer(self._numbers.period)
 
     @property
-    def flip_interval(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def flip_interval(self) -> Float64[Answer, "*batch"] | None:
         """T/2 [s]: from one reversal of L along the intermediate axis to the next; none for a symmetric body.
 
         L of a body that only cones swings so too; ``analysis.cone.rotation_form`` tells which body turns over.
@@ -227,40 +253,40 @@ class FreeMotion(AbstractMotion):
         return plain_answer(xp.where(symmetric, math.nan, 0.5 * self._numbers.period))
 
     @property
-    def precession_rate(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def precession_rate(self) -> Float64[Answer, "*batch"] | None:
         """Mean rate ω at which the encircled axis turns about L, in space [rad/s], positive along L."""
         return plain_answer(self._numbers.precession_rate)
 
     @property
-    def precession_per_period(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def precession_per_period(self) -> Float64[Answer, "*batch"] | None:
         """ωT [rad]: azimuth about L gained by the encircled axis in a period, unreduced, positive."""
         return plain_answer(self._numbers.precession_per_period)
 
     @property
-    def solid_angle(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def solid_angle(self) -> Float64[Answer, "*batch"] | None:
         """Solid angle Ω ∈ [0, 2π) of the cap that the polhode cuts off about the encircled axis [sr]."""
         return plain_answer(self._numbers.solid_angle)
 
     @property
-    def geometric_phase(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def geometric_phase(self) -> Float64[Answer, "*batch"] | None:
         """−Ω (short-axis mode) or +Ω (long-axis mode) [rad]; with 2ET/|L| it makes ωT, up to 2π (Montgomery 1991)."""
         xp = namespace(self._numbers.period)
         sense = xp.where(self._encircles_smallest(), 1.0, -1.0)
         return plain_answer(sense * self._numbers.solid_angle)
 
     @property
-    def action(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def action(self) -> Float64[Answer, "*batch"] | None:
         """|L| Ω/2π [J s]: the area of the cap on the momentum sphere over 2π|L|."""
         return plain_answer(self._size * self._numbers.solid_angle / (2.0 * math.pi))
 
     @property
-    def tumbling_periods(self) -> tuple[Float64[FloatOrArray, "*batch"] | None, Float64[FloatOrArray, "*batch"] | None]:
+    def tumbling_periods(self) -> tuple[Float64[Answer, "*batch"] | None, Float64[Answer, "*batch"] | None]:
         """(P_φ, P_ψ) = (2π/ω, T) [s], the convention of asteroid observers in either mode."""
         with np.errstate(over="ignore", divide="ignore"):  # slower than numbers go: infinite
             return plain_answer(2.0 * math.pi / self._numbers.precession_rate), self.period
 
     @property
-    def long_axis_period(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def long_axis_period(self) -> Float64[Answer, "*batch"] | None:
         """P1 [s]: mean period of the axis of least inertia about L; 1/P1 = 1/P_φ − 1/P_ψ where L does not circle it."""
         xp = namespace(self._numbers.period)
         with np.errstate(over="ignore", divide="ignore"):  # slower than numbers go: infinite

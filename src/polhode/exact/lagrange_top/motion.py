@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Generic, overload
 
 import numpy as np
 
@@ -29,7 +30,7 @@ from polhode.motion._inputs import (
 from polhode.motion._invariants import norm
 from polhode.motion._layout import ENERGY, Quantity
 from polhode.motion.base import AbstractMotion
-from polhode.types import Array, ArrayLike, Float64, FloatOrArray, Integer, Real
+from polhode.types import Answer, Array, ArrayLike, Float64, Integer, Real
 
 Spin = Real[ArrayLike, "*#batch 3"] | None
 Attitude = Real[ArrayLike, "*#batch 4"]
@@ -37,7 +38,7 @@ Axes = Real[ArrayLike, "*#batch 3 3"]
 
 
 @dataclass(frozen=True, eq=False, init=False)
-class LagrangeMotion(AbstractMotion):
+class LagrangeMotion(AbstractMotion, Generic[Answer]):
     """Heavy symmetric tops in closed form: H = ½ L·I⁻¹L + mgl cos θ, dL/dt = L × Ω + mgl Γ × e3, dR/dt = R hat(Ω).
 
     θ is the tilt of the body's third axis from the vertical, space z, up; Γ = Rᵀe_z. The Cayley–Klein parameters are
@@ -88,6 +89,18 @@ class LagrangeMotion(AbstractMotion):
     body_numbers: ClassVar[tuple[str, ...]] = ("mgl",)
     mgl: Float64[Array, "*batch"]
 
+    @overload
+    def __init__(
+        self: LagrangeMotion[float], moments: Sequence[float], *, mgl: float, momentum: Sequence[float] | None = None,
+        angular_velocity: Sequence[float] | None = None, attitude: Sequence[float] | None = None, epoch: float = 0.0,
+        momentum_at_epoch: Sequence[float] | None = None, attitude_at_epoch: Sequence[float] | None = None,
+    ) -> None: ...  # fmt: skip
+    @overload
+    def __init__(
+        self, moments: Real[ArrayLike, "*#batch 3"], *, mgl: Real[ArrayLike, "*#batch"], momentum: Spin = None,
+        angular_velocity: Spin = None, attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
+        momentum_at_epoch: Spin = None, attitude_at_epoch: Attitude | None = None, axes: Axes | None = None,
+    ) -> None: ...  # fmt: skip
     def __init__(
         self, moments: Real[ArrayLike, "*#batch 3"], *, mgl: Real[ArrayLike, "*#batch"], momentum: Spin = None,
         angular_velocity: Spin = None, attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
@@ -97,6 +110,19 @@ class LagrangeMotion(AbstractMotion):
         attitude = one_of("attitude", attitude, attitude_at_epoch)
         super().__init__(moments, {"mgl": mgl}, momentum, attitude, epoch, angular_velocity, axes)
 
+    @overload
+    @classmethod
+    def from_body(
+        cls, body: Body, *, pivot: Real[ArrayLike, "3"], angular_velocity: Sequence[float] | None = None,
+        momentum: Sequence[float] | None = None, attitude: Sequence[float] | None = None,
+        epoch: float = 0.0, gravity: float = STANDARD_GRAVITY,
+    ) -> LagrangeMotion[float]: ...  # fmt: skip
+    @overload
+    @classmethod
+    def from_body(
+        cls, body: Body, *, pivot: Real[ArrayLike, "3"], angular_velocity: Spin = None, momentum: Spin = None,
+        attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0, gravity: float = STANDARD_GRAVITY,
+    ) -> LagrangeMotion: ...  # fmt: skip
     @classmethod
     def from_body(
         cls,
@@ -217,7 +243,7 @@ class LagrangeMotion(AbstractMotion):
         return evaluation.characteristics(self._arguments)
 
     @property
-    def energy(self) -> Float64[FloatOrArray, "*batch"]:
+    def energy(self) -> Float64[Answer, "*batch"]:
         """Energy ½ L·I⁻¹L + mgl cos θ [J]; zero potential is the axis level with the pivot."""
         momentum, attitude = self._principal
         xp = namespace(self.moments, momentum)
@@ -225,14 +251,14 @@ class LagrangeMotion(AbstractMotion):
         return plain_number(kinetic + self.mgl * _vertical(xp, attitude))
 
     @property
-    def vertical_momentum(self) -> Float64[FloatOrArray, "*batch"]:
+    def vertical_momentum(self) -> Float64[Answer, "*batch"]:
         """p_φ = (R L)_z [kg m²/s], kept because the vertical is a symmetry of the weight."""
         momentum, attitude = self._principal
         xp = namespace(attitude, momentum)
         return plain_number(rotation.rotate(attitude / norm(xp, attitude)[..., None], momentum)[..., 2])
 
     @property
-    def axial_momentum(self) -> Float64[FloatOrArray, "*batch"]:
+    def axial_momentum(self) -> Float64[Answer, "*batch"]:
         """p_ψ = L3 = I3 ω3 [kg m²/s], kept because the axis is a symmetry of the body."""
         return plain_number(self._principal[0][..., 2])
 
@@ -248,32 +274,32 @@ class LagrangeMotion(AbstractMotion):
         return named_code(self._numbers.regime, geometry.REGIMES)
 
     @property
-    def nutation_limits(self) -> tuple[Float64[FloatOrArray, "*batch"] | None, Float64[FloatOrArray, "*batch"] | None]:
+    def nutation_limits(self) -> tuple[Float64[Answer, "*batch"] | None, Float64[Answer, "*batch"] | None]:
         """(min, max) of cos θ."""
         return plain_answer(self._numbers.lowest), plain_answer(self._numbers.highest)
 
     @property
-    def nutation_period(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def nutation_period(self) -> Float64[Answer, "*batch"] | None:
         """T [s]: the tilt's period; of a steady top, that of its smallest nutations."""
         return plain_answer(self._numbers.period)
 
     @property
-    def precession_per_period(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def precession_per_period(self) -> Float64[Answer, "*batch"] | None:
         """Δφ [rad]: azimuth gained by the axis in a period, unreduced; half a turn where it passes a vertical."""
         return plain_answer(self._numbers.precession_per_period)
 
     @property
-    def spin_per_period(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def spin_per_period(self) -> Float64[Answer, "*batch"] | None:
         """Δψ [rad]: turn of the body about its axis in a period, from the line of nodes, unreduced."""
         return plain_answer(self._numbers.spin_per_period)
 
     @property
-    def precession_rate(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def precession_rate(self) -> Float64[Answer, "*batch"] | None:
         """Mean rate of the azimuth Δφ/T [rad/s]."""
         return plain_answer(self._numbers.precession_rate)
 
     @property
-    def spin_rate(self) -> Float64[FloatOrArray, "*batch"] | None:
+    def spin_rate(self) -> Float64[Answer, "*batch"] | None:
         """Mean rate of the body's own turn Δψ/T [rad/s]; ω3 is this plus the precession's share along the axis."""
         return plain_answer(self._numbers.spin_rate)
 
