@@ -19,13 +19,14 @@ def grouped(function: Callable[..., None]) -> Callable[..., None]:
     groups: dict[str, Any] = {}
     for parameter in inspect.signature(function).parameters.values():
         kind: Any = hints[parameter.name]
-        if not (isinstance(kind, type) and issubclass(kind, tuple) and hasattr(kind, "_fields")):
+        fields = getattr(kind, "_fields", None) if isinstance(kind, type) else None
+        if fields is None:
             parameters.append(parameter.replace(annotation=kind))
             continue
         groups[parameter.name] = kind
-        options = get_type_hints(kind, include_extras=True)
-        parameters += [inspect.Parameter(name, parameter.kind, default=kind._field_defaults[name],
-                                         annotation=options[name]) for name in kind._fields]  # fmt: skip
+        options, defaults = get_type_hints(kind, include_extras=True), kind._field_defaults
+        parameters += [inspect.Parameter(name, parameter.kind, default=defaults[name], annotation=options[name])
+                       for name in fields]  # fmt: skip
 
     @functools.wraps(function)
     def command(**given: Any) -> None:
