@@ -4,6 +4,7 @@ import sys
 from fractions import Fraction
 
 import jax.numpy as jnp
+import jaxtyping
 import numpy as np
 import pytest
 
@@ -264,7 +265,8 @@ def test_names_stand_in_what_a_run_keeps_and_a_certificate_says():
         (OWN, ["charge", "energy"], 'from "energy"'),
     ],
 )
-def test_names_that_do_not_fit_are_refused(casimirs, names, words):
+def test_names_that_do_not_fit_are_refused(casimirs, names, words, monkeypatch):
+    monkeypatch.setattr(jaxtyping.config, "jaxtyping_disable", True)
     with pytest.raises(InvalidInput, match=words):
         lie.from_structure_constants(ENGEL, casimirs=casimirs, names=names)
 

@@ -72,7 +72,8 @@ def test_ten_kinds_have_answers_without_motion():
     assert len([name for name in OWN if find_kind(name)._find("answers", "answers_without_motion")]) == 10
 
 
-def test_a_kind_that_derives_from_another_has_its_files():
+def test_a_kind_that_derives_from_another_has_its_files(monkeypatch):
+    monkeypatch.setattr(jaxtyping.config, "jaxtyping_disable", True)
     heir = type("Heir", (type(find_kind("gyrostat")),), {"__module__": "elsewhere"})()
     assert heir.figures() is find_kind("gyrostat").figures() and heir.panel() is find_kind("gyrostat").panel()
     alone = type("Alone", (AbstractKind,), {"__module__": "elsewhere", "name": "alone"})()

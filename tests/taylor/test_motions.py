@@ -259,7 +259,7 @@ def test_what_has_no_recurrence_is_refused():
 def test_what_goes_with_other_methods_is_refused():
     with pytest.raises(InvalidInput, match="start over"):
         ph.simulate(BODY, START, [0.0, 1.0], Taylor, resumable=True)
-    with pytest.raises(InvalidInput, match="has its own"):
+    with pytest.raises(InvalidInput, match="already has one"):
         ph.simulate(BODY, START, [0.0, 1.0], Taylor(12), order=8)
     found = ph.simulate(BODY, START, [0.0, 1.0], Taylor, order=8, step=0.1)
     assert found.statistics["steps"] >= 10
