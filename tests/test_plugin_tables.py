@@ -73,6 +73,37 @@ def test_what_is_told_of_formats_is_so():
         assert set(line) <= {"name", "ending", "writes", "heads", "names"}, name
 
 
+HEADS = {
+    "acm": b"CCSDS_ACM_VERS = 2.0\n", "aem": b'<?xml version="1.0"?><aem id="CCSDS_AEM_VERS" version="2.0">',
+    "apm": b"CCSDS_APM_VERS = 2.0\n", "ardupilot": b"timestamp,ATT.TimeUS,ATT.DESROLL,ATT.Roll,ATT.Pitch,ATT.Yaw\n",
+    "basilisk": b"time,Sigma_bn_1,Sigma_bn_2,Sigma_bn_3\n", "ck": b"DAF/CK  \2\0\0\0",
+    "csv": b'"time [s]",qw,qx,qy,qz\n',
+    "gmat": b"Sat.ElapsedSecs    Sat.Q1    Sat.Q2    Sat.Q3    Sat.Q4\n", "netcdf": b"\x89HDF\r\n\x1a\n",
+    "px4": b"TIMESTAMP,q[0],q[1],q[2],q[3]\n",
+    "ros": b"%time,field.Orientation.x,field.orientation.y,field.orientation.z,field.orientation.w\n",
+    "stk": b"\n STK.v.12.0\nBEGIN   Attitude\n",
+}  # fmt: skip
+"""What a file of each format may begin with, in letters that differ from those of the table."""
+MORE_HEADS = [
+    ("ck", b"NAIF/DAF\2\0\0\0"), ("gmat", b"Sat.UTCGregorian  Sat.Q1  Sat.Q2  Sat.Q3  Sat.Q4\n"),
+    ("gmat", b"Sat.TAIModJulian  Sat.Q1  Sat.Q2  Sat.Q3  Sat.Q4\n"), (None, b"a,b,c\n1,2,3\n"), (None, b"SIMPLE  = T"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "head"), [*HEADS.items(), *MORE_HEADS])
+def test_a_file_is_recognised_as_if_all_formats_were_asked(name, head):
+    """Of a C-kernel of the older head the table said nothing, and it was no file that can be read."""
+    every = (form for form in form_registry.forms().values() if form.begins is not None)
+    first = next((form for form in every if form.begins(head)), None)
+    form = form_registry.form_that_begins(head)
+    assert form is first and (None if form is None else form.name) == name
+
+
+def test_each_head_in_the_tables_has_a_specimen():
+    told = wing_details("polhode.formats")
+    assert {line.get("name", name) for name, line in told.items() if "heads" in line} == HEADS.keys()
+
+
 def test_a_format_that_is_told_nothing_of_is_asked(monkeypatch):
     """So that a module can be dropped into the folder, before its line is written."""
     asked = {"polhode.formats": {}}

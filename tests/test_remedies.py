@@ -61,7 +61,8 @@ FROM = {
     "spec/places.py": "body",
 }  # fmt: skip
 DECLARED = ("cli/commands/application.py", "cli/commands/specs.py", "cli/commands/records.py",
-            "proving/commands.py", "spectra/options.py", "cli/source_options.py", "cli/fit_options.py",
+            "proving/commands.py", "spectra/options.py", "cli/source_options.py", "cli/column_options.py",
+            "cli/fit_options.py",
             "cli/naming.py", "celestial/commands.py", "celestial/tumbling/options.py", "course/commands.py",
             "judging/commands.py", "sweeps/commands.py")
 """Where options are declared, with help that speaks of several commands."""

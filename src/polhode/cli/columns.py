@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from polhode.cli.source_options import ColumnOptions
+from polhode.cli.column_options import ColumnOptions
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.column_mapping import ColumnMapping, make_mapping
 from polhode.spec.parsing import read_tables

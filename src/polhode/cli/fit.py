@@ -8,10 +8,10 @@ from pathlib import Path
 
 import typer
 
+from polhode.cli.column_options import ColumnOptions
 from polhode.cli.columns import table_to_import
 from polhode.cli.destinations import check_spares
 from polhode.cli.publish import NOT_DETERMINED, publish
-from polhode.cli.source_options import ColumnOptions
 from polhode.cli.terminal import say_if_long
 from polhode.studies.fit import fit_files
 from polhode.studies.fit_request import FitOptions

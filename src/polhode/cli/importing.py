@@ -9,10 +9,10 @@ import numpy as np
 
 from polhode import rotation
 from polhode.analysis._mechanics import Mechanics, invariants_along
+from polhode.cli.column_options import ColumnOptions
 from polhode.cli.columns import table_to_import
 from polhode.cli.destinations import check_spares
 from polhode.cli.publish import publish
-from polhode.cli.source_options import ColumnOptions
 from polhode.errors import InvalidInput, one_line
 from polhode.formats.form import Kernels
 from polhode.formats.form_registry import find_form, forms_that_end

@@ -78,7 +78,7 @@ def _spell_columns(value: str | None, known: dict[str, Any], context: Any) -> st
     words = None if value is None else _read_value(value)
     if isinstance(words, dict) and words.keys() <= known.keys():
         return " ".join(_spell(known[name], repr(word), context) for name, word in words.items())
-    from polhode.cli.source_options import ColumnOptions
+    from polhode.cli.column_options import ColumnOptions
 
     given = [name for name in ColumnOptions._fields if context.params.get(name) is not None]
     return ", ".join(known[name].opts[0] for name in given or ["mapping"])

@@ -7,9 +7,10 @@ from typing import Annotated
 
 import typer
 
+from polhode.cli.column_options import ColumnOptions
 from polhode.cli.commands.application import AsJson, BodySpec
 from polhode.cli.grouped_options import grouped
-from polhode.cli.source_options import AlignClock, ClockOffset, ColumnOptions, KernelOptions
+from polhode.cli.source_options import AlignClock, ClockOffset, KernelOptions
 
 
 @grouped

@@ -9,9 +9,10 @@ import typer
 
 from polhode.cli import fit_options as options
 from polhode.cli.arguments import StrictCommand
+from polhode.cli.column_options import ColumnOptions
 from polhode.cli.commands.application import AsJson, BodySpec, SpecPath, app
 from polhode.cli.grouped_options import grouped
-from polhode.cli.source_options import ColumnOptions, KernelOptions
+from polhode.cli.source_options import KernelOptions
 from polhode.formats.form_registry import writable_names
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from polhode.cli.column_options import ColumnOptions
 from polhode.cli.columns import tables_to_compare
 from polhode.cli.naming import as_options
 from polhode.cli.publish import publish
-from polhode.cli.source_options import ColumnOptions
 from polhode.formats.form import Kernels
 from polhode.spacecraft.comparing.clocks import parse_clocks
 from polhode.spacecraft.comparing.study import compare_files
