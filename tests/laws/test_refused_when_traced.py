@@ -218,6 +218,7 @@ REFUSED = {
     "rotational_temperature": (THREE, analysis.rotational_temperature),
     "Body.from_rotational_constants": (2.0, lambda x: ph.Body.from_rotational_constants(x, 2.0, 1.5)),
     "steady_precession_of": (THREE, lambda x: analysis.steady_precession_of(swinging(x))),
+    "EulerDisk.steady_motion": (np.r_[1.0, np.zeros(7)], DISK.steady_motion),
     "EulerDisk.state": (0.3, lambda x: DISK.state(x, 0.0, 1.0, 1.0)),
     "steady_rolling": (0.3, lambda x: rolling.steady_rolling(DISK, x)),
     "fastest_rolling_rate": (ROLLING, lambda x: rolling.fastest_rolling_rate(DISK, x)),
