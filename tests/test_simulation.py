@@ -52,7 +52,7 @@ def test_defaults_go_with_the_system():
     pair = systems.LiePoisson(lie.Power(lie.SO3(), 2), spins)
     eight = systems.LiePoisson(lie.SU(3), in_su3)
     line = systems.LiePoisson(lie.AffineLine(), lambda m: jnp.sum(m**2))
-    from polhode.solving import orbit_solver
+    from polhode.integrators._choice import orbit_solver
 
     for system, wanted in ((body, Splitting), (pair, SphericalMidpoint), (eight, LieMidpoint), (line, LieMidpoint)):
         assert type(orbit_solver(system, None, None)) is wanted

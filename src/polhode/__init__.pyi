@@ -42,7 +42,9 @@ from .kinds.page import write_page as write_page
 from .kinds.plotting import plot as plot
 from .kinds.reading import read_spec as read_spec
 from .kinds.reading import report as report
+from .motion._plan import MotionPlan as MotionPlan
 from .motion._trajectory import Trajectory as Trajectory
+from .planning import plan as plan
 from .proving.enclosures.certification import certify as certify
 from .simulation import simulate as simulate
 from .solving import Fold as Fold

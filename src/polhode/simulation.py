@@ -6,63 +6,37 @@ import sys
 import warnings
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
-import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 
-from polhode import integrators
-from polhode._base.arrays import is_positive, known_numbers_only
-from polhode.errors import InvalidInput, NotConverged, shown
+from polhode._base.arrays import known_numbers_only
+from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
-from polhode.integrators._difference import EPS
-from polhode.integrators._series import (
-    NoSeries,
-    Taylor,
-    goes_by_arrays,
-    has_short_series,
-    is_series,
-    series_to_tolerance,
-    solve_by_series,
-    solve_with_error,
-)
-from polhode.integrators.probing import find_undeclared_jumps, jumps_along, jumps_between, name_jumps
+from polhode.integrators._series import NoSeries, series_to_tolerance, solve_by_series, solve_with_error
+from polhode.integrators.probing import jumps_along, jumps_between, name_jumps
 from polhode.motion._outcome import Ending, Ends, Outcome, Status
+from polhode.motion._plan import MotionPlan, Stepping
 from polhode.motion._trajectory import Trajectory
-from polhode.solving import (
-    adaptive_solver,
-    check_every,
-    goes_along_orbit,
-    is_adaptive,
-    orbit_solver,
-    restore_memory,
-    step_angle,
-    turning_rates,
+from polhode.planning import (
+    ARRAYS,
+    NUMBERS,
+    Method,
+    Prepared,
+    Request,
+    check_request,
+    prepare,
+    prepare_without_series,
+    without_warnings,
 )
-from polhode.systems._agreement import check_agreement, moves_by_generator
-from polhode.systems._checks import advancing_times
-from polhode.systems._forms import check_finite_rates, refuse_other_objects
-from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
+from polhode.solving import restore_memory
+from polhode.systems._forms import check_finite_rates
+from polhode.systems.base import AbstractSystem
 from polhode.systems.trajectories import make_trajectory
+from polhode.taylor.runs import choose_precision
 from polhode.types import Array, ArrayLike, Bool, Real
-
-
-class _Asked(NamedTuple):
-    """The options of ``simulate`` besides system, state, times and method."""
-
-    step: float | None
-    order: int | None
-    progress: Any
-    throw: bool
-    tolerance: float | None
-    estimate_error: bool
-    every: int
-    resumable: bool
-    memory: Sequence[Array] | None
-
 
 TOO_LONG = 1.0  # rad in a step from which a given step draws a warning
 PASSED = 0.1  # error of a motion whose series end at a singularity, above which it has not gone past that
@@ -74,7 +48,7 @@ def simulate(
     system: AbstractSystem,
     state: Real[ArrayLike, "..."],
     times: Real[ArrayLike, "time"],
-    method: type[integrators.AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver[Any] | Taylor | None = None,
+    method: Method = None,
     step: float | None = None,
     order: int | None = None,
     progress: bool | Any | None = None,
@@ -87,11 +61,12 @@ def simulate(
 ) -> Trajectory:
     """Return the motion of a system from a state at the first time, sampled at all times.
 
-    Methods of ours but ``Taylor`` take equal steps from each time to the next, so that samples are steps. ``Taylor``
-    and diffrax's solvers step adaptively, the latter with tolerance 1e-12, and end where one of the system's events
-    does: the last sample is then the event's own, and ``outcome`` names it. Each copy of a batch ends at its own event:
-    its samples from there on are infinite, and ``ends`` has time and state of its end. ``polhode.solve`` makes the same
-    runs but Taylor's as a pure function, and can save functions of the states instead of the states.
+    The motion goes by a plan, which ``polhode.plan`` tells beforehand and ``Trajectory.plan`` keeps. Methods of ours
+    but ``Taylor`` take equal steps from each time to the next, so that samples are steps. ``Taylor`` and diffrax's
+    solvers step adaptively, the latter with tolerance 1e-12, and end where one of the system's events does: the last
+    sample is then the event's own, and ``outcome`` names it. Each copy of a batch ends at its own event: its samples
+    from there on are infinite, and ``ends`` has time and state of its end. ``polhode.solve`` makes the same runs but
+    Taylor's as a pure function, and can save functions of the states instead of the states.
 
     Args:
         system: to simulate.
@@ -127,7 +102,7 @@ def simulate(
 
     Returns:
         Trajectory with ``invariants``, ``balances`` and their ``drift``, ``statistics`` of steps and iterations (the
-        most of all copies), and ``error_estimate``.
+        most of all copies), ``error_estimate``, and the ``plan`` by which it went.
 
     Raises:
         InvalidInput: for wrong shapes, a state with NaN, times out of order, a step that is not positive, or a system
@@ -135,63 +110,49 @@ def simulate(
         NotConverged: if an implicit step does not converge, adaptive steps shrink to nothing, or no step meets the
             tolerance.
     """
-    refuse_other_objects(system)
-    state, times = system.check_state(state), advancing_times(times)
-    if np.ndim(state) < system.state_axes:
-        raise InvalidInput(f"`state` must be a list of numbers, as [1.0]; got the single number {shown(float(state))}.")
-    if 0 in np.shape(state):
-        raise InvalidInput(f"`state` has no copies to move; got shape {np.shape(state)}. Give at least one.")
-    for name, value, unit in (("step", step, " time [s]"), ("tolerance", tolerance, " number")):
-        if value is not None and not is_positive(value):
-            raise InvalidInput(f"`{name}` must be a positive finite{unit}; got {shown(value)}.")
-    if tolerance is not None and tolerance < EPS:
-        raise InvalidInput(
-            f"`tolerance` must be at least {EPS:.2g}, a rounding; got {shown(tolerance)}. Leave it out for the default."
-        )
-    if step is not None and tolerance is not None and not (is_adaptive(method) or is_series(method)):
-        raise InvalidInput("give `step` or `tolerance`, which chooses the step, not both.")
-    every = check_every(save, len(times))
-    asked = _Asked(step, order, progress, throw, tolerance, estimate_error, every, resumable, memory)
-    if resumable and (len(times) - 1) % every:
-        raise InvalidInput(f"`resumable` needs the last time among the saved ones; `save` {every} leaves it out.")
-    with warnings.catch_warnings():
-        # diffrax warns of complex states in general; our solvers' arithmetic is tested on them
-        warnings.filterwarnings("ignore", message="Complex dtype support in Diffrax")
-        if isinstance(system, AbstractLiePoissonSystem):
-            check_agreement(system, state, times, by_flows=_would_split(system, method))
-        resumed = resumable or memory is not None
-        if is_series(method) and not (resumed and not goes_by_arrays(system, state)):
-            return _by_series(system, state, times, method, asked)
-        if method is None and (step, order) == (None, None) and (system.series_of_arrays or not resumed):
-            return _by_series_or_other_steps(system, state, times, asked)
-        return _by_other_steps(system, state, times, method, asked)
+    with without_warnings():
+        request = check_request(
+            system, state, times, method=method, step=step, order=order, tolerance=tolerance, save=save,
+            resumable=resumable, memory=memory, progress=progress, throw=throw, estimate_error=estimate_error,
+        )  # fmt: skip
+        prepared = prepare(request)
+        if prepared.plan.stepping is Stepping.SERIES and method is None:
+            return _by_series_or_other_steps(request, prepared)
+        return _run(request, prepared)
 
 
-def _by_series_or_other_steps(system: AbstractSystem, state: Array, times: np.ndarray, asked: _Asked) -> Trajectory:
+def _run(request: Request, prepared: Prepared) -> Trajectory:
+    """Return the motion as it was planned."""
+    if prepared.plan.stepping is Stepping.SERIES:
+        return _by_series(request, prepared)
+    if prepared.plan.stepping is Stepping.EQUAL_STEPS:
+        return _by_equal_steps(request, prepared)
+    return _by_adaptive_steps(request, prepared)
+
+
+def _by_series_or_other_steps(request: Request, prepared: Prepared) -> Trajectory:
     """Move by series those copies that have one up to their end, and the others by other steps.
 
     So each copy moves as it does alone, whatever moves beside it.
     """
-    batch = np.shape(state)[: np.ndim(state) - system.state_axes]
-    without, singular = np.zeros(batch, bool), ""
+    without, singular, obstacle = np.zeros(request.batch_shape, bool), "", ""
     while not without.all():
+        some = request.of_copies(request.state[~without]) if without.any() else request
         try:
-            found = _by_series(system, state[~without] if without.any() else state, times, None, asked)
+            moved = _by_series(some, prepared)
         except NoSeries as error:
-            some = np.ones(1, bool) if error.copies is None else np.ravel(np.asarray(error.copies))
-            without[~without] = some if some.any() else True
-            singular = error.singular or singular
+            copies = np.ones(1, bool) if error.copies is None else np.ravel(np.asarray(error.copies))
+            without[~without] = copies if copies.any() else True
+            singular, obstacle = error.singular or singular, error.why
             continue
         if not without.any():
-            return found
-        rest = _by_steps_after_series(system, state[without], times, asked, singular)
-        return _join(system, without, found, rest, asked)
-    return _by_steps_after_series(system, state, times, asked, singular)
+            return moved
+        rest = _by_steps_after_series(request.of_copies(request.state[without]), obstacle, singular)
+        return _join(request, without, moved, rest)
+    return _by_steps_after_series(request, obstacle, singular)
 
 
-def _by_steps_after_series(
-    system: AbstractSystem, state: Array, times: np.ndarray, asked: _Asked, singular: str
-) -> Trajectory:  # fmt: skip
+def _by_steps_after_series(request: Request, obstacle: str, singular: str) -> Trajectory:
     """Move by other steps what series do not follow; where these fail at a singularity as well, it is that.
 
     Steps may also jump over one, and are then far off.
@@ -199,18 +160,18 @@ def _by_steps_after_series(
     refusal = NotConverged(f"the motion comes to a singularity {singular}: its Taylor series end there, and other "
                            "steps do not pass it. Give an earlier last time.")  # fmt: skip
     try:
-        rest = _by_other_steps(system, state, times, None, asked)
+        rest = _run(request, prepare_without_series(request, obstacle))
     except NotConverged as error:
         if not singular:
             raise
         raise refusal from error
-    if singular and asked.throw and rest.error_estimate is not None and np.max(rest.error_estimate) > PASSED:
+    if singular and request.throw and rest.error_estimate is not None and np.max(rest.error_estimate) > PASSED:
         raise refusal
     return rest
 
 
 def _join(
-    system: AbstractSystem, without: Bool[np.ndarray, "*batch"], found: Trajectory, rest: Trajectory, asked: _Asked
+    request: Request, without: Bool[np.ndarray, "*batch"], moved: Trajectory, rest: Trajectory
 ) -> Trajectory:  # fmt: skip
     """Return the copies of two trajectories as those of one."""
 
@@ -220,79 +181,68 @@ def _join(
         joined[~without], joined[without] = ours, others
         return joined
 
-    ours, others = found.ends, rest.ends
+    ours, others = moved.ends, rest.ends
     assert ours is not None and others is not None, "a batch has ends"
     status, event, time, state = (together(ours[k], others[k]) for k in range(4))
-    received = {name: together(value, rest.received[name]) for name, value in found.received.items()}
+    received = {name: together(value, rest.received[name]) for name, value in moved.received.items()}
     error = None
-    if found.error_estimate is not None:
+    if moved.error_estimate is not None:
         unknown = np.full(len(rest.states), np.inf)
-        error = together(found.error_estimate, unknown if rest.error_estimate is None else rest.error_estimate)
-    steps = max(run.statistics["steps"] for run in (found, rest))
+        error = together(moved.error_estimate, unknown if rest.error_estimate is None else rest.error_estimate)
+    steps = max(run.statistics["steps"] for run in (moved, rest))
     ends = Ends(status, event, time, state, ours.events)
-    motion = AdaptiveMotion(np.asarray(found.times), together(found.states, rest.states), received, None,
+    motion = AdaptiveMotion(np.asarray(moved.times), together(moved.states, rest.states), received, None,
                             status != Status.NOT_CONVERGED, steps, ends)  # fmt: skip
-    return _finish(system, "the method", motion, error, asked.throw)
-
-
-def _by_other_steps(system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked) -> Trajectory:
-    if isinstance(system, AbstractLiePoissonSystem) and not is_series(method):
-        if goes_along_orbit(system, method):
-            return _by_equal_steps(system, state, times, method, asked)
-    if asked.resumable or asked.memory is not None:
-        raise InvalidInput(
-            "`resumable` and `memory` go with methods of equal steps, and Taylor series of large arrays; others "
-            "start over."
-        )
-    return _by_adaptive_steps(system, state, times, method, asked)
+    assert moved.plan is not None
+    plan = replace(moved.plan, otherwise=rest.plan)
+    return _finish(request, plan, "the method", motion, error)
 
 
 def _find_singularity(motion: AdaptiveMotion, failed: Bool[np.ndarray, "copies"]) -> str:
-    """Return between which times series end, of the copy where they do first."""
+    """Return between which times series end, for the copy where they do first."""
     states, times = np.asarray(motion.states), np.asarray(motion.times)
     rows = states.reshape(len(failed), len(times), -1)[failed]
     ended = int(np.argmax(~np.isfinite(rows).all(axis=(0, 2))))
     return f"between {times[max(ended - 1, 0)]:.6g} and {times[ended]:.6g} s"
 
 
-def _by_adaptive_steps(
-    system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
-) -> Trajectory:
-    solver = adaptive_solver(system, method, asked.order)
-    motion, named = _solve_past_jumps(system, solver, state, times, _meter(asked.progress), asked)
+def _by_adaptive_steps(request: Request, prepared: Prepared) -> Trajectory:
+    solver, state, times = prepared.solver, request.state, request.times
+    motion, named = _solve_past_jumps(request, solver)
     error: Any = None
-    if asked.estimate_error and not np.any(motion.successful):
+    if request.estimate_error and not np.any(motion.successful):
         error = np.full(np.shape(motion.successful), np.inf)
-    elif asked.estimate_error and not (asked.throw and not np.all(motion.successful)):
-        error = adaptive_error(named, solver, state, times, motion, asked.step, asked.tolerance, asked.every)
-    if asked.throw and not np.all(motion.successful):
-        check_finite_rates(system, times[0], state)
-    return _finish(system, type(solver).__name__, motion, error, asked.throw)
+    elif request.estimate_error and not (request.throw and not np.all(motion.successful)):
+        error = adaptive_error(named, solver, state, times, motion, request.step, request.tolerance, request.every)
+    if request.throw and not np.all(motion.successful):
+        check_finite_rates(request.system, times[0], state)
+    return _finish(request, prepared.plan, prepared.plan.method, motion, error)
 
 
-def _by_series(system: AbstractSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked) -> Trajectory:
-    by_default, state = method is None, np.asarray(state)  # parts of which take JAX longer
-    if by_default and not has_short_series(system, state):
-        raise NoSeries(f"the rates of change of {type(system).__name__} are too many operations.")
-    method = Taylor(asked.order) if method in (None, Taylor) else method
-    if asked.order is not None and method.order != asked.order:
-        raise InvalidInput("Give `order` only with the class `Taylor`; `Taylor(order=…)` already has one.")
-    named, meter = name_jumps(system, find_undeclared_jumps(system, state, times)), _meter(asked.progress)
-    if asked.tolerance is not None and asked.estimate_error:
-        arguments = named, method, state, times, meter, asked.step, asked.tolerance, asked.every
-        motion, error = series_to_tolerance(*arguments)
+def _by_series(request: Request, prepared: Prepared) -> Trajectory:
+    system, method, state = request.system, prepared.solver, np.asarray(request.state)  # its parts take JAX longer
+    arguments = request.named, method, state, request.times, _meter(request.progress), request.step
+    local = request.tolerance
+    if request.tolerance is not None and request.estimate_error:
+        motion, error, local = series_to_tolerance(*arguments, request.tolerance, request.every)
     else:
-        arguments = named, method, state, times, meter, asked.step, asked.tolerance, asked.every, asked.memory
-        motion, error = solve_with_error(*arguments) if asked.estimate_error else (solve_by_series(*arguments), None)
-    if asked.throw and not np.all(motion.successful):
-        check_finite_rates(system, times[0], state)
-    if by_default and not np.all(motion.successful):
+        run = solve_with_error if request.estimate_error else solve_by_series
+        done = run(*arguments, request.tolerance, request.every, request.memory)
+        motion, error = (done, None) if isinstance(done, AdaptiveMotion) else done
+    if request.throw and not np.all(motion.successful):
+        check_finite_rates(system, request.times[0], state)
+    if request.method is None and not np.all(motion.successful):
         failed = ~np.ravel(motion.successful)
-        raise NoSeries("its motion comes to a singularity.", failed, singular=_find_singularity(motion, failed))
-    trajectory = _finish(system, type(method).__name__, motion, error, asked.throw)
-    if asked.resumable and motion.memory is None:
+        singular = _find_singularity(motion, failed)
+        raise NoSeries("its motion comes to a singularity.", f"it comes to a singularity {singular}", failed,
+                       singular=singular)  # fmt: skip
+    order = choose_precision(local, method.order, method.is_extended).order
+    copies, engine = motion.successful.size, ARRAYS if motion.by_arrays else NUMBERS
+    plan = replace(prepared.plan, order=order, copies=copies, engine=engine)
+    trajectory = _finish(request, plan, plan.method, motion, error)
+    if request.resumable and motion.memory is None:
         raise InvalidInput("`resumable` of Taylor goes with one state of a system without events, jumps and balances.")
-    return replace(trajectory, memory=motion.memory) if asked.resumable else trajectory
+    return replace(trajectory, memory=motion.memory) if request.resumable else trajectory
 
 
 def _completed(system: AbstractSystem) -> Outcome:
@@ -301,11 +251,13 @@ def _completed(system: AbstractSystem) -> Outcome:
     return Outcome(Ending.COMPLETED, message=getattr(algebra, "unwatched", ""))
 
 
-def _finish(system: AbstractSystem, name: str, motion: AdaptiveMotion, error: Array | None, throw: bool) -> Trajectory:
+def _finish(
+    request: Request, plan: MotionPlan, name: str, motion: AdaptiveMotion, error: Array | None
+) -> Trajectory:
     failed = np.argwhere(~motion.successful)
     which = "" if not np.ndim(motion.successful) or not len(failed) else (
         f" in {len(failed)} of {motion.successful.size} copies, first {_indices(failed[0])}")  # fmt: skip
-    if throw and len(failed):
+    if request.throw and len(failed):
         raise NotConverged(
             f"{name} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
             "into a singularity, leaves the finite numbers, or its rates jump. End it earlier; let the system name the "
@@ -321,20 +273,19 @@ def _finish(system: AbstractSystem, name: str, motion: AdaptiveMotion, error: Ar
         said = "" if ended.all() else f"in {int(ended.sum())} of {ended.size} copies"
         outcome = Outcome(Ending.EVENT, " or ".join(names), said)
     else:
-        outcome = _completed(system)
+        outcome = _completed(request.system)
     steps, ends = {"steps": motion.steps}, motion.ends if np.ndim(motion.successful) else None
-    return make_trajectory(system, motion.times, motion.states, outcome, steps, motion.received, error, ends)
+    return make_trajectory(request.system, motion.times, motion.states, outcome, steps, motion.received, error, ends,
+                           plan)  # fmt: skip
 
 
-def _solve_past_jumps(
-    system: AbstractSystem, solver: Any, state: Array, times: np.ndarray, meter: Any, asked: _Asked
-) -> tuple[AdaptiveMotion, AbstractSystem]:
+def _solve_past_jumps(request: Request, solver: Any) -> tuple[AdaptiveMotion, AbstractSystem]:
     """Return the motion, and the system with those jumps named that it does not name itself.
 
-    They are sought at the start, and again along the motion; what is found only there makes a second run.
+    They are sought at the start, and again along the motion; what appears only there makes a second run.
     """
-    named = name_jumps(system, find_undeclared_jumps(system, state, times))
-    arguments = (solver, state, times, meter, asked.step, asked.tolerance, asked.every)
+    system, named, times = request.system, request.named, request.times
+    arguments = solver, request.state, times, _meter(request.progress), request.step, request.tolerance, request.every
     motion = solve_adaptively(named, *arguments)
     later = jumps_along(system, motion.states, motion.times)
     known = jumps_between(times, named.jumps)
@@ -345,102 +296,63 @@ def _solve_past_jumps(
     return solve_adaptively(named, *arguments), named
 
 
-def _by_equal_steps(
-    system: AbstractLiePoissonSystem, state: Array, times: np.ndarray, method: Any, asked: _Asked
-) -> Trajectory:
+def _by_equal_steps(request: Request, prepared: Prepared) -> Trajectory:
     from polhode.integrators._accuracy import run_to_tolerance, run_with_error
     from polhode.integrators._equal_steps import run_by_equal_steps, step_counts
 
-    own, system = system, name_jumps(system, find_undeclared_jumps(system, state, times))
-    made = isinstance(method, integrators.AbstractOrbitSolver)
-    if system is not own and made and bool(eqx.tree_equal(method.system, own)):
-        method = eqx.tree_at(lambda solver: solver.system, method, system)
-    rates = _rates(system, state, times)
-    if not np.isfinite(rates).all():
-        check_finite_rates(system, times[0], state)
-        raise InvalidInput(
-            f"`state` is too large: the rate of turning of {type(system).__name__} at it overflows. "
-            "Choose units in which it is nearer to one."
-        )
-    solver, sizes = _prepare(system, method, rates, times, asked)
+    (plan, solver, sizes, rates), state, times = prepared, request.state, request.times
+    assert sizes is not None and rates is not None, "equal steps are prepared with these"
+    if request.tolerance is None:
+        _warn_of_long_steps(sizes, rates)
+    counts = step_counts(times, sizes).sum(axis=-1)
+    shown = request.progress if request.progress is not None else counts.max() > LONG_RUN and sys.stderr.isatty()
+    arguments = solver, state, times, sizes, rates
+    memory = None if request.memory is None else restore_memory(solver, state, request.memory)
+    if request.tolerance is not None:
+        if memory is not None:
+            raise InvalidInput("`memory` goes with the earlier run's `step`; `tolerance` would choose another.")
+        run, sizes, error = run_to_tolerance(*arguments, request.tolerance, _meter(shown), _meter(False), request.every)
+    elif request.estimate_error:
+        run, sizes, error = run_with_error(*arguments, _meter(shown), _meter(False), request.every, memory)
+    else:
+        run, error = run_by_equal_steps(*arguments, _meter(shown), request.every, memory), None
+    plan = replace(plan, step=float(np.max(sizes)))
+    statistics = {"steps": int(step_counts(times, sizes).sum(axis=-1).max()), "iterations": int(run.iterations.max())}
+    failed, ends = np.argwhere(~run.fine), None
+    if len(failed):
+        which = "" if not run.fine.ndim else f" in {len(failed)} of {run.fine.size} copies, first {_indices(failed[0])}"
+        if request.throw:
+            raise NotConverged(
+                f"the {plan.method} step did not converge, or the state left the finite numbers{which}. Take a shorter "
+                "`step`, or an explicit method such as MuntheKaas; with `throw=False` the other copies are returned."
+            )
+        outcome = Outcome(Ending.NOT_CONVERGED, message=f"{plan.method} failed{which}")
+    else:
+        outcome = _completed(request.system)
+    if run.fine.ndim:
+        status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
+        ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)
+    trajectory = make_trajectory(request.system, times[:: request.every], run.states, outcome, statistics, {}, error,
+                                 ends, plan)  # fmt: skip
+    if error is not None and "energy" in trajectory.drift:
+        # runs by steps of two lengths may miss the same corner by the same; the energy shows it
+        trajectory = replace(trajectory, error_estimate=np.fmax(error, trajectory.drift["energy"]))
+    return replace(trajectory, memory=tuple(jax.tree.leaves(run.memory))) if request.resumable else trajectory
+
+
+def _warn_of_long_steps(sizes: np.ndarray, rates: np.ndarray) -> None:
     longest = float(np.max(sizes * rates, initial=0.0))
-    if longest > TOO_LONG and asked.tolerance is None:
+    if longest > TOO_LONG:
         at = float(np.ravel(sizes)[np.argmax(sizes * rates)])
         warnings.warn(
             f"a step of {at:.3g} s turns the fastest rotation by {longest:.3g} rad; "
             f"below {TOO_LONG * at / longest:.3g} s it is resolved.",
-            stacklevel=3,
+            stacklevel=5,
         )
-    counts = step_counts(times, sizes).sum(axis=-1)
-    shown = asked.progress if asked.progress is not None else counts.max() > LONG_RUN and sys.stderr.isatty()
-    arguments = solver, state, times, sizes, rates
-    memory = None if asked.memory is None else restore_memory(solver, state, asked.memory)
-    if asked.tolerance is not None:
-        if memory is not None:
-            raise InvalidInput("`memory` goes with the earlier run's `step`; `tolerance` would choose another.")
-        run, sizes, error = run_to_tolerance(*arguments, asked.tolerance, _meter(shown), _meter(False), asked.every)
-    elif asked.estimate_error:
-        run, sizes, error = run_with_error(*arguments, _meter(shown), _meter(False), asked.every, memory)
-    else:
-        run, error = run_by_equal_steps(*arguments, _meter(shown), asked.every, memory), None
-    steps = step_counts(times, sizes).sum(axis=-1)
-    statistics = {"steps": int(steps.max()), "iterations": int(run.iterations.max())}
-    name, failed, ends = type(solver).__name__, np.argwhere(~run.fine), None
-    if len(failed):
-        which = "" if not run.fine.ndim else f" in {len(failed)} of {run.fine.size} copies, first {_indices(failed[0])}"
-        if asked.throw:
-            raise NotConverged(
-                f"the {name} step did not converge, or the state left the finite numbers{which}. Take a shorter "
-                "`step`, or an explicit method such as MuntheKaas; with `throw=False` the other copies are returned."
-            )
-        outcome = Outcome(Ending.NOT_CONVERGED, message=f"{name} failed{which}")
-    else:
-        outcome = _completed(own)
-    if run.fine.ndim:
-        status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
-        ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)
-    trajectory = make_trajectory(own, times[:: asked.every], run.states, outcome, statistics, {}, error, ends)
-    if error is not None and "energy" in trajectory.drift:
-        # runs by steps of two lengths may miss the same corner by the same; the energy shows it
-        trajectory = replace(trajectory, error_estimate=np.fmax(error, trajectory.drift["energy"]))
-    return replace(trajectory, memory=tuple(jax.tree.leaves(run.memory))) if asked.resumable else trajectory
 
 
 def _indices(where: np.ndarray) -> str:
     return str(int(where[0])) if len(where) == 1 else str(tuple(int(k) for k in where))
-
-
-def _prepare(
-    system: AbstractLiePoissonSystem, method: Any, rates: Array, times: np.ndarray, asked: _Asked
-) -> tuple[Any, Array]:
-    """Return the solver and each copy's largest step."""
-    if isinstance(method, integrators.AbstractOrbitSolver):
-        if asked.step is not None or asked.order is not None or asked.tolerance is not None:
-            raise InvalidInput(
-                "`step`, `order` and `tolerance` go with a class of methods; the solver given was made with its own."
-            )
-        if not bool(eqx.tree_equal(method.system, system)):
-            raise InvalidInput("`method` was made for another system; make it with the one that is simulated.")
-        solver, sizes = method, np.full(rates.shape, float(method.step_size))
-    else:
-        solver = orbit_solver(system, method, asked.order)
-        angle = step_angle(solver.order(None))
-        with np.errstate(divide="ignore"):
-            sizes = np.full(rates.shape, float(asked.step)) if asked.step is not None else angle / rates
-    # no step is longer than from sample to sample
-    return solver, np.minimum(sizes, float(np.abs(np.diff(times)).max()))
-
-
-def _rates(system: AbstractLiePoissonSystem, state: Array, times: Array) -> np.ndarray:
-    return np.asarray(turning_rates(system, state, jnp.asarray([times[0], times[-1]], float)), dtype=float)
-
-
-def _would_split(system: AbstractLiePoissonSystem, method: Any) -> bool:
-    if method is None:
-        return bool(system.flows) and moves_by_generator(system)
-    return isinstance(method, integrators.Splitting) or (
-        isinstance(method, type) and issubclass(method, integrators.Splitting)
-    )
 
 
 def _meter(wanted: Any) -> Any:

@@ -12,27 +12,26 @@ from typing import Any, NamedTuple
 import equinox as eqx
 import jax
 import jax.numpy as jnp
-import numpy as np
 
 from polhode import integrators
 from polhode._base.arrays import in_jax_numpy, is_positive, is_traced, is_tracing, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import TOLERANCE
+from polhode.integrators._choice import choose_solver, step_angle, turning_rates
 from polhode.integrators._enclosed import refuse_derivatives_by_enclosed
 from polhode.integrators._sampled import Observe, Sampled, as_floats, sample_by_either_mode
-from polhode.integrators._series import Taylor, is_series
+from polhode.integrators._series import Taylor
 from polhode.integrators._step_results import Memory
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps
 from polhode.motion._outcome import Status
-from polhode.systems._agreement import MOMENTS_OF_TIME, moves_by_generator
+from polhode.motion._plan import Stepping
+from polhode.planning import check_every
 from polhode.systems._checks import advancing_times
 from polhode.systems._forms import refuse_other_objects
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.taylor.runs import choose_precision
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
-
-STEP_ANGLE = 0.05  # rad by which the fastest rotation turns in a default step of low order
 
 
 class Fold(NamedTuple):
@@ -144,15 +143,16 @@ def solve(
     with in_jax_numpy("systems and functions given to `solve`"):
         if not (is_tracing() or is_traced(state, times, *jax.tree.leaves(system))):
             system = name_jumps(system, find_undeclared_jumps(system, state, times))
-        if is_series(method):
-            return _by_series(system, state, times, method, step, order, tolerance, every, observe)
-        if goes_along_orbit(system, method):
+        stepping, solver = choose_solver(system, method, order)
+        if stepping is Stepping.SERIES:
+            return _by_series(system, state, times, solver, step, tolerance, every, observe)
+        if stepping is Stepping.EQUAL_STEPS:
             if tolerance is not None:
                 raise InvalidInput("`tolerance` goes with diffrax's solvers; give `step`, or let `simulate` choose it.")
-            return _by_equal_steps(system, state, times, method, step, order, every, observe, memory)
+            is_made = solver is method
+            return _by_equal_steps(system, state, times, solver, is_made, step, order, every, observe, memory)
         if memory is not None:
             raise InvalidInput("`memory` goes with the methods of polhode.integrators; diffrax's solvers start over.")
-        solver = adaptive_solver(system, method, order)
         if isinstance(observe, Fold):
             raise InvalidInput(
                 "`save` as a Fold goes with the methods of polhode.integrators, which step from sample to sample. Give "
@@ -190,20 +190,6 @@ def _to_save(save: Any, count: int) -> tuple[int, Any]:
     return check_every(save, count), None
 
 
-def check_every(save: Any, count: int) -> int:
-    """Return the stride of saved times, checked.
-
-    Raises:
-        InvalidInput: for what is not a whole number from 1 to one less than the count of times.
-    """
-    if isinstance(save, bool) or not isinstance(save, int | np.integer) or not 1 <= save < count:
-        raise InvalidInput(
-            f"`save` must say every how many-th of the {count} times is kept, 1 to {count - 1}; got {shown(save)}. "
-            "`polhode.solve` takes functions of the states too."
-        )
-    return int(save)
-
-
 @eqx.filter_jit
 def _adaptively(
     system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
@@ -220,16 +206,13 @@ def _adaptively(
 
 
 def _by_series(
-    system: AbstractSystem, state: Array, times: Array, method: Any, step: Any, order: int | None, tolerance: Any,
-    every: int, observe: Any,
+    system: AbstractSystem, state: Array, times: Array, method: Taylor, step: Any, tolerance: Any, every: int,
+    observe: Any,
 ) -> Solution:  # fmt: skip
     from polhode.integrators._series_operation import series_solution
 
     if is_traced(step, tolerance):
         raise InvalidInput("`step` and `tolerance` of Taylor must be known numbers, not traced ones.")
-    method = Taylor(order) if method is Taylor else method
-    if order not in (None, method.order):
-        raise InvalidInput("Give `order` only with the class `Taylor`; `Taylor(order=…)` already has one.")
     precision = choose_precision(None if tolerance is None else float(tolerance), method.order, method.is_extended)
     motion = series_solution(system, state, times, precision, math.inf if step is None else float(step))
     axis, kept = jnp.ndim(motion.failed), jnp.asarray(times)[::every]
@@ -266,17 +249,15 @@ def _fold(fold: Fold, times: Array, states: Array, axis: int) -> Any:
 
 
 def _by_equal_steps(
-    system: Any, state: Array, times: Array, method: Any, step: Array | None, order: int | None, every: int,
-    observe: Any, memory: Memory | None,
+    system: Any, state: Array, times: Array, solver: Any, is_made: bool, step: Array | None, order: int | None,
+    every: int, observe: Any, memory: Memory | None,
 ) -> Solution:  # fmt: skip
-    if isinstance(method, integrators.AbstractOrbitSolver):
+    if is_made:
         if step is not None or order is not None:
             raise InvalidInput("`step` and `order` go with a class of methods; the solver given was made with its own.")
-        if not isinstance(system, type(method.system)):
+        if not isinstance(system, type(solver.system)):
             raise InvalidInput("`method` was made for another system; make it with the one that is to move.")
-        solver, step = eqx.tree_at(lambda s: s.system, method, system), method.step_size
-    else:
-        solver = orbit_solver(system, method, order)
+        solver, step = eqx.tree_at(lambda s: s.system, solver, system), solver.step_size
     if memory is not None:
         memory = restore_memory(solver, state, memory)
     return _run(solver, state, jnp.asarray(times), step, every, observe, memory)
@@ -361,90 +342,3 @@ def _run_one(
         times, value, {}, jnp.where(fine, Status.COMPLETED, Status.NOT_CONVERGED), jnp.asarray(-1),
         jnp.where(fine, times[-1], jnp.nan), last, after.steps, after.iterations, after,
     )  # fmt: skip
-
-
-# ---------------------------------------------------------------------- choice of method and step
-
-
-def step_angle(order: int) -> float:
-    """Return by how much [rad] the fastest rotation turns in a default step of a method."""
-    return {6: 0.1, 8: 0.2}.get(order, STEP_ANGLE)
-
-
-@eqx.filter_jit
-def turning_rates(
-    system: AbstractLiePoissonSystem, state: Double[Array, "..."], times: Float64[Array, "time"]
-) -> Float64[Array, "*batch"]:
-    """Return upper estimates of the rates (batch…) [rad/s] at which the group turns at states, at some times.
-
-    These are some between the first and the last, and one between each two jumps.
-    """
-    point, (first, last) = system.parts(state).point, (times[0], times[-1])
-    moments = jnp.reshape(first, (1,))
-    if _is_driven(system):
-        low, high = jnp.minimum(first, last), jnp.maximum(first, last)
-        jumps = jnp.sort(jnp.clip(jnp.ravel(jnp.asarray(system.jumps, float)), low, high))
-        borders = jnp.concatenate([jnp.reshape(low, (1,)), jumps, jnp.reshape(high, (1,))])
-        shares = first + jnp.asarray(MOMENTS_OF_TIME) * (last - first)
-        moments = jnp.concatenate([shares, 0.5 * (borders[1:] + borders[:-1])])
-    rates = jax.lax.map(lambda t: system.algebra.rate(system.generator(t, point)), moments)
-    return jnp.maximum(jnp.max(rates, axis=0), jnp.zeros(system.algebra.batch_shape(point)))
-
-
-def _is_driven(system: AbstractLiePoissonSystem) -> bool:
-    """Whether the generator may depend on time."""
-    return type(system).generator is not AbstractLiePoissonSystem.generator
-
-
-def goes_along_orbit(system: AbstractSystem, method: Any) -> bool:
-    """Return whether a method of ours moves the system, as it does not with one of diffrax's."""
-    if not isinstance(system, AbstractLiePoissonSystem):
-        return False
-    return moves_by_generator(system) if method is None else not is_adaptive(method)
-
-
-def is_adaptive(method: Any) -> bool:
-    """Return whether a method is one of diffrax's own solvers."""
-    return isinstance(method, diffrax.AbstractSolver) and not isinstance(method, integrators.AbstractOrbitSolver)
-
-
-def adaptive_solver(system: AbstractSystem, method: Any, order: int | None) -> diffrax.AbstractSolver:
-    """Return diffrax's solver to use.
-
-    Raises:
-        InvalidInput: for a method of ours, which cannot move the system, one without adaptive steps, or an order.
-    """
-    if method is not None and not is_adaptive(method):
-        raise InvalidInput(
-            f"`method` must be a diffrax solver for {type(system).__name__}, which is not a Lie–Poisson system; "
-            f"got {shown(method)}. Leave it out for diffrax.Dopri8()."
-        )
-    if order is not None:
-        raise InvalidInput("`order` goes with a class of methods; the solver given has its own.")
-    method = diffrax.Dopri8() if method is None else method
-    whole = method.term_structure in (diffrax.AbstractTerm, diffrax.ODETerm)
-    if not (whole and isinstance(method, diffrax.AbstractAdaptiveSolver)):
-        raise InvalidInput(
-            f"`method` must estimate the error of its steps and take the rates of change as one; diffrax's "
-            f"{type(method).__name__} does not. Take diffrax.Dopri8(), or diffrax.Kvaerno5() for stiff systems."
-        )
-    return method
-
-
-def orbit_solver(system: AbstractLiePoissonSystem, method: Any, order: int | None) -> Any:
-    """Return a solver of the class, or of the one that goes with the system, with a step size to be replaced.
-
-    Raises:
-        InvalidInput: for what is not a class of methods.
-    """
-    if method is None:
-        algebra = system.algebra
-        spins = algebra.is_of_spins and len(algebra.element_shape) > 1
-        method = (
-            integrators.Splitting if system.flows
-            else integrators.SphericalMidpoint if spins else integrators.LieMidpoint
-        )  # fmt: skip
-    if isinstance(method, type) and issubclass(method, integrators.AbstractOrbitSolver):
-        any_size = jnp.asarray(1.0)
-        return method(system, any_size) if order is None else method(system, any_size, order=order)  # type: ignore[call-arg]
-    raise InvalidInput(f"`method` must be a class of polhode.integrators or a diffrax solver; got {shown(method)}.")

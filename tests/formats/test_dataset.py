@@ -13,7 +13,7 @@ import polhode as ph
 from polhode import formats, spacecraft
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.dataset import label_attributes
-from polhode.motion import Outcome, StateLayout
+from polhode.motion import MotionPlan, Outcome, StateLayout
 
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5), attitude=(0.5, -0.5, 0.1, 0.7))
 TIMES = np.linspace(0.0, 20.0, 101)
@@ -31,7 +31,7 @@ def check_identical(found, wanted):
             assert ours.keys() == theirs.keys()
             for key in theirs:
                 assert np.array_equal(ours[key], np.asarray(theirs[key]))
-        elif theirs is None or isinstance(theirs, Outcome | StateLayout):
+        elif theirs is None or isinstance(theirs, Outcome | StateLayout | MotionPlan):
             assert ours == theirs
         else:
             assert np.array_equal(ours, np.asarray(theirs)) and ours.dtype == np.float64

@@ -396,6 +396,21 @@ def test_an_outcome_that_is_no_text(store, name, value):
     refused(store, f"attribute {name} must be")
 
 
+@pytest.mark.parametrize(("plan", "why"), [
+    ("Taylor", "Expecting value"), (3, "must be str"), ("[]", "must have `stepping`"),
+    ('{"stepping": "by hand", "method": "Taylor"}', "not a valid Stepping"),
+    ('{"stepping": "Taylor series", "method": "Taylor", "order": "24"}', "`order` cannot be '24'"),
+    ('{"stepping": "Taylor series", "method": "Taylor", "copies": true}', "`copies` cannot be True"),
+    ('{"stepping": "Taylor series", "method": "Taylor", "speed": 1}', "has no speed"),
+    ('{"stepping": "Taylor series", "method": "Taylor", "otherwise": {}}', "must have `stepping`"),
+    ('{"stepping": ' * 100_000, "the plan of the motion is not one"),
+])  # fmt: skip
+def test_a_plan_that_is_none(store, plan, why):
+    path = store / ".zattrs"
+    path.write_text(json.dumps(json.loads(path.read_text()) | {"plan": plan}))
+    refused(store, why)
+
+
 @pytest.mark.long_after(2)
 @pytest.mark.parametrize(("name", "unit", "written"), [
     ("time", "minutes", "s"), ("time", "fortnights^999999", "s"), ("momentum", "g cm2/s", "kg m2 s-1"),

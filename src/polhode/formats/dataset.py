@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode.errors import InvalidInput, not_installed, shown
-from polhode.formats.dataset_rules import COMPLEX_PART, COMPONENTS, COUNTED, MEMORY, UNITS
+from polhode.formats.dataset_rules import COMPLEX_PART, COMPONENTS, COUNTED, MEMORY, PLAN, UNITS
 from polhode.formats.labels import AttitudeLabels, find_labels
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import as_path, write_whole
@@ -81,6 +81,8 @@ def _describe(trajectory: Trajectory, attributes: dict[str, str] | None) -> tupl
             if name in variables:
                 variables[name][2]["comment"] = "body axes are the principal ones; principal_axes has them"
     header = {"Conventions": "CF-1.11", "source": "polhode", **_outcome_attributes(trajectory.outcome)}
+    if trajectory.plan is not None:
+        header[PLAN] = json.dumps(trajectory.plan.as_json_dict(), ensure_ascii=False)
     header |= {f"{COUNTED}{name}": count for name, count in trajectory.statistics.items()}
     return variables, coordinates, header | label_attributes(find_labels(trajectory)) | (attributes or {})
 

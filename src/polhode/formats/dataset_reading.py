@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +18,7 @@ from polhode.formats.dataset_rules import (
     COUNTED,
     MEMORY,
     NEEDED_OF_FRAME,
+    PLAN,
     ROLES,
     check_variables,
 )
@@ -27,6 +29,7 @@ from polhode.formats.paths import as_path
 from polhode.formats.zarr_gate import check_store
 from polhode.motion._layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
 from polhode.motion._outcome import Ending, Outcome
+from polhode.motion._plan import MotionPlan
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
 from polhode.types import Array
@@ -87,6 +90,7 @@ def read_dataset(path: str | Path) -> Trajectory:
         outcome=_outcome(path, dataset.attrs),
         error_estimate=next((arrays[name] for name in roles["error estimate"]), None),
         statistics=_statistics(path, dataset.attrs),
+        plan=_plan(path, dataset.attrs),
         memory=_memory({name: variables[name] for name in roles["memory"]}),
     )
 
@@ -97,6 +101,15 @@ def _statistics(path: Path, attributes: Any) -> dict[str, int]:
         if not isinstance(count, int | np.integer) or count < 0:
             raise FormatError(f"{path}: the number of {name} must be a whole number; got {shown(count)}. {DAMAGED}")
     return {name: int(count) for name, count in counts.items()}
+
+
+def _plan(path: Path, attributes: Any) -> MotionPlan | None:
+    if (text := attributes.get(PLAN)) is None:
+        return None
+    try:
+        return MotionPlan.from_json_dict(json.loads(text))
+    except (TypeError, ValueError, RecursionError) as error:
+        raise FormatError(f"{path}: the plan of the motion is not one: {error}. {DAMAGED}") from None
 
 
 def _memory(variables: dict[str, Any]) -> tuple[Array, ...] | None:

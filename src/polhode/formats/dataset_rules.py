@@ -29,6 +29,7 @@ UNITS = {
 }  # fmt: skip
 NEEDED_OF_FRAME = ("principal_moments", "principal_axes", "center_of_mass")
 COUNTED = "number_of_"  # attributes: steps and iterations
+PLAN = "plan"  # attribute: how the motion was computed, in JSON
 MEMORY = "memory_"  # variables of what a method carries along, with their number behind it
 COMPLEX_PART = "complex_part"  # last dimension of complex states: real, imaginary
 ORTHOGONAL = 1e-6  # how far principal axes of a file may be from orthogonal, as quaternions from unit length

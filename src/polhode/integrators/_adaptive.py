@@ -67,6 +67,7 @@ class AdaptiveMotion(NamedTuple):
         ends: how each copy ended.
         memory: of one motion by series of arrays, with which it goes on to the same bits, else None.
         steps_of_copies: (batch…) how many each copy took, of a motion by series.
+        by_arrays: whether it went by series of whole arrays.
     """
 
     times: Float64[np.ndarray, "kept"]
@@ -78,6 +79,7 @@ class AdaptiveMotion(NamedTuple):
     ends: Ends
     memory: tuple[Array, ...] | None = None
     steps_of_copies: Integer[Array, "*batch"] | None = None
+    by_arrays: bool = False
 
 
 def solve_adaptively(

@@ -41,16 +41,17 @@ class NoSeries(InvalidInput):
     """A motion that series cannot follow, whatever their order.
 
     Attributes:
+        why: a clause that ends "no series, as …".
         copies: (C,) which copies of a batch they cannot follow; None where it is all of them.
         part: of the rates of change, that has no series or leads to where none is; "" where it is not that.
         singular: when the motion comes to a singularity, in words; "" where it does not.
     """
 
     def __init__(
-        self, message: str, copies: Bool[Array, "copies"] | None = None, part: str = "", singular: str = ""
+        self, message: str, why: str, copies: Bool[Array, "copies"] | None = None, part: str = "", singular: str = ""
     ) -> None:
         super().__init__(message)
-        self.copies, self.part, self.singular = copies, part, singular
+        self.why, self.copies, self.part, self.singular = why, copies, part, singular
 
 
 @dataclass(frozen=True)
@@ -115,16 +116,32 @@ def _one(system: AbstractSystem, state: Double[Array, "..."]) -> Array:
     return np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))[0]
 
 
+def find_obstacle(
+    system: AbstractSystem, state: Double[Array, "..."], times: tuple[float, float]
+) -> NoSeries | None:  # fmt: skip
+    """Return why motions between two times have no series of single numbers, as far as their starts show it."""
+    one = _one(system, state)
+    try:
+        check_sizes(np.reshape(np.asarray(state), (-1, *one.shape)))
+        build_machine(system, one, times, signs=())
+    except NoSeries as error:
+        return error
+    except Untraceable as error:
+        return _refuse(system, error)
+    return None
+
+
 def has_series(system: AbstractSystem, state: Double[Array, "*shape"], times: tuple[float, float]) -> bool:
     """Return whether a motion of one state between two times has a series, and one that is short enough to pay."""
-    try:
-        check_sizes(np.asarray(state)[None])
-        if goes_by_arrays(system, state):
-            return False
-        build_machine(system, state, times, signs=())
-    except (NoSeries, Untraceable):
-        return False
-    return True
+    return not goes_by_arrays(system, state) and find_obstacle(system, state, times) is None
+
+
+def _refuse(system: AbstractSystem, error: Untraceable, extended: bool = False) -> NoSeries:
+    instead = 'Give `precision` "double".' if extended else "Leave out `method`, or give a solver of diffrax."
+    return NoSeries(
+        f"{type(system).__name__} cannot be moved by Taylor series: its rates of change contain {error}. {instead}",
+        f"its rates contain {error}", error.copies, str(error),
+    )  # fmt: skip
 
 
 def solve_by_series(
@@ -158,7 +175,8 @@ def solve_by_series(
         carried = None
         if place is not None and not batch:
             carried = tuple(map(np.asarray, (times[-1] - place.time, place.state, place.unit)))
-        return AdaptiveMotion(kept, shaped(runs.states), received, None, fine, steps, ends, carried, shaped(runs.steps))
+        return AdaptiveMotion(kept, shaped(runs.states), received, None, fine, steps, ends, carried, shaped(runs.steps),
+                              place is not None)  # fmt: skip
     before = np.abs(kept - times[0]) < abs(float(runs.end[0]) - times[0])
     # one row more, for the event itself
     received = {
@@ -245,8 +263,8 @@ def series_error(
 def series_to_tolerance(
     system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     meter: Any, step: float | None, tolerance: float, every: int = 1,
-) -> tuple[AdaptiveMotion, Float64[Array, "*batch"]]:  # fmt: skip
-    """Return a motion whose estimated error is within a tolerance, and that error.
+) -> tuple[AdaptiveMotion, Float64[Array, "*batch"], float]:  # fmt: skip
+    """Return a motion whose estimated error is within a tolerance, that error, and the tolerance of a step.
 
     Raises:
         NotConverged: if rounding alone makes more of it.
@@ -256,10 +274,10 @@ def series_to_tolerance(
     for k in range(ROUNDS):
         motion, errors = solve_with_error(*arguments, meter, step, local, every)
         if errors is None:
-            return motion, np.full(motion.successful.shape, np.inf)
+            return motion, np.full(motion.successful.shape, np.inf), local
         error = float(np.max(np.where(motion.successful, errors, 0.0), initial=0.0))
         if error <= tolerance:
-            return motion, errors
+            return motion, errors, local
         if local == least or k == ROUNDS - 1:
             break
         local = max(local * min(0.1 * tolerance / error, 0.1), least)
@@ -345,12 +363,7 @@ def _run_or_refuse(
         try:
             runs, place = _by_arrays_or_tape(system, states, whole, precision, longest, report_progress, place, late)
         except Untraceable as error:
-            instead = ('Give `precision` "double".' if precision.extended
-                       else "Leave out `method`, or give a solver of diffrax.")  # fmt: skip
-            raise NoSeries(
-                f"{type(system).__name__} cannot be moved by Taylor series: its rates of change contain {error}. "
-                f"{instead}", error.copies, str(error),
-            ) from None  # fmt: skip
+            raise _refuse(system, error, precision.extended) from None
         if meter is not None:
             meter.close(shown_state[0])
     if (steps := int(runs.steps.max())) >= MOST_STEPS:
@@ -369,5 +382,6 @@ def check_sizes(states: Double[Array, "copies ..."]) -> None:
     if wrong.any():
         raise NoSeries(
             f"`state` must be of a size within {SMALLEST:g} to {1.0 / SMALLEST:g} for Taylor, which multiplies its "
-            f"numbers; got {sizes[np.argmax(wrong)]:.3g}. Choose units in which it is nearer to one."
+            f"numbers; got {sizes[np.argmax(wrong)]:.3g}. Choose units in which it is nearer to one.",
+            "its state is so large or small that products of its numbers overflow or vanish",
         )

@@ -2,6 +2,7 @@
 
 from polhode.motion._layout import ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
 from polhode.motion._outcome import Ending, Ends, Outcome, Status
+from polhode.motion._plan import MotionPlan, Stepping
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
 from polhode.motion.frame import BodyFrame
@@ -13,11 +14,13 @@ __all__ = [
     "BodyFrame",
     "Ending",
     "Ends",
+    "MotionPlan",
     "Outcome",
     "Quantity",
     "StateLayout",
     "StatePart",
     "Status",
+    "Stepping",
     "Trajectory",
 ]
 

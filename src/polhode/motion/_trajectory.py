@@ -12,6 +12,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn, chosen_axes
 from polhode.motion._layout import Quantity, StateLayout, StatePart
 from polhode.motion._outcome import Ends, Outcome
+from polhode.motion._plan import MotionPlan
 from polhode.motion.exact import ExactMotion
 from polhode.motion.frame import BodyFrame
 from polhode.motion.plotting import Plotted
@@ -59,6 +60,7 @@ class Trajectory(Plotted):
         given_axes: (3, 3) principal axes by columns in the given ones, for samples without a frame; else None.
         memory: what is needed, with the last state, to continue the run bit for bit: the arrays that the method
             carries along, for ``simulate``; None unless asked for.
+        plan: how the samples were computed, and why that way; None for samples from other programs' files.
         ends: how each copy of an integrated batch came to its end, and when; None otherwise.
 
     >>> import polhode as ph
@@ -83,6 +85,7 @@ class Trajectory(Plotted):
     source: Any = None
     statistics: dict[str, int] = field(default_factory=dict)
     error_estimate: Float64[ArrayOrFloat, "*batch"] | None = None
+    plan: MotionPlan | None = None
     ends: Ends | None = None
     memory: tuple[Array, ...] | None = None
     frame: BodyFrame | None = None
@@ -292,5 +295,7 @@ class Trajectory(Plotted):
             lines.append(("state error", f"about {float(np.max(self.error_estimate)):.1e}"))
         if self.statistics:
             lines.append(("steps", ", ".join(f"{value} {key}" for key, value in self.statistics.items())))
+        if self.plan is not None:
+            lines.append(("plan", str(self.plan)))
         lines.append(("outcome", str(self.outcome)))
         return lines

@@ -31,6 +31,7 @@ from polhode.motion._inputs import (
 )
 from polhode.motion._invariants import drift
 from polhode.motion._layout import ATTITUDE, MOMENTUM, Quantity, StateLayout
+from polhode.motion._plan import MotionPlan, Stepping
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.exact import ExactMotion
 from polhode.special._doubledouble import two_sum
@@ -387,6 +388,7 @@ class AbstractMotion(ExactMotion):
             drift=motion._drift(xp, invariants, sizes, momentum.ndim - 1),
             quantities=self.quantities,
             source=self._standing(None),
+            plan=MotionPlan(Stepping.CLOSED_FORM, type(self).__name__, copies=math.prod(self.batch_shape)),
             given_axes=given,
         )
         return trajectory.turn_to(own)

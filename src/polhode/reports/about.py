@@ -105,7 +105,7 @@ def from_motion(trajectory: Trajectory, answers: Iterable[Answer]) -> list[Answe
 
 
 def accuracy(trajectory: Trajectory, label: str = "drift") -> list[Answer]:
-    """Return how well the motion conserves its invariants, and an estimate of the error of its states."""
+    """Return how well the motion conserves its invariants, the estimated error of its states, and its plan."""
     error = motion_error(trajectory)
     if error is None:
         words = "none was made; numbers from the motion have three digits at most"
@@ -116,6 +116,7 @@ def accuracy(trajectory: Trajectory, label: str = "drift") -> list[Answer]:
     return [
         Answer("", None, "", label, "", drifts(trajectory.drift)),
         Answer("", None, "", "state error estimate, relative", "", words),
+        Answer("", None, "", "computed by", "", None if trajectory.plan is None else str(trajectory.plan)),
     ]
 
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from polhode._base.arrays import arrays_for_few_calls
 from polhode.motion._outcome import Ends, Outcome
+from polhode.motion._plan import MotionPlan
 from polhode.motion._trajectory import Trajectory
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64
@@ -22,7 +23,7 @@ TINY = 1e-150  # a state whose squares lose digits, or are zero
 def make_trajectory(
     system: AbstractSystem, times: Float64[np.ndarray, "time"], states: Double[Array, "..."], outcome: Outcome,
     statistics: dict[str, int], received: Mapping[str, Float64[Array, "*batch time"]],
-    error_estimate: Float64[Array, "*batch"] | None = None, ends: Ends | None = None,
+    error_estimate: Float64[Array, "*batch"] | None = None, ends: Ends | None = None, plan: MotionPlan | None = None,
 ) -> Trajectory:  # fmt: skip
     """Return samples (batch…, T, …) as a trajectory with all that the system says of them."""
     axis = jnp.ndim(states) - 1 - system.state_axes
@@ -67,6 +68,7 @@ def make_trajectory(
         statistics=statistics,
         error_estimate=error_estimate,
         ends=ends,
+        plan=plan,
         given_axes=None if system.given_axes is None else np.asarray(system.given_axes),
     )
 

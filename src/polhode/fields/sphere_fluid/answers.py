@@ -15,6 +15,7 @@ from polhode.fields.sphere.fluid import SphereFluid
 from polhode.fields.sphere_fluid.start import build_start, load_earlier_run
 from polhode.fields.sphere_fluid.table import FluidTable
 from polhode.integrators import IsospectralMidpoint
+from polhode.integrators._choice import turning_rates
 from polhode.kinds.base import Spec
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy, motion_error
@@ -23,7 +24,6 @@ from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.length import RUNS_BY_EQUAL_STEPS, Watch, check_length
 from polhode.reports.wording import duration, in_its_unit, number, rate, vector
 from polhode.simulation import simulate
-from polhode.solving import turning_rates
 from polhode.types import Array, Float64
 
 ANGLE = 0.25  # rad that the fastest rotation turns in a step: shorter steps cost more iterations in all than they save

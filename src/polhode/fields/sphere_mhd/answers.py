@@ -17,6 +17,7 @@ from polhode.fields.sphere.zonal_growth import zonal_growth
 from polhode.fields.sphere_mhd.start import build_start, load_earlier_run, wave_speed
 from polhode.fields.sphere_mhd.table import MagneticFluidTable
 from polhode.integrators import IsospectralMidpoint
+from polhode.integrators._choice import turning_rates
 from polhode.kinds.base import Spec
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import accuracy, from_motion, motion_error
@@ -25,7 +26,6 @@ from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.length import RUNS_BY_EQUAL_STEPS, Watch, check_length
 from polhode.reports.wording import duration, in_its_unit, rate
 from polhode.simulation import simulate
-from polhode.solving import turning_rates
 from polhode.types import Array, Float64
 
 ANGLE = 0.25  # rad that the fastest rotation, or the fastest wave along the field, turns in a step

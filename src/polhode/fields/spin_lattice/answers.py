@@ -20,6 +20,7 @@ from polhode.fields.spin_lattice.table import SpinLatticeTable
 from polhode.fields.spin_lattice.texture import skyrmion_number
 from polhode.fields.spin_lattice.wave_theory import spin_waves
 from polhode.integrators import SphericalMidpoint, Splitting
+from polhode.integrators._choice import turning_rates
 from polhode.integrators._series import has_short_series
 from polhode.kinds.base import Spec
 from polhode.motion._layout import ENERGY
@@ -30,7 +31,6 @@ from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.length import RUNS_BY_EQUAL_STEPS, Watch, check_length
 from polhode.reports.wording import in_its_unit, number, uncertain, vector, write_count
 from polhode.simulation import simulate
-from polhode.solving import turning_rates
 from polhode.types import Array, Float64
 
 MILLI = 1e-3 * e  # J in a meV

@@ -1,0 +1,126 @@
+"""Plans: what is said beforehand is what moves the system, and what moved it is kept."""
+
+from typing import Any
+
+import diffrax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import polhode as ph
+from polhode import fields, planning
+from polhode.errors import InvalidInput
+from polhode.integrators import LieMidpoint, MuntheKaas, Splitting, Taylor
+from polhode.motion import MotionPlan, Stepping
+
+TIMES = np.linspace(0.0, 1.0, 5)
+TOP = ph.systems.HeavyTop((1.0, 1.2, 2.0), mgl=1.3, axis=(0.1, 0.0, 1.0))
+START = np.array([0.3, 1.8, 1.5, 0.1, 0.2, 0.97])
+FALL = ph.systems.LiePoisson(ph.algebra.Heisenberg(1), lambda m: 0.5 * m[1] ** 2 - 1.0 / m[0])
+SORTED = ph.systems.LiePoisson(ph.algebra.SO3(), lambda L: jnp.sum(jnp.array([0.5, 0.3, 0.2]) * jnp.sort(L) ** 2))
+
+
+class OwnField(ph.systems.FreeRigidBody):
+    """A body that orbit methods do not move, as its field is its own."""
+
+    def vector_field(self, t, state):
+        return super().vector_field(t, state)
+
+
+OWN: Any = OwnField
+BODY = OWN((1.0, 2.0, 3.0))
+
+
+@pytest.mark.parametrize(("system", "state", "options", "stepping", "method", "reason"), [
+    (TOP, START, {}, Stepping.SERIES, "Taylor", "not Splitting, as no step was given"),
+    (TOP, np.stack([START, 1.1 * START]), {}, Stepping.SERIES, "Taylor", "not Splitting, as no step was given"),
+    (TOP, START, {"tolerance": 1e-9}, Stepping.SERIES, "Taylor", "not Splitting, as no step was given"),
+    (TOP, START, {"method": Taylor(order=12)}, Stepping.SERIES, "Taylor", "as asked"),
+    (TOP, START, {"step": 0.05}, Stepping.EQUAL_STEPS, "Splitting", "no Taylor series, as `step` was given"),
+    (TOP, START, {"order": 4}, Stepping.EQUAL_STEPS, "Splitting", "no Taylor series, as `order` was given"),
+    (TOP, START, {"resumable": True}, Stepping.EQUAL_STEPS, "Splitting",
+     "no Taylor series, as only equal steps are resumed to the same bits"),
+    (TOP, START, {"method": LieMidpoint, "step": 0.05}, Stepping.EQUAL_STEPS, "LieMidpoint", "as asked"),
+    (TOP, START, {"method": diffrax.Dopri5()}, Stepping.ADAPTIVE_STEPS, "Dopri5", "as asked"),
+    (SORTED, START[:3], {}, Stepping.EQUAL_STEPS, "LieMidpoint", "no Taylor series, as its rates contain `sort` of"),
+    (BODY, START[:3], {}, Stepping.SERIES, "Taylor", "not Dopri8, as no step was given"),
+    (BODY, START[:3], {"step": 0.1}, Stepping.ADAPTIVE_STEPS, "Dopri8",
+     "no Taylor series, as `step` was given"),
+    (TOP, 1e-170 * START, {}, Stepping.EQUAL_STEPS, "Splitting",
+     "no Taylor series, as its state is so large or small that products of its numbers overflow or vanish"),
+])  # fmt: skip
+@pytest.mark.filterwarnings("ignore:.*beyond double precision")
+def test_the_plan_is_what_moves_the_system(system, state, options, stepping, method, reason):
+    before = ph.plan(system, state, TIMES, **options)
+    assert (before.stepping, before.method) == (stepping, method)
+    assert before.reason.startswith(reason)
+    assert ph.simulate(system, state, TIMES, **options).plan == before
+
+
+def test_a_plan_moves_nothing(monkeypatch):
+    def refuse(*arguments):
+        raise AssertionError("a plan does not run")
+
+    monkeypatch.setattr("polhode.taylor.runs.fly", refuse)
+    assert ph.plan(TOP, START, TIMES).method == "Taylor"
+    with pytest.raises(AssertionError, match="does not run"):
+        ph.simulate(TOP, START, TIMES)
+
+
+def test_steps_that_were_shortened_are_those_of_the_plan():
+    coarse: Any
+    fine: Any
+    coarse, fine = (ph.simulate(TOP, START, TIMES, MuntheKaas, tolerance=each).plan for each in (1e-2, 1e-9))
+    assert fine.step < 0.6 * coarse.step and coarse.tolerance == 1e-2
+    loose: Any
+    tight: Any
+    loose, tight = (ph.simulate(TOP, START, TIMES, tolerance=each).plan for each in (1e-4, 1e-12))
+    assert loose.order < tight.order
+
+
+def test_copies_that_go_another_way_have_their_own_plan():
+    times = np.linspace(0.0, 5.0, 6)
+    mixed: Any = ph.simulate(FALL, np.array([[1.0, 0.0, 1.0], [1.0, -9.0, 1.0]]), times, throw=False).plan
+    assert (mixed.method, mixed.copies) == ("Taylor", 1)
+    assert (mixed.otherwise.method, mixed.otherwise.copies) == ("LieMidpoint", 1)
+    assert "it comes to a singularity between 1 and 2 s" in mixed.otherwise.reason  # at π/√8 = 1.11
+    assert "; where these end, LieMidpoint" in str(mixed)
+
+
+def test_series_of_whole_arrays_are_named():
+    fluid = fields.SphereFluid(24)  # whose rates are some 60,000 operations
+    state = fluid.random([0.0, 1.0, 2.0], seed=7)
+    assert ph.plan(fluid, state, TIMES).engine == planning.ARRAYS
+
+
+@pytest.mark.parametrize(("options", "message"), [
+    ({"step": -1.0}, "`step` must be a positive finite"), ({"step": 0.1, "tolerance": 1e-9}, "not both"),
+    ({"method": Taylor(order=8), "order": 9}, "Give `order` only with the class"),
+    ({"method": diffrax.Euler()}, "must estimate the error of its steps"), ({"method": "rk4"}, "must be a class of"),
+])  # fmt: skip
+def test_a_plan_is_refused_as_the_run_would_be(options, message):
+    for call in (ph.plan, ph.simulate):
+        with pytest.raises(InvalidInput, match=message):
+            call(TOP, START, TIMES, **options)
+
+
+def test_closed_forms_have_a_plan():
+    motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((4, 1, 3)))
+    plan: Any = motion.sample(TIMES).plan
+    assert (plan.stepping, plan.copies, str(plan)) == (Stepping.CLOSED_FORM, 4, "closed form, FreeMotion, 4 copies")
+
+
+def test_json_of_a_plan_is_read_back():
+    rest = MotionPlan(Stepping.ADAPTIVE_STEPS, "Dopri8", 8, None, 1e-12, 2, planning.XLA, "no Taylor series")
+    plan = MotionPlan(Stepping.SERIES, "Taylor", 24, 0.5, None, 3, planning.NUMBERS, "as asked", rest)
+    assert MotionPlan.from_json_dict(plan.as_json_dict()) == plan
+    assert plan.as_json_dict()["otherwise"]["tolerance"] == 1e-12
+
+
+def test_a_trajectory_and_its_parts_say_their_plan():
+    moved = ph.simulate(TOP, START, TIMES, Splitting, step=0.05)
+    assert str(moved.plan) == (
+        "Splitting of order 8, equal steps of at most 0.05 s, one copy, compiled by XLA; as asked"
+    )
+    assert repr(moved).splitlines()[-2].split(maxsplit=1) == ["plan", str(moved.plan)]
+    assert moved.between(0.2, 0.8).plan == moved.plan
