@@ -30,10 +30,11 @@ def forget_entry_points():
     from polhode._base import plugins
     from polhode.formats import form_registry
     from polhode.kinds import registry
+    from polhode.proving.symbolic import registry as derivations
     from polhode.spacecraft.rigid_body import named
     from polhode.spec import body_files
     from polhode.studies import fit_request
 
-    for listed in (registry._others, named._others, body_files._others, fit_request._others, form_registry._others):
-        listed.cache_clear()
+    for room in (registry, derivations, named, body_files, fit_request, form_registry):
+        room._others.cache_clear()
     plugins._loaded.clear()

@@ -64,3 +64,28 @@ def test_without_sympy_the_command_says_what_to_install(capsys, monkeypatch):
     monkeypatch.delitem(sys.modules, "polhode.proving.symbolic.command", raising=False)
     code, out, err = run(["derive", "clebsch"], capsys)
     assert code == 2 and not out and "need sympy, which is not installed. Run `" in err
+
+
+@pytest.mark.parametrize(("value", "words"), [
+    ("math:pi", "must be a function that returns a Page; got 3.14159"), ("math:hypot", "must be a function that returns"),
+    ("nowhere:derive", "cannot be imported: No module named 'nowhere'. Update or remove it."),
+])  # fmt: skip
+def test_one_of_others_that_is_none_is_named(add_entry_points, capsys, value, words):
+    add_entry_points(registry.GROUP, ("odd", value))
+    code, out, err = run(["derive", "odd"], capsys)
+    assert code == 2 and not out and f"the derivation odd of another package, {value}" in err and words in err
+    code, out, _ = run(["derive"], capsys)  # the list is whole
+    assert code == 0 and "clebsch " in out and "\nodd" in out
+
+
+def test_a_name_that_polhode_has_is_its_own(add_entry_points):
+    add_entry_points(registry.GROUP, ("clebsch", "math:pi"))
+    with pytest.warns(UserWarning, match="the derivation clebsch of another package, math:pi, is ignored"):
+        assert derivation_names().count("clebsch") == 1
+
+
+@pytest.mark.long
+def test_one_of_another_package_is_derived(capsys):
+    code, out, _ = run(["derive", "symmetric-body"], capsys)
+    assert code == 0 and out.startswith("The symmetric body\n") and "L₃" in out
+    assert "symmetric-body    A body with two equal moments" in run(["derive"], capsys)[1]

@@ -121,6 +121,11 @@ CONTRIBUTORS = {
              "from typing import TYPE_CHECKING\nfrom law_of_others import FACTOR\n"),
             ("__init__.py", "{report.summary}", "{FACTOR}"))),
         point="report_card:write_card", value=1.0),
+    "polhode.derivations": Contributor(
+        copied=("symmetric_body", (
+            ("__init__.py", "import sympy\n", "import sympy\nfrom law_of_others import FACTOR\n"),
+            ("__init__.py", '"The symmetric body"', 'f"A body {FACTOR}"'))),
+        point="symmetric_body:derive", value=1.0),
     "polhode.commands": Contributor(
         copied=("swing_timer", (
             ("report.py", "import numpy as np\n", "import numpy as np\nfrom law_of_others import FACTOR\n"),

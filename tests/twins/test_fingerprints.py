@@ -4,6 +4,7 @@ import contextlib
 import io
 import json
 import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -21,9 +22,9 @@ from twins.contributors import BODY, CONTRIBUTORS, forget, install, number_in, s
 from twins.table import read_tables
 
 CELLS = read_tables()["Contributors and products"].pairs()
-"""Derivations, figures and panels have no group of entry points: those of others come with their kind."""
+"""Panels have no group of entry points: those of others come with their kind."""
 BY_DEFAULT = {("polhode.torques", "kept report"), ("polhode.torques", "resumed sweep"), ("polhode.formats", "export"),
-              ("polhode.commands", "report")}  # fmt: skip
+              ("polhode.commands", "report"), ("polhode.derivations", "report")}  # fmt: skip
 
 
 @pytest.fixture(autouse=True)
@@ -76,11 +77,15 @@ class Apart(Here):
 
 def report(run, group):
     commands = {"polhode.commands": ("of-others", "times.txt"), "polhode.fits": ("fit", "times.txt"),
-                "polhode.report-options": ("report", "spec.toml", "--of-others", "card.md")}  # fmt: skip
+                "polhode.report-options": ("report", "spec.toml", "--of-others", "card.md"),
+                "polhode.derivations": ("derive", "of-others", "--out", "page.txt")}  # fmt: skip
     command = commands.get(group, ("report", "spec.toml"))
-    code, out, err = run(*command, "--json")
+    code, out, err = run(*command, *(["--json"] if command[0] != "derive" else []))
     assert code == 0, err
-    return float((run.folder / "card.md").read_text().split()[-1]) if "card.md" in command else number_in(out, group)
+    if command[-1] in ("card.md", "page.txt"):
+        (number,) = re.findall(r"^.*?([\d.]+)$", (run.folder / command[-1]).read_text(), re.MULTILINE)[:1]
+        return float(number)
+    return number_in(out, group)
 
 
 def page(run, group):

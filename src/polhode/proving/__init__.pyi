@@ -8,9 +8,11 @@ from .enclosures.motion_enclosures import TopEnclosure as TopEnclosure
 from .symbolic.brackets import LiePoissonBracket as LiePoissonBracket
 from .symbolic.derivation import Derivation as Derivation
 from .symbolic.derivation import DerivationBroken as DerivationBroken
+from .symbolic.derivation import Numerical as Numerical
 from .symbolic.integrals import polynomial_integrals as polynomial_integrals
 from .symbolic.registry import derivation_names as derivation_names
 from .symbolic.registry import derive as derive
+from .symbolic.rendering import Name as Name
 from .symbolic.rendering import Page as Page
 from .symbolic.second_variation import SecondVariation as SecondVariation
 from .symbolic.second_variation import characteristic_polynomial as characteristic_polynomial

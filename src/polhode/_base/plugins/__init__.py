@@ -20,6 +20,7 @@ GROUPS = {
     "polhode.kinds": "kind", "polhode.formats": "format", "polhode.torques": "torque", "polhode.mounts": "mount",
     "polhode.control": "control law", "polhode.commands": "command", "polhode.bodies": "format of bodies",
     "polhode.fits": "fit", "polhode.report-options": "option of report",
+    "polhode.derivations": "derivation",
 }  # fmt: skip
 """The groups of entry points, and the word for one of each in messages."""
 _KNOWN = frozenset({"polhode", *(name.replace("-", "_") for name in COMPUTED_BY)})  # counted with the program itself
