@@ -19,6 +19,7 @@ def derive() -> Page:
                       Numerical(lambda v: FreeRigidBody((v["I1"], v["I1"], v["I3"])), SAMPLES))  # fmt: skip
     page.hamiltonian("Two moments are equal.")
     rate = 1 / I3 - 1 / I1
-    page.equations("The axis of the momentum turns about the third one.", {L1: rate * L2 * L3, L2: -rate * L3 * L1, L3: 0})
+    equations = {L1: rate * L2 * L3, L2: -rate * L3 * L1, L3: 0}
+    page.equations("The axis of the momentum turns about the third one.", equations)
     page.integral("The momentum along that axis is constant.", Name("L_3", "L3"), L3)
     return page.page()
