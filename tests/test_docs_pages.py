@@ -18,9 +18,9 @@ PICTURED = re.compile(r"\{(?:figure|image)\}")
 FEWEST = 3  # words of an alt text: fewer are a name, not a description
 HOMES = {
     "FreeMotion": "motions", "LagrangeMotion": "motions", "Trajectory": "motions", "as_dataset": "motions",
-    "closed_forms": "motions", "exact": "motions", "motion": "motions", "Body": "bodies", "combine": "bodies",
-    "Fold": "integrators", "solving": "integrators", "simulation": "integrators", "special": "rotation",
-    "reports": "studies",
+    "closed_forms": "motions", "exact": "motions", "motion": "motions", "MotionPlan": "motions", "Body": "bodies",
+    "combine": "bodies", "Fold": "integrators", "planning": "integrators", "solving": "integrators",
+    "simulation": "integrators", "special": "rotation", "reports": "studies",
 }  # fmt: skip
 """Rooms and names that stand on the page of another room."""
 

@@ -98,7 +98,7 @@ def test_series_of_whole_arrays_are_named():
     ({"method": Taylor(order=8), "order": 9}, "Give `order` only with the class"),
     ({"method": diffrax.Euler()}, "must estimate the error of its steps"), ({"method": "rk4"}, "must be a class of"),
 ])  # fmt: skip
-def test_a_plan_is_refused_as_the_run_would_be(options, message):
+def test_a_plan_is_refused_as_the_run_would_be(options, message, any_type):
     for call in (ph.plan, ph.simulate):
         with pytest.raises(InvalidInput, match=message):
             call(TOP, START, TIMES, **options)

@@ -37,7 +37,7 @@ from polhode.systems._checks import advancing_times
 from polhode.systems._forms import check_finite_rates, refuse_other_objects
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.taylor.runs import choose_precision
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 Method = type[integrators.AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver[Any] | Taylor | None
 ASKED = "as asked"
@@ -95,8 +95,8 @@ class Prepared(NamedTuple):
 
     plan: MotionPlan
     solver: Any
-    sizes: Float64[np.ndarray, "*batch"] | None = None
-    rates: Float64[np.ndarray, "*batch"] | None = None
+    sizes: Float64[ArrayOrFloat, "*batch"] | None = None
+    rates: Float64[ArrayOrFloat, "*batch"] | None = None
 
 
 @known_numbers_only

@@ -36,7 +36,7 @@ from polhode.systems._forms import check_finite_rates
 from polhode.systems.base import AbstractSystem
 from polhode.systems.trajectories import make_trajectory
 from polhode.taylor.runs import choose_precision
-from polhode.types import Array, ArrayLike, Bool, Real
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Bool, Float64, Real
 
 TOO_LONG = 1.0  # rad in a step from which a given step draws a warning
 PASSED = 0.1  # error of a motion whose series end at a singularity, above which it has not gone past that
@@ -340,7 +340,7 @@ def _by_equal_steps(request: Request, prepared: Prepared) -> Trajectory:
     return replace(trajectory, memory=tuple(jax.tree.leaves(run.memory))) if request.resumable else trajectory
 
 
-def _warn_of_long_steps(sizes: np.ndarray, rates: np.ndarray) -> None:
+def _warn_of_long_steps(sizes: Float64[ArrayOrFloat, "*batch"], rates: Float64[ArrayOrFloat, "*batch"]) -> None:
     longest = float(np.max(sizes * rates, initial=0.0))
     if longest > TOO_LONG:
         at = float(np.ravel(sizes)[np.argmax(sizes * rates)])

@@ -193,6 +193,7 @@ REFUSED = {
         ),
     ),
     "find_equilibria": (AXIS, lambda x: ph.find_equilibria(BODY, x)),
+    "planning.plan": (THREE, lambda x: ph.plan(BODY, x, (0.0, 1.0))),
     "simulate": (THREE, lambda x: ph.simulate(BODY, x, (0.0, 1.0))),
     "sections.section": (THREE, lambda x: ph.section(BODY, x, lambda t, point: point[1], (0.0, 1.0))),
     "continue_equilibria": (AXIS, lambda x: ph.analysis.continue_equilibria(lambda a: BODY, (0.0, 1.0), x)),

@@ -6,6 +6,8 @@ from dataclasses import asdict, dataclass, fields
 from enum import Enum
 from typing import Any
 
+from polhode.errors import shown
+
 
 class Stepping(Enum):
     """What a motion's samples come from."""
@@ -82,7 +84,7 @@ class MotionPlan:
         for name, allowed in _JSON_TYPES.items():
             value = entries.get(name)
             if value is not None and (isinstance(value, bool) or not isinstance(value, allowed)):
-                raise ValueError(f"`{name}` cannot be {value!r}")
+                raise ValueError(f"`{name}` cannot be {shown(value)}")
         rest = {name: value for name, value in entries.items() if name not in ("stepping", "otherwise")}
         nested = entries.get("otherwise")
         return cls(Stepping(entries["stepping"]), **rest, otherwise=None if nested is None else
