@@ -104,7 +104,7 @@ def test_a_cubic_at_its_zero_is_smooth(monkeypatch):
     """Its slope and curvature vanish at the point, so that nothing may be compared with them; L3 alone decides."""
     cubic = lambda L: 1e-6 * L[2] + (L[0] + L[1] / 2 + 0.3 * (L[2] - 1)) ** 3  # noqa: E731
     assert ph.stability(systems.LiePoisson(so3, cubic), e3).verdict == "stable"
-    monkeypatch.setattr("polhode.analysis._exact_functions.MOST_COORDINATES", 0)  # by doubles
+    monkeypatch.setattr(exact_functions, "LIMITS", exact_functions.LIMITS._replace(max_coordinates=0))  # by doubles
     assert ph.stability(systems.LiePoisson(so3, cubic), e3).verdict == "stable"
     with pytest.raises(InvalidInput, match="twice differentiable"):
         ph.stability(systems.LiePoisson(so3, lambda L: cubic(L) + 1e-6 * jnp.abs(L[0])), e3)
@@ -196,7 +196,7 @@ def test_a_leaf_of_one_point_is_said_to_be_one():
 
 def test_exact_functions_have_a_largest_dimension(monkeypatch):
     """Beyond it doubles decide: what is not surely decided stays open."""
-    monkeypatch.setattr(exact_functions, "MOST_COORDINATES", 2)
+    monkeypatch.setattr(exact_functions, "LIMITS", exact_functions.LIMITS._replace(max_coordinates=2))
     for gap in (1e-13, 1e-12):
         body = systems.FreeRigidBody((1.0 - gap, 1.0, 1.0 + gap))
         assert ph.stability(body, e2).verdict == "undecided"

@@ -97,7 +97,7 @@ def test_bifurcations_are_found_where_they_are(kind):
 
 @pytest.mark.long
 def test_a_branch_that_is_not_halved_is_seen(monkeypatch):
-    monkeypatch.setattr(periodic_branches, "HALVINGS", 3)
+    monkeypatch.setattr(periodic_branches, "LIMITS", periodic_branches.LIMITS._replace(max_halvings=3))
     with pytest.raises(AssertionError):
         test_bifurcations_are_found_where_they_are("torus")
 
@@ -158,7 +158,7 @@ def test_no_system_outside_of_the_range_is_asked_for_at_its_beginning():
 
 
 def test_a_branch_that_ends_nowhere_says_so(monkeypatch):
-    monkeypatch.setattr(periodic_branches, "MOST", 4)
+    monkeypatch.setattr(periodic_branches, "LIMITS", periodic_branches.LIMITS._replace(max_motions=4))
     with pytest.warns(UserWarning, match=r"could not be followed beyond the value 0\.\d+: what comes after"):
         continue_periodic(lambda mu: Cycle(mu, growing), (0.1, 1.0), [0.31, 0.0], 3.1)
 

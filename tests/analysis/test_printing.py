@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.analysis._printing import FEW, print_answer, write_numbers
+from polhode.analysis._printing import LIMITS, print_answer, write_numbers
 from polhode.analysis.periodic_branches import PeriodicBifurcation, PeriodicBranch
 
 LONGEST = 600  # characters: five lines
@@ -123,8 +123,8 @@ def test_no_answer_with_arrays_prints_as_a_page():
 
 
 def test_few_numbers_are_shown_of_many():
-    assert write_numbers(np.arange(FEW)) == "0, 1, 2, 3, 4, 5"
-    assert write_numbers(np.arange(FEW + 1)) == "0, 1, 2, 3, 4, 5, … (7)"
+    assert write_numbers(np.arange(LIMITS.max_numbers)) == "0, 1, 2, 3, 4, 5"
+    assert write_numbers(np.arange(LIMITS.max_numbers + 1)) == "0, 1, 2, 3, 4, 5, … (7)"
     assert write_numbers(jnp.asarray([[1.0, 2.0]]), "m") == "1, 2 m"
     assert write_numbers(np.array([0.5, 1.0]), errors=[0.1, 0.25]) == "0.5 ± 0.1, 1 ± 0.25"
     assert print_answer("said", number=None) == "Said."

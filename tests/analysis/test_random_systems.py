@@ -8,6 +8,7 @@ import pytest
 import polhode as ph
 from analysis.random_systems import ALGEBRAS, OFF, departures, judge, judge_motion, random_specimen
 from polhode.analysis import _equilibrium_data as equilibrium_data
+from polhode.analysis import _exact_functions as exact_functions
 
 SWEEP = 60  # systems of each algebra
 JUDGED = 3  # equilibria of each: of lowest and highest energy, and one between
@@ -78,7 +79,8 @@ def test_false_verdicts_are_seen(monkeypatch):
         return found._replace(hessians=-found.hessians) if isinstance(source, equilibrium_data.Energy) else found
 
     monkeypatch.setattr(equilibrium_data, "derivatives", wrong)
-    monkeypatch.setattr("polhode.analysis._exact_functions.MOST_COORDINATES", 0)  # whose derivatives are others
+    by_doubles = exact_functions.LIMITS._replace(max_coordinates=0)  # whose derivatives are others
+    monkeypatch.setattr(exact_functions, "LIMITS", by_doubles)
     assert false_verdicts("so(3)", range(4), moving=False)[1]
 
 

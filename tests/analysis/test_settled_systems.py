@@ -11,6 +11,7 @@ import polhode as ph
 from analysis.random_systems import CONFINED, departures, judge, judge_motion
 from analysis.settled_systems import PLACES, SETTLED, settled_specimen
 from polhode.algebra import SE2, SO3, AffineLine, Heisenberg, from_structure_constants
+from polhode.analysis import _exact_functions as exact_functions
 from polhode.analysis._reasons import LeafIsPoint
 
 SWEEP = 24  # systems of each place: 1,008 on all algebras
@@ -82,7 +83,8 @@ def test_a_leaf_of_one_point_says_so(monkeypatch):
     # L turns about dH with |L| kept
     found = ph.stability(ph.systems.LiePoisson(SO3(), lambda m: m @ weights), np.zeros(3))
     assert found.verdict == "stable" and "second variation of |L|² is positive definite" in found.certificate
-    monkeypatch.setattr("polhode.analysis._exact_functions.MOST_COORDINATES", 0)  # by doubles the leaf alone decides
+    by_doubles = exact_functions.LIMITS._replace(max_coordinates=0)  # by doubles the leaf alone decides
+    monkeypatch.setattr(exact_functions, "LIMITS", by_doubles)
     found = ph.stability(ph.systems.LiePoisson(SO3(), lambda m: m @ weights), np.zeros(3))
     assert found.verdict == "stable" and "the group is compact" in found.certificate
     constants = np.zeros((2, 2, 2))

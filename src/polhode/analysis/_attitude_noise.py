@@ -3,16 +3,25 @@
 from __future__ import annotations
 
 from math import comb
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode import rotation
 from polhode.types import Array, Float64
 
-FEWEST = 40  # samples; fewer leave differences of high order no mean
-UNEVEN = 0.2  # of the usual step, by which others may differ
 ORDERS = range(3, 11)  # of differences: a motion that turns by 0.1 rad between samples leaves 1e-10 of the tenth
-LARGEST_TURN = 1.0  # rad between samples
+
+
+class AttitudeNoiseLimits(NamedTuple):
+    """Numbers that decide whether samples allow an estimate of their noise."""
+
+    min_samples: int = 40  # fewer leave differences of high order no mean
+    max_unevenness: float = 0.2  # of the median step, by which steps may differ
+    max_turn: float = 1.0  # rad between samples; differences of longer rotation vectors are not small
+
+
+LIMITS = AttitudeNoiseLimits()
 
 
 def root_mean_square(vectors: Float64[Array, "... n"]) -> float:
@@ -30,10 +39,10 @@ def attitude_noise(times: Float64[Array, "time"], attitude: Float64[Array, "time
     Source: von Neumann et al., Ann. Math. Stat. 12 (1941) 153, for first differences.
     """
     steps = np.diff(times)
-    if len(times) < FEWEST or np.ptp(steps) > UNEVEN * np.median(steps):
+    if len(times) < LIMITS.min_samples or np.ptp(steps) > LIMITS.max_unevenness * np.median(steps):
         return None
     turns = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(attitude[:-1]), attitude[1:]))
-    if np.linalg.norm(turns, axis=-1).max() > LARGEST_TURN:
+    if np.linalg.norm(turns, axis=-1).max() > LIMITS.max_turn:
         return None
     return min(
         float(np.sqrt(np.mean(np.sum(np.diff(turns, n=order, axis=0) ** 2, axis=-1)) / comb(2 * order + 2, order + 1)))

@@ -21,17 +21,23 @@ from polhode.analysis._conserved import Energy, Source
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Complex128, Double, Float64
 
-RANK = 1e-9  # of singular values, below which the Poisson tensor moves nothing
-NULL = 1e-7  # of singular values and eigenvalues, below which they vanish
-FIRST, LONGEST, SHORTEST = 0.01, 0.04, 1e-7  # steps, in units of the state's size and of the range
-MOST_PLACES = 3000  # on a branch
-ROUNDS = 12  # of Newton's method
-SETTLED = 1e-12  # of a step of it
-DIFFERENCE = 1e-5  # of the range: the step of derivatives by the parameter
-STRAIGHT = 0.97  # cosine of the angle by which the direction may turn in a step
-HALVINGS = 50
-LEAST_OF_FAMILY = 6  # steps along equilibria at one value: a quarter of the state's size, which no chance makes
-ASIDE = 1e-3  # of the state's size, by which another branch is sought beside a place where it begins
+
+class BranchLimits(NamedTuple):
+    """Numbers that decide what an equilibrium on a branch is, and how far a branch is followed."""
+
+    tensor_rank: float = 1e-9  # singular values of the Poisson tensor below it, relative to the largest, move nothing
+    relative_zero: float = 1e-7  # singular values and eigenvalues below it, relative to the largest, vanish
+    first_step: float = 0.01  # in units of the state's size and of the range
+    longest_step: float = 0.04  # in the same units
+    shortest_step: float = 1e-7  # in the same units: a branch that needs shorter ones is given up
+    max_places: int = 3000  # on a branch
+    max_newton_steps: int = 12  # of a method that converges quadratically from a step's guess
+    settled_step: float = 1e-12  # in units of size and range: Newton's method is done after a shorter one
+    min_cosine: float = 0.97  # of the angle between the directions at neighbouring places
+    min_family_points: int = 6  # along equilibria at one value: a quarter of the state's size, no coincidence
+
+
+LIMITS = BranchLimits()
 
 
 class Place(NamedTuple):
@@ -152,13 +158,14 @@ class Family:
 
     def equations(self, z: Array, value: float) -> Equations:
         """Return the equations of an equilibrium at a point and a value."""
+        difference = 1e-5  # of the range: the step of derivatives by the parameter
         derivatives = self._at(z, value)
         left, sizes, _ = np.linalg.svd(self._constants @ z)
-        leaf = left[:, sizes > RANK * max(sizes[0], 1e-300)]
+        leaf = left[:, sizes > LIMITS.tensor_rank * max(sizes[0], 1e-300)]
         # on the leaf dH = Σ w dC, and its curvature is D²H − Σ w D²C
         weights = np.linalg.lstsq(derivatives.slopes.T, derivatives.slope, rcond=None)[0]
         curvature = derivatives.curvature - np.tensordot(weights, derivatives.curvatures, 1)
-        step = DIFFERENCE * self.range
+        step = difference * self.range
         # dH as a function of the parameter, by a central difference
         by_value = (self._at(z, value + step).slope - self._at(z, value - step).slope) / (2.0 * step)
         steepness = max(float(np.abs(derivatives.slope).max()), float(np.abs(curvature).max()) * self.size, 1e-300)
@@ -177,19 +184,20 @@ class Family:
         equations = self.equations(z, value)
         _, sizes, rows = np.linalg.svd(equations.matrix)
         sizes = np.concatenate([sizes, np.zeros(len(rows) - len(sizes))])
-        kernel = rows[sizes <= NULL * sizes[0]] if (sizes <= NULL * sizes[0]).any() else rows[-1:]
+        flat = sizes <= LIMITS.relative_zero * sizes[0]
+        kernel = rows[flat] if flat.any() else rows[-1:]
         along = np.eye(len(rows))[-1] if along is None else along
         tangent = kernel.T @ (kernel @ along)
         length = np.linalg.norm(tangent)
         tangent = tangent / length if length > 1e-6 else kernel[-1]
         curvature = 0.5 * (equations.curvature + equations.curvature.T)
         values, vectors = np.linalg.eigh(curvature)
-        still = np.abs(values) <= NULL * np.abs(values).max(initial=0.0)
+        still = np.abs(values) <= LIMITS.relative_zero * np.abs(values).max(initial=0.0)
         tensor, vectors, least = self._constants @ z, equations.leaf @ vectors, int(np.argmin(np.abs(values)))
         # the linearised flow on the leaf is π times the curvature there
         exponents = np.linalg.eigvals(equations.leaf.T @ tensor @ equations.leaf @ curvature).astype(complex)
         # two that meet are off by the root of a rounding
-        noise = NULL * float(np.linalg.norm(tensor, 2) * np.linalg.norm(curvature, 2))
+        noise = LIMITS.relative_zero * float(np.linalg.norm(tensor, 2) * np.linalg.norm(curvature, 2))
         return Place(z, float(value), tangent, int(np.sum((values < 0.0) & ~still)), vectors[:, still],
                      vectors[:, least], float(values[least]), equations.energy, exponents, noise)  # fmt: skip
 
@@ -198,18 +206,18 @@ class Family:
     ) -> tuple[Float64[np.ndarray, "n"], float] | None:
         """Return the equilibrium next to a guess, with the step along a given direction held; None if there is none."""
         z, value, far, off = np.array(z), float(value), math.inf, np.zeros(1)
-        for _ in range(ROUNDS):
+        for _ in range(LIMITS.max_newton_steps):
             off, matrix = self.equations(z, value)[2:4]
             if not (np.isfinite(off).all() and np.isfinite(matrix).all()):
                 return None
-            move = -np.linalg.lstsq(np.vstack([matrix, row]), np.append(off, 0.0), rcond=NULL * 1e-2)[0]
+            move = -np.linalg.lstsq(np.vstack([matrix, row]), np.append(off, 0.0), rcond=LIMITS.relative_zero * 1e-2)[0]
             far = float(np.abs(move).max())
             if far > 0.5:
                 return None
             z, value = z + self.size * move[:-1], value + self.range * float(move[-1])
-            if far < SETTLED:
+            if far < LIMITS.settled_step:
                 return z, value
-        return (z, value) if far < 1e3 * SETTLED and np.abs(off).max() < 1e3 * SETTLED else None
+        return (z, value) if far < 1e3 * LIMITS.settled_step and np.abs(off).max() < 1e3 * LIMITS.settled_step else None
 
     def between(self, one: Place, other: Place, share: float) -> Place | None:
         """Return the place at a share of the way from one to another."""
@@ -240,8 +248,8 @@ def follow(family: Family, begin: Place) -> list[Place]:
     tangent = begin.tangent
     if begin.value >= family.high and tangent[-1] > 0.0:
         tangent = -tangent
-    places, step = [begin], FIRST
-    while len(places) < MOST_PLACES and step > SHORTEST:
+    places, step = [begin], LIMITS.first_step
+    while len(places) < LIMITS.max_places and step > LIMITS.shortest_step:
         last = places[-1]
         guess = last.vector + step * family.size * tangent[:-1], last.value + step * family.range * tangent[-1]
         solution = family.settle(*guess, tangent)
@@ -249,7 +257,7 @@ def follow(family: Family, begin: Place) -> list[Place]:
             step *= 0.5
             continue
         place = family.place(*solution, tangent)
-        if place.tangent @ tangent < STRAIGHT or family.apart(place, last) > 3.0 * step:
+        if place.tangent @ tangent < LIMITS.min_cosine or family.apart(place, last) > 3.0 * step:
             step *= 0.5
             continue
         if not family.low <= place.value <= family.high:
@@ -259,8 +267,8 @@ def follow(family: Family, begin: Place) -> list[Place]:
                 places.append(family.place(end, value, tangent))
             return places
         places.append(place)
-        tangent, step = place.tangent, min(1.3 * step, LONGEST)
-        if len(places) > 10 and family.apart(place, begin) < step and place.tangent @ begin.tangent > STRAIGHT:
+        tangent, step = place.tangent, min(1.3 * step, LIMITS.longest_step)
+        if len(places) > 10 and family.apart(place, begin) < step and place.tangent @ begin.tangent > LIMITS.min_cosine:
             return [*places, begin]  # it is closed
     warnings.warn(
         f"a branch of equilibria could not be followed beyond the value {places[-1].value:g}: what comes after is not "
@@ -272,12 +280,13 @@ def follow(family: Family, begin: Place) -> list[Place]:
 
 def crossings(family: Family, path: list[Place]) -> Iterator[tuple[Place, Place, Place]]:
     """Yield the places at which a direction of the energy changes its sign, each with those before and after."""
+    max_halvings = 50
     for one, other in itertools.pairwise(path):
         if one.negative == other.negative or one.flat.shape[1] or other.flat.shape[1]:
             continue
         low, high, at, (a, b), ends = 0.0, 1.0, one, (one.least, other.least), [one, other]
         missed = False
-        for k in range(HALVINGS):
+        for k in range(max_halvings):
             # by the eigenvalue that vanishes, where it is the smallest already; halved now and then
             by_halves = k % 3 == 0 or a * b >= 0.0 or missed
             secant = 0.5 * (low + high) if by_halves else low + (high - low) * a / (a - b)
@@ -313,26 +322,27 @@ def trace_family(family: Family, place: Place) -> tuple[Float64[np.ndarray, "m n
 
     No points where there is no such curve: next to a place where another branch begins the energy bends.
     """
-    step, points, ahead = LONGEST * family.size, [place.vector], place.weakest
-    while len(points) < MOST_PLACES:
+    step, points, ahead = LIMITS.longest_step * family.size, [place.vector], place.weakest
+    while len(points) < LIMITS.max_places:
         guess = points[-1] + step * ahead
         z = family.at_value(guess, place.value)
         if z is None or np.linalg.norm(z - guess) > 0.5 * step or not family.place(z, place.value).flat.shape[1]:
             break
         ahead = (z - points[-1]) / np.linalg.norm(z - points[-1])
         points.append(z)
-        if len(points) > LEAST_OF_FAMILY and np.linalg.norm(z - place.vector) < step:
+        if len(points) > LIMITS.min_family_points and np.linalg.norm(z - place.vector) < step:
             return np.array(points), True
-    return (np.array(points) if len(points) > LEAST_OF_FAMILY else np.zeros((0, place.vector.size))), False
+    return (np.array(points) if len(points) > LIMITS.min_family_points else np.zeros((0, place.vector.size))), False
 
 
 def step_onto_branch(family: Family, place: Place) -> list[Place]:
     """Return places on another branch that meets this one at a place: one on either side."""
+    aside = 1e-3  # of the state's size: how far from the place another branch is sought
     places = []
     for sign in (1.0, -1.0):
         way = sign * place.weakest
         row = np.append(way, 0.0)
-        beside = family.settle(place.vector + ASIDE * family.size * way, place.value, row)
+        beside = family.settle(place.vector + aside * family.size * way, place.value, row)
         if beside is not None:
             places.append(family.place(*beside, row))
     return places
@@ -345,7 +355,7 @@ def is_on(family: Family, place: Place, path: list[Place], same: float) -> bool:
     for one in path:
         node = np.append(one.vector, one.value) / scale
         ahead = float(one.tangent @ (here - node))
-        if abs(ahead) > 2.0 * LONGEST:
+        if abs(ahead) > 2.0 * LIMITS.longest_step:
             continue
         solution = family.settle(*_parts((node + ahead * one.tangent) * scale), one.tangent)
         if solution is None:

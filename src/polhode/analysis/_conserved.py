@@ -32,20 +32,27 @@ from polhode.systems._agreement import moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Bool, Double, Float64
 
-CONSERVED = 4e-12  # of the terms of {F, G}, what rounding of smooth derivatives and of parameters may leave
-CLOSED = 1e-9  # of the largest bracket, what a combination of momenta may miss it by
-NOISE = 20.0  # times the change of {F, G} over a rounding error of the point, for functions that lose digits inside
-RANK = 1e-9  # singular values of unit gradients below which user's Casimirs depend on each other
-HIGHEST_DEGREE = 4  # of Casimirs looked for where the algebra does not name enough
-DISTANCES = (0.01, 0.1, 0.5, 1.0)  # of the points at which conservation is checked, in units of |μ|
-DRAWS = 3  # points at each distance
-NEARBY = 0.5  # of |μ|, per root of the dimension: samples there tell a function's size
-STEP = 1e-6  # of the difference quotients that must agree with second derivatives, in units of |μ|
-KINK = 1e-3  # disagreement between the two, relative to the derivatives, beyond which there are none
-DIFFERENTIATION = 1e-12  # relative error of second derivatives by AD of functions of order one
-DISAGREEMENT = 1e-9  # of generator and dH, relative: both are right to rounding
-USUAL = 2.0**200  # sizes of μ whose squares are far from overflow
 TRACING = (jax.errors.ConcretizationTypeError, jax.errors.TracerArrayConversionError)
+
+
+class ConservationLimits(NamedTuple):
+    """Numbers that decide whether functions commute, depend on each other, and have derivatives."""
+
+    # of the terms of {F, G}: what rounding of smooth derivatives and of parameters may leave
+    relative_rounding: float = 4e-12
+    # times the change of {F, G} over a rounding error of the point: functions may lose digits inside
+    noise_factor: float = 20.0
+    closure: float = 1e-9  # of the largest bracket: how far it may be from a combination of the momenta
+    casimir_rank: float = 1e-9  # singular values of unit gradients below which given Casimirs depend on each other
+    max_casimir_degree: int = 4  # of polynomials that are sought where the algebra does not name enough
+    points_per_distance: int = 3  # random points at which conservation is checked
+    # of difference quotients against second derivatives, relative: beyond it there are none
+    max_roughness: float = 1e-3
+    derivative_error: float = 1e-12  # relative, of second derivatives by AD of functions of order one
+    generator_error: float = 1e-9  # of the generator against dH, relative: both are right to rounding
+
+
+LIMITS = ConservationLimits()
 
 
 class Source(eqx.Module):
@@ -136,7 +143,7 @@ def choose_casimirs(algebra: AbstractLieAlgebra, casimirs: Sequence[Function] | 
         return Casimirs(Own(algebra), names, _lack(len(names), wanted, f"are known ({error})"))
     texts = [str(p) for p in polynomials]
     return Casimirs(Polynomials(polynomials), texts,
-                    _lack(len(polynomials), wanted, f"of degree ≤ {HIGHEST_DEGREE} exist"))  # fmt: skip
+                    _lack(len(polynomials), wanted, f"of degree ≤ {LIMITS.max_casimir_degree} exist"))  # fmt: skip
 
 
 def _lack(count: int, wanted: int, how: str) -> MissingCasimirs | None:
@@ -146,13 +153,14 @@ def _lack(count: int, wanted: int, how: str) -> MissingCasimirs | None:
 @lru_cache(maxsize=16)
 def _polynomials(constants: bytes, dim: int, fractions: Any) -> tuple[Polynomial, ...]:
     table = np.frombuffer(constants).reshape(dim, dim, dim)
-    return tuple(polynomial_casimirs(ConstantsAlgebra(table, None, fractions), HIGHEST_DEGREE))
+    return tuple(polynomial_casimirs(ConstantsAlgebra(table, None, fractions), LIMITS.max_casimir_degree))
 
 
 def choose_unit(z: Float64[Array, "n"]) -> float:
     """Return a power of two near the size of z where its squares might overflow, else one."""
+    usual = 2.0**200  # sizes up to it have squares that are far from overflow
     largest = float(np.abs(z).max(initial=0.0))
-    return 1.0 if largest == 0.0 or 1.0 / USUAL < largest < USUAL else 2.0 ** round(math.log2(largest))
+    return 1.0 if largest == 0.0 or 1.0 / usual < largest < usual else 2.0 ** round(math.log2(largest))
 
 
 # ---------------------------------------------------------------------- derivatives
@@ -175,7 +183,7 @@ class Derivatives(NamedTuple):
     @property
     def smooth(self) -> Bool[Array, "k"]:
         """Whether each function is twice differentiable, (k,)."""
-        return self.rough <= KINK
+        return self.rough <= LIMITS.max_roughness
 
     def choose(self, rows: list[int]) -> Derivatives:
         """Return the derivatives of some of the functions."""
@@ -185,25 +193,27 @@ class Derivatives(NamedTuple):
 
 def derivatives(source: Source, z: Float64[Array, "n"], samples: Float64[Array, "m n"]) -> Derivatives:
     """Differentiate at z (n,), and once at each sample (m, n); what is not finite there is left so."""
+    neighbourhood = 0.5  # of |μ|, per root of the dimension: samples there give a function's size
+    step = 1e-6  # of the difference quotients, in units of |μ|
     rng = np.random.default_rng(1)
     size = float(np.abs(z).max(initial=0.0)) or 1.0
     signs = rng.choice([-1.0, 1.0], size=(2, z.size))
     signs = np.vstack([signs, -signs])
     rounded = z * (1.0 + 2.0**-51 * rng.choice([-1.0, 1.0], size=(2, z.size)))
-    points, centres = np.vstack([z, z + STEP * size * signs, samples]), np.vstack([z, rounded])
+    points, centres = np.vstack([z, z + step * size * signs, samples]), np.vstack([z, rounded])
     gradients, hessians = (np.asarray(x) for x in differentiate(source, points, centres))
     slopes, curvatures = gradients[0], hessians[0]
     with np.errstate(invalid="ignore"):
-        quotients = (gradients[1:5] - slopes) / STEP
+        quotients = (gradients[1:5] - slopes) / step
         expected = size * np.einsum("kij,mj->mki", curvatures, signs)
         # a cubic term has neither slope nor curvature at its zero: nearby it has, and its size is theirs
-        nearby = np.linalg.norm(samples - z, axis=1) <= NEARBY * size * np.sqrt(z.size)
+        nearby = np.linalg.norm(samples - z, axis=1) <= neighbourhood * size * np.sqrt(z.size)
         around = np.abs(np.nan_to_num(np.vstack([slopes[None], gradients[5:][nearby]]), posinf=0.0, neginf=0.0))
         scale = size * np.abs(curvatures).max(axis=(1, 2), initial=0.0) + around.max(axis=(0, 2), initial=0.0)
         off = np.abs(quotients - expected).max(axis=(0, 2), initial=0.0) / np.where(scale > 0, scale, 1.0)
         largest = np.abs(curvatures).max(axis=(1, 2), initial=0.0)
         change = np.abs(hessians[1:] - curvatures).max(axis=(0, 2, 3), initial=0.0)
-    errors = np.maximum(DIFFERENTIATION, change / np.where(largest > 0, largest, 1.0))
+    errors = np.maximum(LIMITS.derivative_error, change / np.where(largest > 0, largest, 1.0))
     finite = np.isfinite(slopes).all(axis=1) & np.isfinite(curvatures).all(axis=(1, 2))
     rough = np.where(finite & ~np.isnan(off), off, np.inf)
     return Derivatives(slopes, curvatures, gradients[5:], errors, rough)
@@ -249,13 +259,15 @@ def samples_around(constants: Float64[Array, "n n n"], z: Float64[Array, "n"]) -
 
     (2m, n): behind the m points their neighbours at a rounding error's distance, which show how exact derivatives are.
     """
+    distances = (0.01, 0.1, 0.5, 1.0)  # in units of |μ|
     from scipy.linalg import expm
 
     rng = np.random.default_rng(2)
     size = float(np.abs(z).max(initial=0.0)) or 1.0
-    near = [z + r * size * rng.normal(size=z.size) for r in DISTANCES for _ in range(DRAWS)]
+    draws = range(LIMITS.points_per_distance)
+    near = [z + r * size * rng.normal(size=z.size) for r in distances for _ in draws]
     scale = float(np.abs(constants).max(initial=0.0)) or 1.0
-    turns = [expm(np.einsum("i,ijk->jk", rng.normal(size=z.size) / scale, constants)) for _ in range(DRAWS)]
+    turns = [expm(np.einsum("i,ijk->jk", rng.normal(size=z.size) / scale, constants)) for _ in draws]
     points = np.array([*near, *(turn @ z for turn in turns)])
     return np.vstack([points, points * (1.0 + 2.0**-51 * rng.choice([-1.0, 1.0], size=points.shape))])
 
@@ -283,7 +295,7 @@ def check_commute(
         InvalidInput: with the size of the bracket.
     """
     good = _find_defined(tensors, first, second)
-    if good.sum() < 2 * DRAWS:
+    if good.sum() < 2 * LIMITS.points_per_distance:
         raise InvalidInput(
             f"{names[0]} and {names[1]} must be defined around the equilibrium; their derivatives are finite at "
             f"{good.sum() // 2} of {len(good) // 2} points there. Check their domain."
@@ -317,7 +329,7 @@ def _bracket(tensors: Array, first: Array, second: Array) -> tuple[float, float]
     terms = np.einsum("mi,mi->m", np.abs(first), np.einsum("mij,mj->mi", np.abs(tensors), np.abs(second)))
     values, rounded = np.split(values / (terms.max(initial=0.0) or 1.0), 2)
     off = float(np.abs(values - rounded).max(initial=0.0))
-    return float(np.abs(values).max(initial=0.0)), max(CONSERVED, NOISE * off)
+    return float(np.abs(values).max(initial=0.0)), max(LIMITS.relative_rounding, LIMITS.noise_factor * off)
 
 
 def check_closed(
@@ -343,13 +355,13 @@ def check_closed(
     gradients, tensors, values = gradients[good], tensors[good], values[good]
     brackets = np.einsum("mai,mij,mbj->mab", gradients, tensors, gradients)
     terms = np.einsum("mai,mij,mbj->mab", np.abs(gradients), np.abs(tensors), np.abs(gradients))
-    if not np.abs(brackets).max(initial=0.0) > CLOSED * terms.max(initial=0.0):
+    if not np.abs(brackets).max(initial=0.0) > LIMITS.closure * terms.max(initial=0.0):
         return True
     for a, b in itertools.combinations(range(len(names)), 2):
         wanted = brackets[:, a, b]
         size = np.abs(brackets).max()
         left = wanted - values @ np.linalg.lstsq(values, wanted, rcond=None)[0]
-        if np.abs(left).max() > CLOSED * size:
+        if np.abs(left).max() > LIMITS.closure * size:
             raise InvalidInput(
                 f"{{{names[a]}, {names[b]}}} must vanish or be a sum of multiples of the `integrals`, as symmetries "
                 "that are divided out make up a group; at points nearby it misses every such sum by "
@@ -378,7 +390,7 @@ def check_casimirs(tensors: Float64[Array, "m n n"], gradients: Float64[Array, "
     count = gradients.shape[1]
     lengths = np.linalg.norm(fine, axis=2, keepdims=True)
     sizes = np.linalg.svd(fine / np.where(lengths > 0, lengths, 1.0), compute_uv=False)
-    rank = int((sizes > RANK).sum(axis=1).max(initial=0))
+    rank = int((sizes > LIMITS.casimir_rank).sum(axis=1).max(initial=0))
     if rank < count:
         raise InvalidInput(
             f"`casimirs` must be independent: the gradients of these {count} span {rank} dimensions everywhere. "
@@ -421,7 +433,7 @@ def check_motion(system: AbstractLiePoissonSystem, samples: Callable[[], Float64
         wanted = -system.sign * np.asarray(gradients)[:, 0]
     good = np.isfinite(wanted).all(axis=1)
     off = np.abs(moved - wanted)[good].max(initial=0.0) / (np.abs(wanted[good]).max(initial=0.0) or 1.0)
-    if off > DISAGREEMENT:
+    if off > LIMITS.generator_error:
         raise InvalidInput(
             f"{kind.__name__} does not move by its energy alone: its `generator` differs from dH by {off:.2g}. "
             "Where energy is lost, let `conserves_energy` be False."

@@ -31,8 +31,17 @@ from polhode.analysis._exact_functions import ExactFunctions, polynomial_derivat
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Float64
 
-NULL = 1e-9  # of a function's field relative to its terms: below it the function's flow leaves the point where it is
-STILL = 1e-15  # a field below it times the dimension, relative to its terms, at all random points is rounding of zero
+
+class FieldLimits(NamedTuple):
+    """Numbers that decide whether a vector field vanishes."""
+
+    # of a function at the point, relative to its terms: below it the flow leaves the point where it is
+    relative_field: float = 1e-9
+    # per dimension, relative to the terms: a field below it at all random points is rounding of zero
+    field_rounding: float = 1e-15
+
+
+LIMITS = FieldLimits()
 
 
 class Problem(NamedTuple):
@@ -176,7 +185,8 @@ def _check_symmetries(
 
 def _is_at_rest(tensor: Array, gradient: Array) -> bool:
     """Whether a function's flow leaves the point where it is."""
-    return bool(np.abs(tensor @ gradient).max() <= NULL * np.abs(tensor).max() * np.abs(gradient).max())
+    terms = np.abs(tensor).max(), np.abs(gradient).max()
+    return bool(np.abs(tensor @ gradient).max() <= LIMITS.relative_field * terms[0] * terms[1])
 
 
 def _in_units(derived: Derivatives, unit: float) -> Derivatives:
@@ -198,4 +208,5 @@ def _name_scaled(casimirs: Casimirs, y: Array, unit: float) -> list[str]:
 def _vanishes(values: Array, terms: Array) -> bool:
     good = np.all(np.isfinite(values), axis=1)
     values, terms = values[good], terms[good].max(axis=1, keepdims=True)
-    return bool(good.sum() > len(good) // 2 and (np.abs(values) <= STILL * values.shape[1] * terms).all())
+    rounding = LIMITS.field_rounding * values.shape[1] * terms
+    return bool(good.sum() > len(good) // 2 and (np.abs(values) <= rounding).all())

@@ -25,9 +25,15 @@ if TYPE_CHECKING:
 else:
     ExactNumber = Any  # as functions check a user's numbers themselves
 
-MOST_DIGITS = 10_000
-SPARE_BITS = 64
-MOST_BITS = 1 << 16
+
+class PrecisionLimits(NamedTuple):
+    """Bounds of the precision that may be asked for."""
+
+    max_digits: int = 10_000  # decimal, of an answer
+    max_bits: int = 1 << 16  # of the arithmetic
+
+
+LIMITS = PrecisionLimits()
 
 
 def import_flint() -> Any:
@@ -86,8 +92,8 @@ def check_digits(digits: int) -> int:
     Raises:
         InvalidInput: unless it is a whole number from 1 to 10000.
     """
-    if isinstance(digits, bool) or not isinstance(digits, numbers.Integral) or not 1 <= digits <= MOST_DIGITS:
-        raise InvalidInput(f"`digits` must be a whole number from 1 to {MOST_DIGITS}; got {shown(digits)}.")
+    if isinstance(digits, bool) or not isinstance(digits, numbers.Integral) or not 1 <= digits <= LIMITS.max_digits:
+        raise InvalidInput(f"`digits` must be a whole number from 1 to {LIMITS.max_digits}; got {shown(digits)}.")
     return int(digits)
 
 
@@ -114,10 +120,11 @@ def refine(compute: Callable[[], Sequence[Wanted]], digits: int, extra_bits: flo
     Raises:
         NotConverged: if 65536 bits do not suffice.
     """
+    spare_bits = 64
     from flint import arb, ctx
 
-    bits = math.ceil(digits * math.log2(10.0) + max(extra_bits, 0.0)) + SPARE_BITS
-    while bits <= MOST_BITS:
+    bits = math.ceil(digits * math.log2(10.0) + max(extra_bits, 0.0)) + spare_bits
+    while bits <= LIMITS.max_bits:
         with ctx.workprec(bits):
             found = compute()
             share = arb(10) ** -digits
@@ -125,8 +132,8 @@ def refine(compute: Callable[[], Sequence[Wanted]], digits: int, extra_bits: flo
                 return [one.ball for one in found]
         bits *= 2
     raise NotConverged(
-        f"{MOST_BITS} bits do not give {digits} digits: the numbers are too close to a case of their own. Give numbers "
-        "that are exact, as decimals in `exact`, or fewer digits."
+        f"{LIMITS.max_bits} bits do not give {digits} digits: the numbers are too close to a case of their own. Give "
+        "numbers that are exact, as decimals in `exact`, or fewer digits."
     )
 
 

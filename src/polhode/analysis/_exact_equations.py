@@ -8,7 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import combinations
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -17,7 +17,8 @@ from polhode._base.rational._polynomials import RationalPolynomial
 from polhode._base.rational.numbers import EXACT, check_reading, read_number
 from polhode.algebra._functions import Function
 from polhode.algebra.casimirs import polynomial_casimirs, rational_brackets
-from polhode.analysis._conserved import HIGHEST_DEGREE, Energy, Source, choose_casimirs
+from polhode.analysis._conserved import LIMITS as CONSERVATION_LIMITS
+from polhode.analysis._conserved import Energy, Source, choose_casimirs
 from polhode.certificates._equations import (
     ENERGY,
     Equations,
@@ -38,10 +39,19 @@ if TYPE_CHECKING:
     from polhode.analysis.certificate import Subject
     from polhode.analysis.energy_casimir import Stability
 
-ROUNDED = 1e-12  # of the largest coefficient of a field, what the code's own rounding of parameters may change
-MOST_COORDINATES = 12  # of a system whose integrals of second degree are looked for
 Reader = Callable[[float], Fraction]
 Named = dict[str, RationalPolynomial]
+
+
+class ExactEquationLimits(NamedTuple):
+    """Numbers that decide which exact equations agree with the code, and where integrals are sought."""
+
+    # of the largest coefficient of a field: what the code's own rounding of parameters may change
+    field_rounding: float = 1e-12
+    max_coordinates: int = 12  # of a system whose integrals of second degree are sought
+
+
+LIMITS = ExactEquationLimits()
 
 
 class Field(Source):
@@ -102,7 +112,7 @@ def _further_integrals(equations: Equations, verdict: str) -> Iterator[Named]:
         if still := {f"x{k + 1}": x for k, x in enumerate(RationalPolynomial.variables(equations.size))
                      if not equations.field[k]}:  # fmt: skip
             yield still
-        if equations.size <= MOST_COORDINATES:
+        if equations.size <= LIMITS.max_coordinates:
             yield quadratic_integrals(equations.field)
 
 
@@ -157,7 +167,7 @@ def _trace_casimirs(subject: Subject, read: Reader, read_as: str) -> Named:
         return dict(zip(known.names, found, strict=True))
     except Untraceable:
         try:
-            found = polynomial_casimirs(algebra, HIGHEST_DEGREE, read_as)
+            found = polynomial_casimirs(algebra, CONSERVATION_LIMITS.max_casimir_degree, read_as)
         except InvalidInput:
             return {}
         parts = ((str(p), zip(p.exponents.tolist(), p.coefficients, strict=True)) for p in found)
@@ -212,7 +222,7 @@ def _compare_fields(one: tuple[RationalPolynomial, ...], other: tuple[RationalPo
     """Refuse a field that is not that of the energy, beyond the code's own rounding of parameters."""
     size = max((p.magnitude for p in other), default=Fraction(0))
     off = max(((p - q).magnitude for p, q in zip(one, other, strict=True)), default=Fraction(0))
-    if off > size * Fraction(ROUNDED):
+    if off > size * Fraction(LIMITS.field_rounding):
         raise InvalidInput(
             f"the field must be that of the energy; its coefficients differ by {float(off / (size or 1)):.2g} of the "
             "largest. Check `vector_field` and `energy` of the system."

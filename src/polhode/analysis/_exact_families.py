@@ -6,6 +6,7 @@ import itertools
 import math
 from collections.abc import Sequence
 from fractions import Fraction
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,9 +16,17 @@ from polhode.analysis._exact_functions import ExactFunctions
 from polhode.certificates._equations import quadratic_integrals
 from polhode.types import Array, Float64
 
-MOST_QUADRATIC = 6  # coordinates up to which all integrals of second degree are looked for, as columns of a matrix
-MOST_MULTIPLES = 200  # of Casimirs' levels that may add up to a field
-SAME = 1e-7  # of a direction in doubles, what it may miss a space by that is exact
+
+class FamilyLimits(NamedTuple):
+    """Bounds of the search for functions that move along equilibria."""
+
+    max_quadratic_coordinates: int = 6  # up to which all integrals of second degree are tried, as columns of a matrix
+    max_multiples: int = 200  # of Casimirs' levels that may add up to a field
+    direction_error: float = 1e-7  # of a direction in doubles: its distance from an exact space that contains it
+
+
+LIMITS = FamilyLimits()
+
 
 def moves_along_equilibria(exact: ExactFunctions, z: Sequence[Fraction], directions: Float64[Array, "d n"]) -> bool:
     """Whether each direction leads along equilibria on the leaf of an equilibrium z, by an identity of polynomials.
@@ -33,7 +42,7 @@ def moves_along_equilibria(exact: ExactFunctions, z: Sequence[Fraction], directi
     flows += [[f.at(z) for f in exact.flow(p)] for p in linear_integrals(field, n)]
     if _contains(flows, directions):
         return True
-    if n <= MOST_QUADRATIC:
+    if n <= LIMITS.max_quadratic_coordinates:
         flows += [[f.at(z) for f in exact.flow(p)] for p in quadratic_integrals(field).values()]
         if _contains(flows, directions):
             return True
@@ -55,7 +64,7 @@ def _contains(vectors: Sequence[Sequence[Fraction]], directions: Float64[Array, 
         return False
     rows = np.array([[float(x / max(map(abs, v))) for x in v] for v in reduce_rows(vectors, len(vectors[0]))[0]])
     left = directions - np.linalg.lstsq(rows.T, directions.T, rcond=None)[0].T @ rows
-    return bool(np.abs(left).max() <= SAME * np.abs(directions).max())
+    return bool(np.abs(left).max() <= LIMITS.direction_error * np.abs(directions).max())
 
 
 def _plane_on_leaf(exact: ExactFunctions, z: Sequence[Fraction]) -> list[list[Fraction]]:
@@ -92,7 +101,7 @@ def _leaf_is_still(exact: ExactFunctions, z: Sequence[Fraction]) -> bool:
     if not levels or not exact.is_regular(z):
         return False
     highest = max(f.degree for f in exact.field)
-    if not 0 < sum(math.comb(n + highest - p.degree, n) for p in levels if p.degree <= highest) <= MOST_MULTIPLES:
+    if not 0 < sum(math.comb(n + highest - p.degree, n) for p in levels if p.degree <= highest) <= LIMITS.max_multiples:
         return False
     columns: list[RationalPolynomial] = []
     for level in levels:

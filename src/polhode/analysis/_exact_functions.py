@@ -16,8 +16,8 @@ import numpy as np
 from polhode._base.rational._matrices import null_space, rank, signature
 from polhode._base.rational._polynomials import RationalPolynomial
 from polhode.algebra.casimirs import rational_brackets
+from polhode.analysis._conserved import LIMITS as CONSERVATION_LIMITS
 from polhode.analysis._conserved import (
-    DIFFERENTIATION,
     Casimirs,
     Derivatives,
     Energy,
@@ -33,10 +33,18 @@ from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, Float64
 
-MOST_COORDINATES = 12  # beyond it rows of fractions take seconds where doubles take milliseconds
-MOST_PRODUCTS = 30_000  # of terms, in one function: a fifth of a second, (x1 + x2 + x3)**33; beyond it doubles decide
 Brackets = list[list[dict[int, Fraction]]]
 Named = dict[str, RationalPolynomial]
+
+
+class ExactFunctionLimits(NamedTuple):
+    """Sizes beyond which doubles decide, as exact algebra would take seconds."""
+
+    max_coordinates: int = 12  # beyond it rows of fractions take seconds where doubles take milliseconds
+    max_products: int = 30_000  # of terms, in one function: a fifth of a second, (x1 + x2 + x3)**33
+
+
+LIMITS = ExactFunctionLimits()
 
 
 class ExactFunctions(NamedTuple):
@@ -115,7 +123,7 @@ def exact_functions(
         z: (n,) the point; None too where doubles around it may overflow.
     """
     n = z.size
-    if n > MOST_COORDINATES or choose_unit(z) != 1.0:
+    if n > LIMITS.max_coordinates or choose_unit(z) != 1.0:
         return None
     try:
         brackets = rational_brackets(system.algebra)
@@ -133,7 +141,7 @@ def exact_functions(
 
 
 def _trace(source: Source, n: int) -> list[RationalPolynomial]:
-    return trace_polynomials(source, n, Fraction, MOST_PRODUCTS)
+    return trace_polynomials(source, n, Fraction, LIMITS.max_products)
 
 
 # ---------------------------------------------------------------------- derivatives and checks
@@ -150,7 +158,7 @@ def polynomial_derivatives(
     gradients = np.array([[_evaluate(p.derivative(i), around) for i in range(n)] for p in polynomials])
     # exact as the entries are, what is made of them in doubles is not: the same thresholds hold
     return Derivatives(slopes, 2.0 * halves, gradients.reshape(k, n, len(around)).transpose(2, 0, 1),
-                       np.full(k, DIFFERENTIATION), np.zeros(k))  # fmt: skip
+                       np.full(k, CONSERVATION_LIMITS.derivative_error), np.zeros(k))  # fmt: skip
 
 
 def as_double(x: Fraction) -> float:

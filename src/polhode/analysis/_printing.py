@@ -6,12 +6,19 @@ the data, with all arrays.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-FEW = 6  # numbers in a line; of more the first are shown, and how many there are
-DIGITS = 6
+
+class PrintingLimits(NamedTuple):
+    """How much of an answer is printed."""
+
+    max_numbers: int = 6  # in a line; of more the first are printed, and how many there are
+    digits: int = 6  # significant ones
+
+
+LIMITS = PrintingLimits()
 
 
 def print_answer(sentence: str, **numbers: str | None) -> str:
@@ -39,22 +46,22 @@ def write_numbers(values: Any, unit: str = "", errors: Any = None) -> str | None
     flat = np.ravel(values)
     if not flat.size:
         return None
-    words = [_write_number(value) for value in flat[:FEW]]
+    words = [_write_number(value) for value in flat[:LIMITS.max_numbers]]
     if errors is not None:
         words = [f"{word} ± {error:.2g}" for word, error in zip(words, np.ravel(errors), strict=False)]
-    rest = f", … ({flat.size})" if flat.size > FEW else ""
+    rest = f", … ({flat.size})" if flat.size > LIMITS.max_numbers else ""
     return f"{', '.join(words)}{rest} {unit}".rstrip()
 
 
 def _write_number(value: Any) -> str:
     if not isinstance(value, complex | np.complexfloating):
-        return f"{value:.{DIGITS}g}"
+        return f"{value:.{LIMITS.digits}g}"
     if value.imag == 0:
-        return f"{value.real:.{DIGITS}g}"
-    across = f"{abs(value.imag):.{DIGITS}g}i"
+        return f"{value.real:.{LIMITS.digits}g}"
+    across = f"{abs(value.imag):.{LIMITS.digits}g}i"
     if value.real == 0:
         return f"{'-' if value.imag < 0 else ''}{across}"
-    return f"{value.real:.{DIGITS}g} {'-' if value.imag < 0 else '+'} {across}"
+    return f"{value.real:.{LIMITS.digits}g} {'-' if value.imag < 0 else '+'} {across}"
 
 
 def write_span(values: Any, unit: str = "") -> str:
@@ -63,7 +70,7 @@ def write_span(values: Any, unit: str = "") -> str:
     >>> write_span([0.0, 1.0, 300.0], "s")
     'from 0 to 300 s'
     """
-    return f"from {values[0]:.{DIGITS}g} to {values[-1]:.{DIGITS}g} {unit}".rstrip()
+    return f"from {values[0]:.{LIMITS.digits}g} to {values[-1]:.{LIMITS.digits}g} {unit}".rstrip()
 
 
 def count_things(number: int, thing: str, things: str | None = None) -> str:

@@ -15,8 +15,6 @@ import numpy as np
 from polhode.analysis._conserved_function import ConservedFunction
 from polhode.types import Array, Float64
 
-SHOWN = 1e-12  # components of a unit direction below it are rounding errors
-
 
 @dataclass(frozen=True, eq=False)
 class AbstractReason(abc.ABC):
@@ -439,7 +437,8 @@ def _extreme(sign: int) -> str:
 
 
 def _write(vector: Array) -> str:
-    return ", ".join(f"{x:.4g}" for x in np.where(np.abs(vector) > SHOWN, vector, 0.0))
+    rounding = 1e-12  # components of a unit direction below it are rounding errors
+    return ", ".join(f"{x:.4g}" for x in np.where(np.abs(vector) > rounding, vector, 0.0))
 
 
 def _quadratic_form(coefficients: dict[str, float]) -> str:

@@ -14,10 +14,17 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Real
 
-CONSERVATION_TOLERANCE = 1e-6  # what may be left of dC A and D²F A + (D²F A)ᵀ relative to their terms, after a solver
-RANK_TOLERANCE = 1e-12  # singular value of unit gradients below which they are dependent
-ROUNDING = 1e-14  # multipliers below it, in units of the terms of dH, are those of its rounding errors
-SWEEPS = 8
+
+class SecondVariationLimits(NamedTuple):
+    """Numbers that decide what is conserved, independent and rounding on a leaf."""
+
+    conservation: float = 1e-6  # residual of dC A and D²F A + (D²F A)ᵀ, relative to their terms, after a solver
+    independence: float = 1e-12  # singular values of unit gradients below it are those of dependent ones
+    multiplier_rounding: float = 1e-14  # of the terms of dH: multipliers below it are those of its rounding errors
+    balancing_sweeps: int = 8  # of either of the two nested scalings
+
+
+LIMITS = SecondVariationLimits()
 
 
 class Leaf(NamedTuple):
@@ -80,7 +87,7 @@ class Leaf(NamedTuple):
 
     def check_conservation(self, weights: Float64[Array, "all"] | None) -> None:
         """Refuse a flow that leaves the Casimirs' levels or, F being given, changes D²F: no flow of the system does."""
-        if np.abs(self.drift).max(initial=0.0) > CONSERVATION_TOLERANCE:
+        if np.abs(self.drift).max(initial=0.0) > LIMITS.conservation:
             raise InvalidInput(
                 "the linearised flow does not conserve the Casimirs: dC A must vanish at an equilibrium. "
                 "Check the order and the signs of the components, and that each C is conserved."
@@ -89,7 +96,7 @@ class Leaf(NamedTuple):
             return
         change = self.combination(weights) @ self.flow
         terms = np.tensordot(np.abs(weights), self.terms, 1).max() * self.flow_size
-        if np.abs(change + change.T).max() > CONSERVATION_TOLERANCE * terms:
+        if np.abs(change + change.T).max() > LIMITS.conservation * terms:
             raise InvalidInput(
                 "the linearised flow does not conserve the second variation of H + Σ λ C: D²F A must be antisymmetric. "
                 "Check that the Hessians and the linearisation belong to the same conservative system and point."
@@ -143,7 +150,7 @@ def scale_leaf(
     """
     gradient_sizes, flow_sizes = (np.zeros(g.size), np.abs(A)) if sizes is None else sizes
     scale, multipliers = np.ones(g.size), np.zeros(len(dC))
-    for _ in range(SWEEPS):
+    for _ in range(LIMITS.balancing_sweeps):
         multipliers = _multipliers(g * scale, dC * scale, gradient_sizes * scale)
         scale = _equilibrate(np.abs(H) + np.tensordot(np.abs(multipliers), np.abs(ddC), 1))
     square = scale[:, None] * scale
@@ -159,7 +166,7 @@ def scale_leaf(
     size = np.abs(basis)
     hessians = basis.T @ (0.5 * (whole + whole.transpose(0, 2, 1))) @ basis
     angles = np.linalg.svd(gradients, compute_uv=False)
-    narrowest = float(angles[angles > RANK_TOLERANCE].min(initial=1.0))
+    narrowest = float(angles[angles > LIMITS.independence].min(initial=1.0))
     return Leaf(
         flow=basis.T @ A @ basis,
         full=A,
@@ -170,7 +177,7 @@ def scale_leaf(
         whole=whole,
         gradients=dC,
         multipliers=multipliers,
-        freedom=null_space(gradients.T, RANK_TOLERANCE) / np.where(lengths > 0, lengths, 1.0)[:, None],
+        freedom=null_space(gradients.T, LIMITS.independence) / np.where(lengths > 0, lengths, 1.0)[:, None],
         basis=basis,
         scale=scale,
         residual=residual,
@@ -192,8 +199,9 @@ def _multipliers(g: Array, dC: Array, sizes: Array) -> Array:
     rows, lengths = _unit_rows(dC)
     # divided before solving, for gradients near the largest and smallest numbers
     size = np.abs(g).max(initial=0.0) or 1.0
-    multipliers = np.linalg.lstsq(rows.T, -g / size, rcond=RANK_TOLERANCE)[0]
-    multipliers = np.where(np.abs(multipliers) * size > ROUNDING * sizes.max(initial=0.0), multipliers, 0.0)
+    multipliers = np.linalg.lstsq(rows.T, -g / size, rcond=LIMITS.independence)[0]
+    rounding = LIMITS.multiplier_rounding * sizes.max(initial=0.0)
+    multipliers = np.where(np.abs(multipliers) * size > rounding, multipliers, 0.0)
     return multipliers * size / np.where(lengths > 0, lengths, 1.0)
 
 
@@ -203,7 +211,7 @@ def _equilibrate(terms: Array) -> Array:
     Source: Ruiz, Rutherford Appleton Laboratory report RAL-TR-2001-034 (2001).
     """
     scale, used = np.ones(len(terms)), terms.any(axis=0)
-    for _ in range(SWEEPS):
+    for _ in range(LIMITS.balancing_sweeps):
         # two roots, for a product of scales may overflow where the scaled entry does not
         rows = np.where(used, ((terms * scale) * scale[:, None]).max(axis=0, initial=0.0), 1.0)
         # Ruiz's iteration: the root of the largest entry of each row is divided out
@@ -225,7 +233,7 @@ def _coordinates_or_null_space(rows: Array, n: int) -> Array:
     """Return an orthonormal basis of the null space with coordinate vectors where they fit: they keep entries exact."""
     used = rows.any(axis=0)
     free = np.eye(n)[:, ~used]
-    rest = null_space(rows[:, used], RANK_TOLERANCE) if len(rows) else np.zeros((0, 0))
+    rest = null_space(rows[:, used], LIMITS.independence) if len(rows) else np.zeros((0, 0))
     inside = np.zeros((n, rest.shape[1]))
     inside[used] = rest
     return np.hstack([free, inside])

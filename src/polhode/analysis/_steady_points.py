@@ -17,8 +17,6 @@ import numpy as np
 
 from polhode.types import Array, Float64
 
-FARTHEST = 700.0  # of the logarithm of a distance from a pole: its exponential is still a double
-HALVINGS = 200  # of an interval, until it is empty
 Factors = Callable[[float], Float64[Array, "3"]]
 
 
@@ -45,6 +43,7 @@ def steady_points(
 
 def _roots(moments: Array, h: Array) -> list[tuple[Factors, float]]:
     """Return the factors 1 − λI_i as functions of a variable for each interval between poles, and its values."""
+    farthest = 700.0  # logarithm of a distance from a pole whose exponential is still a double
     each = sorted({float(moment) for moment in moments[h != 0.0]}, reverse=True)  # their poles rise
     if not each:
         return []
@@ -52,16 +51,16 @@ def _roots(moments: Array, h: Array) -> list[tuple[Factors, float]]:
     # λ = (1 ∓ eᵘ)/I beyond the first and the last pole; nothing cancels, as all factors have one sign there
     before: Factors = lambda u: (largest - moments) / largest + moments / largest * math.exp(u)  # noqa: E731
     behind: Factors = lambda u: (smallest - moments) / smallest - moments / smallest * math.exp(u)  # noqa: E731
-    found = [(f, _halve(lambda u, f=f: _excess(h, f(u)), -FARTHEST, FARTHEST)) for f in (before, behind)]
+    found = [(f, _halve(lambda u, f=f: _excess(h, f(u)), -farthest, farthest)) for f in (before, behind)]
     for low, high in itertools.pairwise(each):
         factors = _make_factors(moments, low, high)
         # the least value is where the derivative by λ, 2 Σ I_i Π_i²/(1 − λI_i), changes its sign
         slope = lambda u, f=factors: -float(np.sum(np.where(h, moments * h**2 / f(u) ** 3, 0.0)))  # noqa: E731
-        least = _halve(slope, -FARTHEST, FARTHEST)
+        least = _halve(slope, -farthest, farthest)
         if _excess(h, factors(least)) < 0.0:
             excess = lambda u, f=factors: _excess(h, f(u))  # noqa: E731
-            found += [(factors, _halve(excess, -FARTHEST, least)),
-                      (factors, _halve(lambda u, g=excess: -g(u), least, FARTHEST))]  # fmt: skip
+            found += [(factors, _halve(excess, -farthest, least)),
+                      (factors, _halve(lambda u, g=excess: -g(u), least, farthest))]  # fmt: skip
     return found
 
 
@@ -84,7 +83,8 @@ def _excess(h: Array, factors: Array) -> float:
 
 def _halve(function: Callable[[float], float], low: float, high: float) -> float:
     """Return where a function that is positive first becomes negative, to the last digit."""
-    for _ in range(HALVINGS):
+    halvings = 200  # of an interval, until it is empty
+    for _ in range(halvings):
         middle = 0.5 * (low + high)
         if middle in (low, high):
             break

@@ -9,6 +9,7 @@ Source: Whittaker, *Analytical Dynamics*, ch. VI; the invariants are those of ``
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,10 +21,18 @@ from polhode.exact.free_body._reduction import canonical_reduction
 from polhode.types import Array, Float64, Shaped
 
 RIGHT = 0.5 * math.pi
-CONING = math.radians(45.0)  # the widest cone that is seen as a spin about an axis which nutates
-FLIPPING = math.radians(60.0)  # the middle axis comes within 30° of L on either side, …
-SWINGING = math.radians(20.0)  # … and the cone opens and closes by this much, …
-DWELLING = 0.995  # … or L dwells at the middle axis, by the modulus
+
+
+class ConeLimits(NamedTuple):
+    """Angles that decide what a rotation is called."""
+
+    coning: float = math.radians(45.0)  # rad, the widest cone that looks like a spin about an axis which nutates
+    flipping: float = math.radians(60.0)  # rad; the middle axis comes within 30° of L on either side, …
+    swinging: float = math.radians(20.0)  # rad; … and the cone opens and closes by this much, …
+    dwelling: float = 0.995  # … or L dwells at the middle axis, by the modulus
+
+
+LIMITS = ConeLimits()
 
 
 @known_numbers_only
@@ -100,9 +109,10 @@ def rotation_forms(motion: FreeMotion) -> Shaped[np.ndarray, "*batch"]:
     regime = np.array(REGIMES)[codes] if codes.dtype.kind == "i" else codes
     nearest, farthest = _cones(moments, momentum)
     modulus = np.asarray(motion.modulus if codes.ndim else motion.modulus or 0.0, dtype=float)
-    flipping = (farthest >= FLIPPING) & ((farthest - nearest >= SWINGING) | (modulus > DWELLING))
+    flipping = (farthest >= LIMITS.flipping) & ((farthest - nearest >= LIMITS.swinging) | (modulus > LIMITS.dwelling))
     choices = {"rest": regime == "rest", "flipping": regime == "separatrix",
-               "steady": (regime == "permanent") | (regime == "spherical"), "coning": farthest < CONING}  # fmt: skip
+               "steady": (regime == "permanent") | (regime == "spherical"),
+               "coning": farthest < LIMITS.coning}  # fmt: skip
     return np.select(list(choices.values()), list(choices), np.where(flipping, "flipping", "tumbling"))
 
 

@@ -11,22 +11,31 @@ import numpy as np
 
 from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
-from polhode.analysis._branches import LONGEST, Family, Place, crossings, follow, is_on, step_onto_branch, trace_family
+from polhode.analysis._branches import LIMITS as BRANCH_LIMITS
+from polhode.analysis._branches import Family, Place, crossings, follow, is_on, step_onto_branch, trace_family
 from polhode.analysis._conserved import choose_casimirs
 from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
-from polhode.analysis.equilibria import STARTS, find_equilibria
+from polhode.analysis.equilibria import LIMITS as SEARCH
+from polhode.analysis.equilibria import find_equilibria
 from polhode.errors import InvalidInput, shown
 from polhode.poisson.brackets import as_points
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import ArrayLike, Double, Float64, Real
 
-HALVINGS = 40
-NEAR = 1e-2  # in the same units: bifurcations of branches that cross are one
-SAME = 1e-5  # of the state's size and of the range: places so near are one
-HELD = 1e-6  # of the largest exponent: one with a smaller imaginary part is real
-MOST_BRANCHES = 64
-TURNING = 1e-3  # of a direction: a smaller share of the parameter is none
-FLAT = 1e-8  # of the range, by which another branch leaves the place where it begins
+
+class ContinuationLimits(NamedTuple):
+    """Numbers that decide which places, meetings and directions are one."""
+
+    # of the state's size and of the range: nearer bifurcations of branches that cross are one
+    meeting_distance: float = 1e-2
+    place_distance: float = 1e-5  # in the same units: nearer places are one
+    relative_imaginary_part: float = 1e-6  # of the largest exponent: one with a smaller imaginary part is real
+    max_branches: int = 64
+    min_parameter_share: float = 1e-3  # of a direction: with less the parameter stays
+    min_departure: float = 1e-8  # of the range, by which another branch leaves the place where it begins
+
+
+LIMITS = ContinuationLimits()
 
 
 class Branch(NamedTuple):
@@ -108,7 +117,7 @@ def continue_equilibria(
     make: Callable[[float], AbstractLiePoissonSystem],
     limits: Real[ArrayLike, "2"],
     state: Real[ArrayLike, "..."],
-    starts: int = STARTS,
+    starts: int = SEARCH.starts,
     seed: int = 0,
     casimirs: Sequence[Function] | None = None,
 ) -> Continuation:
@@ -155,12 +164,12 @@ def continue_equilibria(
     atlas = _Atlas(family, [], [], [])
     for begin in begins:
         # one of a family that does not move with the parameter belongs to this value alone
-        stays = begin.flat.shape[1] and abs(begin.tangent[-1]) < TURNING
+        stays = begin.flat.shape[1] and abs(begin.tangent[-1]) < LIMITS.min_parameter_share
         if not stays and atlas.find_branch(begin) is None:
             atlas.add(follow(family, begin))
     for number, path in enumerate(atlas.paths):
         atlas.meetings.extend((kind, place, [number]) for kind, place in _exchanges(family, path)
-                              if not any(number in m[2] and family.apart(m[1], place) < NEAR
+                              if not any(number in m[2] and family.apart(m[1], place) < LIMITS.meeting_distance
                                          for m in atlas.meetings))  # fmt: skip
     bifurcations = [Bifurcation(kind, place.value, family.point(place.vector), tuple(sorted(set(numbers))))
              for kind, place, numbers in atlas.meetings]  # fmt: skip
@@ -178,17 +187,19 @@ class _Atlas(NamedTuple):
 
     def find_branch(self, place: Place) -> int | None:
         """Return the index of the known branch through a place, or None."""
-        return next((k for k, path in enumerate(self.paths) if is_on(self.family, place, path, SAME)), None)
+        near = LIMITS.place_distance
+        return next((k for k, path in enumerate(self.paths) if is_on(self.family, place, path, near)), None)
 
     def add(self, path: list[Place]) -> None:
         """Add a branch, and those that leave it."""
-        if len(self.paths) >= MOST_BRANCHES:
-            warnings.warn(f"there are more than {MOST_BRANCHES} branches; the others are left out.", stacklevel=4)
+        if len(self.paths) >= LIMITS.max_branches:
+            warnings.warn(f"there are more than {LIMITS.max_branches} branches; the others are left out.", stacklevel=4)
             return
         number = len(self.paths)
         self.paths.append(path)
         for before, place, after in crossings(self.family, path):
-            known = [k for k, m in enumerate(self.meetings) if m[0] != "fold" and self.family.apart(m[1], place) < NEAR]
+            near = LIMITS.meeting_distance
+            known = [k for k, m in enumerate(self.meetings) if m[0] != "fold" and self.family.apart(m[1], place) < near]
             known += [k for k, points in self.families if self._is_in_family(place, self.meetings[k][1], points)]
             if known:
                 kind, other, numbers = self.meetings[known[0]]
@@ -203,12 +214,14 @@ class _Atlas(NamedTuple):
 
     def _turns(self, before: Place, place: Place, after: Place) -> bool:
         """Return whether the parameter has its extreme at a place between two."""
-        return (place.value - before.value) * (after.value - place.value) < 0.0 or abs(place.tangent[-1]) < TURNING
+        turns_back = (place.value - before.value) * (after.value - place.value) < 0.0
+        return turns_back or abs(place.tangent[-1]) < LIMITS.min_parameter_share
 
     def _is_in_family(self, place: Place, member: Place, points: Float64[np.ndarray, "m n"]) -> bool:
         """Return whether a place is one of a family of equilibria at one value."""
         off = float(np.linalg.norm(points - place.vector, axis=1).min())
-        return abs(place.value - member.value) < NEAR * self.family.range and off < LONGEST * self.family.size
+        at_value = abs(place.value - member.value) < LIMITS.meeting_distance * self.family.range
+        return at_value and off < BRANCH_LIMITS.longest_step * self.family.size
 
     def _split(self, place: Place, number: int) -> None:
         points, closes = trace_family(self.family, place)
@@ -217,8 +230,8 @@ class _Atlas(NamedTuple):
             self.meetings.append(("circle" if closes else "family", place, [number]))
             return
         beside = step_onto_branch(self.family, place)
-        sides = [np.sign(one.value - place.value) * (abs(one.value - place.value) > FLAT * self.family.range)
-                 for one in beside]  # fmt: skip
+        flat = LIMITS.min_departure * self.family.range
+        sides = [np.sign(one.value - place.value) * (abs(one.value - place.value) > flat) for one in beside]
         kind = "branch point"
         if len(beside) == 2 and sides[0] * sides[1]:
             kind = "pitchfork" if sides[0] == sides[1] else "transcritical"
@@ -243,12 +256,13 @@ def _branch(family: Family, path: list[Place]) -> Branch:
 
 def _exchanges(family: Family, path: list[Place]) -> Iterator[tuple[str, Place]]:
     """Yield where a change begins to grow though no direction of the energy changes its sign."""
+    halvings = 40
     for one, other in itertools.pairwise(path):
         same_signs = (one.negative, one.flat.shape) == (other.negative, other.flat.shape)
         if (one.rate > 0.0) == (other.rate > 0.0) or not same_signs:
             continue
         low, high, last, grows = 0.0, 1.0, one, one if one.rate > 0.0 else other
-        for _ in range(HALVINGS):
+        for _ in range(halvings):
             middle = family.between(one, other, 0.5 * (low + high))
             if middle is None:
                 break
@@ -257,7 +271,8 @@ def _exchanges(family: Family, path: list[Place]) -> Iterator[tuple[str, Place]]
             low, high = (0.5 * (low + high), high) if same else (low, 0.5 * (low + high))
             last = middle
         fastest = complex(grows.exponents[np.argmax(np.real(grows.exponents))])
-        yield ("Hamiltonian Hopf" if abs(fastest.imag) > HELD * abs(fastest) else "exchange"), last
+        oscillates = abs(fastest.imag) > LIMITS.relative_imaginary_part * abs(fastest)
+        yield ("Hamiltonian Hopf" if oscillates else "exchange"), last
 
 
 def _limits(limits: ArrayLike) -> tuple[float, float]:

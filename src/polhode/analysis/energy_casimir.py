@@ -40,8 +40,15 @@ from polhode.certificates._definite import definite_combination
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
-EQUILIBRIUM_TOLERANCE = 1e-8  # what may be left of dH + Σ λ dC relative to its terms: a solver's, not rounding
-NO_ENERGY = 1e-12  # weight of H, among weights of order one, that counts as none in a function of conserved quantities
+
+class EnergyCasimirLimits(NamedTuple):
+    """Numbers that decide what an equilibrium is, and which functions contain the energy."""
+
+    equilibrium_residual: float = 1e-8  # of dH + Σ λ dC, relative to its terms: what a solver leaves, beyond rounding
+    energy_weight: float = 1e-12  # among weights of order one: below it a conserved function does not contain H
+
+
+LIMITS = EnergyCasimirLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,7 +175,7 @@ def energy_casimir(
     if not np.isfinite(leaf.multipliers).all():
         raise InvalidInput("the multipliers of the Casimirs overflow; choose units in which |μ| is nearer to one.")
     names = list(casimir_names) or [f"C{k + 1}" for k in range(len(dC))]
-    if leaf.residual > EQUILIBRIUM_TOLERANCE:
+    if leaf.residual > LIMITS.equilibrium_residual:
         return _on_singular_leaf(leaf, is_equilibrium)
     weights = _weights(leaf)
     leaf.check_conservation(weights)
@@ -267,7 +274,7 @@ def _weights(leaf: Leaf) -> Array:
     weights = definite_combination(matrices, leaf.noise)
     if weights is None:
         return plain
-    weights[0] = weights[0] if abs(weights[0]) > NO_ENERGY else 0.0
+    weights[0] = weights[0] if abs(weights[0]) > LIMITS.energy_weight else 0.0
     parts = ((c / size) * direction for c, size, direction in zip(weights, sizes, directions, strict=True))
     return sum(parts, np.zeros(plain.shape))
 
@@ -324,7 +331,7 @@ def _on_singular_leaf(leaf: Leaf, is_equilibrium: bool) -> Stability:
     growth = _growth(leaf._replace(residual=0.0))
     if growth.direction is not None:
         return _unstable(growth, growth.direction)
-    reason = NoCombination(residual, EQUILIBRIUM_TOLERANCE, growth.real_part, growth.sure_from)
+    reason = NoCombination(residual, LIMITS.equilibrium_residual, growth.real_part, growth.sure_from)
     return Stability("undecided", 0.0, None, None, reason, growth.spectrum)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -13,26 +13,30 @@ import numpy as np
 from polhode._base.arrays import known_numbers_only
 from polhode.algebra._functions import Function
 from polhode.analysis._conserved import Energy, Source, check_motion, choose_casimirs, choose_unit
-from polhode.analysis.stability import AT_REST, scaled_field
+from polhode.analysis.stability import LIMITS as STABILITY_LIMITS
+from polhode.analysis.stability import scaled_field
 from polhode.errors import InvalidInput
 from polhode.poisson.brackets import as_points
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
-STARTS = 64
-CHECKED = 4  # starts at which the system must move as its energy says
-SHARPENED, STEP, ROUNDING = 60, 1e-2, 1e-13  # steps of Newton's for degenerate roots, the longest, least singular value
-CLEANED, EPS = 1e-5, 1e-15  # in units of |μ|: components that are tried at zero, and residuals that are rounding
-SAME = 1e-6  # distance, in units of |μ|, below which two equilibria are one
-SOLVED = 1e-10  # residual
-NODES = 12  # of Gauss's rule along a ray: exact for energies of degree 24
+
+class EquilibriaLimits(NamedTuple):
+    """Numbers that decide which roots are equilibria, and which are one."""
+
+    starts: int = 64  # of the search, by default
+    distance: float = 1e-6  # in units of |μ|: nearer equilibria are one
+    residual: float = 1e-10  # relative, of an equilibrium and its levels
+
+
+LIMITS = EquilibriaLimits()
 
 
 @known_numbers_only
 def find_equilibria(
     system: AbstractLiePoissonSystem,
     state: Real[ArrayLike, "..."],
-    starts: int = STARTS,
+    starts: int = LIMITS.starts,
     seed: int = 0,
     casimirs: Sequence[Function] | None = None,
 ) -> Double[Array, "count ..."]:
@@ -52,6 +56,7 @@ def find_equilibria(
         InvalidInput: for a wrong shape, the zero point, an algebra some of whose Casimirs are neither known nor given,
             or a system that does not move by its energy alone.
     """
+    checked = 4  # starts at which the system must move as its energy says
     if not isinstance(system, AbstractLiePoissonSystem):
         raise InvalidInput(f"`system` must be a Lie–Poisson system; got {type(system).__name__}.")
     algebra = system.algebra
@@ -64,17 +69,17 @@ def find_equilibria(
     z = np.asarray(algebra.to_dual_vector(mu))
     unit = choose_unit(z)
     draws = np.random.default_rng(seed).normal(size=(starts, z.size)) / np.sqrt(z.size)
-    check_motion(system, lambda: np.linalg.norm(z) * draws[:CHECKED])
+    check_motion(system, lambda: np.linalg.norm(z) * draws[:checked])
     constants = np.abs(algebra.structure_constants())
     roots, left, moving, energies, works = (
         np.asarray(x)
         for x in _solve(system, known.source, jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(draws), constants)
     )
     energies = energies if unit == 1.0 else works
-    good = np.isfinite(roots).all(axis=1) & (left < SOLVED) & (moving <= AT_REST)
+    good = np.isfinite(roots).all(axis=1) & (left < LIMITS.residual) & (moving <= STABILITY_LIMITS.relative_field)
     kept: list[int] = []
     for k in np.flatnonzero(good):
-        if all(np.linalg.norm(roots[k] - roots[other]) > SAME for other in kept):
+        if all(np.linalg.norm(roots[k] - roots[other]) > LIMITS.distance for other in kept):
             kept.append(int(k))
     if not np.isfinite(energies[kept]).all():
         raise InvalidInput("the energy must be finite at the equilibria; choose units in which |μ| is nearer to one.")
@@ -94,13 +99,14 @@ def _solve(
 
     These twice: as they are, and as ∫ dH along the ray from zero in ``unit``², which neither overflows nor underflows.
     """
+    nodes_count = 12  # of Gauss's rule along a ray: exact for energies of degree 24
     import optimistix
 
     size, energy, field = jnp.linalg.norm(level), Energy(system), scaled_field(system, unit)
     differential = jax.grad(lambda x: energy(x)[0])
     slope = jnp.linalg.norm(differential(unit * level) / unit)
     rate = jnp.where(slope > 0, slope, 1.0)
-    nodes, shares = np.polynomial.legendre.leggauss(NODES)
+    nodes, shares = np.polynomial.legendre.leggauss(nodes_count)
     wanted = casimirs(level)
     slopes = jnp.linalg.norm(jax.jacfwd(casimirs)(level).reshape(-1, level.size), axis=1) * size
     slopes = jnp.where(slopes > 0, slopes, 1.0)
@@ -137,22 +143,27 @@ def _sharpen(residual: Function, root: Float64[Array, "n"]) -> Float64[Array, "n
     The residual has the field's n components first, then the levels.
     """
 
+    steps = 60  # a degenerate root gains a fixed part with each
+    longest_step = 1e-2  # in units of |μ|
+    least_singular_value = 1e-13  # relative
+    small = 1e-5  # in units of |μ|: smaller components are tried at zero
+    rounding = 1e-15  # a residual below it is rounding
     def towards(x: Array, part: slice) -> Array:
         values, slopes = residual(x)[part], jax.jacfwd(residual)(x)[part]
-        return x - jnp.linalg.lstsq(slopes, values, rcond=ROUNDING)[0] if values.size else x
+        return x - jnp.linalg.lstsq(slopes, values, rcond=least_singular_value)[0] if values.size else x
 
     def on_levels(x: Array) -> Array:  # which curve by more than is left of a degenerate root
         levels = slice(root.size, None)
         return towards(towards(x, levels), levels)
 
     def left(x: Array) -> Array:
-        return jnp.maximum(jnp.linalg.norm(residual(x)), EPS)
+        return jnp.maximum(jnp.linalg.norm(residual(x)), rounding)
 
     def improve(_: Any, x: Array) -> Array:
         new = on_levels(towards(x, slice(None)))
-        return jnp.where((left(new) <= left(x)) & (jnp.abs(new - x).max() < STEP), new, x)
+        return jnp.where((left(new) <= left(x)) & (jnp.abs(new - x).max() < longest_step), new, x)
 
-    x = jax.lax.fori_loop(0, SHARPENED, improve, root)
+    x = jax.lax.fori_loop(0, steps, improve, root)
     # what is small beside the others is often zero, and slopes by which to see it are lost in roundings
-    cleaned = on_levels(jnp.where(jnp.abs(x) < CLEANED, 0.0, x))
+    cleaned = on_levels(jnp.where(jnp.abs(x) < small, 0.0, x))
     return jnp.where(left(cleaned) <= left(x), cleaned, x)

@@ -14,11 +14,16 @@ from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
 from polhode.types import ArrayLike, Complex128, Double, Float64, Real
 
-ROUNDS = 30  # of Newton's method
-FLAT = 1e-8  # singular values below it, relative to the largest, belong to families and to what is conserved
-CLOSED = 1e-9  # of a state's size: a motion that comes back so near is periodic
-AT_REST = 1e-6  # of a state, by which it moves in a period at least
-FURTHEST = 0.3  # of a state's size and of the period, that one round of Newton's method may move them
+
+class FloquetLimits(NamedTuple):
+    """Numbers that decide whether a motion is periodic."""
+
+    relative_singular_value: float = 1e-8  # smaller ones belong to families and to what is conserved
+    closing_gap: float = 1e-9  # of a state's size: a motion that returns so near to its start is periodic
+    min_motion: float = 1e-6  # of a state's size in a period: with less it is an equilibrium
+
+
+LIMITS = FloquetLimits()
 
 
 class PeriodicMotion(NamedTuple):
@@ -117,34 +122,36 @@ def periodic_motion(
     Source: Seydel, *Practical Bifurcation and Stability Analysis*, ch. 7; for families Muñoz-Almaraz et al., Physica D
     181 (2003) 1.
     """
+    newton_steps = 30  # of Newton's method
+    furthest = 0.3  # of the state's size and of the period: the longest of Newton's steps
     if not (np.ndim(period) == 0 and math.isfinite(period) and period > 0):
         raise InvalidInput(f"`period` must be a positive finite time [s]; got {shown(period)}.")
     start, first, _ = check_start(system, state, (first, first + 1.5 * period))
     flow = TangentFlow(system, start, (first, first + 1.5 * period))
     z, T, best = flow.flat(start), float(period), math.inf
     after, M = flow(first, first + T, start, np.eye(flow.size))
-    for _ in range(ROUNDS):
+    for _ in range(newton_steps):
         gap, size = flow.flat(after) - z, float(np.linalg.norm(z)) or 1.0
         off = float(np.linalg.norm(gap)) / size
-        if not math.isfinite(off) or (off >= 0.5 * best and off < CLOSED):
+        if not math.isfinite(off) or (off >= 0.5 * best and off < LIMITS.closing_gap):
             break
         best = min(best, off)
         slopes = M - np.eye(flow.size)
         if not fixed:
             # x(T) − x(0) = 0: (M − 1) δx + f(x(T)) δT = −gap, δT in units of T, nearest to no change
             slopes = np.column_stack([slopes, T * flow.rates(first + T, after)])
-        move = -np.linalg.lstsq(slopes, gap, rcond=FLAT)[0]
-        far = max(np.linalg.norm(move[: flow.size]) / size, *np.abs(move[flow.size :]), FURTHEST)
-        z, T = z + FURTHEST / far * move[: flow.size], T if fixed else T * float(1.0 + FURTHEST / far * move[-1])
+        move = -np.linalg.lstsq(slopes, gap, rcond=LIMITS.relative_singular_value)[0]
+        far = max(np.linalg.norm(move[: flow.size]) / size, *np.abs(move[flow.size :]), furthest)
+        z, T = z + furthest / far * move[: flow.size], T if fixed else T * float(1.0 + furthest / far * move[-1])
         after, M = flow(first, first + T, flow.state(z), np.eye(flow.size))
     gap, size = flow.flat(after) - z, float(np.linalg.norm(z)) or 1.0
     off = float(np.linalg.norm(gap)) / size
-    if off < CLOSED and np.linalg.norm(flow.rates(first, flow.state(z))) * T <= AT_REST * size:
+    if off < LIMITS.closing_gap and np.linalg.norm(flow.rates(first, flow.state(z))) * T <= LIMITS.min_motion * size:
         raise NotConverged(
             f"what was found near this `state` is an equilibrium of {type(system).__name__}, no motion with a period. "
             "Give a better guess of `state` and `period`."
         )
-    if not off < CLOSED:
+    if not off < LIMITS.closing_gap:
         raise NotConverged(
             f"no periodic motion of {type(system).__name__} was found near this `state` and `period` of {period:g} s: "
             f"the nearest miss their start by {min(best, off):.2g} of their size. Give a better guess."

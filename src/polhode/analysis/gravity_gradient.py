@@ -16,6 +16,7 @@ import itertools
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import jax.numpy as jnp
 import numpy as np
@@ -37,8 +38,15 @@ from polhode.types import Array, ArrayLike, Float64, Real
 LAGRANGE, DEBRA_DELP, UNSTABLE, DEGENERATE = "Lagrange", "DeBra–Delp", "unstable", "degenerate"
 STATIC, GYROSCOPIC = "static", "gyroscopic"
 CYLINDRICAL, HYPERBOLIC, CONICAL = "cylindrical", "hyperbolic", "conical"
-CLOSE = 1e-12  # of the sum of its terms: a quantity that small has no certain sign
-ALIKE = 1e-12  # relative difference of moments of a symmetric body
+
+
+class GravityGradientLimits(NamedTuple):
+    """What decides that a quantity has a sign."""
+
+    relative_rounding: float = 1e-12  # of the sum of its terms: a quantity that small has no certain sign
+
+
+LIMITS = GravityGradientLimits()
 
 
 @dataclass(frozen=True)
@@ -209,8 +217,8 @@ def orbital_equilibria(moments: Real[ArrayLike, "3"], mean_motion: float) -> tup
         squares = _roots(1.0 + 3.0 * k1 + k1 * k3, 4.0 * k1 * k3)
         held = kp > 0.0 and squares is not None
         growth = max(_growth(1.0 + 3.0 * k1 + k1 * k3, 4.0 * k1 * k3), math.sqrt(max(-kp, 0.0)))
-        if abs(Ir - Iy) <= CLOSE * Ip or abs(k1 * k3) <= CLOSE:
-            region = UNSTABLE if growth > math.sqrt(CLOSE) else DEGENERATE
+        if abs(Ir - Iy) <= LIMITS.relative_rounding * Ip or abs(k1 * k3) <= LIMITS.relative_rounding:
+            region = UNSTABLE if growth > math.sqrt(LIMITS.relative_rounding) else DEGENERATE
         else:
             region = (LAGRANGE if k3 > 0.0 else DEBRA_DELP) if held else UNSTABLE
         rates = None if squares is None else (n * math.sqrt(squares[0]), n * math.sqrt(squares[1]))
@@ -327,8 +335,8 @@ def _judge_spin(
     trace, det, size = float(np.trace(inner)), float(np.linalg.det(inner)), A + abs(p) + 3.0 * abs(C - A)
     middle, last = (gyro**2 + A * trace) / A**2, det / A**2
     squares, growth = _roots(middle, last), _growth(middle, last)
-    if abs(det) <= CLOSE * size**2:
-        region = UNSTABLE if growth > math.sqrt(CLOSE) else DEGENERATE
+    if abs(det) <= LIMITS.relative_rounding * size**2:
+        region = UNSTABLE if growth > math.sqrt(LIMITS.relative_rounding) else DEGENERATE
     elif det > 0.0 and trace > 0.0:
         region = STATIC
     else:

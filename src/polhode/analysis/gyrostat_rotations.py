@@ -18,9 +18,16 @@ from polhode.systems.body_with_rotor import clean_direction
 from polhode.systems.gyrostat import Gyrostat
 from polhode.types import Array, ArrayLike, Float64, Real
 
-ALONG = 1e-9  # sine of an angle from an axis that counts as none
-FOLLOWED = 2.5  # rad; angles that change more from sample to sample may have gone the other way round
-FLAT = 1e-9  # curvatures of the energy below it, relative to the largest, vanish
+
+class GyrostatLimits(NamedTuple):
+    """Numbers that decide what is along an axis, followed and flat."""
+
+    axis_sine: float = 1e-9  # of an angle from an axis that counts as none
+    max_turn: float = 2.5  # rad between samples; a larger change of angle may have gone the other way round
+    flat_curvature: float = 1e-9  # curvatures of the energy below it, relative to the largest, vanish
+
+
+LIMITS = GyrostatLimits()
 
 
 class SteadyRotation(NamedTuple):
@@ -120,7 +127,7 @@ def _curvatures(moments: Array, along: Array, multiplier: float) -> Float64[np.n
     """Return the energy's curvatures on the sphere: those of ½ Σ (1/I − λ) δΠ² on the tangent plane, flat ones zero."""
     across = np.linalg.svd(along[None])[2][1:]
     bends = np.linalg.eigvalsh(across @ np.diag(1.0 / moments - multiplier) @ across.T)
-    return np.where(np.abs(bends) < FLAT * np.max(1.0 / moments), 0.0, bends)
+    return np.where(np.abs(bends) < LIMITS.flat_curvature * np.max(1.0 / moments), 0.0, bends)
 
 
 def _extremum(bends: Float64[np.ndarray, "2"]) -> str:
@@ -183,10 +190,10 @@ def mean_winding_rate(
     t, v, n = (np.asarray(x, dtype=float) for x in (times, vectors, axis))
     first = rotation.perpendicular(n / np.linalg.norm(n))
     across = np.stack([v @ first, v @ np.cross(n / np.linalg.norm(n), first)])
-    if len(t) < 2 or np.hypot(*across).min() <= ALONG * np.linalg.norm(v, axis=-1).max():
+    if len(t) < 2 or np.hypot(*across).min() <= LIMITS.axis_sine * np.linalg.norm(v, axis=-1).max():
         return None
     angle = np.unwrap(np.arctan2(across[1], across[0]))
-    if np.abs(np.diff(angle)).max() > FOLLOWED:
+    if np.abs(np.diff(angle)).max() > LIMITS.max_turn:
         return None
     return float(np.polyfit(t - t.mean(), angle - angle.mean(), 1)[0])
 

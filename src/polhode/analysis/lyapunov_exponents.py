@@ -14,12 +14,18 @@ from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
 from polhode.types import ArrayLike, Double, Float64, Real
 
-FORGOTTEN = 0.1  # share of the time in which changes turn into the directions that grow most, before growth counts
-FEWEST = 256  # intervals between which changes are made orthogonal again
-BLOCKS = 8, 16, 32  # of the time, whose rates scatter
-SCATTER = 2.4, 2.1, 2.0  # standard errors of as many blocks that hold 95 %, by Student's distribution
-RESOLVED = 3.0  # e-folds that a finite time cannot tell from the growth by a power of the time of regular motion
-PARALLEL, APART = 12.0, 3.0  # e-folds by which changes may part in an interval: more and it is halved, less and doubled
+
+class LyapunovLimits(NamedTuple):
+    """Numbers that decide what growth is resolved, and how often changes are made orthogonal."""
+
+    min_intervals: int = 256  # between which changes are made orthogonal again
+    # e-folds in a finite time that regular motion may also show, growing by a power of the time
+    unresolved_growth: float = 3.0
+    max_separation: float = 12.0  # e-folds by which changes may part in an interval: more, and it is halved
+    min_separation: float = 3.0  # e-folds: less, and the interval is doubled
+
+
+LIMITS = LyapunovLimits()
 
 
 class LyapunovExponents(NamedTuple):
@@ -91,7 +97,7 @@ def lyapunov(
         raise InvalidInput(f"`count` must be from 1 to {flow.size}, the numbers of a state; got {shown(count)}.")
     span, now, base = last - first, first, start
     changes = np.linalg.qr(np.random.default_rng(1).normal(size=(flow.size, count)))[0]
-    step = span / FEWEST
+    step = span / LIMITS.min_intervals
     ends, rates = [], []
     while abs(now - first) < abs(span):
         end = last if abs(last - now) <= 1.5 * abs(step) else now + step
@@ -102,7 +108,7 @@ def lyapunov(
         with np.errstate(divide="ignore"):
             grown = np.log(np.abs(np.diag(triangle)))
         apart = float(np.ptp(grown)) if np.isfinite(grown).all() else math.inf
-        if apart > PARALLEL and abs(step) > 1e-9 * abs(span):
+        if apart > LIMITS.max_separation and abs(step) > 1e-9 * abs(span):
             step *= 0.5
             continue
         if not (np.isfinite(grown).all() and np.isfinite(base_after).all()):
@@ -113,7 +119,7 @@ def lyapunov(
         ends.append(end)
         rates.append(grown)
         now, base, changes = end, base_after, directions
-        if apart < APART and abs(step) < abs(span) / FEWEST:
+        if apart < LIMITS.min_separation and abs(step) < abs(span) / LIMITS.min_intervals:
             step *= 2.0
     return _average_growth(first, np.array(ends), np.array(rates), base)
 
@@ -121,16 +127,19 @@ def lyapunov(
 def _average_growth(
     first: float, ends: Float64[np.ndarray, "all"], grown: Float64[np.ndarray, "all k"], last: Double[np.ndarray, "..."]
 ) -> LyapunovExponents:
-    begin = first + FORGOTTEN * (ends[-1] - first)
+    transient = 0.1  # share of the time in which changes turn into the directions that grow most
+    block_counts = 8, 16, 32  # of the time, whose rates scatter
+    factors = 2.4, 2.1, 2.0  # standard errors of as many blocks that hold 95 %, by Student's distribution
+    begin = first + transient * (ends[-1] - first)
     known = int(np.searchsorted(np.abs(ends - first), abs(begin - first)))
     start = ends[known]
     times = ends[known + 1 :]
     total = np.cumsum(grown[known + 1 :], axis=0)
     elapsed = np.abs(times - start)
     growth = total / elapsed[:, None]
-    exponents, errors = growth[-1], RESOLVED / elapsed[-1]
+    exponents, errors = growth[-1], LIMITS.unresolved_growth / elapsed[-1]
     scatter = np.zeros_like(exponents)
-    for blocks, factor in zip(BLOCKS, SCATTER, strict=True):
+    for blocks, factor in zip(block_counts, factors, strict=True):
         borders = np.searchsorted(elapsed, np.linspace(0.0, elapsed[-1], blocks + 1)[1:-1])
         sums = np.diff(np.concatenate([np.zeros_like(total[:1]), total[borders], total[-1:]]), axis=0)
         spans = np.diff(np.concatenate([[0.0], elapsed[borders], elapsed[-1:]]))

@@ -14,7 +14,8 @@ import numpy as np
 from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
 from polhode.analysis._tangent_flow import TangentFlow, compute_multipliers
-from polhode.analysis.floquet import FLAT, PeriodicMotion, periodic_motion
+from polhode.analysis.floquet import LIMITS as FLOQUET_LIMITS
+from polhode.analysis.floquet import PeriodicMotion, periodic_motion
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
@@ -22,18 +23,26 @@ from polhode.taylor.flight import integrals_at
 from polhode.taylor.machine import Form, build_machine
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
-FIRST, LONGEST, SHORTEST = 0.02, 0.1, 1e-5  # steps along the branch, in units of state, period and range
-MOST = 2000  # motions on a branch
-ROUNDS = 8  # of Newton's method
-SETTLED = 1e-12  # in the same units: Newton's method is done after a move that is shorter
-NEAR = 1e-9  # likewise, where it has used all its rounds
-STRAIGHT = 0.95  # cosine of the angle by which the direction may turn in a step
-DIFFERENCE = 1e-6  # of the range, by which a derivative by the parameter is taken
-HALVINGS = 30
-FAMILY = 1e-7  # of the largest singular value of the equations: a direction in which they do not change
-STANDS = 1e-6  # of a direction: a smaller share of the parameter is none
-INDEPENDENT = 1e-8  # of the largest singular value of the gradients of what is conserved
-REAL = 1e-7  # of its size: a multiplier with a smaller imaginary part is real
+
+class PeriodicBranchLimits(NamedTuple):
+    """Numbers that decide how far a branch of periodic motions is followed, and what happens on it."""
+
+    first_step: float = 0.02  # along the branch, in units of state, period and range
+    longest_step: float = 0.1  # in the same units
+    shortest_step: float = 1e-5  # in the same units: a branch that needs shorter ones is given up
+    max_motions: int = 2000  # on a branch
+    max_newton_steps: int = 8  # of a method that converges quadratically from a step's guess
+    settled_move: float = 1e-12  # in the same units: Newton's method is done after a shorter one
+    accepted_move: float = 1e-9  # in the same units: after all steps, a last one so short will do
+    min_cosine: float = 0.95  # of the angle between the directions at neighbouring motions
+    max_halvings: int = 30  # of the interval in which a bifurcation lies
+    relative_zero: float = 1e-7  # singular values of the equations below it belong to directions in a family
+    min_parameter_share: float = 1e-6  # of a direction: with less the parameter stays
+    conserved_rank: float = 1e-8  # singular values of the gradients of what is conserved below it, relative, vanish
+    relative_imaginary_part: float = 1e-7  # of a multiplier: with a smaller one it is real
+
+
+LIMITS = PeriodicBranchLimits()
 
 
 class PeriodicBranch(NamedTuple):
@@ -146,7 +155,7 @@ def continue_periodic(
     first_place = family.place(begin, float(ends[0]), None)
     if first_place is None:
         raise NotConverged(f"the periodic motion at the value {ends[0]:g} cannot be followed to values beside it.")
-    if abs(first_place.tangent[-1]) < STANDS:
+    if abs(first_place.tangent[-1]) < LIMITS.min_parameter_share:
         raise NotConverged(
             "the periodic motion does not go on to other values of the parameter while all that is conserved stays as "
             "it is: it may be one of a family that belongs to this value alone."
@@ -186,7 +195,7 @@ class _Family:
         levels, slopes = self._find_conserved(self.begin, self._form.flat(begin.state))
         self._held = np.isfinite(levels) & np.isfinite(slopes).all(axis=1)
         self._levels, sizes = levels[self._held], np.linalg.svd(slopes[self._held], compute_uv=False)
-        self._trivial = (not fixed) + int(np.sum(sizes > INDEPENDENT * sizes.max(initial=0.0)))
+        self._trivial = (not fixed) + int(np.sum(sizes > LIMITS.conserved_rank * sizes.max(initial=0.0)))
 
     def _find_conserved(
         self, value: float, z: Float64[np.ndarray, "n"]
@@ -204,19 +213,19 @@ class _Family:
         z, T = self._form.flat(motion.state), motion.period
         n, start = z.size, z.copy()
         units = self._units(n)
-        for turn in range(ROUNDS):
+        for turn in range(LIMITS.max_newton_steps):
             equations = self._equations(z, T, value, start)
             if equations is None:
                 return None
             off, matrix, M = equations
             if row is not None:
                 matrix, off = np.vstack([matrix, row / units]), np.append(off, 0.0)
-            move = -np.linalg.lstsq(matrix * units, off, rcond=FLAT)[0]
+            move = -np.linalg.lstsq(matrix * units, off, rcond=FLOQUET_LIMITS.relative_singular_value)[0]
             if not np.isfinite(move).all() or np.abs(move).max() > 0.5:
                 return None
             z, T, value = z + units[:n] * move[:n], T + float(units[n] * move[n]), value + float(self.range * move[-1])
             far = float(np.abs(move).max())
-            if far < SETTLED or (far < NEAR and turn == ROUNDS - 1):
+            if far < LIMITS.settled_move or (far < LIMITS.accepted_move and turn == LIMITS.max_newton_steps - 1):
                 gap = float(np.linalg.norm(off[:n])) / self.size
                 return PeriodicMotion(self._form.back(z), T, gap, M, *compute_multipliers(M)), value
         return None
@@ -225,8 +234,9 @@ class _Family:
         self, z: Float64[np.ndarray, "n"], T: float, value: float, start: Float64[np.ndarray, "n"]
     ) -> tuple[Float64[np.ndarray, "equations"], Float64[np.ndarray, "equations extended"], np.ndarray] | None:
         """Return residuals, their derivatives by state, period and parameter, and the monodromy."""
+        difference = 1e-6  # of the range: the step of derivatives by the parameter
         n, state, first = z.size, self._form.back(z), self.first
-        step, low, high = DIFFERENCE * self.range, min(self.begin, self.end), max(self.begin, self.end)
+        step, low, high = difference * self.range, min(self.begin, self.end), max(self.begin, self.end)
         near = value + step * (value != high), value - step * (value != low)
         try:
             after, M = self._flow(value, state, T, np.eye(n))
@@ -274,13 +284,13 @@ class _Family:
             return None
         matrix = equations[1] * self._units(z.size)
         _, sizes, rows = np.linalg.svd(matrix)
-        still = rows[np.append(sizes, np.zeros(len(rows)))[: len(rows)] <= FAMILY * sizes[0]]
+        still = rows[np.append(sizes, np.zeros(len(rows)))[: len(rows)] <= LIMITS.relative_zero * sizes[0]]
         still = still if len(still) else rows[-1:]
         # of a whole family the direction in which the parameter changes most, or that is nearest to the last
         wanted = np.eye(len(rows))[-1] * np.sign(self.end - self.begin) if along is None else along
         tangent = still.T @ (still @ wanted)
         length = float(np.linalg.norm(tangent))
-        if length < FAMILY:
+        if length < LIMITS.relative_zero:
             tangent, length = still[-1], 1.0
         return _Place(motion, value, tangent / length, self._kinds(motion))
 
@@ -289,17 +299,17 @@ class _Family:
         others = np.argsort(np.abs(motion.multipliers - 1.0))[self._trivial :]
         values, errors = np.asarray(motion.multipliers)[others], np.asarray(motion.errors)[others]
         real, size = np.real(values), np.abs(values)
-        is_real = np.abs(np.imag(values)) <= REAL * size
+        is_real = np.abs(np.imag(values)) <= LIMITS.relative_imaginary_part * size
         above, below, outside = real > 1.0 + errors, real < -1.0 - errors, size > 1.0 + errors
         return int(np.sum(is_real & above)), int(np.sum(is_real & below)), int(np.sum(~is_real & outside))
 
     def follow(self, begin: _Place) -> list[_Place]:
         """Return the places of the branch, up to an end of the range."""
-        places, step, low, high = [begin], FIRST, min(self.begin, self.end), max(self.begin, self.end)
-        while len(places) < MOST and step > SHORTEST:
+        places, step, low, high = [begin], LIMITS.first_step, min(self.begin, self.end), max(self.begin, self.end)
+        while len(places) < LIMITS.max_motions and step > LIMITS.shortest_step:
             last = places[-1]
             place = self._step_from(last, step)
-            if place is None or place.tangent @ last.tangent < STRAIGHT:
+            if place is None or place.tangent @ last.tangent < LIMITS.min_cosine:
                 step *= 0.5
                 continue
             if not low <= place.value <= high:
@@ -307,8 +317,9 @@ class _Family:
                 end = self._at_value(last, place, border)
                 return [*places, end] if end is not None and border != last.value else places
             places.append(place)
-            step = min(1.5 * step, LONGEST)
-            if len(places) > 5 and self._apart(place, begin) < 0.5 * step and place.tangent @ begin.tangent > STRAIGHT:
+            step = min(1.5 * step, LIMITS.longest_step)
+            goes_on = place.tangent @ begin.tangent > LIMITS.min_cosine
+            if len(places) > 5 and self._apart(place, begin) < 0.5 * step and goes_on:
                 return [*places, begin]  # it is closed
         warnings.warn(
             f"a branch of periodic motions could not be followed beyond the value {places[-1].value:g}: what comes "
@@ -353,7 +364,7 @@ class _Family:
     def _locate(self, one: _Place, other: _Place, is_before: Callable[[_Place], bool]) -> _Place:
         """Return the place up to which something holds, by halving the way."""
         low, high = one, other
-        for _ in range(HALVINGS):
+        for _ in range(LIMITS.max_halvings):
             if self._apart(low, high) < 1e-9:
                 break
             way = 0.5 * self._length(low, high)

@@ -18,12 +18,7 @@ from polhode.motion._inputs import finite
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Energy = Callable[[Float64[Array, "*batch 3"]], Float64[Array, "*batch"]]
-PARTS = (0.08, 0.25, 0.5, 0.75)  # of the way from an axis to the separatrix
 POINTS = 400  # of a curve
-FAMILY = 9  # levels of any energy
-MESH = 28  # pieces of an octahedron's edge
-BISECTIONS = 12  # each halves the error of a crossing, which starts at an edge of 0.06 rad
-NEWTON_STEPS, STARTS, SETTLED = 40, 200, 1e-10
 
 
 @known_numbers_only
@@ -33,6 +28,7 @@ def polhode_family(moments: Real[ArrayLike, "3"]) -> list[Float64[Array, "points
     Args:
         moments: (3,) ascending.
     """
+    parts = (0.08, 0.25, 0.5, 0.75)  # of the way from an axis to the separatrix
     I1, I2, I3 = moments
     curves = []
     if I1 == I3:
@@ -42,7 +38,7 @@ def polhode_family(moments: Real[ArrayLike, "3"]) -> list[Float64[Array, "points
         # A L1² = B L3²
         saddle = np.arctan2(np.sqrt((I3 - I2) * I1), np.sqrt((I2 - I1) * I3))
         reach = saddle if axis == 2 else 0.5 * np.pi - saddle
-        for part in PARTS if reach > 1e-9 else ():
+        for part in parts if reach > 1e-9 else ():
             angle = part * reach
             near, far = np.cos(angle), np.sin(angle)
             start = (far, 0.0, near) if axis == 2 else (near, 0.0, far)
@@ -95,12 +91,13 @@ def level_segments(energy: Energy, values: Sequence[float] | None = None) -> Flo
         energy: the function.
         values: its levels; by default nine, evenly spread over its range.
     """
+    count = 9  # levels of any energy
     corners = _octahedron()
     heights = energy(corners)
     low, high = float(heights.min()), float(heights.max())
     if not high - low > 1e-12 * max(abs(low), abs(high)):
         return np.empty((0, 2, 3))
-    spread = low + (high - low) * (np.arange(FAMILY) + 0.5) / FAMILY
+    spread = low + (high - low) * (np.arange(count) + 0.5) / count
     return np.concatenate([np.empty((0, 2, 3)), *(_cut_triangles(energy, corners, heights, v)
                                                   for v in (spread if values is None else values))])  # fmt: skip
 
@@ -114,16 +111,19 @@ def saddle_energies(moments: Real[ArrayLike, "3"], rotor: Real[ArrayLike, "3"], 
         rotor: (3,) h [kg m²/s].
         norm: |L| [kg m²/s], positive.
     """
+    newton_steps = 40
+    starts = 200
+    settled = 1e-10  # relative, of a root's residual and of curvatures that vanish
     I, h = np.asarray(moments, dtype=float), np.asarray(rotor, dtype=float) / norm  # noqa: E741
     I = I / I.max()  # noqa: E741  energies are scaled back below
-    turn = np.pi * (3.0 - np.sqrt(5.0)) * np.arange(STARTS)
-    z = 1.0 - 2.0 * (np.arange(STARTS) + 0.5) / STARTS
+    turn = np.pi * (3.0 - np.sqrt(5.0)) * np.arange(starts)
+    z = 1.0 - 2.0 * (np.arange(starts) + 0.5) / starts
     u = np.stack([np.sqrt(1.0 - z * z) * np.cos(turn), np.sqrt(1.0 - z * z) * np.sin(turn), z], axis=-1)
     rate = np.sum(u * (u - h) / I, axis=-1)
-    for _ in range(NEWTON_STEPS):
+    for _ in range(newton_steps):
         # u (1 − λ I) = h and u·u = 1, in the unknowns u and λ
         # the derivative of (u (1 − λI) − h, u·u − 1) by (u, λ)
-        slope = np.zeros((STARTS, 4, 4))
+        slope = np.zeros((starts, 4, 4))
         slope[:, [0, 1, 2], [0, 1, 2]] = 1.0 - rate[:, None] * I
         slope[:, :3, 3], slope[:, 3, :3] = -I * u, 2.0 * u
         miss = np.concatenate([u * (1.0 - rate[:, None] * I) - h, (np.sum(u * u, axis=-1) - 1.0)[:, None]], axis=-1)
@@ -131,11 +131,11 @@ def saddle_energies(moments: Real[ArrayLike, "3"], rotor: Real[ArrayLike, "3"], 
         u, rate = u - change[:, :3, 0], rate - change[:, 3, 0]
     missed = np.abs(u * (1.0 - rate[:, None] * I) - h).max(axis=-1) + np.abs(np.sum(u * u, axis=-1) - 1.0)
     energies: list[float] = []
-    for direction, spin in zip(u[missed < SETTLED], rate[missed < SETTLED], strict=True):
+    for direction, spin in zip(u[missed < settled], rate[missed < settled], strict=True):
         across = np.linalg.svd(direction[None])[2][1:]
         bends = np.linalg.eigvalsh(across @ np.diag(1.0 / I - spin) @ across.T)
         value = 0.5 * float(np.sum((direction - h) ** 2 / I)) * norm**2 / float(np.max(moments))
-        flat = SETTLED * np.max(1.0 / I)
+        flat = settled * np.max(1.0 / I)
         if bends[0] < -flat and bends[1] > flat and not any(abs(value - other) <= 1e-9 * value for other in energies):
             energies.append(value)
     return sorted(energies)
@@ -143,11 +143,12 @@ def saddle_energies(moments: Real[ArrayLike, "3"], rotor: Real[ArrayLike, "3"], 
 
 def _octahedron() -> Array:
     """Return the corners (n, 3, 3) of small triangles that cover the unit sphere."""
-    i, j = np.meshgrid(np.arange(MESH), np.arange(MESH), indexing="ij")
-    upright, turned = (i + j < MESH), (i + j < MESH - 1)
+    mesh = 28  # pieces of an octahedron's edge
+    i, j = np.meshgrid(np.arange(mesh), np.arange(mesh), indexing="ij")
+    upright, turned = (i + j < mesh), (i + j < mesh - 1)
 
     def point(a: Array, b: Array) -> Array:
-        return np.stack([a, b, MESH - a - b], axis=-1) / MESH
+        return np.stack([a, b, mesh - a - b], axis=-1) / mesh
 
     first = np.stack([point(i, j), point(i + 1, j), point(i, j + 1)], axis=-2)[upright]
     second = np.stack([point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)], axis=-2)[turned]
@@ -171,7 +172,8 @@ def _cut_triangles(energy: Energy, corners: Array, heights: Array, value: float)
 
 
 def _root(energy: Energy, start: Array, end: Array, above: Array, value: float) -> Array:
-    for _ in range(BISECTIONS):
+    bisections = 12  # each halves the error of a crossing, which starts at an edge of 0.06 rad
+    for _ in range(bisections):
         # the middle of an arc of a great circle
         middle = start + end
         middle = middle / np.linalg.norm(middle, axis=-1, keepdims=True)

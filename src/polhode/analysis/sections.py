@@ -21,8 +21,16 @@ from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import choose_precision, find_crossings
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
-AT_START = 4e-15  # of the times: a crossing within this of the first time is the start itself
 DIRECTIONS = ("rising", "falling", "either")
+
+
+class SectionLimits(NamedTuple):
+    """What decides that a crossing is not the start."""
+
+    start_rounding: float = 4e-15  # of the times: a crossing within this of the first time is the start itself
+
+
+LIMITS = SectionLimits()
 
 
 class Section(NamedTuple):
@@ -116,7 +124,7 @@ def section(
         )
     event = tuple(system.events)[crossings.event] if crossings.status == Status.EVENT else None
     # a start that is a crossing of an earlier section misses the surface by a rounding
-    later = np.abs(crossings.times - ends[0]) > AT_START * np.abs(ends).max()
+    later = np.abs(crossings.times - ends[0]) > LIMITS.start_rounding * np.abs(ends).max()
     return Section(crossings.times[later], crossings.states[later], crossings.end, event)
 
 

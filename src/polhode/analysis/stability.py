@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -46,13 +46,21 @@ from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.systems.steady_motion import SteadyMotion
 from polhode.types import Array, ArrayLike, Real
 
-SMALLEST, LARGEST = 1e-300, 1e300  # of an equilibrium; smaller numbers lose digits, and sums of larger ones overflow
-AT_REST = 1e-8  # of |dH| |μ|: a field below it vanishes, up to the solver that found the point
-STEPS = 32  # along a family of equilibria, each of a part of |μ|
-ROUNDING = 1e-12  # of |dH| |μ|: a field that Newton's method cannot make smaller
-NULL = 1e-9  # singular values of the linearised flow below it, relative to the largest, vanish
 VANISHED = 4.0 * np.finfo(float).eps  # the same per dimension, where they are rounding errors of zero
-RANK = 1e-13  # singular values of the Poisson tensor below it, per dimension, are rounding errors
+
+
+class StabilityLimits(NamedTuple):
+    """Numbers that decide what an equilibrium is, and what vanishes there."""
+
+    min_size: float = 1e-300  # of an equilibrium; smaller numbers lose digits
+    max_size: int = 1e300  # of an equilibrium; sums of larger numbers overflow
+    relative_field: float = 1e-8  # of |dH| |μ|: a field below it vanishes, up to what a solver leaves
+    field_rounding: float = 1e-12  # of |dH| |μ|: a field that Newton's method cannot make smaller
+    relative_zero: float = 1e-9  # singular values of the linearised flow below it, relative to the largest, vanish
+    tensor_rounding: float = 1e-13  # per dimension: smaller singular values of the Poisson tensor are rounding errors
+
+
+LIMITS = StabilityLimits()
 
 
 @known_numbers_only
@@ -107,10 +115,10 @@ def stability(
     integrals = check_functions("integrals", integrals, algebra.element_shape, algebra.dtype)
     z = np.asarray(algebra.to_dual_vector(mu))
     size = float(np.abs(z).max())
-    if size and not SMALLEST <= size <= LARGEST:
+    if size and not LIMITS.min_size <= size <= LIMITS.max_size:
         raise InvalidInput(
-            f"the largest component of `equilibrium` must be between {SMALLEST:g} and {LARGEST:g}; got {size:g}. "
-            "Choose other units."
+            f"the largest component of `equilibrium` must be between {LIMITS.min_size:g} and {LIMITS.max_size:g}; got "
+            f"{size:g}. Choose other units."
         )
     check_motion(system, lambda: samples_around(np.asarray(algebra.structure_constants()), z))
     known, subject = choose_casimirs(algebra, casimirs), Subject(system, z, tuple(integrals), casimirs)
@@ -148,7 +156,7 @@ def judge_steady_motion(motion: SteadyMotion) -> Stability:
 def _judge_equilibrium_first(p: Problem) -> Stability:
     """Judge as an equilibrium if it is one; else, or where that decides nothing, up to the flows of the integrals."""
     sizes = p.sizes(np.eye(len(p.g))[0])
-    resting = np.linalg.norm(p.tensor @ p.g[0]) <= AT_REST * sizes[2]
+    resting = np.linalg.norm(p.tensor @ p.g[0]) <= LIMITS.relative_field * sizes[2]
     judgement = None
     if resting or not p.free:
         _check_at_rest(p.tensor @ p.g[0], sizes[2], False)
@@ -188,7 +196,7 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
     kept = [*rows, *divided]
     # across the directions in which the symmetries move, on the level of the momenta that they turn
     moved = [*(p.g[list(divided)] @ p.tensor.T), *p.g[list(p.turned)]]
-    across = null_space(_unit_rows(np.array(moved)), NULL) if moved else np.eye(len(slope))
+    across = null_space(_unit_rows(np.array(moved)), LIMITS.relative_zero) if moved else np.eye(len(slope))
 
     def judge_part(basis: Array, H: Array, chosen: Sequence[int], error: float, **options: Any) -> Stability:
         inside, leafwise = np.abs(basis), basis is not across
@@ -204,9 +212,11 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
     judgement = judge_part(across, curvature, kept, p.error, casimir_names=[p.names[n - 1] for n in kept],
                    on_equilibria=family, contained=weights[kept])  # fmt: skip
     tangent, effective, error = _on_tangent(p, flow, sizes[1])
-    if judgement.verdict != "undecided" or tangent.shape[1] >= null_space(_unit_rows(p.g[rows]), NULL).shape[1]:
+    if judgement.verdict != "undecided":
         return judgement
-    leaf = tangent @ null_space(_unit_rows(np.array(moved).reshape(-1, len(slope))) @ tangent, NULL)
+    if tangent.shape[1] >= null_space(_unit_rows(p.g[rows]), LIMITS.relative_zero).shape[1]:
+        return judgement
+    leaf = tangent @ null_space(_unit_rows(np.array(moved).reshape(-1, len(slope))) @ tangent, LIMITS.relative_zero)
     # on a point there is nothing to judge
     leafwise = (judge_part(leaf, effective, list(divided), error) if leaf.shape[1] else
                 Stability("stable", 0.0, None, None, LeafIsPoint(), np.zeros(0, complex)))  # fmt: skip
@@ -222,11 +232,11 @@ def _of_isotropy(p: Problem, weights: Array) -> tuple[Problem, Array]:
     of_momenta = p.g[free]
     brackets = of_momenta @ p.tensor @ of_momenta.T
     size = float(np.abs(of_momenta).max(initial=0.0)) ** 2 * float(np.abs(p.tensor).max(initial=0.0))
-    if not np.abs(brackets).max(initial=0.0) > NULL * size:
+    if not np.abs(brackets).max(initial=0.0) > LIMITS.relative_zero * size:
         return p, weights
     # {J_a, J_b} c_b = 0 for all a: the flow of Σ c_b J_b leaves the values of all J
     _, sizes, rows = np.linalg.svd(brackets)
-    rank = int((sizes > NULL * sizes[0]).sum())
+    rank = int((sizes > LIMITS.relative_zero * sizes[0]).sum())
     mixing = np.vstack([_plain(rows[rank:]), rows[:rank]])
     g, H, names, turned = p.g.copy(), p.H.copy(), list(p.names), weights.copy()
     g[free], H[free] = mixing @ of_momenta, np.tensordot(mixing, p.H[free], 1)
@@ -253,7 +263,7 @@ def _plain(rows: Array) -> Array:
 
 def _combination(row: Array, names: list[str]) -> str:
     """Return a sum of multiples in words, without those that are rounding."""
-    terms = [(value, name) for value, name in zip(row, names, strict=True) if abs(value) > NULL]
+    terms = [(value, name) for value, name in zip(row, names, strict=True) if abs(value) > LIMITS.relative_zero]
     text = " + ".join(name if value == 1.0 else f"{value:.6g} {name}" for value, name in terms)
     return text.replace("+ -", "− ").replace("-", "−")
 
@@ -291,7 +301,7 @@ def _on_tangent(p: Problem, flow: Array, flow_sizes: Array) -> tuple[Array, Arra
     """
     left, sizes, _ = np.linalg.svd(p.tensor)
     largest = float((np.abs(p.constants) @ np.abs(p.y)).max(initial=0.0))
-    rank = int((sizes > RANK * len(sizes) * largest).sum())
+    rank = int((sizes > LIMITS.tensor_rounding * len(sizes) * largest).sum())
     tangent = left[:, :rank]
     if not rank:
         return tangent, np.zeros_like(flow), p.error
@@ -304,7 +314,7 @@ def _on_tangent(p: Problem, flow: Array, flow_sizes: Array) -> tuple[Array, Arra
 
 def _check_at_rest(field: Array, size: float, relative: bool) -> None:
     left = float(np.linalg.norm(field))
-    if left > AT_REST * size:
+    if left > LIMITS.relative_field * size:
         kind = "a relative equilibrium" if relative else "an equilibrium"
         raise InvalidInput(
             f"the point is not {kind}: the field there is {left / size:.3g} of its terms. "
@@ -335,7 +345,7 @@ def _judge_dissipative(system: AbstractLiePoissonSystem, casimirs: Casimirs, z: 
         raise InvalidInput("the field must have finite derivatives at the equilibrium; got NaN or an infinity.")
     rows = _unit_rows(np.asarray(jax.jacfwd(casimirs.source)(jnp.asarray(z))).reshape(-1, z.size))
     _check_at_rest(field, float(np.abs(linearization).max() * np.linalg.norm(z)), False)
-    return _note_missing(first_method(linearization, null_space(rows, NULL)), casimirs.missing)
+    return _note_missing(first_method(linearization, null_space(rows, LIMITS.relative_zero)), casimirs.missing)
 
 
 @eqx.filter_jit
@@ -354,13 +364,14 @@ def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
     second order. A potential of high order looks the same there, so the equilibria must go on for at least a quarter of
     |μ|, with a field that vanishes to rounding.
     """
-    tangent = null_space(_unit_rows(dC), NULL)
+    steps = 32  # along a family of equilibria, each of a part of |μ|
+    tangent = null_space(_unit_rows(dC), LIMITS.relative_zero)
     if not tangent.shape[1] or not p.y.any():
         return False
     _, sizes, rows = np.linalg.svd(tangent.T @ flow @ tangent)
     zero = VANISHED * len(p.y) * rate
     # moments that differ in the twelfth digit have no circle of equilibria, and no steady drift along one
-    if ((sizes > zero) & (sizes <= NULL * rate)).any():
+    if ((sizes > zero) & (sizes <= LIMITS.relative_zero * rate)).any():
         return False
     still = tangent @ rows[int((sizes > zero).sum()) :].T
     if not still.shape[1]:
@@ -373,11 +384,11 @@ def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
     near = np.linalg.norm(points - (p.y + off * still.T), axis=1) < 0.05 * off
     # where the linearised flow vanishes, its size a little off tells what a rounding error of the field is
     rate = max(rate, float(np.linalg.norm(slopes, axis=(1, 2)).max()))
-    if not (near & (np.linalg.norm(fields, axis=1) <= AT_REST * off * rate)).all():
+    if not (near & (np.linalg.norm(fields, axis=1) <= LIMITS.relative_field * off * rate)).all():
         return False
-    step = np.linalg.norm(p.y) / STEPS
+    step = np.linalg.norm(p.y) / steps
     last, ahead = np.broadcast_to(p.y, points.shape), points - p.y
-    for _ in range(STEPS):
+    for _ in range(steps):
         ahead = ahead / np.linalg.norm(ahead, axis=1, keepdims=True)
         starts = last + step * ahead
         settled = _settle(p.system, p.casimirs, jnp.asarray(p.y), jnp.asarray(p.unit), jnp.asarray(starts))
@@ -385,7 +396,7 @@ def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
         # Newton's method may go back along the family, but not as far as the last point
         near = (np.linalg.norm(points - starts, axis=1) < step) & (np.sum((points - last) * ahead, axis=1) > step / 4)
         rate = max(rate, float(np.linalg.norm(slopes, axis=(1, 2)).max()))
-        if not (near & (np.linalg.norm(fields, axis=1) <= ROUNDING * np.linalg.norm(p.y) * rate)).all():
+        if not (near & (np.linalg.norm(fields, axis=1) <= LIMITS.field_rounding * np.linalg.norm(p.y) * rate)).all():
             return False
         last, ahead = points, points - last
     return True

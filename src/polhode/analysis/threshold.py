@@ -11,8 +11,6 @@ from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis.energy_casimir import Stability
 from polhode.errors import InvalidInput, shown
 
-MOST_HALVINGS = 200
-
 
 @dataclass(frozen=True)
 class Threshold:
@@ -62,6 +60,7 @@ def stability_threshold(
     >>> round(threshold.value, 6), threshold.below.verdict, threshold.above.verdict  # (I3 ω)² = 4 mgl I1
     (4.0, 'unstable', 'stable')
     """
+    max_halvings = 200
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
         raise InvalidInput(f"`low` and `high` must be finite and in this order; got {shown(low)} and {shown(high)}.")
     if not 0.0 < tolerance < 1.0:
@@ -73,7 +72,7 @@ def stability_threshold(
             "an interval across the threshold."
         )
     first, size = below.verdict, max(abs(low), abs(high))
-    for _ in range(MOST_HALVINGS):
+    for _ in range(max_halvings):
         middle = 0.5 * (low + high)
         if high - low <= 2.0 * tolerance * size or not low < middle < high:
             break

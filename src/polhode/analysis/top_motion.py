@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -17,9 +17,16 @@ from polhode.types import Array, ArrayLike, Float64, Real
 if TYPE_CHECKING:
     from polhode.exact.lagrange_top import LagrangeMotion
 
-CONSTANT = 1e-12  # rad between the limits of a tilt below which it is constant, but for rounding of what was given
-VERTICAL = 1e-12  # rad from a vertical within which no steady precession is told apart from standing
 NUTATING = ("undulating", "cusp", "loop")
+
+
+class TopMotionLimits(NamedTuple):
+    """What decides that a tilt is constant."""
+
+    constant_tilt: float = 1e-12  # rad between the limits of a tilt, but for rounding of the input
+
+
+LIMITS = TopMotionLimits()
 
 
 @known_numbers_only
@@ -76,7 +83,7 @@ def is_steady_precession(motion: LagrangeMotion) -> bool:
     low, high = motion.nutation_limits
     if motion.regime not in NUTATING or low is None or high is None:
         return motion.regime == "steady"
-    return math.acos(low) - math.acos(high) < CONSTANT
+    return math.acos(low) - math.acos(high) < LIMITS.constant_tilt
 
 
 @known_numbers_only
@@ -94,7 +101,7 @@ def steady_precession_of(motion: LagrangeMotion) -> SteadyPrecession | None:
     moments = tuple(float(x) for x in motion.moments)
     height = rotation.rotate(motion.state(motion.epoch)[0], np.array([0.0, 0.0, 1.0]))[2]
     tilt = math.acos(max(-1.0, min(1.0, float(height))))
-    if not VERTICAL < tilt < math.pi - VERTICAL:
+    if not 0.0 < tilt < math.pi:
         return None
     spin = float(motion.momentum_at_epoch[2]) / moments[2]
     return steady_precession((moments[0], moments[1], moments[2]), float(motion.mgl), tilt, spin)

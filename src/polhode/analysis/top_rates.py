@@ -16,11 +16,18 @@ from polhode.exact.lagrange_top.steady_precession import steady_precession
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import ArrayLike, Float64, Real
 
-ASYMMETRY = 0.1  # of the moments across the axis, relative, up to which their mean says something
-FEWEST = 3  # highest points of the axis, between which a mean is taken
-STEP = 2.5  # rad; azimuths that turn more from sample to sample are not followed
-SAMPLED = 8  # samples a nutation, at least
-LEVEL = 1e-9  # changes of the axis' height that are none
+
+class TopRateLimits(NamedTuple):
+    """Numbers that decide whether samples allow mean rates of a top."""
+
+    max_asymmetry: float = 0.1  # of the moments across the axis, relative, up to which their mean is of use
+    min_highest_points: int = 3  # of the axis, between which a mean is taken
+    max_turn: float = 2.5  # rad between samples; a larger change of azimuth may have gone the other way round
+    min_samples: int = 8  # a nutation
+    min_nodding: float = 1e-9  # of the height of the unit axis; less is rounding
+
+
+LIMITS = TopRateLimits()
 
 
 class TopRates(NamedTuple):
@@ -47,7 +54,7 @@ def mean_top_rates(times: Real[ArrayLike, "time"], axis: Real[ArrayLike, "time 3
     """
     t, n = np.asarray(times, dtype=float), np.asarray(axis, dtype=float)
     azimuth = np.unwrap(np.arctan2(n[:, 1], n[:, 0]))
-    followed = len(t) > 1 and bool(np.abs(np.diff(azimuth)).max() < STEP)
+    followed = len(t) > 1 and bool(np.abs(np.diff(azimuth)).max() < LIMITS.max_turn)
     tops = _highest(t, n[:, 2])
     if tops is None:
         return TopRates(float((azimuth[-1] - azimuth[0]) / (t[-1] - t[0])) if followed else None, None)
@@ -105,17 +112,17 @@ def _symmetric(top: HeavyTop) -> tuple[float, float] | None:
     axis, moments = np.asarray(top.axis), np.asarray(top.moments)
     across = np.linalg.svd(axis[None])[2][1:]
     both = np.linalg.eigvalsh(across @ np.diag(moments) @ across.T)
-    if both[1] - both[0] > ASYMMETRY * both[1]:
+    if both[1] - both[0] > LIMITS.max_asymmetry * both[1]:
         return None
     return float(both.mean()), float(axis @ (moments * axis))
 
 
 def _highest(t: np.ndarray, height: np.ndarray) -> Float64[np.ndarray, "tops"] | None:
     """Return the times at which the axis is highest, by parabolas through three samples; None where it does not nod."""
-    if np.ptp(height) < LEVEL:
+    if np.ptp(height) < LIMITS.min_nodding:
         return None
     inner = np.flatnonzero((height[1:-1] > height[:-2]) & (height[1:-1] >= height[2:])) + 1
-    if len(inner) < FEWEST or np.diff(inner).min() < SAMPLED:
+    if len(inner) < LIMITS.min_highest_points or np.diff(inner).min() < LIMITS.min_samples:
         return None
     before, here, after = height[inner - 1], height[inner], height[inner + 1]
     left, right = t[inner] - t[inner - 1], t[inner + 1] - t[inner]

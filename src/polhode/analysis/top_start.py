@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode import rotation
 from polhode._base.arrays import known_numbers_only
-from polhode.analysis.top_motion import VERTICAL, axis_in_space
+from polhode.analysis.top_motion import axis_in_space
 from polhode.bodies._pivot import axis_of_symmetry
 from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, least_spin_rate, steady_precession
@@ -16,6 +17,15 @@ from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, ArrayLike, Float64, Real
 
 UP = np.array([0.0, 0.0, 1.0])
+
+
+class TopStartLimits(NamedTuple):
+    """What decides that an axis leans."""
+
+    min_tilt: float = 1e-12  # rad from a vertical: below it no line of nodes is sure
+
+
+LIMITS = TopStartLimits()
 
 
 @known_numbers_only
@@ -56,7 +66,7 @@ def top_velocity(
     in_space = precession_rate * UP
     if nutation_rate:
         sine = math.hypot(axis[0], axis[1])
-        if sine <= VERTICAL:
+        if sine <= LIMITS.min_tilt:
             raise InvalidInput(
                 "`nutation_rate` needs an axis that leans: a vertical one has no line of nodes to turn about. Let it "
                 "lean, or give the angular velocity."
@@ -88,7 +98,7 @@ def steady_precession_at(top: HeavyTop, tilt: float, spin_rate: float) -> Steady
             "steady precession needs a body symmetric about the line from its fixed point to its centre of mass, which "
             "lie apart; this one is not. Give the precession as a rate."
         )
-    if not VERTICAL < tilt < math.pi - VERTICAL:
+    if not LIMITS.min_tilt < tilt < math.pi - LIMITS.min_tilt:
         raise InvalidInput(f"steady precession needs an axis that leans; got a tilt of {math.degrees(tilt):g}°.")
     across, along = float(moments[(k + 1) % 3]), float(moments[k])
     precession = steady_precession((across, across, along), mgl, tilt, spin_rate=float(spin_rate))

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,13 +22,19 @@ from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 TURN = 2.0 * math.pi
-SEGMENTS = 256
-REFINEMENTS = 3  # each with 16 times as many segments: a needle may hurry past its handle
-SPLITS = 40
-QUADRATURE_TOLERANCE = 1e-12  # of a turn; the end is sharpened by the attitude anyway
-AGREEMENT = 1e-6  # [rad] between integral and attitude; far above the integral's error, far below a missed feature
-SETTLED = 1000.0  # times e-folding: a start next to the saddle, down to the smallest numbers, has flipped by then
 NODES, NODE_WEIGHTS = np.polynomial.legendre.leggauss(12)
+
+
+class TwistLimits(NamedTuple):
+    """Numbers that decide whether the handle was followed."""
+
+    max_refinements: int = 3  # each with 16 times as many segments: a needle may hurry past its handle
+    quadrature_error: float = 1e-12  # of a turn; the end is sharpened by the attitude anyway
+    # rad between integral and attitude: far above the first's error, far below a missed feature
+    max_disagreement: float = 1e-6
+
+
+LIMITS = TwistLimits()
 
 
 @known_numbers_only
@@ -59,6 +65,7 @@ def racket_twist(motion: FreeMotion | Trajectory, handle: int = 0) -> float:
 
 
 def _twist(motion: FreeMotion, handle: int) -> float:
+    segments = 256  # of one period, before they are refined
     start = np.asarray(motion.momentum_at_epoch)
     if start.ndim != 1 or np.ndim(motion.epoch):
         raise InvalidInput(f"`motion` must be of one body; got momentum of shape {start.shape}. Take one at a time.")
@@ -73,11 +80,11 @@ def _twist(motion: FreeMotion, handle: int) -> float:
     def rates(t: Array) -> np.ndarray:
         return _rates(motion.momentum(float(motion.epoch) + t), moments, handle)
 
-    for refinement in range(REFINEMENTS):
-        edges = _first_edges(motion, longest, SEGMENTS * 16**refinement)
+    for refinement in range(LIMITS.max_refinements):
+        edges = _first_edges(motion, longest, segments * 16**refinement)
         end, twist = _one_turn(rates, edges, finite(motion.period))
         late = _azimuth(motion, handle, end)
-        if abs(late) < AGREEMENT:
+        if abs(late) < LIMITS.max_disagreement:
             end -= late / rates(np.asarray(end))[0]
             return abs(_exact_twist(motion, j, k, end, twist))
     raise NotConverged("the handle's turn about L is too uneven to be followed; its moments are too far apart.")
@@ -96,6 +103,7 @@ def _rates(L: Array, moments: Array, h: int) -> np.ndarray:
 
 def _first_edges(motion: FreeMotion, longest: float, count: int) -> np.ndarray:
     """Return edges of segments over one period or the longest possible turn, fine where L changes."""
+    flipped = 1000.0  # e-folding times: a start next to the saddle, down to the smallest numbers, has flipped by then
     period = finite(motion.period)
     if period is not None:
         return np.linspace(0.0, min(period, longest), count + 1)
@@ -104,7 +112,7 @@ def _first_edges(motion: FreeMotion, longest: float, count: int) -> np.ndarray:
     low, middle, high = np.sort(np.asarray(motion.moments))
     # the time constant at the saddle, I₂/(|L| √((I₂ − I₁)(I₃ − I₂)/(I₁ I₃)))
     fold = float(middle / (motion.momentum_norm * np.sqrt((middle - low) / low * ((high - middle) / high))))
-    return np.append(np.linspace(0.0, min(longest, SETTLED * fold), count + 1), longest * (1.0 + 1e-12))
+    return np.append(np.linspace(0.0, min(longest, flipped * fold), count + 1), longest * (1.0 + 1e-12))
 
 
 def _one_turn(rates: Callable[[Array], np.ndarray], edges: np.ndarray, period: float | None) -> tuple[float, float]:
@@ -135,16 +143,17 @@ def _one_turn(rates: Callable[[Array], np.ndarray], edges: np.ndarray, period: f
 
 def _integrals(rates: Callable[[Array], np.ndarray], edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return edges split until each segment's Gauss sum agrees with its halves', and the integrals (2, segments)."""
+    max_splits = 40
     left, right = edges[:-1], edges[1:]
     parts = _gauss(rates, left, right)
     open_ = np.ones(len(left), dtype=bool)
-    for _ in range(SPLITS):
+    for _ in range(max_splits):
         if not open_.any():
             break
         a, c = left[open_], right[open_]
         b = 0.5 * (a + c)
         first, second = _gauss(rates, a, b), _gauss(rates, b, c)
-        wrong = np.abs(first + second - parts[:, open_]).max(axis=0) > QUADRATURE_TOLERANCE * TURN
+        wrong = np.abs(first + second - parts[:, open_]).max(axis=0) > LIMITS.quadrature_error * TURN
         left = np.concatenate([left[~open_], a, b])
         right = np.concatenate([right[~open_], b, c])
         parts = np.concatenate([parts[:, ~open_], first, second], axis=1)

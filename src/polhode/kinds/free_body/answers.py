@@ -9,7 +9,8 @@ from typing import ClassVar
 import numpy as np
 
 from polhode.analysis._mechanics import Mechanics
-from polhode.analysis.cone import CONING, axis_angles, rotation_form, velocity_angles
+from polhode.analysis.cone import LIMITS as CONE_LIMITS
+from polhode.analysis.cone import axis_angles, rotation_form, velocity_angles
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.free_axes import axis_stability
 from polhode.analysis.poinsot import Herpolhode, herpolhode
@@ -164,7 +165,7 @@ class FreeBodyReport(MotionReport):
         if leaning is None or (moments == moments[least]).sum() > 1:
             return False
         nearest = min(leaning[least, 1], math.pi - leaning[least, 0])
-        return bool(nearest < CONING)
+        return bool(nearest < CONE_LIMITS.coning)
 
     @property
     def summary(self) -> str:
