@@ -19,12 +19,20 @@ from polhode.algebra.properties import index
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Float64
 
-HIGHEST_DEGREE = 4  # of polynomials looked for
-MOST_MONOMIALS = 1000  # of one degree: a fifth of a second of exact elimination
-LONGEST_NAME = 40  # characters of a polynomial that is its own name
-POINTS = 12
-COMMUTES = 1e-10  # of the terms of {C, x_i}, what rounding of values near a pole leaves
-RANK = 1e-9  # singular values of unit gradients below which Casimirs depend on each other
+
+class OwnCasimirLimits(NamedTuple):
+    """Numbers that decide which functions are Casimirs, and which are sought."""
+
+    max_degree: int = 4  # of polynomials that are sought
+    max_monomials: int = 1000  # of one degree: a fifth of a second of exact elimination
+    max_name_length: int = 40  # characters of a polynomial that is its own name
+    bracket_rounding: float = 1e-10  # of the terms of {C, x_i}: what rounding of values near a pole leaves
+    # singular values of unit gradients below it are those of Casimirs that depend on each other
+    independence: float = 1e-9
+    points: int = 12  # random ones, at which a function is checked
+
+
+LIMITS = OwnCasimirLimits()
 
 
 class Found(NamedTuple):
@@ -43,11 +51,11 @@ def find_casimirs(algebra: AbstractLieAlgebra) -> Found:
     """
     wanted = index(algebra)
     casimirs: list[Polynomial] = []
-    why = f"no polynomial of degree ≤ {HIGHEST_DEGREE} is another"
-    for degree in range(1, HIGHEST_DEGREE + 1):
+    why = f"no polynomial of degree ≤ {LIMITS.max_degree} is another"
+    for degree in range(1, LIMITS.max_degree + 1):
         if len(casimirs) >= wanted:
             break
-        if math.comb(algebra.dim + degree - 1, degree) > MOST_MONOMIALS:
+        if math.comb(algebra.dim + degree - 1, degree) > LIMITS.max_monomials:
             why = f"polynomials of degree ≥ {degree} were not looked for"
             break
         try:
@@ -70,7 +78,7 @@ def check_casimirs(algebra: AbstractLieAlgebra, value: Any) -> tuple[Function, .
     functions = check_functions("casimirs", value, algebra.element_shape, algebra.dtype)
     if not functions:
         return ()
-    points = np.random.default_rng(0).normal(size=(POINTS, algebra.dim))
+    points = np.random.default_rng(0).normal(size=(LIMITS.points, algebra.dim))
     gradients = np.asarray(jax.vmap(jax.jacrev(lambda x: evaluate_functions(functions, x)))(jnp.asarray(points)))
     tensors = np.einsum("ijk,mk->mij", algebra.structure_constants(), points)
     for k in range(len(functions)):
@@ -78,7 +86,7 @@ def check_casimirs(algebra: AbstractLieAlgebra, value: Any) -> tuple[Function, .
     fine = gradients[np.isfinite(gradients).all(axis=(1, 2))]
     lengths = np.linalg.norm(fine, axis=2, keepdims=True)
     sizes = np.linalg.svd(fine / np.where(lengths > 0, lengths, 1.0), compute_uv=False)
-    rank = int((sizes > RANK).sum(axis=1).max(initial=0))
+    rank = int((sizes > LIMITS.independence).sum(axis=1).max(initial=0))
     if rank < len(functions):
         raise InvalidInput(
             f"`casimirs` must be independent; the gradients of these {len(functions)} span {rank} dimensions at random "
@@ -91,14 +99,14 @@ def _check_commutes(name: str, tensors: Array, gradients: Array) -> None:
     good = np.isfinite(gradients).all(axis=1)
     if good.sum() < 2:
         raise InvalidInput(
-            f"`{name}` must be differentiable at most points; its gradient is finite at {good.sum()} of {POINTS} "
-            "random ones. Check its domain."
+            f"`{name}` must be differentiable at most points; its gradient is finite at {good.sum()} of "
+            f"{LIMITS.points} random ones. Check its domain."
         )
     # {C, x_i} up to sign: π_ij ∂C/∂x_j, next to the sizes of its terms
     brackets = np.einsum("mij,mj->mi", tensors[good], gradients[good])
     terms = np.einsum("mij,mj->mi", np.abs(tensors[good]), np.abs(gradients[good])).max(axis=1, keepdims=True)
     off = np.abs(brackets) / np.where(terms > 0.0, terms, 1.0)
-    if off.max() > COMMUTES:
+    if off.max() > LIMITS.bracket_rounding:
         worst = int(np.argmax(off.max(axis=0)))
         raise InvalidInput(
             f"`{name}` must be a Casimir, which commutes with every coordinate; {{{name}, x{worst + 1}}} is "
@@ -114,7 +122,7 @@ def evaluate_functions(functions: tuple[Function, ...], point: Float64[Array, "d
 def name_functions(functions: tuple[Function, ...]) -> tuple[str, ...]:
     """Return a name for each function: a short polynomial itself, else its number, counted from 1."""
     texts = [str(f) if isinstance(f, Polynomial) else "" for f in functions]
-    return tuple(text if 0 < len(text) <= LONGEST_NAME else f"C{k + 1}" for k, text in enumerate(texts))
+    return tuple(text if 0 < len(text) <= LIMITS.max_name_length else f"C{k + 1}" for k, text in enumerate(texts))
 
 
 def check_names(names: Iterable[str], functions: tuple[Function, ...] | None) -> tuple[str, ...]:

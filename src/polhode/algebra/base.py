@@ -23,8 +23,6 @@ from polhode.errors import InvalidInput
 from polhode.motion._layout import StatePart
 from polhode.types import Array, ArrayLike, Double, Float64
 
-SERIES_TERMS = 60  # of Σ ad*ᵏμ/k!: enough for a turn by 2π and more in one step
-
 # of algebras whose elements are vectors; operands broadcast
 Vector = Float64[Array, "*batch {self.dim}"]
 Operand = Float64[Array, "*#batch {self.dim}"]
@@ -216,6 +214,7 @@ class AbstractLieAlgebra(HashableModule):
         By Σ_{k≥1} (ad*_x)ᵏ μ/k!, summed until the terms are negligible, each copy of a batch to its own: exact to
         rounding for |ad_x| up to about 2π. Beyond, what does not converge comes out as NaN.
         """
+        max_terms = 60  # of Σ ad*ᵏμ/k!: enough for a turn by 2π and more in one step
         own = tuple(range(-len(self.element_shape), 0))
 
         def is_significant(term: Array, total: Array) -> Array:
@@ -224,7 +223,7 @@ class AbstractLieAlgebra(HashableModule):
 
         def unfinished(carried: tuple[Any, Array, Array]) -> jax.Array:
             k, term, total = carried
-            return (k < SERIES_TERMS) & jnp.any(is_significant(term, total))
+            return (k < max_terms) & jnp.any(is_significant(term, total))
 
         # of an algebra with numbers of its own these are arguments too: no derivative knows what a rule encloses
         numbers, rest = eqx.partition(self, eqx.is_inexact_array)
@@ -240,7 +239,7 @@ class AbstractLieAlgebra(HashableModule):
             first = coadjoint(x, mu)
             start = (1, first, first)
             if known_count:
-                _, term, total = jax.lax.fori_loop(1, SERIES_TERMS, lambda _, now: add(now), start)
+                _, term, total = jax.lax.fori_loop(1, max_terms, lambda _, now: add(now), start)
             else:
                 _, term, total = jax.lax.while_loop(unfinished, add, start)
             return jnp.where(is_significant(term, total), jnp.nan, total)

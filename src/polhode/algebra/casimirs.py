@@ -12,7 +12,7 @@ from collections import defaultdict
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import combinations_with_replacement
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -25,9 +25,16 @@ from polhode.errors import InvalidInput, shown
 
 RationalBrackets = list[list[dict[int, Fraction]]]
 
-LARGEST_DENOMINATOR = 10_000  # of a simple fraction that a rounded constant is taken for
-ROUNDED = 1e-13  # relative: what computing a constant in doubles leaves
-MOST_MONOMIALS = 20_000  # writing down the equations takes a minute then
+
+class CasimirLimits(NamedTuple):
+    """Numbers that decide which constants are rational, and which degrees are affordable."""
+
+    max_denominator: int = 10_000  # of a simple fraction that a rounded constant is taken for
+    constant_rounding: float = 1e-13  # relative: what computing a constant in doubles leaves
+    max_monomials: int = 20_000  # writing down the equations takes a minute then
+
+
+LIMITS = CasimirLimits()
 
 
 def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int, read_as: str = EXACT) -> list[Polynomial]:
@@ -65,9 +72,9 @@ def check_degree(degree: int, count: int, dim: int) -> None:
     """
     if not isinstance(degree, int) or degree < 1:
         raise InvalidInput(f"`degree` must be a whole number, at least 1; got {shown(degree)}.")
-    if count > MOST_MONOMIALS:
+    if count > LIMITS.max_monomials:
         raise InvalidInput(f"`degree` {degree} in {dim} variables has {count} monomials, more than "
-                           f"{MOST_MONOMIALS}. {REMEDY}")  # fmt: skip
+                           f"{LIMITS.max_monomials}. {REMEDY}")  # fmt: skip
 
 
 def invariant_terms(brackets: RationalBrackets, degree: int) -> list[Terms]:
@@ -104,9 +111,10 @@ def rational_brackets(algebra: AbstractLieAlgebra, read_as: str = EXACT) -> Rati
     table = _map_table(given, lambda x: read_number(x, read_as, "structure constants"))
     if _is_algebra(table):
         return table
-    table = _map_table(given, lambda x: Fraction(float(x)).limit_denominator(LARGEST_DENOMINATOR))
+    table = _map_table(given, lambda x: Fraction(float(x)).limit_denominator(LIMITS.max_denominator))
     # with the same zeros, but what is a rounding error of zero
-    near = all(abs(float(vector.get(k, 0)) - x) <= ROUNDED * abs(x) or abs(x) <= ROUNDED
+    rounding = LIMITS.constant_rounding
+    near = all(abs(float(vector.get(k, 0)) - x) <= rounding * abs(x) or abs(x) <= rounding
                for row, rows in zip(table, given, strict=True) for vector, values in zip(row, rows, strict=True)
                for k, x in enumerate(map(float, values)))  # fmt: skip
     if near and _is_algebra(table):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property, partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -29,7 +29,15 @@ from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 Fractions = tuple[tuple[tuple[Fraction, ...], ...], ...]
-TOLERANCE = 1e-12  # of identities among constants, relative to their size
+
+
+class IdentityLimits(NamedTuple):
+    """What decides that constants are those of a Lie algebra."""
+
+    max_residual: float = 1e-12  # of an identity among constants, relative to their size
+
+
+LIMITS = IdentityLimits()
 
 
 class ConstantsAlgebra(AbstractLieAlgebra):
@@ -201,7 +209,7 @@ def check_constants(constants: Real[ArrayLike, "dim dim dim"]) -> Float64[Array,
         raise InvalidInput("`constants` must be finite; got NaN or an infinity.")
     scale = np.abs(c).max()
     i, j, k = _worst(c + c.transpose(1, 0, 2))
-    if abs(c[i, j, k] + c[j, i, k]) > TOLERANCE * scale:
+    if abs(c[i, j, k] + c[j, i, k]) > LIMITS.max_residual * scale:
         raise InvalidInput(
             f"`constants` must be antisymmetric, c[i,j,k] = −c[j,i,k]; got c[{i},{j},{k}] = {c[i, j, k]:g} and "
             f"c[{j},{i},{k}] = {c[j, i, k]:g}."
@@ -222,7 +230,7 @@ def _check_jacobi(c: np.ndarray, scale: float) -> None:
         j, k, m = _worst(total)
         if abs(total[j, k, m]) > abs(worst):
             worst, where = float(total[j, k, m]), (i, j, k, m)
-    if abs(worst) > TOLERANCE * largest:
+    if abs(worst) > LIMITS.max_residual * largest:
         i, j, k, m = where
         raise InvalidInput(
             "`constants` must satisfy Jacobi's identity; [e_i,[e_j,e_k]] + cyclic has component "

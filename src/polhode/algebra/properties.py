@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from polhode.algebra.base import AbstractLieAlgebra
 
-RANK_TOLERANCE = 1e-10  # singular values below it, relative to the largest, count as zero
-DRAWS = 3
+
+class RankLimits(NamedTuple):
+    """What decides ranks and signs."""
+
+    relative_rank: float = 1e-10  # singular values and eigenvalues below it, relative to the largest, vanish
+
+
+LIMITS = RankLimits()
 
 
 def killing_form(algebra: AbstractLieAlgebra) -> np.ndarray:
@@ -22,7 +30,7 @@ def centre(algebra: AbstractLieAlgebra) -> np.ndarray:
     c = algebra.structure_constants()
     # x with Σ_i x_i c_ijk = 0 for all j, k
     _, sizes, rows = np.linalg.svd(c.reshape(len(c), -1).T)
-    return rows[int((sizes > RANK_TOLERANCE * max(sizes.max(initial=0.0), 1e-300)).sum()) :]
+    return rows[int((sizes > LIMITS.relative_rank * max(sizes.max(initial=0.0), 1e-300)).sum()) :]
 
 
 def index(algebra: AbstractLieAlgebra) -> int:
@@ -32,10 +40,11 @@ def index(algebra: AbstractLieAlgebra) -> int:
 
     Source: Dixmier, *Enveloping Algebras*, 1.11.
     """
+    draws = 3  # almost all points have the largest rank
     c = algebra.structure_constants()
-    points = np.random.default_rng(0).normal(size=(DRAWS, len(c)))
+    points = np.random.default_rng(0).normal(size=(draws, len(c)))
     tensors = np.einsum("ijk,nk->nij", c, points)
-    ranks = np.linalg.matrix_rank(tensors, tol=RANK_TOLERANCE * max(np.abs(tensors).max(initial=0.0), 1e-300))
+    ranks = np.linalg.matrix_rank(tensors, tol=LIMITS.relative_rank * max(np.abs(tensors).max(initial=0.0), 1e-300))
     return int(len(c) - np.max(ranks))
 
 
@@ -49,5 +58,5 @@ def is_compact(algebra: AbstractLieAlgebra) -> bool:
     (True, False, False)
     """
     sizes = np.linalg.eigvalsh(killing_form(algebra))
-    zero = RANK_TOLERANCE * max(np.abs(sizes).max(initial=0.0), 1e-300)
+    zero = LIMITS.relative_rank * max(np.abs(sizes).max(initial=0.0), 1e-300)
     return bool((sizes <= zero).all() and (sizes < -zero).sum() == algebra.dim - len(centre(algebra)))

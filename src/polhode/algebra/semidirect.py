@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -16,7 +17,14 @@ from polhode.algebra.constants import ConstantsAlgebra
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Real
 
-TOLERANCE = 1e-12  # of the representation's identity, relative to the generators
+
+class RepresentationLimits(NamedTuple):
+    """What decides that matrices represent an algebra."""
+
+    max_residual: float = 1e-12  # of the representation's identity, relative to the generators
+
+
+LIMITS = RepresentationLimits()
 
 
 class Semidirect(ConstantsAlgebra):
@@ -54,7 +62,7 @@ class Semidirect(ConstantsAlgebra):
         commutators = rho[:, None] @ rho[None] - rho[None] @ rho[:, None]
         error = np.abs(commutators - np.einsum("ijk,kab->ijab", algebra.structure_constants(), rho)).max(axis=(2, 3))
         i, j = np.unravel_index(np.argmax(error), error.shape)
-        if not error[i, j] <= TOLERANCE * max(1.0, np.abs(rho).max() ** 2):
+        if not error[i, j] <= LIMITS.max_residual * max(1.0, np.abs(rho).max() ** 2):
             raise InvalidInput(
                 f"`generators` must represent {algebra.name}: [ρ_i, ρ_j] = Σ c_ijk ρ_k fails for (i, j) = ({i}, {j}), "
                 f"counted from 0, by {error[i, j]:.3g}."

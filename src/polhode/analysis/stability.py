@@ -53,7 +53,7 @@ class StabilityLimits(NamedTuple):
     """Numbers that decide what an equilibrium is, and what vanishes there."""
 
     min_size: float = 1e-300  # of an equilibrium; smaller numbers lose digits
-    max_size: int = 1e300  # of an equilibrium; sums of larger numbers overflow
+    max_size: float = 1e300  # of an equilibrium; sums of larger numbers overflow
     relative_field: float = 1e-8  # of |dH| |μ|: a field below it vanishes, up to what a solver leaves
     field_rounding: float = 1e-12  # of |dH| |μ|: a field that Newton's method cannot make smaller
     relative_zero: float = 1e-9  # singular values of the linearised flow below it, relative to the largest, vanish

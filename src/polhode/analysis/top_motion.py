@@ -11,7 +11,8 @@ from polhode import rotation
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, steady_precession
-from polhode.systems.heavy_top import ALONG, HeavyTop
+from polhode.systems.heavy_top import LIMITS as HEAVY_TOP_LIMITS
+from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, ArrayLike, Float64, Real
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ def axial_spin(top: HeavyTop, momentum: Real[ArrayLike, "3"]) -> float:
     """
     axis, L = np.asarray(top.axis), _vector(momentum)
     k = int(np.argmax(np.abs(axis)))
-    along = np.linalg.norm(np.delete(axis, k)) <= ALONG
+    along = np.linalg.norm(np.delete(axis, k)) <= HEAVY_TOP_LIMITS.axis_sine
     return float(L[k] * axis[k] / top.moments[k]) if along else 0.0
 
 

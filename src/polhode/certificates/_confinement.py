@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,12 +23,22 @@ from polhode._base.rational._matrices import (
 from polhode._base.rational._polynomials import RationalPolynomial, linear_form, total
 from polhode.certificates._definite import definite_combination
 from polhode.certificates._definite_exact import definite_in_pencil, is_definite
-from polhode.certificates._equations import DENOMINATORS, ENERGY, Equations
+from polhode.certificates._equations import ENERGY, Equations
+from polhode.certificates._equations import LIMITS as RATIONAL_LIMITS
 from polhode.types import Array, Float64
 
 Squares = tuple[tuple[Fraction, tuple[Fraction, ...]], ...]
 GROWTHS = range(-2, 24)  # powers of two by which squares of conserved quantities are tried
-LARGEST_GROWTH = 240  # the same, tried by exact signs where doubles tell none: curvatures an ulp apart need some 100
+
+
+class ConfinementLimits(NamedTuple):
+    """Bounds of the search for squares that make a function definite."""
+
+    # power of two, tried by exact signs where doubles decide nothing: curvatures an ulp apart need some 100
+    max_exact_growth: int = 240
+
+
+LIMITS = ConfinementLimits()
 
 
 @dataclass(frozen=True)
@@ -175,7 +185,7 @@ def _candidates(
     else:
         wanted.append(np.zeros(len(names)))
     for target in wanted:
-        for d in DENOMINATORS:
+        for d in RATIONAL_LIMITS.denominators:
             yield mix([Fraction(float(target[k])).limit_denominator(d) for k in free])
     if len(inner) == 2 and (pair := definite_in_pencil(*inner)):
         yield mix(pair)
@@ -224,7 +234,7 @@ def _grow_exactly(
     """Return the first multiples of the squares of gradients that make a matrix definite by its exact signature."""
     named = {**rows, **({"": along} if any(along) else {})}
     size = float(max(abs(x) for row in half for x in row)) or 1.0
-    for k in range(min(GROWTHS), LARGEST_GROWTH):
+    for k in range(min(GROWTHS), LIMITS.max_exact_growth):
         squares = {name: power_of_two(size / float(sum(x * x for x in g))) * Fraction(2) ** k
                    for name, g in named.items()}  # fmt: skip
         if signature(_with_squares(half, named, squares))[0] == len(half):

@@ -6,9 +6,6 @@ import numpy as np
 
 from polhode.types import Array, Float64
 
-ROUNDS = 200
-GAP = 0.1
-
 
 def definite_combination(matrices: Float64[Array, "k d d"], tolerance: float) -> Float64[Array, "k"] | None:
     """Return c, |c| = 1, with Σ c_i M_i positive definite; None if no combination is.
@@ -23,12 +20,14 @@ def definite_combination(matrices: Float64[Array, "k d d"], tolerance: float) ->
 
     Source: von Hohenbalken, Math. Programming 13 (1977) 49 (simplicial decomposition); Wolfe, ibid. 11 (1976) 128.
     """
+    rounds = 200
+    gap = 0.1  # of the distance: how far the point next to zero may be from the hull's own
     from scipy.optimize import nnls
 
     c, points, distance = np.eye(len(matrices))[0], [], np.inf
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         sizes, vectors = np.linalg.eigh(np.tensordot(c, matrices, 1))
-        if sizes[0] > (1.0 - GAP) * distance:
+        if sizes[0] > (1.0 - gap) * distance:
             return c
         points.append(matrices @ vectors[:, 0] @ vectors[:, 0])
         corners = np.array(points).T

@@ -11,8 +11,6 @@ import numpy as np
 from polhode._base.rational._matrices import Rows, combine, determinant, reduce_rows, signature
 from polhode._base.rational._univariate import derivative, squarefree
 
-FAR = 2  # times the largest root of a determinant: nothing changes its sign beyond
-
 
 def is_definite(matrix: Sequence[Sequence[Fraction]]) -> bool:
     """Whether all eigenvalues have one sign; so it is of a matrix without rows."""
@@ -36,13 +34,14 @@ def definite_in_pencil(one: Rows, two: Rows) -> tuple[Fraction, Fraction] | None
 
 def _places(one: Rows, two: Rows) -> Iterator[Fraction]:
     """Yield a place between any two neighbouring roots of det(one + s·two), and some beyond all."""
+    beyond = 2  # times a bound of all roots: nothing changes its sign there
     yield Fraction(0)
     polynomial = squarefree(_determinant_along(one, two))
     if len(polynomial) < 2:
         return
     roots = sorted(_real_roots(derivative(polynomial)))
     size = max(abs(c / polynomial[0]) for c in polynomial) + 1  # Cauchy's bound of all roots
-    yield from (-FAR * size, *roots, *((a + b) / 2 for a, b in pairwise(roots)), FAR * size)
+    yield from (-beyond * size, *roots, *((a + b) / 2 for a, b in pairwise(roots)), beyond * size)
 
 
 def _determinant_along(one: Rows, two: Rows) -> list[Fraction]:

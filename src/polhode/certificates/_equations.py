@@ -7,16 +7,24 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations_with_replacement
-from typing import Any
+from typing import Any, NamedTuple
 
 from polhode._base.rational._matrices import Rows, combine, null_space, solve_near
 from polhode._base.rational._polynomials import RationalPolynomial, total
 from polhode._base.rational.numbers import EXACT, READINGS
 from polhode.errors import InvalidInput
 
-FARTHEST = Fraction(1, 10**9)  # of the largest component of a point, how far it may be moved to an exact equilibrium
-DENOMINATORS = (1, 2, 4, 8, 10, 16, 32, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15)
 ENERGY = "H"
+
+
+class RationalLimits(NamedTuple):
+    """How far, and to which fractions, points and weights may be rounded."""
+
+    max_move: Fraction = Fraction(1, 10**9)  # of the largest component of a point, to an exact equilibrium
+    denominators: tuple[int, ...] = (1, 2, 4, 8, 10, 16, 32, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15)
+
+
+LIMITS = RationalLimits()
 
 
 @dataclass(frozen=True)
@@ -196,12 +204,12 @@ def rational_equilibrium(
     given = [read(x) for x in point]
     size = max(map(abs, given), default=Fraction(0))
     trials = [given, [x if abs(x) > size / 10**12 else Fraction(0) for x in given]]
-    trials += [[x.limit_denominator(d) for x in given] for d in DENOMINATORS[7:10]]
+    trials += [[x.limit_denominator(d) for x in given] for d in LIMITS.denominators[7:10]]
     for trial in trials:
         if found := _accept(trial, given, size, vanishing):
             return found
     if all(c.degree <= 2 for name, c in conserved.items() if weights.get(name)):
-        for d in DENOMINATORS:
+        for d in LIMITS.denominators:
             w = {name: Fraction(x).limit_denominator(d) for name, x in weights.items() if name in conserved}
             names = [name for name, x in w.items() if x]
             if not names:
@@ -222,6 +230,6 @@ def _accept(
     trial: Sequence[Fraction], given: Sequence[Fraction], size: Fraction, vanishing: Sequence[RationalPolynomial]
 ) -> tuple[tuple[Fraction, ...], Fraction] | None:
     moved = max((abs(x - y) for x, y in zip(trial, given, strict=True)), default=Fraction(0))
-    if moved > FARTHEST * size or any(f.at(trial) for f in vanishing):
+    if moved > LIMITS.max_move * size or any(f.at(trial) for f in vanishing):
         return None
     return tuple(trial), moved

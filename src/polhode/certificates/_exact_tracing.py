@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import lru_cache
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -27,7 +27,16 @@ from polhode.taylor.tracing import evaluate
 from polhode.types import Array
 
 Reader = Callable[[float], Fraction]
-MOST_PRODUCTS = 300_000  # of a term and a term while one function is traced: some two seconds, (x1 + x2 + x3)**83
+
+
+class TracingLimits(NamedTuple):
+    """What may be multiplied out."""
+
+    # of a term and a term while one function is traced: some two seconds, (x1 + x2 + x3)**83
+    max_products: int = 300_000
+
+
+LIMITS = TracingLimits()
 
 
 class Unaffordable(Untraceable):
@@ -35,7 +44,7 @@ class Unaffordable(Untraceable):
 
 
 def trace_polynomials(
-    function: Callable[[Array], Array], size: int, read: Reader = read_number, most_products: int = MOST_PRODUCTS
+    function: Callable[[Array], Array], size: int, read: Reader = read_number, most_products: int = LIMITS.max_products
 ) -> list[RationalPolynomial]:
     """Return the components of a function of points (size,), real, as polynomials.
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations_with_replacement
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -35,9 +35,14 @@ from polhode.certificates._confinement import (
 )
 from polhode.certificates._equations import Equations, as_terms
 
-SHARES = (0.5, 0.375, 0.625, 0.25, 0.75, 0.4375, 0.125, 0.875)  # of the fastest growth, tried one after the other
-SURE = 1e-9  # of the largest entry: a real part that doubles do not make of zero
-PLACES = (4, 8, 12, 16, 24, 32, 40)  # binary digits to which the function is rounded, relative to its largest entry
+
+class GrowthLimits(NamedTuple):
+    """What decides that an exponent has a positive real part."""
+
+    min_real_part: float = 1e-9  # of the largest entry: more than what doubles make of zero
+
+
+LIMITS = GrowthLimits()
 
 
 @dataclass(frozen=True)
@@ -152,7 +157,7 @@ def find_growth(equations: Equations) -> Growth | None:
 
     A = equations.linearization
     numbers, n = as_floats(A), equations.size
-    if float(np.linalg.eigvals(numbers).real.max()) <= SURE * float(np.abs(numbers).max(initial=0.0)):
+    if float(np.linalg.eigvals(numbers).real.max()) <= LIMITS.min_real_part * float(np.abs(numbers).max(initial=0.0)):
         return None
     _, (scale, _) = matrix_balance(numbers, permute=False, separate=True)  # powers of two
     for units in (np.ones(n), scale) if (scale != 1.0).any() else (scale,):
@@ -163,6 +168,7 @@ def find_growth(equations: Equations) -> Growth | None:
 
 def _grow_in_units(equations: Equations, units: list[Fraction]) -> Growth | None:
     """Return a proof looked for in coordinates v/units: curvatures an ulp apart leave entries 1e15 apart in others."""
+    shares = (0.5, 0.375, 0.625, 0.25, 0.75, 0.4375, 0.125, 0.875)  # of the fastest growth, tried one after the other
     from scipy.linalg import solve_continuous_lyapunov
 
     n = equations.size
@@ -170,7 +176,7 @@ def _grow_in_units(equations: Equations, units: list[Fraction]) -> Growth | None
     numbers = as_floats(A)
     fastest = float(np.linalg.eigvals(numbers).real.max())
     polynomial = tuple(characteristic_polynomial(A))
-    for share in SHARES:
+    for share in shares:
         rate = Fraction(share * fastest).limit_denominator(max(8, int(64 / fastest)))
         beyond = count_roots_beyond(polynomial, rate) if rate > 0 else None
         if not beyond:
@@ -204,8 +210,9 @@ def _rate_matrix(A: Rows, P: Rows, rate: Fraction) -> Rows:
 
 def _rounded(P: Any, A: Rows, rate: Fraction) -> Iterator[tuple[Rows, float]]:
     """Yield P rounded to ever more digits where AᵀP + PA − 2γP is still definite, with its least eigenvalue."""
+    digits = (4, 8, 12, 16, 24, 32, 40)  # binary ones, to which the function is rounded, relative to its largest entry
     unit = power_of_two(float(np.abs(P).max()))
-    for places in PLACES:
+    for places in digits:
         step = unit / 2**places
         form = [[step * round((P[min(i, j), max(i, j)]) / float(step)) for j in range(len(P))] for i in range(len(P))]
         low = float(np.linalg.eigvalsh(as_floats(_rate_matrix(A, form, rate)))[0])

@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from polhode.types import Array, Float64
 
-HICCUPS = 3  # samples at a time that was there already, at most
-COARSE = 0.02  # of the samples at a time that was there already: more is a clock that is rounded, not a hiccup
-EVEN = 1.1  # of the clock's step, within which its rounding keeps the times of equal steps
+
+class ClockLimits(NamedTuple):
+    """Numbers that decide that a clock is rounded, and that its times are those of equal steps."""
+
+    min_repeats: int = 3  # samples at the time of the one before, from which a clock may count as rounded
+    min_repeated_share: float = 0.02  # of the samples; fewer repeated times are hiccups of a clock that is not rounded
+    max_deviation: float = 1.1  # of the clock's step, within which its rounding keeps the times of equal steps
+
+
+LIMITS = ClockLimits()
 
 
 def is_coarse(repeated: int, samples: int) -> bool:
     """Whether so many samples at a time that was there already show a rounded clock."""
-    return repeated >= max(HICCUPS, COARSE * samples)
+    return repeated >= max(LIMITS.min_repeats, LIMITS.min_repeated_share * samples)
 
 
 def spread_evenly(t: Float64[Array, "n"]) -> Float64[Array, "n"]:
@@ -24,4 +33,4 @@ def spread_evenly(t: Float64[Array, "n"]) -> Float64[Array, "n"]:
     spread = t + np.concatenate([np.arange(count) / count * step for count, step in zip(counts, steps, strict=True)])
     # samples that come evenly, as far as the clock can tell, came evenly
     grid = np.polynomial.Polynomial.fit(np.arange(len(t)), t, 1)(np.arange(len(t)))
-    return t[0] + grid - grid[0] if np.ptp(t - grid) <= EVEN * coarse else spread
+    return t[0] + grid - grid[0] if np.ptp(t - grid) <= LIMITS.max_deviation * coarse else spread

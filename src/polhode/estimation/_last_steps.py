@@ -5,15 +5,23 @@ They end where the sum of squares no longer falls, which is at half of the digit
 
 from __future__ import annotations
 
-from typing import Protocol, runtime_checkable
+from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
 from polhode.types import Array, Float64
 
-STEPS, DONE = 8, 1e-6  # steps at most; what the last one takes off half the sum of squares over the noise
-NEAR = 1e-3  # of each parameter, in its unit, which a step towards the minimum is at most
-KNOWN = 1e-10  # of the largest singular value, above which data determine a direction
+
+class LastStepLimits(NamedTuple):
+    """Numbers that decide when the last steps of a fit are done, or refused."""
+
+    max_steps: int = 8  # of Gauss and Newton
+    negligible_gain: float = 1e-6  # of half the sum of squares over the noise: less, and the minimum is reached
+    max_step: float = 1e-3  # of each parameter, in its unit: a longer one does not start near the minimum
+    relative_singular_value: float = 1e-10  # below it data do not determine a direction
+
+
+LIMITS = LastStepLimits()
 
 
 @runtime_checkable
@@ -42,20 +50,21 @@ def take_last_steps(
         robust: residuals beyond which these count linearly (Huber).
     """
     step, cost = np.zeros(len(x)), _robust_cost(system.residuals(x), robust)
-    for _ in range(STEPS):
+    for _ in range(LIMITS.max_steps):
         z, J = system.residuals(x), system.jacobian(x)
         weights = np.sqrt(np.minimum(1.0, robust / np.maximum(np.abs(z), 1e-300)))
         scale = np.linalg.norm(J, axis=0)
         scale[scale == 0.0] = 1.0
-        step = np.linalg.lstsq(weights[:, None] * J / scale, -weights * z, rcond=KNOWN)[0] / scale
-        if np.abs(step).max() > NEAR:  # along what the data hardly determine, which the covariance says
+        rows, rcond = weights[:, None] * J / scale, LIMITS.relative_singular_value
+        step = np.linalg.lstsq(rows, -weights * z, rcond=rcond)[0] / scale
+        if np.abs(step).max() > LIMITS.max_step:  # along what the data hardly determine, which the covariance says
             return x, np.zeros(len(x))
         there = np.clip(x + step, low, high)
         step, lower = there - x, _robust_cost(system.residuals(there), robust)
         if not lower <= cost:
             break
         x, done, cost = there, cost - lower, lower
-        if done < DONE:
+        if done < LIMITS.negligible_gain:
             break
     return x, step
 

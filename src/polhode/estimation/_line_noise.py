@@ -17,9 +17,15 @@ from scipy.optimize import minimize
 from polhode.special._residual_noise import NoiseTest, compare_bands
 from polhode.types import Array, Complex128, Float64
 
-REACH = 0.45 / (365.25 * 86_400.0)  # Hz; on either side of the line, noise is told by these frequencies
-NEXT = 4  # frequencies on either side of a seasonal line
-KEPT = 0.3  # of a frequency's power that the fit must leave, for it to count
+
+class LineNoiseLimits(NamedTuple):
+    """Numbers that decide which frequencies show the noise about a line."""
+
+    bandwidth: float = 0.45 / (365.25 * 86_400.0)  # Hz, on either side of the line
+    min_kept_power: float = 0.3  # share of a frequency's power that the fit must leave, for it to count
+
+
+LIMITS = LineNoiseLimits()
 
 
 class LineNoise(NamedTuple):
@@ -61,10 +67,10 @@ def noise_about(
         rate: of the line [rad/s].
     """
     span = times[-1] - times[0]
-    many = max(4, int(REACH * span))
+    many = max(4, int(LIMITS.bandwidth * span))
     k = np.concatenate([np.arange(-many, 0), np.arange(1, many + 1)])
     power, white, walk = _expect_powers(times, left, removed, rate + 2.0 * np.pi * k / span, rate)
-    kept = white > KEPT
+    kept = white > LIMITS.min_kept_power
     power, white, walk = power[kept], white[kept], walk[kept]
     level = power.sum() / white.sum()
     size = float(np.median(walk / white))
@@ -100,8 +106,9 @@ def level_at(
 ) -> float:
     """Return the variance of a complex sample of white noise that is as strong as what is left next to a rate
     [rad/s]."""
+    neighbours = 4  # frequencies on either side of a seasonal line
     span = times[-1] - times[0]
-    k = np.concatenate([np.arange(-NEXT, 0), np.arange(1, NEXT + 1)])
+    k = np.concatenate([np.arange(-neighbours, 0), np.arange(1, neighbours + 1)])
     power, white, _ = _expect_powers(times, left, removed, rate + 2.0 * np.pi * k / span, rate)
     return float(power.sum() / white.sum())
 

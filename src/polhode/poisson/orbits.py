@@ -9,6 +9,7 @@ tangent vectors at μ are ad*_x μ, and its symplectic form is
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import jax.numpy as jnp
 import numpy as np
@@ -20,7 +21,14 @@ from polhode.errors import InvalidInput, shown
 from polhode.poisson.brackets import as_points, poisson_tensor
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
-RANK_TOLERANCE = 1e-10  # of singular values of the Poisson tensor, relative to the largest
+
+class OrbitLimits(NamedTuple):
+    """What decides the dimension of an orbit."""
+
+    relative_rank: float = 1e-10  # singular values of the Poisson tensor below it, relative to the largest, vanish
+
+
+LIMITS = OrbitLimits()
 
 
 @known_numbers_only
@@ -28,7 +36,7 @@ def orbit_dimension(algebra: AbstractLieAlgebra, mu: ArrayLike) -> Integer[Array
     """Return the dimension (…) of the orbit through μ: the rank of the Poisson tensor, always even."""
     sizes = np.linalg.svd(np.asarray(poisson_tensor(algebra, mu)), compute_uv=False)
     largest = np.maximum(sizes[..., :1], np.finfo(float).tiny)
-    dimension = np.sum(sizes > RANK_TOLERANCE * largest, axis=-1)
+    dimension = np.sum(sizes > LIMITS.relative_rank * largest, axis=-1)
     return int(dimension) if dimension.ndim == 0 else dimension
 
 
@@ -37,7 +45,7 @@ def orbit_tangent(algebra: AbstractLieAlgebra, mu: ArrayLike) -> Float64[Array, 
     """Return an orthonormal basis (d, dim) of the tangent space at one μ, in the coordinates ⟨·, e_i⟩."""
     mu = _one_point(algebra, mu)
     _, sizes, rows = np.linalg.svd(np.asarray(poisson_tensor(algebra, mu)))
-    return rows[: int((sizes > RANK_TOLERANCE * max(sizes[0], np.finfo(float).tiny)).sum())]
+    return rows[: int((sizes > LIMITS.relative_rank * max(sizes[0], np.finfo(float).tiny)).sum())]
 
 
 def kks_form(

@@ -7,6 +7,8 @@ this package pass it.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -18,12 +20,20 @@ from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem, components, join_state
 from polhode.types import Array, ArrayLike, Double, Real
 
-TOLERANCE = 1e-5  # of rates, relative to the largest of each component; a changed model differs by far more
-NOISE = 1e-9  # of the largest rate: components below it are rounding of the others
-FLOW_ANGLE = 1e-3  # rad by which the fastest rotation turns in a flow's difference of fourth order: its error is 1e-12
-FLOW_NOISE = 1e-6
 PAIRS = (("velocity", "energy"), ("flows", "generator"), ("generator", "energy"))  # the likeliest slip first
 MOMENTS_OF_TIME = (0.0, 0.276, 0.618, 1.0)  # of the span; round fractions would hit the zeros of periodic drives
+
+
+class AgreementLimits(NamedTuple):
+    """Numbers that decide whether the parts of a system agree."""
+
+    # of rates, relative to the largest of each component; a changed model differs by far more
+    max_difference: float = 1e-5
+    rounding: float = 1e-9  # of the largest rate: components below it are rounding of the others
+    flow_rounding: float = 1e-6  # of the largest rate, likewise, of differences of flows
+
+
+LIMITS = AgreementLimits()
 
 
 def moves_by_generator(system: AbstractLiePoissonSystem) -> bool:
@@ -83,7 +93,7 @@ def check_agreement(
             "generator(t, point), and flows of (time, components)."
         ) from error
     for pair in PAIRS:
-        if float(misfits.get(pair, 0.0)) > TOLERANCE:
+        if float(misfits.get(pair, 0.0)) > LIMITS.max_difference:
             raise InvalidInput(_message(system, *pair, float(misfits[pair])))
 
 
@@ -109,6 +119,7 @@ def _misfits(
     system: AbstractLiePoissonSystem, state: Array, times: Array, by_flows: bool
 ) -> dict[tuple[str, str], Array]:
     """Return the largest relative differences of descriptions at a state and two others on its orbit."""
+    flow_angle = 1e-3  # rad by which the fastest rotation turns in a difference of fourth order: its error is 1e-12
     algebra, (attitude, point) = system.algebra, system.parts(state)
     rng = np.random.default_rng(1)
     turns = [algebra.from_vector(jnp.asarray(rng.normal(size=algebra.dim))) for _ in range(2)]
@@ -116,7 +127,8 @@ def _misfits(
     points = jnp.stack([point, *(point + algebra.exp_change(x, point) for x in turns)])
     gradient = algebra.from_gradient(jax.grad(lambda mu: jnp.sum(system.energy(mu)))(points))
     as_vector = algebra.to_vector
-    misfits = {("velocity", "energy"): _misfit(as_vector(system.velocity(points)), as_vector(gradient), NOISE)}
+    velocity = as_vector(system.velocity(points))
+    misfits = {("velocity", "energy"): _misfit(velocity, as_vector(gradient), LIMITS.rounding)}
     generators = jnp.stack([jnp.broadcast_to(system.generator(t, points), points.shape) for t in times])
     if system.conserves_energy:
         field = algebra.to_dual_vector(algebra.coadjoint(generators, points))
@@ -124,17 +136,18 @@ def _misfits(
         # Ḣ = ⟨ad*_ξ μ, dH⟩ relative to the sum of its terms, which cancel where the energy is kept
         power, size = jnp.abs(jnp.sum(terms, axis=-1)), jnp.sum(jnp.abs(terms), axis=-1)
         # where a rate is rounding of larger terms of ad*, so is its power
-        size = size + NOISE * jnp.linalg.norm(field, axis=-1) * jnp.linalg.norm(as_vector(gradient), axis=-1)
+        size = size + LIMITS.rounding * jnp.linalg.norm(field, axis=-1) * jnp.linalg.norm(as_vector(gradient), axis=-1)
         misfits["generator", "energy"] = _largest(power / jnp.where(size > 0, size, 1.0))
     if by_flows:
         states = points if attitude is None else jax.vmap(lambda mu: join_state(attitude, mu))(points)
         fields = jnp.stack([AbstractLiePoissonSystem.vector_field(system, t, states) for t in times])
         rate = jnp.max(jnp.nan_to_num(algebra.rate(generators)))
-        step = FLOW_ANGLE / jnp.where(rate > 0, rate, 1.0)
+        step = flow_angle / jnp.where(rate > 0, rate, 1.0)
         own = system.state_axes
         summed = jax.vmap(lambda one: _first_order(system, step, one))(states)
         flat = lambda x: x.reshape(*x.shape[: x.ndim - own], -1)  # noqa: E731
-        misfits["flows", "generator"] = _misfit(flat(jnp.broadcast_to(summed, fields.shape)), flat(fields), FLOW_NOISE)
+        summed = flat(jnp.broadcast_to(summed, fields.shape))
+        misfits["flows", "generator"] = _misfit(summed, flat(fields), LIMITS.flow_rounding)
     return misfits
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import jax.numpy as jnp
 import numpy as np
@@ -13,7 +13,14 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
-OUTSIDE = 1e-6  # of a point's size, off the dual: single precision leaves some 1e-7 of a trace
+
+class DualLimits(NamedTuple):
+    """What decides that a point is on the dual."""
+
+    max_distance: float = 1e-6  # of a point's size: single precision leaves some 1e-7 of a trace
+
+
+LIMITS = DualLimits()
 
 
 def checked_number(
@@ -142,7 +149,7 @@ def check_on_dual(algebra: AbstractLieAlgebra, state: Double[Array, "*shape"]) -
     size = np.max(np.abs(points), axis=own, keepdims=True, initial=0.0)
     points = points / np.where(size > 0.0, size, 1.0)  # sums of extreme sizes overflow
     off = float(np.max(np.abs(points - np.asarray(_project(algebra, points))), initial=0.0))
-    if off > OUTSIDE:
+    if off > LIMITS.max_distance:
         raise InvalidInput(
             f"`state` must lie on the dual of {algebra.name}, whose points are {algebra.element_rule}; an entry is off "
             f"by {off:.3g} of the largest. Take the part there by `project(state)` of the algebra, or make a state "

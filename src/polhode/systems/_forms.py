@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -16,7 +16,15 @@ from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64
 
 FURTHER = "further_jumps"  # the field of those jumps that a system does not name itself, see ``integrators.probing``
-LARGE = 1e150  # squares of larger numbers overflow
+
+
+class StateLimits(NamedTuple):
+    """What decides that a state is too large."""
+
+    max_component: float = 1e150  # squares of larger numbers overflow
+
+
+LIMITS = StateLimits()
 
 
 def rates_of_change(
@@ -54,7 +62,7 @@ def check_finite_rates(system: AbstractSystem, t: float, state: Double[Array, ".
     States so large that their squares overflow are left to others.
     """
     batch = jnp.shape(state)[: jnp.ndim(state) - system.state_axes]
-    if np.abs(np.asarray(state)).max(initial=0.0) > LARGE:
+    if np.abs(np.asarray(state)).max(initial=0.0) > LIMITS.max_component:
         return
     for what, function in _rates_by_name(system):
         each = function

@@ -6,6 +6,7 @@ No others have one on every orbit that is algebraic (Husson 1906), or single-val
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import jax.numpy as jnp
 
@@ -13,9 +14,17 @@ from polhode.bodies._pivot import EQUAL, axis_of_symmetry
 from polhode.types import Array, Float64
 
 Integral = Callable[[Float64[Array, "*batch 6"]], Float64[Array, "*batch"]]
-ON_LEAF = 1e-12  # of |Π| |Γ|: Π·Γ below it is zero but for rounding
 
 INTEGRAL_UNITS = {"Euler": "kg2 m4 s-2", "Lagrange": "kg m2 s-1", "Kovalevskaya": "s-4", "Goryachev-Chaplygin": "s-3"}
+
+
+class LeafLimits(NamedTuple):
+    """What decides that a point is on the leaf of the Goryachev–Chaplygin integral."""
+
+    leaf_distance: float = 1e-12  # of |Π| |Γ|: Π·Γ below it is zero but for rounding
+
+
+LIMITS = LeafLimits()
 
 
 def integrable_case(moments: Float64[Array, "3"], mgl: float, axis: Float64[Array, "3"]) -> tuple[str, int] | None:
@@ -68,7 +77,7 @@ def leaf_integral(
         across = velocity[..., i] ** 2 + velocity[..., j] ** 2
         value = velocity[..., k] * across - strength * jnp.sum(velocity * axis, axis=-1) * up[..., k]
         sizes = jnp.sum(point[..., :3] ** 2, axis=-1) * jnp.sum(up**2, axis=-1)
-        on_leaf = jnp.sum(point[..., :3] * up, axis=-1) ** 2 <= ON_LEAF**2 * sizes
+        on_leaf = jnp.sum(point[..., :3] * up, axis=-1) ** 2 <= LIMITS.leaf_distance**2 * sizes
         return jnp.where(on_leaf, value, jnp.nan)
 
     if name == "Kovalevskaya":

@@ -34,7 +34,15 @@ from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 Components = tuple[Double[Array, "*shape"], ...]
 Flow = Callable[[Float64[Array, ""], Components], Components]
 Event = Callable[[Float64[Array, ""], Double[Array, "..."]], Float64[Array, ""]]
-UNIT = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
+
+
+class AttitudeLimits(NamedTuple):
+    """What decides that four numbers are a unit quaternion."""
+
+    max_length_error: float = 1e-6  # a quaternion further from unit length is a mistake, not rounding
+
+
+LIMITS = AttitudeLimits()
 
 
 class Parts(NamedTuple):
@@ -396,7 +404,7 @@ def check_unit_attitude(state: Float64[Array, "*batch n"]) -> Float64[Array, "*b
     Raises:
         InvalidInput: if it is not of unit length.
     """
-    if not np.all(np.abs(np.linalg.norm(np.asarray(state)[..., :4], axis=-1) - 1.0) < UNIT):
+    if not np.all(np.abs(np.linalg.norm(np.asarray(state)[..., :4], axis=-1) - 1.0) < LIMITS.max_length_error):
         raise InvalidInput("`state` must begin with a unit quaternion (w, x, y, z); divide it by its norm.")
     return state
 

@@ -14,8 +14,6 @@ from polhode.errors import InvalidInput, shown
 from polhode.systems.gyrostat import Gyrostat
 from polhode.types import Array, ArrayLike, Float64, Real
 
-CLEAN = 1e-14  # components of a unit vector below it are rounding of the frame's
-
 
 class RotorInBody(NamedTuple):
     """A body with its rotor, at the start of a motion.
@@ -151,4 +149,5 @@ def rotor_misfit(body: Body, rotor_axis: Real[ArrayLike, "3"], rotor_moment: flo
 
 def clean_direction(direction: Float64[Array, "3"]) -> Float64[Array, "3"]:
     """Return a unit vector with components at the size of rounding set to zero."""
-    return np.where(np.abs(direction) < CLEAN, 0.0, direction)
+    rounding = 1e-14  # of the frame, in components of a unit vector
+    return np.where(np.abs(direction) < rounding, 0.0, direction)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -27,8 +27,15 @@ from polhode.types import Array, ArrayLike, Float64, Real
 if TYPE_CHECKING:
     from polhode.exact.lagrange_top import LagrangeMotion
 
-ALONG = 1e-9  # sine of the angle up to which the line to the centre of mass counts as a principal axis
-UPRIGHT = 1e-6  # Γ may miss the direction that the attitude gives by this much
+
+class HeavyTopLimits(NamedTuple):
+    """Numbers that decide what is along a principal axis, and upright."""
+
+    axis_sine: float = 1e-9  # of the angle up to which the line to the centre of mass counts as a principal axis
+    upward_error: float = 1e-6  # by which components of Γ may differ from the direction that the attitude gives
+
+
+LIMITS = HeavyTopLimits()
 
 
 class HeavyTop(AbstractLiePoissonSystem):
@@ -187,7 +194,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         """
         axis = np.asarray(self.axis)
         momentum = np.asarray(self.moments) * spin * axis
-        if np.linalg.norm(np.cross(momentum, axis)) > ALONG * np.linalg.norm(momentum):
+        if np.linalg.norm(np.cross(momentum, axis)) > LIMITS.axis_sine * np.linalg.norm(momentum):
             raise InvalidInput(
                 f"`spin` must be zero: the line to the centre of mass, {axis.tolist()}, is not a principal axis, and "
                 "the body does not stand spinning about it."
@@ -200,7 +207,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         attitude, point = self.parts(np.asarray(state))
         if attitude is not None:
             up = rotation.rotate(rotation.conjugate(attitude), np.array([0.0, 0.0, 1.0]))
-            if not np.all(np.abs(up - point[..., 3:]) < UPRIGHT):
+            if not np.all(np.abs(up - point[..., 3:]) < LIMITS.upward_error):
                 raise InvalidInput(
                     "`state` must end with Γ, the upward direction along the body's axes as its attitude has it, "
                     "Rᵀe_z. Make it by `top.pack(attitude, angular_velocity)`."

@@ -16,11 +16,9 @@ from polhode.systems._checks import checked_number
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 TURN = 2.0 * math.pi
-NEWTON_STEPS = 6  # from the start below five come within three roundings for any e < 1
 DOWNWARD = np.array([0.5, -0.5, -0.5, 0.5])  # quaternion of the axes θ̂, −n̂ and −r̂, seen along r̂, θ̂ and n̂
-SERIES_TERMS = 9  # of E − sin E up to one radian, to rounding
-# E − sin E = Σ ± E^(2k+1)/(2k+1)!, k = 1, 2, …
-SERIES = tuple((-1.0) ** (k + 1) / math.factorial(2 * k + 1) for k in range(1, SERIES_TERMS + 1))
+# E − sin E = Σ ± E^(2k+1)/(2k+1)!, k = 1, 2, …, of which nine terms give it up to one radian to rounding
+SERIES = tuple((-1.0) ** (k + 1) / math.factorial(2 * k + 1) for k in range(1, 10))
 
 
 class KeplerOrbit(eqx.Module):
@@ -234,6 +232,7 @@ def solve_kepler(
     any e < 1. The start is the least of three bounds from above: sin E ≤ 1, sin E ≤ E and E − sin E ≥ E³/π². The
     equation is written (1−e) E + e (E − sin E) = M, in which nothing cancels where e is near one and M near zero.
     """
+    newton_steps = 6  # from the start below five come within three roundings for any e < 1
     M, e = jnp.abs(mean_anomaly), eccentricity
     cubic = jnp.cbrt(math.pi**2 * M / jnp.where(e > 0, e, 1.0))
     E = jnp.minimum(jnp.minimum(M + e, M / (1.0 - e)), jnp.where(e > 0, cubic, jnp.inf))
@@ -245,7 +244,7 @@ def solve_kepler(
         slope = (1.0 - e) + 2.0 * e * sine * sine
         return E - (((1.0 - e) * E - M) + e * _less_sine(E)) / slope
 
-    E = jax.lax.fori_loop(0, NEWTON_STEPS, improve, E)
+    E = jax.lax.fori_loop(0, newton_steps, improve, E)
     return jnp.copysign(jnp.clip(E, 0.0, math.pi), mean_anomaly)
 
 

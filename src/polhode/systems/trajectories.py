@@ -17,7 +17,14 @@ from polhode.motion._trajectory import Trajectory
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64
 
-TINY = 1e-150  # a state whose squares lose digits, or are zero
+
+class RepresentableLimits(NamedTuple):
+    """What decides that invariants can be computed in doubles."""
+
+    min_size: float = 1e-150  # of a state; the squares of smaller ones lose digits, or are zero
+
+
+LIMITS = RepresentableLimits()
 
 
 def make_trajectory(
@@ -78,8 +85,9 @@ def _representable(system: AbstractSystem, states: Array, invariants: dict[str, 
     if not np.isfinite(states).all() or not isinstance(system, AbstractLiePoissonSystem):
         return invariants
     size = float(np.max(np.abs(np.asarray(system.parts(states).point)), initial=0.0))
-    tiny = 0.0 < size < TINY
-    lost = [k for k, v in invariants.items() if not np.isfinite(v).all() or (tiny and np.abs(v).max() < TINY**2)]
+    least = LIMITS.min_size
+    tiny = 0.0 < size < least
+    lost = [k for k, v in invariants.items() if not np.isfinite(v).all() or (tiny and np.abs(v).max() < least**2)]
     if lost:
         warnings.warn(
             f"{', '.join(lost)}: the values of what is conserved are beyond double precision at states of size "
