@@ -1,4 +1,4 @@
-"""Casimirs of a user's own algebra: given ones, after a check, or polynomials that are found."""
+"""Casimirs of a user's own algebra: given ones, after a check, or polynomials by exact algebra."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Found(NamedTuple):
 def find_casimirs(algebra: AbstractLieAlgebra) -> Found:
     """Return polynomial Casimirs up to degree 4, lowest first, until there are as many as there can be.
 
-    They are looked for where that is quick, up to 1,000 monomials of a degree. None are found where python-flint, the
+    The search goes as far as it is quick, up to 1,000 monomials of a degree. It has no result where python-flint, the
     extra `symbolic`, is missing, or constants are rounded and no simple fractions.
     """
     wanted = index(algebra)
@@ -130,7 +130,7 @@ def check_names(names: Iterable[str], functions: tuple[Function, ...] | None) ->
 
     Raises:
         InvalidInput: for names without Casimirs, of another number, empty or repeated ones, and that of the energy,
-            beside which they stand.
+            beside which they are listed.
     """
     if functions is None:
         raise InvalidInput("`names` are of `casimirs`, which are not given. Give both, or neither.")

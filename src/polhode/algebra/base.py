@@ -75,7 +75,7 @@ class AbstractLieAlgebra(HashableModule):
 
     @property
     def unwatched(self) -> str:
-        """What a run says of Casimirs that there are and that ``casimirs`` lacks; "" where that is not looked at."""
+        """A run's note on Casimirs that ``casimirs`` lacks; "" where that is not looked at."""
         return ""
 
     @property

@@ -1,4 +1,4 @@
-"""Polynomial Casimirs of an algebra, found by exact linear algebra.
+"""Polynomial Casimirs of an algebra, by exact linear algebra.
 
 The Lie–Poisson bracket is linear in μ, so Casimirs split by degree: those of degree d are the null space of
 P ↦ ({x_i, P})_i on homogeneous polynomials, a matrix of rationals. It is enough that P commutes with generators of the
@@ -40,7 +40,7 @@ LIMITS = CasimirLimits()
 def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int, read_as: str = EXACT) -> list[Polynomial]:
     """Return independent generators of the polynomial Casimirs up to a degree, lowest degree first.
 
-    No constants, no products of others: in each degree a complement of the span of products of the generators found
+    No constants, no products of others: in each degree a complement of the span of products of the generators
     before. Empty if there is none, as for the affine line. The equations fall apart into blocks without a common
     unknown, sixteen of them on su(4); a block of more than 5e9 rows × columns² is refused.
 
@@ -65,7 +65,7 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int, read_as: str =
 
 
 def check_degree(degree: int, count: int, dim: int) -> None:
-    """Refuse a degree that is none, or has too many monomials for exact linear algebra.
+    """Refuse a degree that is no whole number, or has too many monomials for exact linear algebra.
 
     Raises:
         InvalidInput: naming it.
@@ -78,7 +78,7 @@ def check_degree(degree: int, count: int, dim: int) -> None:
 
 
 def invariant_terms(brackets: RationalBrackets, degree: int) -> list[Terms]:
-    """Return what ``polynomial_casimirs`` finds as {exponents: coefficient}, of what ``rational_brackets`` gives.
+    """Return the result of ``polynomial_casimirs`` as {exponents: coefficient}, from those of ``rational_brackets``.
 
     Raises:
         InvalidInput: for a problem too large, or a missing python-flint.

@@ -45,8 +45,8 @@ class ConstantsAlgebra(AbstractLieAlgebra):
 
     Attributes:
         constants: c (dim, dim, dim).
-        own_casimirs: Casimirs as functions of one point: those given; else polynomials up to degree 4, looked for when
-            they are first asked for, where they are found within a fraction of a second.
+        own_casimirs: Casimirs as functions of one point: those given; else polynomials up to degree 4, computed on the
+            first access, where that takes a fraction of a second.
     """
 
     table: FixedArray = eqx.field(static=True)
@@ -138,8 +138,8 @@ class MatrixBasisAlgebra(ConstantsAlgebra):
 
     def coadjoint_action(self, g: Double[Array, "*#batch n n"], mu: Operand) -> Vector:
         # Ad_g B_j = g B_j g⁻¹, in coordinates by least squares: Σ_k Ad_kj B_k
-        turned = g[..., None, :, :] @ self.matrices @ jnp.linalg.inv(g)[..., None, :, :]
-        flat = turned.reshape(*turned.shape[:-2], -1)
+        conjugated = g[..., None, :, :] @ self.matrices @ jnp.linalg.inv(g)[..., None, :, :]
+        flat = conjugated.reshape(*conjugated.shape[:-2], -1)
         if np.iscomplexobj(self.matrices):
             flat = jnp.concatenate([flat.real, flat.imag], axis=-1)
         adjoint = jnp.einsum("ij,...kj->...ik", self.readings.values, flat)
@@ -153,16 +153,16 @@ def from_structure_constants(
 ) -> ConstantsAlgebra:  # fmt: skip
     """Return the algebra with [e_i, e_j] = Σ_k c[i,j,k] e_k, after checking that it is one.
 
-    Its Casimirs are watched: they stand in the ``drift`` of what ``simulate`` returns, and ``stability`` takes them.
-    Those that are not given are looked for by ``polynomial_casimirs``, up to degree 4, while that takes a fraction of a
-    second. Where fewer are found than there are, as without python-flint (the extra ``symbolic``), motions are the
-    same, and their ``outcome`` says what is not watched.
+    Its Casimirs are watched: they are in the ``drift`` of what ``simulate`` returns, and ``stability`` uses them. Where
+    none are given, ``polynomial_casimirs`` computes them up to degree 4, as long as that takes a fraction of a second.
+    Where it misses some, as without python-flint (the extra ``symbolic``), motions do not change, and their ``outcome``
+    says what is not watched.
 
     Args:
         constants: (dim, dim, dim) real. Doubles are the numbers that they are; Fractions and texts like "1/3" are kept
             beside the doubles next to them, for exact algebra.
-        casimirs: functions of one point (dim,) with jax.numpy, or polynomials that ``polynomial_casimirs`` found, when
-            more are known or found than by default; an empty list for none.
+        casimirs: functions of one point (dim,) with jax.numpy, or polynomials of ``polynomial_casimirs``, where more
+            are known than by default; an empty list for none.
         names: of these Casimirs, by which invariants and certificates call them; by default a short polynomial is its
             own name, and others are C1, C2, ….
 

@@ -68,8 +68,8 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
         return x @ y - y @ x
 
     def coadjoint(self, x: Operand, mu: Operand) -> Element:
-        turned = adjoint(x)
-        return turned @ mu - mu @ turned
+        conjugate = adjoint(x)
+        return conjugate @ mu - mu @ conjugate
 
     def pairing(self, mu: Operand, x: Operand) -> Float64[Array, "*batch"]:
         return self.scale * jnp.sum((jnp.conj(mu) * x).real, axis=(-2, -1))
@@ -99,8 +99,7 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
 
     def coadjoint_action(self, g: Operand, mu: Operand) -> Element:
         # g† μ g^(−†) = (g⁻¹ (g† μ)†)†
-        turned = adjoint(g)
-        return adjoint(jnp.linalg.solve(g, adjoint(turned @ mu)))
+        return adjoint(jnp.linalg.solve(g, adjoint(adjoint(g) @ mu)))
 
     def cayley(self, x: Element) -> Element:
         one = jnp.eye(self.size)
@@ -262,9 +261,9 @@ class SU(AbstractMatrixAlgebra):
             for j in range(k):
                 symmetric = np.zeros((self.n, self.n), complex)
                 symmetric[j, k] = symmetric[k, j] = -0.5j
-                turned = np.zeros((self.n, self.n), complex)
-                turned[j, k], turned[k, j] = -0.5, 0.5
-                matrices += [symmetric, turned]
+                antisymmetric = np.zeros((self.n, self.n), complex)
+                antisymmetric[j, k], antisymmetric[k, j] = -0.5, 0.5
+                matrices += [symmetric, antisymmetric]
             # diag(1, …, 1, −k) has no trace, and is orthogonal to those before it
             matrices.append(np.diag([-0.5j] * k + [0.5j * k] + [0.0] * (self.n - k - 1)))
         return np.array(matrices)

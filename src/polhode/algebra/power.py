@@ -19,8 +19,8 @@ from polhode.types import Array, ArrayLike, Double, Float64, Real
 class Power(AbstractLieAlgebra):
     """The direct sum of copies of ``algebra``, as for spins.
 
-    ``count`` is their number, or the shape of an array of them: elements are ``(…, *shape, *element_shape)``. What is
-    said of every copy is listed along one axis, in the order of that array.
+    ``count`` is their number, or the shape of an array of them: elements are ``(…, *shape, *element_shape)``. Values
+    for each copy are listed along one axis, in the order of that array.
 
     With ``weights`` w_k the pairing is Σ w_k ⟨μ_k, x_k⟩, so that {F, G} = Σ ⟨μ_k, [∂F/∂μ_k, ∂G/∂μ_k]⟩ / w_k: a vortex
     of strength Γ is then a unit vector of weight Γ, a particle of mass m a velocity and a place of weight m.

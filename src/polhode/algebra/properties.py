@@ -49,7 +49,7 @@ def index(algebra: AbstractLieAlgebra) -> int:
 
 
 def is_compact(algebra: AbstractLieAlgebra) -> bool:
-    """Whether the inner automorphisms form a compact group: then orbits are compact, and Casimirs tell them apart.
+    """Whether the inner automorphisms form a compact group: then orbits are compact, and Casimirs separate them.
 
     Exactly where the Killing form is negative on a complement of the centre, as for so(n), su(n), and their sums.
 

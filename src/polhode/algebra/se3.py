@@ -90,11 +90,11 @@ class SE3(AbstractLieAlgebra):
     ) -> Float64[Array, "*batch 6"]:
         return self._change(SO3().cayley_change, self.cayley(x)[..., 4:], x, mu)
 
-    def _change(self, turned: Callable[[Array, Array], Array], shift: Array, x: Array, mu: Array) -> Array:
+    def _change(self, change: Callable[[Array, Array], Array], shift: Array, x: Array, mu: Array) -> Array:
         turn, (angular, linear) = x[..., :3], _parts(mu)
         # Rᵀ(Π + P × d) − Π = (Rᵀ − 1)(Π + P × d) + P × d: no large terms cancel
         arm = jnp.cross(linear, shift)
-        return jnp.concatenate([turned(turn, angular + arm) + arm, turned(turn, linear)], axis=-1)
+        return jnp.concatenate([change(turn, angular + arm) + arm, change(turn, linear)], axis=-1)
 
 
 def _parts(x: Array) -> tuple[Array, Array]:

@@ -34,7 +34,7 @@ def attitude_noise(times: Float64[Array, "time"], attitude: Float64[Array, "time
 
     Printed digits are noise as well. Differences of order n of a smooth motion shrink with each order where it is
     sampled well, and those of independent noise σ have the variance C(2n, n) σ²; the least of several orders is taken.
-    Where the motion is not sampled well, more than the noise is found.
+    Where the motion is not sampled well, the estimate is above the noise.
 
     Source: von Neumann et al., Ann. Math. Stat. 12 (1941) 153, for first differences.
     """

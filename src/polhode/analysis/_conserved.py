@@ -127,7 +127,7 @@ class Casimirs(NamedTuple):
 
 
 def choose_casimirs(algebra: AbstractLieAlgebra, casimirs: Sequence[Function] | None) -> Casimirs:
-    """Return the user's Casimirs, or those that the algebra names, or polynomials found by exact algebra."""
+    """Return the user's Casimirs, or those that the algebra names, or polynomials from exact algebra."""
     if casimirs is not None:
         functions = check_functions("casimirs", casimirs, algebra.element_shape, algebra.dtype)
         names = [f"C{k + 1}" for k in range(len(functions))]

@@ -56,7 +56,7 @@ class Problem(NamedTuple):
         still: whether the field vanishes all around.
         commute: whether the integrals that are not at rest commute with each other, everywhere.
         exact: all functions as polynomials over the rationals; None where some are none.
-        turned: integrals that other symmetries turn, so that their levels are kept and their flows are not divided out.
+        rotated: integrals that other symmetries rotate: their levels are kept, and their flows are not divided out.
     """
 
     system: AbstractLiePoissonSystem
@@ -73,7 +73,7 @@ class Problem(NamedTuple):
     still: bool
     commute: bool
     exact: ExactFunctions | None = None
-    turned: tuple[int, ...] = ()
+    rotated: tuple[int, ...] = ()
 
     def sizes(self, weights: Float64[Array, "terms"]) -> tuple[Float64[Array, "n"], Float64[Array, "n n"], float]:
         """Return the sizes of the terms that make up dF (n,), the flow (n, n), and the field.
@@ -83,8 +83,8 @@ class Problem(NamedTuple):
         """
         terms = np.abs(weights) @ (np.abs(self.g) + np.abs(self.H) @ np.abs(self.y))
         tensor = np.abs(self.constants) @ np.abs(self.y)
-        turned = np.einsum("jik,i->jk", np.abs(self.constants), terms)
-        flow = tensor @ np.tensordot(np.abs(weights), np.abs(self.H), 1) + turned
+        by_gradient = np.einsum("jik,i->jk", np.abs(self.constants), terms)
+        flow = tensor @ np.tensordot(np.abs(weights), np.abs(self.H), 1) + by_gradient
         return terms, flow, float(tensor.max(initial=0.0) * terms.max(initial=0.0))
 
 
@@ -116,7 +116,7 @@ def problem(
                         exact and [*exact.given.values()], tensor, z, unit, around)  # fmt: skip
     refuse_rough(wanted.derived, "each of `integrals`")
     moving = [wanted.derived.around[:, k] for k, rest in enumerate(wanted.rest) if not rest]
-    # of what the system names, that which the symmetries turn is theirs
+    # a function that the system names takes no part where the symmetries rotate it
     known = known.choose([
         k for k, rest in enumerate(known.rest)
         if rest and known.derived.smooth[k] and all(commute(tensors, known.derived.around[:, k], x) for x in moving)

@@ -101,7 +101,7 @@ class Wanted(NamedTuple):
     """A ball that is asked for.
 
     Attributes:
-        ball: as it was found with some precision.
+        ball: as computed with some precision.
         size: relative to which its radius counts, a ball; None for its own size.
     """
 
@@ -126,10 +126,10 @@ def refine(compute: Callable[[], Sequence[Wanted]], digits: int, extra_bits: flo
     bits = math.ceil(digits * math.log2(10.0) + max(extra_bits, 0.0)) + spare_bits
     while bits <= LIMITS.max_bits:
         with ctx.workprec(bits):
-            found = compute()
+            results = compute()
             share = arb(10) ** -digits
-            if all(_is_sharp(one, share) for one in found):
-                return [one.ball for one in found]
+            if all(_is_sharp(one, share) for one in results):
+                return [one.ball for one in results]
         bits *= 2
     raise NotConverged(
         f"{LIMITS.max_bits} bits do not give {digits} digits: the numbers are too close to a case of their own. Give "

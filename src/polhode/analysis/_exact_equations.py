@@ -73,34 +73,34 @@ class Flat(eqx.Module):
         return jnp.ravel(self.function(point))
 
 
-def make_rational(found: Stability, subject: Subject, read_as: str) -> RationalCertificate:
+def make_rational(judgement: Stability, subject: Subject, read_as: str) -> RationalCertificate:
     """Return the exact proof of a verdict; see ``Certificate.as_rational``.
 
     Raises:
         InvalidInput: as there.
     """
     check_reading(read_as)
-    if getattr(found.reason, "leaves_nearby", "") == "larger":
-        equations, hint = make_equations(found, subject, read_as)
+    if getattr(judgement.reason, "leaves_nearby", "") == "larger":
+        equations, hint = make_equations(judgement, subject, read_as)
         return find_certificate(restrict_to_zeros(equations, _zeros_of_leaf(equations, subject)), "stable", hint)
-    if found.verdict not in ("stable", "unstable"):
+    if judgement.verdict not in ("stable", "unstable"):
         raise InvalidInput(
-            f"an exact proof needs a decided verdict; got {found.verdict}: {found.certificate}. "
+            f"an exact proof needs a decided verdict; got {judgement.verdict}: {judgement.certificate}. "
             "Give a further conserved function by `integrals=`, if one is known."
         )
-    if found.verdict == "stable" and not subject.system.conserves_energy:
+    if judgement.verdict == "stable" and not subject.system.conserves_energy:
         raise InvalidInput(
             "an exact proof of stability needs a conserved energy; this system loses energy, and its verdict is by "
             "exponents. Verdicts of instability have proofs there too."
         )
-    equations, hint = make_equations(found, subject, read_as)
+    equations, hint = make_equations(judgement, subject, read_as)
     try:
-        return find_certificate(equations, found.verdict, hint)
+        return find_certificate(equations, judgement.verdict, hint)
     except InvalidInput as error:
-        for more in _further_integrals(equations, found.verdict):
+        for more in _further_integrals(equations, judgement.verdict):
             try:
                 richer = replace(equations, conserved={**more, **equations.conserved})
-                return find_certificate(richer, found.verdict, hint)
+                return find_certificate(richer, judgement.verdict, hint)
             except InvalidInput:
                 continue
         raise error from None
@@ -116,7 +116,7 @@ def _further_integrals(equations: Equations, verdict: str) -> Iterator[Named]:
             yield quadratic_integrals(equations.field)
 
 
-def make_equations(found: Stability, subject: Subject, read_as: str = EXACT) -> tuple[Equations, dict[str, float]]:
+def make_equations(judgement: Stability, subject: Subject, read_as: str = EXACT) -> tuple[Equations, dict[str, float]]:
     """Return the equations with a rational equilibrium, and the numerical weights of what is conserved, by name.
 
     Raises:
@@ -124,8 +124,8 @@ def make_equations(found: Stability, subject: Subject, read_as: str = EXACT) -> 
     """
     system, n, read = subject.system, subject.system.algebra.dim, partial(read_number, read_as=read_as)
     vector_field = tuple(_trace("the field", Field(system), n, read))
-    conserved, flow, flow_name = _trace_casimirs(subject, read, read_as), (), _find_flow(found)
-    hint = _weights_by_name(found)
+    conserved, flow, flow_name = _trace_casimirs(subject, read, read_as), (), _find_flow(judgement)
+    hint = _weights_by_name(judgement)
     if system.conserves_energy:
         (energy,) = _trace("the energy", Energy(system), n, read)
         brackets = rational_brackets(system.algebra, read_as)
@@ -154,29 +154,29 @@ def _trace(what: str, function: Source, n: int, read: Reader) -> list[RationalPo
     except Untraceable as error:
         raise InvalidInput(
             f"{what} must be a polynomial with rational coefficients for an exact proof; it has {error}. "
-            "The numerical verdict stands without one."
+            "The numerical verdict holds without one."
         ) from None
 
 
 def _trace_casimirs(subject: Subject, read: Reader, read_as: str) -> Named:
-    """Return the Casimirs by their names in the verdict; where these are not polynomials, those that are found."""
+    """Return the Casimirs by their names in the verdict; where these are not polynomials, those of exact algebra."""
     algebra = subject.system.algebra
     known = choose_casimirs(algebra, subject.casimirs)
     try:
-        found = trace_polynomials(known.source, algebra.dim, read) if known.names else []
-        return dict(zip(known.names, found, strict=True))
+        polynomials = trace_polynomials(known.source, algebra.dim, read) if known.names else []
+        return dict(zip(known.names, polynomials, strict=True))
     except Untraceable:
         try:
-            found = polynomial_casimirs(algebra, CONSERVATION_LIMITS.max_casimir_degree, read_as)
+            polynomials = polynomial_casimirs(algebra, CONSERVATION_LIMITS.max_casimir_degree, read_as)
         except InvalidInput:
             return {}
-        parts = ((str(p), zip(p.exponents.tolist(), p.coefficients, strict=True)) for p in found)
+        parts = ((str(p), zip(p.exponents.tolist(), p.coefficients, strict=True)) for p in polynomials)
         return {name: RationalPolynomial(algebra.dim, {tuple(m): c for m, c in terms}) for name, terms in parts}
 
 
 def _trace_integrals(subject: Subject, read: Reader) -> Named:
     """Return the polynomials among the integrals that the system names or the user gave."""
-    system, found = subject.system, {}
+    system, polynomials = subject.system, {}
     algebra = system.algebra
     named = [*system.extra_invariants.items(), *((f"J{k + 1}", f) for k, f in enumerate(subject.integrals))]
     for name, function in named:
@@ -184,9 +184,10 @@ def _trace_integrals(subject: Subject, read: Reader) -> Named:
             values = trace_polynomials(_Row(algebra, Flat(function)), algebra.dim, read)
         except Untraceable:
             continue
-        found = {k: p for k, p in found.items() if p not in values}  # what is given goes before what is known
-        found |= {name: values[0]} if len(values) == 1 else {f"{name}, {k + 1}": p for k, p in enumerate(values)}
-    return found
+        # a given integral replaces the system's own
+        polynomials = {k: p for k, p in polynomials.items() if p not in values}
+        polynomials |= {name: values[0]} if len(values) == 1 else {f"{name}, {k + 1}": p for k, p in enumerate(values)}
+    return polynomials
 
 
 class _Row(Source):
@@ -199,23 +200,23 @@ class _Row(Source):
         return self.function(self.algebra.from_dual_vector(x))  # type: ignore[attr-defined]
 
 
-def _find_flow(found: Stability) -> str:
+def _find_flow(judgement: Stability) -> str:
     """Return the name of the integral whose flow is divided out; empty for none."""
-    flows = found.restricted.flows if found.restricted is not None else ()
+    flows = judgement.restricted.flows if judgement.restricted is not None else ()
     if len(flows) > 1:
         raise InvalidInput(
             f"an exact proof up to flows is for one integral; this verdict divides out {', '.join(flows)}. "
             "Give fewer integrals, if one is enough."
         )
-    if found.restricted is not None and not flows:
-        raise InvalidInput(f"an exact proof is for all coordinates; this verdict holds {found.restricted}.")
+    if judgement.restricted is not None and not flows:
+        raise InvalidInput(f"an exact proof is for all coordinates; this verdict holds {judgement.restricted}.")
     return flows[0] if flows else ""
 
 
-def _weights_by_name(found: Stability) -> dict[str, float]:
-    if found.function is None or found.function.unit != 1.0:
+def _weights_by_name(judgement: Stability) -> dict[str, float]:
+    if judgement.function is None or judgement.function.unit != 1.0:
         return {}
-    return dict(zip((ENERGY, *found.function.names), map(float, found.function.weights), strict=True))
+    return dict(zip((ENERGY, *judgement.function.names), map(float, judgement.function.weights), strict=True))
 
 
 def _compare_fields(one: tuple[RationalPolynomial, ...], other: tuple[RationalPolynomial, ...]) -> None:
@@ -249,8 +250,8 @@ def _scale_to_turns(flow: tuple[RationalPolynomial, ...], name: str) -> tuple[Ra
         k, m = term
         rate = -cube[k].terms.get(m, Fraction(0)) / flow[k].terms[m]
         root = Fraction(math.isqrt(max(rate.numerator, 0)), math.isqrt(rate.denominator))
-        if root and root**2 == rate and turns(turned := tuple(x * (1 / root) for x in flow)):
-            return turned
+        if root and root**2 == rate and turns(scaled := tuple(x * (1 / root) for x in flow)):
+            return scaled
     raise InvalidInput(
         f"an exact proof up to a flow needs one that turns all coordinates at one rational rate; that of {name} is "
         "another. Divide out another integral, if one is enough."

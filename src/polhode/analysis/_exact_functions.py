@@ -54,7 +54,7 @@ class ExactFunctions(NamedTuple):
         brackets: [e_i, e_j] as {k: c_ijk}.
         sign: of the system's bracket.
         energy: H.
-        casimirs: as named by the algebra, found, or given.
+        casimirs: named by the algebra, from exact algebra, or given.
         known: what the system names conserved, whether it is or not.
         given: integrals of the user.
         field: (n,) that of H.

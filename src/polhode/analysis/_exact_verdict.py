@@ -48,45 +48,45 @@ Exact = list[Fraction]
 BY_EQUALITY = SteadyDrift, DefiniteOnLeaf, LeafIsPoint  # reasons that rest on numbers being equal, or ranks
 
 
-def decide_exactly(found: Stability, p: Problem) -> Stability:
+def decide_exactly(numerical: Stability, p: Problem) -> Stability:
     """Return the verdict by exact signs where doubles left it open, or rested on equal numbers.
 
     Args:
-        found: by doubles, on an equilibrium itself, not up to flows.
-        p: what it was found from. Without polynomials, or an equilibrium over the rationals near the point, the verdict
-            stays as it is.
+        numerical: by doubles, on an equilibrium itself, not up to flows.
+        p: from which doubles decided it. Without polynomials, or an equilibrium over the rationals near the point, the
+            verdict stays as it is.
     """
-    if p.exact is None or not (found.verdict == "undecided" or isinstance(found.reason, BY_EQUALITY)):
-        return found
-    equations = _at_equilibrium(found, p)
+    if p.exact is None or not (numerical.verdict == "undecided" or isinstance(numerical.reason, BY_EQUALITY)):
+        return numerical
+    equations = _at_equilibrium(numerical, p)
     if equations is None:
-        return found
-    if proof := find_confinement(equations, _hint(found)):
-        return _stable(found, equations, proof)
+        return numerical
+    if proof := find_confinement(equations, _hint(numerical)):
+        return _stable(numerical, equations, proof)
     here = _Leaf(equations, p.exact)
     if rate := largest_real_part(characteristic_polynomial(here.flow)) if here.flow else 0.0:
         direction = growing_direction(as_floats(here.flow)) @ as_floats(here.basis)
         direction = direction / np.linalg.norm(direction)
         return Stability("unstable", rate, "exponential", direction, ExponentialGrowth(rate, direction),
-                         here.spectrum, function=found.function)  # fmt: skip
+                         here.spectrum, function=numerical.function)  # fmt: skip
     if here.drifts:
-        return found if isinstance(found.reason, SteadyDrift) else _drifting(found, here)
-    return _on_leaf_alone(found, here)
+        return numerical if isinstance(numerical.reason, SteadyDrift) else _drifting(numerical, here)
+    return _on_leaf_alone(numerical, here)
 
 
-def _hint(found: Stability) -> dict[str, float]:
-    if found.function is None:
+def _hint(numerical: Stability) -> dict[str, float]:
+    if numerical.function is None:
         return {}
-    return dict(zip((ENERGY, *found.function.names), map(float, found.function.weights), strict=True))
+    return dict(zip((ENERGY, *numerical.function.names), map(float, numerical.function.weights), strict=True))
 
 
-def _at_equilibrium(found: Stability, p: Problem) -> Equations | None:
+def _at_equilibrium(numerical: Stability, p: Problem) -> Equations | None:
     """Return the equations at an exact equilibrium near the point, if there is one over the rationals."""
     exact = p.exact
     assert exact is not None  # for the type checker: the caller asked
     conserved = exact.conserved
     try:
-        point, moved = rational_equilibrium(exact.field, conserved, _hint(found), p.y.tolist(), Fraction)
+        point, moved = rational_equilibrium(exact.field, conserved, _hint(numerical), p.y.tolist(), Fraction)
     except InvalidInput:
         return None
     return Equations(type(p.system).__name__, exact.field, conserved, point, moved)
@@ -169,7 +169,7 @@ class _Leaf:
         return len(places), signature([[-moved[a][b] for b in places] for a in places])
 
 
-def _stable(found: Stability, equations: Equations, proof: Confinement) -> Stability:
+def _stable(numerical: Stability, equations: Equations, proof: Confinement) -> Stability:
     """Return the verdict with the function of the proof, divided by the weight of the energy."""
     names = [name for name in equations.conserved if name != ENERGY]
     scale = float(proof.weights.get(ENERGY, 0)) or 1.0
@@ -185,26 +185,26 @@ def _stable(found: Stability, equations: Equations, proof: Confinement) -> Stabi
     curvatures = sign * np.maximum(np.abs(np.linalg.eigvalsh(bends)) / size, np.finfo(float).tiny)
     function = ConservedFunction(tuple(names), weights, np.sort(curvatures), 0.0, squares=squares,
                                  lengths=np.ones(len(names)))  # fmt: skip
-    return Stability("stable", 0.0, None, None, DefiniteVariation(function, sign), 1j * found.spectrum.imag,
+    return Stability("stable", 0.0, None, None, DefiniteVariation(function, sign), 1j * numerical.spectrum.imag,
                      function=function)  # fmt: skip
 
 
-def _drifting(found: Stability, here: _Leaf) -> Stability:
+def _drifting(numerical: Stability, here: _Leaf) -> Stability:
     moved = as_floats(here.equations.linearization) @ here.driver
-    return replace(steady_drift(moved, here.driver, 1.0, found.spectrum), function=found.function)
+    return replace(steady_drift(moved, here.driver, 1.0, numerical.spectrum), function=numerical.function)
 
 
-def _on_leaf_alone(found: Stability, here: _Leaf) -> Stability:
+def _on_leaf_alone(numerical: Stability, here: _Leaf) -> Stability:
     """Return the verdict by the energy's signs on the leaf's own tangent space; undecided where these differ."""
     dimension, (positive, zero, negative) = here.on_tangent
     if not zero and not (positive and negative):
         nearby = ("alike" if here.exact.is_regular(here.point) else "near" if here.exact.is_compact else "larger")
         reason = DefiniteOnLeaf("H", dimension, -1 if negative else 1, nearby) if dimension else LeafIsPoint(nearby)
         verdict = "undecided" if nearby == "larger" else "stable"
-        function = found.function if verdict == "undecided" else None
-        return Stability(verdict, 0.0, None, None, reason, found.spectrum, function=function)
-    if found.verdict == "undecided" and not isinstance(found.reason, BY_EQUALITY):
-        return found
-    reason = (NoCombination(0.0, 0.0, 0.0, 0.0) if found.function is None else
-              OpenVariation(found.function, bool(positive and negative), 0.0, 0.0))  # fmt: skip
-    return Stability("undecided", 0.0, None, None, reason, found.spectrum, function=found.function)
+        function = numerical.function if verdict == "undecided" else None
+        return Stability(verdict, 0.0, None, None, reason, numerical.spectrum, function=function)
+    if numerical.verdict == "undecided" and not isinstance(numerical.reason, BY_EQUALITY):
+        return numerical
+    reason = (NoCombination(0.0, 0.0, 0.0, 0.0) if numerical.function is None else
+              OpenVariation(numerical.function, bool(positive and negative), 0.0, 0.0))  # fmt: skip
+    return Stability("undecided", 0.0, None, None, reason, numerical.spectrum, function=numerical.function)

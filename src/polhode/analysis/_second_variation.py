@@ -1,8 +1,8 @@
 """The second variation of H + Σ λ C on the tangent space of a leaf, dimensionless, and λ that make it definite.
 
-Physical components differ in unit and size, so that no fixed threshold tells zero from small. Here the state is scaled
-by powers of two until the terms of the second variation, before they cancel, are of order one; then their rounding
-errors are all of the same size.
+Physical components differ in unit and size, so that no fixed threshold separates zero from small. Here the state is
+scaled by powers of two until the terms of the second variation, before they cancel, are of order one; then their
+rounding errors are all of the same size.
 """
 
 from __future__ import annotations

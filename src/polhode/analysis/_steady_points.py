@@ -37,8 +37,8 @@ def steady_points(
         point = np.where(h == 0.0, 0.0, h / (1.0 - moments / moments[k]))
         rest = 1.0 - float(point @ point)
         points += [point + side * math.sqrt(rest) * np.eye(3)[k] for side in (1.0, -1.0) if rest > 0.0]
-    found = np.array(points).reshape(-1, 3)
-    return norm * found / np.linalg.norm(found, axis=1, keepdims=True)
+    vectors = np.array(points).reshape(-1, 3)
+    return norm * vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
 
 
 def _roots(moments: Array, h: Array) -> list[tuple[Factors, float]]:
@@ -51,7 +51,7 @@ def _roots(moments: Array, h: Array) -> list[tuple[Factors, float]]:
     # λ = (1 ∓ eᵘ)/I beyond the first and the last pole; nothing cancels, as all factors have one sign there
     before: Factors = lambda u: (largest - moments) / largest + moments / largest * math.exp(u)  # noqa: E731
     behind: Factors = lambda u: (smallest - moments) / smallest - moments / smallest * math.exp(u)  # noqa: E731
-    found = [(f, _halve(lambda u, f=f: _excess(h, f(u)), -farthest, farthest)) for f in (before, behind)]
+    roots = [(f, _halve(lambda u, f=f: _excess(h, f(u)), -farthest, farthest)) for f in (before, behind)]
     for low, high in itertools.pairwise(each):
         factors = _make_factors(moments, low, high)
         # the least value is where the derivative by λ, 2 Σ I_i Π_i²/(1 − λI_i), changes its sign
@@ -59,9 +59,9 @@ def _roots(moments: Array, h: Array) -> list[tuple[Factors, float]]:
         least = _halve(slope, -farthest, farthest)
         if _excess(h, factors(least)) < 0.0:
             excess = lambda u, f=factors: _excess(h, f(u))  # noqa: E731
-            found += [(factors, _halve(excess, -farthest, least)),
+            roots += [(factors, _halve(excess, -farthest, least)),
                       (factors, _halve(lambda u, g=excess: -g(u), least, farthest))]  # fmt: skip
-    return found
+    return roots
 
 
 def _make_factors(moments: Array, low: float, high: float) -> Factors:

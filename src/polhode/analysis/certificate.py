@@ -44,15 +44,15 @@ class Subject:
 
 
 class Certificate(str):
-    """The reason of a verdict as a sentence, which can be turned into a proof in rational numbers.
+    """The reason of a verdict as a sentence, from which a proof in rational numbers can be made.
 
-    It is text like any other; the proof is looked for when it is asked for. ``polhode.proving.check_by_z3`` has
-    the solver z3 check it, ``polhode.proving.write_proof`` writes it for the prover Rocq.
+    It is text like any other; the proof is computed on demand. ``polhode.proving.check_by_z3`` has the solver z3 check
+    it, ``polhode.proving.write_proof`` writes it for the prover Rocq.
 
     >>> import numpy as np
     >>> import polhode as ph
-    >>> found = ph.stability(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.0, 0.0, 0.1]))
-    >>> exact = found.certificate.as_rational("decimal")
+    >>> verdict = ph.stability(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.0, 0.0, 0.1]))
+    >>> exact = verdict.certificate.as_rational("decimal")
     >>> exact.equations.point[2], exact.equations.field[0], exact.proof.weights["|L|²"]
     (Fraction(1, 10), −1/6 x2 x3, Fraction(-1, 6))
     """
@@ -70,7 +70,7 @@ class Certificate(str):
     def as_rational(self, read_as: str = EXACT) -> RationalCertificate:
         """Return the verdict with an exact proof: equations, weights and sums of squares as fractions.
 
-        The proof is found anew from the equations, with the numerical weights as a first guess, and is then checked in
+        The proof starts anew from the equations, with the numerical weights as a first guess, and is then checked in
         rational arithmetic. An equilibrium that solves the equations only up to rounding is moved to one with rational
         coordinates within a billionth of its size; ``equations.moved`` says how far.
 
@@ -80,7 +80,7 @@ class Certificate(str):
 
         Raises:
             InvalidInput: for a verdict that is undecided or of a system without polynomial equations, an equilibrium
-                with no rational one near it, and where no exact proof is found.
+                with no rational one near it, and where the search finds no exact proof.
         """
         from polhode.analysis._exact_equations import make_rational
 

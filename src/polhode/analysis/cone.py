@@ -84,7 +84,7 @@ def velocity_angles(motion: FreeMotion) -> tuple[float, float] | None:
     curve = herpolhode(motion)
     if curve is None:
         return None
-    # the contact point of Poinsot's picture stands along the angular velocity, and the plane across L
+    # in Poinsot's picture the contact point is along the angular velocity, and the plane across L
     inner, outer = (math.atan2(r, curve.plane_distance) for r in (curve.inner_radius, curve.outer_radius))
     return min(inner, outer), max(inner, outer)
 
@@ -136,7 +136,7 @@ def _cones(
 def _angles_without_period(
     motion: FreeMotion, momentum: Float64[np.ndarray, "3"]
 ) -> Float64[np.ndarray, "3 2"]:
-    """Return the angles where L stands still in the body, or goes once from one end of the middle axis to the other."""
+    """Return the angles where L is fixed in the body, or goes once from one end of the middle axis to the other."""
     scaled = momentum / np.abs(momentum).max()
     still = np.array([math.atan2(math.hypot(*np.delete(scaled, k)), scaled[k]) for k in range(3)])
     angles = np.stack([still, still], axis=1)
@@ -144,7 +144,7 @@ def _angles_without_period(
         moments = np.asarray(motion.moments)
         low, middle, high = np.argsort(moments, kind="stable")
         a, b, c = (1.0 / moments[k] for k in (low, middle, high))
-        # half-way the great circle of the separatrix stands at this angle from the axis of largest moment
+        # half-way the great circle of the separatrix has this angle from the axis of largest moment
         # 2E = |L|²/I₂ makes (1/I₁ − 1/I₂) L₁² = (1/I₂ − 1/I₃) L₃²
         tilt = math.atan2(math.sqrt(b - c), math.sqrt(a - b))
         for k, least in ((low, RIGHT - tilt), (high, tilt)):

@@ -130,10 +130,10 @@ def holding_torque(
 
 def _axis_of_symmetry(moments: Array) -> int:
     good = moments.shape == (3,) and np.isfinite(moments).all() and (moments > 0.0).all()
-    found = [k for k in range(3) if good and axis_of_symmetry(moments, np.eye(3)[k]) == k]
-    if len(found) != 1:
+    axes = [k for k in range(3) if good and axis_of_symmetry(moments, np.eye(3)[k]) == k]
+    if len(axes) != 1:
         raise InvalidInput(
             "coning at a constant angle is of a body with two equal principal moments and a third one; got "
             f"{shown(moments.tolist())} kg m². Give the angular velocity or the momentum instead."
         )
-    return found[0]
+    return axes[0]

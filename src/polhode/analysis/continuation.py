@@ -94,10 +94,10 @@ class Bifurcation(NamedTuple):
 
 
 class Continuation(NamedTuple):
-    """All equilibria that were found over a range of a parameter.
+    """The equilibria of a search over a range of a parameter.
 
     Attributes:
-        branches: in the order in which they were found.
+        branches: in the order of the search.
         bifurcations: by the parameter.
     """
 
@@ -123,16 +123,16 @@ def continue_equilibria(
 ) -> Continuation:
     """Return the equilibria on one leaf of a family of systems, followed along its parameter.
 
-    Those at both ends of the range are found by ``find_equilibria`` and followed along their branch, also around folds.
+    Those at both ends of the range come from ``find_equilibria`` and are followed along their branch, around folds too.
     Another branch starts where the energy's curvature in a direction of the leaf changes its sign. A branch that
-    reaches neither an end of the range nor another branch is not found.
+    reaches neither an end of the range nor another branch is missed.
 
     Args:
         make: the parameter's value → a system; all on one algebra.
         limits: lowest and highest value.
         state: a point of the dual, whose Casimirs' levels all equilibria are on.
         starts, seed: of ``find_equilibria``.
-        casimirs: as functions of one point, real, instead of those that the algebra names or that are found.
+        casimirs: as real functions of one point, instead of those that the algebra names or exact algebra gives.
 
     Raises:
         InvalidInput: for invalid limits, systems that are not of one kind or lose energy, or what
@@ -178,7 +178,7 @@ def continue_equilibria(
 
 
 class _Atlas(NamedTuple):
-    """The branches found so far, their bifurcations: kind, place, numbers of branches; and points of families."""
+    """The branches so far, their bifurcations: kind, place, numbers of branches; and points of families."""
 
     family: Family
     paths: list[list[Place]]

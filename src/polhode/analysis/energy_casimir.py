@@ -5,7 +5,7 @@ the dC_k, then F + Σ c_k (C_k − C_k⁰)² has a strict extremum in the whole 
 that starts near: that is the certificate. It needs nothing of the C_k but that they are conserved; where leaves are
 singular the null space is larger than the leaf's tangent space, and the test is only harder to pass. If the linearised
 flow has an exponent with positive real part, its mode shows how neighbours leave. Between the two the matrices alone
-decide nothing, and that is said.
+decide nothing, and the verdict is "undecided".
 
 Source: Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1; Marsden & Ratiu, *Introduction to Mechanics and
 Symmetry*, §1.7 and §15.
@@ -141,13 +141,13 @@ def energy_casimir(
         energy_gradient: (n,) dH.
         energy_hessian: (n, n) D²H.
         casimir_gradients: (k, n) dC_k; they may depend on each other, as on singular leaves. Other conserved
-            quantities may stand among them where their gradients depend on the Casimirs'. The freedom this leaves in
+            quantities may be among them where their gradients depend on the Casimirs'. The freedom this leaves in
             λ is used.
         casimir_hessians: (k, n, n) D²C_k.
         casimir_names: what to call the Casimirs in the certificate; C1, C2, … if empty.
         on_equilibria: whether every null direction of the second variation on the leaf is known to be tangent to a
             family of equilibria on it. Then a shear along it moves neighbours away at a steady rate. Where the whole
-            leaf is such a family, only a shear from other leaves is looked for.
+            leaf is such a family, only a shear from other leaves is considered.
         is_equilibrium: whether the field is known to vanish here. On singular leaves it may although dH is no
             combination of the dC; the spectrum alone can then decide.
         tolerance: relative error of the entries, which decides what counts as zero. Zero for matrices whose entries
@@ -212,9 +212,9 @@ def _stable(leaf: Leaf, weights: Array, second: Array, function: ConservedFuncti
     sign = -1.0 if sizes.size and sizes[0] < 0 else 1.0
     root = np.sqrt(sign * sizes)
     # √|D²F| makes the flow antisymmetric, so that its exponents come out imaginary, as they are
-    turned = root[:, None] * (vectors.T @ leaf.flow @ vectors) / root
-    turned = np.linalg.eigvalsh(0.5j * (turned - turned.T))
-    spectrum = leaf.unit * (1j * np.sort_complex(turned)[::-1] + 0.0)
+    frequencies = root[:, None] * (vectors.T @ leaf.flow @ vectors) / root
+    frequencies = np.linalg.eigvalsh(0.5j * (frequencies - frequencies.T))
+    spectrum = leaf.unit * (1j * np.sort_complex(frequencies)[::-1] + 0.0)
     sign = sign * (np.sign(weights[0]) or 1.0)
     squares, lengths = leaf.squares(weights)
     function = replace(function, squares=sign * squares / abs(weights[0] or 1.0), lengths=lengths)
@@ -349,7 +349,7 @@ def _check(A: Array, g: Array, H: Array, dC: Array, ddC: Array, names: Sequence[
 
 
 def _largest_real_part(mode: Array) -> Array:
-    """Return the real part of a mode turned to the phase at which that part is largest."""
+    """Return the real part of a mode rotated to the phase at which that part is largest."""
     return (mode * np.exp(-0.5j * np.angle(np.sum(mode * mode)))).real
 
 

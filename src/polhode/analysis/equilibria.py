@@ -50,7 +50,7 @@ def find_equilibria(
         state: one point of the dual, not zero.
         starts: how many random starts.
         seed: of the random generator.
-        casimirs: Casimirs as functions of one point, real, instead of those that the algebra names or that are found.
+        casimirs: real functions of one point, instead of those that the algebra names or exact algebra gives.
 
     Raises:
         InvalidInput: for a wrong shape, the zero point, an algebra some of whose Casimirs are neither known nor given,

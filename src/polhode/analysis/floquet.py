@@ -111,7 +111,7 @@ def periodic_motion(
 
     Raises:
         InvalidInput: for a batch of states, or a period that is not positive.
-        NotConverged: where no periodic motion is found near the guess.
+        NotConverged: where there is no periodic motion near the guess.
 
     >>> import polhode as ph
     >>> body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
@@ -122,7 +122,7 @@ def periodic_motion(
     Source: Seydel, *Practical Bifurcation and Stability Analysis*, ch. 7; for families Muñoz-Almaraz et al., Physica D
     181 (2003) 1.
     """
-    newton_steps = 30  # of Newton's method
+    newton_steps = 30
     furthest = 0.3  # of the state's size and of the period: the longest of Newton's steps
     if not (np.ndim(period) == 0 and math.isfinite(period) and period > 0):
         raise InvalidInput(f"`period` must be a positive finite time [s]; got {shown(period)}.")
@@ -148,7 +148,7 @@ def periodic_motion(
     off = float(np.linalg.norm(gap)) / size
     if off < LIMITS.closing_gap and np.linalg.norm(flow.rates(first, flow.state(z))) * T <= LIMITS.min_motion * size:
         raise NotConverged(
-            f"what was found near this `state` is an equilibrium of {type(system).__name__}, no motion with a period. "
+            f"near this `state` is an equilibrium of {type(system).__name__}, no motion with a period. "
             "Give a better guess of `state` and `period`."
         )
     if not off < LIMITS.closing_gap:

@@ -23,7 +23,7 @@ def axis_stability(moments: Real[ArrayLike, "3"], momentum_norm: float) -> tuple
     over the other two axes. Positive about the axis of largest inertia, negative about that of least: both prove
     stability. About the middle axis the signs differ and neighbours leave at the rate
     |L| √((I_i−I_j)(I_k−I_i)/(I_j I_k)) / I_i. The differences are taken before they enter the matrices, so that
-    moments one unit in the last place apart are still told apart.
+    moments one unit in the last place apart are still distinguished.
 
     Args:
         moments: (3,) principal moments [kg m²], positive, any order.

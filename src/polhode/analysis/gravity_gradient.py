@@ -83,8 +83,8 @@ class OrbitalEquilibrium:
         for place, axis in enumerate((self.yaw, self.roll, self.pitch)):
             columns[place, axis - 1] = 1.0
         signs = np.array([s for s in itertools.product((1.0, -1.0), repeat=3)])
-        turned = signs[:, :, None] * columns
-        return turned[np.linalg.det(turned) > 0.0]
+        rotations = signs[:, :, None] * columns
+        return rotations[np.linalg.det(rotations) > 0.0]
 
     @cached_property
     def stability(self) -> Stability:
@@ -99,7 +99,7 @@ class OrbitalEquilibrium:
             InvalidInput: for an equilibrium that has no libration in pitch, or an amplitude that is not below π/2.
         """
         if self.pitch_rate is None:
-            raise InvalidInput("this attitude has no libration in pitch: the body leaves it when turned by a little.")
+            raise InvalidInput("this attitude has no libration in pitch: the body leaves it when rotated by a little.")
         if not 0.0 <= amplitude < 0.5 * math.pi:
             raise InvalidInput(f"`amplitude` must be from 0 to below π/2; got {shown(amplitude)} rad.")
         return 4.0 * float(complete_k(math.cos(amplitude) ** 2)) / self.pitch_rate
@@ -210,7 +210,7 @@ def orbital_equilibria(moments: Real[ArrayLike, "3"], mean_motion: float) -> tup
     [(2, 3, 1, 'Lagrange')]
     """
     I, n = np.asarray(checked_moments(moments)), float(checked_number("mean_motion", mean_motion, above=0.0))  # noqa: E741
-    found = []
+    equilibria = []
     for roll, pitch, yaw in itertools.permutations((1, 2, 3)):
         Ir, Ip, Iy = (float(I[axis - 1]) for axis in (roll, pitch, yaw))
         k1, k3, kp = (Ip - Iy) / Ir, (Ip - Ir) / Iy, 3.0 * (Ir - Iy) / Ip
@@ -222,9 +222,9 @@ def orbital_equilibria(moments: Real[ArrayLike, "3"], mean_motion: float) -> tup
         else:
             region = (LAGRANGE if k3 > 0.0 else DEBRA_DELP) if held else UNSTABLE
         rates = None if squares is None else (n * math.sqrt(squares[0]), n * math.sqrt(squares[1]))
-        found.append(OrbitalEquilibrium(I, n, roll, pitch, yaw, region, n * math.sqrt(kp) if kp > 0.0 else None,
+        equilibria.append(OrbitalEquilibrium(I, n, roll, pitch, yaw, region, n * math.sqrt(kp) if kp > 0.0 else None,
                                         rates, n * growth))  # fmt: skip
-    return tuple(found)
+    return tuple(equilibria)
 
 
 @known_numbers_only

@@ -38,7 +38,7 @@ class SteadyRotation(NamedTuple):
         spin: Ω along it [rad/s].
         energy: of the carrier [J].
         extremum: "minimum", "maximum", "saddle" or "flat" of the energy on the sphere.
-        circle: whether it stands for a circle of them, or for the whole sphere.
+        circle: whether it represents a circle of them, or the whole sphere.
         nutation: rate at which L goes round it in the body when disturbed a little [rad/s]; None where it does not.
         verdict: on it.
     """
@@ -107,7 +107,7 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
 
 
 def _points(moments: Array, rotor: Array, norm: float) -> list[tuple[Array, bool]]:
-    """Return the equilibria (3,) on the sphere |L| = norm, and whether each stands for a circle of them."""
+    """Return the equilibria (3,) on the sphere |L| = norm, and whether each represents a circle of them."""
     k = symmetry_axis(moments, rotor)
     if k is None:
         return [(point, False) for point in steady_points(moments, rotor, norm)]
@@ -176,7 +176,7 @@ def mean_winding_rate(
     """Return the mean rate [rad/s] at which samples of a vector go round an axis, by the right hand's rule.
 
     It is the slope of the straight line through the unwrapped angles by least squares; None where samples lie too far
-    apart to be followed, or the vector stands along the axis.
+    apart to be followed, or the vector is along the axis.
 
     Args:
         times: (T,) [s].

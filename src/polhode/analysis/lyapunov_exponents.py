@@ -34,7 +34,7 @@ class LyapunovExponents(NamedTuple):
     Attributes:
         exponents: (k,) [1/s], from the largest on.
         errors: (k,) [1/s] half-widths of 95 % intervals, by the scatter of parts of the time and by its length; an
-            exponent that is less than its error cannot be told from zero.
+            exponent that is less than its error may be zero.
         times: (N,) [s] ends of the intervals that count.
         growth: (N, k) what each exponent is by the growth up to then [1/s].
         last: the system's state at the end.
@@ -53,10 +53,10 @@ class LyapunovExponents(NamedTuple):
 
     def __str__(self) -> str:
         largest = write_numbers(self.exponents[:1], "1/s", self.errors)
-        seen = "above its error: chaos" if self.is_chaotic else "not above its error: no chaos is seen"
+        comparison = "above its error: chaos" if self.is_chaotic else "not above its error: no chaos is seen"
         return print_answer(
-            f"the largest exponent, {largest}, is {seen}", exponents=write_numbers(self.exponents, "1/s", self.errors),
-            times=write_span(self.times, "s"),
+            f"the largest exponent, {largest}, is {comparison}",
+            exponents=write_numbers(self.exponents, "1/s", self.errors), times=write_span(self.times, "s"),
         )
 
 

@@ -130,7 +130,7 @@ def continue_periodic(
 
     Raises:
         InvalidInput: for invalid limits, or what ``periodic_motion`` refuses.
-        NotConverged: where no periodic motion is found near the guess, or it does not go on along the parameter.
+        NotConverged: where there is no periodic motion near the guess, or none for other values of the parameter.
 
     Warns where the branch cannot be followed to an end.
 

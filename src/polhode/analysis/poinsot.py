@@ -80,7 +80,7 @@ def ellipsoid_semi_axes(moments: Real[ArrayLike, "*batch 3"]) -> Float64[Array, 
 def herpolhode_curve(motion: FreeMotion, times: Real[ArrayLike, "time"]) -> Float64[Array, "time 2"]:
     """Return the herpolhode (T, 2) in the invariable plane, about the foot of the perpendicular, for one body.
 
-    The plane's first direction is fixed in space, across L; seen against L, so that rolling runs counterclockwise.
+    The plane's first direction is fixed in space, across L. The view is against L: rolling runs counterclockwise.
     """
     motion, times = motion.along("principal"), np.asarray(times, dtype=float)
     attitude, momentum = motion.state(times)

@@ -34,7 +34,7 @@ def polhode_family(moments: Real[ArrayLike, "3"]) -> list[Float64[Array, "points
     if I1 == I3:
         return curves
     for axis in (0, 2):
-        # on the great circle through axes 1 and 3 the separatrix stands at this angle from axis 3
+        # on the great circle through axes 1 and 3 the separatrix has this angle from axis 3
         # A L1² = B L3²
         saddle = np.arctan2(np.sqrt((I3 - I2) * I1), np.sqrt((I2 - I1) * I3))
         reach = saddle if axis == 2 else 0.5 * np.pi - saddle
@@ -145,13 +145,13 @@ def _octahedron() -> Array:
     """Return the corners (n, 3, 3) of small triangles that cover the unit sphere."""
     mesh = 28  # pieces of an octahedron's edge
     i, j = np.meshgrid(np.arange(mesh), np.arange(mesh), indexing="ij")
-    upright, turned = (i + j < mesh), (i + j < mesh - 1)
+    upright, inverted = (i + j < mesh), (i + j < mesh - 1)
 
     def point(a: Array, b: Array) -> Array:
         return np.stack([a, b, mesh - a - b], axis=-1) / mesh
 
     first = np.stack([point(i, j), point(i + 1, j), point(i, j + 1)], axis=-2)[upright]
-    second = np.stack([point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)], axis=-2)[turned]
+    second = np.stack([point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)], axis=-2)[inverted]
     octant = np.concatenate([first, second])
     signs = np.array([[x, y, z] for x in (1, -1) for y in (1, -1) for z in (1, -1)])
     corners = (signs[:, None, None, :] * octant).reshape(-1, 3, 3)

@@ -13,7 +13,7 @@ from polhode.motion._inputs import finite
 
 
 class Precession(NamedTuple):
-    """A mean rate [rad/s], positive; ``frame`` it is seen in; ``sense`` in words."""
+    """A mean rate [rad/s], positive; relative to ``frame``; ``sense`` in words."""
 
     frame: str
     rate: float

@@ -65,7 +65,7 @@ def section(
 ) -> Section:
     """Return the Poincaré section of a motion: each time when a function of it is zero, and the state then.
 
-    The motion goes by Taylor series, on which zeros are found by excluding where none can be, so that none is missed
+    The motion goes by Taylor series, whose zeros are isolated by excluding where none can be, so that none is missed
     within a step, and times are exact to rounding. Zeros that the function only touches do not count, unless a rounding
     takes it across, and of two that are nearer to each other than some 1e-8 of a step both may be missed. One at the
     start does not count.

@@ -95,7 +95,7 @@ def stability(
         integrals: further conserved functions of one point, real; those that are not at rest at the point must commute
             with each other, or be all components of a compact group's momentum map, as the three of the angular
             momentum. None where energy is lost.
-        casimirs: Casimirs as functions of one point, real, instead of those that the algebra names or that are found.
+        casimirs: real functions of one point, instead of those that the algebra names or exact algebra gives.
 
     Raises:
         InvalidInput: for a wrong shape, a point that is not a (relative) equilibrium, functions without finite second
@@ -192,10 +192,10 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
     # ẏ_j = π_jk(y) ∂_k F, linearised: π D²F, and the derivative of π, which is linear, times dF
     flow = p.tensor @ curvature + np.einsum("jik,i->jk", p.constants, slope)
     sizes = p.sizes(weights)
-    rows = [n for n in range(1, len(p.g)) if n not in p.free and n not in p.turned]
+    rows = [n for n in range(1, len(p.g)) if n not in p.free and n not in p.rotated]
     kept = [*rows, *divided]
-    # across the directions in which the symmetries move, on the level of the momenta that they turn
-    moved = [*(p.g[list(divided)] @ p.tensor.T), *p.g[list(p.turned)]]
+    # across the directions in which the symmetries move, on the level of the momenta that they rotate
+    moved = [*(p.g[list(divided)] @ p.tensor.T), *p.g[list(p.rotated)]]
     across = null_space(_unit_rows(np.array(moved)), LIMITS.relative_zero) if moved else np.eye(len(slope))
 
     def judge_part(basis: Array, H: Array, chosen: Sequence[int], error: float, **options: Any) -> Stability:
@@ -224,7 +224,7 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
 
 
 def _of_isotropy(p: Problem, weights: Array) -> tuple[Problem, Array]:
-    """Return the problem with momenta combined into those whose flows keep J's value, and those that turn it.
+    """Return the problem with momenta combined into those whose flows keep J's value, and those that rotate it.
 
     Of a group that does not commute only the flows of the first kind are divided out: the others leave the level of J.
     """
@@ -238,13 +238,13 @@ def _of_isotropy(p: Problem, weights: Array) -> tuple[Problem, Array]:
     _, sizes, rows = np.linalg.svd(brackets)
     rank = int((sizes > LIMITS.relative_zero * sizes[0]).sum())
     mixing = np.vstack([_plain(rows[rank:]), rows[:rank]])
-    g, H, names, turned = p.g.copy(), p.H.copy(), list(p.names), weights.copy()
+    g, H, names, rotated = p.g.copy(), p.H.copy(), list(p.names), weights.copy()
     g[free], H[free] = mixing @ of_momenta, np.tensordot(mixing, p.H[free], 1)
-    turned[free] = np.linalg.lstsq(mixing.T, weights[free], rcond=None)[0]
+    rotated[free] = np.linalg.lstsq(mixing.T, weights[free], rcond=None)[0]
     for n, row in zip(free, mixing, strict=True):
         names[n - 1] = _combination(row, [p.names[m - 1] for m in free])
     kept = free[: len(free) - rank]
-    return p._replace(g=g, H=H, names=names, free=kept, turned=tuple(free[len(kept) :])), turned
+    return p._replace(g=g, H=H, names=names, free=kept, rotated=tuple(free[len(kept) :])), rotated
 
 
 def _plain(rows: Array) -> Array:
@@ -382,7 +382,7 @@ def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
     settled = _settle(p.system, p.casimirs, jnp.asarray(p.y), jnp.asarray(p.unit), jnp.asarray(p.y + off * still.T))
     points, fields, slopes = (np.asarray(x) for x in settled)
     near = np.linalg.norm(points - (p.y + off * still.T), axis=1) < 0.05 * off
-    # where the linearised flow vanishes, its size a little off tells what a rounding error of the field is
+    # where the linearised flow vanishes, its size a little off shows how large a rounding error of the field is
     rate = max(rate, float(np.linalg.norm(slopes, axis=(1, 2)).max()))
     if not (near & (np.linalg.norm(fields, axis=1) <= LIMITS.relative_field * off * rate)).all():
         return False

@@ -41,8 +41,8 @@ def stability_threshold(
 ) -> Threshold:
     """Return the value of a parameter at which the verdict changes, by bisection.
 
-    Next to a threshold a verdict may be "undecided" over an interval of the size of rounding; one of its edges is found
-    then. Of several thresholds in the interval one is found.
+    Next to a threshold a verdict may be "undecided" over an interval of the size of rounding; one of its edges is
+    returned then. Of several thresholds in the interval one is returned.
 
     Args:
         verdict: the parameter → ``stability`` of the equilibrium there.

@@ -59,8 +59,8 @@ def mean_top_rates(times: Real[ArrayLike, "time"], axis: Real[ArrayLike, "time 3
     if tops is None:
         return TopRates(float((azimuth[-1] - azimuth[0]) / (t[-1] - t[0])) if followed else None, None)
     first, last = tops[0], tops[-1]
-    turned = np.diff(np.interp([first, last], t, azimuth))[0]
-    precession = float(turned / (last - first)) if followed else None
+    angle = np.diff(np.interp([first, last], t, azimuth))[0]
+    precession = float(angle / (last - first)) if followed else None
     return TopRates(precession, 2.0 * math.pi * (len(tops) - 1) / float(last - first))
 
 

@@ -2,7 +2,7 @@
 
 With handle h and the next two axes j, k, the handle's azimuth about L grows at |L| (L_j²/I_j + L_k²/I_k)/(L_j² + L_k²)
 and the twist is the change of atan2(L_k, L_j). Whole polhode periods are counted, the rest is integrated, and the
-attitude, which knows the azimuth up to whole turns without any integral, checks and sharpens the end.
+attitude, which gives the azimuth up to whole turns without any integral, checks and sharpens the end.
 """
 
 from __future__ import annotations
@@ -116,7 +116,7 @@ def _first_edges(motion: FreeMotion, longest: float, count: int) -> np.ndarray:
 
 
 def _one_turn(rates: Callable[[Array], np.ndarray], edges: np.ndarray, period: float | None) -> tuple[float, float]:
-    """Return the time at which the azimuth has turned once, and the twist by then."""
+    """Return the time at which the azimuth has grown by one turn, and the twist by then."""
     edges, parts = _integrals(rates, edges)
     azimuth, twist = np.cumsum(parts, axis=1)
     before_time, before_azimuth, before_twist = 0.0, 0.0, 0.0
@@ -181,7 +181,7 @@ def _azimuth(motion: FreeMotion, handle: int, t: float) -> float:
 
 
 def _exact_twist(motion: FreeMotion, j: int, k: int, end: float, twist: float) -> float:
-    """Return the twist from L itself, whose whole turns the integral knows."""
+    """Return the twist from L itself, with the whole turns of the integral."""
     start, last = np.asarray(motion.momentum_at_epoch), motion.momentum(float(motion.epoch) + end)
     change = math.atan2(last[k], last[j]) - math.atan2(start[k], start[j])
     return float(change + TURN * round((twist - change) / TURN))

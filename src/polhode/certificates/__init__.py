@@ -1,4 +1,4 @@
-"""Certificates of stability as exact data: found and checked."""
+"""Certificates of stability as exact data: the search, and checks."""
 
 import lazy_loader
 

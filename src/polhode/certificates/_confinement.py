@@ -125,11 +125,11 @@ def show_squares(forms: Squares) -> list[list[Any]]:
 
 
 def find_confinement(equations: Equations, hint: Mapping[str, float]) -> Confinement | None:
-    """Return a proof that motions near the point stay near it, up to the flow if there is one; None if none is found.
+    """Return a proof that motions near the point stay near it, up to the flow if there is one; else None.
 
     Args:
         equations: exact.
-        hint: weights of what is conserved that a numerical method found, by name.
+        hint: weights of what is conserved from a numerical method, by name.
     """
     names = [*(k for k in equations.conserved if k != ENERGY), *(k for k in equations.conserved if k == ENERGY)]
     slopes = [equations.slopes[k] for k in names]
@@ -141,8 +141,8 @@ def find_confinement(equations: Equations, hint: Mapping[str, float]) -> Confine
     for weights in _candidates(basis, names, hint, halves, across):
         if (key := tuple(weights)) not in tried:
             tried.add(key)
-            if found := _try_weights(equations, dict(zip(names, weights, strict=True)), halves, across):
-                return found
+            if proof := _try_weights(equations, dict(zip(names, weights, strict=True)), halves, across):
+                return proof
     return None
 
 
@@ -215,8 +215,8 @@ def _try_weights(
         return None
     margin, kept = split
     slice_ = squares.pop("", Fraction(0))
-    found = Confinement(weights, squares, margin, kept, Fraction(1), slice_)
-    return Confinement(weights, squares, margin, kept, radius_for(margin, found.rest(equations)), slice_)
+    unbounded = Confinement(weights, squares, margin, kept, Fraction(1), slice_)
+    return Confinement(weights, squares, margin, kept, radius_for(margin, unbounded.rest(equations)), slice_)
 
 
 def _unsure(half: Rows) -> float:

@@ -12,7 +12,7 @@ def definite_combination(matrices: Float64[Array, "k d d"], tolerance: float) ->
 
     There is one exactly if zero is not in the convex hull of the joint numerical range {(vᵀM_1v, …, vᵀM_kv) : |v| = 1},
     and the hull's point next to zero is then the best c. Each round supports the hull once more, by the eigenvector of
-    the least eigenvalue, and takes the point next to zero of the polytope found so far.
+    the least eigenvalue, and takes the point next to zero of the polytope so far.
 
     Args:
         matrices: (k, d, d) symmetric, entries at most of order one.

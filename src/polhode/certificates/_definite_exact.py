@@ -62,5 +62,5 @@ def _real_roots(polynomial: Sequence[Fraction]) -> list[Fraction]:
     if len(polynomial) == 2:
         return [-polynomial[1] / polynomial[0]]
     # of order one, so that coefficients far from it do not overflow
-    found = np.roots([float(c / polynomial[0]) for c in polynomial]) if len(polynomial) > 2 else np.zeros(0)
-    return [Fraction(float(x.real)) for x in np.asarray(found, complex) if abs(x.imag) <= 1e-6 * (1.0 + abs(x))]
+    roots = np.roots([float(c / polynomial[0]) for c in polynomial]) if len(polynomial) > 2 else np.zeros(0)
+    return [Fraction(float(x.real)) for x in np.asarray(roots, complex) if abs(x.imag) <= 1e-6 * (1.0 + abs(x))]

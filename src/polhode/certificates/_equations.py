@@ -122,7 +122,7 @@ def restrict_to_zeros(equations: Equations, zeros: Sequence[int]) -> Equations:
     if not left_out or not kept:
         raise InvalidInput(
             "an exact proof on a leaf needs coordinates that are zero on it and stay so, and others that move; "
-            f"{len(left_out)} of {equations.size} are. The numerical verdict stands without one."
+            f"{len(left_out)} of {equations.size} are. The numerical verdict holds without one."
         )
     places = sorted(kept)
 
@@ -151,8 +151,8 @@ def quadratic_integrals(field: Sequence[RationalPolynomial]) -> dict[str, Ration
     rates = [m.rate(field) for m in monomials]
     rows = [[r.terms.get(m, Fraction(0)) for r in rates] for m in sorted({m for r in rates for m in r.terms})]
     basis = null_space(rows, len(monomials))
-    found = (total(n, (c * m for c, m in zip(vector, monomials, strict=True) if c)) for vector in basis)
-    return {str(p): p for p in found}
+    polynomials = (total(n, (c * m for c, m in zip(vector, monomials, strict=True) if c)) for vector in basis)
+    return {str(p): p for p in polynomials}
 
 
 def _without(p: RationalPolynomial, zeros: set[int]) -> RationalPolynomial:
@@ -199,15 +199,15 @@ def rational_equilibrium(
     are of second degree, the solution of dH + Σ w dC = 0 for weights w rounded to rational numbers.
 
     Raises:
-        InvalidInput: if none is found within a billionth of the point's size.
+        InvalidInput: if there is none within a billionth of the point's size.
     """
     given = [read(x) for x in point]
     size = max(map(abs, given), default=Fraction(0))
     trials = [given, [x if abs(x) > size / 10**12 else Fraction(0) for x in given]]
     trials += [[x.limit_denominator(d) for x in given] for d in LIMITS.denominators[7:10]]
     for trial in trials:
-        if found := _accept(trial, given, size, vanishing):
-            return found
+        if accepted := _accept(trial, given, size, vanishing):
+            return accepted
     if all(c.degree <= 2 for name, c in conserved.items() if weights.get(name)):
         for d in LIMITS.denominators:
             w = {name: Fraction(x).limit_denominator(d) for name, x in weights.items() if name in conserved}
@@ -217,12 +217,12 @@ def rational_equilibrium(
             matrix = combine(*((2 * w[name], conserved[name].quadratic()) for name in names))
             right = [-sum(w[name] * conserved[name].slope()[k] for name in names) for k in range(len(given))]
             solution = solve_near(matrix, [Fraction(x) for x in right], given)
-            if solution and (found := _accept(solution, given, size, vanishing)):
-                return found
+            if solution and (accepted := _accept(solution, given, size, vanishing)):
+                return accepted
     residual = max((abs(float(f.at(given))) for f in vanishing), default=0.0)
     raise InvalidInput(
         f"the point must be an equilibrium in rational numbers for a proof; there the field is {residual:.3g}, and "
-        "none was found within a billionth of its size. Give a point, or parameters, that solve the equations exactly."
+        "none is within a billionth of its size. Give a point, or parameters, that solve the equations exactly."
     )
 
 

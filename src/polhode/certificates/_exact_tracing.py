@@ -69,8 +69,8 @@ def trace_polynomials(
         closed = jax.make_jaxpr(function)(jnp.zeros(size))
         given = [point]
     known = SimpleNamespace(jaxpr=closed.jaxpr, consts=[_exact(tape, np.asarray(x)) for x in closed.consts])
-    (found,) = evaluate(known, *given)
-    return [tape.as_polynomial(x) for x in np.ravel(found)]
+    (traced,) = evaluate(known, *given)
+    return [tape.as_polynomial(x) for x in np.ravel(traced)]
 
 
 @lru_cache(maxsize=64)
@@ -84,12 +84,12 @@ def _exact(tape: ExactTape, x: Array) -> Array:
     """Return an array of floating-point numbers as expressions, any other as it is."""
     if not np.issubdtype(x.dtype, np.inexact):
         return x
-    found = np.empty(x.shape, object)
+    traced = np.empty(x.shape, object)
     for k in np.ndindex(x.shape):
         value = x[k]
-        found[k] = (Complex(tape.constant(value.real), tape.constant(value.imag)) if np.iscomplexobj(value)
+        traced[k] = (Complex(tape.constant(value.real), tape.constant(value.imag)) if np.iscomplexobj(value)
                     else tape.constant(value))  # fmt: skip
-    return found
+    return traced
 
 
 class ExactTape(Tape):

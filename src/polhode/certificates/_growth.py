@@ -161,13 +161,13 @@ def find_growth(equations: Equations) -> Growth | None:
         return None
     _, (scale, _) = matrix_balance(numbers, permute=False, separate=True)  # powers of two
     for units in (np.ones(n), scale) if (scale != 1.0).any() else (scale,):
-        if found := _grow_in_units(equations, [Fraction(x) for x in units]):
-            return found
+        if proof := _grow_in_units(equations, [Fraction(x) for x in units]):
+            return proof
     return None
 
 
 def _grow_in_units(equations: Equations, units: list[Fraction]) -> Growth | None:
-    """Return a proof looked for in coordinates v/units: curvatures an ulp apart leave entries 1e15 apart in others."""
+    """Search for a proof in coordinates v/units: curvatures an ulp apart leave entries 1e15 apart in others."""
     shares = (0.5, 0.375, 0.625, 0.25, 0.75, 0.4375, 0.125, 0.875)  # of the fastest growth, tried one after the other
     from scipy.linalg import solve_continuous_lyapunov
 
@@ -242,8 +242,8 @@ def find_drift(equations: Equations) -> Drift | None:
         if not K or K != K.part(2, 2):
             continue
         for sign in (1, -1):
-            if found := _drift_along(equations, sign * K):
-                return found
+            if drift := _drift_along(equations, sign * K):
+                return drift
     return None
 
 

@@ -19,7 +19,7 @@ Proof = Confinement | Growth | Drift
 class RationalCertificate:
     """A verdict on an equilibrium of polynomial equations, with a proof in rational numbers.
 
-    What it says is about exactly these equations: ``check`` decides it in rational arithmetic. The function
+    It holds for exactly these equations: ``check`` decides that in rational arithmetic. The function
     ``check_by_z3`` has the solver z3 do so, and ``write_proof`` writes it for the prover Rocq, which derives the
     theorem about solutions from the axioms of the real numbers.
 
@@ -71,7 +71,7 @@ class RationalCertificate:
                 "proof": {"kind": kind, **self.proof.as_json()}}  # fmt: skip
 
     def json(self) -> str:
-        """Return the same as JSON."""
+        """Return these data as JSON."""
         return json.dumps(self.as_json(), ensure_ascii=False, indent=1)
 
 
@@ -98,7 +98,7 @@ def find_certificate(
         undecided: what to say where there is nothing to prove.
 
     Raises:
-        InvalidInput: for "undecided", and where no proof is found.
+        InvalidInput: for "undecided", and where the search finds no proof.
     """
     proof: Proof | None = None
     if verdict == "stable":
@@ -113,9 +113,9 @@ def find_certificate(
             f"no proof of the verdict {verdict!s} in rational numbers was found: {_why(equations, verdict)}. Give the "
             "polynomial Casimirs or integrals that it rests on."
         )
-    found = RationalCertificate(equations, proof)
-    found.check()
-    return found
+    certificate = RationalCertificate(equations, proof)
+    certificate.check()
+    return certificate
 
 
 def _why(equations: Equations, verdict: str) -> str:

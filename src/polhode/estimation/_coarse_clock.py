@@ -21,7 +21,7 @@ LIMITS = ClockLimits()
 
 
 def is_coarse(repeated: int, samples: int) -> bool:
-    """Whether so many samples at a time that was there already show a rounded clock."""
+    """Whether this number of repeated times shows a rounded clock."""
     return repeated >= max(LIMITS.min_repeats, LIMITS.min_repeated_share * samples)
 
 
@@ -31,6 +31,6 @@ def spread_evenly(t: Float64[Array, "n"]) -> Float64[Array, "n"]:
     coarse = float(np.median(np.diff(distinct))) if len(distinct) > 1 else 0.0
     steps = np.minimum(np.diff(distinct, append=distinct[-1] + coarse), coarse)  # not over a gap
     spread = t + np.concatenate([np.arange(count) / count * step for count, step in zip(counts, steps, strict=True)])
-    # samples that come evenly, as far as the clock can tell, came evenly
+    # samples that are even to the clock's resolution are taken as even
     grid = np.polynomial.Polynomial.fit(np.arange(len(t)), t, 1)(np.arange(len(t)))
     return t[0] + grid - grid[0] if np.ptp(t - grid) <= LIMITS.max_deviation * coarse else spread

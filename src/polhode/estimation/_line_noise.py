@@ -34,7 +34,7 @@ class LineNoise(NamedTuple):
     Attributes:
         white: variance of a complex sample [rad²].
         walk: variance of a complex step of the line's amplitude, from one sample to the next [rad²].
-        covariance: (2, 2) of both, by Fisher's information; zero for one that is found to be none.
+        covariance: (2, 2) of both, by Fisher's information; zero for one whose estimate is zero.
         frequencies: number of frequencies used.
         test: whether the power of all bands about the line is that of such noise.
     """
@@ -49,7 +49,7 @@ class LineNoise(NamedTuple):
 def accumulate_walk(influence: Complex128[Array, "n k"]) -> Complex128[Array, "n k"]:
     """Return the influence of each step of a random walk, given that of the walk itself.
 
-    The walk counts from its own mean: the mean amplitude is what a fit of a constant line means to find.
+    The walk counts from its own mean: the mean amplitude is what a fit of a constant line estimates.
     """
     centred = influence - influence.mean(axis=0)
     return np.cumsum(centred[::-1], axis=0)[::-1]

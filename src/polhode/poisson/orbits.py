@@ -84,7 +84,7 @@ def symplectic_area(momenta: Real[ArrayLike, "n 3"], sign: int = -1) -> float:
     """Return ∫ω over the part of an SO(3) orbit to the left of a closed curve (n, 3) on it: sign · area/|L|.
 
     The curve is closed by its first point; its pieces are taken as arcs of great circles, for which the sum of the
-    signed triangles seen from the first point is exact. The area is that modulo the whole sphere, in (−2π, 2π] |L|.
+    signed triangles with a corner at the first point is exact. The area is modulo the whole sphere, in (−2π, 2π] |L|.
     """
     require_doubles(momenta=momenta)
     points = np.asarray(momenta, dtype=float)

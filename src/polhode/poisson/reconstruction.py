@@ -29,7 +29,7 @@ class Reconstruction(NamedTuple):
         attitude: (T, 4) unit quaternions wxyz, body → space.
         dynamic_phase: (T,) ∫ L·Ω/|L| dt [rad], twice the energy times t over |L| for a free body.
         geometric_phase: (T,) minus the solid angle swept on the momentum sphere by the great circle from the first
-            momentum to the present one [rad]. When L is back, the body has turned about the space momentum by the sum
+            momentum to the present one [rad]. When L is back, the body has rotated about the space momentum by the sum
             of the two phases.
     """
 

@@ -1,8 +1,8 @@
 """Checks that a system's energy, velocity, generator, vector field and flows agree.
 
-They describe one motion, and a subclass that changes one of them inherits the others. What disagrees would move by one
-and be judged by another, so it is refused. ``polhode.testing.check_system`` checks more, at more points; the systems of
-this package pass it.
+They describe one motion, and a subclass that changes one of them inherits the others. Where they
+disagree it would move by one and be judged by another, so it is refused. ``polhode.testing.check_system`` checks more,
+at more points; the systems of this package pass it.
 """
 
 from __future__ import annotations

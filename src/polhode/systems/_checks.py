@@ -94,7 +94,7 @@ def advancing_times(value: Real[ArrayLike, "time"]) -> Float64[np.ndarray, "time
         before, here = times[wrong[0] : wrong[0] + 2].tolist()
         raise InvalidInput(
             f"`times` must advance in one direction, without repetitions; got {shown(here)} after {shown(before)} at "
-            f"index {wrong[0] + 1}. Sort them, and leave out what stands twice."
+            f"index {wrong[0] + 1}. Sort them, and leave out duplicates."
         )
     return times
 

@@ -1,4 +1,4 @@
-"""The sizes of a state's components, as a system tells them, for many states in one compiled function."""
+"""The sizes of a state's components, as the system gives them, for many states in one compiled function."""
 
 from __future__ import annotations
 

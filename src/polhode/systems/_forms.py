@@ -59,7 +59,7 @@ def rates_of_change(
 def check_finite_rates(system: AbstractSystem, t: float, state: Double[Array, "..."]) -> None:
     """Refuse states (batch…, …) from which nothing can move, as their rates of change are not finite.
 
-    States so large that their squares overflow are left to others.
+    States so large that their squares overflow are left to other checks.
     """
     batch = jnp.shape(state)[: jnp.ndim(state) - system.state_axes]
     if np.abs(np.asarray(state)).max(initial=0.0) > LIMITS.max_component:
@@ -128,7 +128,7 @@ def one_number(what: str, value: Any) -> Float64[Array, ""]:
 
 
 def refuse_other_objects(system: Any) -> None:
-    """Refuse what is given for a system and is none.
+    """Refuse a `system` that is none.
 
     Raises:
         InvalidInput: naming what it is.

@@ -41,7 +41,7 @@ def solve_symmetric(matrix: list[Vectors], right: Vectors) -> Vectors:
         lower.append([value / pivot for value, pivot in zip(scaled, pivots, strict=True)])
         pivots.append(matrix[i][i] - sum((a * b for a, b in zip(scaled, lower[i], strict=True)), 0.0))
         x.append(right[i] - sum((a * b for a, b in zip(lower[i], x, strict=True)), 0.0))
-    found = [value / pivot for value, pivot in zip(x, pivots, strict=True)]
+    solution = [value / pivot for value, pivot in zip(x, pivots, strict=True)]
     for i in range(size - 1, -1, -1):
-        found[i] = found[i] - sum((lower[k][i] * found[k] for k in range(i + 1, size)), 0.0)
-    return found
+        solution[i] = solution[i] - sum((lower[k][i] * solution[k] for k in range(i + 1, size)), 0.0)
+    return solution

@@ -210,7 +210,7 @@ class AbstractSystem(HashableModule):
         return jnp.where(largest > 0, largest, 1.0)
 
     def invariant_sizes(self, state: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
-        """Return sizes of invariants where Σ |x ∂C/∂x| does not tell them, as of squares that begin at zero."""
+        """Return sizes of invariants where Σ |x ∂C/∂x| does not give them, as of squares that begin at zero."""
         return {}
 
     def vectors(self, state: Double[Array, "..."]) -> Vectors:
@@ -259,7 +259,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
 
     @property
     def conserves_energy(self) -> bool:
-        """Whether ``generator`` is that of H alone; where it is not, the energy stands among ``balances``."""
+        """Whether ``generator`` is that of H alone; where it is not, the energy is among ``balances``."""
         return True
 
     @property

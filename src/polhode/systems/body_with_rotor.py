@@ -27,7 +27,7 @@ class RotorInBody(NamedTuple):
         total: (3,) L of body and rotor [kg m²/s].
         attitude: (4,) unit quaternion, these axes → space.
         rotor_moment: J of the rotor about its axis [kg m²].
-        free: whether nothing turns it.
+        free: whether no torque about its axis acts on it.
     """
 
     moments: Float64[Array, "3"]
@@ -98,9 +98,9 @@ def rotor_in_body(
         # L = (I − J aaᵀ) Ω + h a with h = J (σ + a·Ω): what the axial moment carries is in h (Hughes §3.4)
         moments, axes = principal_axes(body.inertia - rotor_moment * np.outer(axis, axis))
     along, velocity = clean_direction(axes.T @ axis), axes.T @ np.asarray(angular_velocity, dtype=float)
-    turned = rotation.multiply(np.asarray(attitude, dtype=float), rotation.from_matrix(axes))
+    body_attitude = rotation.multiply(np.asarray(attitude, dtype=float), rotation.from_matrix(axes))
     momentum = rotor_moment * (rotor_rate + (float(along @ velocity) if free else 0.0))
-    return RotorInBody(moments, axes, along, momentum, velocity, moments * velocity + momentum * along, turned,
+    return RotorInBody(moments, axes, along, momentum, velocity, moments * velocity + momentum * along, body_attitude,
                        float(rotor_moment), free)  # fmt: skip
 
 

@@ -48,8 +48,8 @@ LAYOUT = StateLayout((
 class Gyrostat(AbstractLiePoissonSystem):
     """Π̇ = Π × Ω, Ω = I⁻¹(Π − h) on so(3)*, with the rotor's momentum h fixed in the body; H = ½ (Π − h)·I⁻¹(Π − h).
 
-    Π is the whole angular momentum. Two rotors are meant. One driven at a constant rate relative to the body: h is its
-    momentum relative to the body, I the moments of body and rotor together. One that turns freely, or whose motor only
+    Π is the whole angular momentum. Two kinds of rotor obey it. One is driven at a constant rate against the body: h is
+    its momentum relative to the body, I the moments of both together. The other turns freely, or its motor only
     makes up for friction: h is its whole axial momentum, which then stays, and I the moments less the rotor's axial
     one along its axis. Energy is that of the carrier, which is kept in either case. State Π (…, 3), or with the
     attitude (…, 7). Flows: rotation about each axis.
@@ -267,11 +267,12 @@ class TorquedGyrostat(AbstractSystem):
         require_doubles(**{"rates[0]": rate})
         given = {"attitude": attitude, "angular_velocity": angular_velocity, "momentum": momentum, "rates[0]": rate}
         refuse_not_finite(**{name: jnp.asarray(x, dtype=float) for name, x in given.items() if x is not None})
-        turned = jnp.asarray((1.0, 0.0, 0.0, 0.0) if attitude is None else attitude, dtype=float)
-        turned = turned if attitude is None else rotation.normalize(turned if is_traced(turned) else np.asarray(turned))
+        quaternion = jnp.asarray((1.0, 0.0, 0.0, 0.0) if attitude is None else attitude, dtype=float)
+        if attitude is not None:
+            quaternion = rotation.normalize(quaternion if is_traced(quaternion) else np.asarray(quaternion))
         velocity = np.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
         whole = None if momentum is None else jnp.asarray(momentum, dtype=float)
-        return _pack(self, turned, velocity, whole, jnp.asarray(rate, dtype=float))
+        return _pack(self, quaternion, velocity, whole, jnp.asarray(rate, dtype=float))
 
 
 @compiled_for_few_calls

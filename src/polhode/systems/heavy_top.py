@@ -172,18 +172,18 @@ class HeavyTop(AbstractLiePoissonSystem):
         xp: Any = jnp if is_traced(self.axes, self.moments, attitude, vector) else np
         axes = xp.asarray(self.axes)
         normalized = rotation.normalize(xp.asarray(attitude, dtype=float))
-        turned = rotation.multiply(normalized, rotation.from_matrix(axes))
+        body_attitude = rotation.multiply(normalized, rotation.from_matrix(axes))
         spin = xp.zeros(3) if vector is None else xp.asarray(vector, dtype=float) @ axes
         spin = spin if momentum is not None else spin * xp.asarray(self.moments)
         # Γ = Rᵀ e_z
-        up = rotation.rotate(rotation.conjugate(turned), xp.asarray([0.0, 0.0, 1.0]))
-        shape = np.broadcast_shapes(turned.shape[:-1], spin.shape[:-1])
-        parts = (xp.broadcast_to(x, (*shape, x.shape[-1])) for x in (turned, spin, up))
+        up = rotation.rotate(rotation.conjugate(body_attitude), xp.asarray([0.0, 0.0, 1.0]))
+        shape = np.broadcast_shapes(body_attitude.shape[:-1], spin.shape[:-1])
+        parts = (xp.broadcast_to(x, (*shape, x.shape[-1])) for x in (body_attitude, spin, up))
         return jnp.asarray(xp.concatenate(list(parts), axis=-1))
 
     @known_numbers_only
     def upright(self, spin: float = 0.0, hanging: bool = False) -> Float64[Array, "6"]:
-        """Return the point (6,) of standing rotation about the vertical axis to the centre of mass, up or down.
+        """Return the point (6,) of steady rotation about the vertical axis to the centre of mass, up or down.
 
         Args:
             spin: about χ [rad/s]; other than zero only where χ is a principal axis.

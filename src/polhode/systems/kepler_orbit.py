@@ -16,7 +16,7 @@ from polhode.systems._checks import checked_number
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 TURN = 2.0 * math.pi
-DOWNWARD = np.array([0.5, -0.5, -0.5, 0.5])  # quaternion of the axes θ̂, −n̂ and −r̂, seen along r̂, θ̂ and n̂
+DOWNWARD = np.array([0.5, -0.5, -0.5, 0.5])  # quaternion of the axes θ̂, −n̂ and −r̂, in components along r̂, θ̂ and n̂
 # E − sin E = Σ ± E^(2k+1)/(2k+1)!, k = 1, 2, …, of which nine terms give it up to one radian to rounding
 SERIES = tuple((-1.0) ** (k + 1) / math.factorial(2 * k + 1) for k in range(1, 10))
 
@@ -25,7 +25,7 @@ class KeplerOrbit(eqx.Module):
     """Two bodies under gravity: E − e sin E = M, r/a = 1 − e cos E, M = n t + M0.
 
     In space the orbit lies in the x-y plane, runs towards +y at the periapsis on +x, and has its normal along +z,
-    unless it is turned by Rz(node) Rx(inclination) Rz(periapsis).
+    unless it is rotated by Rz(node) Rx(inclination) Rz(periapsis).
 
     Args:
         mean_motion: n [rad/s], positive.
@@ -191,8 +191,8 @@ class KeplerOrbit(eqx.Module):
         # cos f/2 and sin f/2, from tan f/2 = √((1+e)/(1−e)) tan E/2
         cosine, sine = jnp.sqrt(1.0 - e) * jnp.cos(half) / root, jnp.sqrt(1.0 + e) * jnp.sin(half) / root
         still = jnp.zeros_like(cosine)
-        turned = rotation.multiply(jnp.stack([cosine, still, still, sine], axis=-1), DOWNWARD)
-        return turned if self.plane is None else rotation.multiply(self.plane, turned)
+        in_plane = rotation.multiply(jnp.stack([cosine, still, still, sine], axis=-1), DOWNWARD)
+        return in_plane if self.plane is None else rotation.multiply(self.plane, in_plane)
 
     def _in_space(self, vector: Array) -> Array:
         """Return vectors (…, 3) of the orbit's own axes along those of space."""

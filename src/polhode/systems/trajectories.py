@@ -32,7 +32,7 @@ def make_trajectory(
     statistics: dict[str, int], received: Mapping[str, Float64[Array, "*batch time"]],
     error_estimate: Float64[Array, "*batch"] | None = None, ends: Ends | None = None, plan: MotionPlan | None = None,
 ) -> Trajectory:  # fmt: skip
-    """Return samples (batch…, T, …) as a trajectory with all that the system says of them."""
+    """Return samples (batch…, T, …) as a trajectory with the system's invariants, balances and vectors."""
     axis = jnp.ndim(states) - 1 - system.state_axes
     states = np.asarray(states)
     said = _all_said(system, np.asarray(times), states)
@@ -98,7 +98,7 @@ def _representable(system: AbstractSystem, states: Array, invariants: dict[str, 
 
 
 class _Said(NamedTuple):
-    """What a system says of states: invariants, values of balances, vectors."""
+    """Invariants, values of balances, and vectors of a system at states."""
 
     invariants: dict[str, Array]
     balances: dict[str, Array]
@@ -114,14 +114,14 @@ def _all_said(system: AbstractSystem, times: Array, states: Array) -> _Said:
 def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
     """Return Σ |x ∂C/∂x| of each invariant C but vectors at states: the size of its terms, which may cancel in it.
 
-    What each of n copies has depends on that copy alone, so that one derivative serves all copies; of the others one
-    pass backwards gives all derivatives.
+    An invariant of each of n copies depends on that copy alone, so that one derivative serves all copies; of the others
+    one pass backwards gives all derivatives.
     """
     own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
-    told = system.invariant_sizes(state)
+    own_sizes = system.invariant_sizes(state)
 
     def choose(x: Array, of_copies: bool) -> dict[str, Array]:
-        wanted = {name: value for name, value in system.invariants(x).items() if name not in told}.items()
+        wanted = {name: value for name, value in system.invariants(x).items() if name not in own_sizes}.items()
         return {name: value for name, value in wanted if (name in own if of_copies else not jnp.ndim(value))}
 
     def of_one(x: Array) -> dict[str, Array]:
@@ -136,11 +136,11 @@ def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
 
     for _ in range(jnp.ndim(state) - system.state_axes):
         of_one = jax.vmap(of_one)
-    return of_one(state) | told
+    return of_one(state) | own_sizes
 
 
 def _of_copies(function: Callable[[Array], Array], x: Array, copies: int) -> Array:
-    """Return Σ |x ∂C/∂x| (copies,) of what each copy has, by its components one after the other."""
+    """Return Σ |x ∂C/∂x| (copies,) of the invariant of each copy, one component after the other."""
     width = x.size // copies
     places = jnp.arange(x.size).reshape(x.shape) % width
     sums = jnp.zeros(copies)
