@@ -218,7 +218,7 @@ def test_brackets_are_multiplied_out_as_long_as_it_pays(power, exact, monkeypatc
     assert (seen[0] is not None) == exact
     assert found.verdict == "stable"
     if power == 200:
-        with pytest.raises(InvalidInput, match=r"products of terms to multiply out\. The numerical verdict stands"):
+        with pytest.raises(InvalidInput, match=r"products of terms to multiply out\. The numerical verdict holds"):
             found.certificate.as_rational()
 
 

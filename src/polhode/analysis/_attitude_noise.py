@@ -10,8 +10,6 @@ import numpy as np
 from polhode import rotation
 from polhode.types import Array, Float64
 
-ORDERS = range(3, 11)  # of differences: a motion that turns by 0.1 rad between samples leaves 1e-10 of the tenth
-
 
 class AttitudeNoiseLimits(NamedTuple):
     """Numbers that decide whether samples allow an estimate of their noise."""
@@ -44,7 +42,8 @@ def attitude_noise(times: Float64[Array, "time"], attitude: Float64[Array, "time
     turns = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(attitude[:-1]), attitude[1:]))
     if np.linalg.norm(turns, axis=-1).max() > LIMITS.max_turn:
         return None
+    orders = range(3, 11)  # of differences: a motion that turns by 0.1 rad between samples leaves 1e-10 of the tenth
     return min(
         float(np.sqrt(np.mean(np.sum(np.diff(turns, n=order, axis=0) ** 2, axis=-1)) / comb(2 * order + 2, order + 1)))
-        for order in ORDERS
+        for order in orders
     )

@@ -9,7 +9,7 @@ from __future__ import annotations
 import abc
 import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -19,7 +19,6 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base.arrays import arrays_for_few_calls
-from polhode._base.jax_inner import Literal
 from polhode.algebra._functions import Function, check_functions
 from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
@@ -28,9 +27,8 @@ from polhode.algebra.constants import ConstantsAlgebra
 from polhode.algebra.properties import index
 from polhode.analysis._reasons import MissingCasimirs
 from polhode.errors import InvalidInput
-from polhode.systems._agreement import moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem
-from polhode.types import Array, Bool, Double, Float64
+from polhode.types import Array, Bool, Float64
 
 TRACING = (jax.errors.ConcretizationTypeError, jax.errors.TracerArrayConversionError)
 
@@ -49,7 +47,6 @@ class ConservationLimits(NamedTuple):
     # of difference quotients against second derivatives, relative: beyond it there are none
     max_roughness: float = 1e-3
     derivative_error: float = 1e-12  # relative, of second derivatives by AD of functions of order one
-    generator_error: float = 1e-9  # of the generator against dH, relative: both are right to rounding
 
 
 LIMITS = ConservationLimits()
@@ -396,61 +393,6 @@ def check_casimirs(tensors: Float64[Array, "m n n"], gradients: Float64[Array, "
             f"`casimirs` must be independent: the gradients of these {count} span {rank} dimensions everywhere. "
             "Leave out those that are functions of others."
         )
-
-
-def check_motion(system: AbstractLiePoissonSystem, samples: Callable[[], Float64[Array, "m n"]]) -> None:
-    """Refuse a system that does not move by its energy alone, or where energy is lost by a generator without time.
-
-    Systems of this package are taken to do so, as their tests check.
-
-    Args:
-        system: any.
-        samples: () → (m, n) coordinates of points, which systems of this package do not need.
-
-    Raises:
-        InvalidInput: naming what is overridden.
-    """
-    kind, base = type(system), AbstractLiePoissonSystem
-    if not moves_by_generator(system):
-        raise InvalidInput(
-            f"{kind.__name__} overrides `vector_field`, so it need not move as its energy says. "
-            "Override `generator(t, point)` instead."
-        )
-    if kind.__module__.partition(".")[0] == "polhode" or (kind.generator is base.generator
-                                                          and kind.velocity is base.velocity):  # fmt: skip
-        return
-    algebra, around = system.algebra, samples()
-    points = algebra.from_dual_vector(jnp.asarray(around))
-    if depends_on_time(system, points[0]):
-        raise InvalidInput(
-            f"the `generator` of {kind.__name__} depends on time, and a verdict needs equations of motion without it. "
-            "Leave the drive out, or put it in as a constant."
-        )
-    moved = np.asarray(algebra.to_vector(system.generator(0.0, points)))
-    wanted = moved
-    if system.conserves_energy:
-        gradients, _ = differentiate(Energy(system), around, around[:1])
-        wanted = -system.sign * np.asarray(gradients)[:, 0]
-    good = np.isfinite(wanted).all(axis=1)
-    off = np.abs(moved - wanted)[good].max(initial=0.0) / (np.abs(wanted[good]).max(initial=0.0) or 1.0)
-    if off > LIMITS.generator_error:
-        raise InvalidInput(
-            f"{kind.__name__} does not move by its energy alone: its `generator` differs from dH by {off:.2g}. "
-            "Where energy is lost, let `conserves_energy` be False."
-        )
-
-
-def depends_on_time(system: AbstractLiePoissonSystem, point: Double[Array, "..."]) -> bool:
-    """Whether the generator depends on the time, by JAX's trace: unlike samples of times, it misses nothing.
-
-    A product of the time with zero counts as well.
-    """
-    steps = jax.make_jaxpr(system.generator)(jnp.zeros(()), point).jaxpr
-    late = {steps.invars[0]}
-    for step in steps.eqns:
-        if any(not isinstance(x, Literal) and x in late for x in step.invars):
-            late.update(step.outvars)
-    return any(not isinstance(x, Literal) and x in late for x in steps.outvars)
 
 
 def _normalise(vectors: Array) -> Array:

@@ -12,7 +12,8 @@ import numpy as np
 
 from polhode._base.arrays import known_numbers_only
 from polhode.algebra._functions import Function
-from polhode.analysis._conserved import Energy, Source, check_motion, choose_casimirs, choose_unit
+from polhode.analysis._conserved import Energy, Source, choose_casimirs, choose_unit
+from polhode.analysis._motion_by_energy import check_motion
 from polhode.analysis.stability import LIMITS as STABILITY_LIMITS
 from polhode.analysis.stability import scaled_field
 from polhode.errors import InvalidInput

@@ -22,11 +22,12 @@ import numpy as np
 from polhode._base.arrays import known_numbers_only
 from polhode.algebra._functions import Function, check_functions
 from polhode.algebra.properties import index, is_compact
-from polhode.analysis._conserved import Casimirs, Energy, Source, check_motion, choose_casimirs, samples_around
+from polhode.analysis._conserved import Casimirs, Energy, Source, choose_casimirs, samples_around
 from polhode.analysis._equilibrium_data import Problem, problem
 from polhode.analysis._exact_families import moves_along_equilibria
 from polhode.analysis._exact_functions import exact_functions
 from polhode.analysis._exact_verdict import decide_exactly
+from polhode.analysis._motion_by_energy import check_motion
 from polhode.analysis._reasons import (
     DefiniteOnLeaf,
     ExponentialGrowth,
@@ -46,8 +47,6 @@ from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.systems.steady_motion import SteadyMotion
 from polhode.types import Array, ArrayLike, Real
 
-VANISHED = 4.0 * np.finfo(float).eps  # the same per dimension, where they are rounding errors of zero
-
 
 class StabilityLimits(NamedTuple):
     """Numbers that decide what an equilibrium is, and what vanishes there."""
@@ -57,6 +56,7 @@ class StabilityLimits(NamedTuple):
     relative_field: float = 1e-8  # of |dH| |μ|: a field below it vanishes, up to what a solver leaves
     field_rounding: float = 1e-12  # of |dH| |μ|: a field that Newton's method cannot make smaller
     relative_zero: float = 1e-9  # singular values of the linearised flow below it, relative to the largest, vanish
+    null_rounding: float = 4.0 * np.finfo(float).eps  # per dimension: smaller ones are rounding errors of zero
     tensor_rounding: float = 1e-13  # per dimension: smaller singular values of the Poisson tensor are rounding errors
 
 
@@ -369,7 +369,7 @@ def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
     if not tangent.shape[1] or not p.y.any():
         return False
     _, sizes, rows = np.linalg.svd(tangent.T @ flow @ tangent)
-    zero = VANISHED * len(p.y) * rate
+    zero = LIMITS.null_rounding * len(p.y) * rate
     # moments that differ in the twelfth digit have no circle of equilibria, and no steady drift along one
     if ((sizes > zero) & (sizes <= LIMITS.relative_zero * rate)).any():
         return False
