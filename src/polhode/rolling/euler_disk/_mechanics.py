@@ -11,6 +11,8 @@ Source: Routh, *Advanced Rigid Dynamics* (1905), §244; thick: Le Saux, Leine & 
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -19,10 +21,23 @@ from polhode.errors import InvalidInput
 from polhode.special._legendre import LegendreFunction
 from polhode.types import Array, ArrayOrFloat, Float64
 
-LARGEST = 1e30  # of mass, radius and gravity, and the inverse of the smallest: products of five stay within numbers
 # elementwise; operands broadcast
 Operand = Float64[ArrayOrFloat, "*#shape"]
 Result = Float64[Array, "*shape"]
+
+
+class DiskLimits(NamedTuple):
+    """What states of a disk are refused, and where it counts as lying flat."""
+
+    max_size: float = 1e30  # of mass, radius, gravity, and of their inverses: products of five stay within numbers
+    # sin θ: the rim of a coin is then lifted by tens of nanometres, less than any table is rough
+    flat_sine: float = 1e-6
+    relative_slip: float = 1e-6  # of the speeds; a given velocity that misses the rolling one by more is a mistake
+    # of g/a + ω2² + ω3²; given rates that leave more are not steady, rounding leaves less
+    relative_tilt_acceleration: float = 1e-9
+
+
+LIMITS = DiskLimits()
 
 
 class RollingMechanics(eqx.Module):
@@ -59,7 +74,7 @@ class RollingMechanics(eqx.Module):
     def linear_terms(
         self, legendre: LegendreFunction, theta: Result, w2: Result, w3: Result
     ) -> tuple[tuple[Result, Result], tuple[Result, Result]]:
-        """Return the two terms [rad/s] of each linear integral of a thin disk, which its function belongs to."""
+        """Return the two terms [rad/s] of each linear integral of the thin disk whose Legendre function is given."""
         (p, dp), (q, dq) = legendre.values(theta), legendre.values(jnp.pi - theta)
         mr = self.mass * self.radius**2
         # thin disk: dω3/dθ = ma² ω2/(C + ma²) and A (dω2/dθ + ω2 cot θ) = C ω3 make ω3″ + cot θ ω3′ = κ ω3, Legendre
@@ -124,7 +139,7 @@ class RollingMechanics(eqx.Module):
 
     @jax.jit
     def precession_without_spin(self, theta: Operand, precession: Operand, spin: Operand) -> Result:
-        """Return |φ̇| [rad/s] less what the spin ω3 does to it in steady motion: ∝ θ^(−1/2) for small tilts.
+        """Return |φ̇| [rad/s] without the contribution of the spin ω3 in steady motion: ∝ θ^(−1/2) for small tilts.
 
         Not finite where the spin's own torque holds more than the weight.
         """

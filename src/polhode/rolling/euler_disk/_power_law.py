@@ -1,8 +1,8 @@
 """Exponents of power laws from samples of a motion, with their uncertainty.
 
-The samples are exact, but a law is only approached: what a fit misses is not noise. Exponents are therefore those of
-the second half of the samples, which is nearer to the law, and their uncertainty is half of what the fits of both
-halves differ by, or the standard error where that is larger.
+The samples are exact, but a law is only approached: the residuals of a fit are not noise. Exponents are therefore those
+of the second half of the samples, which is nearer to the law, and their uncertainty is half of the difference between
+the fits of both halves, or the standard error where that is larger.
 """
 
 from __future__ import annotations
@@ -13,9 +13,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode.types import Array, Float64
-
-REACH = 12.0  # e-folds of the samples' span, either way, within which a singularity is sought
-GRID = 400
 
 
 @dataclass(frozen=True)
@@ -61,7 +58,7 @@ def power_law(x: Float64[Array, "n"], y: Float64[Array, "n"]) -> PowerLaw:
 
 
 def fit_singularity(spans: Float64[Array, "gaps"], y: Float64[Array, "n"]) -> Singularity:
-    """Return the singularity that samples approach, or start from if they fall ever more slowly.
+    """Return the singularity that samples approach, or from which they start if they fall ever more slowly.
 
     Args:
         spans: (n−1,) [s] from each sample to the next.
@@ -85,19 +82,21 @@ def fit_singularity(spans: Float64[Array, "gaps"], y: Float64[Array, "n"]) -> Si
 
 
 def _nearest(times: Array, q: Array) -> tuple[float, float]:
-    """Return the offset d > 0 at which q is most nearly linear in log(times + d), and what is left then."""
+    """Return the offset d > 0 at which q is most nearly linear in log(times + d), and the sum of squared residuals."""
+    count = 400
+    reach = 12.0  # e-folds of the samples' span, either way, within which a singularity is sought
     from scipy.optimize import minimize_scalar
 
     span = np.log(times.max())
     misses = lambda d: _line(np.log(times + np.exp(d)), q)[2]  # noqa: E731
-    grid = np.linspace(span - 2.0 * REACH, span + REACH, GRID)
-    k = int(np.clip(np.argmin([misses(d) for d in grid]), 1, GRID - 2))
+    grid = np.linspace(span - 2.0 * reach, span + reach, count)
+    k = int(np.clip(np.argmin([misses(d) for d in grid]), 1, count - 2))
     best: Any = minimize_scalar(misses, bounds=(grid[k - 1], grid[k + 1]), method="bounded", options={"xatol": 1e-12})
     return float(np.exp(best.x)), float(best.fun)
 
 
 def _line(p: Array, q: Array) -> tuple[float, float, float]:
-    """Return slope of q against p, its standard error, and the sum of squares that is left."""
+    """Return the slope of q against p, its standard error, and the sum of squared residuals."""
     x, y = p - p.mean(), q - q.mean()
     size = float(x @ x)
     slope = float(x @ y) / size

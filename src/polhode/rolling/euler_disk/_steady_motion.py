@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -23,7 +24,15 @@ from polhode.systems.steady_motion import SteadyMotion
 from polhode.types import Array, Float64
 
 WITHOUT_DISSIPATION = "`disk` must be without `dissipation`: with it no motion is steady. Judge the disk without."
-AT_REST = 1e-8  # of the terms of θ̈, relative: a steady motion found by a solver or typed in
+
+
+class SteadyLimits(NamedTuple):
+    """What decides whether a state is steady."""
+
+    relative_acceleration: float = 1e-8  # of the terms of θ̈; more than a solver, or the digits of a typed state, leave
+
+
+LIMITS = SteadyLimits()
 
 
 def differentiate_rolling(mechanics: RollingMechanics, parts: Sequence[Float64[Array, ""]]) -> SteadyMotion:
@@ -37,7 +46,8 @@ def differentiate_rolling(mechanics: RollingMechanics, parts: Sequence[Float64[A
     x = np.stack([np.asarray(part) for part in parts])
     flow, slope, curvature, dJ, ddJ, field = (np.asarray(v) for v in _matrices(mechanics, x))
     size = float(mechanics.gravity / mechanics.radius) + float(np.sum(np.asarray(x[1:]) ** 2))
-    if abs(field[0]) > AT_REST * math.sqrt(size) or abs(field[1]) > AT_REST * size:
+    relative = LIMITS.relative_acceleration
+    if abs(field[0]) > relative * math.sqrt(size) or abs(field[1]) > relative * size:
         raise InvalidInput(
             f"the state is not steady: θ̇ = {field[0]:.3g} rad/s and θ̈ = {field[1]:.3g} rad/s². "
             "Make one by `disk.rolling_state`."

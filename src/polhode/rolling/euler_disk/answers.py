@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -30,10 +31,14 @@ from polhode.rolling.euler_disk.turns import DiskPath, first_turns, last_turns, 
 from polhode.simulation import simulate
 from polhode.types import Array
 
-PERIODS = 10
-TURNS = 12  # of the contact, sampled densely
-TURN_SAMPLES = 125
-UPRIGHT = 1e-9  # rad
+
+class StartLimits(NamedTuple):
+    """What decides which answers a disk has."""
+
+    angle_off_upright: float = 1e-9  # rad; π/2 from degrees, or typed with ten digits, is nearer
+
+
+LIMITS = StartLimits()
 
 
 def make_report(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
@@ -46,23 +51,26 @@ def make_report(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
         InvalidInput: for sizes that no disk has, and starts that do not roll or are not steady.
         NotConverged: where the dissipation comes to an end before the motion does.
     """
+    turn_samples = 125
+    turns = 12  # of the contact, sampled densely
+    periods = 10  # of the nutation
     table, times = spec.system, spec.times
     disk, ideal = _disks(table)
     start, steady = _start(table, disk), _steady(table, ideal)
     if table.dissipation and times is None:
         end = _simulate_end(disk, start)
         trajectory = end.trajectory
-        path = last_turns(trajectory, TURNS, spec.samples)
+        path = last_turns(trajectory, turns, spec.samples)
         turn = 2.0 * math.pi / abs(float(disk.precession(start)))
-        opening = rolling_path(disk, start, turn, TURN_SAMPLES)
+        opening = rolling_path(disk, start, turn, turn_samples)
     else:
         end, opening = None, None
         if times is None:
-            times = np.linspace(0.0, PERIODS * rolling_period(disk, start, steady), spec.samples)
-        # losses bring it to an end, of which nothing is known yet
+            times = np.linspace(0.0, periods * rolling_period(disk, start, steady), spec.samples)
+        # losses end the motion at a time that is not known beforehand
         watch = None if table.dissipation else Watch(spec.until, times)
         trajectory = resample_until_end(simulate(disk, start, times, progress=watch), spec.samples)
-        path = first_turns(trajectory, TURNS, spec.samples)
+        path = first_turns(trajectory, turns, spec.samples)
     by_energy = None if end is None or table.precession is not None else adiabatic_end(disk, table.tilt)
     A, C = float(disk.mechanics.diametral_moment), float(disk.mechanics.axial_moment)
     trajectory = replace(trajectory, frame=BodyFrame(np.array([A, A, C]), np.eye(3), np.zeros(3), table.mass))
@@ -89,7 +97,7 @@ def answers_without_motion(spec: Spec[EulerDiskTable]) -> Iterator[Group | Table
 
 
 def _disks(table: EulerDiskTable) -> tuple[EulerDisk, EulerDisk]:
-    """Return the disk, and the same one without dissipation."""
+    """Return the disk with its dissipation, and without it."""
     sizes = (table.mass, table.radius, table.thickness, table.axial_moment, table.diametral_moment, table.gravity)
     disk = EulerDisk(*sizes, dissipation=[law.build() for law in table.dissipation])
     return disk, EulerDisk(*sizes) if table.dissipation else disk
@@ -101,7 +109,7 @@ def _steady(table: EulerDiskTable, ideal: EulerDisk) -> SteadyRolling | None:
 
 def _thresholds(table: EulerDiskTable, ideal: EulerDisk) -> tuple[float, float] | None:
     """Return speed and rate above which an upright thin disk rolls and spins stably; None for other disks."""
-    upright = not table.thickness and abs(table.tilt - 0.5 * math.pi) < UPRIGHT
+    upright = not table.thickness and abs(table.tilt - 0.5 * math.pi) < LIMITS.angle_off_upright
     return (critical_rolling_speed(ideal), critical_spin_rate(ideal)) if upright else None
 
 

@@ -2,7 +2,7 @@
 
 A law states a power P as a function of the tilt α towards the table and of the rate Ω at which the contact point goes
 round. On the slow manifold of a thin disk, E = (3/2) mga α and Ω = √(mga/(Aα)), so that P ∝ α^(−q) gives
-α ∝ (t0 − t)^n with n = 1/(1 + q): each law has an exponent of its own, and no exponent stands anywhere but here.
+α ∝ (t0 − t)^n with n = 1/(1 + q): each law has its own exponent, which is written here alone.
 
 Source: Moffatt, Nature 404 (2000) 833; Bildsten, Phys. Rev. E 66 (2002) 056309; Leine, Arch. Appl. Mech. 79 (2009)
 1063.
@@ -24,9 +24,6 @@ from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.rolling.euler_disk._mechanics import RollingMechanics
 from polhode.types import Array, ArrayOrFloat, Float64
-
-STOPPING = 30.0  # no couple brakes a rate faster than this many √(g/(a sin θ)), see ``couples``
-
 
 Operand = Float64[ArrayOrFloat, "*#shape"]
 
@@ -120,7 +117,7 @@ class ViscousContourFriction(RollingDissipation):
 
 
 class DryContourFriction(RollingDissipation):
-    """P = k mga Ω: the same with a constant couple; n = 2/3.
+    """P = k mga Ω: a constant couple against the contact's way round the rim; n = 2/3.
 
     Args:
         coefficient: k, without unit.
@@ -200,7 +197,7 @@ def couples(
     """Return (τ2, τ3) [N m], the couples of all laws along e2 and e3.
 
     A horizontal couple Q (e3 − c/s e2) works on the rate ψ̇ = ω3 − ω2 c/s, a vertical one on ω·z, and Q = −P/rate.
-    Where the rate vanishes that does not exist; there the couple is capped so that it brakes the rate no faster than by
+    Where the rate vanishes this diverges; there the couple is capped so that it brakes the rate no faster than by
     e in a thirtieth of the time √(a sin θ/g). A disk that still precesses loses exactly P.
 
     Args:
@@ -210,9 +207,10 @@ def couples(
         w2: ω2 [rad/s].
         w3: ω3 [rad/s].
     """
+    fastest_braking = 30.0  # in √(g/(a sin θ)): no couple brakes a rate faster, see below
     s, c = jnp.sin(theta), jnp.cos(theta)
     tau2 = tau3 = jnp.zeros_like(w2)
-    # a step may try θ < 0 before the event there is found: all must stay finite
+    # a step may try θ < 0 before the event there is located: all must stay finite
     size = jnp.abs(s)
     tilt, precession = jnp.minimum(theta, jnp.pi - theta), jnp.abs(w2) / size
     for law in laws:
@@ -222,7 +220,7 @@ def couples(
         rate = n2 * w2 + n3 * w3
         response = disk.accelerations(n2, n3)
         # Q n alone changes the rate by Q n·M⁻¹n: with Q = −cap · rate it falls by e in 1/30 of √(a sin θ/g)
-        cap = STOPPING * jnp.sqrt(disk.gravity / (disk.radius * size)) / (n2 * response[0] + n3 * response[1])
+        cap = fastest_braking * jnp.sqrt(disk.gravity / (disk.radius * size)) / (n2 * response[0] + n3 * response[1])
         power, square = law.power(disk, tilt, precession), rate * rate
         capped = power >= cap * square
         Q = -rate * jnp.where(capped, cap, power / jnp.where(capped, 1.0, square))

@@ -15,7 +15,6 @@ from polhode.rolling.euler_disk.spin_down import SpinDown
 from polhode.types import Array
 
 COLOURS = {"end of asymptotic regime": style.GREEN}  # of events; all others end the motion
-BELOW = 3.0  # factor by which a panel reaches beyond what comes before the fall
 
 
 def draw_disk_end(report: EulerDiskReport) -> Figure:
@@ -52,6 +51,7 @@ def _against_time(panels: Any, times: Array, values: tuple[Array, Array], words:
 
 def _towards_the_end(panels: Any, spin_down: SpinDown, values: tuple[Array, Array]) -> None:
     """Draw against t0 − t, which decreases to the right."""
+    margin = 3.0  # factor by which a panel reaches beyond what comes before the fall
     left = np.asarray(spin_down.remaining)
     ahead = left > 0.0
     fitted = spin_down.late
@@ -68,7 +68,7 @@ def _towards_the_end(panels: Any, spin_down: SpinDown, values: tuple[Array, Arra
         for name, time in spin_down.events.items():
             _mark(axes, name, time, spin_down)
         before = y[np.asarray(spin_down.trajectory.times) <= min(spin_down.events.values(), default=np.inf)]
-        axes.set_ylim(before.min() / BELOW, before.max() * BELOW)
+        axes.set_ylim(before.min() / margin, before.max() * margin)
         axes.yaxis.set_major_locator(LogLocator(10, subs=(1.0, 3.0)))
         axes.yaxis.set_major_formatter(FormatStrFormatter("%g"))
         axes.yaxis.set_minor_formatter(NullFormatter())

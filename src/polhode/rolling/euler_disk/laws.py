@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Law(NamedTuple):
-    """A law as a spec knows it.
+    """How a spec writes a law.
 
     Attributes:
         key: the name of the law's constant.
@@ -42,7 +42,7 @@ KEYS = ("viscosity", "coefficient", "arm")
 
 
 def _coefficient(value: Any, info: Any) -> float:
-    """Return it in the unit of its law, which pydantic has read before; a wrong law asks nothing more of it."""
+    """Return the constant in the unit of its law, which pydantic has read before; unchecked where the law is wrong."""
     law = LAWS.get(info.data.get("law", ""))
     if law is None or law.key != "coefficient":
         return 0.0
@@ -58,7 +58,7 @@ def _coefficient(value: Any, info: Any) -> float:
 
 
 class LawTable(Strict):
-    """One law; exactly the key that belongs to it."""
+    """One law, with exactly the key of its constant."""
 
     law: Annotated[
         Literal["air-layer", "boundary-layer", "viscous-contour-friction", "dry-contour-friction", "rolling-couple",
@@ -69,7 +69,7 @@ class LawTable(Strict):
 
     def build(self) -> RollingDissipation:
         """Return the law."""
-        from polhode.rolling.euler_disk.dissipation import LAWS as MODELS  # with JAX, which reading a spec does without
+        from polhode.rolling.euler_disk.dissipation import LAWS as MODELS  # imports JAX, which reading a spec need not
 
         model: Any = next(model for model in MODELS if model.name == self.law)
         return model(getattr(self, LAWS[self.law].key))

@@ -16,20 +16,19 @@ from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
-STEEP = 0.62  # rad from which the path, which lies flat, is looked at
-
 
 class EulerDiskPanel(KindPanel):
     """The picture of a rolling disk on a page."""
 
     def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
         """Return the disk, the path of its contact and that of its centre."""
+        elevation = 0.62  # rad, from which the path, which lies flat, is viewed
         disk, layout = trajectory.source, trajectory.layout
         contact = np.stack([layout.part(samples.states, name) for name in ("contact_x", "contact_y")], axis=-1)
         return [{
             "type": "disk", "radius": float(disk.mechanics.radius),
             "thickness": 2.0 * float(disk.mechanics.half_thickness),
-            "contact": pack(contact), "center": pack(np.asarray(disk.center(samples.states))), "elevation": STEEP,
+            "contact": pack(contact), "center": pack(np.asarray(disk.center(samples.states))), "elevation": elevation,
         }]  # fmt: skip
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:

@@ -1,4 +1,4 @@
-"""The paths of a rolling disk's contact and centre, seen from above."""
+"""The paths of a rolling disk's contact and centre, from above."""
 
 from __future__ import annotations
 
@@ -14,14 +14,11 @@ from polhode.figures import style
 from polhode.rolling.euler_disk.report import EulerDiskReport
 from polhode.types import Array
 
-MILLI, MICRO = 1e3, 1e6
-MAGNIFIED = 8.0  # a centre whose path is smaller than the contact's by more than this is drawn once more by itself
-STILL = 1e-9  # radii, below which it is at rest but for rounding
-PALE = 0.12  # how much of a colour is left at the first time
-
 
 def draw_contact_path(report: EulerDiskReport) -> Figure:
     """Return the path over the last turns of a motion that ends, or the first of one that does not."""
+    magnified = 8.0  # a centre whose path is smaller than the contact's by more than this is drawn again by itself
+    still = 1e-9  # radii, below which a centre is at rest but for rounding
     path = report.path
     states, times = np.asarray(path.states), np.asarray(path.times)
     contact, center = path.contact, _centers(report, states)
@@ -31,19 +28,19 @@ def draw_contact_path(report: EulerDiskReport) -> Figure:
     turns = np.abs(heading - heading[0]) / (2.0 * np.pi)
     clock = turns[-1] - turns if ends else times / 10.0**slow
     shade = (clock - clock[0]) / ((clock[-1] - clock[0]) or 1.0)
-    closer = 0.0 < MAGNIFIED * float(np.ptp(center, axis=0).max()) < float(np.ptp(contact, axis=0).max())
-    closer = closer and float(np.ptp(center, axis=0).max()) > STILL * report.table.radius
+    closer = 0.0 < magnified * float(np.ptp(center, axis=0).max()) < float(np.ptp(contact, axis=0).max())
+    closer = closer and float(np.ptp(center, axis=0).max()) > still * report.table.radius
     figure = style.new_figure(height=5.2 if closer else 3.9)
     panels = figure.subplots(2, 1, height_ratios=(2.3, 1.0)) if closer else [figure.subplots()]
     if report.opening is not None:
-        first = report.opening.contact * MILLI
+        first = 1e3 * report.opening.contact
         panels[0].plot(*first.T, color=style.GREY, lw=0.9, ls="--", label="contact, first turn")
     for line, colour, words, order in ((contact, style.BLUE, "contact", 2), (center, style.VERMILION, "centre", 3)):
-        _draw_fading(panels[0], line * MILLI, shade, colour, order)
+        _draw_fading(panels[0], 1e3 * line, shade, colour, order)
         what = f"{words}, last turns" if ends else words
         panels[0].plot([], [], color=colour, lw=1.1, marker="o", ms=3.5, label=what)
     if closer:
-        _draw_fading(panels[1], (center - center[-1]) * MICRO, shade, style.VERMILION, 3)
+        _draw_fading(panels[1], 1e6 * (center - center[-1]), shade, style.VERMILION, 3)
         panels[1].set_xlabel("centre, from where it ends  [µm]")
         panels[1].set_ylabel("[µm]")
     panels[0].set_xlabel("X  [mm]")
@@ -89,7 +86,8 @@ def _draw_fading(axes: Any, line: Array, shade: Array, colour: str, order: int) 
 
 def _fade(colour: str, reverse: bool = False) -> ListedColormap:
     """Return a map from pale to full."""
+    palest = 0.12  # share of a colour that is left at the first time
     full = np.array([int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5)])
-    strength = np.linspace(PALE, 1.0, 256)[:, None]
+    strength = np.linspace(palest, 1.0, 256)[:, None]
     table = 1.0 - strength * (1.0 - full)
     return ListedColormap(table[::-1] if reverse else table)

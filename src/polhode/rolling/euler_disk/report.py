@@ -15,17 +15,26 @@ from polhode.reports.base import MotionReport
 from polhode.reports.wording import rate, uncertain
 from polhode.rolling.euler_disk._power_law import PowerLaw
 from polhode.rolling.euler_disk.laws import LAWS
-from polhode.rolling.euler_disk.spin_down import ASYMPTOTIC_FIT, END_OF_REGIME, SpinDown, predicted_exponents
+from polhode.rolling.euler_disk.spin_down import END_OF_REGIME, SpinDown, predicted_exponents
+from polhode.rolling.euler_disk.spin_down import LIMITS as SPIN_DOWN
 from polhode.rolling.euler_disk.steady_rolling import SteadyRolling
 from polhode.rolling.euler_disk.system import LAYOUT, EulerDisk
 from polhode.rolling.euler_disk.table import EulerDiskTable
 from polhode.rolling.euler_disk.turns import DiskPath
 from polhode.types import Array
 
-TELLING = 0.3  # of an exponent, beyond which its uncertainty tells no law from another: 1/3, 4/9 and 1/2
-PURE = 0.9  # of the power, from which on one law is said to dominate
-EVENTS = {END_OF_REGIME: "power laws hold up to"}  # of the report's rows; others are called what they are
+EVENTS = {END_OF_REGIME: "power laws hold up to"}  # labels of the report's rows; other events are their own labels
 ENDS = {"flat": "lies flat", "lift-off": "lifts off the table", "on edge": "stands on its edge"}
+
+
+class ReportLimits(NamedTuple):
+    """What the report says of exponents and laws."""
+
+    relative_uncertainty: float = 0.3  # of an exponent; a larger one does not distinguish 1/3, 4/9 and 1/2
+    dominant_share: float = 0.9  # of the power, from which on one law is said to dominate
+
+
+LIMITS = ReportLimits()
 
 
 class LawShare(NamedTuple):
@@ -135,7 +144,7 @@ class EulerDiskReport(MotionReport):
     @property
     def notes(self) -> list[str]:
         spin_down, dominant, notes = self.spin_down, self.dominant, []
-        if spin_down is not None and dominant is not None and (dominant.share_late or 0.0) < PURE:
+        if spin_down is not None and dominant is not None and (dominant.share_late or 0.0) < LIMITS.dominant_share:
             notes.append("no law takes nearly all of the power where exponents are fitted: they lie between the laws', "
                          "and their uncertainty is that of the fit alone.")  # fmt: skip
         if spin_down is not None and self.table.thickness:
@@ -153,7 +162,7 @@ class EulerDiskReport(MotionReport):
         return [*self.without_motion(), self._laws(), *end, *none, self._motion()]
 
     def without_motion(self) -> list[Group | Table]:
-        """Return the answers that take no motion."""
+        """Return the answers that need no trajectory."""
         return [self._disk(), self._start(), *self._steady()]
 
     def _disk(self) -> Group:
@@ -234,12 +243,13 @@ class EulerDiskReport(MotionReport):
         columns = {
             "law": lambda row: said[row["name"]][0],
             "fitted": lambda row: uncertain(row["fitted"], row["uncertainty"]) + (
-                ", too uncertain to compare" if row["uncertainty"] > TELLING * abs(row["fitted"]) else ""),
+                ", too uncertain to compare"
+                if row["uncertainty"] > LIMITS.relative_uncertainty * abs(row["fitted"]) else ""),
             "predicted": lambda row: (
                 "–" if row["predicted"] is None else f"{_word(row['predicted'])} ({said[row['name']][1]})"
             ),
         }
-        title = f"Exponents, fitted where |tilt rate|/(tilt·Ω) < {ASYMPTOTIC_FIT:g}"
+        title = f"Exponents, fitted where |tilt rate|/(tilt·Ω) < {SPIN_DOWN.fitted_adiabaticity:g}"
         return Table("", title, columns, rows)
 
     def _fits(self, spin_down: SpinDown) -> dict[str, dict[str, float | None]]:

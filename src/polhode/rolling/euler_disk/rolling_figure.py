@@ -18,17 +18,13 @@ from polhode.rolling.euler_disk.turns import DiskPath
 from polhode.spec.surfaces import surface_of_disk
 from polhode.types import Array
 
-VIEW = (0.0, -0.88, 0.48)
-EYE = 9.0  # distance of the eye, in halves of what is seen
+EYE = 9.0  # distance of the eye, in half-widths of the picture
 STEEL, PLANE = "#b9c4d0", "#f3f1ec"
-FALLING, GOING_ROUND = 5, 8  # positions
-FAINTEST = 0.35
-RIM = 96  # pieces of the rim
-MILLI = 1e3
 
 
 def draw_rolling_disk(report: EulerDiskReport) -> Figure:
     """Return the disk from its first position, faint, to its last visible one, with the paths of contact and centre."""
+    faintest = 0.35
     a = report.table.radius
     times, states = _choose_moments(report)
     placed = [_disk(report, state) for state in states]
@@ -38,7 +34,7 @@ def draw_rolling_disk(report: EulerDiskReport) -> Figure:
     middle = 0.5 * (everything.min(axis=0) + everything.max(axis=0)) * [1.0, 1.0, 0.0]
     half = float(np.abs((everything - middle)[:, :2]).max())
     placing = lambda points: (np.asarray(points) - middle) / half  # noqa: E731
-    frame = view_frame(np.array(VIEW))
+    frame = view_frame(np.array([0.0, -0.88, 0.48]))
     plane = _plane(placing(_flat(last)), a / half)
     window = _window(frame, [placing(surface.vertices) for surface in placed] + [plane])
     figure = style.new_figure(height=style.choose_height(window, 1.0))
@@ -46,7 +42,7 @@ def draw_rolling_disk(report: EulerDiskReport) -> Figure:
     ground = Scene(axes, frame, window, EYE)
     x, y, _ = ground.project(plane)
     axes.fill(x, y, color=PLANE, ec=style.LIGHT, lw=0.5, zorder=0.1)
-    strengths = np.geomspace(FAINTEST, 1.0, len(placed))
+    strengths = np.geomspace(faintest, 1.0, len(placed))
     scene = ground
     for k, (surface, strength) in enumerate(zip(placed, strengths, strict=True)):
         scene = Scene(axes, frame, window, EYE)
@@ -85,15 +81,17 @@ def _words(times: Array, tilts: Array) -> str:
 
 def _choose_moments(report: EulerDiskReport) -> tuple[Array, Array]:
     """Return times (n,) and states (n, 8): while it falls, at tilts evenly spread; else evenly in time."""
+    going_round = 8  # positions
+    falling = 5
     if report.opening is not None:
         motion: Any = report.trajectory
         states, tilts = np.asarray(motion.states), np.asarray(motion.part("tilt"))
-        index = [int(np.argmin(np.abs(tilts - tilt))) for tilt in tilts[0] * np.linspace(1.0, 0.0, FALLING)]
+        index = [int(np.argmin(np.abs(tilts - tilt))) for tilt in tilts[0] * np.linspace(1.0, 0.0, falling)]
     else:
         motion = report.path
         states = np.asarray(motion.states)
         # not all round a closed path, where the last would cover the first
-        index = np.linspace(0, 0.85 * (len(states) - 1), GOING_ROUND).astype(int)
+        index = np.linspace(0, 0.85 * (len(states) - 1), going_round).astype(int)
     index = sorted(set(int(k) for k in index))
     return np.asarray(motion.times)[index], states[index]
 
@@ -106,7 +104,8 @@ def _paths(report: EulerDiskReport) -> tuple[Array | None, Array]:
 
 def _disk(report: EulerDiskReport, state: Array) -> Surface:
     """Return the disk's surface in space [m]."""
-    vertices, faces = surface_of_disk(report.table.radius, report.table.thickness, RIM)
+    pieces = 96  # of the rim
+    vertices, faces = surface_of_disk(report.table.radius, report.table.thickness, pieces)
     attitude = np.asarray(report.disk.vectors(state).attitude)
     return Surface(rotation.rotate(attitude, vertices) + np.asarray(report.disk.center(state)), faces)
 
@@ -138,5 +137,5 @@ def _scale_bar(scene: Scene, placing: Any, path: Array, radius: float) -> None:
     ends = placing(np.array([[middle[0] - 0.5 * length, front, 0.0], [middle[0] + 0.5 * length, front, 0.0]]))
     x, y, _ = scene.project(ends)
     scene.axes.plot(x, y, color=style.DARK, lw=1.4, solid_capstyle="butt", zorder=6)
-    scene.axes.annotate(f"{length * MILLI:g} mm", (x.mean(), y.mean()), (0.0, -3.0), textcoords="offset points",
+    scene.axes.annotate(f"{1e3 * length:g} mm", (x.mean(), y.mean()), (0.0, -3.0), textcoords="offset points",
                         ha="center", va="top", fontsize=style.FONT - 1, color=style.DARK, zorder=6)  # fmt: skip

@@ -4,7 +4,7 @@ The tilt would vanish as (t0 − t)^n with the rate of precession growing as (t0
 no solver gets near: steps shrink to nothing, and t0 − t is a difference of almost equal numbers. Here the clock runs by
 dt = (3V/2P) dλ with the potential energy V and the power P, so that V ∝ e^(−λ) on the slow manifold: t0 lies at
 infinity, and equal steps of λ are equal steps of log(t0 − t). Time is counted again in each of them and summed from the
-end, so that t0 − t keeps its relative accuracy. (The total energy would be no such clock: it tends to what is left in
+end, so that t0 − t keeps its relative accuracy. (The total energy would be no such clock: it tends to the energy of
 the spin.)
 """
 
@@ -32,15 +32,8 @@ from polhode.rolling.euler_disk.system import LAYOUT, EulerDisk, rolling_parts
 from polhode.systems.trajectories import make_trajectory
 from polhode.types import Array, ArrayLike, Float64, Real
 
-ASYMPTOTIC_END = 0.3  # |θ̇|/(θ|φ̇|), beyond which the tilt falls as fast as the disk goes round
-ASYMPTOTIC_FIT = 0.02  # the same, up to which exponents are fitted
-DOMINANT = 0.8  # of the power, from which on one law rules and exponents can be its own
 END_OF_REGIME = "end of asymptotic regime"
-FALL = 20.0  # √(a/g), in which a disk that has left the asymptotic regime lies flat or has taken off
 FALL_SAMPLES = 32
-FEWEST = 8  # samples to fit
-LEG_STEPS = 100_000  # of one sample to the next: then nothing is lost any more
-STEPS_PER_RADIAN = 4.0  # of precession, of Dopri8 at its tolerance: measured
 TILT = LAYOUT.place("tilt")
 ANGLES, CONTACT, RATES = (
     slice(LAYOUT.place(first).start, LAYOUT.place(last).stop)
@@ -48,25 +41,39 @@ ANGLES, CONTACT, RATES = (
 )
 
 
+class SpinDownLimits(NamedTuple):
+    """What decides how far a motion is followed and which samples are fitted."""
+
+    asymptotic_adiabaticity: float = 0.3  # |θ̇|/(θ|φ̇|); beyond it the tilt falls as fast as the disk goes round
+    fitted_adiabaticity: float = 0.02  # of samples that are fitted, at most
+    dominant_share: float = 0.8  # of the power; a law that takes less does not alone set the exponents
+    min_samples: int = 8  # of a fit
+    fall_time: float = 20.0  # √(a/g); a disk that has left the asymptotic regime lies flat or has taken off sooner
+    steps_per_radian: float = 4.0  # of precession, by Dopri8 at its tolerance, as measured
+
+
+LIMITS = SpinDownLimits()
+
+
 @dataclass(frozen=True, eq=False)
 class SpinDown:
     """The end of a disk's motion.
 
     Attributes:
-        trajectory: all samples [s from the start], with states, attitude, energy and what it received.
+        trajectory: all samples [s from the start], with states, attitude, energy and the energy received.
         remaining: (T,) t0 − t [s], not by subtraction; negative from the asymptotic t0 on. None without a finite t0.
         adiabaticity: (T,) |θ̇|/(θ|φ̇|).
         end: asymptotic t0 [s from the start], None if the motion has no finite one.
         end_uncertainty: [s].
         tilt: fit of α ∝ (t0 − t)^n over the samples with an adiabaticity below 0.02, those at the end where one law
             takes four fifths of the power if there are as many as eight; without a finite t0 of α ∝ t^n.
-        precession: the same of Ω, −n/2 in theory where the centre is at rest.
+        precession: likewise of Ω, −n/2 in theory where the centre is at rest.
         precession_by_tilt: fit of Ω ∝ α^k, −1/2 in theory where the centre is at rest. A thick disk's is not: the spin
             that losses leave it holds a part of the weight.
-        unspun_by_tilt: the same without the spin's part, −1/2 in theory for every disk and law.
-        fitted: the samples that were fitted, one after the other.
+        unspun_by_tilt: likewise without the spin's part, −1/2 in theory for every disk and law.
+        fitted: the samples that were fitted, consecutive.
         events: name → time [s from the start], in order: "end of asymptotic regime", "flat", "lift-off", "on edge".
-            Empty if the tilt fell by as much, or took as many steps, as was asked for before any of them.
+            Empty if the tilt fell by the given decades, or took the given number of steps, before any of them.
         energy_balance: largest |E(t) + dissipated − E(0)| / E(0).
     """
 
@@ -110,7 +117,7 @@ def spin_down(
     Args:
         disk: with at least one law of dissipation.
         state: (8,), as of ``disk.rolling_state``; elsewhere than on the slow manifold it nutates.
-        decades: of the tilt to follow it for at most.
+        decades: of the tilt over which to follow it, at most.
         samples_per_decade: of the tilt.
         most_steps: to stop after, where weak dissipation lets the disk go round for ever.
 
@@ -166,7 +173,7 @@ def spin_down(
 
 
 class SpinDownExponents(NamedTuple):
-    """Exponents of tilt and precession by the time that is left, and of the precession by the tilt."""
+    """Exponents of tilt and precession by the time left, and of the precession by the tilt."""
 
     tilt: float
     precession: float
@@ -232,8 +239,8 @@ class _Run:
     steps: int
 
 
-class _Leg(NamedTuple):
-    """State over its own scales at the start of a leg, time and loss since, over a tick of the clock and E there."""
+class _Span(NamedTuple):
+    """State in its own scales; time and loss since the last sample, over a tick of the clock and E there."""
 
     state: Array
     time: Array
@@ -245,9 +252,9 @@ def _asymptotic(disk: EulerDisk, run: _Run, decades: float, samples_per_decade: 
     length = jnp.asarray(math.log(10.0) / samples_per_decade)
     for _ in range(math.ceil(decades * samples_per_decade)):
         turn = float(_turn(disk, run.states[-1], length))
-        if run.steps + STEPS_PER_RADIAN * turn > most_steps:
+        if run.steps + LIMITS.steps_per_radian * turn > most_steps:
             return False
-        final, ended, fine, steps = _leg(disk, run.states[-1], length)
+        final, ended, fine, steps = _advance(disk, run.states[-1], length)
         run.steps += int(steps)
         if not bool(fine):
             raise NotConverged(
@@ -263,40 +270,41 @@ def _asymptotic(disk: EulerDisk, run: _Run, decades: float, samples_per_decade: 
 
 
 @eqx.filter_jit
-def _leg(disk: EulerDisk, state: Array, length: Array) -> tuple[_Leg, Array, Array, Array]:
-    """Return state, duration and loss of a leg, whether an event ended it, success and number of steps."""
+def _advance(disk: EulerDisk, state: Array, length: Array) -> tuple[_Span, Array, Array, Array]:
+    """Return state, duration and loss up to the next sample, whether an event came first, success, number of steps."""
+    most_steps = 100_000  # from one sample to the next, which only a motion without losses needs
     clock, first_energy = _tick(disk, state), disk.energy(state)
 
     @jax.jit  # so that it is traced once
-    def rates(t: Array, y: _Leg) -> _Leg:
+    def rates(t: Array, y: _Span) -> _Span:
         now = _unscale_state(disk, y.state)
         field, slowness = disk.vector_field(t, now), _tick(disk, now)
         change = jax.jvp(lambda x: _scale_state(disk, x), (now,), (field,))[1]
         lost = 1.5 * disk.mechanics.potential_energy(LAYOUT.part(now, "tilt"))
-        return _Leg(slowness * change, slowness / clock, lost / first_energy)
+        return _Span(slowness * change, slowness / clock, lost / first_energy)
 
-    def margin(t: Array, y: _Leg) -> Array:
+    def margin(t: Array, y: _Span) -> Array:
         return _margin(disk, _unscale_state(disk, y.state))
 
     zero = jnp.zeros(())
     times, tolerance = jnp.stack([zero, length]), jnp.asarray(TOLERANCE)
     problem = embedded.Problem(rates, margin, lambda t, y: t)
-    run = embedded.begin(_Leg(_scale_state(disk, state), zero, zero), times, times[:1], problem.seen)
-    run = embedded.advance(run, diffrax.Dopri8(), problem, times, times[:1], None, tolerance, LEG_STEPS)
+    run = embedded.begin(_Span(_scale_state(disk, state), zero, zero), times, times[:1], problem.seen)
+    run = embedded.advance(run, diffrax.Dopri8(), problem, times, times[:1], None, tolerance, most_steps)
     last = run.end_state
-    leg = _Leg(_unscale_state(disk, last.state), last.time * clock, last.lost * first_energy)
+    final = _Span(_unscale_state(disk, last.state), last.time * clock, last.lost * first_energy)
     ended = run.status == Status.EVENT
-    return leg, ended, ended | (run.status == Status.COMPLETED), run.steps
+    return final, ended, ended | (run.status == Status.COMPLETED), run.steps
 
 
 @eqx.filter_jit
 def _turn(disk: EulerDisk, state: Array, length: Array) -> Array:
-    """Return by how much the precession turns [rad] in a leg."""
+    """Return the angle of precession [rad] up to the next sample."""
     return jnp.abs(disk.precession(state) * _tick(disk, state) * length)
 
 
 def _tick(disk: EulerDisk, state: Array) -> Array:
-    """Return the time [s] in which dissipation takes as much energy as goes with the tilt."""
+    """Return the time [s] in which dissipation takes the energy that belongs to the tilt."""
     # on the slow manifold E = (3/2) V, so that dV/dλ = −(2P/3)(3V/2P) = −V
     return 1.5 * disk.mechanics.potential_energy(LAYOUT.part(state, "tilt")) / disk.power(state)
 
@@ -304,7 +312,7 @@ def _tick(disk: EulerDisk, state: Array) -> Array:
 def _margin(disk: EulerDisk, state: Array) -> Array:
     """Return the smallest margin of the events."""
     ends = [event(jnp.zeros(()), state) for event in disk.events.values()]
-    return jnp.min(jnp.stack([*ends, ASYMPTOTIC_END - adiabaticity(disk, state)]))
+    return jnp.min(jnp.stack([*ends, LIMITS.asymptotic_adiabaticity - adiabaticity(disk, state)]))
 
 
 @eqx.filter_jit
@@ -321,7 +329,7 @@ def _outlook(disk: EulerDisk, state: Array) -> tuple[Array, Array, Array]:
 
 def _name_end(disk: EulerDisk, state: Array) -> str:
     margins = {name: float(event(jnp.zeros(()), state)) for name, event in disk.events.items()}
-    margins[END_OF_REGIME] = ASYMPTOTIC_END - float(adiabaticity(disk, state))
+    margins[END_OF_REGIME] = LIMITS.asymptotic_adiabaticity - float(adiabaticity(disk, state))
     return min(margins, key=lambda name: margins[name])
 
 
@@ -340,7 +348,7 @@ def _unscale_state(disk: EulerDisk, scaled: Array) -> Array:
 
 def _fall(disk: EulerDisk, run: _Run) -> str | None:
     """Follow the disk in time until an event ends the motion, and return its name, None without one."""
-    far = FALL * math.sqrt(float(disk.mechanics.radius / disk.mechanics.gravity))
+    far = LIMITS.fall_time * math.sqrt(float(disk.mechanics.radius / disk.mechanics.gravity))
     start = run.states[-1]
     first = solve_adaptively(disk, diffrax.Dopri8(), start, np.linspace(0.0, far, FALL_SAMPLES))
     motion = solve_adaptively(disk, diffrax.Dopri8(), start, np.linspace(0.0, first.times[-1], FALL_SAMPLES))
@@ -353,8 +361,8 @@ def _fall(disk: EulerDisk, run: _Run) -> str | None:
 
 def _choose_samples(ratio: Array) -> slice:
     """Return the samples to fit: up to the last one that is deep enough in the asymptotic regime."""
-    deep = np.flatnonzero(ratio < ASYMPTOTIC_FIT)
-    if len(deep) < FEWEST or len(deep) < deep[-1] - deep[0]:
+    deep = np.flatnonzero(ratio < LIMITS.fitted_adiabaticity)
+    if len(deep) < LIMITS.min_samples or len(deep) < deep[-1] - deep[0]:
         raise InvalidInput(
             f"only {len(deep)} samples lie deep enough in the asymptotic regime for a fit: the dissipation is too "
             "strong at this tilt, or the disk nutates. Start at a larger tilt, or on the slow manifold by "
@@ -366,13 +374,13 @@ def _choose_samples(ratio: Array) -> slice:
 def _ruled_by_one(fitted: slice, powers: Array) -> slice:
     """Return the last of the samples to fit, while one law takes most of the power (T, laws); all if they are few."""
     shares = powers[fitted] / powers[fitted].sum(axis=-1, keepdims=True)
-    ruled = shares[:, int(shares[-1].argmax())] >= DOMINANT
+    ruled = shares[:, int(shares[-1].argmax())] >= LIMITS.dominant_share
     count = int(np.argmin(ruled[::-1])) if not ruled.all() else len(ruled)
-    return fitted if count < FEWEST else slice(fitted.stop - count, fitted.stop)
+    return fitted if count < LIMITS.min_samples else slice(fitted.stop - count, fitted.stop)
 
 
 def _unspun(disk: EulerDisk, states: Array) -> Float64[Array, "n"]:
-    """Return |Ω| [rad/s] of states (n, 8) without what the spin about the disk's axis does to it."""
+    """Return |Ω| [rad/s] of states (n, 8) without the contribution of the spin about the disk's axis."""
     tilt, spin = (LAYOUT.part(states, name) for name in ("tilt", "spin"))
     return np.asarray(disk.mechanics.precession_without_spin(tilt, disk.precession(states), spin))
 
@@ -400,7 +408,8 @@ def _check_start(disk: EulerDisk, state: Real[ArrayLike, "8"], decades: float, s
     ratio, margin, power = (float(x) for x in _outlook(disk, start))
     if not (margin > 0.0 and power > 0.0):
         raise InvalidInput(
-            f"`state` is not in the asymptotic regime: |θ̇|/(θ|φ̇|) is {ratio:.3g}, at most {ASYMPTOTIC_END} is, with "
-            "contact and dissipation. Take `disk.rolling_state(tilt)`, or `simulate` until it gets there."
+            f"`state` is not in the asymptotic regime: |θ̇|/(θ|φ̇|) is {ratio:.3g}, at most "
+            f"{LIMITS.asymptotic_adiabaticity} is, with contact and dissipation. Take `disk.rolling_state(tilt)`, or "
+            "`simulate` until it gets there."
         )
     return start

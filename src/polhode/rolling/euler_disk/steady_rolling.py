@@ -1,8 +1,8 @@
 """Steady rolling of a disk and its stability, judged by energy and by the spectrum.
 
 The two linear integrals J2, J3 of ``_steady_motion`` play the part of Casimirs: if the second variation of E + Σ λ J
-is definite on their level, it proves stability. The spectrum of the linearised equations knows nothing of
-this; both must agree.
+is definite on their level, it proves stability. The spectrum of the linearised equations is computed without
+them; both must agree.
 
 Source: Routh, *Advanced Rigid Dynamics* (1905), §244; O'Reilly, Nonlinear Dyn. 10 (1996) 287; for energy and linear
 integrals Zenkov, J. Nonlinear Sci. 5 (1995) 503.
@@ -126,7 +126,7 @@ def critical_rolling_speed(disk: EulerDisk) -> float:
     v² = g a³ mA/[C(C+ma²)].
 
     Raises:
-        InvalidInput: for a thick disk, which stands on a line.
+        InvalidInput: for a thick disk, which touches along a line.
     """
     # upright with ω2 = 0: δω2 = Cω3 δθ/A, so that (A + ma²) θ̈ = (mga − C (C + ma²) ω3²/A) δθ; v = aω3
     m, a, A, C, g = _thin_constants(disk)
@@ -138,7 +138,7 @@ def critical_spin_rate(disk: EulerDisk) -> float:
     """Return the rate [rad/s] above which spinning upright on the spot is stable: ω2² = mga/(A + ma²).
 
     Raises:
-        InvalidInput: for a thick disk, which stands on a line.
+        InvalidInput: for a thick disk, which touches along a line.
     """
     # upright with ω3 = 0: δω3 = ma² ω2 δθ/(C + ma²), so that (A + ma²) θ̈ = (mga − (A + ma²) ω2²) δθ
     m, a, A, _, g = _thin_constants(disk)

@@ -15,7 +15,7 @@ from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.bodies._pivot import STANDARD_GRAVITY
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StateLayout, StatePart
-from polhode.rolling.euler_disk._mechanics import LARGEST, RollingMechanics, check_size
+from polhode.rolling.euler_disk._mechanics import LIMITS, RollingMechanics, check_size
 from polhode.rolling.euler_disk._steady_motion import WITHOUT_DISSIPATION, differentiate_rolling
 from polhode.rolling.euler_disk.dissipation import RollingDissipation, couples, slow_push
 from polhode.special._legendre import LegendreFunction, legendre_function
@@ -24,9 +24,6 @@ from polhode.systems.steady_motion import SteadyMotion
 from polhode.types import Array, ArrayLike, Float64, Real
 
 States = Float64[Array, "*batch 8"]
-FLAT = 1e-6  # rad: the rim of a coin is then lifted by tens of nanometres, less than any table is rough
-ROLLING_TOLERANCE = 1e-6  # of the speeds: a given velocity that misses the rolling one by more is a mistake
-STEADY_TOLERANCE = 1e-9
 
 LAYOUT = StateLayout((
     StatePart("tilt", 1, "rad", "angle between face and plane"),
@@ -49,7 +46,7 @@ class EulerDisk(AbstractSystem):
     attitude is Rz(φ) Rx(θ) Rz(ψ). These angles are singular only where the disk lies flat and no rim touches: there
     the motion ends anyway, and near it θ and χ keep their relative accuracy, which a quaternion's components lose.
 
-    The equations of motion stand in ``rolling_mechanics``, the laws of dissipation in ``rolling_dissipation``.
+    The equations of motion are in ``_mechanics``, the laws of dissipation in ``dissipation``.
 
     Args:
         mass: m [kg].
@@ -93,7 +90,7 @@ class EulerDisk(AbstractSystem):
         m, a, g = (_positive(*x) for x in (("mass", mass, "kg"), ("radius", radius, "m"), ("gravity", gravity, "m/s²")))
         require_doubles(thickness=thickness)
         for name, value, unit in (("mass", m, "kg"), ("radius", a, "m"), ("gravity", g, "m/s²")):
-            check_size(name, value, unit, LARGEST)
+            check_size(name, value, unit, LIMITS.max_size)
         h = float(np.asarray(thickness, dtype=float))
         if not (math.isfinite(h) and 0.0 <= h <= 2.0 * a):
             raise InvalidInput(
@@ -104,7 +101,7 @@ class EulerDisk(AbstractSystem):
         uniform = m * (a * a / 4.0 + h * h / 12.0)
         A = uniform if diametral_moment is None else _positive("diametral_moment", diametral_moment, "kg m²")
         for name, value in (("axial_moment", C), ("diametral_moment", A)):
-            check_size(name, value, "kg m²", LARGEST**3)
+            check_size(name, value, "kg m²", LIMITS.max_size**3)
         if C > 2.0 * A * (1.0 + 1e-12):
             raise InvalidInput(
                 f"`axial_moment` must be at most twice `diametral_moment`; got {C:.6g} and {A:.6g} kg m². "
@@ -241,7 +238,7 @@ class EulerDisk(AbstractSystem):
 
     @known_numbers_only
     def steady_motion(self, state: Real[ArrayLike, "8"]) -> SteadyMotion:
-        """Return what decides on a steady motion, in its tilt and rates; heading and place drift.
+        """Return the derivatives that decide on a steady motion, in its tilt and rates; heading and place drift.
 
         Raises:
             InvalidInput: for a disk with dissipation, which has no steady motion, or a state that is not steady.
@@ -255,7 +252,7 @@ class EulerDisk(AbstractSystem):
         """The disk lies flat, leaves the plane or, if thick, stands on its edge along a line."""
         weight = self.mechanics.mass * self.mechanics.gravity
         ends: dict[str, Event] = {
-            "flat": lambda t, state: jnp.sin(LAYOUT.part(state, "tilt")) - FLAT,
+            "flat": lambda t, state: jnp.sin(LAYOUT.part(state, "tilt")) - LIMITS.flat_sine,
             "lift-off": lambda t, state: self.normal_force(state) / weight,
         }
         edge: dict[str, Event] = {"on edge": lambda t, state: jnp.cos(LAYOUT.part(state, "tilt"))}
@@ -375,7 +372,8 @@ class EulerDisk(AbstractSystem):
                 raise InvalidInput("`spin` must be given where nothing precesses, as in straight rolling.")
         w2 = precession * math.sin(tilt)
         left = float(disk.tilt_acceleration(theta, jnp.asarray(w2), jnp.asarray(spin)))
-        if not abs(left) <= STEADY_TOLERANCE * (float(disk.gravity) / float(disk.radius) + w2 * w2 + spin * spin):
+        size = float(disk.gravity) / float(disk.radius) + w2 * w2 + spin * spin
+        if not abs(left) <= LIMITS.relative_tilt_acceleration * size:
             raise InvalidInput(
                 f"tilt {shown(tilt)} rad, `precession` {shown(precession)} and `spin` {shown(spin)} rad/s are not "
                 "steady: the tilt "
@@ -385,7 +383,7 @@ class EulerDisk(AbstractSystem):
         return self.check_state([tilt, heading, face, *map(float, contact), rate, w2, spin])
 
     def _slow_tilt_rate(self, tilt: float, w2: float, w3: float) -> float:
-        """Return the θ̇ with which the couples carry a steady motion to steady ones: d(θ̈)/dt = 0, to first order."""
+        """Return the θ̇ at which the couples keep the motion steady, d(θ̈)/dt = 0, to first order."""
         rates = (jnp.asarray(x) for x in (tilt, w2, w3))
         push, square = (float(x) for x in slow_push(self.mechanics, self.dissipation, *rates))
         if not square > 0.0:
@@ -397,7 +395,7 @@ class EulerDisk(AbstractSystem):
 
     def _check_tilt(self, theta: np.ndarray) -> None:
         came = shown(np.asarray(theta).tolist())
-        if not (np.sin(theta) > FLAT).all() or not ((theta > 0.0) & (theta < math.pi)).all():
+        if not (np.sin(theta) > LIMITS.flat_sine).all() or not ((theta > 0.0) & (theta < math.pi)).all():
             raise InvalidInput(
                 f"the tilt must lie between 1e-6 and π − 1e-6; got {came} rad. A disk that lies flat touches with all "
                 "of its face and does not roll: start at a small tilt, such as 0.1 rad."
@@ -411,7 +409,7 @@ class EulerDisk(AbstractSystem):
     def _check_rolling(self, state: Array, velocity: np.ndarray) -> None:
         wanted = np.asarray(self.center_velocity(state))
         off, size = np.linalg.norm(velocity - wanted), max(np.linalg.norm(wanted), np.linalg.norm(velocity))
-        if off > ROLLING_TOLERANCE * size:
+        if off > LIMITS.relative_slip * size:
             wanted, came = wanted.round(6).tolist(), shown(velocity.tolist())
             raise InvalidInput(
                 f"`center_velocity` does not roll: the point of contact would slip at {off:.4g} m/s. Rolling with this "
@@ -420,7 +418,7 @@ class EulerDisk(AbstractSystem):
 
 
 def rolling_parts(state: States) -> tuple[Float64[Array, "*batch"], ...]:
-    """Return θ, ω1, ω2, ω3 (…) of states (…, 8), on which all that is dynamic depends."""
+    """Return θ, ω1, ω2, ω3 (…) of states (…, 8), on which the dynamics depend."""
     theta, w1, w2, w3 = (LAYOUT.part(state, name) for name in ("tilt", "tilt_rate", "rise_rate", "spin"))
     return theta, w1, w2, w3
 

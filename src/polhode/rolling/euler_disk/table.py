@@ -11,8 +11,6 @@ from polhode.rolling.euler_disk.laws import LawTable
 from polhode.spec.fields import Acceleration, Angle, Length, Mass, PositiveMoment, Rate, Thickness, Tilt, Velocity
 from polhode.spec.models import SystemTable
 
-MOST_LAWS = 20  # of dissipation: each is compiled, and hundreds took minutes
-
 
 class EulerDiskTable(SystemTable):
     """A disk that rolls on a plane; it starts in steady motion unless ``tilt_rate`` is given.
@@ -39,4 +37,5 @@ class EulerDiskTable(SystemTable):
     spin: Rate | None = None
     tilt_rate: Rate | None = None
     center_velocity: Velocity | None = None
-    dissipation: list[LawTable] = Field(default_factory=list, max_length=MOST_LAWS)
+    # each law is compiled, and hundreds took minutes
+    dissipation: list[LawTable] = Field(default_factory=list, max_length=20)

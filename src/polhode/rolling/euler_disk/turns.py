@@ -21,9 +21,6 @@ from polhode.simulation import simulate
 from polhode.types import Array, ArrayLike, Float64, Real
 
 TURN = 2.0 * math.pi
-PAST_END = 1.1  # of the time to the end, so that its event is found again
-JUST_PAST_END = 1.0 + 1e-9  # the same, as the last of many samples
-FAR_APART = 4.0  # times as many turns as asked for: of a motion without end in sight, whose samples lie far apart
 
 
 class DiskPath(NamedTuple):
@@ -70,13 +67,15 @@ def first_turns(trajectory: Trajectory, turns: float, samples: int) -> DiskPath:
 @known_numbers_only
 def last_turns(trajectory: Trajectory, turns: float, samples: int) -> DiskPath:
     """Return the last turns of the contact up to the event that ends the motion; arguments as of ``first_turns``."""
+    far_apart = 4.0  # times the turns asked for: samples of a motion with no end in sight are far apart
+    past_end = 1.1  # of the time to the end, so that its event occurs again
     disk = _take_disk(trajectory)
     heading, times = np.asarray(trajectory.part("heading")), np.asarray(trajectory.times)
     before = np.flatnonzero(np.abs(heading[-1] - heading) >= TURN * turns)
     k = int(before[-1]) if len(before) else 0
-    span = PAST_END * float(times[-1] - times[k])
+    span = past_end * float(times[-1] - times[k])
     counted = abs(float(heading[-1] - heading[k])) / TURN
-    if counted > FAR_APART * turns:
+    if counted > far_apart * turns:
         span *= turns / counted
     return rolling_path(disk, trajectory.states[k], span, samples, float(times[k]))
 
@@ -127,10 +126,11 @@ def resample_until_end(trajectory: Trajectory, samples: int) -> Trajectory:
         trajectory: of one disk, from ``simulate``.
         samples: that were asked for.
     """
+    past_end = 1.0 + 1e-9  # of the time to the end, so that its event occurs again, as the last of many samples
     if trajectory.outcome.event is None or len(trajectory.times) > samples // 2:
         return trajectory
     first, last = float(trajectory.times[0]), float(trajectory.times[-1])
-    times = np.linspace(first, first + JUST_PAST_END * (last - first), samples)
+    times = np.linspace(first, first + past_end * (last - first), samples)
     return replace(simulate(_take_disk(trajectory), trajectory.states[0], times), frame=trajectory.frame)
 
 
