@@ -59,11 +59,11 @@ def test_finals_without_predictions(file):
 @pytest.mark.parametrize(("text", "words"), [
     ("", "is empty. Give a C04 file"),
     ("# only words\n", "has no line of data"),
-    ("1 2 3\n", "line 1: is no line of polar motion: no modified Julian date stands in column 4 or 5"),
+    ("1 2 3\n", "line 1: is no line of polar motion: no modified Julian date is in column 4 or 5"),
     ("\n".join(line[:60] for line in C04_20.splitlines()), "line 2: has 8 columns; C04 20 has at least 15"),
     (C04_20.replace("0.214100", "     nan"), "line 3, column 7: 'nan' must be a number"),
     (C04_20.replace("37666", "37665"), "line 3: MJD 37665 comes after 37665; dates must ascend"),
-    (C04_20.replace("0.213000", " 213.000"), r"the pole stands at \(-0.0127, 213\) arcseconds; it stays within 5"),
+    (C04_20.replace("0.213000", " 213.000"), r"the pole is at \(-0.0127, 213\) arcseconds; it stays within 5"),
     (C04_14.replace("0.031000", "-0.03100"), "line 7: errors of x and y must not be negative"),
     (FINALS.replace(" I  0.118980", " I  0.11x980"), "line 2, column 19: '0.11x980' must be a number"),
     (FINALS.replace("41685.00 I", "41685.00 Q"), "line 2, column 17: must be I .* or P"),

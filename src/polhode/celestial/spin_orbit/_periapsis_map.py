@@ -22,11 +22,10 @@ from polhode.systems.kepler_orbit import ratio_from_eccentric, solve_kepler, tru
 from polhode.types import Array, Float64
 
 TURN = 2.0 * math.pi
-ORDER = 6
 
 
 class Kicks(NamedTuple):
-    """One orbit: drift, kick, drift, kick, …, and one drift more.
+    """One orbit: drift, kick, drift, kick, …, and a last drift.
 
     Attributes:
         drifts: (K,) lengths before each kick [rad of mean anomaly].
@@ -43,12 +42,13 @@ class Kicks(NamedTuple):
 
 def tabulate(system: SpinOrbit, steps: int) -> Kicks:
     """Return the orbit in a number of steps, each of nine kicks."""
+    order = 6  # of the composition
     e = system.eccentricity
     edges = TURN * np.arange(steps + 1) / steps
     # M = E − e sin E at equal steps of E
     edges -= float(e) * np.sin(edges)
     # stages of a symmetric composition of leapfrog steps; a stage kicks in its middle, and drifts of neighbours join
-    sizes = np.diff(edges)[:, None] * stages(ORDER)
+    sizes = np.diff(edges)[:, None] * stages(order)
     middles = edges[:-1, None] + np.cumsum(sizes, axis=1) - 0.5 * sizes
     sizes, middles = sizes.ravel(), middles.ravel()
     kicks, phases = _kicks(middles - TURN * np.round(middles / TURN), sizes, e, system.asphericity)
@@ -98,7 +98,7 @@ def carry_neighbours(
         kicks: of the orbit.
         states: (…, 2) angle θ and p.
         neighbours: (…, 2, k) small differences from the states.
-        periods: how many orbits.
+        periods: number of orbits.
         renormalise: whether to bring them back to length one after each period.
     """
 

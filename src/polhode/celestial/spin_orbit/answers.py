@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -33,12 +33,16 @@ from polhode.simulation import simulate
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.types import Array, Float64
 
-PERIODS = 30
 DAY = 86400.0
-LISTED = (3.0, 10.0)  # orders up to which resonances are listed: at least, and at most where spin or orbit are faster
-LARGEST = 1e100  # of rates in rad/s; their squares stay within the range of numbers
-ABOUT = 2  # digits of exponents, which settle as slowly as ln t/t
-TOLERANCE = 1e-12  # of the samples' adaptive steps
+
+
+class OrbitLimits(NamedTuple):
+    """What orbits are refused."""
+
+    max_rate: float = 1e100  # rad/s, and of its inverse; their squares stay within the range of numbers
+
+
+LIMITS = OrbitLimits()
 
 
 @dataclass(frozen=True)
@@ -51,7 +55,7 @@ class SpinOrbitReport(MotionReport):
         trajectory: samples of the motion by adaptive steps.
         resonances: p = 1/2, 1, … up to 3 or more.
         motion: exponent, verdict, mean rate and libration over thousands of orbits.
-        section_orbits: how many the figure shows.
+        section_orbits: in the figure.
         remarks: on how the spec was understood.
     """
 
@@ -87,7 +91,8 @@ class SpinOrbitReport(MotionReport):
     @property
     def predictable_time(self) -> float | None:
         """Time in which an error of the samples' tolerance grows to one radian in a chaotic motion [s]."""
-        return self.motion.predictable_time(TOLERANCE)
+        tolerance = 1e-12  # of the samples' adaptive steps
+        return self.motion.predictable_time(tolerance)
 
     @property
     def answers(self) -> list[Group | Table]:
@@ -147,11 +152,12 @@ class SpinOrbitReport(MotionReport):
         motion, n, held = self.motion, float(self.system.mean_motion), self.motion.libration
         angle, start_rate = (float(self.trajectory.part(name)[0]) for name in ("angle", "rate"))
         spin_ratio = start_rate / n
+        # exponents have two digits, as they converge as slowly as ln t/t
         rate, chaotic = motion.exponent, motion.verdict == "chaotic"
         level = motion.regular_exponent(n)
-        exponent = f"{rate:.{ABOUT}g} /s = {rate / n:.{ABOUT}g} n"
+        exponent = f"{rate:.2g} /s = {rate / n:.2g} n"
         if not chaotic:
-            exponent += f"; a regular motion shows about {level:.{ABOUT}g} /s by then, falling as ln t/t"
+            exponent += f"; a regular motion shows about {level:.2g} /s by then, falling as ln t/t"
         kept = "none" if held is None else (
             f"in {ratio(held.order)}, about {_clean_degrees(math.degrees(held.angle)):.5g}° by "
             f"±{_clean_degrees(math.degrees(held.amplitude)):.5g}° at periapsis"
@@ -218,13 +224,14 @@ def make_report(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
     """Return the report on a spin that starts at periapsis.
 
     Raises:
-        InvalidInput: for an orbit so slow or fast that the squares of its rates leave the numbers.
+        InvalidInput: for an orbit so slow or fast that the squares of its rates overflow or vanish.
     """
+    periods = 30
     table, times = spec.system, spec.times
     system = _system(spec, table)
     n = float(system.mean_motion)
     if times is None:
-        times = np.linspace(0.0, PERIODS * 2.0 * math.pi / n, spec.samples)
+        times = np.linspace(0.0, periods * 2.0 * math.pi / n, spec.samples)
     state = np.array([table.angle, table.spin_ratio * n])
     frame = None if spec.body is None else spec.body.frame
     trajectory = replace(simulate(system, state, times, progress=Watch(spec.until, times)), frame=frame)
@@ -248,7 +255,7 @@ def _list_resonances(system: SpinOrbit, table: SpinOrbitTable) -> list[Resonance
     """Return the resonances that the report lists."""
     # strengths are largest near the orbit's own rate at periapsis
     fastest = max(abs(table.spin_ratio), float(system.orbit.rate_at_periapsis) / float(system.mean_motion))
-    highest = min(max(LISTED[0], 0.5 * math.ceil(2.0 * fastest)), LISTED[1])
+    highest = min(max(3.0, 0.5 * math.ceil(2.0 * fastest)), 10.0)
     return resonances(system, highest)
 
 
@@ -261,7 +268,7 @@ def _system(spec: Spec[SpinOrbitTable], table: SpinOrbitTable) -> SpinOrbit:
             table.semi_major_axis, table.gravitational_parameter, table.eccentricity
         )
     n = float(orbit.mean_motion)
-    if not 1.0 / LARGEST < n < LARGEST:
+    if not 1.0 / LIMITS.max_rate < n < LIMITS.max_rate:
         raise InvalidInput(
             f"the orbit must have a mean motion within 1e±100 rad/s; it is {n:g} rad/s. Check `system.orbital_period`, "
             "or `system.semi_major_axis` and `system.gravitational_parameter`, and their units."
@@ -276,7 +283,7 @@ def _about(seconds: float | None) -> str | None:
     """Return a time in words, with as few digits as exponents have."""
     if seconds is None:
         return None
-    short = lambda x: f"{float(f'{x:.{ABOUT}g}'):g}"  # noqa: E731
+    short = lambda x: f"{float(f'{x:.2g}'):g}"  # noqa: E731
     return f"{short(seconds)} s = {short(seconds / DAY)} d"
 
 

@@ -8,20 +8,19 @@ from matplotlib.figure import Figure
 from polhode.celestial.spin_orbit.answers import DAY, SpinOrbitReport, ratio
 from polhode.figures import style
 
-MOST = 20_000  # samples shown
-COARSE = 16  # samples per orbit, or turn, below which a line between them would mislead
-
 
 def draw_spin_history(report: SpinOrbitReport) -> Figure:
     """Return θ − p n t and θ̇/n against time in orbits, p of the resonance that the spin is in, or the nearest."""
+    most = 20_000  # samples shown
+    coarse = 16  # samples per orbit, or turn, below which a line between them would mislead
     system, n = report.system, float(report.system.mean_motion)
     period = float(system.orbit.period)
     turns = np.asarray(report.trajectory.times) / period
-    words = "" if len(turns) <= MOST else f", first {MOST} samples"
-    angle, rate = (np.asarray(report.trajectory.part(name))[:MOST] for name in ("angle", "rate"))
-    turns, order = turns[:MOST], _order(report)
+    words = "" if len(turns) <= most else f", first {most} samples"
+    angle, rate = (np.asarray(report.trajectory.part(name))[:most] for name in ("angle", "rate"))
+    turns, order = turns[:most], _order(report)
     fastest = max(1.0, float(np.abs(rate).max()) / n)
-    form = "-" if (turns[1] - turns[0]) * fastest < 1.0 / COARSE else "."
+    form = "-" if (turns[1] - turns[0]) * fastest < 1.0 / coarse else "."
     figure = style.new_figure(height=3.4)
     upper, lower = figure.subplots(2, 1, sharex=True)
     name = {0.0: "θ", 1.0: "θ − n t"}.get(order, f"θ − {ratio(order).replace(':', '/').removesuffix('/1')} n t")

@@ -9,24 +9,36 @@ import numpy as np
 
 from polhode._base.arrays import known_numbers_only
 from polhode.celestial.spin_orbit.resonances import (
-    STEPS,
     check_count,
     follow_neighbours,
     resonance_strength,
     scale_start,
+    steps_per_orbit,
 )
 from polhode.celestial.spin_orbit.system import SpinOrbit
 from polhode.types import Array, ArrayLike, Float64, Real
 
 TURN = 2.0 * math.pi
-MOST_ORBITS, FEWEST_ORBITS = 10_000, 200
-KICKS = 3e7  # of a run's map: a few seconds
-FAST = 3.0  # turns per orbit from which the map takes more steps
-# Neighbours of a quasi-periodic motion part as t: ln|δ| stays within a few units of ln t, and rises by ln 2 as t
-# doubles. Of 448 regular starts on nine orbits none exceeded ln t by more than 2.7 or rose by more than 0.77.
-CHAOS = 20.0  # by which ln|δ| must exceed ln t for chaos: a factor of half a billion
-CALM, STEADY = 6.0, 1.5  # up to which it may exceed ln t, and rise in the second half, for a regular motion
-CAUGHT = 3.0  # librations that a run must last to tell one from slow rotation
+
+
+class MotionLimits(NamedTuple):
+    """What decides how far a spin is followed, and whether it is chaotic, regular or in libration.
+
+    Neighbours of a quasi-periodic motion part as t: ln|δ| stays within a few units of ln t, and rises by ln 2 as t
+    doubles. Of 448 regular starts on nine orbits none exceeded ln t by more than 2.7 or rose by more than 0.77.
+    """
+
+    max_orbits: int = 10_000  # of a run whose number of orbits is not given
+    min_orbits: int = 200  # of such a run, on very eccentric orbits and of very fast spins too
+    max_kicks: float = 3e7  # of a run's map: a few seconds
+    fast_spin: float = 3.0  # turns per orbit, from which the map takes more steps
+    chaotic_excess: float = 20.0  # of ln|δ| over ln t, from which a motion is chaotic: a factor of half a billion
+    regular_excess: float = 6.0  # of ln|δ| over ln t, up to which it may be regular
+    regular_rise: float = 1.5  # of ln|δ| in the second half, up to which it may be regular
+    min_librations: float = 3.0  # of a run, for a libration to be distinguished from slow rotation
+
+
+LIMITS = MotionLimits()
 
 
 class Libration(NamedTuple):
@@ -34,7 +46,7 @@ class Libration(NamedTuple):
 
     Attributes:
         order: p, turns per orbit on average, exactly.
-        angle: mean θ at periapsis [rad] within ±π/2; half a turn looks the same.
+        angle: mean θ at periapsis [rad] within ±π/2; half a turn makes no difference.
         amplitude: half the range of θ at periapsis [rad].
     """
 
@@ -48,7 +60,7 @@ class SpinMotion(NamedTuple):
 
     Attributes:
         orbits: number of orbits followed.
-        verdict: whether it was seen to be chaotic or regular; of what either may still become, see ``spin_motion``.
+        verdict: on these orbits; ``spin_motion`` says how far it holds.
         exponents: (orbits,) estimates of the largest Lyapunov exponent after each orbit [1/s].
         mean_rate: mean θ̇ [rad/s].
         libration: of a motion that is not chaotic, where it is caught in a resonance; else None.
@@ -77,7 +89,7 @@ class SpinMotion(NamedTuple):
         return math.log(1.0 / error) / self.exponent if self.verdict == "chaotic" else None
 
     def regular_exponent(self, mean_motion: float) -> float:
-        """Return ln(nt)/t [1/s], about what the exponent of a regular motion is after as many orbits."""
+        """Return ln(nt)/t [1/s], about the exponent of a regular motion after as many orbits."""
         span = self.orbits * (TURN / mean_motion)
         return math.log(mean_motion * span) / span
 
@@ -86,8 +98,8 @@ class SpinMotion(NamedTuple):
 def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | None = None) -> SpinMotion:
     """Follow one spin from a periapsis on.
 
-    Chaos is a finding: neighbours are half a billion times as far apart as they would be if their distance grew in
-    proportion to time. "Regular" means that no chaos was seen; a chaotic motion may cling to an island for longer than
+    Chaos is positive evidence: neighbours are half a billion times as far apart as they would be if their distance grew
+    in proportion to time. "Regular" means that no chaos showed; a chaotic motion may cling to an island for longer than
     it was followed. On a circular orbit, or of a body with A = B, all motions are those of a pendulum or free, and none
     is chaotic.
 
@@ -97,7 +109,7 @@ def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | No
     Args:
         system: the spin-orbit problem.
         state: (2,) angle θ [rad] and rate θ̇ [rad/s] at a periapsis.
-        orbits: how many; by default up to ten thousand, less on very eccentric orbits and of very fast spins.
+        orbits: number; by default up to ten thousand, less on very eccentric orbits and of very fast spins.
 
     Source: Das, Saiki, Sander & Yorke, Nonlinearity 30 (2017) 4111 (weights).
 
@@ -108,7 +120,7 @@ def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | No
     n, e, start = float(system.mean_motion), float(system.eccentricity), scale_start(system, state)
     steps = steps_for(system, float(start[1]))
     if orbits is None:
-        orbits = int(np.clip(KICKS / (9 * steps), FEWEST_ORBITS, MOST_ORBITS))
+        orbits = int(np.clip(LIMITS.max_kicks / (9 * steps), LIMITS.min_orbits, LIMITS.max_orbits))
     orbits = check_count("orbits", orbits)
     points, exponents = follow_neighbours(system, state, orbits, steps)
     verdict = _verdict(exponents * TURN * np.arange(1, orbits + 1) / n)
@@ -125,16 +137,16 @@ def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | No
 
 def steps_for(system: SpinOrbit, spin_ratio: float) -> int:
     """Return how many steps per orbit the map takes for spins of up to some turns per orbit."""
-    return math.ceil(STEPS / math.sqrt(1.0 - float(system.eccentricity)) * max(1.0, abs(spin_ratio) / FAST))
+    return math.ceil(steps_per_orbit(system) * max(1.0, abs(spin_ratio) / LIMITS.fast_spin))
 
 
 def _verdict(growth: Array) -> Literal["chaotic", "regular", "undecided"]:
     """Return the verdict on ln|δ| after each orbit."""
     largest = np.maximum.accumulate(growth)
     excess = largest[-1] - math.log(TURN * len(growth))
-    if excess > CHAOS:
+    if excess > LIMITS.chaotic_excess:
         return "chaotic"
-    calm = excess < CALM and largest[-1] - largest[len(growth) // 2] < STEADY
+    calm = excess < LIMITS.regular_excess and largest[-1] - largest[len(growth) // 2] < LIMITS.regular_rise
     return "regular" if calm else "undecided"
 
 
@@ -149,7 +161,7 @@ def _libration(system: SpinOrbit, angles: Array, mean: float) -> Libration | Non
     frequency = float(system.asphericity) * math.sqrt(abs(resonance_strength(order, float(system.eccentricity))))
     slow = angles - TURN * order * np.arange(len(angles))
     span = float(np.ptp(slow))
-    if span >= math.pi or frequency * (len(angles) - 1) < CAUGHT:
+    if span >= math.pi or frequency * (len(angles) - 1) < LIMITS.min_librations:
         return None
     middle = float(np.average(slow[:-1], weights=_weights(len(slow) - 1)))
     return Libration(order, middle - math.pi * round(middle / math.pi), 0.5 * span)

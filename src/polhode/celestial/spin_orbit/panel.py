@@ -19,9 +19,6 @@ from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
-APART, LEAST = 1e-6, 1e-9  # rad
-ORBITS = 1500  # of the section
-
 
 def _series(name: str, values: Array) -> dict[str, Any]:
     return {"name": name, "values": pack(values, "f4")}
@@ -37,7 +34,7 @@ class SpinOrbitPanel(KindPanel):
     """The picture of a spin on an orbit on a page."""
 
     def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
-        """Return the moon on its orbit, seen from above."""
+        """Return the moon on its orbit, from above."""
         system, orbit = trajectory.source, trajectory.source.orbit
         place = np.asarray(_places(orbit, samples.times))
         return [{
@@ -48,6 +45,9 @@ class SpinOrbitPanel(KindPanel):
 
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
         """Return angle and rate, the distance to a motion from a nearby start, and the section at periapsis."""
+        offset = 1e-6  # rad
+        least = 1e-9  # rad, where a distance of zero is drawn
+        orbits = 1500  # of the section
         system, n = trajectory.source, float(trajectory.source.mean_motion)
         angle, rate = (trajectory.layout.part(samples.states, name) for name in ("angle", "rate"))
         plots = [
@@ -58,14 +58,14 @@ class SpinOrbitPanel(KindPanel):
         if samples.times[0] != 0.0 or len(samples.times) < 2:
             return {"plots": plots}
         start = np.array([angle[0], rate[0]])
-        other = simulate(system, start + np.array([APART, 0.0]), samples.times, estimate_error=False)
-        apart = np.log10(np.maximum(np.abs(np.asarray(other.part("angle")) - angle), LEAST))
+        other = simulate(system, start + np.array([offset, 0.0]), samples.times, estimate_error=False)
+        apart = np.log10(np.maximum(np.abs(np.asarray(other.part("angle")) - angle), least))
         plots.insert(1, {"title": "distance to a twin that starts 10⁻⁶ rad apart", "unit": "log₁₀ rad",
                          "series": [_series("distance", apart)]})  # fmt: skip
-        points = poincare_section(system, start, ORBITS, steps_for(system, float(rate[0]) / n))
-        turned = points[:, 0] - np.pi * np.round(points[:, 0] / np.pi)
-        section = {"title": "Section at periapsis", "words": ["{count} orbits: θ̇/n against θ [°]", {"count": ORBITS}],
-                   "x": pack(np.degrees(turned), "f4"), "y": pack(points[:, 1] / n, "f4")}  # fmt: skip
+        points = poincare_section(system, start, orbits, steps_for(system, float(rate[0]) / n))
+        angles = points[:, 0] - np.pi * np.round(points[:, 0] / np.pi)
+        section = {"title": "Section at periapsis", "words": ["{count} orbits: θ̇/n against θ [°]", {"count": orbits}],
+                   "x": pack(np.degrees(angles), "f4"), "y": pack(points[:, 1] / n, "f4")}  # fmt: skip
         return {"plots": plots, "scatters": (section,)}
 
 

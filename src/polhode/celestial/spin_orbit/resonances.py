@@ -17,9 +17,6 @@ from polhode.special.elliptic import complete_k
 from polhode.types import Array, ArrayLike, Float64, Real
 
 TURN = 2.0 * math.pi
-STEPS = 128  # per orbit, over √(1 − e): sections of regular motion are then right to 1e-10 after ten orbits
-FEWEST_NODES = 64  # of the trapezoidal rule for a resonance's strength
-DECAY = 60.0  # e-foldings by which that rule's error, exponentially small in its nodes, is pressed down
 
 
 @dataclass(frozen=True)
@@ -50,7 +47,7 @@ def poincare_section(
     Args:
         system: the spin-orbit problem.
         states: (…, 2) angle θ [rad] and rate θ̇ [rad/s] at a periapsis.
-        periods: how many orbits.
+        periods: number of orbits.
         steps: per orbit; by default 128/√(1 − e). Spins much faster than three turns an orbit need more.
 
     Returns:
@@ -80,7 +77,7 @@ def tangent_map(
     Args:
         system: the spin-orbit problem.
         states: (…, 2) angle [rad] and rate [rad/s] at a periapsis.
-        periods: how many orbits.
+        periods: number of orbits.
         steps: per orbit, as in ``poincare_section``.
     """
     start, kicks = scale_start(system, states), make_kicks(system, steps)
@@ -101,7 +98,7 @@ def lyapunov_exponent(
     Args:
         system: the spin-orbit problem.
         states: (…, 2) angle [rad] and rate [rad/s] at a periapsis.
-        periods: how many orbits.
+        periods: number of orbits.
         steps: per orbit, as in ``poincare_section``.
 
     Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137; Benettin et al., Meccanica 15 (1980) 9.
@@ -157,6 +154,8 @@ def resonance_strength(order: float, eccentricity: float) -> float:
     Raises:
         InvalidInput: for an order that is not a half-integer, or an orbit that is not an ellipse.
     """
+    decay = 60.0  # e-foldings of that rule's error, which is exponentially small in its nodes
+    fewest_nodes = 64  # of the trapezoidal rule
     e, p = float(eccentricity), float(order)
     if not (2.0 * p).is_integer():
         raise InvalidInput(
@@ -164,7 +163,7 @@ def resonance_strength(order: float, eccentricity: float) -> float:
         )
     if not 0.0 <= e < 1.0:
         raise InvalidInput(f"`eccentricity` must be within 0 ≤ e < 1; got {shown(eccentricity)}.")
-    count = FEWEST_NODES + 16 * math.ceil(abs(p)) + (math.ceil(DECAY / math.acosh(1.0 / e)) if e > 1e-16 else 0)
+    count = fewest_nodes + 16 * math.ceil(abs(p)) + (math.ceil(decay / math.acosh(1.0 / e)) if e > 1e-16 else 0)
     E = TURN * np.arange(count) / count
     sine = np.sin(0.5 * E)
     ratio = (1.0 - e) + 2.0 * e * sine**2
@@ -172,7 +171,7 @@ def resonance_strength(order: float, eccentricity: float) -> float:
     # (a/r)³ dM = (a/r)² dE, and e^{2if} from the direction
     values = (direction**2 * np.exp(-2j * p * (E - e * np.sin(E)))).real / ratio**2
     strength = math.fsum(values) / count
-    # what is left of a sum that vanishes, as those of a circular orbit do, is rounding
+    # a sum that vanishes, as on a circular orbit, leaves rounding
     return 0.0 if abs(strength) < 4e-16 * float(np.abs(values).max()) else strength
 
 
@@ -201,8 +200,13 @@ def overlap_threshold(eccentricity: Real[ArrayLike, "*shape"]) -> Float64[Array,
     return 1.0 / (2.0 + np.sqrt(14.0 * np.asarray(eccentricity, dtype=float)))
 
 
+def steps_per_orbit(system: SpinOrbit) -> float:
+    """Return the steps with which sections of regular motion are right to 1e-10 after ten orbits."""
+    return 128 / math.sqrt(1.0 - float(system.eccentricity))
+
+
 def make_kicks(system: SpinOrbit, steps: int | None) -> Kicks:
-    default = math.ceil(STEPS / math.sqrt(1.0 - float(system.eccentricity)))
+    default = math.ceil(steps_per_orbit(system))
     return tabulate(system, default if steps is None else check_count("steps", steps))
 
 

@@ -102,7 +102,7 @@ class SpinOrbit(AbstractSystem):
         return (self.mean_motion * self.asphericity) ** 2 / self.orbit.distance_ratio(t) ** 3
 
     def invariants(self, state: Float64[Array, "*batch 2"]) -> dict[str, Float64[Array, "*batch"]]:
-        """Return none; the energy stands among the balances."""
+        """Return none; the energy is among the balances."""
         return {}
 
     def balances(self, t: Real[ArrayLike, "*#batch"], state: Float64[Array, "*#batch 2"]) -> dict[str, Balance]:

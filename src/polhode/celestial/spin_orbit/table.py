@@ -23,7 +23,7 @@ class SpinOrbitTable(SystemTable):
     """A moon or planet that turns upright on an eccentric orbit; its shape from [body] or by ``asphericity``."""
 
     takes: ClassVar[tuple[str, ...]] = ("body", "time")
-    needs: ClassVar[tuple[str, ...]] = ()  # the asphericity stands for a body
+    needs: ClassVar[tuple[str, ...]] = ()  # the asphericity takes the place of a body
     eccentricity: Eccentricity = Field(description="give it like 0.1, zero for a circle")
     orbital_period: Duration | None = None
     semi_major_axis: Length | None = None

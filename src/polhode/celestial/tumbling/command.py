@@ -19,7 +19,7 @@ from polhode.spec.uncertain import quantity
 
 
 class TumbleOptions(NamedTuple):
-    """The options, as they are given; None where they are not."""
+    """The options as given; None where they are not."""
 
     precession: str | None = None
     rotation: str | None = None
@@ -41,8 +41,8 @@ def run_list(json: bool) -> None:
     """Print the known tumblers."""
     rows = [known._asdict() for known in known_tumblers().values()]
     if json:
-        told = {"name": "tumblers", "kind": "tumblers", "summary": f"{len(rows)} bodies are known by name."}
-        print(as_json({**told, "tumblers": rows, "units": {}, "notes": [], "files": []}))
+        listed = {"name": "tumblers", "kind": "tumblers", "summary": f"{len(rows)} bodies are known by name."}
+        print(as_json({**listed, "tumblers": rows, "units": {}, "notes": [], "files": []}))
         return
     for known in known_tumblers().values():
         moments = "moments unknown" if known.moments is None else " : ".join(known.moments)
@@ -52,7 +52,7 @@ def run_list(json: bool) -> None:
 
 
 def run_tumble(body: str | None, options: TumbleOptions, json: bool) -> None:
-    """Solve for the motion, print what it is like, and write and draw what is asked for."""
+    """Solve for the motion, print the report, and write and draw as the options ask."""
     if options.out is not None and options.out.suffix.lower() not in (".csv", ".toml"):
         raise InvalidInput(f"--out must end in .csv (light curve) or .toml (spec); got {shown(str(options.out))}.")
     known = None if body is None else known_tumbler(body)

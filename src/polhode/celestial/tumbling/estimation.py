@@ -18,15 +18,14 @@ from polhode.types import Array, ArrayLike, Float64, Real
 
 Mode = Literal["short-axis", "long-axis"]
 PrecessingAxis = Literal["encircled", "long", "short"]
+DRAWS = 2048  # within the errors, for an interval: its ends scatter by 0.06 standard deviations
 MODES: tuple[Mode, Mode] = ("short-axis", "long-axis")
-SEPARATRIX, PRINCIPAL = -320.0, 40.0  # of ln(L3/L2) or ln(L1/L2): closer to either, double precision sees no difference
-DRAWS = 2048
 NAMES = ("energy_ratio", "cone_angle", "momentum_rate")
 
 
 @dataclass(frozen=True, eq=False)
 class TumblingInterval:
-    """Intervals of the motion, from the errors of the periods and moments.
+    """Intervals of the motion, from the errors of periods and moments.
 
     Attributes:
         estimate: energy ratio, cone angle [rad] and momentum rate [rad/s] with the covariance of the draws.
@@ -51,14 +50,14 @@ class Tumbling:
         energy_ratio: E/E0, E0 = L²/2I3 being the least energy of this angular momentum.
         cone_angle: of the encircled axis with L where L₂ = 0 [rad].
         tilts: least and greatest angle of the encircled axis with L [rad].
-        momentum_rate: L/I3 [rad/s]: the spin about axis 3 once all energy that can be lost is lost.
+        momentum_rate: L/I3 [rad/s]: the spin about axis 3 in the state of least energy.
         precession: mean period of the encircled axis about L [s], P_φ of Kaasalainen 2001 and Pravec et al. 2005.
         rotation: period of the motion along the body's axes [s], P_ψ there.
         long_axis: mean period of the long axis about L [s].
         short_axis: mean period of the short axis about L [s].
         motion: along the principal axes, moments over I3, times in seconds. In space L is along z; the motion begins
             where L₁ = 0 (short-axis) or L₃ = 0 (long-axis).
-        interval: what errors of the input leave open; None where none are given.
+        interval: by the errors of the input; None where none are given.
     """
 
     mode: Mode
@@ -92,7 +91,7 @@ def fit_tumbling(
 
     Args:
         precession: mean period of a principal axis about L [s].
-        rotation: period of the motion as seen along the body's axes [s].
+        rotation: period of the motion along the body's axes [s].
         moments: (3,) I1 ≤ I2 ≤ I3 in any unit.
         axis: whose precession is meant: the encircled axis (short in the short-axis mode, long in the long-axis mode;
             Kaasalainen, A&A 376, 302, 2001), the long axis in either mode (Samarasinha & A'Hearn, Icarus 93, 194,
@@ -214,6 +213,8 @@ class _Solved:
 
 def _solve(mode: Mode, precession: Array, rotation: Array, moments: Array, axis: PrecessingAxis) -> _Solved:
     """Return the motion of a mode for each of n pairs of periods and moments (n, 3) over I3."""
+    # of ln(L3/L2) or ln(L1/L2); closer to either end, double precision does not resolve the periods
+    separatrix, principal = -320.0, 40.0
     wanted = rotation / precession  # turns of the precession in a period of rotation
     if mode == "short-axis" and axis == "long":
         wanted = wanted + 1.0
@@ -225,7 +226,7 @@ def _solve(mode: Mode, precession: Array, rotation: Array, moments: Array, axis:
     def excess(place: Array, i1: Array, i2: Array, i3: Array, turns: Array) -> Array:
         return _turns(mode, np.stack([i1, i2, i3], axis=-1), place)[0] - turns
 
-    roots = find_root(excess, (SEPARATRIX, PRINCIPAL), args=(*safe.T, wanted))
+    roots = find_root(excess, (separatrix, principal), args=(*safe.T, wanted))
     place = np.where(roots.success, roots.x, 0.0)
     exists &= roots.success
     _, period, momentum = _turns(mode, safe, place)

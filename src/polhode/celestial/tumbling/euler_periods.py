@@ -16,7 +16,7 @@ ELLIPTICITY = 3.273795e-3  # (C − A)/C
 SIDEREAL_DAY = 86_164.0989  # s, a turn of the Earth
 GRAVITY, RADIUS, ROTATION = 3.986004418e14, 6_378_137.0, 7.292115e-5  # G M [m³/s²], equatorial [m], [rad/s]
 J2 = 1.0826359e-3
-MANTLE = 0.8866  # equatorial moment of what takes part in the wobble, without the fluid core, over the whole Earth's
+MANTLE = 0.8866  # equatorial moment without the fluid core, which takes no part in the wobble, over the whole Earth's
 ELASTIC, OCEANS, ANELASTIC = 0.298, 0.345, 0.3517  # Love number k: of the solid Earth; with oceans; with anelasticity
 
 
@@ -49,8 +49,8 @@ def euler_chain(
         ellipticity: dynamical, H = (C − A)/C.
         mantle: equatorial moment without the fluid core over that of the whole Earth, as the core does not follow.
         elastic: Love number k of the solid Earth.
-        oceans: the same with a pole tide of the oceans.
-        anelastic: the same, with a mantle softer at the wobble's slow rate than for earthquakes.
+        oceans: Love number with a pole tide of the oceans.
+        anelastic: Love number with the pole tide and a mantle softer at the wobble's slow rate than for earthquakes.
 
     Raises:
         InvalidInput: for numbers without a wobble.

@@ -16,16 +16,13 @@ from polhode.figures.sphere import draw_curve, draw_disk, view_frame
 from polhode.reports.wording import LONG, order_words
 from polhode.types import Array
 
-VIEW = (0.80, 0.46, 0.38)
-NAMED = 6  # lines that have their names in the figure
-
 
 def polhode(body: str, motion: Tumbling, others: Sequence[Tumbling]) -> Figure:
     """Return the path of the angular momentum among the polhodes of the body."""
     figure = style.new_figure(height=style.COLUMN * 1.05)
     axes = figure.subplots()
     draw_disk(axes)
-    frame = view_frame(VIEW)
+    frame = view_frame((0.80, 0.46, 0.38))
     moments = motion.moments
     for curve in polhode_family(moments):
         draw_curve(axes, frame, curve, style.LIGHT, 0.5)
@@ -68,13 +65,14 @@ def light_curve(light: LightCurve) -> Figure:
 
 def spectrum(light: LightCurve, motion: Tumbling) -> Figure:
     """Return the frequencies of the light curve, by their orders."""
+    named = 6  # lines that have their names in the figure
     figure = style.new_figure(width=1.8 * style.COLUMN, height=0.8 * style.COLUMN)
     axes = figure.subplots()
     lines = light.lines
     scaled = lines.frequency * motion.precession
     axes.vlines(scaled, 0.0, 1e3 * lines.amplitude, color=style.BLUE, lw=1.2)
     top = 1e3 * float(lines.amplitude.max())
-    for k in range(min(NAMED, len(scaled))):
+    for k in range(min(named, len(scaled))):
         words = order_words(int(lines.precession_order[k]), int(lines.rotation_order[k]))
         axes.annotate(words.replace("P_φ", r"$P_\phi$").replace("P_ψ", r"$P_\psi$"),
                       (float(scaled[k]), 1e3 * float(lines.amplitude[k])), (0, 3), textcoords="offset points",

@@ -48,10 +48,10 @@ def known_tumblers() -> dict[str, KnownTumbler]:
 
 
 def known_tumbler(key: str) -> KnownTumbler:
-    """Return one of them.
+    """Return a known tumbler.
 
     Raises:
-        InvalidInput: if there is none of this name.
+        InvalidInput: for a name that is not in the table.
 
     Example:
         >>> known_tumbler("Krylov").mode

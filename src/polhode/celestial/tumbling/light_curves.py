@@ -12,9 +12,15 @@ from polhode.exact.free_body.motion import FreeMotion
 from polhode.motion._inputs import number_of, refuse_not_finite
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
-PRECESSION_ORDERS, ROTATION_SAMPLES = 32, 64  # of the brightness over both angles; doubled until the rest is small
-MOST = 512
-REST = 1e-6  # of the brightness, in the outermost orders
+
+class SeriesLimits(NamedTuple):
+    """What decides how many orders of both angles a light curve is expanded in."""
+
+    max_outermost: float = 1e-6  # of the brightness, in the outermost orders
+    max_samples: int = 512  # of a rotation
+
+
+LIMITS = SeriesLimits()
 
 
 class LightCurveLines(NamedTuple):
@@ -37,11 +43,11 @@ class LightCurveLines(NamedTuple):
 def ellipsoid_brightness(
     semi_axes: Real[ArrayLike, "3"], to_sun: Real[ArrayLike, "*shape 3"], to_observer: Real[ArrayLike, "*shape 3"]
 ) -> Float64[Array, "*shape"]:
-    """Return the light that an ellipsoid sends to an observer, over π a b times what it sends at full phase along c.
+    """Return the light that an ellipsoid sends to an observer, over π a b times the light at full phase along c.
 
     Every point scatters by the law of Lommel and Seeliger, μ₀ μ/(μ₀ + μ) with the cosines of incidence and emission,
-    and shadows need no search as the body is convex. The integral over what is lit and seen is closed (Muinonen &
-    Lumme, A&A 584, A23, 2015).
+    and shadows need no search as the body is convex. The integral over the part that is both lit and visible is closed
+    (Muinonen & Lumme, A&A 584, A23, 2015).
 
     Args:
         semi_axes: a, b, c along the body's x, y, z.
@@ -61,20 +67,20 @@ def ellipsoid_brightness(
     if axes.shape != (3,) or not (np.isfinite(axes) & (axes > 0)).all():
         raise InvalidInput(f"`semi_axes` must be three positive numbers; got {shown(semi_axes)}.")
     sun, observer = _directions("to_sun", to_sun) / axes, _directions("to_observer", to_observer) / axes
-    seen, lit = np.linalg.norm(observer, axis=-1), np.linalg.norm(sun, axis=-1)
+    view, lit = np.linalg.norm(observer, axis=-1), np.linalg.norm(sun, axis=-1)
     # the ellipsoid is a sphere in coordinates over its semi-axes: an angle there takes the place of the phase angle
     cross = np.linalg.norm(np.cross(sun, observer), axis=-1)
     phase = np.arctan2(cross, (sun * observer).sum(axis=-1))
     both = np.linalg.norm(sun + observer, axis=-1)
     # angles of light and observer from their sum in these coordinates; they add up to the phase angle (Muinonen & Lumme
     # 2015)
-    toward = np.arctan2(seen * np.sin(phase), lit + seen * np.cos(phase))
+    toward = np.arctan2(view * np.sin(phase), lit + view * np.cos(phase))
     rest = phase - toward
     with np.errstate(divide="ignore", invalid="ignore"):
         bent = np.sin(toward) * np.sin(rest) * np.log(1.0 / (np.tan(0.5 * toward) * np.tan(0.5 * rest)))
     bent = np.where(np.isfinite(bent), bent, 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        light = axes[2] * seen * lit / both * (np.cos(rest) + np.cos(toward) - bent)
+        light = axes[2] * view * lit / both * (np.cos(rest) + np.cos(toward) - bent)
     return np.where(both > 0, np.maximum(light, 0.0), 0.0)
 
 
@@ -86,7 +92,7 @@ def light_curve(
     to_sun: Real[ArrayLike, "3"],
     to_observer: Real[ArrayLike, "3"],
 ) -> Float64[Array, "time"]:
-    """Return the magnitude of a tumbling ellipsoid at given times, over its mean brightness seen along c.
+    """Return the magnitude of a tumbling ellipsoid at given times, over its mean brightness along c.
 
     Args:
         motion: of one body; ``semi_axes`` are along its axes.
@@ -126,7 +132,7 @@ def light_curve_lines(
         semi_axes: of the ellipsoid, in any unit.
         to_sun: direction to the Sun, in space axes.
         to_observer: direction to the observer, in space axes.
-        count: how many.
+        count: of frequencies.
 
     Raises:
         InvalidInput: if the body does not tumble (rest, permanent rotation, a sphere) or is on the separatrix, or as
@@ -142,12 +148,12 @@ def light_curve_lines(
     period, turn = motion.period, motion.precession_per_period
     if period is None or turn is None or not np.isfinite(period):
         raise InvalidInput(f"the motion must tumble, with two periods; got one that is {motion.regime}.")
-    turns, samples = PRECESSION_ORDERS, ROTATION_SAMPLES
+    turns, samples = 32, 64  # of the brightness over both angles; doubled until the outermost orders are small
     while True:
         series = _series(motion, semi_axes, sun, observer, turns, samples)
         largest = np.abs(series[:, 0]).max()
         edge = max(np.abs(series[turns // 2]).max(), np.abs(series[:, samples // 2]).max())
-        if edge <= REST * max(largest, 1.0) or samples >= MOST:
+        if edge <= LIMITS.max_outermost * max(largest, 1.0) or samples >= LIMITS.max_samples:
             break
         turns, samples = 2 * turns, 2 * samples
     m, n = np.meshgrid(np.fft.fftfreq(turns, 1 / turns), np.fft.fftfreq(samples, 1 / samples), indexing="ij")
@@ -172,10 +178,10 @@ def _series(motion: FreeMotion, semi_axes: ArrayLike, sun: Array, observer: Arra
     # R(t) = (turn · t/P about L) R₀(t), R₀ of period P: the steady part is taken out of the samples, and its angle put
     # in
     angles = 2 * np.pi * np.arange(turns)[:, None] / turns - turn * np.arange(samples) / samples
-    # the body turned about L by an angle sees directions turned back by it
+    # for the body, rotated about L by an angle, directions are rotated back by it
     back = -angles
-    turned = [_rotate_about(axis, direction, back) for direction in (sun, observer)]
-    magnitude = _magnitude(R, semi_axes, *turned)
+    rotated = [_rotate_about(axis, direction, back) for direction in (sun, observer)]
+    magnitude = _magnitude(R, semi_axes, *rotated)
     return np.fft.fft2(magnitude) / (turns * samples)
 
 
@@ -186,8 +192,8 @@ def _rotate_about(axis: Array, direction: Array, angle: Array) -> Array:
 
 
 def _magnitude(R: Array, semi_axes: ArrayLike, sun: Array, observer: Array) -> Array:
-    seen = [np.einsum("...ji,...j->...i", R, direction) for direction in (sun, observer)]
-    light = ellipsoid_brightness(semi_axes, *seen)
+    directions = [np.einsum("...ji,...j->...i", R, direction) for direction in (sun, observer)]
+    light = ellipsoid_brightness(semi_axes, *directions)
     if not (light > 0).all():
         raise InvalidInput("the observer must see something of the lit side; got a phase angle of 180°.")
     return -2.5 * np.log10(light)

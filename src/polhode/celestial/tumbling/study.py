@@ -17,7 +17,6 @@ from polhode.errors import InvalidInput, shown
 from polhode.spec.reach import check_reach
 from polhode.spec.uncertain import Uncertain, uncertain
 
-TURNS, SAMPLES = 12.0, 2400  # of the precession, that a light curve shows
 Axis = Literal["encircled", "long", "short"]
 AXES: tuple[Axis, ...] = ("encircled", "long", "short")
 
@@ -49,7 +48,7 @@ def tumble(
     "27.38 ± 0.07 h".
 
     Args:
-        body: one whose periods and moments are known, like "apophis"; what is given beside it takes their place.
+        body: one whose periods and moments are catalogued, like "apophis"; values given beside it take their place.
         precession: mean period of an axis about L [s], P_φ.
         rotation: period of the motion along the body's axes [s], P_ψ.
         moments: (3,) principal moments, in any unit; or
@@ -61,7 +60,7 @@ def tumble(
         aspect, phase: between L and the observer, and between Sun and observer across L [rad], of the light curve.
 
     Raises:
-        InvalidInput: for what is missing, cannot be read, or has no motion.
+        InvalidInput: for data that are missing, cannot be read, or have no motion.
 
     Source: Pravec et al., Icarus 173 (2005) 108; Kaasalainen, Astron. Astrophys. 376 (2001) 302.
 
@@ -161,6 +160,8 @@ def _gather_measured(known: KnownTumbler | None, inputs: Given) -> tuple[tuple[f
 
 
 def _light(motion: Tumbling, aspect: float, phase: float) -> LightCurve | None:
+    turns = 12.0  # of the precession, that a light curve shows
+    samples = 2400
     if motion.moments[0] + motion.moments[1] <= 1 + 1e-12:
         return None
     axes = equivalent_ellipsoid(motion.moments)
@@ -168,5 +169,5 @@ def _light(motion: Tumbling, aspect: float, phase: float) -> LightCurve | None:
     observer = np.array([np.sin(aspect), 0.0, np.cos(aspect)])
     sun = np.cos(phase) * observer + np.sin(phase) * np.array([0.0, 1.0, 0.0])
     lines = light_curve_lines(motion.motion, axes, sun, observer)
-    times = np.linspace(0.0, TURNS * motion.precession, SAMPLES + 1)
+    times = np.linspace(0.0, turns * motion.precession, samples + 1)
     return LightCurve(axes, aspect, phase, lines, times, light_curve(motion.motion, times, axes, sun, observer))

@@ -1,4 +1,4 @@
-"""What a report says about a tumbling body besides its motion: damping and light curve."""
+"""Damping and light curve in the report on a tumbling body."""
 
 from __future__ import annotations
 

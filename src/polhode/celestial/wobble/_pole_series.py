@@ -11,8 +11,16 @@ from polhode.types import Array, ArrayLike, Complex128, Float64, Integer, Real
 
 DAY = 86_400.0
 YEAR = 365.2422 * DAY  # tropical: the seasons' year
-LARGEST = 0.01  # rad; farther from the origin is no pole, but arcseconds or milliarcseconds
-FEWEST = 50
+
+
+class PoleLimits(NamedTuple):
+    """What series of the pole are refused."""
+
+    max_coordinate: float = 0.01  # rad; values beyond are arcseconds or milliarcseconds
+    min_samples: int = 50  # of a series
+
+
+LIMITS = PoleLimits()
 
 
 class Pole(NamedTuple):
@@ -21,7 +29,7 @@ class Pole(NamedTuple):
     Attributes:
         times: (n,) [s], ascending.
         m: (n,) [rad].
-        counts: (n,) how many samples each is the mean of.
+        counts: (n,) number of samples in each mean.
     """
 
     times: Float64[Array, "n"]
@@ -55,20 +63,22 @@ def clean_pole(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[Arr
     t, east, west = arrays
     if not len(t) == len(east) == len(west):
         raise InvalidInput(f"`times`, `x` and `y` must be equally long; got {len(t)}, {len(east)} and {len(west)}.")
-    if len(t) < FEWEST:
-        raise InvalidInput(f"the pole must be sampled at {FEWEST} times at least; got {len(t)}. Give a longer series.")
+    if len(t) < LIMITS.min_samples:
+        raise InvalidInput(
+            f"the pole must be sampled at {LIMITS.min_samples} times at least; got {len(t)}. Give a longer series."
+        )
     if (np.diff(t) <= 0.0).any():
         bad = int(np.argmax(np.diff(t) <= 0.0)) + 1
         raise InvalidInput(f"`times` must ascend; entry {bad} is {t[bad]:g} after {t[bad - 1]:g}. Sort the samples.")
-    if max(np.abs(east).max(), np.abs(west).max()) > LARGEST:
-        raise InvalidInput(f"`x` and `y` must be in radians, {LARGEST:g} at most; got "
+    if max(np.abs(east).max(), np.abs(west).max()) > LIMITS.max_coordinate:
+        raise InvalidInput(f"`x` and `y` must be in radians, {LIMITS.max_coordinate:g} at most; got "
                            f"{max(np.abs(east).max(), np.abs(west).max()):g}. Divide arcseconds by 206264.8."
                            )  # fmt: skip
     return Pole(t, east - 1j * west, np.ones(len(t)))
 
 
 def average_steps(pole: Pole, step: float) -> Pole:
-    """Return means over steps [s] that follow each other from the first time; steps without samples are left out."""
+    """Return means over consecutive steps [s] from the first time; steps without samples are left out."""
     first, sizes = _split_steps(pole, step)
     mean = lambda values: np.add.reduceat(values, first) / sizes  # noqa: E731
     return Pole(mean(pole.times), mean(pole.m.real) + 1j * mean(pole.m.imag), sizes.astype(float))
@@ -82,7 +92,7 @@ def step_moments(pole: Pole, step: float, orders: int) -> Float64[Array, "n k"]:
 
 
 def _split_steps(pole: Pole, step: float) -> tuple[Integer[Array, "n"], Integer[Array, "n"]]:
-    """Return the first sample of each step that has any, and how many it has."""
+    """Return the first sample of each step that has samples, and their number."""
     place = np.floor((pole.times - pole.times[0]) / step + 1e-9).astype(int)
     _, first, sizes = np.unique(place, return_index=True, return_counts=True)
     return first, sizes
@@ -102,10 +112,10 @@ def even(pole: Pole, step: float) -> Pole:
     sizes = np.bincount(place, minlength=steps)
     if (sizes == 0).any():
         bad = int(np.argmax(sizes == 0))
-        raise InvalidInput(f"the series must have no gap longer than the step of {step / DAY:g} d; nothing stands in "
-                           f"the {step / DAY:g} d from {(pole.times[0] + bad * step) / DAY:g} d on. Choose a span "
+        raise InvalidInput(f"the series must have no gap longer than the step of {step / DAY:g} d; there is no sample "
+                           f"in the {step / DAY:g} d from {(pole.times[0] + bad * step) / DAY:g} d on. Choose a span "
                            "without the gap.")  # fmt: skip
     mean = lambda values: np.bincount(place, values[inside], minlength=steps) / sizes  # noqa: E731
-    half = 0.5 * (step - usual)  # the mean of samples at the start of each interval stands here
+    half = 0.5 * (step - usual)  # the time of a mean over samples at the start of each interval
     times = pole.times[0] + half + step * np.arange(steps)
     return Pole(times, mean(pole.m.real) + 1j * mean(pole.m.imag), sizes.astype(float))

@@ -25,7 +25,7 @@ class WobbleOptions(NamedTuple):
 
 
 def run_wobble(path: Path | None, options: WobbleOptions, json: bool) -> None:
-    """Estimate the wobble, print what is found, and write data and figures where asked for.
+    """Estimate the wobble, print the results, and write data and figures where asked for.
 
     Raises:
         typer.Exit: with code 3 where something else moves the pole, so that nothing has a known error.

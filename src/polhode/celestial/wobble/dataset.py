@@ -20,7 +20,7 @@ CLOCK = {"units": "s", "long_name": "time since modified Julian date 0, UTC"}
 def write_wobble(
     windows: ChandlerWindows, process: ChandlerProcess, excitation: PolarExcitation, source: str, path: str | Path
 ) -> Path:
-    """Write what sliding windows, the process and deconvolution say; the file appears whole or not at all.
+    """Write the results of sliding windows, the process and deconvolution; the file appears whole or not at all.
 
     Args:
         windows: as ``fit_chandler_windows`` returns them.

@@ -1,7 +1,7 @@
 """The Chandler wobble and the seasons in the motion of the Earth's pole, by least squares.
 
-The pole is m = x − i y, with x towards Greenwich and y towards 90° West, as the IERS has them; what turns with the
-Earth's spin, prograde, goes as exp(+iσt). Model: a position, a drift, annual and semiannual terms of both senses, and
+The pole is m = x − i y, with x towards Greenwich and y towards 90° West, as the IERS has them; prograde motion, with
+the Earth's spin, goes as exp(+iσt). Model: a position, a drift, annual and semiannual terms of both senses, and
 the Chandler wobble of both senses at one rate σ, which is fitted too.
 
 References: K. Lambeck, The Earth's Variable Rotation, Cambridge 1980, ch. 7; J. Vondrák, C. Ron, Y. Chapanov,
@@ -25,14 +25,22 @@ from polhode.estimation._last_steps import take_last_steps
 from polhode.estimation._line_noise import LineNoise, accumulate_walk, level_at, noise_about
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
-STEP = 5.0 * DAY  # means over it are fitted: nothing that the model has changes much within
-ORDERS = 9  # of powers of the turn within half a step, 0.09 at most
-SHORTEST, LONGEST = 380.0 * DAY, 490.0 * DAY  # periods among which the wobble's is sought
-BEATS = 2.0 * 6.39 * 365.25 * DAY  # twice the beat of 433 d and a year; `fit_chandler` says why
+STEP = 5.0 * DAY  # means over it are fitted, as the model changes little within it
 ANNUAL = 2.0 * np.pi / YEAR
 SEASONS = {"annual_prograde": ANNUAL, "annual_retrograde": -ANNUAL,
            "semiannual_prograde": 2.0 * ANNUAL, "semiannual_retrograde": -2.0 * ANNUAL}  # fmt: skip
-SEEN = 3.0  # standard errors, below which a line is not there
+
+
+class ChandlerLimits(NamedTuple):
+    """What decides whether a series has a Chandler wobble."""
+
+    min_period: float = 380.0 * DAY  # s, sought
+    max_period: float = 490.0 * DAY  # s, sought
+    min_span: float = 2.0 * 6.39 * 365.25 * DAY  # s: twice the beat of 433 d and a year; `fit_chandler` says why
+    min_significance: float = 3.0  # standard errors of the amplitude; a line with less is noise
+
+
+LIMITS = ChandlerLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +49,7 @@ class ChandlerFit:
 
     Attributes:
         estimate: ``period`` [s], ``amplitude`` [rad] and ``phase`` [rad] at ``epoch`` of the prograde wobble. The
-            amplitude is that of the *mean* wobble over the span, which is what one line can say of a wobble that
+            amplitude is that of the *mean* wobble over the span, as one line cannot describe a wobble that
             changes.
         terms: real and imaginary part [rad] of each term at ``epoch``, as ``annual_prograde_re``, and of position
             (``mean``) and ``drift`` [rad/s].
@@ -102,12 +110,12 @@ class _Model(NamedTuple):
 def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"]) -> ChandlerFit:
     """Fit the Chandler wobble, its rate included, with drift and seasons, by least squares.
 
-    Errors allow for coloured noise and for a wobble whose amplitude and phase walk, as told by what is left on both
-    sides of each line (``line_noise``); simulations of both cover the true period as often as they should.
+    Errors allow for coloured noise and for a wobble whose amplitude and phase walk, as estimated from the residuals on
+    both sides of each line (``line_noise``); simulations of both cover the true period as often as they should.
 
     The wobble and the year beat in 6.39 a, and two beats are asked for. Over one, the seasons enlarge the variance
     of the rate by half. In windows of 7 years of series C04 the period scatters by 7 d, more than twice its error
-    there, since what is left is too little to tell the noise; in windows of 13 years by 3.5 d, as its errors say.
+    there, since the residuals are too few to estimate the noise; in windows of 13 years by 3.5 d, as its errors say.
 
     Args:
         times: [s], ascending; gaps are allowed.
@@ -127,14 +135,15 @@ def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
         >>> [round(float(fit.estimate.value[0]) / 86400.0, 1), round(float(fit.estimate.value[1]) * 1e7, 2)]
         [433.0, 7.0]
     """
+    orders = 9  # of powers of the turn within half a step, 0.09 at most
     samples = clean_pole(times, x, y)
     pole = average_steps(samples, STEP)
-    if pole.span < BEATS:
-        raise InvalidInput(f"the series must last {BEATS / YEAR:.1f} years, twice the beat of the wobble and the year, "
-                           f"to tell the two apart; got {pole.span / YEAR:.2f} years. Give a longer series."
+    if pole.span < LIMITS.min_span:
+        raise InvalidInput(f"the series must last {LIMITS.min_span / YEAR:.1f} years, twice the beat of the wobble and "
+                           f"the year, to separate the two; got {pole.span / YEAR:.2f} years. Give a longer series."
                            )  # fmt: skip
     epoch = 0.5 * float(pole.times[0] + pole.times[-1])
-    series = _Series(pole.times - epoch, pole.m, step_moments(samples, STEP, ORDERS), pole.span)
+    series = _Series(pole.times - epoch, pole.m, step_moments(samples, STEP, orders), pole.span)
     rate, undone = _best_rate(series)
     rates = {**SEASONS, "chandler_prograde": rate, "chandler_retrograde": -rate}
     model = _solve(series, rate)
@@ -149,8 +158,8 @@ def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
     parts = np.stack([np.real(values), np.imag(values)], axis=1).ravel()
     terms = Estimate(tuple(names), parts, covariance[:-1, :-1], degrees)
     estimate = _headline(rate, values[4], covariance[np.ix_([-1, 8, 9], [-1, 8, 9])], degrees)
-    if estimate.value[1] < SEEN * estimate.standard_error[1]:
-        raise InvalidInput(f"no Chandler wobble stands out of the noise: its amplitude is {estimate.value[1]:.2g} ± "
+    if estimate.value[1] < LIMITS.min_significance * estimate.standard_error[1]:
+        raise InvalidInput(f"no Chandler wobble exceeds the noise: its amplitude is {estimate.value[1]:.2g} ± "
                            f"{estimate.standard_error[1]:.2g} rad. Give a longer series, or check columns and units."
                            )  # fmt: skip
     rms = float(np.sqrt(0.5 * np.mean(np.abs(model.left) ** 2)))
@@ -160,25 +169,25 @@ def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
 
 
 def _best_rate(series: _Series) -> tuple[float, float]:
-    """Return the rate [rad/s] with the least residuals, the global minimum over the admitted periods, and what the
-    search leaves undone."""
+    """Return the rate [rad/s] with the least residuals, the global minimum over the admitted periods, and the error
+    that the search leaves."""
 
     def cost(rate: float) -> float:
         left = _solve(series, rate).left
         return float(np.vdot(left, left).real)
 
-    low, high = 2.0 * np.pi / LONGEST, 2.0 * np.pi / SHORTEST
+    low, high = 2.0 * np.pi / LIMITS.max_period, 2.0 * np.pi / LIMITS.min_period
     grid = np.linspace(low, high, int((high - low) * series.span / (2.0 * np.pi) * 6.0) + 8)
     costs = [cost(rate) for rate in grid]
     best = int(np.argmin(costs))
     if best in (0, len(grid) - 1):
-        raise InvalidInput(f"no Chandler wobble with a period between {SHORTEST / DAY:g} and {LONGEST / DAY:g} d is in "
-                           "the series: the fit runs to an end. Check columns and units, or give a longer series."
-                           )  # fmt: skip
+        raise InvalidInput(f"no Chandler wobble with a period between {LIMITS.min_period / DAY:g} and "
+                           f"{LIMITS.max_period / DAY:g} d is in the series: the fit runs to an end. Check columns "
+                           "and units, or give a longer series.")  # fmt: skip
     minimum: Any = minimize_scalar(cost, bounds=(grid[best - 1], grid[best + 1]), method="bounded",
                             options={"xatol": 1e-7 * grid[best]})  # fmt: skip
-    turned = float(minimum.x) * series.span
-    x, left = take_last_steps(_RateSystem(series), np.array([turned]), np.array([-np.inf]), np.array([np.inf]))
+    turn = float(minimum.x) * series.span
+    x, left = take_last_steps(_RateSystem(series), np.array([turn]), np.array([-np.inf]), np.array([np.inf]))
     return float(x[0]) / series.span, float(left[0]) / series.span
 
 
@@ -207,7 +216,7 @@ class _RateSystem:
 def _waves(series: _Series, rates: list[float], slope: bool = False) -> Complex128[Array, "n c"]:
     """Return e^{iσt} of each rate, of means over the samples of each step, or its derivatives by σ."""
     # about the mean time t of a step's samples the mean of e^{iσ(t + u)} is e^{iσt} Σ (iσ)ᵏ ⟨uᵏ⟩/k!
-    k = np.arange(ORDERS)
+    k = np.arange(series.moments.shape[1])
     parts = (1j * np.array(rates)) ** k[:, None] / factorial(k)[:, None]
     turn = np.exp(1j * np.outer(series.clock, rates))
     mean = series.moments @ parts
@@ -269,7 +278,7 @@ def _errors(
     degrees = float(np.clip(2.0 * covariance[-1, -1] ** 2 / spread, 2.0, 1e6))
     alone = basis[:, [8, 9, -1]]
     inflation = inverse[-1, -1] / np.linalg.inv((alone.conj().T @ alone).real)[-1, -1]
-    # what the search leaves undone is an error too, and of series without noise the larger one
+    # the error that the search leaves counts too, and is the larger one for series without noise
     moved = np.linalg.lstsq(model.columns, -undone * bend, rcond=None)[0]
     last = np.array([*np.stack([moved.real, moved.imag], axis=1).ravel(), undone])
     phase = np.finfo(float).eps * 0.5 * line * series.span  # by which a phase at the ends is rounded

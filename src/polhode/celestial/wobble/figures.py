@@ -15,19 +15,17 @@ from polhode.celestial.wobble.units import DAY, MAS, YEAR
 from polhode.celestial.wobble.windows import ChandlerWindows, PoleSpectrum
 from polhode.figures import style
 
-FIRST_YEAR = 1858.8761  # of modified Julian dates
-MOST = 2.3  # cycles a year that the spectrum shows
-EACH = 5  # days from point to point of the spiral
-
 
 def _years(seconds: Any) -> Any:
-    return FIRST_YEAR + np.asarray(seconds) / YEAR
+    first = 1858.8761  # year of the modified Julian date 0
+    return first + np.asarray(seconds) / YEAR
 
 
 def spiral(series: PoleSeries, line: ChandlerFit) -> Figure:
-    """Return the pole's path as seen from above the North Pole: 90° West, y, to the left, Greenwich, x, up."""
-    x, y = series.x[::EACH] / MAS, series.y[::EACH] / MAS
-    years = _years(series.days[::EACH] * DAY)
+    """Return the pole's path from above the North Pole: 90° West, y, to the left, Greenwich, x, up."""
+    every = 5  # days from point to point
+    x, y = series.x[::every] / MAS, series.y[::every] / MAS
+    years = _years(series.days[::every] * DAY)
     figure = style.new_figure(width=style.COLUMN * 1.1)
     axes = figure.add_subplot()
     points = np.stack([y, x], axis=1)
@@ -56,13 +54,13 @@ def over_time(windows: ChandlerWindows, process: ChandlerProcess, line: Chandler
     figure = style.new_figure(width=style.COLUMN * 1.3)
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
     years = _years(windows.centres)
-    turned = process.wobble * np.exp(-1j * windows.rate * (process.times - windows.epoch))
-    smooth = np.unwrap(np.angle(turned))
+    steady = process.wobble * np.exp(-1j * windows.rate * (process.times - windows.epoch))
+    smooth = np.unwrap(np.angle(steady))
     apart = np.interp(process.times, windows.centres, windows.phase) - smooth
     smooth += 2.0 * np.pi * np.round(np.median(apart) / (2.0 * np.pi))
     for axes, value, error, other, spread, unit in (
-        (above, windows.amplitude, windows.amplitude_error, np.abs(turned), process.wobble_error, MAS),
-        (below, windows.phase, windows.phase_error, smooth, process.wobble_error / np.abs(turned), np.pi / 180.0),
+        (above, windows.amplitude, windows.amplitude_error, np.abs(steady), process.wobble_error, MAS),
+        (below, windows.phase, windows.phase_error, smooth, process.wobble_error / np.abs(steady), np.pi / 180.0),
     ):
         axes.fill_between(years, (value - error) / unit, (value + error) / unit, color=style.BLUE, alpha=0.25, lw=0)
         axes.plot(years, value / unit, color=style.BLUE, lw=1.2, label=f"windows of {windows.window / YEAR:.3g} years")
@@ -83,21 +81,22 @@ def over_time(windows: ChandlerWindows, process: ChandlerProcess, line: Chandler
 
 def spectrum(pole_spectrum: PoleSpectrum, line: ChandlerFit) -> Figure:
     """Return the spectrum of both senses of turning."""
+    highest = 2.3  # cycles a year
     frequencies = pole_spectrum.frequencies * YEAR
     density = pole_spectrum.density / MAS**2 / YEAR
     figure = style.new_figure(width=style.COLUMN * 1.3, height=2.8)
     axes = figure.add_subplot()
     for sign, colour, name in ((1.0, style.BLUE, "prograde"), (-1.0, style.ORANGE, "retrograde")):
-        side = (sign * frequencies > 0.0) & (np.abs(frequencies) <= MOST)
+        side = (sign * frequencies > 0.0) & (np.abs(frequencies) <= highest)
         order = np.argsort(np.abs(frequencies[side]))
         axes.semilogy(np.abs(frequencies[side])[order], density[side][order], color=colour, lw=0.9, label=name)
-    top = float(density[np.abs(frequencies) <= MOST].max())
+    top = float(density[np.abs(frequencies) <= highest].max())
     chandler = YEAR / float(line.estimate.value[0])
     for place, name, to in ((chandler, "Chandler", "right"), (1.0, "annual", "left"), (2.0, "semiannual", "right")):
         axes.axvline(place, color=style.LIGHT, lw=0.8, zorder=0)
         axes.text(place + (0.02 if to == "left" else -0.02), 2.0 * top, name, fontsize=style.FONT - 1, ha=to,
                   color=style.GREY)  # fmt: skip
-    axes.set_xlim(0.0, MOST)
+    axes.set_xlim(0.0, highest)
     axes.set_ylim(None, 6.0 * top)
     axes.set_xlabel("frequency  [cycles a year]")
     axes.set_ylabel("density  [mas² per cycle a year]")

@@ -2,7 +2,7 @@
 
 The wobble is the Gauss–Markov process ds = iσ_c s dt + dw of ṁ = iσ_c(m − ψ), σ_c = σ(1 + i/2Q), with a white
 excitation ψ. All else that moves the pole is far from white from the lowest frequencies to the highest, so the
-likelihood looks at the wobble's band alone: the pole, turned back at a rate near σ, is averaged over a wobble's
+likelihood looks at the wobble's band alone: the pole, rotated back at a rate near σ, is averaged over a wobble's
 period, which also takes out position and drift. The means z_k of the process have the autocovariance of a damped
 walk averaged over steps, exactly; in the band the rest is white noise of the means. The annual term is integrated
 out (restricted likelihood).
@@ -30,10 +30,19 @@ from polhode.special._residual_noise import NoiseTest
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 LEVELS = (0.6827, 0.95)
-LARGEST_Q = 1e5  # a wobble of longer life cannot be told from one without damping in any series there is
 UNIT = 433.0 * DAY
-LAGS = 6  # steps over which innovations are tested for whiteness
-BOUNDS = ((380.0 / 433.0, 490.0 / 433.0), (np.log(2.0), np.log(LARGEST_Q)), (-9.0, 14.0))
+
+
+class SearchBounds(NamedTuple):
+    """Ends of the search for the parameters of the process."""
+
+    period: tuple[float, float] = (380.0 / 433.0, 490.0 / 433.0)  # in units of 433 d
+    # ln Q; a wobble of longer life is not distinguished from one without damping by any series there is
+    quality: tuple[float, float] = (np.log(2.0), np.log(1e5))
+    noise: tuple[float, float] = (-9.0, 14.0)  # ln of the noise's variance over that of the walk in a step
+
+
+BOUNDS = SearchBounds()
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,10 +53,10 @@ class ChandlerProcess:
         estimate: ``period`` [s] and ``quality_factor``, with errors by the curvature of the likelihood; Q has an
             infinite one where its interval of one standard deviation has no upper end.
         period_intervals: probability → ends of the interval of the period [s], by the likelihood's profile.
-        quality_intervals: the same of Q, wider above than below. The upper end is infinite where the likelihood does
+        quality_intervals: likewise of Q, wider above than below. The upper end is infinite where the likelihood does
             not refuse a wobble without damping.
         excitation: spectral density of the excitation at the wobble's rate, two-sided [rad² s].
-        noise: standard deviation of what is not the wobble, of a complex mean over a step [rad].
+        noise: standard deviation of the rest of the motion, in a complex mean over a step [rad].
         step: over which means are taken [s].
         times: (n,) middles of the steps [s].
         wobble: (n,) the complex wobble's means, estimated from all data [rad]; they turn at the fitted line's rate.
@@ -69,12 +78,12 @@ class ChandlerProcess:
 
     @property
     def is_noise(self) -> bool:
-        """Whether what the process does not foresee is noise, for which alone its errors hold."""
+        """Whether the innovations are noise, for which alone the errors hold."""
         return NoiseTest(self.whiteness, 0.0).is_noise
 
 
 class _Band(NamedTuple):
-    """Means over steps, turned back at ``rate``: the pole in column 0, the annual term in column 1."""
+    """Means over steps, rotated back at ``rate``: the pole in column 0, the annual term in column 1."""
 
     data: Complex128[Array, "n c"]
     rate: float
@@ -95,8 +104,8 @@ def fit_chandler_process(
     """Estimate period and Q of the Chandler wobble as a Gauss–Markov process, by restricted likelihood.
 
     Unlike a fitted line, the process expects amplitude and phase to change, so that its errors hold for the free
-    wobble. Intervals are by the likelihood's profile. Q is known badly: 64 years of a wobble with Q = 100 leave it
-    open by a factor of two or more.
+    wobble. Intervals are by the likelihood's profile. Q is poorly determined: 64 years of a wobble with Q = 100 leave
+    it open by a factor of two or more.
 
     Args:
         times: [s], ascending, without gaps longer than 5 d or the usual step.
@@ -133,7 +142,7 @@ def fit_chandler_process(
     estimate = Estimate(("period", "quality_factor"), np.array([best.x[0] * UNIT, quality]), covariance)
     wobble, error = _smooth(best.x, band, filtered)
     rate = 2.0 * np.pi / estimate.value[0]
-    found = ChandlerProcess(
+    process = ChandlerProcess(
         estimate, {level: (a * UNIT, b * UNIT) for level, (a, b) in intervals[0].items()},
         {level: (float(np.exp(a)), float(np.exp(b))) for level, (a, b) in intervals[1].items()},
         # dm/dt = iσ (m − χ): the walk's variance in a step is σ²Δ S, with Δ the step and S the density of χ
@@ -141,18 +150,18 @@ def fit_chandler_process(
         float(np.sqrt(filtered.scale * np.exp(best.x[2]))), band.step, middles,
         wobble * np.exp(1j * band.rate * (middles - line.epoch)), error, _whiteness(filtered.innovations),
     )  # fmt: skip
-    return found if found.is_noise else _without_errors(found)
+    return process if process.is_noise else _without_errors(process)
 
 
 def _without_errors(process: ChandlerProcess) -> ChandlerProcess:
-    """Return the process with nothing known of its errors."""
+    """Return the process without errors and intervals."""
     unknown = dict.fromkeys(LEVELS, (float("nan"), float("nan")))
     return replace(process, estimate=process.estimate.without_errors(), period_intervals=unknown,
                    quality_intervals=unknown, wobble_error=np.full_like(process.wobble_error, np.nan))  # fmt: skip
 
 
 def _take_band(line: ChandlerFit) -> tuple[_Band, Float64[Array, "n"]]:
-    """Return the band about the wobble, without what a fit finds far from it, and the middles of its steps."""
+    """Return the band about the wobble, without the terms fitted far from it, and the middles of its steps."""
     clock = line.times - line.epoch
     rate = line.rates["chandler_prograde"]
     m = line.left + line.term("chandler_prograde") * np.exp(1j * rate * clock)  # the annual term is fitted once more
@@ -166,7 +175,7 @@ def _covariance(p: Float64[Array, "3"], band: _Band) -> Complex128[Array, "n n"]
     """Return the covariance of the wobble's means, where a walk's variance grows by 1 in a step."""
     rate = 2.0 * np.pi / (p[0] * UNIT)
     # dm/dt = (iσ − σ/2Q) m + white noise: times j steps apart have the covariance e^{−aj}/(2 Re a), where
-    # a = (σ/2Q − i(σ − fitted rate)) × step, as the data are turned back at the fitted rate
+    # a = (σ/2Q − i(σ − fitted rate)) × step, as the data are rotated back at the fitted rate
     decay = 0.5 * rate * np.exp(-p[1]) * band.step
     a = decay - 1j * (rate - band.rate) * band.step
     count = len(band.data)
@@ -235,7 +244,7 @@ def _intervals(
 
 
 def _end(rise: Callable[[float], float], start: float, reach: float, height: float, limit: float) -> float:
-    """Return where a profile has risen by a height; infinite, or the limit below, where it does not."""
+    """Return where a profile has risen by a height; infinite, or the lower bound, where it does not."""
     inner, outer = start, start + reach
     for _ in range(30):
         if (outer - limit) * np.sign(reach) >= 0.0:
@@ -252,10 +261,10 @@ def _end(rise: Callable[[float], float], start: float, reach: float, height: flo
 def _smooth(
     p: Float64[Array, "3"], band: _Band, filtered: _Filtered
 ) -> tuple[Complex128[Array, "n"], Float64[Array, "n"]]:
-    """Return the wobble's means given all data, turned back, and the standard deviation of each component."""
+    """Return the wobble's means given all data, rotated back, and the standard deviation of each component."""
     wobble = _covariance(p, band)
     factor = cholesky(wobble + np.exp(p[2]) * np.eye(len(wobble)), lower=True)
-    # with the covariance C of the wobble and V = C + noise of the data, E[m | y] = C V⁻¹ (y − Xβ); what is left open
+    # with the covariance C of the wobble and V = C + noise of the data, E[m | y] = C V⁻¹ (y − Xβ); its error
     # has the covariance C − C V⁻¹ C
     mean = wobble @ cho_solve((factor, True), band.data[:, 0] - band.data[:, 1:] @ filtered.values)
     whitened = solve_triangular(factor, wobble, lower=True)
@@ -265,7 +274,8 @@ def _smooth(
 
 def _whiteness(innovations: Complex128[Array, "n"]) -> float:
     # 2n |r_k|² of white complex noise is χ² with two degrees; Ljung and Box weigh its sum by (n + 2)/(n − k)
+    order = 6  # steps over which innovations are tested
     count = len(innovations)
     power = float(np.vdot(innovations, innovations).real)
-    lags = [abs(np.vdot(innovations[:-k], innovations[k:])) ** 2 / power**2 / (count - k) for k in range(1, LAGS + 1)]
-    return float(chi2.sf(2.0 * count * (count + 2) * sum(lags), 2 * LAGS))
+    lags = [abs(np.vdot(innovations[:-k], innovations[k:])) ** 2 / power**2 / (count - k) for k in range(1, order + 1)]
+    return float(chi2.sf(2.0 * count * (count + 2) * sum(lags), 2 * order))

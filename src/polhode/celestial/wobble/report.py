@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -26,14 +26,22 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 ROWS = 3.0 * YEAR  # between the windows that the text shows
-STRAIGHT = 0.01  # of energy that may be retrograde, as the Earth's wobble is a circle but for a thousandth
-AT_ODDS = 2.0  # standard errors between two estimates of the period
-CORRELATED = 0.01  # probability of the innovations, below which a reader should doubt the errors of the process
+
+
+class WobbleReportLimits(NamedTuple):
+    """What the notes of a report warn of."""
+
+    max_retrograde_energy: float = 0.01  # of the prograde; the Earth's wobble is a circle but for a thousandth
+    max_disagreement: float = 2.0  # standard errors between two estimates of the period
+    min_whiteness: float = 0.01  # probability of the innovations; below it the errors of the process are doubtful
+
+
+LIMITS = WobbleReportLimits()
 
 
 @dataclass(frozen=True)
 class WobbleReport(StudyReport):
-    """All that is found from one series of polar motion."""
+    """All results from one series of polar motion."""
 
     kind: ClassVar[str] = "wobble"
     data_file: ClassVar[str] = "wobble.nc"
@@ -66,7 +74,7 @@ class WobbleReport(StudyReport):
 
     @property
     def _misfit(self) -> str:
-        """A sentence that something else moves the pole than line or process; empty where what is left is noise."""
+        """A sentence that something else moves the pole than line or process; empty where the residuals are noise."""
         line, process = self.line.noise.test, self.process
         of_line = (f"what the line leaves next to it is not noise (noise has such frequencies with a probability of "
                    f"{line.probability:.1g})")  # fmt: skip
@@ -88,7 +96,7 @@ class WobbleReport(StudyReport):
         series, line, process = self.series, self.line, self.process
         if series.predicted:
             notes.append(f"{series.predicted} lines are predictions and were left out.")
-        if line.energy_ratio > STRAIGHT:
+        if line.energy_ratio > LIMITS.max_retrograde_energy:
             notes.append(f"the retrograde Chandler energy is {100.0 * line.energy_ratio:.2g} % of the prograde one; "
                          "the Earth's is below 1 %. Check signs and units of x and y.")  # fmt: skip
         amplitudes = self.windows.amplitude
@@ -98,9 +106,10 @@ class WobbleReport(StudyReport):
                          "that of the single line is the mean of a wobble that changes, not what it is at any time."
                          )  # fmt: skip
         apart = abs(line.estimate.value[0] - process.estimate.value[0])
-        if apart > AT_ODDS * math.hypot(line.estimate.standard_error[0], process.estimate.standard_error[0]):
+        error = math.hypot(line.estimate.standard_error[0], process.estimate.standard_error[0])
+        if apart > LIMITS.max_disagreement * error:
             notes.append("line and process disagree on the period by more than their errors allow.")
-        if process.is_noise and process.whiteness < CORRELATED:
+        if process.is_noise and process.whiteness < LIMITS.min_whiteness:
             notes.append("what the process does not foresee is correlated (Ljung–Box): its errors may be too small.")
         if math.isinf(process.quality_intervals[0.95][1]):
             notes.append("the series does not refuse a wobble without damping: Q has no upper end at 95 %.")
@@ -135,7 +144,7 @@ def _quality_in_words(report: WobbleReport, level: float) -> str:
 
 
 def _known(ends: Sequence[float]) -> list[float] | None:
-    """Return an interval, or None where nothing is known of errors."""
+    """Return an interval, or None where errors are not known."""
     return None if any(math.isnan(end) for end in ends) else list(ends)
 
 

@@ -23,12 +23,21 @@ from polhode.types import Array, Float64
 KIND = "polar motion"
 LIMIT = 64 * MB
 ARCSECOND = math.pi / 648_000.0
-FARTHEST = 5.0  # arcseconds from the origin; the pole has stayed within 0.8
-FIRST_DAY, LAST_DAY = 15_020.0, 90_000.0  # modified Julian dates, 1900 to 2105: what stands elsewhere is another column
 DEFAULT = "eopc04.1962-now"
 _FINALS = re.compile(r"[ \d]{2}[ \d]{2}[ \d]{2} \d{5}\.\d\d ")
 _REMEDY = ("Give a C04 file (year, month, day, with or without hour, MJD, x, y, …) or finals2000A.all, as the IERS "
            "publishes them")  # fmt: skip
+
+
+class FileLimits(NamedTuple):
+    """What values a file of polar motion may have."""
+
+    max_distance: float = 5.0  # arcseconds from the origin; the pole has stayed within 0.8
+    first_day: float = 15_020.0  # modified Julian date, of 1900
+    last_day: float = 90_000.0  # of 2105; numbers beyond are of another column
+
+
+LIMITS = FileLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +73,7 @@ class _Form(NamedTuple):
     fewest: int
 
 
-_C04 = {3: _Form("C04 14", 3, 4, 10, 12), 4: _Form("C04 20", 4, 5, 13, 15)}  # by where the MJD stands
+_C04 = {3: _Form("C04 14", 3, 4, 10, 12), 4: _Form("C04 20", 4, 5, 13, 15)}  # by the column of the MJD
 
 
 def read_polar_motion(path: str | Path | None = None) -> PoleSeries:
@@ -137,11 +146,11 @@ def _c04_rows(path: Path, lines: list[str], first: str) -> tuple[str, list[tuple
 def _c04_form(path: Path, line: int, words: list[str]) -> _Form:
     for place, form in _C04.items():
         try:
-            if len(words) > place and FIRST_DAY < read_number(words[place]) < LAST_DAY:
+            if len(words) > place and LIMITS.first_day < read_number(words[place]) < LIMITS.last_day:
                 return form
         except ValueError:
             continue
-    raise FormatError(f"{path}, line {line}: is no line of polar motion: no modified Julian date stands in column "
+    raise FormatError(f"{path}, line {line}: is no line of polar motion: no modified Julian date is in column "
                       f"4 or 5. {_REMEDY}.")  # fmt: skip
 
 
@@ -178,13 +187,13 @@ def _number(path: Path, line: int, column: int, word: str) -> float:
 def _check_row(path: Path, line: int, row: tuple[float, ...], before: float | None) -> tuple[float, ...]:
     day, x, y, x_error, y_error = row
     where = f"{path}, line {line}"
-    if not FIRST_DAY < day < LAST_DAY:
+    if not LIMITS.first_day < day < LIMITS.last_day:
         raise FormatError(f"{where}: {day:g} is no modified Julian date between 1900 and 2105. {_REMEDY}.")
     if before is not None and day <= before:
         raise FormatError(f"{where}: MJD {day:g} comes after {before:g}; dates must ascend. Sort the lines.")
-    if max(abs(x), abs(y)) > FARTHEST:
-        raise FormatError(f"{where}: the pole stands at ({x:g}, {y:g}) arcseconds; it stays within {FARTHEST:g}. "
-                          "Correct the line, or give arcseconds.")  # fmt: skip
+    if max(abs(x), abs(y)) > LIMITS.max_distance:
+        raise FormatError(f"{where}: the pole is at ({x:g}, {y:g}) arcseconds; it stays within "
+                          f"{LIMITS.max_distance:g}. Correct the line, or give arcseconds.")  # fmt: skip
     if x_error < 0.0 or y_error < 0.0:
         raise FormatError(f"{where}: errors of x and y must not be negative; got {x_error:g} and {y_error:g}. "
                           "Correct the line.")  # fmt: skip

@@ -3,20 +3,30 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode._base.arrays import known_numbers_only
 from polhode.celestial.wobble._pole_series import DAY, YEAR, Pole, average_steps, clean_pole, even
-from polhode.celestial.wobble.estimation import LONGEST, SEASONS, SHORTEST, STEP, fit_chandler
+from polhode.celestial.wobble.estimation import LIMITS as CHANDLER
+from polhode.celestial.wobble.estimation import SEASONS, STEP, fit_chandler
 from polhode.errors import InvalidInput, shown
 from polhode.estimation._line_noise import level_at
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 SIX_YEARS = 6.0 * YEAR
-SHORTEST_WINDOW = 4.0 * YEAR  # there the seasons enlarge the amplitude's variance by a third, over six years by 2 %
-EACH = 0.25 * YEAR  # between windows
-FULL = 0.9  # of a window that must hold samples
+
+
+class WindowLimits(NamedTuple):
+    """What windows are refused or left out."""
+
+    # s: there the seasons enlarge the amplitude's variance by a third, over six years by 2 %
+    min_window: float = 4.0 * YEAR
+    min_filled: float = 0.9  # of a window, by samples
+
+
+LIMITS = WindowLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,9 +94,9 @@ def fit_chandler_windows(
 ) -> ChandlerWindows:  # fmt: skip
     """Fit amplitude and phase of the wobble in windows that slide by a quarter of a year.
 
-    In each window position, drift, seasons and the prograde wobble at one rate are fitted. Errors are by what is
-    left on both sides of the line; a value is the mean wobble of its window. Windows shorter than 4 years are
-    refused: there the year and the wobble, which beat in 6.4 years, are hardly told apart.
+    In each window position, drift, seasons and the prograde wobble at one rate are fitted. Errors are by the
+    residuals on both sides of the line; a value is the mean wobble of its window. Windows shorter than 4 years are
+    refused: there the year and the wobble, which beat in 6.4 years, are hardly separated.
 
     Args:
         times: [s], ascending; windows with gaps of more than a tenth of them are left out.
@@ -106,26 +116,27 @@ def fit_chandler_windows(
         >>> (windows.amplitude[[0, -1]] * 1e7).round(1).tolist()
         [6.4, 8.5]
     """
+    spacing = 0.25 * YEAR  # of windows
     raw = clean_pole(times, x, y)
-    if not SHORTEST_WINDOW * 0.999 <= window <= raw.span:
-        raise InvalidInput(f"the window must be from {SHORTEST_WINDOW / YEAR:g} years, which tell the wobble from the "
-                           f"year, to the series' {raw.span / YEAR:.2f} years; got {shown(window / YEAR)}. Leave it "
-                           "out for 6 years.")  # fmt: skip
+    if not LIMITS.min_window * 0.999 <= window <= raw.span:
+        raise InvalidInput(f"the window must be from {LIMITS.min_window / YEAR:g} years, which separate the wobble "
+                           f"from the year, to the series' {raw.span / YEAR:.2f} years; got {shown(window / YEAR)}. "
+                           "Leave it out for 6 years.")  # fmt: skip
     if period is None:
         period = float(fit_chandler(times, x, y).estimate.value[0])
-    if not SHORTEST <= period <= LONGEST:
-        raise InvalidInput(f"`period` must be from {SHORTEST / DAY:g} to {LONGEST / DAY:g} d, in seconds; got "
-                           f"{shown(period)}. Leave it out to have it fitted.")  # fmt: skip
+    if not CHANDLER.min_period <= period <= CHANDLER.max_period:
+        raise InvalidInput(f"`period` must be from {CHANDLER.min_period / DAY:g} to {CHANDLER.max_period / DAY:g} d, "
+                           f"in seconds; got {shown(period)}. Leave it out to have it fitted.")  # fmt: skip
     pole = average_steps(raw, STEP)
     epoch = 0.5 * float(pole.times[0] + pole.times[-1])
     rate = 2.0 * np.pi / period
-    steps = int((pole.span - window) / EACH + 1e-6)
-    centres = pole.times[0] + 0.5 * window + EACH * np.arange(steps + 1)
+    steps = int((pole.span - window) / spacing + 1e-6)
+    centres = pole.times[0] + 0.5 * window + spacing * np.arange(steps + 1)
     usual = float(np.median(np.diff(pole.times)))
     windows = []
     for centre in centres:
         inside = np.abs(pole.times - centre) <= 0.5 * window
-        if inside.sum() * usual > FULL * window:
+        if inside.sum() * usual > LIMITS.min_filled * window:
             windows.append((centre, *_in_window(pole.times[inside] - epoch, pole.m[inside], rate)))
     if not windows:
         raise InvalidInput(f"no window of {window / YEAR:g} years is full: the gaps are too long. Choose another span.")
