@@ -6,7 +6,7 @@ import pytest
 from polhode import FreeMotion, rotation
 from polhode.analysis import AttitudeHistory, Mechanics
 from polhode.spacecraft import compare
-from polhode.spacecraft.comparing.figure import LEAST, comparison
+from polhode.spacecraft.comparing.figure import LIMITS, comparison
 
 MOTION = FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))
 BODY = Mechanics(np.diag([1.0, 2.0, 3.0]))
@@ -49,7 +49,7 @@ def test_zero_is_drawn_as_zero_and_without_moments_there_is_one_picture():
     identical = AttitudeHistory("identity", times, np.tile([1.0, 0.0, 0.0, 0.0], (50, 1)))
     figure = comparison(compare(identical, identical))
     (axes,) = figure.axes
-    assert np.all(axes.get_lines()[0].get_ydata() == LEAST)
+    assert np.all(axes.get_lines()[0].get_ydata() == LIMITS.drawn_zero)
     figure.canvas.draw()
     assert [tick.get_text() for tick in axes.get_yticklabels()] == ["0"]
 

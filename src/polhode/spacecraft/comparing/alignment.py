@@ -12,11 +12,16 @@ from polhode.analysis._attitude_noise import root_mean_square
 from polhode.analysis._printing import print_answer, write_numbers
 from polhode.types import Array, ArrayLike, Float64, Real
 
-FEWEST = 10  # samples for nine unknowns
-MOST = 20_000  # samples that the fit looks at, evenly chosen
-ROUNDS = 30
-SETTLED = 1e-14  # rad; steps below no longer change the angles
-SAME = 1e-7  # of the largest singular value; below, two unknowns have the same effect to what steps can resolve
+
+class AlignmentLimits(NamedTuple):
+    """What decides whether there is an alignment, and whether it is determined."""
+
+    min_samples: int = 10  # for nine unknowns
+    settled_step: float = 1e-14  # rad; smaller steps no longer change the angles
+    min_singular_value: float = 1e-7  # of the largest; below, two unknowns have one effect, as far as steps resolve it
+
+
+LIMITS = AlignmentLimits()
 
 
 class Alignment(NamedTuple):
@@ -61,18 +66,20 @@ def fit_alignment(
 
     Source: Markley et al., J. Guid. Control Dyn. 30 (2007) 1193, for the means.
     """
-    if len(times) < FEWEST:
+    most = 20_000  # samples of the fit, evenly chosen
+    rounds = 30
+    if len(times) < LIMITS.min_samples:
         return None
-    chosen = np.unique(np.linspace(0, len(times) - 1, min(len(times), MOST)).round().astype(int))
+    chosen = np.unique(np.linspace(0, len(times) - 1, min(len(times), most)).round().astype(int))
     middle, half = 0.5 * (times[0] + times[-1]), 0.5 * (times[-1] - times[0])
     some = (times[chosen] - middle) / half, a[chosen], b[chosen]
     candidate = min(_guess_start(*some), key=lambda fit: root_mean_square(_remainder(*fit, *some)))
     best, rank = candidate, 0
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         candidate, step, rank = _improve(*candidate, *some)
         if root_mean_square(_remainder(*candidate, *some)) <= root_mean_square(_remainder(*best, *some)):
             best = candidate
-        if step < SETTLED:
+        if step < LIMITS.settled_step:
             break
     body, space, turn = best
     rest = _remainder(*best, (times - middle) / half, a, b)
@@ -131,7 +138,7 @@ def _improve(
     design = np.concatenate(
         [np.broadcast_to(np.eye(3), back.shape), back @ rotation.as_matrix(drift), back @ by_rate], axis=-1
     )
-    step, _, rank, _ = np.linalg.lstsq(design.reshape(-1, 9), left.reshape(-1), rcond=SAME)
+    step, _, rank, _ = np.linalg.lstsq(design.reshape(-1, 9), left.reshape(-1), rcond=LIMITS.min_singular_value)
     fit = (
         rotation.normalize(rotation.multiply(body, rotation.from_rotation_vector(step[:3]))),
         rotation.normalize(rotation.multiply(rotation.from_rotation_vector(step[3:6]), space)),

@@ -13,14 +13,23 @@ from polhode.formats.header_words import TIME_UNITS, find_unit
 from polhode.formats.stamps import IN_DECIMAL_SECONDS, exact_number, in_words
 from polhode.formats.time_scales import terrestrial_time
 from polhode.spacecraft.comparing._clock_offset import ClockOffset
-from polhode.spacecraft.comparing.comparison import SAME_TIME, align_clocks
+from polhode.spacecraft.comparing.comparison import LIMITS as COMPARISON
+from polhode.spacecraft.comparing.comparison import align_clocks
 from polhode.studies.sources import Source
 
 START = "start"
 SUPPOSED = ("; it supposes that both have the same body axes, as the motion does not tell a turn of these from an "
             "offset")  # fmt: skip
-MUCH_BETTER = 0.5  # of the error; an offset that supposes more and gains less is not worth a line
 _TIME = re.compile(r"\s*(?P<number>[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(?P<unit>[A-Za-zµμ]+)\s*")
+
+
+class ClockWording(NamedTuple):
+    """What is said of an offset."""
+
+    worthwhile_error: float = 0.5  # of the error; an offset that supposes more and gains less is not worth a line
+
+
+WORDING = ClockWording()
 
 
 class Align(NamedTuple):
@@ -107,7 +116,7 @@ def lay_side_by_side(a: Source, b: Source, offset: Decimal | str | Align | None)
     unsaid = f"{' and '.join(silent)} {'has' if len(silent) == 1 else 'have'} no epoch"
     shortest = min((float(np.diff(side.history.times).min()) for side in (a, b) if len(side.history.times) > 1),
                    default=0.0)  # fmt: skip
-    same = a.history.resolution + b.history.resolution + SAME_TIME * shortest
+    same = a.history.resolution + b.history.resolution + COMPARISON.equal_times * shortest
     if abs(float(begins[1] - begins[0])) > same:
         raise InvalidInput(
             f"nothing shows that A and B share a clock: A begins at {_seconds(begins[0])}, B at {_seconds(begins[1])}, "
@@ -128,7 +137,7 @@ def _align(a: Source, b: Source, near: Decimal | None) -> Laid:
     if found.agreeing is not None:
         alone, error = Decimal(found.agreeing[0]) + shift, found.agreeing[1]
         agreeing = float(alone), error
-        if error < MUCH_BETTER * found.error:
+        if error < WORDING.worthwhile_error * found.error:
             beside += f"; if both have the same body axes, at {_measured(alone, error)} s"
     chosen = "" if near is None else f"; of several, the nearest to the {in_words(near)} s of `offset` is taken"
     words = (f"B's time zero is at {_measured(begins, found.error)} s of A, by the attitudes with the axes of space "

@@ -20,13 +20,19 @@ from polhode.spacecraft.comparing._clock_offset import ClockOffset, Moving, Samp
 from polhode.spacecraft.comparing.alignment import Alignment, fit_alignment
 from polhode.types import Array, Float64
 
-SAME_TIME = 1e-9  # of a step: two samples that near are at the same time, written with other digits
-NOISY = 2.0  # times the noise of the samples: what leaves no more is noise, as far as it is known
-PEAK = 6.0  # times the noise, which the largest of a million samples of it stays below
-ENDS = 16  # samples at either end whose rates a spline does not know; its error there falls to a quarter with each
-ROUNDING = 1e-12  # rad; errors below are of rounding, and nothing is fitted to them
-FEW_DIGITS = 1e4  # s; offsets below are told apart by six digits
-MARGIN = 2.0  # on what rounding of times may miss: the bound is met exactly by a steady turn, and speeds are estimates
+
+class ComparisonLimits(NamedTuple):
+    """What counts as one time, as noise and as rounding."""
+
+    equal_times: float = 1e-9  # of a step: samples this near are at one time, written with other digits
+    max_rms: float = 2.0  # times the noise of the samples; residuals below are noise, as far as it is known
+    max_peak: float = 6.0  # times the noise, which the largest of a million samples of it stays below
+    rounding: float = 1e-12  # rad; smaller errors are rounding, and nothing is fitted to them
+    # on the rounding of times: a steady turn meets the bound exactly, and speeds are estimates
+    rounding_margin: float = 2.0
+
+
+LIMITS = ComparisonLimits()
 
 
 class Invariants(NamedTuple):
@@ -72,7 +78,7 @@ class Comparison:
     invariants: tuple[Invariants | None, Invariants | None]
     method: str
     interpolation_error: float | None
-    rounding: float = ROUNDING
+    rounding: float = LIMITS.rounding
     noise: float | None = None
 
     @property
@@ -82,7 +88,8 @@ class Comparison:
 
     def _is_noise(self, angles: Float64[Array, "time"]) -> bool:
         noise = self.noise or 0.0
-        return float(np.sqrt(np.mean(angles**2))) <= NOISY * noise and float(angles.max()) <= PEAK * noise
+        rms, peak = float(np.sqrt(np.mean(angles**2))), float(angles.max())
+        return rms <= LIMITS.max_rms * noise and peak <= LIMITS.max_peak * noise
 
     @property
     def is_rounding(self) -> bool:
@@ -164,7 +171,7 @@ def _compare(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Compariso
         method = "both evaluated exactly" if b.exact is not None else "A evaluated exactly at B's samples"
     angle = rotation.angle_between(at_a, at_b)
     growth = float(np.polyfit(times - times[0], angle, 1)[0]) if len(times) > 1 else None
-    rounding = max(ROUNDING, MARGIN * (a.resolution + b.resolution) * max(a.speed, b.speed))
+    rounding = max(LIMITS.rounding, LIMITS.rounding_margin * (a.resolution + b.resolution) * max(a.speed, b.speed))
     # a single rotation is explained by any misalignment
     alignment = fit_alignment(times, at_a, at_b) if len(times) > 1 and angle.max() > rounding else None
     invariants = _invariants(a, times, 0.0, slack), _invariants(b, times, offset, slack)
@@ -216,8 +223,9 @@ def align_clocks(
 
 def _word_offset(offset: Decimal) -> str:
     """Return an offset [s] in words, to six digits and at least to a hundredth of a second."""
+    few_digits = 1e4  # s; smaller offsets have a hundredth of a second within six digits
     value = float(offset)
-    return f"{value:.6g}" if abs(value) < FEW_DIGITS else f"{offset:.2f}"
+    return f"{value:.6g}" if abs(value) < few_digits else f"{offset:.2f}"
 
 
 def _make_moving(history: AttitudeHistory) -> Moving:
@@ -276,7 +284,7 @@ def _common_times(a: AttitudeHistory, b: AttitudeHistory, offset: float, slack: 
     if b.exact is not None:
         return a.times
     first, last = float(b.times[0]) + offset, float(b.times[-1]) + offset
-    slack = slack + SAME_TIME * (last - first) / max(1, len(b.times) - 1)
+    slack = slack + LIMITS.equal_times * (last - first) / max(1, len(b.times) - 1)
     common = a.times[(a.times >= first - slack) & (a.times <= last + slack)]
     if not len(common):
         raise InvalidInput(
@@ -313,7 +321,7 @@ def _nearest(own: Array, wanted: Array, slack: float) -> tuple[Array, Array]:
         return np.zeros(len(wanted), dtype=int), np.zeros(len(wanted), dtype=bool)
     right = np.clip(np.searchsorted(own, wanted), 1, len(own) - 1)
     nearest = np.where(wanted - own[right - 1] < own[right] - wanted, right - 1, right)
-    return nearest, np.abs(wanted - own[nearest]) > SAME_TIME * (own[right] - own[right - 1]) + slack
+    return nearest, np.abs(wanted - own[nearest]) > LIMITS.equal_times * (own[right] - own[right - 1]) + slack
 
 
 def _spline(times: Array, attitude: Array) -> Any:
@@ -341,6 +349,7 @@ def _interpolation_error(history: AttitudeHistory, wanted: Array) -> float:
 
 def _invariants(history: AttitudeHistory, common: Array, offset: float, slack: float) -> Invariants | None:
     """Return the invariants along a history's own samples, or at the common times where it is exact."""
+    ends = 16  # samples whose rates a spline does not have; its error falls to a quarter with each
     mechanics = history.mechanics
     if mechanics is None:
         return None
@@ -355,9 +364,9 @@ def _invariants(history: AttitudeHistory, common: Array, offset: float, slack: f
             return None
         if history.angular_velocity is not None:
             velocity = history.angular_velocity[within]
-        elif len(own) > 4 * ENDS and within[ENDS:-ENDS].any():
-            source = f"from the attitudes, by a spline of rotations without {ENDS} samples at either end"
-            within[:ENDS] = within[-ENDS:] = False
+        elif len(own) > 4 * ends and within[ends:-ends].any():
+            source = f"from the attitudes, by a spline of rotations without {ends} samples at either end"
+            within[:ends] = within[-ends:] = False
             times, attitude = own[within], history.attitude[within]
             velocity = _spline(history.times, history.attitude)(history.times[within], 1)
         else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -12,9 +12,16 @@ from polhode.figures import style
 from polhode.spacecraft.comparing.comparison import Comparison, Invariants
 from polhode.types import Array
 
-LEAST = 1e-17  # rad or relative: where zero is drawn, on an axis that has none
-LONGEST = 60  # characters of a name that fit into the figure's width
-STRETCHES = 240  # a curve of more samples is the largest of each stretch: noise would fill the picture
+
+class CurveLimits(NamedTuple):
+    """What a curve and a title of the figure hold."""
+
+    drawn_zero: float = 1e-17  # rad or relative: where zero is drawn, on an axis that has none
+    max_points: int = 240  # of a curve; beyond, each is the largest of its bin, as noise would fill the picture
+    name_length: int = 60  # characters that fit into the figure's width
+
+
+LIMITS = CurveLimits()
 
 
 def comparison(comparison: Comparison) -> Figure:
@@ -34,7 +41,7 @@ def comparison(comparison: Comparison) -> Figure:
     upper, *rest = np.atleast_1d(figure.subplots(2 if known else 1, 1, sharex=True))
     power = style.power_of_ten((comparison.times[0], comparison.times[-1]))
     unit = 10.0**power
-    binned = ", largest of each stretch" if len(comparison.times) > STRETCHES else ""
+    binned = ", largest of each stretch" if len(comparison.times) > LIMITS.max_points else ""
     if comparison.interpolation_error is not None and comparison.interpolation_error > 0.0:
         upper.axhline(comparison.interpolation_error, color=style.GREY, lw=0.8, ls=":",
                       label="interpolation misses less")  # fmt: skip
@@ -79,22 +86,24 @@ def _change(kept: Invariants, name: str) -> tuple[Array, float]:
 
 
 def _plot(axes: Any, times: Array, values: Array, **style_of_line: Any) -> None:
-    if len(times) > STRETCHES:
-        edges = np.linspace(0, len(times), STRETCHES + 1).astype(int)
+    if len(times) > LIMITS.max_points:
+        edges = np.linspace(0, len(times), LIMITS.max_points + 1).astype(int)
         times, values = times[(edges[:-1] + edges[1:] - 1) // 2], np.maximum.reduceat(values, edges[:-1])
-    axes.plot(times, np.maximum(values, LEAST), marker="o" if len(times) == 1 else None, ms=3, **style_of_line)
+    marker = "o" if len(times) == 1 else None
+    axes.plot(times, np.maximum(values, LIMITS.drawn_zero), marker=marker, ms=3, **style_of_line)
 
 
 def _logarithmic(axes: Any) -> None:
-    """Make an axis logarithmic; zeros stand a decade below the least of the others, at a tick that says 0."""
+    """Make an axis logarithmic; zeros are a decade below the least of the others, at a tick that says 0."""
     values = np.concatenate([np.atleast_1d(line.get_ydata()) for line in axes.get_lines()])
-    seen = values[values > LEAST]
-    high, zeros = float(values.max()), len(seen) < len(values)
+    zero = LIMITS.drawn_zero
+    others = values[values > zero]
+    high, zeros = float(values.max()), len(others) < len(values)
     axes.set_yscale("log")
     if not zeros:
         axes.set_ylim(0.4 * min(float(values.min()), 0.1 * high), 2.5 * high)
         return
-    floor = max(LEAST, 10.0 ** (int(np.floor(np.log10(seen.min()))) - 1)) if len(seen) else LEAST
+    floor = max(zero, 10.0 ** (int(np.floor(np.log10(others.min()))) - 1)) if len(others) else zero
     for line in axes.get_lines():
         line.set_ydata(np.maximum(line.get_ydata(), floor))
     axes.set_ylim(0.4 * floor, 2.5 * max(high, floor))
@@ -105,6 +114,6 @@ def _logarithmic(axes: Any) -> None:
 
 
 def _write_title(figure: Figure, names: tuple[str, str]) -> None:
-    lines = [f"{side}: {name if len(name) <= LONGEST else name[: LONGEST - 1] + '…'}"
+    lines = [f"{side}: {name if len(name) <= LIMITS.name_length else name[: LIMITS.name_length - 1] + '…'}"
              for side, name in zip("AB", names, strict=True)]  # fmt: skip
     figure.suptitle("\n".join(lines), fontsize=style.FONT - 1, x=0.02, ha="left", color=style.DARK, parse_math=False)

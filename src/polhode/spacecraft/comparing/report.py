@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -19,11 +19,19 @@ from polhode.spacecraft.comparing.comparison import Comparison, Invariants
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-LEAST = 3e-16  # rad; rounding of a quaternion's components alone makes as much
-SMALL = 0.01  # rad; what leaves more is another motion, however much it began with
-MOST_OF_IT = 0.1  # what remains of the rms angle; nine numbers fitted to any angles leave a third of them
 NAMES = {"energy": "energy", **KEPT, "vertical_momentum": "L upwards"}
 INVARIANT_UNITS = {"energy": "J"}
+
+
+class ReportLimits(NamedTuple):
+    """What the report says of small differences, and of a fit."""
+
+    min_angle: float = 3e-16  # rad; rounding of a quaternion's components alone makes as much
+    max_left: float = 0.01  # rad, by which a fit explains most of a difference; more is another motion
+    max_share_left: float = 0.1  # of the rms angle; nine numbers fitted to any angles leave a third of it
+
+
+LIMITS = ReportLimits()
 
 
 @dataclass(frozen=True)
@@ -57,7 +65,7 @@ class ComparisonReport(StudyReport):
         """The result in a sentence or two."""
         comparison = self.comparison
         if comparison.is_rounding:
-            size = f"{max(comparison.largest, LEAST):.1e} rad"
+            size = f"{max(comparison.largest, LIMITS.min_angle):.1e} rad"
             if len(comparison.times) == 1:
                 return f"Both agree to {size} at the only time they have in common; nothing is known of other times."
             return f"Both agree to {size}: to rounding."
@@ -74,7 +82,7 @@ class ComparisonReport(StudyReport):
         if comparison.explained:
             return f"{text}. {fit} explain all but {rest:.3g} rad of it, which is no more than errors of the samples."
         beyond = f", {comparison.alignment.rms / noise:.3g} times the noise of the samples" if noise else ""
-        if share < MOST_OF_IT and rest < SMALL:
+        if share < LIMITS.max_share_left and rest < LIMITS.max_left:
             return f"{text}. {fit} explain most of it; the best fit leaves {rest:.3g} rad{beyond}."
         return f"{text}. {fit} do not explain it: the best fit leaves {rest:.3g} rad."
 
@@ -158,7 +166,9 @@ class ComparisonReport(StudyReport):
 
     def _word_tiny(self, value: float) -> str | None:
         """Return an angle [rad] in words; angles below the rounding of a quaternion have no digits."""
-        return "0" if value == 0.0 else f"less than {LEAST:.0e} rad" if value < LEAST else self._word_angle(value)
+        if value == 0.0:
+            return "0"
+        return f"less than {LIMITS.min_angle:.0e} rad" if value < LIMITS.min_angle else self._word_angle(value)
 
     def _digits(self, most: int) -> int:
         """Return the number of known digits of quantities fitted to the angles."""

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -24,8 +24,16 @@ from polhode.studies.naming import name_file_in_errors
 from polhode.studies.sources import TABLE, Source, is_table, kind_in_words, load_body, load_source
 from polhode.studies.tables import TableMapping, describe_reading, list_reading_notes, take_columns
 
-SAME_INERTIA = 1e-6  # relative; what seven digits of a file leave
 History = comparison.Source | Path | str
+
+
+class StudyLimits(NamedTuple):
+    """What the moments of a file and of a spec may differ by."""
+
+    relative_inertia: float = 1e-6  # that seven digits of a file leave
+
+
+LIMITS = StudyLimits()
 
 
 def compare(
@@ -125,7 +133,8 @@ def _has_other_moments(side: Source, shared: Mechanics) -> bool:
     own = side.history.mechanics
     if own is None:
         return False
-    return float(np.abs(own.inertia - shared.inertia).max()) > SAME_INERTIA * float(np.abs(own.inertia).max())
+    difference = float(np.abs(own.inertia - shared.inertia).max())
+    return difference > LIMITS.relative_inertia * float(np.abs(own.inertia).max())
 
 
 def _find_mechanics(spec: Path) -> Mechanics:

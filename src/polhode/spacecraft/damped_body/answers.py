@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -30,8 +30,8 @@ from polhode.reports.length import Watch
 from polhode.reports.wording import duration, uncertain
 from polhode.simulation import simulate
 from polhode.spacecraft.damped_body.damped_axes import damped_axis_stability
+from polhode.spacecraft.damped_body.damped_motion import LIMITS as AXES
 from polhode.spacecraft.damped_body.damped_motion import (
-    ON_AXIS,
     angle_to_axis,
     angle_to_major_axis,
     drag_time_constant,
@@ -48,8 +48,15 @@ from polhode.types import Array, Float64
 
 WITHIN = "L to stay within 5° of the major axis"
 FLAT_SPIN = "time to within 5° of a flat spin"
-DECAYS = 5.0  # time constants of drag followed where no end is given
-MOST_TURNS = 20_000.0  # of the start, followed where no end is given
+
+
+class MotionLimits(NamedTuple):
+    """How long a motion is followed where no end is given."""
+
+    max_turns: float = 20_000.0  # of the start
+
+
+LIMITS = MotionLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,7 +110,7 @@ class DampedStart:
     def from_one_degree(self) -> float | None:
         """Return the time [s] to a flat spin from 1° off the axis of the start; None unless that is a minor axis."""
         moments, norm = self.body.principal_moments, self.norm
-        at = [k for k in (0, 1) if norm and moments[k] < moments[2] and angle_to_axis(self.momentum, k) <= ON_AXIS]
+        at = [k for k in (0, 1) if norm and moments[k] < moments[2] and angle_to_axis(self.momentum, k) <= AXES.on_axis]
         if not self.table.inside or self.damping is None or not at:
             return None
         off = np.full(3, math.sin(math.radians(1.0)) / math.sqrt(2.0))
@@ -225,7 +232,8 @@ class DampedBodyReport(MotionReport):
         if self.inside and self.axes:
             notes += self._leaving()
         elif self.cut:
-            notes.append(f"the motion is followed for {MOST_TURNS:.0f} turns of the start; give time.until for more.")
+            turns = f"{LIMITS.max_turns:.0f} turns of the start"
+            notes.append(f"the motion is followed for {turns}; give time.until for more.")
         if self.table.orbital_period is not None:
             notes.append("the verdicts on the axes are those of drag; gravity's pull on the body is left out of them.")
         return notes
@@ -234,7 +242,7 @@ class DampedBodyReport(MotionReport):
         """Return what internal losses do to a spin that is not about the major axis."""
         start, moments = self.start.momentum, self.body.principal_moments
         norm, settles = self.start.norm, self.angle_to_major_axis[-1] <= math.radians(1.0)
-        at = [k for k in (0, 1) if moments[k] < moments[2] and angle_to_axis(start, k) <= ON_AXIS]
+        at = [k for k in (0, 1) if moments[k] < moments[2] and angle_to_axis(start, k) <= AXES.on_axis]
         if at:
             later = self.start.from_one_degree()
             then = "" if later is None else f" From 1° off it comes to a flat spin in {duration(later)}."
@@ -390,11 +398,12 @@ def _drag_time(table: DampedBodyTable, moment: float, spin: float) -> float:
 
 def _end(table: DampedBodyTable, moments: Array, momentum: Array, axes: tuple[Stability, ...]) -> tuple[float, bool]:
     """Return a time by which the motion has settled, and whether it is cut short."""
+    decays = 5.0  # time constants of drag that are followed
     if not axes:
         return table.orbital_period or 1.0, False
     norm, turn = float(np.linalg.norm(momentum)), 2.0 * math.pi / float(np.linalg.norm(momentum / moments))
     if not table.inside:
-        wanted = DECAYS * _drag_time(table, float(moments[2]), norm / float(moments[2]))
+        wanted = decays * _drag_time(table, float(moments[2]), norm / float(moments[2]))
     else:
         wanted = settling_time(axes, momentum, moments)
-    return min(wanted, MOST_TURNS * turn), wanted > MOST_TURNS * turn
+    return min(wanted, LIMITS.max_turns * turn), wanted > LIMITS.max_turns * turn

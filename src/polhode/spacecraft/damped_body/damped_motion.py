@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,8 +13,14 @@ from polhode.analysis.energy_casimir import Stability
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
-SETTLED = 12.0  # time constants in which what is left of an angle is 6e-6 of it
-ON_AXIS = 1e-9  # angle [rad] below which a start counts as being on an axis
+
+class AxisLimits(NamedTuple):
+    """Where a start counts as being on an axis."""
+
+    on_axis: float = 1e-9  # rad from it
+
+
+LIMITS = AxisLimits()
 
 
 @known_numbers_only
@@ -74,10 +81,11 @@ def settling_time(axes: Sequence[Stability], momentum: Real[ArrayLike, "3"], mom
         momentum: (3,) at the start [kg m²/s, principal axes], not zero.
         moments: (3,) principal moments [kg m²], ascending.
     """
+    settled = 12.0  # time constants, which leave 6e-6 of an angle
     L, I = np.asarray(momentum, dtype=float), np.asarray(moments, dtype=float)  # noqa: E741
-    wanted = SETTLED * (time_constant(axes[2]) or 2.0 * math.pi / float(np.linalg.norm(L / I)))
+    wanted = settled * (time_constant(axes[2]) or 2.0 * math.pi / float(np.linalg.norm(L / I)))
     for k in (0, 1):
         off = angle_to_axis(L, k)
-        if axes[k].verdict == "unstable" and ON_AXIS < off < 1.0:
+        if axes[k].verdict == "unstable" and LIMITS.on_axis < off < 1.0:
             wanted += math.log(1.0 / off) / axes[k].rate
     return wanted

@@ -21,11 +21,6 @@ from polhode.special.carlson import carlson_rd
 from polhode.types import Array, ArrayLike, Float64, Real
 
 FLAT = math.radians(5.0)  # L as near as that to the major axis is a flat spin
-NODES = 12  # of Gauss and Legendre in each panel; panels double in length away from the separatrix
-NEAREST = 2.0**-40  # of the way, to the separatrix: what is left out is below 1e-10 of the time
-SAMPLES = 512  # of a polhode, over which means converge exponentially
-SMALL = 0.1  # parameter of elliptic integrals, up to which a series gives their difference without cancellation
-TERMS = 18  # of that series, of which the next is below SMALL^18 = 1e-18
 
 
 @known_numbers_only
@@ -93,6 +88,7 @@ def sink_rate_by_loss(moments: Real[ArrayLike, "3"], momentum: Real[ArrayLike, "
     >>> round(sink_rate_by_loss((1.0, 1.0, 2.0), (0.8, 0.0, 0.6), 0.01 * (0.5 * 0.8 * 0.6) ** 2), 12)
     0.01
     """
+    samples = 512  # of a polhode, over which means converge exponentially
     I, L = _check_arguments(moments, momentum, power, FLAT)  # noqa: E741
     motion = FreeMotion(I, momentum=L)
     if motion.period is None:
@@ -101,7 +97,7 @@ def sink_rate_by_loss(moments: Real[ArrayLike, "3"], momentum: Real[ArrayLike, "
             "Tilt it, or give the strength of the losses in another way."
         )
     period = float(motion.period) if math.isfinite(motion.period) else 0.0  # all of the separatrix is at its saddle
-    loss = float(np.mean(_losses(I, np.asarray(motion.momentum(period * np.arange(SAMPLES) / SAMPLES)) ** 2)))
+    loss = float(np.mean(_losses(I, np.asarray(motion.momentum(period * np.arange(samples) / samples)) ** 2)))
     return power / loss
 
 
@@ -167,21 +163,25 @@ def _mean_products(m: Array, m1: Array) -> tuple[Array, Array, Array]:
     K = B + D, and (sin φ cos φ Δ)′ integrates to zero, whence 3 m T = B − (1 − m) D. Where B and D are almost alike,
     T = ½ Σ (½)_k/k! B(k + 3/2, 3/2) m^k. Source: DLMF 19.25.1 for B and D.
     """
+    small = 0.1  # parameter up to which a series gives the difference of B and D without cancellation
+    terms = 18  # of that series, the next being below small^18 = 1e-18
     zero, one = np.zeros_like(m), np.ones_like(m)
     D, B = carlson_rd(zero, m1, one) / 3.0, m1 * carlson_rd(zero, one, m1) / 3.0
     series, term = zero, 0.0625 * math.pi * one
-    for k in range(TERMS):
+    for k in range(terms):
         series = series + term
         term = term * m * (k + 0.5) * (k + 1.5) / ((k + 1.0) * (k + 3.0))
-    T = np.where(m < SMALL, series, (B - m1 * D) / (3.0 * np.maximum(m, SMALL)))
+    T = np.where(m < small, series, (B - m1 * D) / (3.0 * np.maximum(m, small)))
     return T / (B + D), (m1 * D + m * T) / (B + D), (B - m * T) / (B + D)
 
 
 def _panels(first: float, last: float) -> tuple[Float64[np.ndarray, "n"], Float64[np.ndarray, "n"]]:
     """Return points and weights (n,) between 0 ≤ first < last; at w = 0, the separatrix, the integrand may grow."""
-    start = first or NEAREST * last
+    nearest = 2.0**-40  # of the way, to the separatrix; the part left out is below 1e-10 of the time
+    count = 12  # of Gauss and Legendre in each panel; panels double in length away from the separatrix
+    start = first or nearest * last
     borders = np.geomspace(start, last, 1 + math.ceil(math.log2(last / start)))
-    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    nodes, weights = np.polynomial.legendre.leggauss(count)
     half = 0.5 * np.diff(borders)[:, None]
     return (borders[:-1, None] + half * (nodes + 1.0)).ravel(), (half * weights).ravel()
 

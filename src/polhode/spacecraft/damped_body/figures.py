@@ -13,12 +13,10 @@ from polhode.figures.sphere import draw_curve, draw_disk, mark_point
 from polhode.spacecraft.damped_body.answers import DampedBodyReport
 from polhode.types import Array
 
-FINEST = 0.05  # rad between points of a curve that is drawn as one
-COARSEST = 0.6  # rad between samples up to which they are joined; beyond, lines would show what is not there
-
 
 def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
     """Return the direction of L on the unit sphere, body axes, with levels of the energy. None at rest."""
+    coarsest = 0.6  # rad between samples up to which they are joined; beyond, lines would show what is not there
     if not report.axes:
         return None
     momentum = np.asarray(report.trajectory.momentum)
@@ -29,7 +27,7 @@ def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
     frame = default_frame()
     draw_disk(axes)
     draw_levels(axes, frame, lambda u: np.sum(u * u / moments, axis=-1), None, style.LIGHT, 0.5)
-    joined = np.linalg.norm(np.diff(unit, axis=0), axis=-1).max(initial=0.0) < COARSEST
+    joined = np.linalg.norm(np.diff(unit, axis=0), axis=-1).max(initial=0.0) < coarsest
     if joined:
         draw_curve(axes, frame, _smooth(unit), style.BLUE, 0.8)
     else:
@@ -50,8 +48,9 @@ def draw_damped_sphere(report: DampedBodyReport) -> Figure | None:
 
 def _smooth(unit: Array) -> Array:
     """Return a path on the sphere with points between the samples, along great circles."""
+    finest = 0.05  # rad between points of a curve that is drawn as one
     steps = np.linalg.norm(np.diff(unit, axis=0), axis=-1)
-    count = int(np.clip(np.ceil(steps.max(initial=0.0) / FINEST), 1, 20))
+    count = int(np.clip(np.ceil(steps.max(initial=0.0) / finest), 1, 20))
     if count == 1:
         return unit
     part = (np.arange(count) / count)[:, None]

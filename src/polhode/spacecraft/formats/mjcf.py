@@ -17,12 +17,12 @@ from polhode.formats.body_file import BodyFile, Pose
 from polhode.formats.paths import as_path
 from polhode.spacecraft.formats.robot_xml import (
     FREE,
-    NAMED,
     Frame,
     Motion,
     find_positions,
     finite_numbers,
     join_links,
+    list_names,
     make_inertial,
     read_limits,
     read_xml,
@@ -70,7 +70,7 @@ def read_mjcf_inertial(path: str | Path, name: str | None = None, digits: int | 
     massive = [node.name for node in nodes if node.inertial is not None]
     if name is None and len(massive) == 1:
         name = massive[0]
-    have = ", ".join(massive[:NAMED]) or "none"
+    have = list_names(massive)
     if name is None:
         raise InvalidInput(
             f"{path}: has {len(massive)} bodies with mass; name one as `link`, or take all of them together at a pose "
@@ -105,7 +105,7 @@ def read_mjcf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> 
     path = as_path("path", path)
     tops = _Reader(path, digits).tops()
     if len(tops) != 1:
-        names = ", ".join(node.name for node in tops[:NAMED]) or "none"
+        names = list_names([node.name for node in tops])
         raise FormatError(f"{path}: must have one outermost body, to be taken as one; got {len(tops)}: {names}.")
     motions = [motion for node in _all_of(tops[0]) for motion, _ in node.joints]
     positions = find_positions(path, pose, motions)

@@ -21,10 +21,18 @@ from polhode.formats.opening import MB, read_file
 from polhode.types import Array, Float64
 
 LARGEST_FILE = 16 * MB  # robots of a thousand links take one
-NAMED = 20  # links or joints that a message lists
-# of the matrix of inertia, by their attributes
-ENTRIES = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
+# places in the matrix of inertia, by attribute
+ENTRIES = {f"i{'xyz'[i]}{'xyz'[j]}": (i, j) for i in range(3) for j in range(i, 3)}
 FREE = (-math.inf, math.inf)  # limits of a joint that has none
+
+
+class MessageLimits(NamedTuple):
+    """How much a message names."""
+
+    max_named: int = 20  # links or joints
+
+
+LIMITS = MessageLimits()
 
 
 class Frame(NamedTuple):
@@ -197,8 +205,8 @@ def make_links(
         except FormatError as error:
             faults.append(str(error))
     if len(faults) > 1:
-        more = f" And {len(faults) - NAMED} more." if len(faults) > NAMED else ""
-        said = " ".join(fault.removeprefix(f"{path}: ") for fault in faults[:NAMED])
+        more = f" And {len(faults) - LIMITS.max_named} more." if len(faults) > LIMITS.max_named else ""
+        said = " ".join(fault.removeprefix(f"{path}: ") for fault in faults[: LIMITS.max_named])
         raise FormatError(f"{path}: {len(faults)} of {len(links)} links have faulty mass properties. {said}{more}")
     if faults:
         raise FormatError(faults[0])
@@ -224,10 +232,15 @@ def join_links(path: Path, links: Sequence[tuple[Frame, Body | MassProperties]])
         raise FormatError(f"{path}: its links together: {error}") from None
 
 
+def list_names(names: Sequence[str]) -> str:
+    """Return the first of some names as a list for a message."""
+    return ", ".join(names[: LIMITS.max_named]) or "none"
+
+
 def find_positions(path: Path, pose: Pose, motions: Sequence[Motion]) -> dict[str, float]:
     """Return the position of every joint that has a name: as asked for, following another one, or at its reference.
 
-    Joints that stand beyond their limits are warned of; links have mass properties there all the same.
+    Joints beyond their limits are warned of; links have mass properties there all the same.
 
     Raises:
         InvalidInput: for joints that are not there or cannot be set, and positions in a wrong unit.
@@ -236,8 +249,7 @@ def find_positions(path: Path, pose: Pose, motions: Sequence[Motion]) -> dict[st
     free = [name for name, motion in known.items() if motion.unit and motion.follows is None]
     for name, (_, unit) in pose.items():
         if name not in known:
-            have = ", ".join(free[:NAMED]) or "none"
-            raise InvalidInput(f"{path}: has no joint {shown(name)}; those that can be set are {have}.")
+            raise InvalidInput(f"{path}: has no joint {shown(name)}; those that can be set are {list_names(free)}.")
         motion = known[name]
         if motion.follows is not None:
             raise InvalidInput(f"{path}: joint {shown(name)} follows {shown(motion.follows[0])}; set that one.")
@@ -263,10 +275,10 @@ def _warn_beyond_limits(path: Path, known: Mapping[str, Motion], positions: Mapp
         if lower < upper and not lower - 1e-6 * abs(lower) <= position <= upper + 1e-6 * abs(upper):
             beyond.append(f"{shown(name)} at {position:.6g} {motion.unit}, beyond {lower:.6g} to {upper:.6g}")
     if beyond:
-        more = f" and {len(beyond) - NAMED} more" if len(beyond) > NAMED else ""
+        more = f" and {len(beyond) - LIMITS.max_named} more" if len(beyond) > LIMITS.max_named else ""
         warnings.warn(
-            f"{path}: joints stand beyond their limits: {'; '.join(beyond[:NAMED])}{more}. The mass properties are "
-            "those of this pose; to give another one, set them under `joints`.", stacklevel=2,
+            f"{path}: joints are beyond their limits: {'; '.join(beyond[: LIMITS.max_named])}{more}. The mass "
+            "properties are those of this pose; to give another one, set them under `joints`.", stacklevel=2,
         )  # fmt: skip
 
 

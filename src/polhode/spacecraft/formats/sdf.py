@@ -17,7 +17,6 @@ from polhode.formats.paths import as_path
 from polhode.spacecraft.formats.robot_xml import (
     ENTRIES,
     FREE,
-    NAMED,
     Frame,
     Motion,
     find_child,
@@ -25,6 +24,7 @@ from polhode.spacecraft.formats.robot_xml import (
     finite_numbers,
     from_fixed_angles,
     join_links,
+    list_names,
     make_inertial,
     make_links,
     read_limits,
@@ -57,7 +57,7 @@ def read_sdf_inertial(path: str | Path, link: str | None = None, digits: int | N
     """
     path = as_path("path", path)
     links = _elements_by_name(path, _model(path), "link")
-    have = ", ".join(list(links)[:NAMED]) or "none"
+    have = list_names(list(links))
     if link is None:
         if len(links) != 1:
             raise InvalidInput(f"{path}: has {len(links)} links; name one as `link`, or take all of them "

@@ -37,7 +37,6 @@ from polhode.spacecraft.formats.spice_kernels import (
 )
 from polhode.types import Array, Float64
 
-HEAD = 1000  # bytes in which a kernel of ours says so
 UNREADABLE = "SPICE cannot read again what it wrote; the disk may be full"
 
 
@@ -108,12 +107,13 @@ def _is_anothers(file: Path) -> bool:
     Raises:
         InvalidInput: for anything else that is not polhode's.
     """
+    head = 1000  # bytes in which a kernel of ours says so
     if not file.exists():
         return False
     text = b""
     if file.is_file():
         with file.open("rb") as kernel:
-            text = kernel.read(HEAD)
+            text = kernel.read(head)
     if b", by polhode" in text:
         return False
     if text.startswith(b"KPL/LSK"):

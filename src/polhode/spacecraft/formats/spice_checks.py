@@ -20,12 +20,20 @@ from polhode.spacecraft.formats.spice_kernels import DIRECTORY
 from polhode.types import Array, Float64
 
 RECORD = 1024  # bytes
-MOST_SUMMARIES = 25  # segments to a summary record
+SUMMARIES_PER_RECORD = 25  # of segments, at most
 PACKETS = {0: 8, 1: 4, 2: 14, 3: 7}  # doubles to a packet, by subtype of type 5
 LARGEST_TEXT = 16 * MB  # of a frame, clock or leap-seconds kernel
-UNIT = 1e-3  # how far from one the length of a quaternion may be
 _DATA = re.compile(r"\\begindata(.*?)(?:\\begintext|\Z)", re.DOTALL)
 _BROKEN = "The file is cut short or damaged. Get it whole."
+
+
+class QuaternionLimits(NamedTuple):
+    """What a C-kernel may have as a quaternion."""
+
+    max_length_error: float = 1e-3  # of one
+
+
+LIMITS = QuaternionLimits()
 
 
 class Segment(NamedTuple):
@@ -112,7 +120,7 @@ def _segments(path: Path, head: bytes, order: str, doubles: Array) -> Iterator[S
         seen.add(record)
         summary = doubles[(record - 1) * per_record : record * per_record]
         control = [float(value) for value in summary[:3]]
-        if not all(value.is_integer() and 0 <= value < 2**31 for value in control) or control[2] > MOST_SUMMARIES:
+        if not all(value.is_integer() and 0 <= value < 2**31 for value in control) or control[2] > SUMMARIES_PER_RECORD:
             _refuse(path, f"its list of segments has the pointers {shown(control)}")
         for k in range(int(control[2])):
             part = np.asarray(summary[3 + 5 * k : 8 + 5 * k])
@@ -140,7 +148,7 @@ def _check_segment(path: Path, segment: Segment, doubles: Array) -> None:
         _refuse(path, f"the times of a segment of type {segment.kind} do not ascend")
     if segment.kind != 5 or packets.shape[1] != 14:
         with np.errstate(over="ignore"):  # an infinite length is not one
-            wrong = np.abs(np.linalg.norm(packets[:, :4], axis=-1) - 1.0) > UNIT
+            wrong = np.abs(np.linalg.norm(packets[:, :4], axis=-1) - 1.0) > LIMITS.max_length_error
         if wrong.any():
             k = int(np.argmax(wrong))
             _refuse(path, f"record {k} of a segment is not a unit quaternion; got {shown(packets[k, :4].tolist())}")

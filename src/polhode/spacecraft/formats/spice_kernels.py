@@ -15,13 +15,21 @@ from polhode.errors import FormatError, InvalidInput, not_installed, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.time_scales import barycentric_time, terrestrial_time
 
-FINEST = 40  # ticks are 2^-40 s at the finest, 0.9 ps
-LARGEST_COUNT = 52  # ticks stay below 2^52, so that doubles tell them apart
 OF_BROKEN_FILES = ("SPICE(DAF", "SPICE(FILEREADFAILED)", "SPICE(FTPXFERERROR)")  # errors in the file's own structure
 OF_SPICE = {"EME2000": "J2000", "ICRF": "J2000", "GCRF": "J2000"}  # SPICE holds these three for the same
 DIRECTORY = 100  # records to an entry of a segment's directory
 KINDS = {"frame": "tf", "clock": "tsc", "leap seconds": "tls"}
 _ONE_AT_A_TIME = threading.RLock()
+
+
+class ClockLimits(NamedTuple):
+    """How fine and how long a spacecraft clock counts."""
+
+    max_bits: int = 40  # ticks are 2^-40 s at the finest, 0.9 ps
+    max_count_bits: int = 52  # ticks stay below 2^52, so that doubles resolve them
+
+
+LIMITS = ClockLimits()
 
 
 class Clock(NamedTuple):
@@ -40,7 +48,7 @@ class Clock(NamedTuple):
         """Return a clock for times from first to last [s]; SPICE's ticks may not be negative."""
         zero = math.floor(first) if first < 0 else 0
         _, exponent = math.frexp(last - zero)
-        bits = min(FINEST, LARGEST_COUNT - exponent)
+        bits = min(LIMITS.max_bits, LIMITS.max_count_bits - exponent)
         if bits < 1:
             raise InvalidInput(f"SPICE counts ticks up to 2⁵²; a history until {last:g} s is too long. Give a part.")
         return cls(zero, bits)
@@ -149,11 +157,11 @@ SCLK_KERNEL_ID             = ( @2000-01-01 )
 SCLK_DATA_TYPE_{number}         = ( 1 )
 SCLK01_TIME_SYSTEM_{number}     = ( {1 if barycentric else 2} )
 SCLK01_N_FIELDS_{number}        = ( 2 )
-SCLK01_MODULI_{number}          = ( {2 ** (LARGEST_COUNT + 1 - clock.bits)} {2**clock.bits} )
+SCLK01_MODULI_{number}          = ( {2 ** (LIMITS.max_count_bits + 1 - clock.bits)} {2**clock.bits} )
 SCLK01_OFFSETS_{number}         = ( 0 0 )
 SCLK01_OUTPUT_DELIM_{number}    = ( 1 )
 SCLK_PARTITION_START_{number}   = ( 0 )
-SCLK_PARTITION_END_{number}     = ( {2 ** (LARGEST_COUNT + 1) - 1} )
+SCLK_PARTITION_END_{number}     = ( {2 ** (LIMITS.max_count_bits + 1) - 1} )
 SCLK01_COEFFICIENTS_{number}    = ( 0  {float(start)!r}  1 )
 POLHODE_EPOCH_{number}          = ( '{labels.time_system}' '{labels.epoch}' '{clock.zero}' )
 

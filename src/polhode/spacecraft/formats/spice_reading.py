@@ -6,7 +6,7 @@ import tempfile
 from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -28,10 +28,17 @@ from polhode.types import Array
 
 BEGINNINGS = (b"DAF/CK", b"NAIF/DAF")
 LARGEST_FILE = 2000 * MB  # as much as SPICE addresses by four bytes
-MOST_SECONDS = 6e10  # 1900 years either way of 2000
-EQUAL = 2000  # samples, spread evenly, of types that keep no records at times of their own
 NEEDED = ("It needs the clock kernel (.tsc) of its spacecraft, often a frame kernel (.tf): put them next to it under "
           "its name, or give `sclk`, `fk`, `lsk` of `polhode.spacecraft.read_ck`.")  # fmt: skip
+
+
+class CalendarLimits(NamedTuple):
+    """What times of a clock kernel are refused."""
+
+    max_seconds: float = 6e10  # 1900 years either way of 2000
+
+
+LIMITS = CalendarLimits()
 
 
 def read_ck(
@@ -118,11 +125,12 @@ def _whose(path: Path, segments: Sequence[Segment], spice_id: int | None) -> int
 
 def _ticks(path: Path, segments: Sequence[Segment]) -> Array:
     """Return the clock's times (n,) at which segments have records; evenly spread ones where they have none."""
+    count = 2000  # evenly spread samples, of types that keep no times of records
     doubles = np.memmap(path, dtype=f"{byte_order(path)}f8", mode="r", shape=(path.stat().st_size // 8,))
     parts = []
     for one in segments:
         ticks, _ = record_ticks(path, one, doubles[one.start - 1 : one.end])
-        equal = np.linspace(one.first_tick, one.last_tick, EQUAL)
+        equal = np.linspace(one.first_tick, one.last_tick, count)
         parts.append(equal if ticks is None else np.array(ticks, dtype=float))
     return np.unique(np.concatenate(parts))
 
@@ -217,7 +225,7 @@ def _own_epoch(spice: Any, number: int) -> tuple[str, str, float] | None:
 
 def _zero(path: Path, seconds: float) -> float:
     """Return the whole second of a time past J2000, which a calendar of four digits has."""
-    if not abs(seconds) < MOST_SECONDS:
+    if not abs(seconds) < LIMITS.max_seconds:
         why = f"its clock kernel gives {seconds:g} s past 2000, outside the calendar"
         raise FormatError(f"{path}: {why}. Check that kernel.")
     return float(np.floor(seconds))

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -38,10 +38,18 @@ if TYPE_CHECKING:
     from polhode.spacecraft.rigid_body.gravity import GravityAnswers
 
 WITHIN = math.radians(1.0)  # of the target: the usual pointing error below which a body has settled
-FINEST = 4001  # samples at which limits are looked at, at least
-ROUNDING = 1e-10  # of the largest eigenvalue: what of others its differences leave
-SLACK = 1e-6  # rad past half a turn, from which a slew has gone the longer way; rounding leaves less
-SAME_PLANE = 1e-9  # of directions: a sine below which wheels add nothing
+
+
+class RigidBodyLimits(NamedTuple):
+    """What decides on limits of actuators, eigenvalues, slews and wheels."""
+
+    min_samples: int = 4001  # at which limits of actuators are evaluated
+    relative_eigenvalue: float = 1e-10  # of the largest: smaller parts of eigenvalues are rounding of differences
+    slew_excess: float = 1e-6  # rad past half a turn, from which a slew goes the longer way; rounding leaves less
+    min_sine: float = 1e-9  # of directions, below which wheels add none
+
+
+LIMITS = RigidBodyLimits()
 
 
 @dataclass(frozen=True)
@@ -149,7 +157,7 @@ class RigidBodyReport(MotionReport):
         """Yield a note if the wheels cannot turn the body about every axis."""
         if self.craft.wheels is None:
             return
-        rank = int(np.linalg.matrix_rank(np.asarray(self.craft.wheels.axes), tol=SAME_PLANE))
+        rank = int(np.linalg.matrix_rank(np.asarray(self.craft.wheels.axes), tol=LIMITS.min_sine))
         if rank < 3:
             along = "one axis" if rank == 1 else "axes in one plane"
             yield f"the controlled wheels turn the body about {along} only; about other axes, control does nothing."
@@ -157,7 +165,7 @@ class RigidBodyReport(MotionReport):
     def _notes_on_slew(self) -> Iterator[str]:
         """Yield a note if control went the longer way, and for rotors past their limit."""
         slew, law = self.history.slew, self.craft.law
-        if slew is not None and isinstance(law, QuaternionPD) and slew.max() > math.pi + SLACK:
+        if slew is not None and isinstance(law, QuaternionPD) and slew.max() > math.pi + LIMITS.slew_excess:
             k = int(np.argmax(slew))
             yield (f"the body was turned by up to {degrees(float(slew[k]), 4)} from its target, at "
                    f"{duration(float(self.trajectory.times[k]))}, and quaternion-pd turns it back the way it went, "
@@ -301,7 +309,7 @@ class RigidBodyReport(MotionReport):
         return Group("Control", answers)
 
     def _modes(self, loop: LinearLoop) -> Table:
-        rows, rounding = [], ROUNDING * float(np.abs(loop.eigenvalues).max())
+        rows, rounding = [], LIMITS.relative_eigenvalue * float(np.abs(loop.eigenvalues).max())
         for value in loop.eigenvalues:
             real, imaginary = (float(x) if abs(x) > rounding else 0.0 for x in (value.real, value.imag))
             if imaginary >= 0.0:
@@ -409,7 +417,7 @@ def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, His
     times, limits, parts = usual_times(craft, spec), "none", 1
     watch = Watch(spec.until, times)
     if craft.system.limited:
-        parts = max(1, math.ceil((FINEST - 1) / (len(times) - 1)))
+        parts = max(1, math.ceil((LIMITS.min_samples - 1) / (len(times) - 1)))
         times = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
     trajectory = simulate(craft.system, craft.state, times, progress=watch)
     trajectory = replace(trajectory, source=craft.system, frame=spec.body.frame)

@@ -29,8 +29,6 @@ from polhode.spacecraft.torques.surfaces import EARTH_RADIUS
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.types import Array, Float64
 
-ORBITS, TURNS, SETTLINGS, USUAL = 2, 10, 20.0, 100.0  # the usual length of a motion, and [s] if nothing sets a pace
-
 
 class Craft(NamedTuple):
     """The body of a spec with all on it.
@@ -132,16 +130,18 @@ def make_orbit(table: OrbitTable) -> KeplerOrbit:
 
 def usual_times(craft: Craft, spec: Spec[RigidBodyTable]) -> Float64[Array, "time"]:
     """Return the times of the spec, or as long as the motion usually needs to show itself."""
+    orbits, turns, settlings = 2, 10, 20.0  # the last over the bandwidth
+    usual = 100.0  # s, if nothing sets a pace
     if spec.times is not None:
         return spec.times
     velocity = np.linalg.norm(np.asarray(craft.system.vectors(craft.state).angular_velocity))
     bandwidth = getattr(craft.law, "bandwidth", None)
     if craft.orbit is not None:
-        span = ORBITS * float(craft.orbit.period)
+        span = orbits * float(craft.orbit.period)
     elif bandwidth is not None:
-        span = SETTLINGS / float(bandwidth)
+        span = settlings / float(bandwidth)
     else:
-        span = TURNS * 2.0 * math.pi / velocity if velocity > 0 else USUAL
+        span = turns * 2.0 * math.pi / velocity if velocity > 0 else usual
     return np.linspace(0.0, span, spec.samples)
 
 

@@ -16,10 +16,6 @@ from polhode.spacecraft.systems.rigid_body import RigidBody
 from polhode.spacecraft.torques.base import in_body
 from polhode.types import Array, Complex128, Float64
 
-DECADES, POINTS = 5.0, 4001  # of frequencies that are searched, about the fastest eigenvalue
-HALVINGS = 60  # of an interval in which a root is, down to its rounding
-STEP = 1e-3  # of differences of fourth order: what they leave out is of the size of its fourth power
-
 
 class LinearLoop(NamedTuple):
     """The motion about a target to first order: ẋ = A x, x = (θ, w), with θ the small turn from it and w its rate.
@@ -82,10 +78,11 @@ def linearize_loop(
     Returns:
         None where there is none; see ``has_linear_loop``.
     """
+    step = 1e-3  # of differences of fourth order, whose error is of the size of its fourth power
     if not has_linear_loop(system, law):
         return None
     where, at = jnp.asarray(float(time)), jnp.asarray(state)
-    scale = np.repeat([STEP, STEP * _pace(law)], 3)  # of a turn, and of a rate
+    scale = np.repeat([step, step * _pace(law)], 3)  # of a turn, and of a rate
     steps = np.concatenate([k * np.diag(scale) for k in (-2.0, -1.0, 1.0, 2.0)] + [np.zeros((1, 6))])
     rates, asked, carrier = (np.asarray(x) for x in _rates(system, law, where, at, jnp.asarray(steps)))
     given = np.concatenate([np.zeros((3, 3)), np.linalg.inv(np.diag(carrier) if carrier.ndim == 1 else carrier)])
@@ -153,13 +150,15 @@ def loop_margins(loop: LinearLoop) -> list[Margins]:
 
 
 def _margins(loop: LinearLoop, k: int) -> Margins:
+    decades = 5.0  # of frequencies that are searched, about the fastest eigenvalue
+    points = 4001
     others = loop.law.copy()
     others[k] = 0.0
     inside = loop.plant + loop.input @ others
     fastest = float(np.abs(loop.eigenvalues).max())
     if not (fastest > 0 and loop.law[k].any()):  # nothing moves, or no actuator reaches this axis
         return Margins(None, None, None, math.inf, 0.0)
-    frequencies = fastest * np.logspace(-DECADES, DECADES, POINTS)
+    frequencies = fastest * np.logspace(-decades, decades, points)
 
     def gain(frequency: Any) -> Any:
         shifted = 1j * np.atleast_1d(frequency)[:, None, None] * np.eye(6) - inside
@@ -182,11 +181,12 @@ def _margins(loop: LinearLoop, k: int) -> Margins:
 
 def _roots(function: Any, values: Array, frequencies: Array) -> list[float]:
     """Return where a function changes its sign along frequencies, at which its values are given, to rounding."""
+    halvings = 60  # of an interval in which a root is, down to its rounding
     found = np.flatnonzero(np.isfinite(values[:-1] * values[1:]) & (values[:-1] * values[1:] < 0.0))
     # where a phase jumps by a whole turn its sign changes without a root, from values far from zero
     near = np.array([k for k in found if min(abs(values[k]), abs(values[k + 1])) < 0.5], int)
     low, high, positive = frequencies[near], frequencies[near + 1], values[near] > 0.0
-    for _ in range(HALVINGS if near.size else 0):  # all at once, in less time than SciPy's are imported
+    for _ in range(halvings if near.size else 0):  # all at once, in less time than SciPy's are imported
         middle = 0.5 * (low + high)
         before = (function(middle) > 0.0) == positive
         low, high = np.where(before, middle, low), np.where(before, high, middle)

@@ -10,7 +10,6 @@ from matplotlib.figure import Figure
 from polhode.figures import style
 from polhode.spacecraft.rigid_body.answers import RigidBodyReport
 
-SMALLEST = 1e-9  # of the largest error, below which a logarithm shows rounding
 CURVES = (style.BLUE, style.VERMILION, style.GREEN, style.ORANGE, style.PURPLE, style.SKY)
 
 
@@ -30,6 +29,7 @@ def draw_rates(report: RigidBodyReport) -> Figure:
 
 def draw_pointing(report: RigidBodyReport) -> Figure | None:
     """Return the pointing error against time, or the angle from the axes that look down. None without either."""
+    smallest = 1e-9  # of the largest error, below which a logarithm shows rounding
     seen = report.history
     error = seen.from_nadir if seen.pointing is None else seen.pointing
     if error is None:
@@ -37,7 +37,7 @@ def draw_pointing(report: RigidBodyReport) -> Figure | None:
     figure, panels, times = _begin(report, 1)
     degrees, axes = np.degrees(error), panels[0]
     if seen.pointing is not None and degrees.max() > 0:
-        axes.semilogy(times, np.maximum(degrees, SMALLEST * degrees.max()), color=style.BLUE, lw=1.1)
+        axes.semilogy(times, np.maximum(degrees, smallest * degrees.max()), color=style.BLUE, lw=1.1)
         axes.axhline(np.degrees(report.within), color=style.GREY, lw=0.8, ls="--", label="settled below this")
         axes.legend(fontsize=style.FONT - 1, frameon=False, loc="best")
     else:

@@ -27,10 +27,19 @@ from polhode.reports.wording import degrees
 from polhode.spacecraft.rigid_body.build import Craft
 from polhode.types import Float64
 
-SURE = 1e-9  # of the height to escape over: nearer to it, rounding could decide
-SAME = 1e-9  # relative difference of moments that are equal: of a body that spins about the axis of the third
 WHERE = {CYLINDRICAL: "along the orbit's normal", HYPERBOLIC: "across the radius"}
 VERDICTS = {STATIC: "stable", GYROSCOPIC: "stable to first order", UNSTABLE: "unstable"}
+
+
+class GravityLimits(NamedTuple):
+    """What decides whether a rest is left, and whether a body is symmetric."""
+
+    escape_margin: float = 1e-9  # of the height to escape over; nearer to it, rounding could decide
+    # difference of moments that are equal, of a body that spins about the axis of the third
+    relative_moment: float = 1e-9
+
+
+LIMITS = GravityLimits()
 
 
 class GravityAnswers(NamedTuple):
@@ -64,7 +73,7 @@ def judge_gravity(craft: Craft, trajectory: Trajectory) -> GravityAnswers:
     away = 2.0 * np.arcsin(np.clip(np.linalg.norm(turned - near.turn, axis=(1, 2)) / math.sqrt(8.0), 0.0, 1.0))
     value, most = float(trajectory.balances["jacobi_integral"][0]), escape_energy(moments, n)
     room = abs(most) + abs(value)
-    trapped = rest.region == LAGRANGE and value < most - SURE * room
+    trapped = rest.region == LAGRANGE and value < most - LIMITS.escape_margin * room
     period = lambda rate: None if not rate else 2.0 * math.pi / rate  # noqa: E731
     librations = [period(rate) for rate in reversed(rest.roll_yaw_rates or ()) if rate]
     of_both = "periods of roll and yaw" if len(librations) == 2 else "period of roll or yaw, of which the other drifts"
@@ -102,7 +111,7 @@ def _axis_of_symmetry(moments: Float64[np.ndarray, "3"]) -> int | None:
     """Return which axis has the one moment that differs from the two others; None for other bodies."""
     for k in range(3):
         A, B, C = moments[(k + 1) % 3], moments[(k + 2) % 3], moments[k]
-        if abs(A - B) <= SAME * A < abs(A - C):
+        if abs(A - B) <= LIMITS.relative_moment * A < abs(A - C):
             return k
     return None
 

@@ -22,8 +22,6 @@ Time = Real[ArrayLike, "*#batch"]
 Attitude = Float64[Array, "*#batch 4"] | None
 Velocity = Float64[Array, "*#batch 3"]
 Own = Float64[Array, "*#batch {self.state_size}"]
-BATCH = 5  # copies of the trial; no vector has as many components
-REMEMBERED = 512  # forms of attachments whose methods are known to give the right shapes
 _right: dict[Hashable, None] = {}
 
 
@@ -161,6 +159,8 @@ def checked_attachments(
     Raises:
         InvalidInput: for what is not a list of them, and for one whose methods fail or give wrong shapes.
     """
+    copies = 5  # of the trial; no vector has as many components
+    remembered = 512  # forms of attachments whose methods have the right shapes
     if not isinstance(value, Iterable):
         raise InvalidInput(f"`{name}` must be a list; got {shown(value)}. Put it in brackets.")
     attachments = []
@@ -173,10 +173,10 @@ def checked_attachments(
         attachments.append(attachment.bound(frame))
         form = _form(attachments[-1], trial)
         if form is None or form not in _right:
-            for batch in ((), (BATCH,)):
+            for batch in ((), (copies,)):
                 _check_shapes(f"{name}[{k}]", attachments[-1], trial, batch)
             if form is not None:
-                if len(_right) >= REMEMBERED:
+                if len(_right) >= remembered:
                     _right.clear()
                 _right[form] = None
     return tuple(attachments)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import abc
 from collections.abc import Callable
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -30,8 +30,16 @@ from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 TARGETS = ("inertial", "nadir")
-SYMMETRIC = 1e-12  # of a matrix of gains, relative
 LawFunction = Callable[..., Any]
+
+
+class GainLimits(NamedTuple):
+    """What matrices of gains are refused."""
+
+    relative_asymmetry: float = 1e-12  # of the largest entry
+
+
+LIMITS = GainLimits()
 
 
 class AbstractControlLaw(AbstractAttachment):
@@ -353,7 +361,7 @@ def checked_gain(name: str, value: Real[ArrayLike, "..."], unit: str) -> Float64
         gain = np.diag(np.broadcast_to(gain, 3))
     if gain.shape != (3, 3) or not np.isfinite(gain).all():
         raise InvalidInput(f"`{name}` must be one, three or (3, 3) finite numbers [{unit}]; got {shown(value)}.")
-    symmetric = np.abs(gain - gain.T).max() <= SYMMETRIC * np.abs(gain).max()
+    symmetric = np.abs(gain - gain.T).max() <= LIMITS.relative_asymmetry * np.abs(gain).max()
     if not symmetric or not np.linalg.eigvalsh(gain).min() > 0:
         raise InvalidInput(
             f"`{name}` must be positive [{unit}], as a matrix symmetric and positive definite; got {shown(value)}. A "

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -18,8 +18,15 @@ from polhode.spacecraft.torques.base import AbstractTorque
 from polhode.systems._checks import checked_directions, checked_numbers
 from polhode.types import Array, ArrayLike, Float64, Real, Self
 
-TAPER = 0.02  # of the largest rate: the part below it over which a motor's torque falls to zero
-SPANS = 1e-9  # of the largest singular value, above which wheels give a torque along a direction
+
+class ControlledWheelLimits(NamedTuple):
+    """Where motors fade, and which directions wheels reach."""
+
+    taper: float = 0.02  # of the largest rate: the part below it over which a motor's torque falls to zero
+    min_singular_value: float = 1e-9  # of the largest, above which wheels give a torque along a direction
+
+
+LIMITS = ControlledWheelLimits()
 
 
 class ControlledWheels(AbstractLawActuator, AbstractMount):
@@ -74,7 +81,8 @@ class ControlledWheels(AbstractLawActuator, AbstractMount):
         resistance = checked_numbers("friction", friction, count, least=0.0, unit="N m s")
         self.friction = jnp.broadcast_to(resistance, count)
         matrix = np.asarray(self.axes)
-        self.shares = jnp.asarray(np.linalg.pinv(matrix, rcond=SPANS))  # A⁺, with the axes as columns of A
+        # A⁺, with the axes as columns of A
+        self.shares = jnp.asarray(np.linalg.pinv(matrix, rcond=LIMITS.min_singular_value))
 
     @property
     def state_parts(self) -> tuple[StatePart, ...]:
@@ -123,8 +131,8 @@ class ControlledWheels(AbstractLawActuator, AbstractMount):
         least, most = -self.max_torque, self.max_torque
         if self.max_rate is not None:
             room = self.rotor_rates(angular_velocity, own) / self.max_rate
-            most = most * jnp.clip((1.0 - room) / TAPER, 0.0, 1.0)
-            least = least * jnp.clip((1.0 + room) / TAPER, 0.0, 1.0)
+            most = most * jnp.clip((1.0 - room) / LIMITS.taper, 0.0, 1.0)
+            least = least * jnp.clip((1.0 + room) / LIMITS.taper, 0.0, 1.0)
         return jnp.clip(asked, least, most)
 
     def state_rate(
@@ -161,7 +169,7 @@ class ControlledWheels(AbstractLawActuator, AbstractMount):
             return jnp.zeros(angular_velocity.shape[:-1])
         asked = jnp.abs(self.commanded(t, attitude, angular_velocity, own)) / self.max_torque
         if self.max_rate is not None:
-            fast = jnp.abs(self.rotor_rates(angular_velocity, own)) / ((1.0 - TAPER) * self.max_rate)
+            fast = jnp.abs(self.rotor_rates(angular_velocity, own)) / ((1.0 - LIMITS.taper) * self.max_rate)
             asked = jnp.maximum(asked, fast)
         return jnp.max(asked, axis=-1)
 

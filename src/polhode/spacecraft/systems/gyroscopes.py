@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -21,7 +21,15 @@ from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 Batch = Float64[Array, "*batch"]
 Drive = Callable[[Batch, Float64[Array, "*batch 4"], Float64[Array, "*batch 3"], Batch, Batch], Batch]
-ACROSS = 1e-9  # cosine between axes that are given as perpendicular
+
+
+class GyroscopeLimits(NamedTuple):
+    """What axes are refused."""
+
+    max_cosine: float = 1e-9  # between axes that are given as perpendicular
+
+
+LIMITS = GyroscopeLimits()
 
 
 class ControlMomentGyroscope(AbstractMovingPart):
@@ -90,7 +98,7 @@ class ControlMomentGyroscope(AbstractMovingPart):
         if not isinstance(rotor, Wheel | HeldWheel):
             raise InvalidInput(f"`rotor` must be a polhode.spacecraft.Wheel or HeldWheel; got {shown(rotor)}.")
         self.gimbal_axis, self.rotor = checked_direction("gimbal_axis", gimbal_axis), rotor
-        if abs(float(np.dot(self.gimbal_axis, rotor.axis))) > ACROSS:
+        if abs(float(np.dot(self.gimbal_axis, rotor.axis))) > LIMITS.max_cosine:
             raise InvalidInput(f"`gimbal_axis` must be perpendicular to the rotor's axis; got {shown(gimbal_axis)}.")
         self.moments = jnp.stack(_checked_moments(moments))
         if isinstance(rotor, Wheel) and not float(self.moments[0]) > float(rotor.moment):

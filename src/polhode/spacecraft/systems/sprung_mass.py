@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -23,9 +23,17 @@ from polhode.systems._checks import (
 )
 from polhode.types import Array, ArrayLike, Float64, Real
 
-ORTHOGONAL = 1e-9  # of directions that are given as perpendicular
 # of the first mode φ of a clamped beam: cos λ cosh λ = −1, (∫φ)²/∫φ² and ∫xφ/∫φ over its length
 BEAM_ROOT, BEAM_MASS, BEAM_PLACE = 1.875104068711961, 0.613076090026017, 0.726477308761248
+
+
+class SprungMassLimits(NamedTuple):
+    """What directions are refused."""
+
+    max_cosine: float = 1e-9  # between directions that are given as perpendicular
+
+
+LIMITS = SprungMassLimits()
 
 
 class SprungMass(AbstractMovingPart):
@@ -155,7 +163,7 @@ class SprungMass(AbstractMovingPart):
 
 def _checked_axes(directions: Real[ArrayLike, "..."]) -> Float64[Array, "n 3"]:
     rows = checked_directions("directions", [directions] if np.ndim(directions) == 1 else directions)
-    if len(rows) > 3 or np.abs(rows @ rows.T - np.eye(len(rows))).max() > ORTHOGONAL:
+    if len(rows) > 3 or np.abs(rows @ rows.T - np.eye(len(rows))).max() > LIMITS.max_cosine:
         raise InvalidInput(
             f"`directions` must be one to three that are perpendicular to each other; got {shown(directions)}."
         )

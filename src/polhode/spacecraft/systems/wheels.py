@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -16,7 +17,15 @@ from polhode.types import Array, ArrayLike, Float64, Real, Self
 
 Batch = Float64[Array, "*batch"]
 Motor = Callable[[Batch, Float64[Array, "*batch 4"], Float64[Array, "*batch 3"], Batch], Batch]
-NEAR_LIMIT = 0.01  # of the largest rate, within which a motor fades
+
+
+class WheelLimits(NamedTuple):
+    """Where a motor fades."""
+
+    fading: float = 0.01  # of the largest rate, within which its torque falls to zero
+
+
+LIMITS = WheelLimits()
 
 
 class Wheel(AbstractMount):
@@ -171,7 +180,7 @@ class Wheel(AbstractMount):
         if self.max_torque is not None:
             largest = jnp.abs(self._asked(t, attitude, angular_velocity, rate)) / self.max_torque
         if self.max_rate is not None:
-            largest = jnp.maximum(largest, jnp.abs(rate) / ((1.0 - NEAR_LIMIT) * self.max_rate))
+            largest = jnp.maximum(largest, jnp.abs(rate) / ((1.0 - LIMITS.fading) * self.max_rate))
         return largest
 
     def _limited(self, torque: Array, rate: Array) -> Array:
@@ -180,8 +189,8 @@ class Wheel(AbstractMount):
             torque = jnp.clip(torque, -self.max_torque, self.max_torque)
         if self.max_rate is None:
             return torque
-        up = jnp.clip((self.max_rate - rate) / (NEAR_LIMIT * self.max_rate), 0.0, 1.0)
-        down = jnp.clip((self.max_rate + rate) / (NEAR_LIMIT * self.max_rate), 0.0, 1.0)
+        up = jnp.clip((self.max_rate - rate) / (LIMITS.fading * self.max_rate), 0.0, 1.0)
+        down = jnp.clip((self.max_rate + rate) / (LIMITS.fading * self.max_rate), 0.0, 1.0)
         return jnp.maximum(torque, 0.0) * up + jnp.minimum(torque, 0.0) * down
 
     def state_rate(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -19,7 +19,14 @@ from polhode.systems.free_rigid_body import checked_moments
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.types import Array, ArrayLike, Float64, Real
 
-SAME = 1e-12  # relative, of an inertia that was turned to other axes and back
+
+class InertiaLimits(NamedTuple):
+    """What moments of a gravity gradient are refused."""
+
+    relative_inertia: float = 1e-12  # difference that turning an inertia to other axes and back leaves
+
+
+LIMITS = InertiaLimits()
 
 
 class GravityGradient(AbstractEnvironmentTorque):
@@ -63,7 +70,7 @@ class GravityGradient(AbstractEnvironmentTorque):
             return GravityGradient(self.orbit, own)
         given = np.asarray(self.moments)
         as_matrix = [np.diag(x) if x.ndim == 1 else x for x in (given, own)]
-        if not np.abs(as_matrix[0] - as_matrix[1]).max() <= SAME * np.abs(own).max():
+        if not np.abs(as_matrix[0] - as_matrix[1]).max() <= LIMITS.relative_inertia * np.abs(own).max():
             raise InvalidInput(
                 f"`torques` has the gravity gradient on the moments {given.tolist()}, but the body's are "
                 f"{own.tolist()} kg m² along its axes. Give both the same, or leave them out here."

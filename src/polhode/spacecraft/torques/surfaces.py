@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import abc
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -20,7 +20,6 @@ from polhode.types import Array, ArrayLike, Float64, Real
 
 EARTH, EARTH_RADIUS = 3.986004418e14, 6378.137e3
 """GM [m³/s²] and radius of the equator [m], WGS 84."""
-EARTH_LIKE = 0.01  # of GM, within which an orbit counts as one about the Earth
 SUNLIGHT = 4.5391e-6
 """Pressure of sunlight at one astronomical unit [N/m²]: 1360.8 W/m² over the speed of light.
 
@@ -33,6 +32,15 @@ PLATES: dict[str, Argument] = {
     "box": Argument("m", (3,)),
     "center": Argument("m", (3,)),
 }
+
+
+class OrbitLimits(NamedTuple):
+    """What orbits are about the Earth."""
+
+    relative_parameter: float = 0.01  # difference of GM from the Earth's
+
+
+LIMITS = OrbitLimits()
 
 
 class Plates(eqx.Module):
@@ -187,7 +195,7 @@ def _earth_radius(orbit: KeplerOrbit | None) -> float:
     """Return the radius of the Earth [m], or refuse an orbit about something else."""
     if orbit is not None and orbit.semi_major_axis is not None:
         about = float(orbit.mean_motion**2 * orbit.semi_major_axis**3)
-        if abs(about / EARTH - 1.0) > EARTH_LIKE:
+        if abs(about / EARTH - 1.0) > LIMITS.relative_parameter:
             raise InvalidInput(
                 f"the orbit is about a body of GM = {about:.6g} m³/s², not the Earth, and has its own shade: give "
                 "`shading_radius`, the radius of that body, or a zero one for no shade."
