@@ -1,11 +1,11 @@
 """The offset between the clocks of two attitude histories, where their attitudes show it.
 
 The histories are laid over each other at all offsets, first with their axes as given, then with the axes of space of
-one turned by a constant, as a log without a compass has them. Gauss and Newton's steps refine the best offsets, and
-then fit a constant turn of the body axes along, as no sensor sits quite straight: R_B(t) = S R_A(t + offset) M. Where
-the motion does not tell that turn from an offset, the axes are supposed to agree, and the result says so. Where
-another offset fits nearly as well, the motion looks alike at all times, or the samples turn too little to tell an
-offset, none is returned.
+one rotated by a constant, as a log without a compass has them. Gauss and Newton's steps refine the best offsets, and
+then fit a constant turn of the body axes along, as no sensor is mounted quite straight: R_B(t) = S R_A(t + offset) M.
+Where the motion does not distinguish that turn from an offset, the axes are supposed to agree, and the result says so.
+Where another offset fits nearly as well, the motion repeats itself at all times, or the samples turn too little to
+determine an offset, none is returned.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class Moving(NamedTuple):
     Attributes:
         at: evaluates it.
         first, last: the span [s].
-        is_bounded: whether it is not known beyond.
+        is_bounded: whether it has no values beyond.
     """
 
     at: Evaluate
@@ -50,7 +50,7 @@ class ClockOffset(NamedTuple):
         offset: that time [s].
         error: its standard error, of independent residuals [s].
         left: root mean square angle that remains [rad].
-        turned: whether the axes of space had to be turned by a constant.
+        turned: whether the axes of space had to be rotated by a constant.
         supposed: whether the body axes are supposed to agree, as no constant turn of them could be fitted along.
         agreeing: the offset and its error [s] if they do agree, where one was fitted along and none shows; else None.
     """
@@ -68,7 +68,7 @@ class Wanted(NamedTuple):
 
     Attributes:
         word: an offset in words.
-        near: an offset that the right one is near [s]; None where nothing is known of it.
+        near: an offset near the right one [s]; None where none is given.
     """
 
     word: Callable[[float], str]
@@ -76,7 +76,7 @@ class Wanted(NamedTuple):
 
 
 class Samples(NamedTuple):
-    """What is laid over a motion: times (T,) [s] and attitudes (T, 4), body → space."""
+    """Samples laid over a motion: times (T,) [s] and attitudes (T, 4), body → space."""
 
     times: Float64[Array, "time"]
     attitude: Float64[Array, "time 4"]
@@ -91,8 +91,8 @@ class Fit(NamedTuple):
         share: agreement at the offset of the search that it began with, at most 1.
         space, body: S and M (4,).
         left: root mean square angle that remains [rad].
-        error: of the offset, by the covariance of all that is fitted [s].
-        spare: numbers that the samples have, three each, beyond what is fitted.
+        error: of the offset, by the covariance of all fitted numbers [s].
+        spare: degrees of freedom: three for each sample, less the fitted numbers.
     """
 
     offset: float
@@ -106,13 +106,13 @@ class Fit(NamedTuple):
 
 
 class Rule(NamedTuple):
-    """When an offset is known.
+    """What decides on the offset of one comparison.
 
     Attributes:
-        speed: how fast the body turns at most [rad/s].
+        speed: largest angular speed of the body [rad/s].
         span: that offsets are sought in [s].
         wanted: which of several is meant.
-        missed: the best agreement of those that were not looked at, 0 if none.
+        missed: the best agreement of those that were not refined, 0 if none.
     """
 
     speed: float
@@ -125,9 +125,9 @@ def find_clock_offset(motion: Moving, samples: Samples, speed: float, wanted: Wa
     """Return the time of a motion at the time zero of samples.
 
     Args:
-        motion: what the samples are of.
+        motion: of which the samples are.
         samples: the other history.
-        speed: how fast the body turns at most [rad/s].
+        speed: largest angular speed of the body [rad/s].
         wanted: which of several offsets is meant.
 
     Raises:
@@ -138,8 +138,8 @@ def find_clock_offset(motion: Moving, samples: Samples, speed: float, wanted: Wa
     some, many = _take(samples, SEARCH.coarse_samples), _take(samples, SEARCH.fine_samples)
     grid = _offsets(motion, samples.times, speed)
     nearest, turns = None, _spread(many.attitude)
-    for turned in (False, True):
-        starts, missed = _search(motion, some, grid, turned, wanted.near)
+    for free in (False, True):
+        starts, missed = _search(motion, some, grid, free, wanted.near)
         fits = _sort([_refine(motion, many, start) for start in starts])
         if not fits:
             continue
@@ -148,7 +148,7 @@ def find_clock_offset(motion: Moving, samples: Samples, speed: float, wanted: Wa
         if best.left > LIMITS.max_residual:
             continue
         if not np.isfinite(best.error):
-            steady = "the body turns steadily, so that with other axes of space any offset fits" if turned else STILL
+            steady = "the body turns steadily, so that with other axes of space any offset fits" if free else STILL
             raise InvalidInput(f"{steady}. Say it by `offset`.")
         if best.left > LIMITS.max_unexplained * turns:
             continue
@@ -161,31 +161,31 @@ def _word_nearest(nearest: Fit | None, turns: float, wanted: Wanted) -> str:
     """Return how well the best offset fits samples that turn so far [rad, rms], after a colon; "" without one."""
     if nearest is None:
         return ""
-    turned = ", with the axes of space turned by a constant" if nearest.free[0] else ""
-    return (f": the best, {wanted.word(nearest.offset)} s{turned}, leaves {nearest.left:.2g} rad rms, and the samples "
+    axes = ", with the axes of space turned by a constant" if nearest.free[0] else ""
+    return (f": the best, {wanted.word(nearest.offset)} s{axes}, leaves {nearest.left:.2g} rad rms, and the samples "
             f"turn by {turns:.2g} rad rms")  # fmt: skip
 
 
 def _settle(motion: Moving, samples: Samples, fits: list[Fit], rule: Rule) -> ClockOffset:
-    """Return the offset with those turns of axes fitted along that the motion tells from it.
+    """Return the offset with those turns of axes fitted along that the motion distinguishes from it.
 
-    Axes that are supposed to agree, while the rest shows them turned about other axes, are likely to be turned as far
-    about the one that is not seen; the error covers that.
+    Axes that are supposed to agree, while the residuals show a turn about others, are likely to differ as much about
+    the one that is not measured; the error covers that.
 
     Args:
-        motion: what the samples are of.
+        motion: of which the samples are.
         samples: the other history.
         fits: with the body axes as given, the best first.
-        rule: when an offset is known.
+        rule: what decides on the offset.
 
     Raises:
         InvalidInput: where several offsets fit even with the body axes as given, or the error is too large.
     """
-    turned = fits[0].free[0]
-    askew = _fit_along(motion, samples, fits, (turned, True), rule)
+    free = fits[0].free[0]
+    askew = _fit_along(motion, samples, fits, (free, True), rule)
     best = _choose(askew or fits, rule)
-    lean = _find_lean(motion, samples, best, (not turned, not askew))
-    if lean and askew and not turned:
+    lean = _find_lean(motion, samples, best, (not free, not askew))
+    if lean and askew and not free:
         tilted = _fit_along(motion, samples, askew, (True, True), rule)
         best, lean = (_choose(tilted, rule), 0.0) if tilted else (best, lean)
     error = best.error
@@ -198,14 +198,14 @@ def _settle(motion: Moving, samples: Samples, fits: list[Fit], rule: Rule) -> Cl
             "is sought in. Say it by `offset`, or give a log that turns further."
         )
     held = min(fits, key=lambda fit: abs(fit.offset - best.offset))
-    straight = bool(askew) and best.free[0] == turned and not _find_lean(motion, samples, held, (False, True))
+    straight = bool(askew) and best.free[0] == free and not _find_lean(motion, samples, held, (False, True))
     agreeing = (held.offset, held.error) if straight else None
     return ClockOffset(best.offset, error, best.left, best.free[0], not askew, agreeing)
 
 
 def _fit_along(motion: Moving, samples: Samples, fits: list[Fit], free: tuple[bool, bool], rule: Rule) -> list[Fit]:
     """Return fits with more turns of axes, the best first; none where they do not leave one offset."""
-    # one that the turns lead astray is kept as it was: it still leaves no more than that
+    # a fit that diverges with the turns is kept as it was: its residual is no larger than that
     near = [fit for fit in fits if fit.left < LIMITS.max_residual]
     wider = _sort([_refine(motion, samples, fit._replace(free=free)) or fit for fit in near])
     best = _pick(wider, rule)
@@ -220,7 +220,7 @@ def _sort(fits: list[Fit | None]) -> list[Fit]:
 
 
 def _list_alike(fits: list[Fit], rule: Rule) -> list[Fit]:
-    """Return the best offset, and those far from it and from each other that leave nearly as little."""
+    """Return the best offset, and those far from it and from each other with residuals nearly as small."""
     best = fits[0]
     limit = LIMITS.rival * max(best.left, LIMITS.min_noise)
     apart = max(SEARCH.turn / rule.speed, 10.0 * best.error)
@@ -232,7 +232,7 @@ def _list_alike(fits: list[Fit], rule: Rule) -> list[Fit]:
 
 
 def _pick(fits: list[Fit], rule: Rule) -> Fit | None:
-    """Return the offset that fits, of several the one that is wanted; None where that is open."""
+    """Return the offset that fits, of several the wanted one; None where they are ambiguous."""
     alike = _list_alike(fits, rule)
     near = rule.wanted.near
     if len(alike) == 1 or near is None:
@@ -242,10 +242,10 @@ def _pick(fits: list[Fit], rule: Rule) -> Fit | None:
 
 
 def _choose(fits: list[Fit], rule: Rule) -> Fit:
-    """Return the offset that fits, of several the one that is wanted.
+    """Return the offset that fits, of several the wanted one.
 
     Raises:
-        InvalidInput: where that is open, with all that were found.
+        InvalidInput: where they are ambiguous, with all that fit.
     """
     best = _pick(fits, rule)
     if best is not None:
@@ -267,7 +267,7 @@ def _choose(fits: list[Fit], rule: Rule) -> Fit:
 
 
 def _take(samples: Samples, count: int) -> Samples:
-    """Return so many samples, evenly chosen."""
+    """Return a number of samples, evenly chosen."""
     length = len(samples.times)
     chosen = np.unique(np.linspace(0, length - 1, min(length, count)).round().astype(int))
     return Samples(samples.times[chosen], samples.attitude[chosen])
@@ -288,11 +288,11 @@ def _offsets(motion: Moving, times: Array, speed: float) -> Array:
     return np.linspace(first, last, count)
 
 
-def _search(motion: Moving, samples: Samples, grid: Array, turned: bool, near: float | None) -> tuple[list[Fit], float]:
+def _search(motion: Moving, samples: Samples, grid: Array, free: bool, near: float | None) -> tuple[list[Fit], float]:
     """Return the most promising offsets, local maxima of the agreement over a grid of them, and the best agreement of
     those left out. Where one is near the wanted, half of them are the nearest.
     """
-    share = _agreement(motion, samples, grid, turned)
+    share = _agreement(motion, samples, grid, free)
     padded = np.concatenate([[-2.0], share, [-2.0]])
     peaks = np.flatnonzero((share >= padded[:-2]) & (share >= padded[2:]) & (share >= 0.0))
     peaks = peaks[np.argsort(share[peaks])[::-1]]
@@ -302,12 +302,12 @@ def _search(motion: Moving, samples: Samples, grid: Array, turned: bool, near: f
         others = peaks[half:]
         order = np.argsort(np.abs(grid[others] - near), kind="stable")
         some, rest = np.concatenate([peaks[:half], others[order[:half]]]), others[order[half:]]
-    starts = [Fit(float(grid[k]), (turned, False), float(share[k])) for k in some]
+    starts = [Fit(float(grid[k]), (free, False), float(share[k])) for k in some]
     return starts, float(np.max(share[rest], initial=0.0))
 
 
-def _agreement(motion: Moving, samples: Samples, grid: Array, turned: bool) -> Array:
-    """Return the mean square cosine of half the angle that is left at each offset; -1 where too little overlaps."""
+def _agreement(motion: Moving, samples: Samples, grid: Array, free: bool) -> Array:
+    """Return the mean square cosine of half the residual angle at each offset; -1 where too little overlaps."""
     times, attitude = samples
     step = float(grid[1] - grid[0]) if len(grid) > 1 else 1.0
     places = np.round((times - times[0]) / step).astype(int)
@@ -317,7 +317,7 @@ def _agreement(motion: Moving, samples: Samples, grid: Array, turned: bool) -> A
     values = np.zeros((len(known), 4))
     values[inside] = motion.at(known[inside])[0]
     agreement, weight = np.zeros(len(grid)), np.zeros(len(grid))
-    sums = np.zeros((len(grid), 4, 4)) if turned else None
+    sums = np.zeros((len(grid), 4, 4)) if free else None
     for place, quaternion in zip(places, attitude, strict=True):
         there, ok = values[place : place + len(grid)], inside[place : place + len(grid)]
         weight += ok
@@ -332,7 +332,7 @@ def _agreement(motion: Moving, samples: Samples, grid: Array, turned: bool) -> A
 
 
 class _Laid(NamedTuple):
-    """Samples laid over the motion: what is left (N, 3), and what the offset, S and M each change of it (N, 3, n)."""
+    """Samples laid over the motion: residuals (N, 3), and their derivatives by the offset, S and M (N, 3, n)."""
 
     left: Array
     by_offset: Array
@@ -346,7 +346,7 @@ class _Laid(NamedTuple):
 
 
 def _lay(motion: Moving, samples: Samples, fit: Fit, is_new: bool) -> tuple[_Laid, Fit] | None:
-    """Return what is left at an offset, and the fit, with a first S where it has none; None where little overlaps."""
+    """Return the residuals at an offset, and the fit, with a first S where it has none; None where little overlaps."""
     moved, count = samples.times + fit.offset, len(samples.times)
     inside = (moved >= motion.first) & (moved <= motion.last) if motion.is_bounded else np.ones(count, dtype=bool)
     if inside.sum() < LIMITS.min_overlap * count or inside.sum() < 3:
@@ -402,7 +402,7 @@ def _step(fit: Fit, move: float, turns: Array) -> Fit:
 
 
 def _find_lean(motion: Moving, samples: Samples, fit: Fit, new: tuple[bool, bool]) -> float:
-    """Return by how much axes that are not fitted are turned [rad], where what is left shows that they are, else 0."""
+    """Return the turn [rad] of axes that are not fitted, where the residuals show one, else 0."""
     known = _lay(motion, samples, fit, False)
     if known is None or not any(new):
         return 0.0

@@ -11,7 +11,7 @@ class Search:
 
     Attributes:
         turn: [rad] that the body turns between offsets that are tried first.
-        max_offsets: that are tried first, however long the histories are.
+        max_offsets: tried first, however long the histories are.
         coarse_samples: on which offsets are tried.
         fine_samples: on which they are refined.
         candidates: offsets that are refined.
@@ -38,18 +38,18 @@ class Thresholds:
     Attributes:
         settled_step: of the usual step between samples; an offset that moves by less is refined.
         settled_turn: [rad]; turns of axes below it no longer change an offset.
-        rival: times the residual of the best offset; one that leaves less than this may be the right one.
-        max_residual: [rad, rms]; what leaves more is another motion, and axes turned by more are other axes.
-        max_unexplained: of how far the samples turn, rms; what leaves more does not follow them, however little it is.
+        rival: times the residual of the best offset; one with a smaller residual may be the right one.
+        max_residual: [rad, rms]; larger residuals are of another motion, and larger turns are of other axes.
+        max_unexplained: of the samples' own turn, rms; an offset that leaves more does not follow them, however small.
         max_error: of the span in which offsets are sought; an error that is larger leaves them all possible.
         max_turn_within_error: [rad] that the body turns within an offset's error; a turn of axes that is larger is not
             distinguished from that.
-        min_information_left: of the information on an offset; if fitting the axes leaves less, there is no offset.
+        min_information_left: of the information on an offset; if fitting the axes leaves less, none is returned.
         min_noise: [rad, rms]; rounding, below which residuals are not compared.
         min_improvement: fall of χ² by three more unknowns, which noise alone reaches once in 140 times.
-        same_effect: of the largest singular value; below it two unknowns have the same effect to what steps resolve.
-        same_effect_alone: of the same; turns of axes with less effect are not measured.
-        nearest: of the distance to the second; an offset as near as this to the wanted one is the one that is meant.
+        same_effect: of the largest singular value; below it two unknowns have one effect, as far as steps resolve it.
+        same_effect_alone: likewise, of turns of axes; those with less effect are not measured.
+        nearest: of the distance to the second; an offset as near as this to the wanted one is chosen.
         axes_unmeasured: times the turn that two axes show; a third exceeds twice that error once in 30.
         min_overlap: of the shorter history.
     """

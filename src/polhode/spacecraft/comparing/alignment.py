@@ -31,8 +31,8 @@ class Alignment(NamedTuple):
         body: (3,) rotation vector of M, between the body axes [rad, body axes of A].
         space: (3,) rotation vector of S, between the space axes at the first time [rad].
         rate: (3,) ω, at which the space axes turn against each other [rad/s].
-        remaining: (T,) angle that is left [rad].
-        determined: whether the motion tells all nine numbers apart; if not, others would explain as much.
+        remaining: (T,) residual angle [rad].
+        determined: whether the motion determines all nine numbers; if not, others would explain as much.
     """
 
     body: Float64[Array, "3"]
@@ -112,15 +112,15 @@ def _guess_start(scaled: Array, a: Array, b: Array) -> list[tuple[Array, Array, 
 
 
 def _apply_fit(body: Array, space: Array, turn: Array, scaled: Array, b: Array) -> tuple[Array, Array]:
-    """Return b turned by the fit, and the rotation of space by the rate alone."""
+    """Return b rotated by the fit, and the rotation of space by the rate alone."""
     drift = rotation.from_rotation_vector(turn * scaled[:, None])
     return rotation.multiply(rotation.multiply(drift, rotation.multiply(space, b)), body), drift
 
 
 def _remainder(body: Array, space: Array, turn: Array, scaled: Array, a: Array, b: Array) -> Array:
-    """Return the rotation vectors (T, 3), along the body axes, that are left."""
-    turned, _ = _apply_fit(body, space, turn, scaled, b)
-    return rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(turned), a))
+    """Return the residual rotation vectors (T, 3), along the body axes."""
+    fitted, _ = _apply_fit(body, space, turn, scaled, b)
+    return rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(fitted), a))
 
 
 def _improve(
@@ -128,12 +128,12 @@ def _improve(
 ) -> tuple[tuple[Array, Array, Array], float, int]:
     """Return a fit improved by one step, the step's size [rad], and the number of unknowns that the motion determines.
 
-    To first order what is left is δm + Cᵀ(D δs + J τ δω), with C the turned attitude, D the drift's rotation and J its
+    To first order the residual is δm + Cᵀ(D δs + J τ δω), with C the fitted attitude, D the drift's rotation and J its
     left Jacobian.
     """
-    turned, drift = _apply_fit(body, space, turn, scaled, b)
-    left = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(turned), a))
-    back = np.swapaxes(rotation.as_matrix(turned), -1, -2)
+    fitted, drift = _apply_fit(body, space, turn, scaled, b)
+    left = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(fitted), a))
+    back = np.swapaxes(rotation.as_matrix(fitted), -1, -2)
     by_rate = _left_jacobian(turn * scaled[:, None]) * scaled[:, None, None]
     design = np.concatenate(
         [np.broadcast_to(np.eye(3), back.shape), back @ rotation.as_matrix(drift), back @ by_rate], axis=-1

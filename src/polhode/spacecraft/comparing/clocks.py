@@ -24,7 +24,7 @@ _TIME = re.compile(r"\s*(?P<number>[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(?P<unit>
 
 
 class ClockWording(NamedTuple):
-    """What is said of an offset."""
+    """What the sentence on an offset mentions."""
 
     worthwhile_error: float = 0.5  # of the error; an offset that supposes more and gains less is not worth a line
 
@@ -33,13 +33,13 @@ WORDING = ClockWording()
 
 
 class Align(NamedTuple):
-    """That the offset is found from the attitudes; of several, the one that is nearest to another [s]."""
+    """That the offset is estimated from the attitudes; of several, the one nearest to another [s]."""
 
     near: Decimal | None = None
 
 
 class Laid(NamedTuple):
-    """A's time at B's time zero [s] in the times of the two histories, how it is known, and its estimate, if it is one.
+    """A's time at B's time zero [s] in the times of the two histories, how it is known, and its estimate, if estimated.
     """
 
     offset: float
@@ -48,11 +48,11 @@ class Laid(NamedTuple):
 
 
 def parse_clocks(offset: str | float | None, align: bool) -> Decimal | str | Align | None:
-    """Return how clocks are related: A's clock at B's zero [s], exactly, START, or that it is to be found; None where
-    nothing is said.
+    """Return how clocks are related: A's clock at B's zero [s], exactly, START, or that it is to be estimated; None
+    where nothing is given.
 
     Raises:
-        InvalidInput: for an offset that is neither a time nor START, and for START where it is to be found.
+        InvalidInput: for an offset that is neither a time nor START, and for START where it is to be estimated.
     """
     parsed = _parse_offset(offset) if offset is None or isinstance(offset, str) else Decimal(offset)
     if not align:
@@ -67,7 +67,7 @@ def _parse_offset(text: str | None) -> Decimal | str | None:
     """Return the parsed offset: A's clock at B's zero [s], exactly, or START; None where none is given.
 
     Raises:
-        InvalidInput: for what is neither.
+        InvalidInput: for anything else.
     """
     if text is None or text == START:
         return text
@@ -95,7 +95,7 @@ def lay_side_by_side(a: Source, b: Source, offset: Decimal | str | Align | None)
 
     Args:
         a, b: the two.
-        offset: what ``parse_clocks`` returns.
+        offset: as ``parse_clocks`` returns it.
 
     Raises:
         InvalidInput: where nothing shows that both share a clock, and they begin at different times.
@@ -130,19 +130,19 @@ def lay_side_by_side(a: Source, b: Source, offset: Decimal | str | Align | None)
 def _align(a: Source, b: Source, near: Decimal | None) -> Laid:
     """Return the offset that the attitudes show, of several the one nearest to another."""
     shift = a.begin - b.begin
-    found = align_clocks(a.history, b.history, near=None if near is None else float(near - shift), shift=shift)
-    begins, agreeing = Decimal(found.offset) + shift, None
-    axes = "turned by a constant" if found.turned else "as given"
-    beside = SUPPOSED if found.supposed else " beside a constant turn of the body axes"
-    if found.agreeing is not None:
-        alone, error = Decimal(found.agreeing[0]) + shift, found.agreeing[1]
+    aligned = align_clocks(a.history, b.history, near=None if near is None else float(near - shift), shift=shift)
+    begins, agreeing = Decimal(aligned.offset) + shift, None
+    axes = "turned by a constant" if aligned.turned else "as given"
+    beside = SUPPOSED if aligned.supposed else " beside a constant turn of the body axes"
+    if aligned.agreeing is not None:
+        alone, error = Decimal(aligned.agreeing[0]) + shift, aligned.agreeing[1]
         agreeing = float(alone), error
-        if error < WORDING.worthwhile_error * found.error:
+        if error < WORDING.worthwhile_error * aligned.error:
             beside += f"; if both have the same body axes, at {_measured(alone, error)} s"
     chosen = "" if near is None else f"; of several, the nearest to the {in_words(near)} s of `offset` is taken"
-    words = (f"B's time zero is at {_measured(begins, found.error)} s of A, by the attitudes with the axes of space "
-             f"{axes}, which leave {found.left:.2g} rad rms{beside}{chosen}")  # fmt: skip
-    return Laid(found.offset, words, found._replace(offset=float(begins), agreeing=agreeing))
+    words = (f"B's time zero is at {_measured(begins, aligned.error)} s of A, by the attitudes with the axes of space "
+             f"{axes}, which leave {aligned.left:.2g} rad rms{beside}{chosen}")  # fmt: skip
+    return Laid(aligned.offset, words, aligned._replace(offset=float(begins), agreeing=agreeing))
 
 
 def _measured(value: Decimal, error: float) -> str:

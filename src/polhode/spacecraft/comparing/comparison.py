@@ -25,7 +25,7 @@ class ComparisonLimits(NamedTuple):
     """What counts as one time, as noise and as rounding."""
 
     equal_times: float = 1e-9  # of a step: samples this near are at one time, written with other digits
-    max_rms: float = 2.0  # times the noise of the samples; residuals below are noise, as far as it is known
+    max_rms: float = 2.0  # times the noise of the samples, up to which an angle is noise, rms
     max_peak: float = 6.0  # times the noise, which the largest of a million samples of it stays below
     rounding: float = 1e-12  # rad; smaller errors are rounding, and nothing is fitted to them
     # on the rounding of times: a steady turn meets the bound exactly, and speeds are estimates
@@ -62,7 +62,7 @@ class Comparison:
         growth: slope of the angle's best line [rad/s], None for one time.
         alignment: constant misalignments and rate that explain most of it; None for one time or no difference.
         invariants: of A and B; None where they are not known.
-        method: how both came to the same times.
+        method: how both were brought to common times.
         interpolation_error: error of a spline through every second sample of B at the other samples [rad], which is
             larger than that of the spline through all; None where nothing was interpolated.
         rounding: angles up to this are of rounding, that of times included [rad].
@@ -134,7 +134,7 @@ Source = AttitudeHistory | Trajectory | AbstractMotion
 def compare(a: Source, b: Source, *, offset: float = 0.0) -> Comparison:
     """Compare two attitude histories along the same body axes.
 
-    Where one is known exactly it is evaluated at the other's samples; where both are, at A's; of two sampled ones B is
+    Where one is exact it is evaluated at the other's samples; where both are, at A's; of two sampled ones B is
     interpolated at A's samples by a spline of rotations, unless both have samples there.
 
     Args:
@@ -191,14 +191,14 @@ def align_clocks(
 ) -> ClockOffset:
     """Return A's time at B's time zero where the attitudes show it, with its error.
 
-    A constant turn of the body axes is fitted along where the motion tells it from an offset, else the axes are
+    A constant turn of the body axes is fitted along where the motion distinguishes it from an offset, else the axes are
     supposed to agree.
 
     Args:
         a: the one that times are counted by.
         b: the other.
         near: about where the offset lies [s], which decides where several fit.
-        shift: what messages add to an offset, as times may be counted from stamps [s].
+        shift: added to offsets in messages, as times may be counted from stamps [s].
 
     Raises:
         InvalidInput: where no offset makes the two agree, several do, or the motion does not determine it.
@@ -213,12 +213,12 @@ def align_clocks(
     a, b = (_sort_by_time(one) for one in (a, b))
     back = b.exact is not None and a.exact is None
     sign = -1.0 if back else 1.0
-    moving, seen = (b, a) if back else (a, b)
+    moving, sampled = (b, a) if back else (a, b)
     wanted = Wanted(lambda offset: _word_offset(Decimal(sign * offset) + shift), None if near is None else sign * near)
-    samples = Samples(np.asarray(seen.times), np.asarray(seen.attitude))
-    found = find_clock_offset(_make_moving(moving), samples, max(a.speed, b.speed), wanted)
-    agreeing = None if found.agreeing is None else (sign * found.agreeing[0], found.agreeing[1])
-    return found._replace(offset=sign * found.offset, agreeing=agreeing)
+    samples = Samples(np.asarray(sampled.times), np.asarray(sampled.attitude))
+    aligned = find_clock_offset(_make_moving(moving), samples, max(a.speed, b.speed), wanted)
+    agreeing = None if aligned.agreeing is None else (sign * aligned.agreeing[0], aligned.agreeing[1])
+    return aligned._replace(offset=sign * aligned.offset, agreeing=agreeing)
 
 
 def _word_offset(offset: Decimal) -> str:

@@ -112,16 +112,16 @@ class ComparisonReport(StudyReport):
         ])  # fmt: skip
 
     def _offset(self) -> list[Answer]:
-        """Return the estimated offset of the clocks; empty where it was known."""
-        found = self.aligned
-        if found is None:
+        """Return the estimated offset of the clocks; empty where it was given."""
+        aligned = self.aligned
+        if aligned is None:
             return []
-        agreeing = None if found.agreeing is None else dict(zip(("value", "error"), found.agreeing, strict=True))
+        agreeing = None if aligned.agreeing is None else dict(zip(("value", "error"), aligned.agreeing, strict=True))
         return [
-            Answer("clock_offset.value", found.offset, "s"),
-            Answer("clock_offset.error", found.error, "s"),
-            Answer("clock_offset.turned", found.turned),
-            Answer("clock_offset.supposes_body_axes", found.supposed),
+            Answer("clock_offset.value", aligned.offset, "s"),
+            Answer("clock_offset.error", aligned.error, "s"),
+            Answer("clock_offset.turned", aligned.turned),
+            Answer("clock_offset.supposes_body_axes", aligned.supposed),
             Answer("clock_offset.if_body_axes_agree", agreeing, "s"),
         ]
 

@@ -42,14 +42,14 @@ def compare(
 ) -> ComparisonReport:  # fmt: skip
     """Return the report on how two attitude histories of one body differ.
 
-    Both are compared along the same body axes: where one is known exactly it is evaluated at the other's samples, and
+    Both are compared along common body axes: where one is exact it is evaluated at the other's samples, and
     of two sampled ones B is interpolated by a spline of rotations. ``ph.spacecraft.compare`` has the numbers alone.
 
     Args:
         a: the reference for times: a history, a trajectory with attitudes, a motion in closed form, or a file
             with one: spec, dataset, CSV of polhode's, CCSDS AEM, C-kernel with its own kernels next to it, table.
         b: the other.
-        spec: of files, that of the body's spec, for its moments where the two do not tell energy and momentum.
+        spec: of files, that of the body's spec, for its moments where the two do not give energy and momentum.
         offset: A's time at B's time zero [s]; of files also a text like "-68.5 s", or "start" if both begin at the same
             moment. Left out, it is 0, and of files what their epochs say.
         align_clock: of two files, whether the offset is estimated from the attitudes. Where several fit, the nearest to
@@ -58,7 +58,7 @@ def compare(
             "qw,qx,qy,qz"}. Two tables with different columns are read by ``polhode.formats.read_columns`` first.
 
     Raises:
-        InvalidInput: for files that cannot be read, for what is not an attitude history, and for two histories that
+        InvalidInput: for files that cannot be read, for anything but an attitude history, and for two histories that
             have no time in common.
         NotConverged: for a spec whose motion could not be followed.
 
@@ -99,10 +99,10 @@ def compare_files(
 
     Args:
         first: spec, dataset or CSV of polhode's, CCSDS AEM, C-kernel, or any table; times are counted by it.
-        second: the same.
+        second: likewise.
         spec: of the body, for its moments.
         kernels: clock, frame and leap-second kernels for C-kernels.
-        tables: what is said of the columns of each, where it is a table of another tool.
+        tables: options of the columns of each, where it is a table of another tool.
         offset: A's clock at B's zero [s], "start" if both begin at the same moment, or that the attitudes show it; None
             for what the epochs say.
 

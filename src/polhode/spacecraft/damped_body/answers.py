@@ -179,7 +179,7 @@ class DampedBodyReport(MotionReport):
 
     @property
     def table(self) -> DampedBodyTable:
-        """The losses as they stand in the spec."""
+        """The losses as the spec gives them."""
         return self.start.table
 
     @property
@@ -239,7 +239,7 @@ class DampedBodyReport(MotionReport):
         return notes
 
     def _leaving(self) -> list[str]:
-        """Return what internal losses do to a spin that is not about the major axis."""
+        """Return notes on a spin that is not about the major axis under internal losses."""
         start, moments = self.start.momentum, self.body.principal_moments
         norm, settles = self.start.norm, self.angle_to_major_axis[-1] <= math.radians(1.0)
         at = [k for k in (0, 1) if moments[k] < moments[2] and angle_to_axis(start, k) <= AXES.on_axis]
@@ -291,13 +291,13 @@ class DampedBodyReport(MotionReport):
         if not self.start.flat_spin():
             return []
         away = np.flatnonzero(self.angle_to_major_axis > FLAT)
-        seen = None if len(away) and away[-1] == len(self.angle_to_major_axis) - 1 else 0.0
-        if seen is not None and len(away):
-            seen = float(self.trajectory.times[away[-1] + 1] - self.trajectory.times[0])
-        spacing = None if seen is None or not len(away) else float(np.diff(self.trajectory.times)[away[-1]])
-        words = None if seen is None else uncertain(seen, spacing, "s")
+        reached = None if len(away) and away[-1] == len(self.angle_to_major_axis) - 1 else 0.0
+        if reached is not None and len(away):
+            reached = float(self.trajectory.times[away[-1] + 1] - self.trajectory.times[0])
+        spacing = None if reached is None or not len(away) else float(np.diff(self.trajectory.times)[away[-1]])
+        words = None if reached is None else uncertain(reached, spacing, "s")
         said = f"{FLAT_SPIN}, in the motion"
-        return [Answer("flat_spin_time.motion", seen, "s", said, f"{WITHIN}, at a sample", words)]
+        return [Answer("flat_spin_time.motion", reached, "s", said, f"{WITHIN}, at a sample", words)]
 
     def _at_both_ends(self, name: str, values: Array, unit: str, label: str, explanation: str = "") -> list[Answer]:
         start, end = (

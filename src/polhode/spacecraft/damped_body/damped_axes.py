@@ -25,7 +25,7 @@ def damped_axis_stability(
 ) -> tuple[Stability, Stability, Stability]:
     """Return verdicts on L along each principal axis of a body with losses, as a direction with |L| frozen.
 
-    Under drag L itself dies away; whether it meanwhile turns towards the axis or away from it is what is judged, by
+    Under drag L itself dies away; the verdict is whether it meanwhile turns towards the axis or away from it, by
     the exponents of ṅ, the field less its part along n = L/|L|. Torques that ask for the attitude are left out. Across
     a circle of axes of equal moment, neighbours that settle on the circle as near as they start count as stable.
 

@@ -15,7 +15,7 @@ from polhode.types import Array, ArrayLike, Float64, Real
 
 
 class AxisLimits(NamedTuple):
-    """Where a start counts as being on an axis."""
+    """What decides whether a start is on an axis."""
 
     on_axis: float = 1e-9  # rad from it
 

@@ -2,7 +2,7 @@
 
 Losses are so slow that L runs round one polhode after another: dE/dt = −α ⟨|L × Ω|²⟩, the mean over the polhode of
 energy E, which complete elliptic integrals give. Along the way 1/⟨…⟩ grows as a logarithm at the separatrix, and
-without bound towards the axis of least moment; the integral over E is taken by variables in which neither is felt.
+without bound towards the axis of least moment; the integral over E is taken by variables in which it is smooth.
 
 Source: Likins, J. Spacecraft 3 (1966) 1638; Hughes, *Spacecraft Attitude Dynamics*, §5.4 for the method; the losses are
 those of the double bracket.
@@ -20,7 +20,7 @@ from polhode.exact.free_body import FreeMotion
 from polhode.special.carlson import carlson_rd
 from polhode.types import Array, ArrayLike, Float64, Real
 
-FLAT = math.radians(5.0)  # L as near as that to the major axis is a flat spin
+FLAT = math.radians(5.0)  # of L to the major axis, within which it is a flat spin
 
 
 @known_numbers_only
@@ -138,8 +138,8 @@ def sink_rate_by_time(moments: Real[ArrayLike, "3"], momentum_norm: float, time_
 def _integral(I: Array, norm2: float, first: float, last: float, long: bool) -> float:  # noqa: E741
     """Return ∫ dE/⟨|L × Ω|²⟩ from one polhode to another on one side of the separatrix.
 
-    They are told by w = log of the energy's distance, at the separatrix over here, from the extremum on that side: from
-    E_max for long-axis modes, from E_min for short-axis modes.
+    They are given by w, the log of the energy's distance from the extremum on that side, at the separatrix over here:
+    from E_max for long-axis modes, from E_min for short-axis modes.
     """
     least, across, rest = 1.0 / I[0] - 1.0 / I[2], (I[1] - I[0]) / (I[0] * I[1]), (I[2] - I[1]) / (I[1] * I[2])
     # the distance from the extremum is ½ own |L|² e^(−w), so that |dE| = ½ own |L|² e^(−w) dw
@@ -160,7 +160,7 @@ def _mean_products(m: Array, m1: Array) -> tuple[Array, Array, Array]:
     """Return the means of cn² sn², sn² dn² and cn² dn² over a period, for parameters m and 1 − m.
 
     With Δ² = 1 − m sin²φ let B = ∫ cos²φ/Δ, D = ∫ sin²φ/Δ and T = ∫ sin²φ cos²φ/Δ over a quarter turn. Then
-    K = B + D, and (sin φ cos φ Δ)′ integrates to zero, whence 3 m T = B − (1 − m) D. Where B and D are almost alike,
+    K = B + D, and (sin φ cos φ Δ)′ integrates to zero, whence 3 m T = B − (1 − m) D. Where B and D almost cancel,
     T = ½ Σ (½)_k/k! B(k + 3/2, 3/2) m^k. Source: DLMF 19.25.1 for B and D.
     """
     small = 0.1  # parameter up to which a series gives the difference of B and D without cancellation

@@ -1,9 +1,9 @@
 """How fast a damper or sloshing fuel calms or raises the nutation of a spinning spacecraft, by the energy-sink method.
 
 At a small nutation angle θ the axis of symmetry goes round L at λ₀ = h/A, with h the axial momentum and A the moment
-across the axis. A part that spins at ω feels the transverse motion at λ = λ₀ − ω. If it loses the mean power D θ², its
-axial momentum changes by the torque −Dθ²/λ; L is conserved, and A λ₀ θ̇/θ = −Σ D/λ. ``dual_spin`` has the sum over two
-parts, which one of them may be.
+across the axis. A part that spins at ω experiences the transverse motion at λ = λ₀ − ω. If it loses the mean power D
+θ², its axial momentum changes by the torque −Dθ²/λ; L is conserved, and A λ₀ θ̇/θ = −Σ D/λ. ``dual_spin`` has the sum
+over two parts, which one of them may be.
 
 Source: Landon & Stewart, J. Spacecraft 1 (1964) 682; Iorillo, ASME winter meeting (1965); Likins, J. Spacecraft 4
 (1967) 1638; Hughes, *Spacecraft Attitude Dynamics*, §7.3; Kaplan, *Modern Spacecraft Dynamics and Control*, §5.

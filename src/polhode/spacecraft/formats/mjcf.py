@@ -52,7 +52,7 @@ class _Node(NamedTuple):
 def read_mjcf_inertial(path: str | Path, name: str | None = None, digits: int | None = None) -> Body:
     """Return a body of an MJCF file, along the axes of its own frame, without its children.
 
-    ``<inertial>`` has the centre of mass, ``pos``, and the inertia about it, ``diaginertia`` along axes turned by
+    ``<inertial>`` has the centre of mass, ``pos``, and the inertia about it, ``diaginertia`` along axes rotated by
     ``quat`` or another orientation, or ``fullinertia`` (xx, yy, zz, xy, xz, yz).
 
     Args:
@@ -61,8 +61,8 @@ def read_mjcf_inertial(path: str | Path, name: str | None = None, digits: int | 
         digits: to which the entries of its inertia were rounded, see ``Body.from_inertia``.
 
     Raises:
-        InvalidInput: if the file is missing, or it is open which body is meant.
-        FormatError: if it is not MJCF, its mass follows from something else than ``<inertial>``, or no body has it.
+        InvalidInput: if the file is missing, or the body is ambiguous.
+        FormatError: if it is not MJCF, its mass is not given by ``<inertial>``, or no body has it.
 
     Source: MuJoCo, *XML reference*, elements body and inertial.
     """
@@ -76,20 +76,20 @@ def read_mjcf_inertial(path: str | Path, name: str | None = None, digits: int | 
             f"{path}: has {len(massive)} bodies with mass; name one as `link`, or take all of them together at a pose "
             f"with `joints`: {have}."
         )
-    found = [node.inertial for node in nodes if node.name == name]
-    if len(found) != 1 or found[0] is None:
+    inertials = [node.inertial for node in nodes if node.name == name]
+    if len(inertials) != 1 or inertials[0] is None:
         raise InvalidInput(f"{path}: has no body {shown(name)} with mass; those with mass are {have}.")
-    if not isinstance(found[0], Body):
+    if not isinstance(inertials[0], Body):
         why = "its inertia is zero, and a point has no attitude"
         raise FormatError(f"{path}: body {shown(name)}: {why}. Give its diaginertia or fullinertia.")
-    return found[0]
+    return inertials[0]
 
 
 def read_mjcf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> Body:
     """Return all bodies of an MJCF file as one, along the axes of the outermost one.
 
     A body's joints act one after another: a hinge turns it about an axis through a point of it, a slide moves it along
-    one. Joints that the pose does not name stand at their reference.
+    one. Joints that the pose does not name are at their reference.
 
     Args:
         path: the file.
@@ -121,14 +121,14 @@ def read_mjcf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> 
 
 
 def _all_of(top: _Node) -> list[_Node]:
-    found = [top]
-    for node in found:
-        found += node.children
-    return found
+    nodes = [top]
+    for node in nodes:
+        nodes += node.children
+    return nodes
 
 
 def _placed_by_joints(node: _Node, positions: dict[str, float]) -> Frame:
-    """Return where a body stands in its parent: each joint turns it about its anchor or moves it along its axis."""
+    """Return a body's frame in its parent: each joint turns it about its anchor or moves it along its axis."""
     frame = node.frame
     for motion, anchor in node.joints:
         step = motion.at(positions.get(motion.name, motion.reference))
@@ -182,14 +182,14 @@ class _Reader:
 
     def _read_children(self, element: ET.Element, frame: Frame, kind: str) -> list[_Node]:
         """Return the bodies in an element; a <frame> only places what is in it."""
-        found = []
+        nodes = []
         for inner in element:
             if inner.tag == "body":
-                found.append(self._body(inner, frame, inner.get("childclass", kind)))
+                nodes.append(self._body(inner, frame, inner.get("childclass", kind)))
             elif inner.tag == "frame":
                 within = frame.then(self._frame(f"{self.path}: a <frame>", inner))
-                found += self._read_children(inner, within, inner.get("childclass", kind))
-        return found
+                nodes += self._read_children(inner, within, inner.get("childclass", kind))
+        return nodes
 
     def _body(self, element: ET.Element, outer: Frame, kind: str) -> _Node:
         name = element.get("name", "")
@@ -246,7 +246,7 @@ class _Reader:
         return Motion(name, unit, axis, reference * per, limits=limits), anchor
 
     def _frame(self, where: str, element: ET.Element) -> Frame:
-        """Return where an element stands: its pos, and one of five ways to say how it is turned."""
+        """Return an element's frame: its pos, and its orientation in one of five forms."""
         place = finite_numbers(where, "pos", element.get("pos", "0 0 0"), 3)
         ways = [key for key in ORIENTATIONS if key in element.attrib]
         if len(ways) > 1:

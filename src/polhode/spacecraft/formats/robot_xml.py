@@ -36,7 +36,7 @@ LIMITS = MessageLimits()
 
 
 class Frame(NamedTuple):
-    """Where axes stand in others: r ↦ R r + d.
+    """Axes given in others: r ↦ R r + d.
 
     Attributes:
         turn: R (3, 3).
@@ -56,13 +56,13 @@ class Frame(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """What one joint lets a link do.
+    """The motion of a link that a joint allows.
 
     Attributes:
         name: of the joint, "" without one.
         unit: of its position: "rad", "m", or "" for one that cannot be set.
         axis: (3,) unit vector, in the joint's axes.
-        reference: position at which the link stands as described, in SI.
+        reference: position at which the link is as described, in SI.
         follows: another joint whose position it follows, times a factor and plus an offset; None for none.
         limits: of its position, the lower first, in SI.
     """
@@ -75,7 +75,7 @@ class Motion(NamedTuple):
     limits: tuple[float, float] = FREE
 
     def at(self, position: float) -> Frame:
-        """Return where the moved axes stand in those at the reference."""
+        """Return the moved axes in those at the reference."""
         moved = position - self.reference
         if self.unit == "m":
             return Frame(place=moved * self.axis)
@@ -118,7 +118,7 @@ def find_child(where: str, parent: ET.Element, tag: str) -> ET.Element:
 
 
 def finite_numbers(where: str, what: str, text: str | None, count: int) -> Float64[Array, "count"]:
-    """Return so many numbers from text.
+    """Return a number of finite numbers from text.
 
     Raises:
         FormatError: for other words, or another number of them.
@@ -238,12 +238,12 @@ def list_names(names: Sequence[str]) -> str:
 
 
 def find_positions(path: Path, pose: Pose, motions: Sequence[Motion]) -> dict[str, float]:
-    """Return the position of every joint that has a name: as asked for, following another one, or at its reference.
+    """Return the position of every joint that has a name: as given, following another one, or at its reference.
 
     Joints beyond their limits are warned of; links have mass properties there all the same.
 
     Raises:
-        InvalidInput: for joints that are not there or cannot be set, and positions in a wrong unit.
+        InvalidInput: for joints that do not exist or cannot be set, and positions in a wrong unit.
     """
     known = {motion.name: motion for motion in motions if motion.name}
     free = [name for name, motion in known.items() if motion.unit and motion.follows is None]
@@ -262,9 +262,9 @@ def find_positions(path: Path, pose: Pose, motions: Sequence[Motion]) -> dict[st
             wanted = 'an angle like "30 deg"' if motion.unit == "rad" else 'a distance like "10 cm"'
             raise InvalidInput(f"{path}: joint {shown(name)} must be at {wanted}.")
     positions = {name: pose[name][0] if name in pose else motion.reference for name, motion in known.items()}
-    found = {name: _follow(path, known, positions, name) for name in known}
-    _warn_beyond_limits(path, known, found)
-    return found
+    followed = {name: _follow(path, known, positions, name) for name in known}
+    _warn_beyond_limits(path, known, followed)
+    return followed
 
 
 def _warn_beyond_limits(path: Path, known: Mapping[str, Motion], positions: Mapping[str, float]) -> None:
@@ -284,12 +284,12 @@ def _warn_beyond_limits(path: Path, known: Mapping[str, Motion], positions: Mapp
 
 def _follow(path: Path, known: Mapping[str, Motion], positions: Mapping[str, float], name: str) -> float:
     """Return the position of a joint that may follow another one, which may follow one in turn."""
-    factor, offset, seen = 1.0, 0.0, [name]
-    while (follows := known[seen[-1]].follows) is not None:
+    factor, offset, chain = 1.0, 0.0, [name]
+    while (follows := known[chain[-1]].follows) is not None:
         leader, times, plus = follows
-        if leader not in known or leader in seen:
-            what = "follows itself" if leader in seen else f"follows {shown(leader)}, which is no joint that can move"
+        if leader not in known or leader in chain:
+            what = "follows itself" if leader in chain else f"follows {shown(leader)}, which is no joint that can move"
             raise FormatError(f"{path}: joint {shown(name)} {what}. Check its <mimic>.")
         factor, offset = factor * times, offset + factor * plus
-        seen.append(leader)
-    return factor * positions[seen[-1]] + offset
+        chain.append(leader)
+    return factor * positions[chain[-1]] + offset

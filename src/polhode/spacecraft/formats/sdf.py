@@ -50,7 +50,7 @@ def read_sdf_inertial(path: str | Path, link: str | None = None, digits: int | N
         digits: to which the entries of its inertia were rounded, see ``Body.from_inertia``.
 
     Raises:
-        InvalidInput: if the file is missing, or it is open which link is meant.
+        InvalidInput: if the file is missing, or the link is ambiguous.
         FormatError: if it is not SDF, the link has no ``<inertial>``, or no body has these mass properties.
 
     Source: Open Robotics, *SDFormat specification* 1.11, link, inertial (``auto`` and the defaults) and pose.
@@ -66,17 +66,17 @@ def read_sdf_inertial(path: str | Path, link: str | None = None, digits: int | N
         link = next(iter(links))
     if link not in links:
         raise InvalidInput(f"{path}: has no link {shown(link)}; it has {have}.")
-    found = _inertial(path, link, links[link], digits)
-    if not isinstance(found, Body):
+    body = _inertial(path, link, links[link], digits)
+    if not isinstance(body, Body):
         why = "its inertia is zero, and a point has no attitude"
         raise FormatError(f"{path}: link {shown(link)}: {why}. Give its <inertia>.")
-    return found
+    return body
 
 
 def read_sdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> Body:
     """Return all links of an SDF file's model as one body, along the model's axes.
 
-    Links stand where their ``<pose>`` says while every joint is at zero. A joint at another position turns or moves its
+    Links are where their ``<pose>`` says while every joint is at zero. A joint at another position turns or moves its
     child, and what hangs on it, about or along its axis.
 
     Args:
@@ -107,12 +107,12 @@ def read_sdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> B
         on.setdefault(child, (name, parent))
     placed = []
     for name, element in links.items():
-        frame, link, seen = poses.of(name), name, {name}
+        frame, link, visited = poses.of(name), name, {name}
         while link in on:
             joint, link = on[link]
-            if link in seen:
+            if link in visited:
                 raise FormatError(f"{path}: its joints make a ring through link {shown(link)}; a pose needs a tree.")
-            seen.add(link)
+            visited.add(link)
             at = poses.of_joint(joint)
             frame = at.then(motions[joint].at(positions[joint])).then(at.inverse()).then(frame)
         placed.append((frame, partial(_inertial, path, name, element, digits)))
@@ -134,14 +134,14 @@ def _model(path: Path) -> ET.Element:
 
 def _elements_by_name(path: Path, model: ET.Element, tag: str) -> dict[str, ET.Element]:
     elements = model.findall(tag)
-    found = {element.get("name", ""): element for element in elements}
-    if len(found) != len(elements):
+    named = {element.get("name", ""): element for element in elements}
+    if len(named) != len(elements):
         raise FormatError(f"{path}: several elements <{tag}> have the same name. Rename them.")
-    return found
+    return named
 
 
 def _pose(where: str, parent: ET.Element) -> tuple[Frame, str | None]:
-    """Return what an element's <pose> says, and in whose frame, None where it does not say."""
+    """Return an element's <pose>, and the name of its frame, None where it names none."""
     element = parent.find("pose")
     if element is not None and element.get("frame"):
         raise FormatError(
@@ -160,7 +160,7 @@ def _pose(where: str, parent: ET.Element) -> tuple[Frame, str | None]:
 
 
 class _Poses:
-    """Where links, joints and frames of a model stand in it, each in the frame that it names."""
+    """The frames of a model's links, joints and frames, each given in the one that it names."""
 
     def __init__(self, path: Path, model: ET.Element) -> None:
         self.path = path
@@ -168,23 +168,23 @@ class _Poses:
                          for name, element in _elements_by_name(path, model, tag).items()}  # fmt: skip
 
     def of(self, name: str, above: tuple[str, ...] = ()) -> Frame:
-        """Return where an element stands in the model."""
+        """Return an element's frame in the model."""
         if name in MODEL:
             return Frame()
-        found = [key for key in self.elements if key[1] == name]
-        if len(found) != 1 or name in above:
+        keys = [key for key in self.elements if key[1] == name]
+        if len(keys) != 1 or name in above:
             unknown = f"names {shown(name)}, which is not one link, joint or frame"
             what = "goes round in circles" if name in above else unknown
             raise FormatError(f"{self.path}: a <pose> {what}. Check relative_to and attached_to.")
-        (tag, _), element = found[0], self.elements[found[0]]
+        (tag, _), element = keys[0], self.elements[keys[0]]
         frame, outer = _pose(f"{self.path}: {tag} {shown(name)}", element)
-        if outer is None:  # a joint stands in its child, a frame in what it is attached to, a link in the model
+        if outer is None:  # of a joint the child's, of a frame that of its attachment, of a link the model's
             child, attached = (element.findtext("child") or "").strip(), element.get("attached_to", "")
             outer = {"link": "", "joint": child, "frame": attached}[tag]
         return self.of(outer, (*above, name)).then(frame)
 
     def of_joint(self, name: str) -> Frame:
-        """Return where a joint stands in the model."""
+        """Return a joint's frame in the model."""
         return self.of(name)
 
 

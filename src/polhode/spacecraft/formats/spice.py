@@ -49,13 +49,13 @@ def write_ck(
 ) -> list[Path]:
     """Write an attitude history as a C-kernel of type 3, with the kernels that SPICE needs next to it.
 
-    Beside ``name.bc`` stand the frame kernel ``name.tf``, the clock kernel ``name.tsc`` and, unless the epoch is in
-    TDB, the leap-seconds kernel ``name.tls``, which may give way to NAIF's. Records hold the samples' quaternions to
+    Next to ``name.bc`` are written the frame kernel ``name.tf``, the clock kernel ``name.tsc`` and, unless the epoch is
+    in TDB, the leap-seconds kernel ``name.tls``, which may give way to NAIF's. Records hold the samples' quaternions to
     the last digit, at their times without rounding, as the clock's ticks are a power of two of a second. Asked by
-    ephemeris time instead of the clock's, SPICE rounds to what a double tells apart: 1e-7 s nowadays.
+    ephemeris time instead of the clock's, SPICE rounds to the resolution of a double: 1e-7 s nowadays.
 
-    Between records SPICE turns at constant speed the shorter way; where a step is half a turn or more, as the angular
-    velocity tells, it interpolates nothing.
+    Between records SPICE turns at constant speed the shorter way; where a step is half a turn or more, by the angular
+    velocity, it interpolates nothing.
 
     Args:
         trajectory: with attitude; one body. The kernel is of the given axes.
@@ -102,7 +102,7 @@ def write_ck(
 
 
 def _is_anothers(file: Path) -> bool:
-    """Return whether a kernel that is there already stays: another's leap seconds serve as well as ours.
+    """Return whether an existing kernel stays: another's leap seconds serve as well as ours.
 
     Raises:
         InvalidInput: for anything else that is not polhode's.
@@ -122,7 +122,7 @@ def _is_anothers(file: Path) -> bool:
 
 
 class _Records(NamedTuple):
-    """What a segment of type 3 holds, N records of it, as SPICE has them.
+    """The contents of a segment of type 3, N records, as SPICE has them.
 
     Attributes:
         ticks: (N,).

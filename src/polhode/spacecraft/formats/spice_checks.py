@@ -28,9 +28,9 @@ _BROKEN = "The file is cut short or damaged. Get it whole."
 
 
 class QuaternionLimits(NamedTuple):
-    """What a C-kernel may have as a quaternion."""
+    """Which quaternions of a C-kernel are refused."""
 
-    max_length_error: float = 1e-3  # of one
+    max_length_error: float = 1e-3  # difference of the length from one
 
 
 LIMITS = QuaternionLimits()
@@ -101,7 +101,7 @@ def byte_order(path: Path) -> str:
     """Return < or >, the order of bytes in a C-kernel, as NumPy names it.
 
     Raises:
-        FormatError: for what is not laid out as a C-kernel.
+        FormatError: for a file without a C-kernel's layout.
     """
     head = _head(path)
     order = {b"LTL-IEEE": "<", b"BIG-IEEE": ">"}.get(head[88:96])
@@ -113,11 +113,11 @@ def byte_order(path: Path) -> str:
 
 def _segments(path: Path, head: bytes, order: str, doubles: Array) -> Iterator[Segment]:
     first, _, free = np.frombuffer(head[76:88], dtype=f"{order}i4").tolist()
-    record, seen, per_record = first, set(), RECORD // 8
+    record, visited, per_record = first, set(), RECORD // 8
     while record:
-        if record in seen or not 1 < record <= len(doubles) // per_record:
+        if record in visited or not 1 < record <= len(doubles) // per_record:
             _refuse(path, f"its list of segments leads to record {record}, of {len(doubles) // per_record}")
-        seen.add(record)
+        visited.add(record)
         summary = doubles[(record - 1) * per_record : record * per_record]
         control = [float(value) for value in summary[:3]]
         if not all(value.is_integer() and 0 <= value < 2**31 for value in control) or control[2] > SUMMARIES_PER_RECORD:

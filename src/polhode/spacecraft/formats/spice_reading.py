@@ -33,7 +33,7 @@ NEEDED = ("It needs the clock kernel (.tsc) of its spacecraft, often a frame ker
 
 
 class CalendarLimits(NamedTuple):
-    """What times of a clock kernel are refused."""
+    """Which times of a clock kernel are refused."""
 
     max_seconds: float = 6e10  # 1900 years either way of 2000
 
@@ -63,7 +63,7 @@ def read_ck(
         spice_id: whose attitude, as the kernel has it; it is needed where there are several.
 
     Raises:
-        InvalidInput: for files that are missing, or unless one body is meant.
+        InvalidInput: for files that are missing, or unless the body is unambiguous.
         FormatError: for what SPICE refuses to read.
     """
     path = as_path("path", path)
@@ -96,7 +96,7 @@ def _load(path: Path, kernels: Sequence[Path], segments: Sequence[Segment], spic
             return _sample(spice, path, number, clock, _ticks(path, segments), segments)
     except InvalidInput:
         raise
-    except Exception:  # what SPICE hands over need not be text, numbers, or as many as were asked for
+    except Exception:  # SPICE's answers need not be text, numbers, or as many as requested
         why = "cannot be read with the kernels that go with it; one of them is damaged, or of another spacecraft"
         raise FormatError(f"{path}: {why}. Check its kernels, .tsc, .tf and .tls.") from None
 
@@ -166,7 +166,7 @@ def _sample(spice: Any, path: Path, number: int, clock: int, ticks: Array, segme
 
 
 def _continuous(attitude: Array) -> Array:
-    """Return the same attitudes with signs that do not jump from sample to sample."""
+    """Return the attitudes with signs that do not jump from sample to sample."""
     jumps = np.sum(attitude[1:] * attitude[:-1], axis=-1) < 0
     signs = np.concatenate([[1.0], np.where(np.cumsum(jumps) % 2, -1.0, 1.0)])
     return attitude * signs[:, None]

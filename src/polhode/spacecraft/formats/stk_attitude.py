@@ -2,9 +2,9 @@
 
 Attitudes are rotations from the reference axes to the body's, so that STK's quaternion has the components of polhode's
 body → space quaternion, scalar last. Direction cosine matrices, by rows, take components along the reference axes to
-those along the body's. Angular velocities are in deg/s along the body's axes. Euler angles turn about
-axes that the turns before have left; yaw, pitch and roll turn about the reference axes, in the order of ``Sequence``,
-and stand in the order yaw, pitch, roll.
+those along the body's. Angular velocities are in deg/s along the body's axes. Euler angles turn about axes as the
+preceding turns have left them; yaw, pitch and roll turn about the reference axes, in the order of ``Sequence``, and are
+written in the order yaw, pitch, roll.
 
 Source: Ansys, *STK Help*, attitude file format (*.a); Connect commands AddAttitude Euler and AddAttitude ECIYPR.
 """

@@ -40,7 +40,7 @@ UNITS = {"revolute": "rad", "continuous": "rad", "prismatic": "m", "fixed": "", 
 def read_urdf_inertial(path: str | Path, link: str | None = None, digits: int | None = None) -> Body:
     """Return a link of a URDF file as a body, along the axes of the link's own frame: J = R J_inertial Rᵀ.
 
-    ``<origin xyz rpy>`` places the inertial frame in the link's: the centre of mass stands at xyz, and
+    ``<origin xyz rpy>`` places the inertial frame in the link's: the centre of mass is at xyz, and
     R = Rz(yaw) Ry(pitch) Rx(roll), turns about fixed axes. Entries of ``<inertia>`` are those of the inertia matrix, so
     that off-diagonal ones are minus the products of inertia.
 
@@ -50,7 +50,7 @@ def read_urdf_inertial(path: str | Path, link: str | None = None, digits: int | 
         digits: to which the entries of its inertia were rounded, see ``Body.from_inertia``.
 
     Raises:
-        InvalidInput: if the file is missing, or it is open which link is meant.
+        InvalidInput: if the file is missing, or the link is ambiguous.
         FormatError: if it is not URDF, something is missing or no number, or no body has these mass properties.
 
     Source: ROS, *URDF XML specification*, link and joint elements.
@@ -58,16 +58,16 @@ def read_urdf_inertial(path: str | Path, link: str | None = None, digits: int | 
     path = as_path("path", path)
     name, inertial = _find_inertial(path, read_xml(path, "URDF", "robot"), link)
     where = f"{path}: link {shown(name)}"
-    found = _inertial(where, inertial, digits)
-    if not isinstance(found, Body):
+    body = _inertial(where, inertial, digits)
+    if not isinstance(body, Body):
         raise FormatError(f"{where}: its inertia is zero, and a point has no attitude. Give its <inertia>.")
-    return found
+    return body
 
 
 def read_urdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> Body:
     """Return all links of a URDF file as one body, along the axes of the link that is no other's child.
 
-    A joint's frame stands in its parent at ``<origin>``; the child's frame is it, turned about or moved along
+    A joint's frame in its parent is given by ``<origin>``; the child's frame is that, rotated about or moved along
     ``<axis>`` by the joint's position.
 
     Args:

@@ -41,7 +41,7 @@ WITHIN = math.radians(1.0)  # of the target: the usual pointing error below whic
 
 
 class RigidBodyLimits(NamedTuple):
-    """What decides on limits of actuators, eigenvalues, slews and wheels."""
+    """What decides on limits of actuators, real eigenvalues, slews and the reach of wheels."""
 
     min_samples: int = 4001  # at which limits of actuators are evaluated
     relative_eigenvalue: float = 1e-10  # of the largest: smaller parts of eigenvalues are rounding of differences
@@ -54,12 +54,12 @@ LIMITS = RigidBodyLimits()
 
 @dataclass(frozen=True)
 class RigidBodyReport(MotionReport):
-    """A rigid body with what is in and on it.
+    """A rigid body with its mounts and torques.
 
     Attributes:
         craft: the system with its start.
         trajectory: the motion.
-        history: what is followed over time.
+        history: derived quantities over time.
         limits: "none", "not reached", or "acted".
     """
 
@@ -99,7 +99,7 @@ class RigidBodyReport(MotionReport):
 
     @cached_property
     def settling_time(self) -> float | None:
-        """From when on the pointing error stays below ``within`` [s], at a sample; None where it does not."""
+        """Time from which on the pointing error stays below ``within`` [s], at a sample; None where it does not."""
         error, times = self.history.pointing, np.asarray(self.trajectory.times)
         if error is None or error[-1] > self.within:
             return None
@@ -177,12 +177,12 @@ class RigidBodyReport(MotionReport):
                    "motor drives there, but the body, as it turns, carries rotors past it.")  # fmt: skip
 
     def _rate_margins(self) -> list[float | None]:
-        """Return which share of its max_rate is left of each controlled wheel, negative past it; None without one."""
+        """Return the share of max_rate left to each controlled wheel, negative past it; None without max_rate."""
         pairs = zip(self.craft.wheel_tables, np.abs(self.history.rates).max(axis=0, initial=0.0).tolist(), strict=False)
         return [None if wheel.max_rate is None else 1.0 - fastest / wheel.max_rate for wheel, fastest in pairs]
 
     def _notes_on_torques(self) -> Iterator[str]:
-        """Yield remarks, and what torques that start and end do between the samples, or outside of the motion."""
+        """Yield remarks, and notes on torques that start or end between the samples, or act outside of the motion."""
         first, last = (float(self.trajectory.times[k]) for k in (0, -1))
         pairs = zip(self.spec.system.torque, self.craft.system.torques, strict=False)
         for k, (chosen, torque) in enumerate(pairs):
@@ -221,7 +221,7 @@ class RigidBodyReport(MotionReport):
             yield self._control()
 
     def _about_rests(self) -> Iterator[Group | Table]:
-        """Yield what takes longer than the motion itself."""
+        """Yield answers that take longer than the motion itself."""
         if self.loop is not None:
             yield self._modes(self.loop)
             yield self._margins()
@@ -332,7 +332,7 @@ class RigidBodyReport(MotionReport):
         return loop_margins(self.loop)
 
     def _margins(self) -> Table:
-        rows = [{"axis": name, **found._asdict()} for name, found in zip("xyz", self._loop_margins, strict=True)]
+        rows = [{"axis": name, **margins._asdict()} for name, margins in zip("xyz", self._loop_margins, strict=True)]
         units: dict[str, str] = dict(zip(Margins._fields, ("rad/s", "rad", "s", "factor", "factor"), strict=True))
         columns = {
             "axis": lambda row: row["axis"],
@@ -346,16 +346,16 @@ class RigidBodyReport(MotionReport):
                      key="axis")  # fmt: skip
 
     def _motion(self) -> Group:
-        seen, energy = self.history, self._energy()
+        history, energy = self.history, self._energy()
         ends = (("start", 0), ("end", -1))
         answers = [Answer("end.time", float(self.trajectory.times[-1]), "s", "time")]
         for name, k in ends:
             values = [
-                Answer(f"{name}.angular_velocity", seen.velocity[k], "rad/s", f"Ω at the {name}", "given axes"),
-                Answer(f"{name}.momentum", seen.momentum[k], "kg m²/s", "", "of all, given axes"),
-                Answer(f"{name}.momentum_norm", float(np.linalg.norm(seen.momentum[k])), "kg m²/s",
+                Answer(f"{name}.angular_velocity", history.velocity[k], "rad/s", f"Ω at the {name}", "given axes"),
+                Answer(f"{name}.momentum", history.momentum[k], "kg m²/s", "", "of all, given axes"),
+                Answer(f"{name}.momentum_norm", float(np.linalg.norm(history.momentum[k])), "kg m²/s",
                        f"|L| at the {name}"),
-                Answer(f"{name}.stored_momentum", seen.stored[k], "kg m²/s", "", "inside, L − IΩ, given axes"),
+                Answer(f"{name}.stored_momentum", history.stored[k], "kg m²/s", "", "inside, L − IΩ, given axes"),
                 Answer(f"{name}.energy", float(energy[k]), "J", f"kinetic energy at the {name}",
                        "with the mounts' own"),
             ]
@@ -364,11 +364,12 @@ class RigidBodyReport(MotionReport):
             answers.append(Answer("end.attitude", self._given_attitude(), "", "", "quaternion wxyz of the given axes"))
         work = Answer("work", self._work(), "J", "work of torques and motors", "until the end")
         answers += from_motion(self.trajectory, [work])
-        if seen.from_nadir is not None:
+        if history.from_nadir is not None:
             answers += [
-                Answer("from_nadir.start", float(seen.from_nadir[0]), "rad", "given axes from nadir axes at the start"),
+                Answer("from_nadir.start", float(history.from_nadir[0]), "rad",
+                       "given axes from nadir axes at the start"),
                 *from_motion(self.trajectory, [
-                    Answer("from_nadir.largest", float(seen.from_nadir.max()), "rad", "largest, at the samples")]),
+                    Answer("from_nadir.largest", float(history.from_nadir.max()), "rad", "largest, at the samples")]),
             ]  # fmt: skip
         return Group("Motion", [*answers, *accuracy(self.trajectory, "drift of conserved and balanced quantities")])
 
@@ -389,10 +390,10 @@ class RigidBodyReport(MotionReport):
 
 
 def make_report(spec: Spec[RigidBodyTable]) -> RigidBodyReport:
-    """Return the report on a rigid body with what is in and on it.
+    """Return the report on a rigid body with its mounts and torques.
 
     Raises:
-        InvalidInput: naming the table of what does not fit.
+        InvalidInput: naming the table that does not fit.
     """
     craft = build(spec)
     return RigidBodyReport(spec, craft, *_simulate(spec, craft))
@@ -402,16 +403,16 @@ def simulate_motion(spec: Spec[RigidBodyTable]) -> SpecMotion:
     """Return the motion alone.
 
     Raises:
-        InvalidInput: naming the table of what does not fit.
+        InvalidInput: naming the table that does not fit.
     """
     return SpecMotion(_simulate(spec, build(spec))[0], None)
 
 
 def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, History, str]:
-    """Return the motion, what is followed along it, and what its limits did.
+    """Return the motion, its history, and whether its limits acted.
 
     Steps end where a limit begins or ceases to act, so that the motion has no error from them. Whether one acted is
-    told by samples so close that nothing of the motion is between them.
+    judged at samples so close that they resolve the motion.
     """
     assert spec.body is not None
     times, limits, parts = usual_times(craft, spec), "none", 1
@@ -429,7 +430,7 @@ def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, His
 
 
 def _thin(trajectory: Trajectory, parts: int) -> Trajectory:
-    """Return every so many-th sample."""
+    """Return every ``parts``-th sample."""
     of_samples = ("times", "states", "attitude", "momentum", "angular_velocity")
     kept: dict[str, Any] = {}
     for name in of_samples:

@@ -42,7 +42,7 @@ def make_model(
         part: the class.
         name: of it.
         key: that names it.
-        base: what the table has besides.
+        base: the table's other keys.
 
     Raises:
         InvalidInput: for a part whose constructor has an argument that no spec can give.
@@ -55,8 +55,8 @@ def make_model(
         needed = parameter.default is inspect.Parameter.empty
         if argument in part.arguments:
             kind = _field_type(part.arguments[argument])
-            told = Field(description=_example(part.arguments[argument]))
-            fields[argument] = (Annotated[kind, told], ...) if needed else (kind | None, None)
+            description = Field(description=_example(part.arguments[argument]))
+            fields[argument] = (Annotated[kind, description], ...) if needed else (kind | None, None)
         elif needed and argument not in FROM_ELSEWHERE:
             raise InvalidInput(
                 f"the constructor of {part.__name__} has the argument {argument}, which a spec cannot give; name it "
@@ -66,7 +66,7 @@ def make_model(
 
 
 def needs(part: type[AbstractAttachment], what: str) -> bool:
-    """Return whether the constructor of a part asks for what the spec says elsewhere, and has no default for it."""
+    """Return whether the constructor of a part requires an argument that the spec gives elsewhere."""
     parameter = None if what in part.arguments else _parameters(part).get(what)
     return parameter is not None and parameter.default is inspect.Parameter.empty
 
@@ -77,7 +77,7 @@ def make_part(part: type[AbstractAttachment], values: Mapping[str, Any], elsewhe
     Args:
         part: the class.
         values: arguments as ``make_model`` reads them; None where left out.
-        elsewhere: ``FROM_ELSEWHERE``, as far as they are known.
+        elsewhere: values of ``FROM_ELSEWHERE``, as far as given.
 
     Raises:
         InvalidInput: for values that it refuses.

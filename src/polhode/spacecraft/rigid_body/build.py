@@ -1,4 +1,4 @@
-"""From the spec of a rigid body with what is in and on it to the system that moves, its start and its times."""
+"""From the spec of a rigid body with mounts and torques to the system that moves, its start and its times."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from polhode.types import Array, Float64
 
 
 class Craft(NamedTuple):
-    """The body of a spec with all on it.
+    """The body of a spec with all its parts.
 
     Attributes:
         system: that moves.
@@ -129,7 +129,7 @@ def make_orbit(table: OrbitTable) -> KeplerOrbit:
 
 
 def usual_times(craft: Craft, spec: Spec[RigidBodyTable]) -> Float64[Array, "time"]:
-    """Return the times of the spec, or as long as the motion usually needs to show itself."""
+    """Return the times of the spec, or usual ones, over orbits, settling times or turns."""
     orbits, turns, settlings = 2, 10, 20.0  # the last over the bandwidth
     usual = 100.0  # s, if nothing sets a pace
     if spec.times is not None:
@@ -191,7 +191,7 @@ def _make_wheel(wheel: WheelTable) -> AbstractMount:
 
 
 def _make_at(place: str, make: Callable[[], Any]) -> Any:
-    """Return what is made, and put the place in the spec before what it refuses."""
+    """Return the made object; errors name its place in the spec."""
     try:
         return make()
     except InvalidInput as error:
@@ -210,7 +210,7 @@ def _start(spec: Spec[RigidBodyTable], orbit: KeplerOrbit | None) -> tuple[Array
     along, principal = spec.start(moments, axes)
     attitude = np.asarray(rotation.multiply(principal, rotation.conjugate(rotation.from_matrix(axes))))
     if spec.spin is not None and spec.spin.attitude == (1.0, 0.0, 0.0, 0.0):
-        attitude = np.array([1.0, 0.0, 0.0, 0.0])  # with no rounding of a turn and its way back
+        attitude = np.array([1.0, 0.0, 0.0, 0.0])  # without the rounding of a rotation there and back
     whole = spec.spin is not None and spec.spin.momentum is not None
     relative = spec.system.orbit is not None and spec.system.orbit.relative
     if relative and orbit is not None:

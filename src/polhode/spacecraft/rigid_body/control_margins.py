@@ -22,7 +22,7 @@ class LinearLoop(NamedTuple):
 
     Attributes:
         plant: (6, 6) A without control [1/s and the like].
-        input: (6, 3) what a torque of one N m about each axis does.
+        input: (6, 3) the effect of a torque of one N m about each axis.
         law: (3, 6) the torque that the law asks for, about the axes that its actuators reach.
         rest: (3,) angular acceleration at the target itself [rad/s²], zero where it is an equilibrium.
     """
@@ -46,8 +46,9 @@ class Margins(NamedTuple):
         crossover: where the loop's gain is one [rad/s], the highest; None where it never is.
         phase: smallest phase margin at such places [rad]; None without one.
         delay: the smallest delay that makes the loop unstable [s]; None without one.
-        gain_up: by how much the gain may grow before the loop is unstable; infinite where it may grow without bound.
-        gain_down: by which factor it may fall, zero where it may vanish.
+        gain_up: the factor by which the gain may grow before the loop is unstable; infinite where it may grow without
+            bound.
+        gain_down: the factor by which it may fall, zero where it may vanish.
     """
 
     crossover: float | None
@@ -67,7 +68,7 @@ def linearize_loop(
 ) -> LinearLoop | None:
     """Return the motion about the law's target to first order, at a time, with the states of mounts as they are.
 
-    What wheels store is held at its value: it changes slowly, and enters by its gyroscopic torque alone.
+    The stored momentum is held at its value: it changes slowly, and enters by its gyroscopic torque alone.
 
     Args:
         system: the body with its actuators, without limits.
@@ -113,7 +114,7 @@ def _rates(
     assert target is not None and turning is not None
     small = jnp.concatenate([jnp.ones((*near.shape[:-1], 1)), 0.5 * near[..., :3]], axis=-1)
     attitude = rotation.multiply(target, small / jnp.linalg.norm(small, axis=-1, keepdims=True))
-    attitude = attitude * getattr(law, "sign", 1.0)  # of the two quaternions of the target, the one it steers to
+    attitude = attitude * getattr(law, "sign", 1.0)  # of the target's two quaternions, the one that the law steers to
     aim = in_body(attitude, turning)
     velocity = aim + near[..., 3:]
     packed = system.packed_as_given(attitude, velocity, jnp.broadcast_to(state, (*near.shape[:-1], state.size)))
@@ -135,7 +136,7 @@ def loop_margins(loop: LinearLoop) -> list[Margins]:
     """Return gain and phase margins of the loop about each axis, broken one at a time.
 
     With ℓ(s) the gain round the broken loop, 1 + ℓ = 0 is the closed loop: the phase margin is how far ℓ(iω) is from −1
-    where |ℓ| = 1, the gain margins tell where ℓ is real and negative.
+    where |ℓ| = 1, the gain margins are taken where ℓ is real and negative.
 
     Source: Franklin, Powell & Emami-Naeini, *Feedback Control of Dynamic Systems*, §6.4; Skogestad & Postlethwaite,
     *Multivariable Feedback Control*, §9.2.
@@ -182,9 +183,9 @@ def _margins(loop: LinearLoop, k: int) -> Margins:
 def _roots(function: Any, values: Array, frequencies: Array) -> list[float]:
     """Return where a function changes its sign along frequencies, at which its values are given, to rounding."""
     halvings = 60  # of an interval in which a root is, down to its rounding
-    found = np.flatnonzero(np.isfinite(values[:-1] * values[1:]) & (values[:-1] * values[1:] < 0.0))
+    changes = np.flatnonzero(np.isfinite(values[:-1] * values[1:]) & (values[:-1] * values[1:] < 0.0))
     # where a phase jumps by a whole turn its sign changes without a root, from values far from zero
-    near = np.array([k for k in found if min(abs(values[k]), abs(values[k + 1])) < 0.5], int)
+    near = np.array([k for k in changes if min(abs(values[k]), abs(values[k + 1])) < 0.5], int)
     low, high, positive = frequencies[near], frequencies[near + 1], values[near] > 0.0
     for _ in range(halvings if near.size else 0):  # all at once, in less time than SciPy's are imported
         middle = 0.5 * (low + high)

@@ -1,4 +1,4 @@
-"""The figures of a rigid body with what is in and on it: rates, pointing error, wheels."""
+"""The figures of a rigid body with mounts and torques: rates, pointing error, wheels."""
 
 from __future__ import annotations
 
@@ -30,35 +30,35 @@ def draw_rates(report: RigidBodyReport) -> Figure:
 def draw_pointing(report: RigidBodyReport) -> Figure | None:
     """Return the pointing error against time, or the angle from the axes that look down. None without either."""
     smallest = 1e-9  # of the largest error, below which a logarithm shows rounding
-    seen = report.history
-    error = seen.from_nadir if seen.pointing is None else seen.pointing
+    history = report.history
+    error = history.from_nadir if history.pointing is None else history.pointing
     if error is None:
         return None
     figure, panels, times = _begin(report, 1)
     degrees, axes = np.degrees(error), panels[0]
-    if seen.pointing is not None and degrees.max() > 0:
+    if history.pointing is not None and degrees.max() > 0:
         axes.semilogy(times, np.maximum(degrees, smallest * degrees.max()), color=style.BLUE, lw=1.1)
         axes.axhline(np.degrees(report.within), color=style.GREY, lw=0.8, ls="--", label="settled below this")
         axes.legend(fontsize=style.FONT - 1, frameon=False, loc="best")
     else:
         axes.plot(times, degrees, color=style.BLUE, lw=1.1)
-    axes.set_ylabel("pointing error  [°]" if seen.pointing is not None else "from nadir axes  [°]")
+    axes.set_ylabel("pointing error  [°]" if history.pointing is not None else "from nadir axes  [°]")
     return _finish(figure, panels, 0)
 
 
 def draw_wheels(report: RigidBodyReport) -> Figure | None:
     """Return the rates of the wheels and the torques of their motors against time. None without wheels."""
-    seen = report.history
-    if not seen.rates.shape[1]:
+    history = report.history
+    if not history.rates.shape[1]:
         return None
     figure, panels, times = _begin(report, 2)
-    curves = (seen.rates, "rate", "rad/s"), (seen.motors, "torque", "N m")
+    curves = (history.rates, "rate", "rad/s"), (history.motors, "torque", "N m")
     for axes, (values, name, unit) in zip(panels, curves, strict=True):
         power = style.power_of_ten(values)
         for k, curve in enumerate(values.T):
             axes.plot(times, curve / 10.0**power, color=CURVES[k % len(CURVES)], lw=1.0, label=f"wheel {k + 1}")
         axes.set_ylabel(f"{name}  [{style.factor(power)}{unit}]")
-    return _finish(figure, panels, min(seen.rates.shape[1], 4))
+    return _finish(figure, panels, min(history.rates.shape[1], 4))
 
 
 def _begin(report: RigidBodyReport, rows: int) -> tuple[Figure, list[Any], Any]:

@@ -1,4 +1,4 @@
-"""What gravity's gradient alone does with a body on a circular orbit: which rest is near, and whether it stays."""
+"""A body under gravity's gradient alone on a circular orbit: the nearest rest, and whether the body stays at it."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ VERDICTS = {STATIC: "stable", GYROSCOPIC: "stable to first order", UNSTABLE: "un
 
 
 class GravityLimits(NamedTuple):
-    """What decides whether a rest is left, and whether a body is symmetric."""
+    """What decides whether a rest can be left, and whether a body is symmetric."""
 
     escape_margin: float = 1e-9  # of the height to escape over; nearer to it, rounding could decide
     # difference of moments that are equal, of a body that spins about the axis of the third
@@ -57,20 +57,20 @@ class GravityAnswers(NamedTuple):
 
 
 def judge_gravity(craft: Craft, trajectory: Trajectory) -> GravityAnswers:
-    """Return the answers about a motion under the gradient alone, of which ``Craft.falls_freely`` tells."""
+    """Return the answers about a motion under the gradient alone, see ``Craft.falls_freely``."""
     system = craft.system
     assert craft.orbit is not None and trajectory.attitude is not None
     n, moments = float(craft.orbit.mean_motion), np.asarray(system.moments)
     frames = np.asarray(craft.orbit.frame(jnp.asarray(trajectory.times)))
-    turned = rotation.as_matrix(rotation.multiply(rotation.conjugate(frames), np.asarray(trajectory.attitude)))
+    relative = rotation.as_matrix(rotation.multiply(rotation.conjugate(frames), np.asarray(trajectory.attitude)))
     if (axis := _axis_of_symmetry(moments)) is not None and trajectory.angular_velocity is not None:
         spin = float(np.asarray(trajectory.angular_velocity)[0, axis])
-        return _judge_axis(moments, axis, n, spin, np.asarray(turned)[:, :, axis])
-    near = nearest_rest(turned[0], moments, n)
+        return _judge_axis(moments, axis, n, spin, np.asarray(relative)[:, :, axis])
+    near = nearest_rest(relative[0], moments, n)
     rest = near.equilibrium
     verdict = {LAGRANGE: "stable", UNSTABLE: "unstable"}.get(rest.region, "undecided")
     # the angle θ between rotations has tr RᵀS = 1 + 2 cos θ, and |R − S|² = 8 sin² θ/2 keeps small ones
-    away = 2.0 * np.arcsin(np.clip(np.linalg.norm(turned - near.turn, axis=(1, 2)) / math.sqrt(8.0), 0.0, 1.0))
+    away = 2.0 * np.arcsin(np.clip(np.linalg.norm(relative - near.turn, axis=(1, 2)) / math.sqrt(8.0), 0.0, 1.0))
     value, most = float(trajectory.balances["jacobi_integral"][0]), escape_energy(moments, n)
     room = abs(most) + abs(value)
     trapped = rest.region == LAGRANGE and value < most - LIMITS.escape_margin * room
@@ -108,7 +108,7 @@ def judge_gravity(craft: Craft, trajectory: Trajectory) -> GravityAnswers:
 
 
 def _axis_of_symmetry(moments: Float64[np.ndarray, "3"]) -> int | None:
-    """Return which axis has the one moment that differs from the two others; None for other bodies."""
+    """Return the axis whose moment alone differs from the two others; None for other bodies."""
     for k in range(3):
         A, B, C = moments[(k + 1) % 3], moments[(k + 2) % 3], moments[k]
         if abs(A - B) <= LIMITS.relative_moment * A < abs(A - C):

@@ -1,4 +1,4 @@
-"""What a report follows over time: rates, pointing error, wheels, torques and power."""
+"""Derived quantities of a motion over time: rates, pointing error, wheels, torques and power."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ class History(NamedTuple):
         momentum: L (T, 3) of all [kg m²/s, given axes].
         stored: L − IΩ (T, 3) inside [kg m²/s, given axes].
         pointing: angle from the target (T,) [rad]; None without one.
-        slew: how far the body is turned from the target (T,), from 0 to 2π [rad], counted on past half a turn; None
+        slew: angle of the body from the target (T,), from 0 to 2π [rad], counted on past half a turn; None
             without one.
         from_nadir: angle of the body's axes from those that look down (T,) [rad]; None without an orbit.
         rates: of the wheels against the body (T, wheels) [rad/s].
         motors: their torques (T, wheels) [N m], friction left out.
         torques: size of each torque from outside (T, torques) [N m], about the centre of mass.
-        load: what actuators are asked for over their limits, at these samples or closer ones.
+        load: demand on actuators over their limits, at these samples or closer ones.
     """
 
     velocity: Float64[Array, "time 3"]
@@ -58,7 +58,7 @@ class History(NamedTuple):
     load: Float64[Array, "samples"]
 
     def thin(self, parts: int) -> History:
-        """Return every ``parts``-th sample; ``load`` stays whole, as it is looked at between the samples too."""
+        """Return every ``parts``-th sample; ``load`` stays whole, as it counts between the samples too."""
         kept = {name: value for name, value in self._asdict().items() if value is not None}
         return self._replace(**{name: value[::parts] for name, value in kept.items() if name != "load"})
 
@@ -79,14 +79,14 @@ def follow(
     system: RigidBody, orbit: KeplerOrbit | None, times: Float64[Array, "time"], states: Float64[Array, "time n"]
 ) -> History:
     """Return the history of a motion, of its samples."""
-    found = _follow(system, orbit, jnp.asarray(times), jnp.asarray(states))
-    seen: dict[str, Any] = {name: None if value is None else np.asarray(value) for name, value in found.items()}
-    return History(**seen)
+    values = _follow(system, orbit, jnp.asarray(times), jnp.asarray(states))
+    arrays: dict[str, Any] = {name: None if value is None else np.asarray(value) for name, value in values.items()}
+    return History(**arrays)
 
 
 @compiled_for_few_calls
 def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: Array) -> dict[str, Any]:
-    # what is along the principal axes is turned here, with `structure`, once for all
+    # vectors along the principal axes are rotated here, with `structure`, once for all
     body = system.as_given(states)
     assert body.attitude is not None or not system.needs_attitude
     velocity = system.velocity(states)
@@ -97,7 +97,7 @@ def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: 
     pointing, nadir = from_target(target), from_target(None if orbit is None else orbit.frame(times))
     owned = list(zip(system.mounts, body.mounts, strict=True))
     rates = [mount.rotor_rates(velocity, own) for mount, own in owned]
-    is_held = any(isinstance(mount, HeldWheel) for mount in system.mounts)  # else nobody needs the acceleration
+    is_held = any(isinstance(mount, HeldWheel) for mount in system.mounts)  # else the acceleration is not needed
     acceleration = _acceleration(system, times, states) if is_held else jnp.zeros_like(velocity)
     motors = [
         mount.holding_torque(acceleration)[..., None] if isinstance(mount, HeldWheel)

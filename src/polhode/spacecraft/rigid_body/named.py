@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 
 class Family(NamedTuple):
-    """What one table of a spec may name.
+    """A family of parts that a table of a spec may name.
 
     Attributes:
-        word: for one of it, in messages.
+        word: for one of them, in messages.
         base: module and class that all derive from.
         group: of entry points.
     """
@@ -55,12 +55,12 @@ def find_part(family: Family, name: str) -> type[AbstractAttachment]:
         hint = f"did you mean {near[0]}? " if near else ""
         raise InvalidInput(f"names no {family.word}: {shown(name)}; {hint}known are {', '.join(names)}")
     point = others[name]
-    found = load_entry_point(point)
-    if not (isinstance(found, type) and issubclass(found, _base(family))):
+    part = load_entry_point(point)
+    if not (isinstance(part, type) and issubclass(part, _base(family))):
         raise InvalidInput(
             f"the {family.word} {name} of another package, {point.value}, is not an {family.base[1]}. Update it."
         )
-    return found
+    return part
 
 
 def _base(family: Family) -> type[AbstractAttachment]:

@@ -1,4 +1,4 @@
-"""Rules that the tables of a rigid body with what is in and on it must satisfy together."""
+"""Rules that the tables of a rigid body with mounts and torques must satisfy together."""
 
 from __future__ import annotations
 

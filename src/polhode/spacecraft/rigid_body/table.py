@@ -1,4 +1,4 @@
-"""The tables of a rigid body with what is in and on it: [[wheel]], [[torque]], [[mount]], [control] and [orbit]."""
+"""The tables of a rigid body with mounts and torques: [[wheel]], [[torque]], [[mount]], [control] and [orbit]."""
 
 from __future__ import annotations
 
@@ -81,10 +81,10 @@ class OrbitTable(Strict):
 
 
 class ControlBase(Strict):
-    """What [control] has besides the arguments of its law.
+    """The keys of [control] besides the arguments of its law.
 
     Attributes:
-        by: what gives the torque: the wheels, or an ideal couple from outside.
+        by: the actuator: the wheels, or an ideal couple from outside.
         limit: of that couple, about each axis.
         within: pointing error below which the body has settled.
     """

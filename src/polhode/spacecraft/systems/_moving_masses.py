@@ -9,7 +9,7 @@ mass, ρ = r − c₀, and d = Σ m (r − r₀)/M the way of the centre of mass
   b_j = m (ρ − d) × ∂_j r + I w_j,
   M_ij = m ∂_i r·∂_j r + w_i·I w_j − (m ∂_i r)·(m' ∂_j r')/M,
 
-where the last term, in which i and j may belong to two parts, is what is left of the carrier's own motion through
+where the last term, in which i and j may belong to two parts, is the carrier's own motion through
 space. A part with a ``gauge`` f has ∂_i f ∂_j f in M too. L = J Ω + Σ b q̇ and π_j = b_j·Ω + Σ M q̇ are the momenta;
 L̇ = L × Ω + τ, and π̇ = ∂T/∂q − ∂V/∂q + Q at fixed Ω and q̇. So H(L, q, π) = T + V moves only by τ·Ω + Q·q̇.
 
@@ -39,7 +39,7 @@ class Placed(NamedTuple):
         place: ρ (…, 3), from the centre of mass at rest.
         shifts: ∂_j r (…, 3), one for each coordinate.
         tensor: I (…, 3, 3); None for a point.
-        axes: w_j (…, 3), one for each coordinate; empty for what does not turn.
+        axes: w_j (…, 3), one for each coordinate; empty for a part that does not turn.
         gauges: ∂_j f (…), one for each coordinate; empty for a part without a gauge.
     """
 
@@ -56,10 +56,10 @@ class Arrangement(NamedTuple):
     Attributes:
         parts: each where it is.
         offset: d (…, 3).
-        inertia: J (…, 3, 3) less what turns by a state of its own.
+        inertia: J (…, 3, 3) less parts that turn by states of their own.
         columns: b_j (…, 3), one for each coordinate of all parts.
         masses: M_ij (…).
-        mass: M (…), of all that is left.
+        mass: M (…), of all that remains.
     """
 
     parts: list[Placed]
@@ -71,7 +71,7 @@ class Arrangement(NamedTuple):
 
 
 class Burned(NamedTuple):
-    """What has left a tank: its mass (…), where it was (3,) from the origin, and κ (3, 3), None for a point."""
+    """Propellant that has left a tank: mass (…), former place (3,) from the origin, and κ (3, 3), None for a point."""
 
     mass: Array
     place: Array
@@ -82,7 +82,7 @@ def arrange(
     parts: Sequence[AbstractMovingPart], owns: Sequence[Array], carrier: Array, center: Array, mass: Array,
     burned: Sequence[Burned] = (),
 ) -> Arrangement:  # fmt: skip
-    """Return where the parts are and what that makes of the inertia.
+    """Return the arrangement of the parts, with the inertia that follows from it.
 
     Args:
         parts: that move.
@@ -90,7 +90,7 @@ def arrange(
         carrier: (3, 3) with all parts at rest.
         center: (3,) of mass with all parts at rest.
         mass: of all together at first.
-        burned: what is no longer there.
+        burned: propellant that has left.
     """
     left = mass - sum((tank.mass for tank in burned), 0.0)
     placed = [_place(part, part.coordinates_of(own), center) for part, own in zip(parts, owns, strict=True)]
@@ -142,7 +142,7 @@ def _own_mass(part: AbstractMovingPart, at: Placed, i: int, j: int) -> Array:
 def leave_hub(
     parts: Sequence[AbstractMovingPart], carrier: Array, center: Array, mass: Array
 ) -> tuple[Float64[Array, ""], Float64[Array, "3 3"]]:
-    """Return mass () and inertia (3, 3) about its own centre of what is left of a body without its parts at rest."""
+    """Return mass () and inertia (3, 3) about its own centre of the rest of a body without its parts."""
     left, first, about = jnp.asarray(mass), jnp.zeros(3), carrier
     for part in parts:
         place, tensor = part.at_rest()
@@ -175,8 +175,8 @@ def velocities(
         row.extend(column[..., i] for column in arrangement.columns)
     for column, row in zip(arrangement.columns, arrangement.masses, strict=True):
         rows.append([*(column[..., i] for i in range(3)), *row])
-    found = solve_symmetric(rows, [*(momentum[..., i] for i in range(3)), *own])
-    return jnp.stack(jnp.broadcast_arrays(*found[:3]), axis=-1), found[3:]
+    solution = solve_symmetric(rows, [*(momentum[..., i] for i in range(3)), *own])
+    return jnp.stack(jnp.broadcast_arrays(*solution[:3]), axis=-1), solution[3:]
 
 
 def slopes(
@@ -185,7 +185,7 @@ def slopes(
 ) -> Vectors:  # fmt: skip
     """Return ∂(T − V)/∂q_j (…) at fixed Ω and q̇, with the spin momentum that a part may carry.
 
-    With v = Ω × ρ + ṙ of a part and v_c = Ω × d + ḋ of the centre of mass, both as seen from where it rests,
+    With v = Ω × ρ + ṙ of a part and v_c = Ω × d + ḋ of the centre of mass, both relative to their places at rest,
     ∂T/∂q_j = m (v − v_c)·∂_j v + ∂_j ½ ω·Iω, so that every part's derivatives are its own.
     """
     drifting = jnp.cross(velocity, arrangement.offset)
@@ -194,13 +194,13 @@ def slopes(
     for part, at, speeds in zip(parts, arrangement.parts, own_rates, strict=True):
         for shift, rate in zip(at.shifts, speeds, strict=True):
             drifting = drifting + (part.mass / arrangement.mass * rate)[..., None] * shift
-    found = []
+    forces = []
     for part, at, speeds, own in zip(parts, arrangement.parts, own_rates, owns, strict=True):
         moving = jnp.cross(velocity, at.place) - drifting
         for shift, rate in zip(at.shifts, speeds, strict=True):
             moving = moving + shift * rate[..., None]
-        found.extend(_slopes_of(part, own, velocity, speeds, part.mass * moving))
-    return found
+        forces.extend(_slopes_of(part, own, velocity, speeds, part.mass * moving))
+    return forces
 
 
 def _slopes_of(part: AbstractMovingPart, own: Array, velocity: Array, rates: Vectors, impulse: Array) -> Vectors:
@@ -229,7 +229,7 @@ def _slopes_of(part: AbstractMovingPart, own: Array, velocity: Array, rates: Vec
 
 
 def shares(parts: Sequence[AbstractMovingPart], arrangement: Arrangement) -> Vectors:
-    """Return ∂_j d (…, 3), how the centre of mass moves with each coordinate."""
+    """Return ∂_j d (…, 3), the derivatives of the centre of mass by the coordinates."""
     pairs = zip(parts, arrangement.parts, strict=True)
     return [(part.mass / arrangement.mass)[..., None] * shift for part, at in pairs for shift in at.shifts]
 
@@ -239,9 +239,9 @@ def pulls(
 ) -> Vectors:
     """Return −∂V/∂q_j (…) of V = ½ GM/R³ (3 R̂·JR̂ − tr J), of the strength GM/R³ (…) and R̂ (…, 3).
 
-    On dm at x from the centre of mass acts GM/R³ (3 R̂ R̂·x − x) dm, which is moved by ∂_j r and turned by w_j.
+    On dm at x from the centre of mass acts GM/R³ (3 R̂ R̂·x − x) dm, which ∂_j r moves and w_j turns.
     """
-    found = []
+    forces = []
     for part, at, own in zip(parts, arrangement.parts, owns, strict=True):
         place = at.place - arrangement.offset
         force = strength[..., None] * (3.0 * centre * _dot(centre, place)[..., None] - place)
@@ -253,8 +253,8 @@ def pulls(
             if at.axes:
                 couple = jnp.cross(centre, _turned(tensor, centre))
                 pull = pull + 3.0 * strength * _dot(at.axes[j], couple)
-            found.append(pull)
-    return found
+            forces.append(pull)
+    return forces
 
 
 def flux(
@@ -262,7 +262,7 @@ def flux(
 ) -> tuple[Float64[Array, "... 3"], Float64[Array, "... 3"], Vectors]:
     """Return w (…, 3) of a point of the carrier about the centre of mass, (r − c) × w, and w·∂w/∂q̇_j (…).
 
-    They are what a kilogram there has of velocity, momentum and canonical momentum, and takes along where it leaves.
+    They are velocity, momentum and canonical momentum of a kilogram there, which it takes along where it leaves.
 
     Args:
         place: r (3,), from the centre of mass at rest.

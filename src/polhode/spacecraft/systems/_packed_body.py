@@ -53,7 +53,7 @@ class BodyState(NamedTuple):
 
 
 class Structure(NamedTuple):
-    """The axes in which a body is given, with the mass properties that its moments do not tell.
+    """The axes in which a body is given, with its other mass properties.
 
     Attributes:
         turn: from the given axes to the principal ones.
@@ -69,8 +69,8 @@ class Structure(NamedTuple):
 class AbstractPackedBody(AbstractSystem):
     """The state of a body with mounts and torques: attitude, momentum, the own states of mounts and of torques.
 
-    Attitude and momentum of a state are those of the principal axes. What is on the body sees them along the given
-    axes, so that no mount and no torque need know where the principal ones lie.
+    Attitude and momentum of a state are those of the principal axes. Mounts and torques have them along the given
+    axes, so that none of them depends on the principal ones.
     """
 
     moments: eqx.AbstractVar[Float64[Array, "3"]]
@@ -80,7 +80,7 @@ class AbstractPackedBody(AbstractSystem):
 
     @property
     def given_axes(self) -> Float64[Array, "3 3"] | None:
-        """(3, 3) principal axes by columns in the given ones, in which mounts and torques stand; None if the same."""
+        """(3, 3) principal axes by columns in the given ones, which mounts and torques have; None if both agree."""
         return None if self.structure is None else self.structure.turn.matrix
 
     @property
@@ -93,25 +93,25 @@ class AbstractPackedBody(AbstractSystem):
 
     @property
     def carrier(self) -> Float64[Array, "3"] | Float64[Array, "3 3"]:
-        """K [kg m², given axes], the inertia of what turns with Ω: (3,) if diagonal, or (3, 3)."""
+        """K [kg m², given axes], the inertia of the parts that turn with Ω: (3,) if diagonal, or (3, 3)."""
         turning = [inertia for mount in self.mounts if (inertia := mount.inertia) is not None]
         whole = self.inertia
         return (jnp.diag(whole) if whole.ndim == 1 else whole) - sum(turning) if turning else whole
 
     @property
     def needs_attitude(self) -> bool:
-        """Whether a mount or a torque depends on how the body is turned."""
+        """Whether a mount or a torque depends on the attitude."""
         return any(attachment.needs_attitude for attachment in chain(self.mounts, self.torques))
 
     @property
     def own_parts(self) -> tuple[StatePart, ...]:
         """The parts of the state behind the momentum: of the mounts, then of the torques; equal names are counted."""
         parts = [part for attachment in chain(self.mounts, self.torques) for part in attachment.state_parts]
-        often, seen = Counter(part.name for part in parts), Counter[str]()
+        often, counted = Counter(part.name for part in parts), Counter[str]()
         named = []
         for part in parts:
-            seen[part.name] += 1
-            named.append(part._replace(name=f"{part.name}_{seen[part.name]}") if often[part.name] > 1 else part)
+            counted[part.name] += 1
+            named.append(part._replace(name=f"{part.name}_{counted[part.name]}") if often[part.name] > 1 else part)
         return tuple(named)
 
     @property
@@ -127,7 +127,7 @@ class AbstractPackedBody(AbstractSystem):
     # ------------------------------------------------------------------ axes
 
     def _as_given(self, body: BodyState) -> BodyState:
-        """Return a state along principal axes along the given ones; the attachments' own states stand there already."""
+        """Return a state along the given axes, from the principal ones; the attachments' own states are so already."""
         if self.structure is None:
             return body
         back = self.structure.turn.back
@@ -147,7 +147,7 @@ class AbstractPackedBody(AbstractSystem):
         actuators: Sequence[Real[ArrayLike, "..."] | None] | None = None,
         coordinates: Sequence[Real[ArrayLike, "..."] | None] | None = None,
     ) -> Float64[Array, "... n"]:  # fmt: skip
-        """Return packed states (…, n), from what stands along the given axes; for a body from moments, the principal.
+        """Return packed states (…, n), from values along the given axes; for a body from moments, the principal.
 
         Args:
             attitude: (…, 4) unit quaternion wxyz, given axes → space; left out, the state has none, or the identity
@@ -163,7 +163,7 @@ class AbstractPackedBody(AbstractSystem):
                 where they rest.
 
         Raises:
-            InvalidInput: if both velocity and momentum are given, for NaN, or lists that do not fit what there is.
+            InvalidInput: if both velocity and momentum are given, for NaN, or lists that do not fit mounts and torques.
         """
         if angular_velocity is not None and momentum is not None:
             raise InvalidInput("give `angular_velocity` or `momentum`, not both.")
@@ -174,13 +174,13 @@ class AbstractPackedBody(AbstractSystem):
         places = self._checked_coordinates(coordinates)
         for name, own in (("rates", values), ("actuators", acting), ("coordinates", places)):
             refuse_not_finite(**{f"{name}[{k}]": x for k, x in enumerate(own) if x is not None})
-        turned = np.array([1.0, 0.0, 0.0, 0.0]) if self.needs_attitude else None
+        quaternion = np.array([1.0, 0.0, 0.0, 0.0]) if self.needs_attitude else None
         if attitude is not None:
-            turned = jnp.asarray(attitude, dtype=float)
-            turned = rotation.normalize(turned if is_traced(turned) else np.asarray(turned))
+            quaternion = jnp.asarray(attitude, dtype=float)
+            quaternion = rotation.normalize(quaternion if is_traced(quaternion) else np.asarray(quaternion))
         velocity = np.zeros(3) if angular_velocity is None else jnp.asarray(angular_velocity, dtype=float)
         whole = None if momentum is None else jnp.asarray(momentum, dtype=float)
-        return _pack(self, turned, velocity, whole, values, places, acting)
+        return _pack(self, quaternion, velocity, whole, values, places, acting)
 
     def _arranged(self, owns: Sequence[Array]) -> Arrangement | None:
         """Return where the moving parts are and what is burned; None without any. Of states (…, n) of all mounts."""
@@ -198,7 +198,7 @@ class AbstractPackedBody(AbstractSystem):
 
     @property
     def _mass(self) -> Array:
-        """The mass of all together; one where none is known, and no mass moves."""
+        """The mass of all together; one where it is not given, and no mass moves."""
         mass = None if self.structure is None else self.structure.mass
         return jnp.ones(()) if mass is None else mass
 
@@ -256,7 +256,7 @@ class AbstractPackedBody(AbstractSystem):
             if isinstance(mount, AbstractMovingPart):
                 values.append(_of_part(f"rates[{k}]", mount, rate, mount.rate_count, "rates"))
             elif isinstance(mount, Propellant) and rate is not None:
-                mount.start(rate, np.zeros(3))  # refuses all but a known zero
+                mount.start(rate, np.zeros(3))  # refuses all but a zero that is not traced
                 values.append(None)
             else:
                 values.append(None if rate is None else jnp.asarray(rate, dtype=float))
@@ -311,7 +311,7 @@ class AbstractPackedBody(AbstractSystem):
         return StateLayout((*front, MOMENTUM, *self.own_parts))
 
     def scales(self, state: Float64[Array, "*batch n"]) -> Float64[Array, "n"]:
-        """Return one for the attitude, and for momenta their size, or that which torques and motors give from rest.
+        """Return one for the attitude, and for momenta their size, or the size that torques and motors give from rest.
 
         Other parts of the state have their own size, or one; displacements at rest that of the body.
         """
@@ -328,7 +328,7 @@ class AbstractPackedBody(AbstractSystem):
         for torque in self.torques:
             largest = jnp.maximum(largest, jnp.max(self.moments) * torque.rate)
         for mount, own in zip(self.mounts, body.mounts, strict=True):
-            if isinstance(mount, AbstractMovingPart):  # what springs give a body from rest
+            if isinstance(mount, AbstractMovingPart):  # momentum that springs give a body from rest
                 energy = jnp.max(jnp.abs(mount.potential(mount.coordinates_of(own))), initial=0.0)
                 largest = jnp.maximum(largest, jnp.sqrt(2.0 * energy * jnp.max(self.moments)))
         scale = jnp.where(largest > 0, largest, jnp.max(self.moments))
@@ -363,10 +363,10 @@ def _pack(
     body: AbstractPackedBody, attitude: Array | None, velocity: Array, momentum: Array | None,
     rates: list[Array | None], places: list[Array | None], actuators: list[Array],
 ) -> Array:  # fmt: skip
-    """Return packed states of what ``pack`` has checked; of Ω only where the momentum is None."""
+    """Return packed states of arguments that ``pack`` has checked; of Ω only where the momentum is None."""
     arrangement = body._arranged([_at_start(x, q) for x, q in zip(body.mounts, places, strict=True)])
     if momentum is not None:
-        # L = J Ω + what turns against the body
+        # L = J Ω + the momentum of parts that turn against the body
         still = body._started(arrangement, rates, places, jnp.zeros(3))[0]
         units = [body._started(arrangement, rates, places, unit)[0] - still for unit in jnp.eye(3)]
         rows, right = [[unit[..., i] for unit in units] for i in range(3)], momentum - still
@@ -407,7 +407,7 @@ def _of_part(name: str, part: AbstractMovingPart, value: Any, count: int, what: 
 
 
 def _at_start(mount: AbstractMounted, q: Array | None) -> Array:
-    """Return an own state (…, n) of which only what changes the mass properties counts."""
+    """Return an own state (…, n) in which only those parts count that change the mass properties."""
     if isinstance(mount, AbstractMount):
         return mount.start(np.zeros(()), jnp.zeros(3))
     assert q is not None, "moving parts have coordinates"

@@ -10,8 +10,8 @@ import numpy as np
 
 from polhode import rotation
 from polhode.spacecraft.systems._moving_masses import Arrangement, flux, pulls, shares, slopes, velocities
+from polhode.spacecraft.systems._observed_body import AbstractObservedBody
 from polhode.spacecraft.systems._packed_body import BodyState
-from polhode.spacecraft.systems._seen_body import AbstractSeenBody
 from polhode.spacecraft.systems.attachments import Time
 from polhode.spacecraft.systems.mounts import AbstractMount
 from polhode.spacecraft.systems.moving_parts import AbstractMovingPart
@@ -32,7 +32,7 @@ class Moment(NamedTuple):
         velocity: Ω (…, 3).
         arrangement: where the moving parts are; None without any.
         rates: q̇_j (…) of all moving parts.
-        momentum: (…, 3), L less what mounts and spins have of their own.
+        momentum: (…, 3), L less the own momenta of mounts and spins.
     """
 
     body: BodyState
@@ -42,8 +42,8 @@ class Moment(NamedTuple):
     momentum: Array
 
 
-class AbstractRigidMotion(AbstractSeenBody):
-    """L̇ = L × (Ω + Σ d) + Σ τ and dR/dt = R hat(Ω + Σ d), with what is inside."""
+class AbstractRigidMotion(AbstractObservedBody):
+    """L̇ = L × (Ω + Σ d) + Σ τ and dR/dt = R hat(Ω + Σ d), with the states of mounts and torques."""
 
     @property
     def jumps(self) -> Float64[Array, "jumps"]:
@@ -57,13 +57,13 @@ class AbstractRigidMotion(AbstractSeenBody):
 
     @property
     def events(self) -> dict[str, Event]:
-        """That a tank is empty whose flow does not end by itself."""
-        found = {}
+        """The event of an empty tank whose flow does not end by itself."""
+        ends = {}
         for k, mount in enumerate(self.mounts):
             if isinstance(mount, Propellant) and mount.may_run_empty:
                 name = "tank empty" if len(self.tanks) == 1 else f"tank {k} empty"
-                found[name] = lambda t, state, k=k: self.parts(state).mounts[k][..., 0]
-        return found
+                ends[name] = lambda t, state, k=k: self.parts(state).mounts[k][..., 0]
+        return ends
 
     # ------------------------------------------------------------------ motion
 
@@ -108,7 +108,7 @@ class AbstractRigidMotion(AbstractSeenBody):
         return sum(drifts, jnp.zeros_like(now.velocity))
 
     def _loads(self, t: Array, now: Moment) -> tuple[Array, list[Array]]:
-        """Return the torque about the centre of mass (…, 3), and what forces from outside are along q (…)."""
+        """Return the torque about the centre of mass (…, 3), and the generalised outer forces along q (…)."""
         total: Array = jnp.zeros_like(now.velocity)
         loads: list[Array] = [jnp.zeros(now.velocity.shape[:-1]) for _ in now.rates]
         for torque, along in self._torques_apart(t, now):
@@ -120,7 +120,7 @@ class AbstractRigidMotion(AbstractSeenBody):
         return total, loads
 
     def _jet(self, tank: Propellant, t: Array, now: Moment) -> tuple[Array, list[Array]]:
-        """Return what thrust and flow of momentum out of the nozzle do to L (…, 3) and to each π (…)."""
+        """Return the rates of L (…, 3) and each π (…) by thrust and the flow of momentum out of the nozzle."""
         assert now.arrangement is not None and self.structure is not None, "propellant is in a body with mass"
         flow, place = tank.outflow(t)[..., None], tank.nozzle - self.structure.center_of_mass
         _, momentum, canonical = flux(self.moving_parts, now.arrangement, now.velocity, now.rates, place)
@@ -131,7 +131,7 @@ class AbstractRigidMotion(AbstractSeenBody):
         return torque, [push - flow[..., 0] * taken for push, taken in zip(pushed, canonical, strict=True)]
 
     def _power_of_flow(self, tank: Propellant, t: Array, now: Moment) -> Array:
-        """Return ṁ (½ |w_t|² + ½ Ω·κΩ) (…), by which the energy is larger where mass leaves at given L and π."""
+        """Return ṁ (½ |w_t|² + ½ Ω·κΩ) (…), by which the energy grows where mass leaves at given L and π."""
         assert now.arrangement is not None and self.structure is not None, "propellant is in a body with mass"
         place = tank.place - self.structure.center_of_mass
         speed, _, _ = flux(self.moving_parts, now.arrangement, now.velocity, now.rates, place)
@@ -141,7 +141,7 @@ class AbstractRigidMotion(AbstractSeenBody):
         return 0.5 * tank.outflow(t) * taken
 
     def _torques_apart(self, t: Array, now: Moment) -> list[tuple[Array, list[Array]]]:
-        """Return of each torque its part of ``_loads``; nothing along q for a couple."""
+        """Return each torque's part of ``_loads``; a couple has none along q."""
         each = []
         for torque, own in zip(self.torques, now.body.torques, strict=True):
             if now.arrangement is not None and isinstance(torque, GravityGradient):
@@ -163,7 +163,7 @@ class AbstractRigidMotion(AbstractSeenBody):
         return each
 
     def _gravity(self, gravity: GravityGradient, t: Array, now: Moment) -> tuple[Array, list[Array]]:
-        """Return the gravity gradient on the body as it is now, and what it is along each q."""
+        """Return the gravity gradient on the body as it is now, and the generalised force along each q."""
         assert now.arrangement is not None and now.body.attitude is not None, "gravity needs the attitude"
         strength, centre = gravity.pull(t, now.body.attitude)
         owns = [own for _, own in self._parts_with_states(now.body)]
@@ -173,7 +173,7 @@ class AbstractRigidMotion(AbstractSeenBody):
         return 3.0 * strength[..., None] * couple, along
 
     def _momentary_inertia(self, now: Moment) -> Array:
-        """Return the inertia (…, 3, 3) with all that turns by itself."""
+        """Return the inertia (…, 3, 3), parts that turn by themselves included."""
         if now.arrangement is None:
             whole = self.inertia
             return jnp.diag(whole) if whole.ndim == 1 else whole
@@ -185,8 +185,8 @@ class AbstractRigidMotion(AbstractSeenBody):
         return inertia
 
     def _mount_rates(self, t: Array, now: Moment, loads: list[Array]) -> list[Array]:
-        """Return how fast the own states of all mounts change."""
-        body, found = now.body, []
+        """Return the rates of the own states of all mounts."""
+        body, changes = now.body, []
         pairs = self._parts_with_states(body)
         slope: list[Array] = []
         if now.arrangement is not None:
@@ -197,11 +197,11 @@ class AbstractRigidMotion(AbstractSeenBody):
             if isinstance(mount, AbstractMovingPart):
                 rate, forced = (take_rates(x, mount.count, now.velocity) for x in (rates, forces))
                 given = t, body.attitude, now.velocity, own, rate
-                found += [rate, forced + mount.applied(*given), mount.further_rate(*given)]
+                changes += [rate, forced + mount.applied(*given), mount.further_rate(*given)]
             else:
                 assert isinstance(mount, AbstractMount)
-                found.append(mount.state_rate(t, body.attitude, now.velocity, own))
-        return found
+                changes.append(mount.state_rate(t, body.attitude, now.velocity, own))
+        return changes
 
 
 def take_rates(values: list[Array], count: int, like: Array) -> Float64[Array, "... n"]:

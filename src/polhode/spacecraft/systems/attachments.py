@@ -1,4 +1,4 @@
-"""Base classes of what is put on a rigid body: mounts inside it and torques on it, with states of their own."""
+"""Base classes of attachments of a rigid body: mounts inside it and torques on it, with states of their own."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from polhode.motion._layout import StateLayout, StatePart
 from polhode.motion.frame import BodyFrame
 from polhode.types import Array, ArrayLike, Float64, Real, Self
 
-# what methods of attachments take
+# arguments of the methods of attachments
 Time = Real[ArrayLike, "*#batch"]
 Attitude = Float64[Array, "*#batch 4"] | None
 Velocity = Float64[Array, "*#batch 3"]
@@ -52,9 +52,9 @@ class AbstractAttachment(eqx.Module):
 
     Attributes:
         name: as a spec gives it; empty for what only Python makes. Of another package it is its entry point's.
-        arguments: how a spec gives the arguments of ``from_table``. Others it takes from what the spec says
-            elsewhere, by their names: ``orbit``, a ``KeplerOrbit``, and ``field``, an ``EarthDipoleField``.
-        start_arguments: what else a spec may give of a mount, for ``start_of``.
+        arguments: how a spec gives the arguments of ``from_table``. Others it takes from other tables of
+            the spec, by their names: ``orbit``, a ``KeplerOrbit``, and ``field``, an ``EarthDipoleField``.
+        start_arguments: further keys of a mount in a spec, for ``start_of``.
     """
 
     name: ClassVar[str] = ""
@@ -63,11 +63,11 @@ class AbstractAttachment(eqx.Module):
 
     @classmethod
     def from_table(cls, *given: Any, **values: Any) -> Self:
-        """Return what a table of a spec says; by default its arguments are those of the constructor."""
+        """Return the attachment of a table of a spec; by default its arguments are those of the constructor."""
         return cls(*given, **values)
 
     def bound(self, frame: BodyFrame) -> Self:
-        """Return this on a body, with what it takes from the body filled in; itself by default.
+        """Return this bound to a body, with values of the body filled in; itself by default.
 
         Args:
             frame: the axes of the body, and the mass properties along them with all mounts locked.
@@ -84,7 +84,7 @@ class AbstractAttachment(eqx.Module):
 
     @property
     def state_size(self) -> int:
-        """How many numbers n its own state has."""
+        """The number n of components of its own state."""
         return sum(part.size for part in self.state_parts)
 
     def part(self, own: Float64[Array, "*batch n"], name: str) -> Float64[Array, "..."]:
@@ -98,22 +98,22 @@ class AbstractAttachment(eqx.Module):
 
     @property
     def names_all_jumps(self) -> bool:
-        """Whether ``jumps`` are all there are, so that nobody need look for more; not of a function of a user."""
+        """Whether ``jumps`` are all there are, so that none are searched for; not of a user's function."""
         return False
 
     @property
     def limited(self) -> bool:
-        """Whether it has limits beyond which it no longer gives what is asked for."""
+        """Whether it has limits, beyond which it does not deliver the commanded value."""
         return False
 
     def without_limits(self) -> Self:
-        """Return the same without limits; itself if it has none."""
+        """Return this without limits; itself if it has none."""
         return self
 
     def load(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own, stored: Velocity
     ) -> Float64[Array, "*batch"]:
-        """Return what is asked for over the limit (…), largest; above one a limit acts. Zero without limits.
+        """Return the largest demand over its limit (…); above one a limit acts. Zero without limits.
 
         Args:
             t, attitude, angular_velocity, own: as everywhere.
@@ -123,7 +123,7 @@ class AbstractAttachment(eqx.Module):
 
     @property
     def needs_attitude(self) -> bool:
-        """Whether it depends on how the body is turned; then states must carry the attitude."""
+        """Whether it depends on the attitude; then states must carry it."""
         return False
 
 
@@ -131,7 +131,7 @@ def checked_jumps(jumps: Real[ArrayLike, "jumps"]) -> Float64[Array, "jumps"]:
     """Return times [s] of jumps as an array (J,).
 
     Raises:
-        InvalidInput: for what is not a list of finite numbers.
+        InvalidInput: for anything but a list of finite numbers.
     """
     require_doubles(jumps=jumps)
     try:
@@ -150,14 +150,14 @@ def checked_attachments(
 
     Args:
         name: of the argument.
-        value: what the user gave for it.
+        value: the user's argument.
         kinds: the classes of which each is derived from one.
         frame: of the body.
-        trial: evaluates all that an attachment offers at (attachment, t, attitude, angular_velocity, own), and returns
+        trial: evaluates all methods of an attachment at (attachment, t, attitude, angular_velocity, own), and returns
             the values by the name of the method, each with its shape behind the batch axes, (value, shape).
 
     Raises:
-        InvalidInput: for what is not a list of them, and for one whose methods fail or give wrong shapes.
+        InvalidInput: for anything but a list of them, and for one whose methods fail or give wrong shapes.
     """
     copies = 5  # of the trial; no vector has as many components
     remembered = 512  # forms of attachments whose methods have the right shapes
@@ -183,7 +183,7 @@ def checked_attachments(
 
 
 def _form(attachment: AbstractAttachment, trial: Callable[..., Any]) -> Hashable | None:
-    """Return what attachments have in common that differ by their numbers alone; None where it cannot be compared.
+    """Return a key that attachments share which differ by their numbers alone; None where it cannot be compared.
 
     Shapes do not depend on numbers, and each body of a sweep would take a tenth of a second to trace its methods.
     """

@@ -1,4 +1,4 @@
-"""Laws of attitude control: what torque a body is asked to have, from its attitude and rates."""
+"""Laws of attitude control: the torque commanded for a body, from its attitude and rates."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ LawFunction = Callable[..., Any]
 
 
 class GainLimits(NamedTuple):
-    """What matrices of gains are refused."""
+    """Which matrices of gains are refused."""
 
     relative_asymmetry: float = 1e-12  # of the largest entry
 
@@ -43,7 +43,7 @@ LIMITS = GainLimits()
 
 
 class AbstractControlLaw(AbstractAttachment):
-    """A law that asks for a torque on the body, which wheels or an ideal actuator then give.
+    """A law that commands a torque on the body, which wheels or an ideal actuator then deliver.
 
     A new law gives ``wanted`` and, where it has a state of its own, ``state_parts`` and ``state_rate``. A spec names it
     by ``law`` of ``[control]``; that of another package registers its class in the entry-point group
@@ -58,12 +58,12 @@ class AbstractControlLaw(AbstractAttachment):
     def wanted(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
     ) -> Float64[Array, "*batch 3"]:  # fmt: skip
-        """Return the torque that the body is asked to have (…, 3) [N m, body axes]."""
+        """Return the commanded torque on the body (…, 3) [N m, body axes]."""
 
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
     ) -> Float64[Array, "*batch {self.state_size}"]:  # fmt: skip
-        """Return how fast its own state changes, (…, n); not at all by default."""
+        """Return the rate of its own state (…, n); zero by default."""
         return jnp.zeros_like(own)
 
     def target(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape 4"] | None:
@@ -80,7 +80,7 @@ class AbstractControlLaw(AbstractAttachment):
 
 
 class AbstractLawActuator(AbstractAttachment):
-    """What gives the torque that a law asks for: it jumps, and needs the attitude, where its law does."""
+    """An actuator that delivers a law's torque: it jumps, and needs the attitude, where its law does."""
 
     law: eqx.AbstractVar[AbstractControlLaw]
 
@@ -89,7 +89,7 @@ class AbstractLawActuator(AbstractAttachment):
 
     @property
     def reached(self) -> Float64[Array, "3 3"]:
-        """(3, 3) projection of what a law asks for onto what this can give; all of it by default."""
+        """(3, 3) projection of a commanded torque onto the deliverable; the identity by default."""
         return jnp.eye(3)
 
     @property
@@ -122,9 +122,9 @@ def checked_law(law: Any) -> AbstractControlLaw:
 class QuaternionPD(AbstractControlLaw):
     """τ = −2 P v − D (Ω − Ω_t), with v the vector part of the quaternion from the target to the body.
 
-    Near the target 2 v is the vector of the small turn that is left, so that P is the stiffness against it, and
+    Near the target 2 v is the vector of the small remaining turn, so that P is the stiffness against it, and
     I θ̈ = −P θ − D θ̇. The sign of the quaternion is chosen at the start, for the shorter way; it then stays, so that
-    nothing jumps, and a body that is thrown by more than half a turn comes back the way it went.
+    nothing jumps, and a body that is disturbed by more than half a turn comes back the way it went.
 
     Args:
         gain: P [N m/rad], one for all axes, (3,), or (3, 3) symmetric; with ``rate_gain``.
@@ -137,7 +137,7 @@ class QuaternionPD(AbstractControlLaw):
         orbit: for "nadir".
 
     Raises:
-        InvalidInput: for gains that are not positive, both or neither kind of them, or a target that is not known.
+        InvalidInput: for gains that are not positive, both or neither kind of them, or an unknown target.
 
     Source: Wie, Weiss & Arapostathis, J. Guid. Control Dyn. 12 (1989) 375; Markley & Crassidis (2014), §7.2.
     """
@@ -281,14 +281,14 @@ class UserLaw(AbstractControlLaw):
     """A law by functions of one's own.
 
     Args:
-        command: (t, attitude, angular_velocity, own) → the torque asked for (…, 3) [N m, body axes], of the time (…)
+        command: (t, attitude, angular_velocity, own) → the commanded torque (…, 3) [N m, body axes], of the time (…)
             [s], the attitude (…, 4), Ω (…, 3) and the law's own state (…, n); batched and written with ``jax.numpy``.
-        state_rate: the same arguments → the rate of the own state (…, n); None for a law without one.
+        state_rate: these arguments → the rate of the own state (…, n); None for a law without one.
         state_size: n.
         jumps: (J,) times [s] at which the command jumps; see ``AbstractSystem.jumps``.
 
     Raises:
-        InvalidInput: for what is not a function, or a state without its rate.
+        InvalidInput: for anything but a function, or a state without its rate.
 
     >>> law = UserLaw(lambda t, attitude, rates, own: -0.1 * rates - own, lambda t, attitude, rates, own: rates, 3)
     >>> law.wanted(0.0, jnp.array([1.0, 0.0, 0.0, 0.0]), jnp.array([1.0, 0.0, 0.0]), jnp.ones(3)).tolist()

@@ -30,11 +30,11 @@ LIMITS = ControlledWheelLimits()
 
 
 class ControlledWheels(AbstractLawActuator, AbstractMount):
-    """Wheels whose motors together give the body the torque that a law asks for.
+    """Wheels whose motors together give the body the torque that a law commands.
 
     The body is to have τ, so the motors have to give the rotors −τ: u = −A⁺ τ with the wheels' axes as columns of A and
     A⁺ its pseudo-inverse, which takes the least sum of squares. One wheel, or two, turn the body about their own axes
-    alone, as on a satellite with a bias of momentum: what is asked for across them is left out. Each motor gives at
+    alone, as on a satellite with a bias of momentum: a command across them is not delivered. Each motor gives at
     most ``max_torque``. Towards higher rates its torque falls to zero over the last fiftieth below ``max_rate``, which
     no motor exceeds; the body, as it turns under a rotor whose motor gives nothing, may carry σ = h/J − a·Ω past it.
 
@@ -114,7 +114,7 @@ class ControlledWheels(AbstractLawActuator, AbstractMount):
     def commanded(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
     ) -> Float64[Array, "*batch wheels"]:
-        """Return what each motor is asked for (…, wheels) [N m], without limits."""
+        """Return the commanded torque of each motor (…, wheels) [N m], without limits."""
         wanted = self.law.wanted(t, attitude, angular_velocity, own[..., len(self.axes) :])
         return -wanted @ self.shares
 
@@ -179,14 +179,14 @@ class ControlledWheels(AbstractLawActuator, AbstractMount):
 
 
 class ControlTorque(AbstractLawActuator, AbstractTorque):
-    """A couple from outside that a law asks for, as thrusters give on the average, up to a limit about each axis.
+    """A couple from outside that a law commands, as thrusters give on the average, up to a limit about each axis.
 
     Args:
         law: of control.
         limit: largest torque about each of the body's axes [N m], one for all or (3,); None for no limit.
 
     Raises:
-        InvalidInput: for what is not a law, or a limit that is not positive.
+        InvalidInput: for anything but a law, or a limit that is not positive.
     """
 
     law: AbstractControlLaw

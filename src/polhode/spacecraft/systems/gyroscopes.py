@@ -24,7 +24,7 @@ Drive = Callable[[Batch, Float64[Array, "*batch 4"], Float64[Array, "*batch 3"],
 
 
 class GyroscopeLimits(NamedTuple):
-    """What axes are refused."""
+    """Which axes are refused."""
 
     max_cosine: float = 1e-9  # between axes that are given as perpendicular
 
@@ -250,8 +250,8 @@ class ControlMomentGyroscope(AbstractMovingPart):
     ) -> Float64[Array, "*batch {self.further_count}"]:  # fmt: skip
         if isinstance(self.rotor, HeldWheel):
             return jnp.zeros((*q.shape[:-1], 0))
-        turned = eqx.tree_at(lambda rotor: rotor.axis, self.rotor, self.spin_axis(q))
-        return turned.start(rate[..., 1], angular_velocity)
+        rotated = eqx.tree_at(lambda rotor: rotor.axis, self.rotor, self.spin_axis(q))
+        return rotated.start(rate[..., 1], angular_velocity)
 
 
 def _checked_moments(moments: Real[ArrayLike, "3"]) -> list[Float64[Array, ""]]:

@@ -85,8 +85,8 @@ class HingedPart(AbstractMovingPart):
         self.jump_times = checked_jumps(jumps)
         self.is_lossless = self.motor is None and not float(self.damping)
         across = self.arm - self.axis * jnp.dot(self.axis, self.arm)
-        turned = 0.0 if self.inertia_at_rest is None else float(self.axis @ self.inertia_at_rest @ self.axis)
-        if not float(self.mass * jnp.sum(across**2)) + turned > 0.0:
+        own = 0.0 if self.inertia_at_rest is None else float(self.axis @ self.inertia_at_rest @ self.axis)
+        if not float(self.mass * jnp.sum(across**2)) + own > 0.0:
             raise InvalidInput("`center` must lie off the hinge's axis, or `inertia` be more than a point's; "
                                "got a part that turns on its axis without inertia.")  # fmt: skip
 
@@ -139,7 +139,7 @@ class HingedPart(AbstractMovingPart):
 def rotate_about(
     axis: Float64[Array, "3"], angle: Float64[Array, "*batch 1"], vector: Float64[Array, "3"]
 ) -> Float64[Array, "*batch 3"]:
-    """Return a vector turned about an axis by an angle (…, 1), by Rodrigues' formula."""
+    """Return a vector rotated about an axis by an angle (…, 1), by Rodrigues' formula."""
     along = axis * jnp.dot(axis, vector)
     return along + jnp.cos(angle) * (vector - along) + jnp.sin(angle) * jnp.cross(axis, vector)
 

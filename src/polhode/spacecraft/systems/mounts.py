@@ -16,7 +16,7 @@ from polhode.types import Array, ArrayLike, Float64, Real
 
 
 class AbstractMounted(AbstractAttachment):
-    """What is inside a body and has momentum and energy of its own: a mount, or a part that moves its mass."""
+    """A part inside a body with momentum and energy of its own: a mount, or a part that moves its mass."""
 
     @property
     def inertia(self) -> Float64[Array, "3 3"] | None:
@@ -48,13 +48,13 @@ class AbstractMounted(AbstractAttachment):
     def rotor_rates(
         self, angular_velocity: Float64[Array, "*#batch 3"], own: Float64[Array, "*#batch {self.state_size}"]
     ) -> Float64[Array, "*batch rotors"]:
-        """Return how fast its rotors turn against the body (…, rotors) [rad/s]; no rotors by default."""
+        """Return the rates of its rotors against the body (…, rotors) [rad/s]; no rotors by default."""
         return jnp.zeros((*jnp.broadcast_shapes(angular_velocity.shape[:-1], own.shape[:-1]), 0))
 
     def motor_torques(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
     ) -> Float64[Array, "*batch rotors"]:
-        """Return what each motor gives its rotor (…, rotors) [N m], within its limits and without friction."""
+        """Return the torque of each motor on its rotor (…, rotors) [N m], within its limits and without friction."""
         return jnp.zeros_like(self.rotor_rates(angular_velocity, own))
 
 
@@ -62,13 +62,13 @@ class AbstractMount(AbstractMounted):
     """A part that turns inside a body without moving its mass, as a rotor does.
 
     A mount brings its own angular momentum p. The whole body's is L = K Ω + Σ p, where K is the inertia of the body
-    with all mounts locked, less what each mount turns by itself, its ``inertia``. The mount's reaction on the carrier
-    is in that sum: L changes by outer torques alone, so that what a rotor gains the carrier loses. The energy is
-    ½ Ω·KΩ + Σ ``energy``, and changes inside by the sum of ``power``.
+    with all mounts locked, less the ``inertia`` that each mount turns by itself. The mount's reaction on the carrier is
+    in that sum: L changes by outer torques alone, so that the carrier loses the momentum that a rotor gains. The energy
+    is ½ Ω·KΩ + Σ ``energy``, and changes inside by the sum of ``power``.
 
     A new mount gives ``momentum`` and, where it has a state of its own, ``state_parts``, ``state_rate``, ``start``,
-    ``inertia``, ``energy`` and ``power``. Where energy and power disagree, the drift of the energy says so. What moves
-    its mass is an ``AbstractMovingPart``.
+    ``inertia``, ``energy`` and ``power``. Where energy and power disagree, the drift of the energy says so. A part that
+    moves its mass is an ``AbstractMovingPart``.
     """
 
     @abc.abstractmethod
@@ -78,7 +78,7 @@ class AbstractMount(AbstractMounted):
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
     ) -> Float64[Array, "*batch {self.state_size}"]:
-        """Return how fast its own state changes, (…, n); not at all by default."""
+        """Return the rate of its own state (…, n); zero by default."""
         return jnp.zeros_like(own)
 
     def power(self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own) -> Float64[Array, "*batch"]:
@@ -88,9 +88,9 @@ class AbstractMount(AbstractMounted):
     def drift(
         self, momentum: Float64[Array, "*#batch 3"], angular_velocity: Float64[Array, "*#batch 3"]
     ) -> Float64[Array, "*batch 3"]:
-        """Return how much faster than Ω the body turns, (…, 3) [rad/s, body axes].
+        """Return the angular velocity of the body beyond Ω (…, 3) [rad/s, body axes].
 
-        Zero but for losses that have no state of their own: they act on L and the attitude as a turn more.
+        Zero but for losses that have no state of their own: they act on L and the attitude as an additional turn.
         """
         return jnp.zeros_like(angular_velocity)
 
@@ -161,7 +161,7 @@ class SphericalSlug(AbstractMount):
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
     ) -> Float64[Array, "*batch {self.state_size}"]:
-        # ds/dt = c (Ω − ω) in space, seen from axes that turn with Ω: s × Ω more
+        # ds/dt = c (Ω − ω) in space, in axes that turn with Ω: s × Ω more
         dragged = self.damping * (angular_velocity - own / self.moment)
         return jnp.cross(own, angular_velocity) + dragged
 

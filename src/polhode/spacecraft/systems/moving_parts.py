@@ -24,11 +24,11 @@ Coordinates = Float64[Array, "*batch {self.count}"]
 class AbstractMovingPart(AbstractMounted):
     """A part with mass whose place in the body depends on coordinates q, with canonical momenta π = ∂T/∂q̇.
 
-    Its own state is q, then π, then what else it has. q = 0 is its rest, at which the body's mass properties, those of
-    all together, are given; the body must have a mass. Positions count from the origin of the body's axes. The body
-    makes the equations of motion from ``position``, ``tensor``, ``turning_axes`` and ``potential`` by differentiation,
-    see ``_moving_masses.py``: momentum in space stays, and the energy changes by ``applied`` · q̇ alone. Forces
-    of torques act on the carrier.
+    Its own state is q, then π, then the rest of its state. q = 0 is its rest, at which the body's mass properties,
+    those of all together, are given; the body must have a mass. Positions count from the origin of the body's axes. The
+    body makes the equations of motion from ``position``, ``tensor``, ``turning_axes`` and ``potential`` by
+    differentiation, see ``_moving_masses.py``: momentum in space stays, and the energy changes by ``applied`` · q̇
+    alone. Forces of torques act on the carrier.
 
     A new part gives ``coordinates`` and ``position``; one that turns also ``tensor`` and ``turning_axes``; and
     ``potential``, ``applied`` and ``conserves_energy`` where springs, dampers or motors act on it. One with more
@@ -63,17 +63,17 @@ class AbstractMovingPart(AbstractMounted):
 
     @property
     def count(self) -> int:
-        """How many coordinates it has."""
+        """Its number of coordinates."""
         return sum(part.size for part in self.coordinates)
 
     @property
     def rate_count(self) -> int:
-        """How many rates ``pack`` takes for it: those of q, and of what else turns."""
+        """The number of rates that ``pack`` takes for it: those of q, and of rotors in it."""
         return self.count
 
     @property
     def further_count(self) -> int:
-        """How many numbers its own state has behind q and π."""
+        """The number of components of its own state behind q and π."""
         return sum(part.size for part in self.further_parts)
 
     def coordinates_of(self, own: Float64[Array, "*batch {self.state_size}"]) -> Coordinates:
@@ -105,7 +105,7 @@ class AbstractMovingPart(AbstractMounted):
         return None
 
     def spin_inertia(self, q: Coordinates) -> Float64[Array, "*batch 3 3"] | None:
-        """Return what turns by the rest of its own state (…, 3, 3) [kg m², body axes], which ``tensor`` leaves out."""
+        """Return the inertia (…, 3, 3) [kg m², body axes] that the rest of its own state turns, not in ``tensor``."""
         return None
 
     @property
@@ -115,7 +115,7 @@ class AbstractMovingPart(AbstractMounted):
     def gauge(self, q: Coordinates) -> Float64[Array, "*batch"] | None:
         """Return f (…) [kg^½ m], a function of q that moves nothing; None where all coordinates move something.
 
-        ½ ḟ² is added to the kinetic energy. As nothing else depends on f, ḟ stays zero and the motion is the same, but
+        ½ ḟ² is added to the kinetic energy. As nothing else depends on f, ḟ stays zero and the motion is unchanged, but
         the mass matrix is regular.
         """
         return None
@@ -141,14 +141,14 @@ class AbstractMovingPart(AbstractMounted):
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*#batch {self.state_size}"],
         rate: Float64[Array, "*#batch {self.count}"],
     ) -> Float64[Array, "*batch {self.further_count}"]:  # fmt: skip
-        """Return how fast the rest of its own state changes."""
+        """Return the rate of the rest of its own state."""
         return jnp.zeros((*rate.shape[:-1], self.further_count))
 
     def further_power(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*#batch {self.state_size}"],
         rate: Float64[Array, "*#batch {self.count}"],
     ) -> Float64[Array, "*batch"]:  # fmt: skip
-        """Return the power (…) [W] of what acts on the rest of its own state."""
+        """Return the power (…) [W] of the forces on the rest of its own state."""
         return jnp.zeros(rate.shape[:-1])
 
     def energy(self, own: Float64[Array, "*batch {self.state_size}"]) -> Float64[Array, "*batch"]:
@@ -165,14 +165,14 @@ class AbstractMovingPart(AbstractMounted):
 class LockedPart(AbstractMovingPart):
     """A moving part that is held at a place, as a panel before it is deployed; it has no state of its own.
 
-    At rest it is the same as no part at all. A wheel is locked by leaving it out: it then turns with the body.
+    At rest it is equivalent to no part at all. A wheel is locked by leaving it out: it then turns with the body.
 
     Args:
-        part: that is held.
+        part: the held one.
         coordinates: q (n,) of it.
 
     Raises:
-        InvalidInput: for what is not a moving part, one that has more than q and π, or coordinates that do not fit.
+        InvalidInput: for anything but a moving part, one that has more than q and π, or coordinates that do not fit.
 
     >>> from polhode.spacecraft import HingedPart
     >>> folded = LockedPart(HingedPart((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (2.0, 0.0, 0.0), mass=3.0), np.pi / 2)
@@ -220,9 +220,9 @@ class LockedPart(AbstractMovingPart):
 
 
 def _try_mount(mount: AbstractMounted, t: Array, attitude: Array, velocity: Array, own: Array) -> dict[str, Any]:
-    found = {"momentum": (mount.momentum(own), (3,)), "energy": (mount.energy(own), ())}
+    values = {"momentum": (mount.momentum(own), (3,)), "energy": (mount.energy(own), ())}
     if isinstance(mount, AbstractMount):
-        return found | {
+        return values | {
             "state_rate": (mount.state_rate(t, attitude, velocity, own), (mount.state_size,)),
             "power": (mount.power(t, attitude, velocity, own), ()),
             "drift": (mount.drift(velocity, velocity), (3,)),
@@ -230,7 +230,7 @@ def _try_mount(mount: AbstractMounted, t: Array, attitude: Array, velocity: Arra
     assert isinstance(mount, AbstractMovingPart)
     q = rate = mount.coordinates_of(own)
     acting = t, attitude, velocity, own, rate
-    found |= {
+    values |= {
         "position": (mount.position(q), (3,)),
         "potential": (mount.potential(q), ()),
         "applied": (mount.applied(*acting), (mount.count,)),
@@ -238,12 +238,12 @@ def _try_mount(mount: AbstractMounted, t: Array, attitude: Array, velocity: Arra
         "further_power": (mount.further_power(*acting), ()),
     }
     if (gauge := mount.gauge(q)) is not None:
-        found["gauge"] = gauge, ()
+        values["gauge"] = gauge, ()
     if (tensor := mount.tensor(q)) is not None:
-        found["tensor"] = tensor, (3, 3)
+        values["tensor"] = tensor, (3, 3)
     if (axes := mount.turning_axes(q)) is not None:
-        found["turning_axes"] = jnp.stack(axes, axis=-2), (mount.count, 3)
-    return found
+        values["turning_axes"] = jnp.stack(axes, axis=-2), (mount.count, 3)
+    return values
 
 
 def checked_mounts(mounts: Any, frame: BodyFrame) -> tuple[AbstractMounted, ...]:

@@ -25,15 +25,14 @@ class Propellant(AbstractMount):
     """Propellant in a tank, of which ṁ leaves through a nozzle: L̇ = L × Ω + (r − c) × (F − ṁ w), F = −ṁ u.
 
     With c the momentary centre of mass, the jet leaves at r with the velocity u against the body, and so with w + u
-    about the centre of mass, w = Ω × (r − c). The part −ṁ w is the jet's damping. What is in the tank turns with the
-    body, and keeps its shape while its density falls; the momentum of what flows inside against the body is neglected,
-    and with it the motion of c in the body, ċ: the flow q = ṁ (r − p) from the tank at p has ċ × q of momentum a
-    second more about the moving c, which is just what ċ takes from it at the nozzle. The energy of rotation changes by
-    −ṁ (|w|² − ½ |w_t|² − ½ Ω·κΩ) and the power of F, with w_t the velocity at the tank and κ the inertia of a kilogram
-    in it: half of |w|² leaves with the jet, and the rest is what it takes to bring the propellant from the tank to the
-    nozzle.
+    about the centre of mass, w = Ω × (r − c). The part −ṁ w is the jet's damping. The contents of the tank turn with
+    the body, and keep their shape while their density falls; the momentum of the flow inside against the body is
+    neglected, and with it the motion of c in the body, ċ: the flow q = ṁ (r − p) from the tank at p has ċ × q of
+    momentum a second more about the moving c, exactly as much as ċ takes from it at the nozzle. The energy of rotation
+    changes by −ṁ (|w|² − ½ |w_t|² − ½ Ω·κΩ) and the power of F, with w_t the velocity at the tank and κ the inertia of
+    a kilogram in it: half of |w|² leaves with the jet, and the rest brings the propellant from the tank to the nozzle.
 
-    Its state is the mass that is left. The body's mass properties are those with the tank full.
+    Its state is the remaining mass. The body's mass properties are those with the tank full.
 
     Args:
         position: (3,) of the tank's contents [m, body axes].
@@ -48,7 +47,7 @@ class Propellant(AbstractMount):
         jumps: (J,) times [s] at which a function of the time jumps.
 
     Raises:
-        InvalidInput: for values out of range, a burn that takes more than there is, a body without mass.
+        InvalidInput: for values out of range, a burn of more than the tank holds, a body without mass.
 
     Source: Thomson, *Introduction to Space Dynamics* (1986), §7.6–7.8; Eke, "Dynamics of Variable Mass Systems", NASA
     CR-1998-208246.
@@ -106,7 +105,7 @@ class Propellant(AbstractMount):
 
     @property
     def inertia_per_mass(self) -> Float64[Array, "3 3"] | None:
-        """Inertia about the centre of what is in the tank, over its mass [m²]."""
+        """Inertia of the tank's contents about their centre, over their mass [m²]."""
         return None if self.full_inertia is None else self.full_inertia / self.full
 
     def bound(self, frame: BodyFrame) -> Self:
@@ -160,6 +159,6 @@ class Propellant(AbstractMount):
     def start(
         self, rate: Real[ArrayLike, "..."], angular_velocity: Float64[Array, "*batch 3"]
     ) -> Float64[Array, "... {self.state_size}"]:
-        if is_traced(rate) or np.ndim(rate) or rate != 0.0:  # a traced one cannot be seen to be zero
+        if is_traced(rate) or np.ndim(rate) or rate != 0.0:  # a traced one is not known to be zero
             raise InvalidInput(f"`rates` has {shown(rate)} for a Propellant, which does not turn. Give None for it.")
         return jnp.broadcast_to(self.full, (*angular_velocity.shape[:-1], 1))

@@ -33,13 +33,13 @@ class AbstractRigidBody(AbstractRigidMotion):
 
     L is the whole angular momentum, p the momentum that a mount has of its own, d its drift (zero but for losses
     without a state of their own), τ a torque, K the ``carrier`` inertia. Moving parts change K and the centre of mass;
-    Ω and their rates then come from one mass matrix. What is inside never changes R L. State: the attitude, L, the own
-    states of mounts and of torques, as ``layout`` names them; the attitude may be left out where nothing asks for it.
-    Attitude and L of states are along the principal axes at rest; what attachments see and give, and what ``pack``
-    takes, is along the body's given axes.
+    Ω and their rates then come from one mass matrix. Inner forces never change R L. State: the attitude, L, the own
+    states of mounts and of torques, as ``layout`` names them; the attitude may be left out where nothing depends on it.
+    Attitude and L of states are along the principal axes at rest; arguments and results of attachments and arguments of
+    ``pack`` are along the body's given axes.
     """
 
-    # ------------------------------------------------------------------ what is kept, and what is balanced
+    # ------------------------------------------------------------------ invariants and balances
 
     @property
     def conserves_energy(self) -> bool:
@@ -64,7 +64,7 @@ class AbstractRigidBody(AbstractRigidMotion):
         own = [mount.energy(values) for mount, values in zip(self.mounts, now.body.mounts, strict=True)]
         moving = self._parts_with_states(now.body)
         canonical = [values[..., part.count + j] for part, values in moving for j in range(part.count)]
-        # ½ (L·Ω + π·q̇), less the momenta that have their energies of their own
+        # ½ (L·Ω + π·q̇), less the momenta with energies of their own
         own += [0.5 * momentum * rate for momentum, rate in zip(canonical, now.rates, strict=True)]
         return sum(own, 0.5 * jnp.sum(now.momentum * now.velocity, axis=-1))
 
@@ -92,7 +92,7 @@ class AbstractRigidBody(AbstractRigidMotion):
             return {}
         body = self.parts(state)
         values = {"energy": self.energy(state)} if self.conserves_energy else {}
-        # L̇ = L × (…) keeps |L|, and R L whatever the body does inside
+        # L̇ = L × (…) keeps |L|, and R L whatever acts inside
         values |= {"|L|²": jnp.sum(body.momentum**2, axis=-1)}
         if body.attitude is not None:
             values["momentum_space"] = rotation.rotate(body.attitude, body.momentum)
@@ -111,7 +111,7 @@ class AbstractRigidBody(AbstractRigidMotion):
     def balances(self, t: Time, state: States) -> dict[str, Balance]:
         """Return energy and |L|² with their powers, and with gravity on a circular orbit the Jacobi integral.
 
-        Under torques the energy is called kinetic, as the potential of what causes them is not in it.
+        Under torques the energy is called kinetic, as the potential of their sources is not in it.
         """
         now, t = self._moment(self._as_given(self.parts(state))), jnp.asarray(t)
         values = self._balance_values(t, now)
@@ -174,17 +174,17 @@ class RigidBody(AbstractRigidBody):
     With nothing it is the free body, with a ``HeldWheel`` a gyrostat, with an ``EnergySink`` the double bracket. As
     Lie–Poisson systems, with exact flows and verdicts, these are ``FreeRigidBody``, ``Gyrostat`` and ``DoubleBracket``.
 
-    ``RigidBody(moments, …)`` stands along its principal axes with the centre of mass as origin, ``from_body`` along the
+    ``RigidBody(moments, …)`` is along its principal axes with the centre of mass as origin, ``from_body`` along the
     axes in which a body is given.
 
     Args:
         moments: (3,) principal moments of the whole body, its mounts locked [kg m²], positive.
-        mounts: what is inside, such as ``Wheel``; any number, on any axes.
-        torques: what acts on it, such as ``LinearDrag``; any number.
+        mounts: parts inside, such as ``Wheel``; any number, on any axes.
+        torques: torques on it, such as ``LinearDrag``; any number.
         structure: the given axes, as ``from_body`` makes them; None for the principal ones.
 
     Raises:
-        InvalidInput: for moments that are not positive, rotors that leave the body none, what is not a mount or a
+        InvalidInput: for moments that are not positive, rotors that leave the body none, anything but a mount or a
             torque, one whose methods fail, or a gravity gradient on other moments.
 
     >>> from polhode.spacecraft import LinearDrag, Wheel
@@ -239,17 +239,17 @@ class RigidBody(AbstractRigidBody):
     def from_body(
         cls, body: Body, mounts: Sequence[AbstractMounted] = (), torques: Sequence[AbstractTorque] = ()
     ) -> RigidBody:
-        """Return the body with mounts and torques that stand in its given axes.
+        """Return the body with mounts and torques in its given axes.
 
-        Axes of mounts, vectors of torques, their positions from the origin of these axes, and what functions of the
-        user get and give are along the given axes, as is what ``pack`` takes. States and trajectories are along the
-        principal axes, as everywhere; ``trajectory.along("given")`` turns them. A torque with a resultant ``force`` is
-        referred to the centre of mass.
+        Axes of mounts, vectors of torques, their positions from the origin of these axes, and arguments and results of
+        functions of the user are along the given axes, as are arguments of ``pack``. States and trajectories are along
+        the principal axes, as everywhere; ``trajectory.along("given")`` turns them. A torque with a resultant ``force``
+        is referred to the centre of mass.
 
         Args:
             body: all together, its mounts locked.
-            mounts: what is inside.
-            torques: what acts on it.
+            mounts: parts inside.
+            torques: torques on it.
 
         Raises:
             InvalidInput: as the class does, and for a thin rod, which has no moment about itself.
@@ -270,7 +270,7 @@ class RigidBody(AbstractRigidBody):
         return cls(body.principal_moments, mounts, torques, structure)
 
     def _frame(self) -> BodyFrame:
-        """Return the axes in which attachments stand, and the mass properties along them."""
+        """Return the axes in which attachments are given, and the mass properties along them."""
         moments = np.asarray(self.moments)
         if self.structure is None:
             return BodyFrame(moments, np.eye(3), np.zeros(3), None)

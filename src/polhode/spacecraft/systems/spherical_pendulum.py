@@ -20,7 +20,7 @@ class SphericalPendulum(AbstractMovingPart):
     """A point mass on a rod about a pivot, in any direction: slosh as a pendulum.
 
     Its coordinates are q = n − n₀ along the body's axes, with n₀ the direction of the arm at rest and n a vector along
-    it now. No angles are used, so that it may swing over the top, and round and round. What |n| is changes nothing: it
+    it now. No angles are used, so that it may swing over the top, and round and round. The length |n| has no effect: it
     stays as it was at the start, as does the part of the canonical momentum along n, which is zero. The rate that
     ``pack`` takes is ω (3,), its angular velocity against the body. On it act a spring, whose energy is k (1 − cos θ)
     at the angle θ from rest, and the couple −c ω.

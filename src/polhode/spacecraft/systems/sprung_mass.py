@@ -28,7 +28,7 @@ BEAM_ROOT, BEAM_MASS, BEAM_PLACE = 1.875104068711961, 0.613076090026017, 0.72647
 
 
 class SprungMassLimits(NamedTuple):
-    """What directions are refused."""
+    """Which directions are refused."""
 
     max_cosine: float = 1e-9  # between directions that are given as perpendicular
 

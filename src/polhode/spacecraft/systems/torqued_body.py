@@ -21,14 +21,14 @@ class TorquedBody(AbstractRigidBody):
 
     State L (…, 3) where no torque asks for the attitude, or attitude and L (…, 7). Nothing is conserved in general; the
     kinetic energy changes by the torques' power τ·Ω, |L|² by 2 τ·L, and on a circular orbit the Jacobi integral by the
-    power of all torques but gravity's in the orbit's frame. ``simulate`` reports how well the motion obeys.
+    power of all torques but gravity's in the orbit's frame. ``simulate`` reports the residuals of these balances.
 
     Args:
         moments: (3,) principal moments [kg m²], positive.
-        torques: what acts on it, any number.
+        torques: any number of them.
 
     Raises:
-        InvalidInput: for moments that are not positive, what is not a torque, or a gravity gradient on other moments.
+        InvalidInput: for moments that are not positive, anything but a torque, or a gravity gradient on other moments.
 
     >>> from polhode.spacecraft.torques import LinearDrag
     >>> body = TorquedBody((1.0, 2.0, 3.0), [LinearDrag(0.5)])

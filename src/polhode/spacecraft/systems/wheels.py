@@ -34,9 +34,9 @@ class Wheel(AbstractMount):
     Its state is its whole axial momentum h = J (σ + a·Ω), with σ its rate relative to the body: ḣ = u − f and p = h a,
     with the friction f = c σ + f₀ tanh(σ/σ₀). Its energy is h²/2J, and the power between rotor and body (u − f) σ.
 
-    Limits are met without a jump: the motor's torque is cut off at ``max_torque``, and what would speed the wheel up
-    further fades to nothing over the last hundredth below ``max_rate``, as a motor's does near its no-load speed. Rates
-    of change have corners there, at which steps end.
+    Limits are met without a jump: the motor's torque is cut off at ``max_torque``, and a torque that would speed the
+    wheel up further fades to nothing over the last hundredth below ``max_rate``, as a motor's does near its no-load
+    speed. Rates of change have corners there, at which steps end.
 
     Args:
         axis: (3,) a along the body's axes, normalised here.

@@ -34,7 +34,7 @@ class AbstractTorque(AbstractAttachment):
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own
     ) -> Float64[Array, "*batch {self.state_size}"]:  # fmt: skip
-        """Return how fast its own state changes, (…, n); not at all by default."""
+        """Return the rate of its own state (…, n); zero by default."""
         return jnp.zeros_like(actuator)
 
     @property
@@ -48,7 +48,7 @@ class AbstractTorque(AbstractAttachment):
         return False
 
     def remark(self, times: Float64[Array, "time"]) -> str:
-        """Return what a report says of it at times [s], as the predicate of a sentence; nothing by default."""
+        """Return a report's remark on it at times [s], as the predicate of a sentence; None by default."""
         return ""
 
     def force(
@@ -76,7 +76,7 @@ class AbstractTorque(AbstractAttachment):
 
 
 class AbstractEnvironmentTorque(AbstractTorque):
-    """A torque by what surrounds the body: it depends on how the body is turned, and never jumps."""
+    """A torque by what surrounds the body: it depends on the attitude, and never jumps."""
 
     @property
     def names_all_jumps(self) -> bool:

@@ -61,7 +61,7 @@ class EarthDipoleField(eqx.Module):
         return REFERENCE_RADIUS**3 / (square * jnp.sqrt(square)) * (3.0 * along / square * place - dipole)
 
     def field_rate(self, t: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape 3"]:
-        """Return dB/dt (…, 3) at the moving body [T/s, space axes], of its way and of the Earth's rotation together."""
+        """Return dB/dt (…, 3) at the moving body [T/s, space axes], by its motion and the Earth's rotation together."""
         place, velocity = self.orbit.position(t), self.orbit.velocity(t)
         dipole, turning = self._dipole(t)
         dot = lambda a, b: jnp.sum(a * b, axis=-1, keepdims=True)  # noqa: E731

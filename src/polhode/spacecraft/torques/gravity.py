@@ -21,7 +21,7 @@ from polhode.types import Array, ArrayLike, Float64, Real
 
 
 class InertiaLimits(NamedTuple):
-    """What moments of a gravity gradient are refused."""
+    """Which moments of a gravity gradient are refused."""
 
     relative_inertia: float = 1e-12  # difference that turning an inertia to other axes and back leaves
 

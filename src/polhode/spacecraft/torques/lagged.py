@@ -24,7 +24,7 @@ class LaggedTorque(AbstractTorque):
 
     Args:
         command: u (…, 3) [N m, body axes], a function (t, attitude, angular_velocity) of the time (…) [s], the attitude
-            (…, 4) and Ω (…, 3), batched and written with ``jax.numpy``. It asks for states with the attitude.
+            (…, 4) and Ω (…, 3), batched and written with ``jax.numpy``. It needs states with the attitude.
         time_constant: T [s], positive.
         jumps: (J,) times [s] at which the command jumps; see ``AbstractSystem.jumps``.
 

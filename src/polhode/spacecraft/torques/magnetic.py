@@ -20,7 +20,7 @@ LAWS = ("b-dot", "dump")
 
 
 class MagneticDipole(AbstractEnvironmentTorque):
-    """τ = m × B of a moment fixed in the body, as of a permanent magnet or what is left of currents.
+    """τ = m × B of a moment fixed in the body, as of a permanent magnet or of residual currents.
 
     Args:
         field: B along the orbit.
@@ -54,10 +54,10 @@ class TorqueRods(AbstractEnvironmentTorque):
     b-dot: m = −k Ḃ, with Ḃ = Rᵀ dB/dt − Ω × B the exact rate of the field along the body: that which it has in space
     by the way of the body and the Earth's rotation, and that of the body's own turning. Nothing is filtered.
 
-    dump: m = k h × B/|B|², with h the momentum that is stored inside, L − IΩ. The torque is −k times the part of h
+    dump: m = k h × B/|B|², with h the momentum stored inside, L − IΩ. The torque is −k times the part of h
     across the field.
 
-    Each rod gives the part of m along it that the pseudo-inverse of the rods' directions tells, and at most ``limit``;
+    Each rod gives the part of m along it by the pseudo-inverse of the rods' directions, and at most ``limit``;
     a law beyond that is cut off for each rod.
 
     Args:

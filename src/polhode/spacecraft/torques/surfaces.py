@@ -35,7 +35,7 @@ PLATES: dict[str, Argument] = {
 
 
 class OrbitLimits(NamedTuple):
-    """What orbits are about the Earth."""
+    """Which orbits are about the Earth."""
 
     relative_parameter: float = 0.01  # difference of GM from the Earth's
 
@@ -44,7 +44,7 @@ LIMITS = OrbitLimits()
 
 
 class Plates(eqx.Module):
-    """Flat plates that see what comes from outside on one side, the side of their normal.
+    """Flat plates that a stream from outside meets on one side, the side of their normal.
 
     Attributes:
         areas: (n,) [m²].
@@ -60,8 +60,8 @@ class Plates(eqx.Module):
 class AbstractSurfaceTorque(AbstractEnvironmentTorque):
     """Forces on plates, of which none shades another; a box is six plates.
 
-    Each plate's force acts at its centre and depends on the cosine c between its normal and where the stream comes
-    from; turned away it has none.
+    Each plate's force acts at its centre and depends on the cosine c between its normal and the direction from which
+    the stream comes; on the far side there is none.
     """
 
     plates: eqx.AbstractVar[Plates]
@@ -89,7 +89,7 @@ class SolarPressure(AbstractSurfaceTorque):
 
     s of the light is reflected as by a mirror, d scattered evenly, and the rest absorbed. The direction of the Sun
     stays in space. On an orbit it is dark in the cylinder that the attracting body shades; between full light and full
-    shade, where a part of the Sun is seen, there is nothing: 8 s twice an orbit near the Earth, 2 min on a
+    shade, where a part of the Sun is visible, there is no transition: 8 s twice an orbit near the Earth, 2 min on a
     geostationary one.
 
     Args:
@@ -107,7 +107,7 @@ class SolarPressure(AbstractSurfaceTorque):
 
     Raises:
         InvalidInput: for plates that are not complete, reflectivities that together exceed one, an orbit of unknown
-            size or through what it goes round, or a radius without an orbit.
+            size or through the body that it goes round, or a radius without an orbit.
 
     Source: Markley & Crassidis, *Fundamentals of Spacecraft Attitude Determination and Control* (2014), eq. 3.167;
     Montenbruck & Gill, *Satellite Orbits* (2000), §3.4.2.
@@ -163,7 +163,7 @@ class SolarPressure(AbstractSurfaceTorque):
 
     @property
     def names_all_jumps(self) -> bool:
-        return self.orbit is None  # steps have to end where the shade does, and those places are looked for
+        return self.orbit is None  # steps have to end where the shade does, and those places are searched for
 
     def remark(self, times: Float64[Array, "time"]) -> str:
         if self.orbit is None:

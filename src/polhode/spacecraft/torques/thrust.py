@@ -1,4 +1,4 @@
-"""Torques of given size: thrusters that fire at given times, and what pushes all the time."""
+"""Torques of given size: thrusters that fire at given times, and constant couples."""
 
 from __future__ import annotations
 
@@ -110,14 +110,14 @@ class Thruster(AbstractTorque):
 
 
 class ConstantTorque(AbstractTorque):
-    """A couple that stays the same, as of a leak or a constant thrust, along the body or in space.
+    """A constant couple, as of a leak or a constant thrust, along the body or in space.
 
     Args:
         torque: (3,) [N m].
         frame: "body", if it turns with the body, or "space".
 
     Raises:
-        InvalidInput: for another frame, or what is not a vector.
+        InvalidInput: for another frame, or anything but a vector.
     """
 
     name: ClassVar[str] = "constant"
@@ -155,7 +155,7 @@ class ConstantTorque(AbstractTorque):
 class DumpingThrusters(AbstractTorque):
     """τ = −k h of thrusters in pairs, which take the momentum h = L − IΩ out of wheels where no field is strong enough.
 
-    Their pulses are much shorter than everything else here and averaged, so that they push as hard as is asked for, up
+    Their pulses are much shorter than everything else here and averaged, so that they deliver the command, up
     to a limit. Inside a dead band of h about each axis nothing fires: τ = −k (h − the nearest h in the band).
 
     Args:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def read(path: Path, kernels: Kernels) -> Trajectory:
-    """Return what a message tells about attitude, angular velocity and inertia."""
+    """Return the attitude, angular velocity and inertia of a message."""
     from polhode.spacecraft.formats.adm_state import read_acm
 
     return read_acm(path)

@@ -22,8 +22,8 @@ CLOCKS = (
 def words_for(names: Sequence[str]) -> Words | None:
     """Return the mapping of a table with one orientation; None for others."""
     quat = find_series(names, r"(^|[./])orientation[./]{}$", "xyzw")
-    found = (([find_one(names, name) for name in columns], unit) for columns, unit in CLOCKS)
-    clock = next((one for one in found if None not in one[0]), None)
+    present = (([find_one(names, name) for name in columns], unit) for columns, unit in CLOCKS)
+    clock = next((one for one in present if None not in one[0]), None)
     if quat is None or clock is None:
         return None
     columns, unit = clock

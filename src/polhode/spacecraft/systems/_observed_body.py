@@ -1,4 +1,4 @@
-"""What is seen of a body with mounts and torques along its given axes, and the limits of its actuators."""
+"""Vectors of a body with mounts and torques along its given axes, and the limits of its actuators."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from polhode.types import Array, Float64, Self
 States = Float64[Array, "*#batch n"]
 
 
-class AbstractSeenBody(AbstractPackedBody):
-    """A body whose vectors along the given axes can be asked for, and whose actuators may have limits."""
+class AbstractObservedBody(AbstractPackedBody):
+    """A body with its vectors along the given axes, whose actuators may have limits."""
 
     @abc.abstractmethod
     def _moment(self, body: BodyState) -> Any:
@@ -27,11 +27,11 @@ class AbstractSeenBody(AbstractPackedBody):
 
     @abc.abstractmethod
     def _momentary_inertia(self, now: Any) -> Array:
-        """Return the inertia (…, 3, 3) with all that turns by itself."""
+        """Return the inertia (…, 3, 3), parts that turn by themselves included."""
 
     @abc.abstractmethod
     def _torques_apart(self, t: Array, now: Any) -> list[tuple[Array, list[Array]]]:
-        """Return each torque about the centre of mass (…, 3), and what it is along the q of moving parts."""
+        """Return each torque about the centre of mass (…, 3), and the generalised force along the q of moving parts."""
 
     def as_given(self, state: States) -> BodyState:
         """Return a packed state taken apart, attitude and momentum along the given axes."""
@@ -42,7 +42,7 @@ class AbstractSeenBody(AbstractPackedBody):
         return self._moment(self.as_given(state)).velocity
 
     def stored(self, state: States) -> Float64[Array, "*batch 3"]:
-        """Return L − IΩ (…, 3), the momentum of what turns or moves against the body [kg m²/s, given axes]."""
+        """Return L − IΩ (…, 3), the momentum of parts that turn or move against the body [kg m²/s, given axes]."""
         return self._stored(self._moment(self.as_given(state)))
 
     def packed_as_given(
@@ -81,7 +81,7 @@ class AbstractSeenBody(AbstractPackedBody):
         return any(attachment.limited for attachment in chain(self.mounts, self.torques))
 
     def without_limits(self) -> Self:
-        """Return the same body, whose actuators give whatever they are asked for.
+        """Return this body with actuators without limits.
 
         Where ``load`` stays below one along its motion, that is the motion of the limited body too, and rates of change
         have no corners.
@@ -91,7 +91,7 @@ class AbstractSeenBody(AbstractPackedBody):
         return eqx.tree_at(lambda body: (body.mounts, body.torques), self, (mounts, torques))
 
     def load(self, t: Time, state: States) -> Float64[Array, "*batch"]:
-        """Return the largest of what actuators are asked for over their limits (…); above one a limit acts."""
+        """Return the largest demand on an actuator over its limit (…); above one a limit acts."""
         now, t = self._moment(self.as_given(state)), jnp.asarray(t)
         body, stored, largest = now.body, self._stored(now), jnp.zeros(now.velocity.shape[:-1])
         for attachment, own in zip((*self.mounts, *self.torques), (*body.mounts, *body.torques), strict=True):
