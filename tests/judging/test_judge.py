@@ -9,7 +9,7 @@ from judging import simulated_engines as engines
 from judging.simulated_engines import equations, explicit_euler, midpoint, product, rk4, semi_implicit, unit
 from polhode.errors import InvalidInput
 from polhode.judging import judge
-from polhode.judging._run import PERIODS, EngineRun, find_spin_end, measure_drift
+from polhode.judging._run import LIMITS, EngineRun, find_spin_end, measure_drift
 from polhode.judging._stepping import StateConvention, SteppedEngine
 
 MOMENTS = np.diag([1.0, 2.0, 3.0])
@@ -361,7 +361,7 @@ def test_where_a_spin_goes_is_not_said_of_a_part_of_a_swing():
     n = 21
     short = EngineRun(run.inertia, run.times[:n], run.attitude[:n], run.momentum[:n], run.eps, n - 1)
     assert find_spin_end(run).toward == "smaller moments"
-    assert find_spin_end(short).toward == "undecided" and short.periods < PERIODS < run.periods
+    assert find_spin_end(short).toward == "undecided" and short.periods < LIMITS.min_periods < run.periods
     drifts = [measure_drift(each.energy, each.turned, 1e-14, each.periods) for each in (short, run)]
     assert not drifts[0].is_seen and np.isnan(drifts[0].error)
     assert drifts[1].is_seen and drifts[1].per_radian < -30 * drifts[1].error

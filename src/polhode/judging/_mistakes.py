@@ -14,8 +14,6 @@ from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.types import Array, Float64
 
 VARIABLES, AXES = ("momentum", "angular velocity"), ("body", "space")
-TOLERANCE = 1e-12
-ALIGNED = 1e-9  # an attitude whose scalar part is this close to ±1 is the identity
 
 
 @dataclass(frozen=True)
@@ -74,14 +72,14 @@ class StateConvention:
 
 @dataclass(frozen=True)
 class EngineEquations:
-    """The equations that an engine solves, right as they stand by default: L̇ = g L × ω − c L, q̇ = f q (0, ω)/2.
+    """The equations that an engine solves, by default the right ones: L̇ = g L × ω − c L, q̇ = f q (0, ω)/2.
 
     Attributes:
         gyroscopic: g.
         factor: f.
         in_space: whether q̇ = f (0, ω) q/2, as if body rates were along space axes.
         damping: c [1/s].
-        frozen: whether L stays in space while ω = I⁻¹L is that of the start, in space: the inertia is not turned.
+        frozen: whether L stays in space while ω = I⁻¹L is constant in space, as if the inertia did not rotate.
         along_space: what the engine writes, "momentum" or "angular velocity", if it uses the body's inertia along space
             axes: L̇ = g L × ω and q̇ = (0, ω) q/2 with all components in space. Empty if it does not.
     """
@@ -126,12 +124,12 @@ class EngineEquations:
             first = rotation.rotate(attitude, inverse @ momentum if by_rate else momentum)
             first = inertia @ first if by_rate else first
         start = np.concatenate([attitude, first / size])
-        done = solve_ivp(slope, (times[0], times[-1]), start, "DOP853", t_eval=times, rtol=TOLERANCE, atol=1e-13)
+        done = solve_ivp(slope, (times[0], times[-1]), start, "DOP853", t_eval=times, rtol=1e-12, atol=1e-13)
         if not done.success:
             raise NotConverged(f"the equations could not be followed: {done.message}")
         q, L = done.y[:4].T, done.y[4:].T * size
         q = q / np.linalg.norm(q, axis=-1, keepdims=True)
-        if self.along_space:  # as a reader has it that turns what the engine writes
+        if self.along_space:  # as a reader decodes it, who rotates what the engine writes
             L = rotation.rotate(rotation.conjugate(q), L @ inverse if by_rate else L)
             L = L @ inertia if by_rate else L
         return q, np.asarray(L)
@@ -156,15 +154,15 @@ def list_convention_mistakes(declared: StateConvention) -> dict[str, StateConven
 def list_equation_mistakes(
     variable: str, attitude: Float64[Array, "4"], damping: float = 0.0
 ) -> dict[str, EngineEquations]:  # fmt: skip
-    """Return wrong equations that engines solve, by their names in words.
+    """Return wrong equations that engines solve, each under its name in words.
 
     Args:
         variable: which an engine writes, see ``StateConvention``.
-        attitude: (4,) of the start; if it is the identity, two of the mistakes are the same.
-        damping: rate at which |L| decays in the engine [1/s]; no damping is looked for where it is 0.
+        attitude: (4,) of the start; if it is the identity, two of the mistakes give equal states.
+        damping: rate at which |L| decays in the engine [1/s]; 0 leaves damping out.
     """
     kept = EngineEquations(gyroscopic=0.0, along_space=variable)
-    found = {
+    equations = {
         "gyroscopic term missing: ω constant along body axes": EngineEquations(gyroscopic=0.0),
         "inertia not turned with the body: ω constant while L is": EngineEquations(frozen=True),
         "inertia not turned with the body: used along space axes": kept,
@@ -174,13 +172,14 @@ def list_equation_mistakes(
         "factor ½ twice in the quaternion's rate": EngineEquations(factor=0.5),
         "rates along body axes turn the attitude as if along space axes": EngineEquations(in_space=True),
     }
-    if variable == "angular velocity":  # a body with one moment for all axes does just this
-        first, *others = found.items()
-        found = {"gyroscopic term missing, or one moment for all axes: ω constant along body axes": first[1],
-                 **dict(others)}  # fmt: skip
+    if variable == "angular velocity":  # equal moments give just such states
+        first, *others = equations.items()
+        equations = {"gyroscopic term missing, or one moment for all axes: ω constant along body axes": first[1],
+                     **dict(others)}  # fmt: skip
     # where the engine writes ω, it stays along body axes as well
-    if variable == "angular velocity" or abs(attitude[0]) > 1.0 - ALIGNED:
-        found = {name: one for name, one in found.items() if one is not kept}
+    rounding = 1e-9  # of the scalar part of the identity
+    if variable == "angular velocity" or abs(attitude[0]) > 1.0 - rounding:
+        equations = {name: one for name, one in equations.items() if one is not kept}
     if damping:
-        found[f"angular damping: L decays by {damping:.4g} of itself a second"] = EngineEquations(damping=damping)
-    return found
+        equations[f"angular damping: L decays by {damping:.4g} of itself a second"] = EngineEquations(damping=damping)
+    return equations

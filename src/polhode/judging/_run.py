@@ -13,19 +13,39 @@ from polhode.bodies._inertia import principal_axes
 from polhode.exact.free_body import FreeMotion
 from polhode.types import Array, Float64
 
-LOST = 0.5  # rad; an attitude that is further off follows another phase, and its error says nothing of its growth
-CLOSE = 0.02  # of 1/I1 − 1/I3: a spin whose 2E/|L|² is nearer to an axis's value has ended there
-PERIODS = 2.0  # of the polhode: in fewer a drift cannot be told from the swing within a period
-BLOCKS = 8  # equal parts of a run, whose means show a trend without the swing
-LARGE, FEWEST = 0.1, 16  # relative change up to which a drift has one rate, and samples that a line needs
-GROWN = 10.0  # times |L| at the start; an engine that lets it grow further follows no motion any more
-SPHERE = 1e-9  # of 1/I: a body whose moments differ by less has no axes to end at
-LEVEL = 0.25  # that an exponent of growth may miss a whole number by
+
+class RunThresholds(NamedTuple):
+    """Numbers that decide which drift, growth and end of a spin a run has.
+
+    Attributes:
+        max_attitude_error: rad; an attitude with a larger error has lost the phase, and says nothing of growth.
+        max_distance_from_axis: of 1/I1 − 1/I3; a spin whose 2E/|L|² is nearer to an axis's value has ended there.
+        min_periods: of the polhode; in fewer a drift cannot be distinguished from the swing within a period.
+        max_drift: relative change of an invariant up to which its drift has one rate.
+        min_samples: that a fitted line needs.
+        max_momentum_growth: times |L| at the start; an engine that lets it grow further follows no motion any more.
+        min_anisotropy: of 1/I; a body whose values of 1/I differ by less is a sphere, with no axes to end at.
+        exponent_tolerance: by which an exponent of growth may miss a whole number.
+        min_growth_samples: that an exponent of growth needs.
+    """
+
+    max_attitude_error: float = 0.5
+    max_distance_from_axis: float = 0.02
+    min_periods: float = 2.0
+    max_drift: float = 0.1
+    min_samples: int = 16
+    max_momentum_growth: float = 10.0
+    min_anisotropy: float = 1e-9
+    exponent_tolerance: float = 0.25
+    min_growth_samples: int = 8
+
+
+LIMITS = RunThresholds()
 
 
 @dataclass(frozen=True, eq=False)
 class EngineRun:
-    """States of a torque-free body as an engine gave them.
+    """States of a torque-free body that an engine computed.
 
     Attributes:
         inertia: (3, 3) about the centre of mass [kg m², body axes].
@@ -57,12 +77,12 @@ class EngineRun:
 
     @cached_property
     def turned(self) -> Float64[Array, "time"]:
-        """(T,) by how much the exact motion has turned since the start [rad]."""
+        """(T,) angle through which the exact motion has rotated since the start [rad]."""
         return turned_angle(self.motion, self.times)
 
     @cached_property
     def periods(self) -> float:
-        """How many periods of its polhode the run has; infinite where there is no polhode to go round."""
+        """The number of periods of its polhode in the run; infinite where the polhode is a point."""
         period = self.motion.period
         return np.inf if period is None else float(self.times[-1] - self.times[0]) / float(period)
 
@@ -83,7 +103,7 @@ class EngineRun:
 
     @cached_property
     def direction(self) -> Float64[Array, "time"]:
-        """(T,) by how much L has turned in space [rad]."""
+        """(T,) between L and L at the start, in space [rad]."""
         space = np.asarray(rotation.rotate(self.attitude, self.momentum))
         start = space[0]
         return np.arctan2(np.linalg.norm(np.cross(start, space), axis=-1), space @ start)
@@ -94,11 +114,11 @@ class Drift(NamedTuple):
 
     Attributes:
         change: from the first sample to the last, relative.
-        per_radian: slope of its best line, relative, a radian turned.
-        swing: half the range that is left about that line, relative.
-        is_seen: whether the line is more than the swing and than rounding.
-        error: of the slope, by how the means of eight parts of the run leave the line; NaN where it is not known, as
-            in a run of less than two periods of the polhode, in which only a change by more than a tenth is a drift.
+        per_radian: slope of the fitted line, relative, per radian of rotation.
+        swing: half the range of the residuals about that line, relative.
+        is_seen: whether the line changes by more than the swing and rounding.
+        error: of the slope, from the residuals of the means of eight parts of the run; NaN where it is not known, as in
+            a run of less than two periods of the polhode, in which only a change by more than a tenth is a drift.
     """
 
     change: float
@@ -109,13 +129,13 @@ class Drift(NamedTuple):
 
 
 class Growth(NamedTuple):
-    """How the attitude's error grows.
+    """Growth of the error of attitude.
 
     Attributes:
-        exponent: of the angle turned, between an eighth of the way and the end; None where rounding or loss hides it.
+        exponent: of the rotation angle, between an eighth of it and its end; None where rounding or loss hides it.
         word: "linear", "quadratic", "faster", "slower", "between linear and quadratic", "lost" or "rounding".
-        largest: error that is reached [rad].
-        lost_after: angle turned when the error passes 0.5 rad [rad]; None where it does not.
+        largest: error in the run [rad].
+        lost_after: rotation angle when the error passes 0.5 rad [rad]; None where it does not.
     """
 
     exponent: float | None
@@ -125,7 +145,7 @@ class Growth(NamedTuple):
 
 
 class SpinEnd(NamedTuple):
-    """Where a spin goes: 2E/|L|² is 1/I about a principal axis of moment I.
+    """Start and end of a spin by 2E/|L|², which is 1/I about a principal axis of moment I.
 
     Attributes:
         start, end: 2E/|L|² [1/(kg m²)].
@@ -163,87 +183,88 @@ def exact_motion(
 
 
 def turned_angle(motion: FreeMotion, times: Float64[Array, "time"]) -> Float64[Array, "time"]:
-    """Return by how much a motion has turned since the first of the times (T,) [rad], by its trapezoids."""
+    """Integrate |ω| from the first of the times (T,) to each of them, by the trapezoidal rule [rad]."""
     speed = np.linalg.norm(np.asarray(motion.angular_velocity(times)), axis=-1)
     parts = 0.5 * (speed[1:] + speed[:-1]) * np.abs(np.diff(times))
     return np.concatenate([[0.0], np.cumsum(parts)])
 
 
 def measure_drift(
-    values: Float64[Array, "time"], turned: Float64[Array, "time"], rounding: float, periods: float = np.inf
+    values: Float64[Array, "time"], angles: Float64[Array, "time"], rounding: float, periods: float = np.inf
 ) -> Drift:
-    """Return how an invariant drifts over the angle turned.
+    """Measure the drift of an invariant over the rotation angle.
 
-    A drift is seen where the slopes of both halves and of the whole have one sign and the line is longer than what
-    swings about it; an invariant that only swings, as those of symplectic methods do, has none. The line is that of the
-    time until the invariant has changed by a tenth for good; one that comes back swings.
+    A drift is measured where the slopes of both halves and of the whole have one sign and the line changes by more than
+    the residuals swing; an invariant that only swings, as those of symplectic methods do, has none. The line is fitted
+    to the time before the invariant has changed by a tenth for good; one that comes back swings.
 
     Args:
         values: (T,) of the invariant, the first not 0.
-        turned: (T,) rising [rad].
-        rounding: relative changes up to this are of rounding.
-        periods: of the polhode that the run has.
+        angles: (T,) of rotation, rising [rad].
+        rounding: largest relative change that rounding explains.
+        periods: of the polhode in the run.
 
     >>> import numpy as np
-    >>> turned = np.linspace(0.0, 100.0, 1001)
-    >>> found = measure_drift(1.0 - 1e-4 * turned + 1e-3 * np.sin(turned), turned, 1e-12)
-    >>> found.is_seen, round(found.per_radian, 5)
+    >>> angles = np.linspace(0.0, 100.0, 1001)
+    >>> drift = measure_drift(1.0 - 1e-4 * angles + 1e-3 * np.sin(angles), angles, 1e-12)
+    >>> drift.is_seen, round(drift.per_radian, 5)
     (True, -0.0001)
     """
     whole = values / values[0] - 1.0
-    out = np.flatnonzero(~(np.abs(whole) < LARGE))
-    # the rate is that before the state has changed; a spin that has ended, or an engine that has lost all, has no other
-    comes_back = len(out) > 0 and (np.abs(whole[out[0] :]) < LARGE / 2.0).any()
-    change = whole[: out[0]] if len(out) and out[0] >= FEWEST and not comes_back else whole
-    turned, last = turned[: len(change)], float(whole[-1])
-    if len(change) < FEWEST or not np.isfinite(change).all():
-        return Drift(last, last / float(turned[-1] or 1.0), 0.0, not abs(last) <= rounding)
-    slope, offset = np.polyfit(turned, change, 1)
-    left = change - (slope * turned + offset)
-    swing, line = 0.5 * float(np.ptp(left)), abs(float(slope)) * float(turned[-1])
+    out = np.flatnonzero(~(np.abs(whole) < LIMITS.max_drift))
+    # the rate is that before the large change; a spin that has ended, or an engine that has diverged, has none after it
+    comes_back = len(out) > 0 and (np.abs(whole[out[0] :]) < LIMITS.max_drift / 2.0).any()
+    change = whole[: out[0]] if len(out) and out[0] >= LIMITS.min_samples and not comes_back else whole
+    angles, last = angles[: len(change)], float(whole[-1])
+    if len(change) < LIMITS.min_samples or not np.isfinite(change).all():
+        return Drift(last, last / float(angles[-1] or 1.0), 0.0, not abs(last) <= rounding)
+    slope, offset = np.polyfit(angles, change, 1)
+    residuals = change - (slope * angles + offset)
+    swing, line = 0.5 * float(np.ptp(residuals)), abs(float(slope)) * float(angles[-1])
     middle = len(change) // 2
-    halves = [np.polyfit(turned[part], change[part], 1)[0] for part in (slice(None, middle), slice(middle, None))]
+    halves = [np.polyfit(angles[part], change[part], 1)[0] for part in (slice(None, middle), slice(middle, None))]
     one_way = min(float(np.sign(slope) * half) for half in halves) > 0.0
-    seen = one_way and line > max(swing, rounding)
-    if periods < PERIODS:
-        return Drift(last, float(slope), swing, bool(seen and len(out) > 0 and not comes_back))
-    return Drift(last, float(slope), swing, bool(seen), _slope_error(turned, left))
+    drifts = one_way and line > max(swing, rounding)
+    if periods < LIMITS.min_periods:
+        return Drift(last, float(slope), swing, bool(drifts and len(out) > 0 and not comes_back))
+    return Drift(last, float(slope), swing, bool(drifts), _slope_error(angles, residuals))
 
 
-def _slope_error(turned: Float64[Array, "time"], left: Float64[Array, "time"]) -> float:
-    """Return the standard error of a line's slope, of what is left about it, by the means of parts of the run."""
-    means = np.array([part.mean() for part in np.array_split(left, BLOCKS)])
-    at = np.array([part.mean() for part in np.array_split(turned, BLOCKS)])
+def _slope_error(angles: Float64[Array, "time"], residuals: Float64[Array, "time"]) -> float:
+    """Return the standard error of a line's slope by the means of residuals over parts of a run."""
+    blocks = 8
+    means = np.array([part.mean() for part in np.array_split(residuals, blocks)])
+    at = np.array([part.mean() for part in np.array_split(angles, blocks)])
     at -= at.mean()
-    return float(np.sqrt((means**2).sum() / (BLOCKS - 2) / (at @ at)))
+    return float(np.sqrt((means**2).sum() / (blocks - 2) / (at @ at)))
 
 
-def measure_growth(angle: Float64[Array, "time"], turned: Float64[Array, "time"], rounding: float) -> Growth:
-    """Return how an error of attitude (T,) [rad] grows with the angle turned (T,) [rad].
+def measure_growth(errors: Float64[Array, "time"], angles: Float64[Array, "time"], rounding: float) -> Growth:
+    """Measure how an error of attitude (T,) [rad] grows with the rotation angle (T,) [rad].
 
     The exponent is that of the largest error so far, by its logarithm, from an eighth of the way to where the
     attitude is lost. A method that keeps energy on average has 1, one whose frequency drifts has 2.
 
     Args:
-        angle: (T,) error [rad].
-        turned: (T,) rising [rad].
-        rounding: errors up to this are of rounding [rad].
+        errors: (T,) [rad].
+        angles: (T,) of rotation, rising [rad].
+        rounding: largest error that rounding explains [rad].
 
     >>> import numpy as np
-    >>> turned = np.linspace(0.0, 100.0, 1001)
-    >>> measure_growth(1e-5 * turned**2, turned, 1e-12).word
+    >>> angles = np.linspace(0.0, 100.0, 1001)
+    >>> measure_growth(1e-5 * angles**2, angles, 1e-12).word
     'quadratic'
     """
-    lost = np.flatnonzero(~(angle < LOST))
-    stop = int(lost[0]) if len(lost) else len(angle)
-    lost_after = float(turned[stop]) if len(lost) else None
-    finite = angle[np.isfinite(angle)]
-    largest = float(finite.max(initial=0.0)) if len(finite) == len(angle) else float("inf")
+    lost = np.flatnonzero(~(errors < LIMITS.max_attitude_error))
+    stop = int(lost[0]) if len(lost) else len(errors)
+    lost_after = float(angles[stop]) if len(lost) else None
+    finite = errors[np.isfinite(errors)]
+    largest = float(finite.max(initial=0.0)) if len(finite) == len(errors) else float("inf")
     if largest <= rounding:
         return Growth(None, "rounding", largest, None)
-    highest, along = np.maximum.accumulate(angle[:stop]), turned[:stop]
+    highest, along = np.maximum.accumulate(errors[:stop]), angles[:stop]
     used = (along >= along[-1] / 8.0) & (highest > rounding) & (along > 0.0)
-    if used.sum() < 8:
+    if used.sum() < LIMITS.min_growth_samples:
         return Growth(None, "lost" if len(lost) else "unknown", largest, lost_after)
     exponent = float(np.polyfit(np.log(along[used]), np.log(highest[used]), 1)[0])
     return Growth(exponent, _word_exponent(exponent), largest, lost_after)
@@ -251,7 +272,7 @@ def measure_growth(angle: Float64[Array, "time"], turned: Float64[Array, "time"]
 
 def _word_exponent(exponent: float) -> str:
     for power, word in ((1.0, "linear"), (2.0, "quadratic")):
-        if abs(exponent - power) <= LEVEL:
+        if abs(exponent - power) <= LIMITS.exponent_tolerance:
             return word
     if exponent < 1.0:
         return "slower than linear"
@@ -259,7 +280,7 @@ def _word_exponent(exponent: float) -> str:
 
 
 def find_spin_end(run: EngineRun) -> SpinEnd:
-    """Return where a spin goes under an engine's own errors, by 2E/|L|² at the start and at the end.
+    """Return where a spin drifts under an engine's own errors, by 2E/|L|² at the start and at the end.
 
     It moves where the mean of the last eighth, or of the last period of the polhode if this is longer, leaves the start
     by more than it swings and by more than rounding. It has ended where it moved by 2% of the range, and both of the
@@ -268,10 +289,11 @@ def find_spin_end(run: EngineRun) -> SpinEnd:
     moments = np.linalg.eigvalsh(run.inertia)
     with np.errstate(all="ignore"):
         ratio = 2.0 * run.energy / run.momentum_norm**2
-        grown = np.flatnonzero(~(np.isfinite(ratio) & (run.momentum_norm < GROWN * run.momentum_norm[0])))
+        largest = LIMITS.max_momentum_growth * run.momentum_norm[0]
+        grown = np.flatnonzero(~(np.isfinite(ratio) & (run.momentum_norm < largest)))
     whole = len(ratio)
     ratio = ratio[: grown[0]] if len(grown) else ratio
-    if len(ratio) < FEWEST:
+    if len(ratio) < LIMITS.min_samples:
         return SpinEnd(float(ratio[0]), float("nan"), "unknown")
     periods = run.periods * len(ratio) / whole
     size = max(2, len(ratio) // 8, min(len(ratio) // 2, int(np.ceil(len(ratio) / max(periods, 1.0)))))
@@ -281,13 +303,14 @@ def find_spin_end(run: EngineRun) -> SpinEnd:
     swing = 0.5 * max(float(np.ptp(first)), float(np.ptp(last)))
     moved = end - float(first.mean())
     stays = abs(end - start) <= max(swing, run.eps * run.steps * end) or moved * (end - start) <= 0.0
-    if stays or span <= SPHERE * end:
+    if stays or span <= LIMITS.min_anisotropy * end:
         return SpinEnd(start, end, "none")
+    reach = LIMITS.max_distance_from_axis * span
     values = {"least": 1.0 / moments[0], "middle": 1.0 / moments[1], "largest": 1.0 / moments[2]}
     for name, value in values.items():
-        nearer = abs(end - value) + CLOSE * span < abs(start - value)
-        if nearer and max(abs(end - value), abs(float(before.mean()) - value)) <= CLOSE * span:
+        nearer = abs(end - value) + reach < abs(start - value)
+        if nearer and max(abs(end - value), abs(float(before.mean()) - value)) <= reach:
             return SpinEnd(start, end, name)
-    if periods < PERIODS:
+    if periods < LIMITS.min_periods:
         return SpinEnd(start, end, "undecided")
     return SpinEnd(start, end, "larger moments" if end < start else "smaller moments")

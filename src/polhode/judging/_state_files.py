@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,12 +21,34 @@ from polhode.judging.motion_table import reference_motions
 from polhode.types import Array, Float64
 
 FORMAT, VERSION = "polhode engine states", 1
-LARGEST = 512 * 1024 * 1024
-HUGE = 1e150  # beyond which squares leave double precision
 RATES = {"momenta": "momentum", "angular_velocities": "angular velocity"}
 START = ("inertia", "attitude", "momentum", "angular_velocity")
 TOP = ("format", "version", "engine", "axes", "dt", "runs")
 OF_RUN = ("motion", *START, "dt", "axes", "times", "attitudes", *RATES)
+
+
+class StateFileThresholds(NamedTuple):
+    """Numbers that decide what is refused of a file of states.
+
+    Attributes:
+        max_bytes: of a file, which is read into memory.
+        max_number: of a state; squares of larger ones leave double precision.
+        max_step: s, beyond which times are not finite.
+        length_tolerance: by which the length of a quaternion may miss 1, as a method without normalization makes it.
+        start_length_tolerance: by which that of the start may miss it, where no method has changed it.
+        tensor_tolerance: of the largest entry, by which a tensor may be asymmetric or miss I1 + I2 ≥ I3, as printed
+            digits make it.
+    """
+
+    max_bytes: int = 512 * 1024 * 1024
+    max_number: float = 1e150
+    max_step: float = 1e300
+    length_tolerance: float = 1e-2
+    start_length_tolerance: float = 1e-6
+    tensor_tolerance: float = 1e-6
+
+
+LIMITS = StateFileThresholds()
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +112,7 @@ class WrittenStates:
 
     @property
     def label(self) -> str:
-        """What the run is called where it stands for itself, and not for its motion."""
+        """The name of the run where its motion is judged by several runs singly."""
         return _label(self.number, self.given.name)
 
 
@@ -114,7 +136,7 @@ def read_engine_states(
         FormatError: for what is not JSON of this format and version, and for keys at the top that it does not have.
     """
     try:
-        table = json.loads(read_text(path, "JSON", LARGEST))
+        table = json.loads(read_text(path, "JSON", LIMITS.max_bytes))
     except (ValueError, RecursionError) as error:
         if isinstance(error, InvalidInput):
             raise
@@ -132,13 +154,13 @@ def read_engine_states(
     runs = table.get("runs")
     if not isinstance(runs, list) or not runs:
         raise FormatError(f"{path}: `runs` must be a list of runs, one at least; got {shown(runs)}.")
-    found, refused = [], []
+    states, refused = [], []
     for number, run in enumerate(runs, 1):
         try:
-            found.append(_read_run(run, table, of_spec, number))
+            states.append(_read_run(run, table, of_spec, number))
         except InvalidInput as error:
             refused.append((_label(number, run.get("motion") if isinstance(run, dict) else None), str(error)))
-    return str(table.get("engine", path.stem)), found, refused
+    return str(table.get("engine", path.stem)), states, refused
 
 
 def checked_tensor(inertia: Any) -> Float64[Array, "3 3"]:
@@ -153,23 +175,23 @@ def checked_tensor(inertia: Any) -> Float64[Array, "3 3"]:
         values = np.empty(0)
     tensor = np.diag(values) if values.shape == (3,) else values
     square = tensor.shape == (3, 3) and np.isfinite(tensor).all()
-    if not square or np.abs(tensor - tensor.T).max() > 1e-6 * np.abs(tensor).max():
+    if not square or np.abs(tensor - tensor.T).max() > LIMITS.tensor_tolerance * np.abs(tensor).max():
         raise InvalidInput(f"`inertia` must be three moments or a symmetric (3, 3) tensor; got {shown(inertia)}.")
     tensor = 0.5 * (tensor + tensor.T)
     moments, _ = principal_axes(tensor)
-    if not (moments[0] > 0.0 and moments[0] + moments[1] >= moments[2] * (1.0 - 1e-6)):
+    if not (moments[0] > 0.0 and moments[0] + moments[1] >= moments[2] * (1.0 - LIMITS.tensor_tolerance)):
         got = ", ".join(f"{x:.6g}" for x in moments)
         raise InvalidInput(f"`inertia` must have positive moments with I1 + I2 ≥ I3; got ({got}). Check its entries.")
     return tensor
 
 
 def _without_null(table: dict[str, Any]) -> dict[str, Any]:
-    """Return a table without the keys whose value is null, as languages write fields that are not set."""
+    """Return a table without the keys whose value is null, as some languages write unset fields."""
     return {key: value for key, value in table.items() if value is not None}
 
 
 def _word_unknown(table: dict[str, Any], known: Sequence[str], elsewhere: Sequence[str], place: str) -> str:
-    """Return the keys of a table that are not known, with what may be meant, in words; nothing where all are."""
+    """Return in words the unknown keys of a table, with what may be meant; nothing without any."""
     said = []
     for key in (key for key in table if key not in known):
         near = difflib.get_close_matches(key, known, 1)
@@ -193,11 +215,11 @@ def _read_run(run: Any, table: dict[str, Any], of_spec: GivenMotion | None, numb
         raise InvalidInput(f"`times` must be four or more, rising, from 0 or later; got {shown(times.tolist()[:6])}.")
     q, rates = _finite_states(run, "attitudes", times, 4), _finite_states(run, named[0], times, 3)
     lengths = np.linalg.norm(q, axis=-1)
-    if np.abs(lengths - 1.0).max() > 1e-2:
+    if np.abs(lengths - 1.0).max() > LIMITS.length_tolerance:
         got = f"{lengths[np.abs(lengths - 1.0).argmax()]:.4g}"
         raise InvalidInput(f"`attitudes` must be quaternions of length 1; got length {got}. Divide each by its norm.")
     dt = run.get("dt", table.get("dt"))
-    if dt is not None and (isinstance(dt, bool) or not (isinstance(dt, int | float) and 0.0 < dt < 1e300)):
+    if dt is not None and (isinstance(dt, bool) or not (isinstance(dt, int | float) and 0.0 < dt < LIMITS.max_step)):
         raise InvalidInput(f"`dt` must be a positive time in seconds; got {shown(dt)}. Leave it out if it varies.")
     convention = StateConvention(RATES[named[0]], str(run.get("axes", table.get("axes", "body"))))
     late = times > 0.0
@@ -206,12 +228,13 @@ def _read_run(run: Any, table: dict[str, Any], of_spec: GivenMotion | None, numb
 
 def _finite_states(run: dict[str, Any], key: str, times: Float64[Array, "time"], size: int) -> Float64[Array, "time n"]:
     values = _numbers(run, key, (len(times), size))
-    bad = np.flatnonzero(~(np.abs(values) < HUGE).all(axis=-1))
+    bad = np.flatnonzero(~(np.abs(values) < LIMITS.max_number).all(axis=-1))
     if len(bad):
         first = int(bad[0])
         # as the file has it, where NumPy would write null as nan
         got = f"{json.dumps(run[key][first])} in state {first + 1}, at t = {times[first]:.6g} s"
-        raise InvalidInput(f"`{key}` must be finite numbers below {HUGE:g}; got {got}. Leave out what follows.")
+        raise InvalidInput(f"`{key}` must be finite numbers below {LIMITS.max_number:g}; got {got}. Leave out what "
+                           "follows.")  # fmt: skip
     return values
 
 
@@ -234,7 +257,7 @@ def _given_motion(run: dict[str, Any], of_spec: GivenMotion | None, label: str) 
     if "inertia" in run:
         inertia = checked_tensor(run["inertia"])
         attitude = _numbers(run, "attitude", (4,))
-        if not abs(np.linalg.norm(attitude) - 1.0) <= 1e-6:
+        if not abs(np.linalg.norm(attitude) - 1.0) <= LIMITS.start_length_tolerance:
             raise InvalidInput(f"`attitude` must have length 1; got {shown(run['attitude'])}. Divide it by its norm.")
         by_rate = "angular_velocity" in run
         momentum = inertia @ _numbers(run, "angular_velocity", (3,)) if by_rate else _numbers(run, "momentum", (3,))

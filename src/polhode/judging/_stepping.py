@@ -1,4 +1,4 @@
-"""Lets a user's step function run: in the convention that it was declared to have, or in another that it may mean."""
+"""Runs a user's step function in its declared convention, or in another one that it may follow."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -16,9 +16,23 @@ from polhode.judging._run import EngineRun
 from polhode.types import Array, Float64
 
 Step = Callable[[Any, Any, float], tuple[Any, Any]]
-FEWEST = 12  # different numbers, from which on their digits tell how they were printed
-MOST_DIGITS = 9  # significant ones; more are as good as all
-LENGTH = 1e-5  # by which a quaternion's length may miss 1 before a report says so
+
+
+class SteppingThresholds(NamedTuple):
+    """Numbers that decide what is said of an engine's numbers.
+
+    Attributes:
+        min_numbers: different ones, whose digits show how they were printed; fewer may be short by chance.
+        max_printed_digits: significant ones; those of more digits count as exact, as rounding is then negligible.
+        length_tolerance: by which a quaternion's length may miss 1 without a word in the report.
+    """
+
+    min_numbers: int = 12
+    max_printed_digits: int = 9
+    length_tolerance: float = 1e-5
+
+
+LIMITS = SteppingThresholds()
 
 
 @dataclass(frozen=True)
@@ -125,7 +139,7 @@ class SteppedEngine:
 
 
 def _find_fault(q: Any, rate: Any) -> str:
-    """Return what keeps an answer from being a state, in words; nothing for a state."""
+    """Return in words why an answer is no state; nothing for a state."""
     # of every step, so that a report can name the first: the squares are quicker than a look at each number
     if 0.0 < np.dot(q, q) < np.inf and np.dot(rate, rate) < np.inf:
         return ""
@@ -138,10 +152,10 @@ def _find_fault(q: Any, rate: Any) -> str:
 
 
 def find_length_change(lengths: Float64[Array, "time"], eps: float) -> float:
-    """Return by how much a quaternion's length is off 1 where it is most, with its sign; 0 for a length that stays."""
+    """Return the largest deviation of a quaternion's length from 1, with its sign; 0 within tolerance."""
     change = lengths - 1.0
     worst = float(change[np.abs(change).argmax()])
-    return worst if abs(worst) > max(LENGTH, 8.0 * eps) else 0.0
+    return worst if abs(worst) > max(LIMITS.length_tolerance, 8.0 * eps) else 0.0
 
 
 def _check_answer(answer: Any) -> tuple[Any, Any]:
@@ -154,25 +168,25 @@ def _check_answer(answer: Any) -> tuple[Any, Any]:
 
 
 def find_printed_unit(values: Float64[Array, "..."]) -> float:
-    """Return the unit of the last digit with which numbers were printed, of the largest of them; 0 for all digits.
+    """Return the unit of the last printed digit of the largest number; 0 where numbers have all digits.
 
-    Few different numbers, such as those of a momentum that stays, tell nothing of digits.
+    Few different numbers, such as those of a constant momentum, do not show how many digits were printed.
     """
     numbers = np.unique(np.abs(values[values != 0.0]))
-    if len(numbers) < FEWEST:
+    if len(numbers) < LIMITS.min_numbers:
         return 0.0
     digits = 0
     for number in numbers.tolist():
         digits = max(digits, len(Decimal(repr(number)).normalize().as_tuple().digits))
-        if digits > MOST_DIGITS:
+        if digits > LIMITS.max_printed_digits:
             return 0.0
     return 10.0 ** (math.floor(math.log10(numbers[-1])) + 1 - digits)
 
 
 def find_eps(*values: Any) -> float:
-    """Return the rounding unit of numbers: that of their type, or of float32 where all of them are numbers of it.
+    """Return the rounding unit of numbers: that of their type, or of float32 where float32 holds all of them.
 
-    Numbers of float32 are also recognized when they were printed with the nine digits that tell them apart.
+    Numbers of float32 are also recognized when they were printed with the nine digits that distinguish them.
     """
     types = [np.asarray(value).dtype for value in values]
     coarsest = max((np.finfo(t).eps for t in types if np.issubdtype(t, np.floating)), default=np.finfo(float).eps)

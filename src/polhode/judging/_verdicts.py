@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from polhode import rotation
-from polhode.judging._convergence import SEEN, Convergence, departures, judge_convergence
+from polhode.judging._convergence import LIMITS as CONVERGENCE
+from polhode.judging._convergence import Convergence, departures, judge_convergence
 from polhode.judging._mistakes import (
     EngineEquations,
     StateConvention,
@@ -33,24 +34,42 @@ from polhode.types import Array, Float64
 START = np.array([0.8, -0.5, 0.3]) / np.sqrt(0.98)
 """Direction of L along the principal axes that is near none of them."""
 TURN = np.array([0.1, -0.7, 0.5, 0.5])
-RADIANS = 3.0  # that short runs turn
-SAMPLES = 12  # of them
-MOST_HALVINGS = 6
-CLEAR = 10.0  # times what a limit is unsure by: a limit so far from the exact motion will not come back
 GIVEN = "the given start"
-KEPT = 4000  # samples of a long run, at most
-NEAR = 0.3  # rad between an axis and L where spins start, to see where they end
+
+
+class VerdictThresholds(NamedTuple):
+    """Numbers that decide how long an engine is run before its verdict.
+
+    Attributes:
+        short_run: rad, through which the body rotates in a short run: enough for each mistake to show, and before
+            errors of an unstable motion grow.
+        short_run_samples: times of a short run at which states are compared.
+        max_halvings: of the step.
+        clear_distance: times the uncertainty of a limit; one so far from the exact motion will not come back to it.
+        max_samples: of a long run.
+        start_from_axis: rad between an axis and L, at the start of the long runs that show where spins end.
+    """
+
+    short_run: float = 3.0
+    short_run_samples: int = 12
+    max_halvings: int = 6
+    clear_distance: float = 10.0
+    max_samples: int = 4000
+    start_from_axis: float = 0.3
+
+
+LIMITS = VerdictThresholds()
 
 
 @dataclass(frozen=True, eq=False)
 class Judgement:
-    """What was found of one engine in one motion.
+    """The judgement of one engine in one motion.
 
     Attributes:
         name: of the motion.
         run: states of the long run, up to the first that is not finite.
         dt: its step [s]; None where it is not known.
-        right: whether the engine solves the equations of a free body; None where its states do not tell.
+        right: whether the engine solves the equations of a free body; None where its states do not decide it.
         convergence: what halved steps showed; None where the engine gave only one step.
         mistakes: each, in words, makes the engine right; empty for a right engine and for an unexplained one.
         unseen: mistakes that this motion cannot show.
@@ -61,7 +80,7 @@ class Judgement:
         residual, allowed: of a judgement by one step, the largest departure and what the step explains.
         explained: with the first of the mistakes, what halved steps show, or by one step the largest departure.
         stops: where long runs no longer give states, by where they begin; empty where all do to the end.
-        length_change: by how much the quaternion's length is off 1 where it is most, with its sign; 0 where it stays.
+        length_change: largest deviation of the quaternion's length from 1, with its sign; 0 within tolerance.
         motion: which of the motions of the report, counted from 0; some runs of one motion are judged singly.
     """
 
@@ -105,14 +124,14 @@ def judge_engine(
     span = _short_span(engine.inertia, attitude, momentum, dt)
     convergence = converge(engine, attitude, momentum, dt, span)
     explained = {} if convergence.converges else find_mistakes(engine, attitude, momentum, dt, span)
-    every = max(1, -(-steps // KEPT))
+    every = max(1, -(-steps // LIMITS.max_samples))
     count = -(-steps // every) * every
     starts = {GIVEN: momentum, **near_axes(engine.inertia, float(np.linalg.norm(momentum)))}
     whole = {name: engine.run(attitude, L, dt, count, every) for name, L in starts.items()}
     stops = {name: run.stop for name, run in whole.items() if run.stop is not None}
     runs = {name: run.finite_part() for name, run in whole.items()}
     ends = {name: find_spin_end(run) for name, run in runs.items()}
-    unseen = find_unseen(engine.convention, engine.inertia, attitude, momentum, span * np.arange(SAMPLES + 1) / SAMPLES)
+    unseen = find_unseen(engine.convention, engine.inertia, attitude, momentum, _short_times(span))
     run, right = runs[GIVEN], None if convergence.open and not explained else convergence.converges
     return Judgement(GIVEN, run, dt, right, convergence, tuple(explained), unseen, *measure(run), ends,
                      dict(runs), explained=next(iter(explained.values()), None), stops=stops,
@@ -129,51 +148,52 @@ def measure(run: EngineRun) -> tuple[Drift, Drift, Growth]:
 
 
 def near_axes(inertia: Float64[Array, "3 3"], size: float) -> dict[str, Float64[Array, "3"]]:
-    """Return momenta (3,) of a size, 0.3 rad from the axes of least and of largest moment, by what they are near to."""
+    """Return momenta (3,) of a size, 0.3 rad from the axes of least and of largest moment, by name."""
     _, axes = np.linalg.eigh(inertia)
-    off = NEAR * np.array([0.6, 0.8])
-    along = {"near the axis of least moment": (np.cos(NEAR), *np.sin(NEAR) * off / NEAR),
-             "near the axis of largest moment": (*np.sin(NEAR) * off / NEAR, np.cos(NEAR))}  # fmt: skip
+    tilt = LIMITS.start_from_axis
+    off = tilt * np.array([0.6, 0.8])
+    along = {"near the axis of least moment": (np.cos(tilt), *np.sin(tilt) * off / tilt),
+             "near the axis of largest moment": (*np.sin(tilt) * off / tilt, np.cos(tilt))}  # fmt: skip
     return {name: size * axes @ np.array(direction) for name, direction in along.items()}
 
 
 def converge(
     engine: SteppedEngine, attitude: Float64[Array, "4"], momentum: Float64[Array, "3"], dt: float, span: float,
-    equations: EngineEquations | None = None, most: int = MOST_HALVINGS,
+    equations: EngineEquations | None = None, max_halvings: int = LIMITS.max_halvings,
 ) -> Convergence:
     """Return whether the engine converges, to the exact motion or to what wrong equations give.
 
-    Steps are halved from ``dt`` until it does, ``most`` times at most.
+    Steps are halved from ``dt`` until it does, or ``max_halvings`` times.
     """  # fmt: skip
-    times = span * np.arange(SAMPLES + 1) / SAMPLES
+    times, samples = _short_times(span), LIMITS.short_run_samples
     motion = exact_motion(engine.inertia, attitude, momentum)
     if equations is None:
         exact = np.asarray(motion.attitude(times)), np.asarray(motion.momentum(times))
     else:
         exact = equations.solve(engine.inertia, attitude, momentum, times)
-    turned = float(turned_angle(motion, times)[-1])
+    rotation_angle = float(turned_angle(motion, times)[-1])
     levels, floors = [], []
-    found = Convergence(False, None, (), None, np.inf)
-    for halvings in range(most + 1):
-        every = round(span / SAMPLES / dt) * 2**halvings
-        run = engine.run(attitude, momentum, span / (SAMPLES * every), SAMPLES * every, every)
+    result = Convergence(False, None, (), None, np.inf)
+    for halvings in range(max_halvings + 1):
+        every = round(span / samples / dt) * 2**halvings
+        run = engine.run(attitude, momentum, span / (samples * every), samples * every, every)
         with np.errstate(all="ignore"):
             levels.append(departures(run.attitude, run.momentum, *exact)[1:])
         # rounding of each step adds up, at worst in one direction; equations are solved to 1e-11
         floors.append(run.eps * (16.0 + run.steps / 2.0) + (0.0 if equations is None else 1e-10))
-        found = judge_convergence(levels, floors, turned)
-        known = found.unsure <= SEEN * max(turned, 1.0)
-        if found.converges or (known and (found.limit or 0.0) > CLEAR * found.unsure):
+        result = judge_convergence(levels, floors, rotation_angle)
+        resolved = result.unsure <= CONVERGENCE.max_uncertainty * max(rotation_angle, 1.0)
+        if result.converges or (resolved and (result.limit or 0.0) > LIMITS.clear_distance * result.unsure):
             break
-    return found
+    return result
 
 
 def find_mistakes(
     engine: SteppedEngine, attitude: Float64[Array, "4"], momentum: Float64[Array, "3"], dt: float, span: float
 ) -> dict[str, Convergence]:
-    """Return the mistakes of which any one explains all that the engine does: how it converges with each.
+    """Return each mistake that alone explains the engine, and how the engine converges with it.
 
-    A pair of mistakes is looked for only where no single one is enough.
+    Pairs of mistakes are tried only where no single one explains it.
     """
     conventions = list_convention_mistakes(engine.convention)
     pairs = {name: other for name, other in conventions.items() if " and " in name}
@@ -181,15 +201,15 @@ def find_mistakes(
     damping = _measure_damping(engine, attitude, momentum, dt, span)
 
     def explain(others: Mapping[str, StateConvention | EngineEquations]) -> dict[str, Convergence]:
-        found = {}
+        tried = {}
         for name, other in others.items():
             by_convention = isinstance(other, StateConvention)
             meant = replace(engine, convention=other) if by_convention else engine
             try:
-                found[name] = converge(meant, attitude, momentum, dt, span, None if by_convention else other)
+                tried[name] = converge(meant, attitude, momentum, dt, span, None if by_convention else other)
             except Exception:  # an engine may refuse, in any way, states in a convention that is not its own
                 continue
-        return {name: one for name, one in found.items() if one.converges}
+        return {name: one for name, one in tried.items() if one.converges}
 
     equations = list_equation_mistakes(engine.convention.variable, attitude, damping)
     return explain({**single, **equations}) or explain(pairs)
@@ -199,20 +219,20 @@ def find_unseen(
     convention: StateConvention, inertia: Float64[Array, "3 3"], attitude: Float64[Array, "4"],
     momentum: Float64[Array, "3"], times: Float64[Array, "time"],
 ) -> tuple[str, ...]:
-    """Return the mistakes that would leave the states of this motion as they are, so that it cannot show them."""
+    """Return the mistakes that do not change the states of this motion, so that it cannot show them."""
     motion = exact_motion(inertia, attitude, momentum, float(times[0]))
     exact = np.asarray(motion.attitude(times)), np.asarray(motion.momentum(times))
-    bound = SEEN * max(1.0, float(turned_angle(motion, times)[-1]))
-    found = []
+    bound = CONVERGENCE.max_uncertainty * max(1.0, float(turned_angle(motion, times)[-1]))
+    hidden = []
     for name, other in list_convention_mistakes(convention).items():
         if " and " not in name:
             states = other.decode(*convention.encode(*exact, inertia), inertia)
             if np.abs(departures(*states, *exact)).max() <= bound:
-                found.append(name)
+                hidden.append(name)
     for name, equations in list_equation_mistakes(convention.variable, attitude).items():
         if np.abs(departures(*equations.solve(inertia, attitude, momentum, times), *exact)).max() <= bound:
-            found.append(name)
-    return tuple(found)
+            hidden.append(name)
+    return tuple(hidden)
 
 
 def _measure_damping(
@@ -220,12 +240,13 @@ def _measure_damping(
 ) -> float:
     """Return the rate at which |L| decays in the limit of short steps [1/s], 0 where it does not."""
     rates: list[Any] = []
+    samples = LIMITS.short_run_samples
     for halvings in (3, 4, 5):
-        every = round(span / SAMPLES / dt) * 2**halvings
-        run = engine.run(attitude, momentum, span / (SAMPLES * every), SAMPLES * every, every)
+        every = round(span / samples / dt) * 2**halvings
+        run = engine.run(attitude, momentum, span / (samples * every), samples * every, every)
         with np.errstate(all="ignore"):
             rates.append(-np.log(run.momentum_norm[-1] / run.momentum_norm[0]) / span)
-    # errors of the first order in the step, of which the limit is free
+    # extrapolated, as the errors are of first order in the step
     limit, earlier = 2.0 * rates[2] - rates[1], 2.0 * rates[1] - rates[0]
     return float(limit) if np.isfinite(limit) and abs(limit) > 4.0 * abs(limit - earlier) + 1e-6 / span else 0.0
 
@@ -233,13 +254,17 @@ def _measure_damping(
 def _short_span(
     inertia: Float64[Array, "3 3"], attitude: Float64[Array, "4"], momentum: Float64[Array, "3"], dt: float
 ) -> float:
-    """Return a time in which the body turns by some radians, so many whole steps [s]."""
-    rate = float(np.linalg.norm(np.linalg.solve(inertia, momentum)))
-    return SAMPLES * dt * max(1, round(RADIANS / rate / dt / SAMPLES))
+    """Return the time of a short run, a whole number of steps between samples [s]."""
+    rate, samples = float(np.linalg.norm(np.linalg.solve(inertia, momentum))), LIMITS.short_run_samples
+    return samples * dt * max(1, round(LIMITS.short_run / rate / dt / samples))
+
+
+def _short_times(span: float) -> Float64[Array, "time"]:
+    return span * np.arange(LIMITS.short_run_samples + 1) / LIMITS.short_run_samples
 
 
 def default_start(inertia: Float64[Array, "3 3"]) -> tuple[Float64[Array, "4"], Float64[Array, "3"]]:
-    """Return attitude (4,) and momentum (3,, body axes) for a body: near no axis, a radian a second."""
+    """Return attitude (4,) and momentum (3,, body axes) for a body: far from each axis, at one radian per second."""
     _, axes = np.linalg.eigh(inertia)
     direction = axes @ START
     rate = float(np.linalg.norm(np.linalg.solve(inertia, direction)))

@@ -13,14 +13,11 @@ from polhode.figures import style
 from polhode.judging._run import EngineRun
 from polhode.types import Array
 
-LEAST = 1e-17  # rad or relative: where zero is drawn, on an axis that has none
-LARGE = 0.1  # relative change of an invariant after which an engine's way may be any
-STAYS = 1e-12  # relative change of an invariant that is rounding
 COLOURS = (style.BLUE, style.ORANGE, style.PURPLE)
 
 
 def engine_errors(run: EngineRun, name: str = "", runs: Mapping[str, EngineRun] | None = None) -> Figure:
-    """Return the error of attitude over the angle turned, the relative change of E and |L|, and 2E/|L|² of each spin.
+    """Return the error of attitude over the rotation angle, the relative change of E and |L|, and 2E/|L|² of each spin.
 
     Args:
         run: states of the engine, with the exact motion.
@@ -39,10 +36,11 @@ def engine_errors(run: EngineRun, name: str = "", runs: Mapping[str, EngineRun] 
     with np.errstate(all="ignore"):
         for values, word, colour in ((run.energy, "energy", style.GREEN), (run.momentum_norm, "|L|", style.ORANGE)):
             change = values / values[0] - 1.0
-            # which way it goes is seen before it has changed much: an engine that lets go may end anywhere
-            out = np.flatnonzero(~(np.abs(change) < LARGE))
+            # the sign is that before a large change, after which a diverging engine may end anywhere
+            large, rounding = 0.1, 1e-12
+            out = np.flatnonzero(~(np.abs(change) < large))
             verb = "grows" if change[out[0] - 1 if len(out) and out[0] > 1 else -1] > 0.0 else "falls"
-            label = f"{word} {verb}" if len(out) or np.abs(change).max() > STAYS else f"{word} stays"
+            label = f"{word} {verb}" if len(out) or np.abs(change).max() > rounding else f"{word} stays"
             _plot(middle, run.turned, np.abs(change), color=colour, label=label)
     middle.set_ylabel("change, relative")
     for axes in (upper, middle):
@@ -59,9 +57,10 @@ def engine_errors(run: EngineRun, name: str = "", runs: Mapping[str, EngineRun] 
     return figure
 
 
-def _plot(axes: Axes, turned: Array, values: Array, **look: str) -> None:
-    finite = np.isfinite(values) & (turned > 0.0)
-    axes.plot(turned[finite], np.maximum(values[finite], LEAST), lw=0.9, **look)  # type: ignore[arg-type]
+def _plot(axes: Axes, angles: Array, values: Array, **look: str) -> None:
+    finite = np.isfinite(values) & (angles > 0.0)
+    drawn_zero = 1e-17  # rad or relative, on a logarithmic axis
+    axes.plot(angles[finite], np.maximum(values[finite], drawn_zero), lw=0.9, **look)  # type: ignore[arg-type]
 
 
 def _plot_ratios(axes: Axes, runs: Mapping[str, EngineRun]) -> None:

@@ -24,7 +24,7 @@ ORDERS = (1, 2, 4)
 
 @dataclass(frozen=True, eq=False)
 class FixedStepCase:
-    """One case: what is given are numbers of float32, held as doubles; vectors are along the body's axes.
+    """One case: its given values are float32 numbers, kept as doubles; vectors are along the body's axes.
 
     Attributes:
         name: different for every case.
@@ -32,10 +32,10 @@ class FixedStepCase:
         attitude: (4,) at the start, unit quaternion wxyz, body → space.
         angular_velocity, momentum: (3,) at the start [rad/s, kg m²/s].
         dt: of a step [s].
-        steps: (K,) numbers of steps after which states are known.
+        steps: (K,) numbers of steps after which exact states are given.
         attitudes, momenta: (K, 4) and (K, 3), exact.
-        attitude_thresholds, momentum_thresholds: by the order of a method, 1, 2 or 4, (K,) what it may be off by in
-            float32 [rad, relative to |L|]; twice what a plain method of that order is.
+        attitude_thresholds, momentum_thresholds: by the order of a method, 1, 2 or 4, (K,) largest error in
+            float32 [rad, relative to |L|]: twice that of a plain method of that order.
     """
 
     name: str
@@ -69,7 +69,7 @@ class FixedStepErrors(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class FixedStepResults:
-    """The errors of an engine in all cases that it took, and those that it refused; printed as a table.
+    """The errors of an engine in the cases that it ran, and the cases that it refused; printed as a table.
 
     Attributes:
         order: whose thresholds count.
@@ -83,7 +83,7 @@ class FixedStepResults:
 
     @property
     def passed(self) -> bool:
-        """Whether every case was taken, and is within its thresholds."""
+        """Whether the engine ran every case within its thresholds."""
         return not self.refused and all(one.passed for one in self.errors)
 
     def __str__(self) -> str:
@@ -108,16 +108,16 @@ def fixed_step_cases() -> tuple[FixedStepCase, ...]:
     table = json.loads(files("polhode.judging").joinpath(TABLE).read_text(encoding="utf-8"))
     if (table.get("format"), table.get("version")) != (FORMAT, VERSION):
         raise FormatError(f"a table must be of format {FORMAT}, version {VERSION}; got {shown(table.get('version'))}.")
-    found = []
+    cases = []
     for entry in table["cases"]:
         limits = entry.pop("thresholds")
         by_order = [{n: np.array(limits[f"order_{n}"][part]) for n in ORDERS} for part in ("attitude", "momentum")]
         arrays = {key: np.array(value) for key, value in entry.items() if key not in {"name", "dt", "steps"}}
         for array in (*arrays.values(), *by_order[0].values(), *by_order[1].values()):
             array.setflags(write=False)
-        found.append(FixedStepCase(**{**entry, **arrays, "steps": tuple(entry["steps"])},
+        cases.append(FixedStepCase(**{**entry, **arrays, "steps": tuple(entry["steps"])},
                                    attitude_thresholds=by_order[0], momentum_thresholds=by_order[1]))  # fmt: skip
-    return tuple(found)
+    return tuple(cases)
 
 
 def run_fixed_steps(

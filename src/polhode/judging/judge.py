@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,7 +21,24 @@ from polhode.kinds.reading import read_spec
 from polhode.reports.report import with_inputs
 from polhode.types import Array, ArrayLike, Float64, Real
 
-MOST_STEPS = 10_000_000
+
+class JudgeThresholds(NamedTuple):
+    """Numbers that decide which arguments of ``judge`` are refused.
+
+    Attributes:
+        max_steps: of a long run; more take hours in Python.
+        min_steps: of a long run; in fewer no drift is measured.
+        max_step_angle: rad, through which the body rotates in a step; orders hold for short ones alone.
+        length_tolerance: by which the length of the attitude at the start may miss 1.
+    """
+
+    max_steps: int = 10_000_000
+    min_steps: int = 64
+    max_step_angle: float = 0.5
+    length_tolerance: float = 1e-6
+
+
+LIMITS = JudgeThresholds()
 
 
 def judge(
@@ -36,8 +53,8 @@ def judge(
     dt/2, dt/4 and so on, for the order and for whether their limit is the exact motion, and three long runs with dt for
     drift and for where spins end. An engine whose limit is not the exact motion is tried with common mistakes: ω given
     for L, quaternion xyzw, the inverse rotation, rates along the other axes, degrees, a gyroscopic term that is missing
-    or has the wrong sign, an inertia that is not turned, a factor ½, damping. One is named only if with it the engine
-    converges. An engine whose states stop being finite is told so, with the step from which on they are not.
+    or has the wrong sign, an inertia that is not rotated, a factor ½, damping. One is named only if with it the engine
+    converges. For an engine whose states do not stay finite, the report names the first step at which they are not.
 
     Args:
         step: as above; in float32 if it returns arrays of it. It must take shorter steps, and keep
@@ -74,15 +91,17 @@ def judge(
     usual = default_start(tensor)
     q = usual[0] if attitude is None else _checked_vector("attitude", attitude, 4)
     L = usual[1] if momentum is None else _checked_vector("momentum", momentum, 3)
-    if abs(np.linalg.norm(q) - 1.0) > 1e-6:
+    if abs(np.linalg.norm(q) - 1.0) > LIMITS.length_tolerance:
         raise InvalidInput(f"`attitude` must have length 1; got length {np.linalg.norm(q):.6g}. Divide it by its norm.")
     if not L.any():
         raise InvalidInput("`momentum` must not be zero: a body at rest shows nothing. Leave it out for a general one.")
     rate = float(np.linalg.norm(np.linalg.solve(tensor, L)))
-    if not (isinstance(dt, int | float) and math.isfinite(dt) and 0.0 < dt * rate <= 0.5):
-        raise InvalidInput(f"`dt` must be a step of 0.5 rad at most, here {0.5 / rate:.4g} s; got {shown(dt)}.")
-    if isinstance(steps, bool) or not isinstance(steps, int) or not 64 <= steps <= MOST_STEPS:
-        raise InvalidInput(f"`steps` must be a whole number from 64 to {MOST_STEPS}; got {shown(steps)}.")
+    if not (isinstance(dt, int | float) and math.isfinite(dt) and 0.0 < dt * rate <= LIMITS.max_step_angle):
+        most = LIMITS.max_step_angle
+        raise InvalidInput(f"`dt` must be a step of {most} rad at most, here {most / rate:.4g} s; got {shown(dt)}.")
+    if isinstance(steps, bool) or not isinstance(steps, int) or not LIMITS.min_steps <= steps <= LIMITS.max_steps:
+        raise InvalidInput(f"`steps` must be a whole number from {LIMITS.min_steps} to {LIMITS.max_steps}; got "
+                           f"{shown(steps)}.")  # fmt: skip
     engine = SteppedEngine(step, tensor, convention)
     return JudgeReport(name, (judge_engine(engine, q / np.linalg.norm(q), L, float(dt), steps),))
 
@@ -128,9 +147,9 @@ def _of_spec(path: Path) -> GivenMotion:
 
 def _checked_vector(name: str, value: Any, size: int) -> Float64[Array, "n"]:
     try:
-        found = np.asarray(value, dtype=float)
+        vector = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
-        found = np.empty(0)
-    if found.shape != (size,) or not np.isfinite(found).all():
+        vector = np.empty(0)
+    if vector.shape != (size,) or not np.isfinite(vector).all():
         raise InvalidInput(f"`{name}` must be {size} finite numbers; got {shown(value)}.")
-    return found
+    return vector

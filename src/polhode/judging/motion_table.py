@@ -18,12 +18,12 @@ from polhode.types import Array, Bool, Float64
 TABLE = "reference_motions.json"
 FORMAT, VERSION = "polhode reference motions", 1
 MODERATE = 1000.0
-"""Radians that a stepping engine can go."""
+"""Radians of rotation that a stepping engine can follow."""
 
 
 @dataclass(frozen=True, eq=False)
 class ReferenceMotion:
-    """One hard motion: what is given at time 0, and the exact states at some times; the arrays cannot be written to.
+    """One hard motion: its values at time 0, and its exact states at some times; the arrays are read-only.
 
     Attributes:
         name: what it is, different for every motion.
@@ -62,7 +62,7 @@ def reference_motions(
     Args:
         family: only those of one family, such as "flips" or "top-cusps".
         kind: only those of one kind, "free body" or "Lagrange top".
-        up_to: only times by which the body has turned by so many radians, as ``rate`` bounds it. An engine that takes
+        up_to: only times within so many radians of rotation, by the bound ``rate``. An engine that takes
             steps may want ``MODERATE``, 1000; at all times, up to 1e15 rad, only closed forms answer.
 
     Raises:

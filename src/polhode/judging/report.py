@@ -6,10 +6,11 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from polhode.judging._convergence import Convergence
-from polhode.judging._run import FEWEST, Drift, SpinEnd
+from polhode.judging._run import LIMITS as RUN_LIMITS
+from polhode.judging._run import Drift, SpinEnd
 from polhode.judging._verdicts import GIVEN, Judgement
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
@@ -19,9 +20,26 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
+class WordingThresholds(NamedTuple):
+    """Numbers that decide how results are worded.
+
+    Attributes:
+        min_swing: relative; an invariant that swings by less is constant to rounding.
+        max_percentage: relative change of a quaternion's length; a larger one is given as the length itself.
+        order_difference: of momentum and attitude together, from which the momentum's own is mentioned.
+    """
+
+    min_swing: float = 1e-14
+    max_percentage: float = 10.0
+    order_difference: float = 0.5
+
+
+LIMITS = WordingThresholds()
+
+
 @dataclass(frozen=True)
 class JudgeReport(StudyReport):
-    """What a judge found of an engine.
+    """The verdict on an engine.
 
     Attributes:
         name: the engine's.
@@ -36,7 +54,7 @@ class JudgeReport(StudyReport):
 
     @property
     def verdict(self) -> str:
-        """Of all motions: "right", "right, but …" where states end, "wrong: …", "unexplained" or "undecided"."""
+        """Over all motions: "right", "right, but …" where states end, "wrong: …", "unexplained" or "undecided"."""
         verdicts = [word_verdict(one) for one in self.judgements]
         for kind in ("wrong", "unexplained", "right, but", "undecided"):
             if worst := [verdict for verdict in verdicts if verdict.startswith(kind)]:
@@ -72,17 +90,17 @@ class JudgeReport(StudyReport):
         }  # fmt: skip
         units = {"energy_per_radian": "1/rad", "momentum_per_radian": "1/rad", "lost_after": "rad",
                  "largest_error": "rad", "dt": "s", "turned": "rad", "finite_until": "s"}  # fmt: skip
-        found: list[Group | Table] = [
+        groups: list[Group | Table] = [
             Group("Verdict", [Answer("verdict", self.verdict, "", "verdict")]),
             Table("motions", "Motions", columns, rows, units),
         ]
         if len(self.judgements) == 1:
-            found += [*_describe_steps(self.judgements[0]), *_describe_ends(self.judgements[0])]
+            groups += [*_describe_steps(self.judgements[0]), *_describe_ends(self.judgements[0])]
         if self.refused:
             cases = [{"name": name, "reason": reason} for name, reason in self.refused]
             heads = {"case": lambda row: row["name"], "why it was refused": lambda row: row["reason"]}
-            found.append(Table("refused", "Refused", heads, cases))
-        return found
+            groups.append(Table("refused", "Refused", heads, cases))
+        return groups
 
     @property
     def notes(self) -> Sequence[str]:
@@ -138,51 +156,53 @@ def _word_stop(one: Judgement, step: bool = False) -> str:
 
 
 def describe_verdict(one: Judgement) -> str:
-    """Return the verdict on one motion in a sentence, with what it rests on."""
-    found, stop = one.convergence, _word_stop(one, step=True)
+    """Return the verdict on one motion in a sentence, with its evidence."""
+    convergence, stop = one.convergence, _word_stop(one, step=True)
     right = f"Right with short steps, but at dt = {one.dt:.4g} s {stop}" if stop else "Right"
-    if one.right and (found is None or found.by_rounding):
+    if one.right and (convergence is None or convergence.by_rounding):
         return f"{right}: exact to {'the digits that were printed' if one.run.printed_unit else 'rounding'}."
-    if one.right and found is not None:
-        other = found.momentum_order
-        more = f", in momentum {other:.2f}" if other is not None and abs(other - (found.order or 0.0)) > 0.5 else ""
-        return (f"{right}: with shorter steps it converges to the exact motion with order {found.order:.2f}{more}; a "
-                f"mistake that moves states by less than {found.unsure:.1e} would not be seen.")  # fmt: skip
+    if one.right and convergence is not None:
+        other = convergence.momentum_order
+        apart = 0.0 if other is None else abs(other - (convergence.order or 0.0))
+        more = f", in momentum {other:.2f}" if apart > LIMITS.order_difference else ""
+        return (f"{right}: with shorter steps it converges to the exact motion with order {convergence.order:.2f}"
+                f"{more}; a mistake that moves states by less than {convergence.unsure:.1e} would not be "
+                "detected.")  # fmt: skip
     if one.mistakes:
         return f"Wrong, and explained: {', or '.join(one.mistakes)}. {_word_explained(one)}"
     if stop and _is_lost(one):
         return f"Wrong: {stop}, at dt = {one.dt:.4g} s; with shorter steps, too, its states do not stay finite."
     after = f" {stop[:1].upper()}{stop[1:]}." if stop else ""
-    if one.right is None and found is not None:
-        return f"Undecided: {_word_open(found)}{after}"
+    if one.right is None and convergence is not None:
+        return f"Undecided: {_word_open(convergence)}{after}"
     if one.right is None:
         return (f"Undecided: the states are off by {one.residual:.2g}, which a method of order 1 or better may be with "
                 f"such steps (up to {one.allowed:.2g}).{after}")  # fmt: skip
-    if found is None:
+    if convergence is None:
         return f"Unexplained: the states are off by {one.residual:.2g}; such steps explain {one.allowed:.2g}.{after}"
-    if found.limit is not None:
-        return (f"Unexplained: with shorter steps it converges, but {found.limit:.2g} away from the exact "
+    if convergence.limit is not None:
+        return (f"Unexplained: with shorter steps it converges, but {convergence.limit:.2g} away from the exact "
                 f"motion.{after}")  # fmt: skip
-    errors = ", ".join(_error(x, 2) for x in found.errors)
+    errors = ", ".join(_error(x, 2) for x in convergence.errors)
     return f"Unexplained: shorter steps do not converge; the errors are {errors}.{after}"
 
 
-def _word_open(found: Convergence) -> str:
-    """Return why the states do not tell, with the remedy."""
-    if found.by_rounding:
-        return (f"the states are exact as far as their digits show, to {found.unsure:.1e}, which is too little for a "
-                "verdict. Write more digits, or take fewer steps.")  # fmt: skip
-    if found.limit is None:
-        errors = ", ".join(_error(x, 2) for x in found.errors)
+def _word_open(convergence: Convergence) -> str:
+    """Return why the states do not decide the verdict, with the remedy."""
+    if convergence.by_rounding:
+        return (f"the states are exact as far as their digits show, to {convergence.unsure:.1e}, which is too little "
+                "for a verdict. Write more digits, or take fewer steps.")  # fmt: skip
+    if convergence.limit is None:
+        errors = ", ".join(_error(x, 2) for x in convergence.errors)
         return f"the errors fall with shorter steps ({errors}), but not yet as a power of the step. Give shorter steps."
-    return (f"with shorter steps it comes as near to the exact motion as such steps show, within {found.unsure:.1e}. "
-            "Give shorter steps.")  # fmt: skip
+    return (f"with shorter steps it comes as near to the exact motion as such steps show, within "
+            f"{convergence.unsure:.1e}. Give shorter steps.")  # fmt: skip
 
 
 def _word_explained(one: Judgement) -> str:
-    """Return what is left of the error with the first of the mistakes, in a sentence.
+    """Return the residual with the first of the mistakes, in a sentence.
 
-    The states themselves are not the exact ones: the method has its own errors, which only short steps make small.
+    It is not zero: the method has its own errors, which only short steps make small.
     """
     left = one.explained
     if not isinstance(left, Convergence):
@@ -193,7 +213,7 @@ def _word_explained(one: Judgement) -> str:
 
 
 def describe_motion(one: Judgement) -> list[str]:
-    """Return sentences on drift, growth and where spins end; none of an engine whose states mean something else."""
+    """Return sentences on drift, growth and where spins end; none where a mistake gives the states another meaning."""
     if one.mistakes:
         return []
     said = []
@@ -212,8 +232,8 @@ def describe_motion(one: Judgement) -> list[str]:
 
 
 def _is_measured(one: Judgement) -> bool:
-    """Whether there are states enough for drifts; an engine that stops at once has none."""
-    return not one.stops or len(one.run.times) >= FEWEST
+    """Whether there are enough states to measure drifts; an engine that stops at once has none."""
+    return not one.stops or len(one.run.times) >= RUN_LIMITS.min_samples
 
 
 def _capital(text: str) -> str:
@@ -221,8 +241,8 @@ def _capital(text: str) -> str:
 
 
 def _word_length(change: float, within: str) -> str:
-    """Return how a quaternion's length leaves 1, and what to do; by more than tenfold as the length that it has."""
-    amount = f"by {100.0 * abs(change):.2g} %" if change < 10.0 else f"to {1.0 + change:.3g}"
+    """Return how a quaternion's length changes, and the remedy; a change of more than tenfold as the length itself."""
+    amount = f"by {100.0 * abs(change):.2g} %" if change < LIMITS.max_percentage else f"to {1.0 + change:.3g}"
     return (f"the length of its quaternion {'grows' if change > 0.0 else 'falls'} {amount}{within}: normalize it after "
             "each step; attitudes were compared at length 1.")  # fmt: skip
 
@@ -232,12 +252,12 @@ def _count(number: int, word: str) -> str:
 
 
 def word_ends(ends: dict[str, SpinEnd]) -> str:
-    """Return where spins go, in a sentence that claims an end only of those that have reached it."""
+    """Return in a sentence where spins go; only those that have reached an axis end there."""
     goals = {end.toward for end in ends.values()}
     if ends and goals == {"undecided"}:
         return "Where spins go cannot be said of less than two periods of the polhode."
     if not ends or goals <= {"none", "unknown"}:
-        return "No spin was seen to leave its polhode." if ends and "none" in goals else ""
+        return "No spin leaves its polhode measurably." if ends and "none" in goals else ""
     if len(goals) == 1 and all(end.reached for end in ends.values()):
         return f"All {len(ends)} spins that were tried end at the axis of {_axis(goals.pop())}."
     said = [f"{name} {_goes(end)}" for name, end in ends.items()]
@@ -260,7 +280,7 @@ def _word_drift(drift: Drift, name: str) -> str:
         return f"{name} leaves double precision"
     if _runs_away(drift):
         return f"{name} grows to {1.0 + drift.change:.2g} times itself"
-    if not drift.is_seen and drift.swing > 1e-14:
+    if not drift.is_seen and drift.swing > LIMITS.min_swing:
         if math.isnan(drift.error):
             return f"{name} changes by {drift.change:.1e} of itself, in too short a run to tell a drift from a swing"
         trend = uncertain(drift.per_radian, drift.error)
@@ -272,7 +292,7 @@ def _word_drift(drift: Drift, name: str) -> str:
 
 
 def _runs_away(drift: Drift) -> bool:
-    """Whether an invariant ends far above its start in so few samples that no line was seen; it does not swing."""
+    """Whether an invariant ends far above its start in too few samples for a line; it does not swing."""
     return not drift.is_seen and drift.swing > 1.0 and drift.change > 1.0
 
 
@@ -295,7 +315,7 @@ def _row(one: Judgement) -> dict[str, Any]:
 def _rate(one: Judgement, drift: Drift) -> float | None:
     if not _is_measured(one) or not math.isfinite(drift.per_radian) or _runs_away(drift):
         return None
-    if not drift.is_seen and math.isnan(drift.error) and drift.swing > 1e-14:
+    if not drift.is_seen and math.isnan(drift.error) and drift.swing > LIMITS.min_swing:
         return None
     return drift.per_radian if drift.is_seen else 0.0
 
@@ -313,10 +333,10 @@ def _error(value: float, digits: int = 3) -> str:
 
 
 def _describe_steps(one: Judgement) -> list[Table]:
-    found = one.convergence
-    if found is None or one.dt is None:
+    convergence = one.convergence
+    if convergence is None or one.dt is None:
         return []
-    rows = [{"dt": one.dt / 2**k, "error": error} for k, error in enumerate(found.errors)]
+    rows = [{"dt": one.dt / 2**k, "error": error} for k, error in enumerate(convergence.errors)]
     columns = {"dt [s]": lambda row: f"{row['dt']:.5g}", "error": lambda row: _error(row["error"])}
     return [Table("steps", "Short runs with shorter steps: attitude [rad] and L, relative, together", columns, rows)]
 
