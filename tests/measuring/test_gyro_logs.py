@@ -119,7 +119,7 @@ def test_samples_out_of_order_repeated_and_missing(tmp_path):
 
 @pytest.mark.parametrize(("text", "said"), [
     ("", r"no line of numbers"),
-    (",".join(PHYPHOX) + "\n", r"line 1: no sample stands below"),
+    (",".join(PHYPHOX) + "\n", r"line 1: no sample follows the header"),
     (table(PHYPHOX, [TIMES, np.full((12, 3), np.nan)]), r"8 finite samples"),
     (table(PHYPHOX, [TIMES[:3], RATES[:3]]), r"8 finite samples .* got 3"),
     (table(PHYPHOX[:3], [TIMES, RATES[:, :2]]), r"has the columns Time \(s\), Gyroscope x"),

@@ -12,7 +12,7 @@ from polhode.measuring import Window, clean_log, fit_throw
 from polhode.measuring.throws._principal import explain_undetermined
 from polhode.measuring.throws._throw_fit import Model, Throw, fit_model
 from polhode.measuring.throws._throw_models import free_rates, integrate_forced
-from polhode.measuring.throws._throw_search import AIR, LEAST_PART, Start, _count_parts
+from polhode.measuring.throws._throw_search import AIR, LIMITS, Start, _count_parts
 from polhode.measuring.throws._unmodelled import allow_for_unmodelled
 from polhode.measuring.throws.figures import throw_figures
 from polhode.measuring.throws.flight import Flights
@@ -436,7 +436,7 @@ def test_a_motion_that_leaves_the_numbers_is_no_fit_and_no_crash():
 def test_parts_of_a_throw_have_samples(step, span, count):
     """Stretches of .15 s in a log with a sample each second had none, and a mean of nothing."""
     throw = Throw(step * np.arange(60), np.ones((60, 3)), 0.0)
-    assert _count_parts(throw, span) == count <= 60 // LEAST_PART
+    assert _count_parts(throw, span) == count <= 60 // LIMITS.min_part
 
 
 @pytest.mark.long

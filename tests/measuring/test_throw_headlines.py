@@ -9,7 +9,7 @@ from measuring.thrown import BODIES, SPINS, TROUBLES, euler, throw
 from polhode.estimation._estimate import Estimate
 from polhode.measuring import ThrowFit, Window, clean_log, fit_throw
 from polhode.measuring.throws.gyro_logs import ReadLog
-from polhode.measuring.throws.report import AIRY, ThrowReport, is_wheel_sure
+from polhode.measuring.throws.report import LIMITS, ThrowReport, is_wheel_sure
 
 WHOLE = [Window(-1.0, 99.0)]
 SHAKEN = [*TROUBLES, "drag across axes", "drag across axes"]  # what air does that a wheel would explain
@@ -30,7 +30,7 @@ def report_on(fit, *logs):
 @pytest.mark.parametrize(("size", "either", "sure"), [(0.99, False, False), (1.01, False, True), (9.0, True, False)])
 def test_a_momentum_is_a_wheels_from_a_share_of_the_slowest_rate_on(size, either, sure):
     throws = [SimpleNamespace(rates=np.tile([rate, 0.0, 0.0], (5, 1))) for rate in (8.0, 20.0)]
-    rotor = Estimate(("h1", "h2", "h3"), size * AIRY * 8.0 * np.array([0.6, 0.0, 0.8]), np.eye(3))
+    rotor = Estimate(("h1", "h2", "h3"), size * LIMITS.min_wheel * 8.0 * np.array([0.6, 0.0, 0.8]), np.eye(3))
     assert is_wheel_sure(fit_with(rotor=rotor, throws=throws, with_or_without=either)) == sure
     assert not is_wheel_sure(fit_with(rotor=None, throws=throws, with_or_without=False))
 

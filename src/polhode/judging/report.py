@@ -167,7 +167,7 @@ def describe_verdict(one: Judgement) -> str:
         more = f", in momentum {other:.2f}" if apart > LIMITS.order_difference else ""
         return (f"{right}: with shorter steps it converges to the exact motion with order {convergence.order:.2f}"
                 f"{more}; a mistake that moves states by less than {convergence.unsure:.1e} would not be "
-                "detected.")  # fmt: skip
+                "seen.")  # fmt: skip
     if one.mistakes:
         return f"Wrong, and explained: {', or '.join(one.mistakes)}. {_word_explained(one)}"
     if stop and _is_lost(one):
@@ -257,7 +257,7 @@ def word_ends(ends: dict[str, SpinEnd]) -> str:
     if ends and goals == {"undecided"}:
         return "Where spins go cannot be said of less than two periods of the polhode."
     if not ends or goals <= {"none", "unknown"}:
-        return "No spin leaves its polhode measurably." if ends and "none" in goals else ""
+        return "No spin was seen to leave its polhode." if ends and "none" in goals else ""
     if len(goals) == 1 and all(end.reached for end in ends.values()):
         return f"All {len(ends)} spins that were tried end at the axis of {_axis(goals.pop())}."
     said = [f"{name} {_goes(end)}" for name, end in ends.items()]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -16,10 +16,25 @@ from polhode.reports.wording import count_known_digits, uncertain
 from polhode.special._residual_noise import Misfit
 from polhode.types import Array, Float64
 
-ALIKE = 0.3  # correlation of neighbouring residuals that a reader sees in a figure
-MOSTLY = 0.5  # of L² in the mean along an axis, from which a body turns about this axis and no other
 CAUSES = {"air": "drag of the air", "torque": "a torque that is constant in the body",
           "wheel": "a wheel that turns in the body"}  # fmt: skip
+
+
+class AnswerThresholds(NamedTuple):
+    """Numbers that decide how answers are worded.
+
+    Attributes:
+        visible_correlation: of neighbouring residuals, which a reader recognizes in a figure.
+        main_axis_share: of L² in the mean along an axis, from which a body turns about this axis and no other.
+        max_tilt: rad, standard error of the direction of an axis; a larger one leaves it undetermined.
+    """
+
+    visible_correlation: float = 0.3
+    main_axis_share: float = 0.5
+    max_tilt: float = 1.0
+
+
+LIMITS = AnswerThresholds()
 
 
 def about_inertia(fit: ThrowFit | AttitudeFit) -> Group:
@@ -63,7 +78,7 @@ def about_axes(fit: ThrowFit | AttitudeFit) -> Group:
                 words = "about " + ", ".join(f"{x:+.2f}" for x in axes[:, k])
             elif turn is not None:  # an axis tilts by the turns about the other two
                 tilt = float(np.sqrt(np.sum(np.delete(turn.standard_error, k) ** 2)))
-                words += f"  ± {np.degrees(tilt):.2g}°" if tilt < 1.0 else "  (direction not determined)"
+                words += f"  ± {np.degrees(tilt):.2g}°" if tilt < LIMITS.max_tilt else "  (direction not determined)"
         named.append(Answer("", None, "", f"axis {k + 1} along x, y, z", "", words))
     error = None if turn is None or fit.misfit is not None else turn.standard_error.tolist()
     return Group("Principal axes in the device", [
@@ -74,12 +89,13 @@ def about_axes(fit: ThrowFit | AttitudeFit) -> Group:
 
 
 def tell_misfit(fit: ThrowFit | AttitudeFit, unit: str) -> str:
-    """Return in sentences that the residuals of a fit are no noise, what may be the cause, and what is left to say."""
+    """Return in sentences that the residuals of a fit are no noise, the possible cause, and the consequence."""
     misfit = fit.misfit
     assert misfit is not None and fit.ratios is not None
     test = misfit.test
-    shown = (f"neighbouring ones are alike, with a correlation of {test.alike:.2f}" if test.alike > ALIKE else
-             f"noise has such frequencies with a probability of {test.probability:.1g}")  # fmt: skip
+    shown = f"noise has such frequencies with a probability of {test.probability:.1g}"
+    if test.alike > LIMITS.visible_correlation:
+        shown = f"neighbouring ones are alike, with a correlation of {test.alike:.2f}"
     said = f"Something else acts on the body, or it is not free: residuals of {fit.rms:.2g} {unit} rms are not noise"
     tried = [CAUSES[name] for name in misfit.tried]
     cause = ""
@@ -103,9 +119,9 @@ def about_misfit(misfit: Misfit | None) -> Answer:
 
 
 def describe_turning(motion: FreeMotion | None, times: Float64[Array, "n"], equal: str | None) -> str:
-    """Return about which axis a body turned, in words: that which has more than half of L² in the mean.
+    """Return in words the axis about which a body turns: that with more than half of L² in the mean.
 
-    The polhode alone does not say it: one that circles an axis may pass close to the middle one, where it is slowest.
+    The polhode alone does not show it: one that circles an axis may pass close to the middle one, where it is slowest.
 
     Args:
         motion: along principal axes in the order of their moments.
@@ -124,7 +140,7 @@ def describe_turning(motion: FreeMotion | None, times: Float64[Array, "n"], equa
     L = np.asarray(motion.momentum(times))
     shares = (L**2).mean(axis=0) / (L**2).sum(axis=1).mean()
     k = int(np.argmax(shares))
-    if shares[k] <= MOSTLY:
+    if shares[k] <= LIMITS.main_axis_share:
         return "turning about none of its axes for long"
     if f"I{k + 1}" in (equal or ""):
         return "turning about an axis of two moments that are equal within their errors"

@@ -22,11 +22,11 @@ ENTRIES = (0, 1, 2, 0, 0, 1), (0, 1, 2, 1, 2, 2)
 def moments_from_one(
     fit: ThrowFit | AttitudeFit, axis: int, moment: float, standard_error: float = 0.0
 ) -> Estimate:
-    """Return I1, I2, I3 [kg m²] of a body one of whose principal moments is known.
+    """Return I1, I2, I3 [kg m²] of a body one of whose principal moments is given.
 
     Args:
         fit: of its throws.
-        axis: 1, 2 or 3, the axis of the known moment, in the order of the moments.
+        axis: 1, 2 or 3, the axis of the given moment, in the order of the moments.
         moment: I_axis [kg m²].
         standard_error: of the moment [kg m²].
 
@@ -126,11 +126,11 @@ def _six(J: Array) -> Array:
 
 def _entries(x: Array, axes: Array) -> Array:
     """Return the entries of the inertia over I3, of two ratios and a turn of the axes."""
-    turned = axes @ Rotation.from_rotvec(x[2:]).as_matrix()
-    return _six(turned @ np.diag(np.r_[x[:2], 1.0]) @ turned.T)
+    rotated = axes @ Rotation.from_rotvec(x[2:]).as_matrix()
+    return _six(rotated @ np.diag(np.r_[x[:2], 1.0]) @ rotated.T)
 
 
 def _slopes(function: object, x: Array) -> Array:
-    """Return the Jacobian by central differences, of functions far smoother than their inputs are known."""
+    """Return the Jacobian by central differences, of functions that are smooth over the errors of their inputs."""
     step = 1e-6
     return np.stack([(function(x + step * e) - function(x - step * e)) / (2 * step) for e in np.eye(len(x))], axis=1)  # pyright: ignore[reportCallIssue]

@@ -14,7 +14,6 @@ from polhode.measuring.throws._throw_fit import cross_matrix
 from polhode.measuring.throws._throw_models import D_MOMENTS, compute_moments
 from polhode.types import Array, Float64
 
-TOLERANCE, LOOSE = 1e-10, 1e-6  # of the motion, and of its derivatives, which only steer the iteration
 COUNT = 8  # s, c, the starting rates, and the torque or the wheel's momentum
 Motion = tuple[Float64[Array, "n 4"], Float64[Array, "n 3"], Float64[Array, "p n 3"], Float64[Array, "p n 3"]]
 
@@ -37,7 +36,8 @@ def integrate_torqued(
     begin[0], begin[4:7] = 1.0, start
     begin[7:].reshape(2, COUNT, 3)[1, 2:5] = np.eye(3)
     size = max(float(np.linalg.norm(start)), 1e-3)
-    allowed = np.concatenate([np.full(4, TOLERANCE), np.full(3, TOLERANCE * size), np.full(6 * COUNT, LOOSE)])
+    tolerance, loose = 1e-10, 1e-6  # of the motion, and of its derivatives, which only steer the iteration
+    allowed = np.concatenate([np.full(4, tolerance), np.full(3, tolerance * size), np.full(6 * COUNT, loose)])
     out = np.full((len(elapsed), len(begin)), np.nan)
     for side in (elapsed < 0, elapsed >= 0):
         if not side.any():
@@ -46,7 +46,7 @@ def integrate_torqued(
         back = wanted[0] < 0
         wanted = wanted[::-1] if back else wanted
         done = solve_ivp(
-            field, (0.0, wanted[-1] or 1e-9), begin, method="DOP853", t_eval=wanted, rtol=TOLERANCE, atol=allowed
+            field, (0.0, wanted[-1] or 1e-9), begin, method="DOP853", t_eval=wanted, rtol=tolerance, atol=allowed
         )
         if done.success:
             out[side] = done.y.T[::-1] if back else done.y.T
@@ -107,7 +107,7 @@ def estimate_torqued_start(
     """
     R = Rotation.from_quat(attitudes).as_matrix()
     pushed = -cumulative_trapezoid(R, times, axis=0, initial=0.0)
-    # of like sizes, or noise would choose what is least
+    # of like sizes, or noise would determine the least singular vector
     scale = np.linalg.norm(rates) / max(float(np.linalg.norm(pushed - pushed.mean(axis=0))), 1e-300)
     maps = np.concatenate([momentum_map(attitudes, rates), scale * pushed], axis=2)
     _, _, right = np.linalg.svd((maps - maps.mean(axis=0)).reshape(-1, 9), full_matrices=False)

@@ -18,7 +18,8 @@ from polhode.measuring.attitudes._torqued_states import estimate_torqued_start, 
 from polhode.measuring.throws._linear_start import linear_inertia
 from polhode.measuring.throws._principal import Principal, explain_undetermined, principal
 from polhode.measuring.throws._throw_doubts import why_impossible
-from polhode.measuring.throws._throw_fit import ROBUST, compute_covariance, cross_matrix, right_jacobian
+from polhode.measuring.throws._throw_fit import LIMITS as FIT_LIMITS
+from polhode.measuring.throws._throw_fit import compute_covariance, cross_matrix, right_jacobian
 from polhode.measuring.throws._throw_models import D_MOMENTS, compute_moments, compute_shape, free_states
 from polhode.measuring.throws.gyro_log import check_sizes
 from polhode.motion._inputs import name_of
@@ -26,12 +27,25 @@ from polhode.special._residual_noise import LIMITS as NOISE
 from polhode.special._residual_noise import Misfit, NoiseTest, test_noise
 from polhode.types import Array, ArrayLike, Float64, Real
 
-STEP = 0.3  # rad, over which rates are taken for the start, so that noise of the attitude does not swamp them
 PLACES = {"shape": slice(0, 2), "turn": slice(2, 5), "start": slice(5, 8), "attitude": slice(8, 11)}
 PUSH = slice(11, 14)  # the torque or the wheel, where there is one; a gyro's bias comes last
-LIMITS = ([-1.0, 0.0, *[-np.inf] * 15], [1.0, 2.0, *[np.inf] * 15])
+PARAMETER_BOUNDS = ([-1.0, 0.0, *[-np.inf] * 15], [1.0, 2.0, *[np.inf] * 15])
 BIAS = ("bias x", "bias y", "bias z")
-ROUNDS = 6
+
+
+class AttitudeThresholds(NamedTuple):
+    """Numbers that decide which logs of attitudes are refused.
+
+    Attributes:
+        min_samples: of a log, for the eleven parameters of a free motion.
+        length_tolerance: by which the length of a quaternion may miss 1, as printed digits make it.
+    """
+
+    min_samples: int = 12
+    length_tolerance: float = 0.01
+
+
+LIMITS = AttitudeThresholds()
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,13 +107,13 @@ def fit_attitude(
 
     Without a torque the motion is the exact free one, with its exact derivatives; with one, which is constant in the
     body as of a leaking thruster, Euler's equations and their variations are integrated. Where rates are given, their
-    bias is fitted too. Residuals that are no noise are of a body on which something else acts: then the estimates have
-    no errors, as nothing says how wrong they are.
+    bias is fitted too. Residuals that are no noise show that something else acts on the body: then the estimates have
+    no errors, as those of a wrong model are unknown.
 
     Args:
         times: (n,) increasing [s]; equal steps are not needed, but less than half a turn from each to the next.
         quaternions: (n, 4) unit wxyz, device → space. Rows with NaN are left out.
-        rates: (n, 3) measured rates, if there are [rad/s, device frame]; they count by their own noise.
+        rates: (n, 3) measured rates, if any [rad/s, device frame]; they are weighted by their own noise.
         torque: whether there is a constant torque; "auto" for what Akaike's criterion prefers.
 
     Raises:
@@ -118,8 +132,8 @@ def fit_attitude(
     t, measured, gyro = _clean(times, quaternions, rates)
     middle = len(t) // 2
     epoch = float(t[middle])
-    slow, turned, at = _difference_attitudes(t, measured)
-    linear = linear_inertia([slow], [turned])
+    slow, attitudes, at = _difference_attitudes(t, measured)
+    linear = linear_inertia([slow], [attitudes])
     k = int(np.argmin(np.abs(at - epoch)))
     samples = _Samples(t - epoch, measured, gyro)
 
@@ -133,14 +147,14 @@ def fit_attitude(
     if torque is not True:
         tried["free"] = descend_from(linear.moments, linear.axes, np.zeros(0))
     if torque:
-        starts = [descend_from(*estimate_torqued_start(at, slow, turned)),
+        starts = [descend_from(*estimate_torqued_start(at, slow, attitudes)),
                   descend_from(linear.moments, linear.axes, np.zeros(3))]  # fmt: skip
         tried["torque"] = min(starts, key=lambda solution: solution.aicc)
     best = min(tried.values(), key=lambda solution: solution.aicc)
     test = _test_residuals(best)
     if not test.is_noise and torque == "auto":
-        found = linear_inertia([slow], [turned], rotor=True)
-        tried["wheel"] = descend_from(found.moments, found.axes, found.axes.T @ found.rotor, "wheel")
+        wheel = linear_inertia([slow], [attitudes], rotor=True)
+        tried["wheel"] = descend_from(wheel.moments, wheel.axes, wheel.axes.T @ wheel.rotor, "wheel")
     misfit = None if test.is_noise else Misfit(test, tuple(name for name in ("torque", "wheel") if name in tried),
         next((name for name, one in tried.items() if one is not best and one.aicc < best.aicc
               and _test_residuals(one).is_noise), None))
@@ -227,34 +241,35 @@ def _torque(x: Array, covariance: Array, axes: Array, inertia: Principal, freedo
 def _descend(system: _System, x: Array) -> _Solution:
     """Return the solution from a start: least squares and the noise of each kind of data in turn."""
     size = len(x)
-    low, high = (np.array(limit[:size]) for limit in LIMITS)
+    low, high = (np.array(limit[:size]) for limit in PARAMETER_BOUNDS)
     data = sum(r.size for r, _ in system.blocks(x))
     freedom = float(max(data - size, 1))
     noise = np.array([float(np.median(np.abs(r))) * 1.5 + 1e-9 for r, _ in system.blocks(x)])
-    for _ in range(ROUNDS):
+    robust = FIT_LIMITS.max_quadratic_error
+    for _ in range(6):
         system.noise = noise
         done = least_squares(
             system.residuals, x, jac=system.jacobian,  # pyright: ignore[reportArgumentType]
             bounds=(low, high),  # pyright: ignore[reportArgumentType]
-            loss="huber", f_scale=ROBUST, x_scale="jac", xtol=1e-10, ftol=1e-8, gtol=1e-15, max_nfev=60,
+            loss="huber", f_scale=robust, x_scale="jac", xtol=1e-10, ftol=1e-8, gtol=1e-15, max_nfev=60,
         )  # fmt: skip
         x, before = done.x, noise
         noise = np.array([_noise(r, freedom / data) for r, _ in system.blocks(x)])
-        if done.status > 0 and np.abs(noise / before - 1.0).max() < 0.02:
+        if done.status > 0 and np.abs(noise / before - 1.0).max() < FIT_LIMITS.noise_tolerance:
             break
     system.noise = noise
-    x, left = take_last_steps(system, x, low, high, ROBUST)
+    x, left = take_last_steps(system, x, low, high, robust)
     system.noise = noise = np.array([_noise(r, freedom / data) for r, _ in system.blocks(x)])
     z, J = system.residuals(x), system.jacobian(x)
-    # what the iteration leaves undone is an error too, and of data without noise the larger one
-    covariance = compute_covariance(J) / np.mean(np.abs(z) < ROBUST) ** 2 + np.outer(left, left)
+    # the remaining step of the iteration is an error too, and for data without noise the larger one
+    covariance = compute_covariance(J) / np.mean(np.abs(z) < robust) ** 2 + np.outer(left, left)
     cost = sum(2.0 * r.size * np.log(s) for (r, _), s in zip(system.blocks(x), noise, strict=True))
     count = size + len(noise)
     return _Solution(system, x, covariance, noise, freedom, float(cost + 2 * count * data / max(data - count - 1, 1)))
 
 
 def _noise(r: Array, share: float) -> float:
-    # residuals far out are drawn in, or one of them would make all the others seem small
+    # outliers are drawn in, or one of them would make all other residuals seem small
     sizes = np.abs(r)
     drawn = np.minimum(sizes, 4 * 1.4826 * np.median(sizes))
     return max(float(np.sqrt(np.mean(drawn**2) / share)), 1e-13)
@@ -272,11 +287,11 @@ def _clean(times: ArrayLike, quaternions: ArrayLike, rates: ArrayLike | None) ->
     whole &= True if gyro is None else np.isfinite(gyro).all(axis=1)
     t, q, gyro = t[whole], q[whole], None if gyro is None else gyro[whole]
     check_sizes(times=t, rates=np.zeros(0) if gyro is None else gyro)
-    if len(t) < 12 or not (np.diff(t) > 0).all():
-        raise InvalidInput(f"at least 12 attitudes at increasing times are needed; got {len(t)}. Sort them by time and "
-                           "leave out repeated times.")  # fmt: skip
+    if len(t) < LIMITS.min_samples or not (np.diff(t) > 0).all():
+        raise InvalidInput(f"at least {LIMITS.min_samples} attitudes at increasing times are needed; got {len(t)}. "
+                           "Sort them by time and leave out repeated times.")  # fmt: skip
     lengths = np.linalg.norm(q, axis=1)
-    if (np.abs(lengths - 1.0) > 0.01).any():
+    if (np.abs(lengths - 1.0) > LIMITS.length_tolerance).any():
         worst = lengths[np.argmax(np.abs(lengths - 1.0))]
         raise InvalidInput(f"quaternions must be of unit length; got one of length {worst:g}.")
     return t, Rotation.from_quat(q, scalar_first=True), gyro
@@ -285,7 +300,8 @@ def _clean(times: ArrayLike, quaternions: ArrayLike, rates: ArrayLike | None) ->
 def _difference_attitudes(t: Array, measured: Rotation) -> tuple[Array, Array, Array]:
     """Return rates over steps of some tenths of a radian, and the attitudes xyzw and times in their middles."""
     turn = float(np.median((measured[:-1].inv() * measured[1:]).magnitude()))
-    stride = int(np.clip(round(STEP / max(turn, 1e-12)), 1, max(len(t) // 8, 1)))
+    step = 0.3  # rad, over which noise of the attitude does not dominate a rate
+    stride = int(np.clip(round(step / max(turn, 1e-12)), 1, max(len(t) // 8, 1)))
     steps = (measured[:-stride].inv() * measured[stride:]).as_rotvec()
     middles = measured[:-stride] * Rotation.from_rotvec(0.5 * steps)
     rates = steps / (t[stride:] - t[:-stride])[:, None]
@@ -310,7 +326,7 @@ class _System:
     def blocks(self, x: Array) -> list[tuple[Float64[Array, "n 3"], Float64[Array, "n 3 p"]]]:
         """Return residuals (n, 3) and their derivatives (n, 3, p), of attitudes and perhaps of rates."""
         if self.at is not None and np.array_equal(self.at, x):
-            return self.found
+            return self.evaluated
         q, rates, turns, slopes = self._motion(x)
         since = Rotation.from_quat(np.nan_to_num(q, nan=1.0), scalar_first=True)
         own = Rotation.from_matrix(self.axes0) * Rotation.from_rotvec(x[2:5])
@@ -331,7 +347,7 @@ class _System:
             K[:, :, 2:5] = A @ np.stack([cross_matrix(-w) for w in rates]) @ moved
             K[:, :, -3:] = np.eye(3)
             blocks.append((np.nan_to_num(self.samples.rates - rates @ A.T - x[-3:], nan=1e3), -np.nan_to_num(K)))
-        self.at, self.found = x.copy(), blocks
+        self.at, self.evaluated = x.copy(), blocks
         return blocks
 
     def residuals(self, x: Array) -> Float64[Array, "m"]:

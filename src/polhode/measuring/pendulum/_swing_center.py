@@ -13,17 +13,27 @@ from scipy.stats import chi2
 
 from polhode.errors import InvalidInput
 from polhode.estimation._estimate import Estimate
-from polhode.measuring.pendulum._swing_moments import SAME, whiten
+from polhode.measuring.pendulum._swing_moments import LIMITS as MOMENT_LIMITS
+from polhode.measuring.pendulum._swing_moments import whiten
 from polhode.types import Array, Float64
 
-PLAUSIBLE = 1e-3  # probability of a misfit, below which a place of the centre is excluded
-FAR_OFF = math.sqrt(float(chi2.isf(PLAUSIBLE, 1)))  # standard errors with that probability
-STARTS = (0.05, 0.5, 0.95)  # of a stretch of the scale, on which the weights depend on the place
-ROUNDS = 20  # of weighted least squares; a place that fits needs two or three
-SETTLED = 1e-9  # of a stretch, by which a place still moves; the last step is added to it
-ONE = 1e-6  # of the scale, within which two places are one
-DECIMALS = 9  # of a place in words [m]
-NOTHING = 1e-9  # of m·reach², a moment that no body has
+
+class CenterThresholds(NamedTuple):
+    """Numbers that decide which places of the centre of mass explain the periods.
+
+    Attributes:
+        min_probability: of a misfit; a place with a less probable one is excluded.
+        place_tolerance: of the scale; places that differ by less are one.
+        min_moment: of m·reach²; no body has a smaller one.
+    """
+
+    min_probability: float = 1e-3
+    place_tolerance: float = 1e-6
+    min_moment: float = 1e-9
+
+
+LIMITS = CenterThresholds()
+MAX_ERRORS = math.sqrt(float(chi2.isf(LIMITS.min_probability, 1)))  # standard errors with that probability
 
 
 class _Place(NamedTuple):
@@ -34,7 +44,7 @@ class _Place(NamedTuple):
         moments: of the swings there.
         step: to the place of least χ² where that lies beyond the stretch, else about zero [m].
         moment: common to the swings, with that step [kg m²].
-        covariance: of step and moment; infinite where the swings do not tell the place.
+        covariance: of step and moment; infinite where the swings do not determine the place.
         misfit: χ² at ``at``.
         held: the common moment at ``at`` [kg m²], and its error there, without that of the place.
         stretch: its ends [m].
@@ -59,12 +69,12 @@ class _Place(NamedTuple):
         return self.error > self.stretch[1] - self.stretch[0]
 
     def may_be_a_body(self, least: float) -> bool:
-        """Whether the moment is positive within its error; about nothing at all, without that of the place.
+        """Whether the moment is positive within its error; for one of about zero, without the error of the place.
 
         At a pivot without a jig the moment is zero, without an error.
         """
         moment, error = self.held
-        return moment + FAR_OFF * (error if abs(moment) <= least else math.sqrt(self.covariance[1, 1])) > least
+        return moment + MAX_ERRORS * (error if abs(moment) <= least else math.sqrt(self.covariance[1, 1])) > least
 
     def __str__(self) -> str:
         if self.is_open:
@@ -77,7 +87,7 @@ def find_center(
 ) -> tuple[Estimate, Estimate, Estimate, float]:
     """Return the place of the centre of mass on the pivots' scale, the moments there, the common one, and the misfit.
 
-    A centre s gives the swings moments; the right one gives them all the same. About a pivot at p that is
+    A centre s gives each swing a moment; the right centre makes them all equal. About a pivot at p it is
     A + m(L|s − p| − (s − p)²), where L is the length of the simple pendulum of its period and A the jig's share. Plus
     ms² it is linear in s between neighbouring pivots, so that each such stretch has one solution of least squares,
     apart from the weights, which change with s.
@@ -95,7 +105,7 @@ def find_center(
     if len(places) < 2 or np.ptp(places) == 0.0:
         raise InvalidInput("the place of the centre of mass follows from pivots at two places at least. Give a second "
                            "swing, or the distance.")  # fmt: skip
-    if max(np.linalg.norm(np.cross(axes[0], axis)) for axis in axes) > SAME:
+    if max(np.linalg.norm(np.cross(axes[0], axis)) for axis in axes) > MOMENT_LIMITS.axis_tolerance:
         raise InvalidInput("pivots on one scale must swing about the same axis; give distances for several axes.")
     far = _farthest(moments_at, mass, places, reach)
     low, high = float(np.max(places - far)), float(np.min(places + far))
@@ -103,13 +113,13 @@ def find_center(
         raise InvalidInput(_too_far_apart(places, far))
     borders = [low, *sorted(p for p in set(places.tolist()) if low < p < high), high]
     tried = [one for stretch in pairwise(borders) for one in _solve_stretch(moments_at, mass, places, reach, stretch)]
-    least = NOTHING * mass * float(np.max(reach)) ** 2
+    least = LIMITS.min_moment * mass * float(np.max(reach)) ** 2
     bodies = [one for one in tried if one.may_be_a_body(least)]
     freedom = max(len(places) - 2, 1)
-    fitting = [one for one in bodies if chi2.sf(one.misfit, freedom) > PLAUSIBLE]
-    found = _unite(fitting, high - low)
-    _check_found(found, bodies or tried, freedom)
-    (one,) = found
+    fitting = [one for one in bodies if chi2.sf(one.misfit, freedom) > LIMITS.min_probability]
+    united = _unite(fitting, high - low)
+    _check_unique(united, bodies or tried, freedom)
+    (one,) = united
     known = one.moments.degrees_of_freedom
     center = Estimate(("center",), np.array([one.at + one.step]), one.covariance[:1, :1], known)
     combined = Estimate(("axis 1",), np.array([one.moment]), one.covariance[1:, 1:], known)
@@ -119,29 +129,30 @@ def find_center(
 def _farthest(moments_at: Callable[[float], Estimate], mass: float, places: Array, reach: Array) -> Float64[Array, "n"]:
     """Return the distance from each pivot at which its moment, with its error, falls to zero.
 
-    That is L/2 + √(L²/4 + A/m), and more by the error: that of a body nearly without a moment may come out negative.
+    That is L/2 + √(L²/4 + A/m), plus its error: the measured moment of a thin body may be negative.
     """
     away = np.abs(places[0] - places)
     jig = moments_at(float(places[0])).value / mass - away * (reach - away)
     root = np.sqrt(np.maximum(0.25 * reach**2 + jig, 0.0))
     far = 0.5 * reach + root
     error = np.array([moments_at(p + d).standard_error[k] for k, (p, d) in enumerate(zip(places, far, strict=True))])
-    return far + FAR_OFF * error / (2.0 * mass * np.maximum(root, ONE * reach))
+    return far + MAX_ERRORS * error / (2.0 * mass * np.maximum(root, LIMITS.place_tolerance * reach))
 
 
 def _solve_stretch(
     moments_at: Callable[[float], Estimate], mass: float, places: Array, reach: Array, stretch: tuple[float, float]
 ) -> Iterator[_Place]:
-    """Yield the places on a stretch where weighted least squares come to rest; one, unless weights change much."""
+    """Yield the places on a stretch at which weighted least squares converge; one, unless weights change much."""
     low, high = stretch
+    converged = 1e-9 * (high - low)  # the last step is added
     side = np.sign(0.5 * (low + high) - places)
-    for start in STARTS:
-        at, left = low + start * (high - low), ROUNDS
+    for start in (0.05, 0.5, 0.95):
+        at, left = low + start * (high - low), 20  # rounds; a place that fits needs two or three
         while True:
             slope = mass * (side * reach - 2.0 * (at - places))
             one = _fit_place(moments_at(at), slope, at, stretch)
             closer, left = min(max(at + one.step, low), high), left - 1
-            if one.is_open or abs(closer - at) <= SETTLED * (high - low) or not left:
+            if one.is_open or abs(closer - at) <= converged or not left:
                 break
             at = closer
         yield one
@@ -153,31 +164,32 @@ def _fit_place(moments: Estimate, slope: Array, at: float, stretch: tuple[float,
     ones, rise, value = solve(np.stack([np.ones(len(slope)), slope, moments.value], axis=1)).T
     weight = float(ones @ ones)
     mean, mean_rise = float(ones @ value) / weight, float(ones @ rise) / weight
-    rest, turn = value - mean * ones, rise - mean_rise * ones
+    residual, turn = value - mean * ones, rise - mean_rise * ones
     known = float(turn @ turn)
-    step = -float(turn @ rest) / known if known else 0.0
+    step = -float(turn @ residual) / known if known else 0.0
     spread = 1.0 / known if known else math.inf
-    # where each place fits, this one stands for all
+    # where each place fits, this one represents all
     held = 0.0 if math.sqrt(spread) > stretch[1] - stretch[0] else min(max(step, stretch[0] - at), stretch[1] - at)
     joint = spread * np.array([[1.0, mean_rise], [mean_rise, mean_rise**2]]) if known else np.full((2, 2), math.inf)
     joint[1, 1] += 1.0 / weight
-    return _Place(at, moments, step, mean + step * mean_rise, joint, float(np.sum((rest + held * turn) ** 2)),
+    return _Place(at, moments, step, mean + step * mean_rise, joint, float(np.sum((residual + held * turn) ** 2)),
                   (mean + held * mean_rise, 1.0 / math.sqrt(weight)), stretch)  # fmt: skip
 
 
 def _unite(places: list[_Place], whole: float) -> list[_Place]:
-    """Return the best of places that are one within their errors; across a pivot it takes their distance as an error.
+    """Merge places that are one within their errors into the best; across a pivot their distance adds to its error.
 
-    A centre of mass at the pivot of a jig may lie on either side of it by errors.
+    By its error, a centre of mass at the pivot of a jig may lie on either side of it.
     """
-    found: list[_Place] = []
+    united: list[_Place] = []
+    rounding = LIMITS.place_tolerance * whole
     for one in sorted(places, key=lambda one: one.misfit):
-        twin = next((k for k, other in enumerate(found) if _are_one(one, other, ONE * whole)), None)
+        twin = next((k for k, other in enumerate(united) if _are_one(one, other, rounding)), None)
         if twin is None:
-            found.append(one)
-        elif one.stretch != found[twin].stretch:
-            found[twin] = _join(found[twin], one)
-    return found
+            united.append(one)
+        elif one.stretch != united[twin].stretch:
+            united[twin] = _join(united[twin], one)
+    return united
 
 
 def _are_one(one: _Place, other: _Place, rounding: float) -> bool:
@@ -185,7 +197,7 @@ def _are_one(one: _Place, other: _Place, rounding: float) -> bool:
     if one.stretch == other.stretch:
         return gap <= max(rounding, one.error, other.error)
     if not (one.is_open or other.is_open):
-        return gap <= max(rounding, FAR_OFF * math.hypot(one.error, other.error))
+        return gap <= max(rounding, MAX_ERRORS * math.hypot(one.error, other.error))
     (low, high), (other_low, other_high) = (x.stretch if x.is_open else (x.at, x.at) for x in (one, other))
     return low <= other_high + rounding and other_low <= high + rounding
 
@@ -199,23 +211,23 @@ def _join(one: _Place, other: _Place) -> _Place:
     return one._replace(covariance=one.covariance + np.outer(apart, apart))
 
 
-def _check_found(found: list[_Place], tried: list[_Place], freedom: int) -> None:
-    """Refuse unless there is one place, with a positive moment, that the periods tell."""
-    if not found:
+def _check_unique(places: list[_Place], tried: list[_Place], freedom: int) -> None:
+    """Refuse unless the periods determine one place, with a positive moment."""
+    if not places:
         best = min(tried, key=lambda one: one.misfit)
         raise InvalidInput(
             f"the periods fit no place of the centre of mass on the pivots' scale: even {best} the moments of the "
             f"swings differ, with a χ² of {best.misfit:.3g} where about {freedom} is expected. Check the timings, the "
             "count of oscillations in each, their errors and the pivots."
         )
-    if len(found) > 1 or found[0].is_open:
-        *most, last = map(str, sorted(found, key=lambda one: one.at))
+    if len(places) > 1 or places[0].is_open:
+        *most, last = map(str, sorted(places, key=lambda one: one.at))
         said, open_to = (f"{', '.join(most)} or {last}", "which") if most else (last, "where")
         raise InvalidInput(
-            f"the periods fit a centre of mass {said} on the pivots' scale, and cannot tell {open_to}. Give the "
-            "distance of each pivot from the centre, or a further pivot."
+            f"the periods fit a centre of mass {said} on the pivots' scale, and do not determine {open_to}. Give "
+            "the distance of each pivot from the centre, or a further pivot."
         )
-    one = found[0]
+    one = places[0]
     if not one.moment > 0.0:
         raise InvalidInput(
             f"the swings give a moment of {one.moment:.4g} kg m² about a centre of mass at {_digits(one.at)} m, with "
@@ -225,8 +237,8 @@ def _check_found(found: list[_Place], tried: list[_Place], freedom: int) -> None
 
 
 def _digits(place: float) -> str:
-    """Return a place in words; what is left of zero by rounding is zero."""
-    return f"{round(place, DECIMALS) + 0.0:.4g}"
+    """Return a place in words, to a nanometre, so that zero with a rounding error is zero."""
+    return f"{round(place, 9) + 0.0:.4g}"
 
 
 def _too_far_apart(places: Array, far: Array) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -14,10 +14,23 @@ from polhode.estimation._estimate import Estimate
 from polhode.types import Array, Float64
 
 ENTRIES = ("Jxx", "Jyy", "Jzz", "Jxy", "Jxz", "Jyz")
-SAME = 1e-9  # sine of an angle between axes below which they are one
-RANK = 1e-6  # of singular values, below which six directions do not determine a tensor
-STEP, LEAST_STEP = 1e-6, 1e-9  # relative, of central differences
-ROUNDED = 1e-15  # of a moment, by which its own computation is off
+
+
+class MomentThresholds(NamedTuple):
+    """Numbers that decide which axes are one, and whether axes determine a tensor.
+
+    Attributes:
+        axis_tolerance: sine of the angle between axes, below which they are one.
+        min_singular_value: least of six directions; with a smaller one they do not determine a tensor.
+        relative_rounding: of a moment, by its own computation.
+    """
+
+    axis_tolerance: float = 1e-9
+    min_singular_value: float = 1e-6
+    relative_rounding: float = 1e-15
+
+
+LIMITS = MomentThresholds()
 
 
 def unit_vector(axis: Sequence[float]) -> Float64[Array, "3"]:
@@ -41,7 +54,7 @@ def list_measured(thing: Any, quantity: type) -> list[Any]:
 
 
 def propagate(swings: Sequence[Any], mass: Any, gravity: Any, moment: Callable[..., float]) -> Estimate:
-    """Return the moments of swings with the covariance that the errors of all measured quantities give them.
+    """Return the moments of swings with their covariance by the errors of all measured quantities.
 
     Their degrees of freedom are the smallest effective ones, by Welch and Satterthwaite: (Σu²)²/Σ(u⁴/ν).
     """
@@ -55,8 +68,8 @@ def propagate(swings: Sequence[Any], mass: Any, gravity: Any, moment: Callable[.
 
     columns = []
     for one in uncertain:
-        # over steps that are much smaller a difference is rounding
-        step = min(STEP * abs(one.value) or STEP, max(one.error, LEAST_STEP * abs(one.value)))
+        usual, least = 1e-6, 1e-9  # relative; the difference over smaller steps is rounding
+        step = min(usual * abs(one.value) or usual, max(one.error, least * abs(one.value)))
         low = max(-step, -0.5 * one.value) if one.value else 0.0  # an offset of zero goes up only
         columns.append((moments(one, step) - moments(one, low)) / (step - low) * one.error)
     parts = np.stack(columns, axis=1)  # of each source in each moment
@@ -66,20 +79,21 @@ def propagate(swings: Sequence[Any], mass: Any, gravity: Any, moment: Callable[.
             weak += part**4 / one.freedom
     freedom = float(np.min(total[weak > 0] / weak[weak > 0])) if (weak > 0).any() else None
     value = moments()
-    covariance = parts @ parts.T + np.diag((ROUNDED * value) ** 2)
+    covariance = parts @ parts.T + np.diag((LIMITS.relative_rounding * value) ** 2)
     return Estimate(tuple(f"swing {k + 1}" for k in range(len(swings))), value, covariance, freedom)
 
 
 def combine_moments(
     moments: Estimate, axes: Float64[Array, "n 3"]
 ) -> tuple[Float64[Array, "k 3"], Estimate, float, int]:
-    """Return the different axes (k, 3), the moment about each, the misfit χ² and how many moments it is left of."""
+    """Return the different axes (k, 3), the moment about each, the misfit χ² and its degrees of freedom."""
     different: list[Array] = []
     of = np.zeros(len(axes), dtype=int)
     for n, axis in enumerate(axes):
-        same = [k for k, known in enumerate(different) if np.linalg.norm(np.cross(axis, known)) < SAME]
-        of[n] = same[0] if same else len(different)
-        different += [] if same else [axis]
+        sines = [np.linalg.norm(np.cross(axis, other)) for other in different]
+        equal = [k for k, sine in enumerate(sines) if sine < LIMITS.axis_tolerance]
+        of[n] = equal[0] if equal else len(different)
+        different += [] if equal else [axis]
     design = np.eye(len(different))[of]
     value, covariance, misfit = _least_squares(design, moments.value, moments.covariance)
     names = tuple(f"axis {k + 1}" for k in range(len(different)))
@@ -95,7 +109,7 @@ def fit_tensor(
     Each axis gives n·Jn. Errors of the principal moments are those of e·Je with fixed e, which is their first order.
     """
     design = _directions(axes)
-    if len(axes) < 6 or np.linalg.svd(design, compute_uv=False)[5] < RANK:
+    if len(axes) < 6 or np.linalg.svd(design, compute_uv=False)[5] < LIMITS.min_singular_value:
         return None
     value, covariance, misfit = _least_squares(design, moments.value, moments.covariance)
     tensor = value[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
@@ -111,7 +125,7 @@ def fit_tensor(
 
 
 def whiten(covariance: Float64[Array, "n n"], values: Float64[Array, "n ..."]) -> Float64[Array, "n ..."]:
-    """Return numbers of this covariance, or what they are made of, as independent ones with errors of one."""
+    """Return numbers of this covariance, or linear parts of them, as independent ones with unit variance."""
     scale = math.sqrt(float(np.trace(covariance)) / len(covariance))
     root = np.linalg.cholesky(covariance / scale**2 + 1e-14 * np.eye(len(covariance))) * scale
     return np.linalg.solve(root, values)

@@ -26,7 +26,6 @@ from polhode.special._residual_noise import NoiseTest, test_known_errors
 from polhode.types import Array, Float64
 
 SILENT = NoiseTest(1.0, 0.0)  # of a fit that is not tested yet
-DECAY_NODES = 8  # of Gauss and Legendre over a decay of the amplitude
 
 
 class Measured(NamedTuple):
@@ -65,7 +64,7 @@ class Pivot(NamedTuple):
     """A horizontal pivot.
 
     Attributes:
-        distance: from the pivot to the body's centre of mass [m]; None where it is to be found.
+        distance: from the pivot to the body's centre of mass [m]; None where it is to be fitted.
         place: of the pivot on a scale along a line through the centre of mass [m], where the distance is None.
     """
 
@@ -82,7 +81,7 @@ class Jig(NamedTuple):
         period: of the jig alone in the same rig [s]; None where its moment is known.
         amplitude: of that swing at the start [rad].
         distance: from the pivot to the jig's centre of mass [m]; of no use on filaments, where it hangs centred.
-        last_amplitude: of the jig's swing at the end [rad]; None where it stays.
+        last_amplitude: of the jig's swing at the end [rad]; None without a decay.
         turns: oscillations between the two.
     """
 
@@ -103,7 +102,7 @@ class Swing(NamedTuple):
         rig: what the body hangs from.
         period: mean of one oscillation [s].
         amplitude: largest angle from rest at the start [rad].
-        last_amplitude: the same at the end [rad]; None where it stays.
+        last_amplitude: largest angle at the end [rad]; None without a decay.
         turns: oscillations between the two.
         jig: what holds the body; None without.
     """
@@ -118,7 +117,7 @@ class Swing(NamedTuple):
 
 
 class PendulumFit(NamedTuple):
-    """What periods tell of a body's inertia about its centre of mass.
+    """A body's inertia about its centre of mass, from periods.
 
     Attributes:
         moments: of each swing [kg m²], in their order.
@@ -129,7 +128,7 @@ class PendulumFit(NamedTuple):
         principal_axes: (3, 3) by columns; None without a tensor.
         misfit: χ² of the swings against one body, weighted by all their errors.
         freedom: of the misfit; zero where nothing is left to check.
-        test: whether errors alone may leave so much; where they do not, moments of a body have no errors (NaN).
+        test: whether errors alone explain the misfit; where they do not, moments of a body have no errors (NaN).
         unphysical: kg m² by which the largest principal moment exceeds the sum of the others; zero for a possible body.
         center: place of the centre of mass on the pivots' scale [m]; None where distances were given.
     """
@@ -155,7 +154,7 @@ def fit_pendulum(
     Swings about the same axis are combined; six or more axes that are independent give the tensor, by least squares
     weighted with the covariance of all moments. Pivots whose distances from the centre of mass are unknown are given by
     their places on a scale, at least two about the same axis: then the place of the centre is fitted too. With two, up
-    to three places explain the periods, which is refused; three pivots tell it.
+    to three places explain the periods, which is refused; three pivots determine it.
 
     Args:
         swings: at least one.
@@ -253,10 +252,10 @@ def _moment(swing: Swing, mass: float, gravity: float, value: dict[int, float], 
 
 
 def _amplitudes(swing: Swing | Jig) -> tuple[Array, Array]:
-    """Return amplitudes and weights (n,) of the mean over a decay, which falls by the same factor in each period."""
+    """Return amplitudes and weights (n,) of the mean over a decay, which falls by an equal factor in each period."""
     if swing.last_amplitude is None or not swing.amplitude:
         return np.array([swing.amplitude]), np.array([1.0])
-    nodes, weights = np.polynomial.legendre.leggauss(DECAY_NODES)
+    nodes, weights = np.polynomial.legendre.leggauss(8)
     part = 0.5 * (nodes + 1.0)
     return swing.amplitude ** (1.0 - part) * swing.last_amplitude**part, 0.5 * weights
 
@@ -310,7 +309,7 @@ def _check_swing(swing: Swing) -> None:
             raise InvalidInput(f"the {name} must be positive, with an error that is not negative; got {shown(one)}.")
     if not swing.period.error > 0.0:
         raise InvalidInput(
-            "a period needs an error, or nothing can be said of the moment's. Give one, like 2.31 ± 0.01 s, or several "
+            "a period needs an error, which gives that of the moment. Give one, like 2.31 ± 0.01 s, or several "
             "timings."
         )
     for of, one in (("", swing), (" of the jig", swing.jig)):

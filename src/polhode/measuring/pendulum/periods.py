@@ -1,4 +1,4 @@
-"""Periods of bodies on filaments and on pivots, at any amplitude, and the moments that they tell."""
+"""Periods of bodies on filaments and on pivots, at any amplitude, and moments from these periods."""
 
 from __future__ import annotations
 
@@ -13,9 +13,7 @@ from polhode.motion._inputs import refuse_not_positive
 from polhode.special.elliptic import complete_k
 from polhode.types import Array
 
-NODES = 64  # of the midpoint rule over the quarter period, which converges exponentially
-STEPS = 30  # of Newton's iteration, which needs about four
-STEEPEST = math.radians(179.0)  # amplitude up to which a pendulum swings back
+MAX_AMPLITUDE = math.radians(179.0)  # up to which a pendulum swings back
 
 
 @known_numbers_only
@@ -64,19 +62,20 @@ def filament_moment(
     refuse_not_positive(period=period, mass=mass, length=length, upper=upper, lower=lower, gravity=gravity)
     inertial, rise = _filament_integrand(mass, length, upper, lower, amplitude, gravity)
     moment = (period / (2.0 * math.pi * float(np.mean(np.sqrt(rise))))) ** 2
-    found = period
-    for _ in range(STEPS):
+    computed = period
+    for _ in range(30):  # of Newton's iteration, which needs about four
         each = np.sqrt(np.maximum(moment + inertial, 0.0) * rise)
-        found = 2.0 * math.pi * float(np.mean(each))
+        computed = 2.0 * math.pi * float(np.mean(each))
         slope = math.pi * float(np.mean(rise / each))
-        change = (found - period) / slope
+        change = (computed - period) / slope
         moment = max(moment - change, 1e-9 * moment)
         if abs(change) <= 1e-15 * moment:
             break
-    if found > period * (1.0 + 1e-12):
+    rounding = 1e-12
+    if computed > period * (1.0 + rounding):
         raise InvalidInput(
-            f"the period {period:.6g} s is too short: rising and falling alone takes {found:.6g} s on these filaments. "
-            "Check the timing, the count of oscillations in it, mass, lengths and amplitude."
+            f"the period {period:.6g} s is too short: rising and falling alone takes {computed:.6g} s on these "
+            "filaments. Check the timing, the count of oscillations in it, mass, lengths and amplitude."
         )
     return moment
 
@@ -123,7 +122,7 @@ def quarter_period(amplitude: float) -> float:
     Raises:
         InvalidInput: for an amplitude of half a turn and more, or a negative one.
     """
-    if not 0.0 <= amplitude < STEEPEST:
+    if not 0.0 <= amplitude < MAX_AMPLITUDE:
         raise InvalidInput(f"the amplitude must be from 0 to 179 deg; got {math.degrees(amplitude):.6g} deg.")
     return float(complete_k(math.cos(0.5 * amplitude) ** 2))
 
@@ -132,7 +131,7 @@ def _filament_integrand(
     mass: float, length: float, upper: float, lower: float, amplitude: float, gravity: float
 ) -> tuple[Array, Array]:
     """Return M h′² and (h + h₀)/(2MgRr)/(1 − sin²(θ₀/2) sin²φ) (n,) at midpoints φ of the quarter period."""
-    if not 0.0 <= amplitude < STEEPEST:
+    if not 0.0 <= amplitude < MAX_AMPLITUDE:
         raise InvalidInput(f"the amplitude must be from 0 to 179 deg; got {math.degrees(amplitude):.6g} deg.")
     straight = length**2 - (upper - lower) ** 2  # h² at rest
     lowest = straight - 4.0 * upper * lower * math.sin(0.5 * amplitude) ** 2
@@ -141,7 +140,8 @@ def _filament_integrand(
             f"filaments of {length:.6g} m are too short for circles of radii {upper:.6g} and {lower:.6g} m at an "
             f"amplitude of {math.degrees(amplitude):.4g} deg. Check lengths and units."
         )
-    phi = 0.5 * math.pi * (np.arange(NODES) + 0.5) / NODES
+    nodes = 64  # of the midpoint rule over the quarter period, which converges exponentially
+    phi = 0.5 * math.pi * (np.arange(nodes) + 0.5) / nodes
     half = math.sin(0.5 * amplitude) * np.sin(phi)  # sin(θ/2)
     height = np.sqrt(straight - 4.0 * upper * lower * half**2)
     turn = 2.0 * half * np.sqrt(1.0 - half**2)  # sin θ

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -16,8 +16,22 @@ from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
 from polhode.reports.wording import uncertain, write_count
 
-UNLIKELY = 0.01  # probability of a misfit, below which a reader should know of it
-MANY = 2.0  # standard errors by which a tensor may be unphysical without a word
+
+class NoteThresholds(NamedTuple):
+    """Numbers that decide which notes a reader gets.
+
+    Attributes:
+        min_probability: of a misfit by errors alone; a less probable one is mentioned.
+        max_errors: standard errors, by which moments may be unphysical without a word.
+        max_tilt: rad, up to which axes are perpendicular.
+    """
+
+    min_probability: float = 0.01
+    max_errors: float = 2.0
+    max_tilt: float = 1e-6
+
+
+LIMITS = NoteThresholds()
 
 
 @dataclass(frozen=True)
@@ -25,7 +39,7 @@ class PendulumReport(StudyReport):
     """The report on moments of inertia from a pendulum.
 
     Attributes:
-        measured: what the file says.
+        measured: the content of the file.
         fit: the numbers.
     """
 
@@ -74,13 +88,13 @@ class PendulumReport(StudyReport):
         if any(swing.amplitude == 0.0 for swing in measured.swings):
             notes.append("a swing without amplitude is taken as small; 10° make the period 0.19 % longer, and the "
                          "moment 0.38 % too large if they are not given.")  # fmt: skip
-        if self.determined and self.probability is not None and self.probability < UNLIKELY:
+        if self.determined and self.probability is not None and self.probability < LIMITS.min_probability:
             notes.append(f"the swings do not fit one body within their errors: χ² is {fit.misfit:.3g}, where "
                          f"{fit.freedom} is expected. Look for a wrong length, axis or count of turns; the errors are "
                          "then too small.")  # fmt: skip
         if fit.unphysical > 0.0 and fit.principal is not None and self.determined:
             error = math.sqrt(float(np.array([-1.0, -1.0, 1.0]) @ fit.principal.covariance @ (-1.0, -1.0, 1.0)))
-            far = "far more than" if fit.unphysical > MANY * error else "within"
+            far = "far more than" if fit.unphysical > LIMITS.max_errors * error else "within"
             notes.append(f"no body has this tensor: its largest moment exceeds the sum of the others by "
                          f"{fit.unphysical:.2g} kg m², {far} the error of {error:.2g}.")  # fmt: skip
         notes += self._three_axes()
@@ -94,12 +108,12 @@ class PendulumReport(StudyReport):
         axes, combined = self.fit.axes, self.fit.combined
         if not self.determined or self.fit.inertia is not None or len(axes) != 3:
             return []
-        if np.abs(axes @ axes.T - np.eye(3)).max() > 1e-6:
+        if np.abs(axes @ axes.T - np.eye(3)).max() > LIMITS.max_tilt:
             return []
         k = int(np.argmax(combined.value))
         sign = np.where(np.arange(3) == k, 1.0, -1.0)
         excess, error = float(sign @ combined.value), math.sqrt(float(sign @ combined.covariance @ sign))
-        if excess <= MANY * error:
+        if excess <= LIMITS.max_errors * error:
             return []
         rule = "about perpendicular axes none may exceed the sum of the others"
         return [f"no body has these moments: {rule}, and one does by {excess:.2g} ± {error:.1g} kg m²."]

@@ -25,8 +25,21 @@ BIFILAR, TRIFILAR, COMPOUND = "bifilar", "trifilar", "compound"
 SIZES = {BIFILAR: ("spacing", "upper_spacing"), TRIFILAR: ("radius", "upper_radius"), COMPOUND: ("distance", "pivot")}
 OF_JIG = ("turns", "amplitude", "last_amplitude")  # keys of the rig that the jig's own swing takes
 CENTRED = Measured(0.0)
-FEWEST = 2  # timings whose scatter gives an error
-BLUNDER = 0.2  # of the median timing: by more, one is mistyped or of another number of turns
+
+
+class TimingThresholds(NamedTuple):
+    """Numbers that decide which timings are refused.
+
+    Attributes:
+        min_timings: whose scatter gives an error.
+        max_deviation: of the median timing; one that deviates more is mistyped, or of another number of turns.
+    """
+
+    min_timings: int = 2
+    max_deviation: float = 0.2
+
+
+LIMITS = TimingThresholds()
 
 
 def _measured(unit: str) -> PlainValidator:
@@ -80,7 +93,7 @@ Turns = Annotated[float, BeforeValidator(_turns)]
 class JigTable(Strict):
     """What holds the body, by its moment or by its own swing in the same rig.
 
-    Its turns and amplitudes are those of the table that it stands in, unless it has its own.
+    Its turns and amplitudes are those of the table that contains it, unless it has its own.
     """
 
     mass: MeasuredMass = Field(description='give it like "80 ± 1 g"')
@@ -128,7 +141,7 @@ class PendulumFile(Strict):
 
 
 class Measurements(NamedTuple):
-    """What a file says.
+    """The content of a file.
 
     Attributes:
         name: of the body.
@@ -181,7 +194,7 @@ def _merge(shared: RigTable, own: SwingTable) -> dict[str, Any]:
 
 
 def _fill_jig(jig: JigTable | None, keys: Mapping[str, Any]) -> JigTable | None:
-    """Return a jig with the keys of its own swing from the table that it stands in, where it has none."""
+    """Return a jig with the keys of its own swing from the table that contains it, where it has none."""
     if jig is None:
         return None
     return jig.model_copy(update={name: keys[name] for name in OF_JIG if getattr(jig, name) is None})
@@ -271,13 +284,13 @@ def _jig(table: JigTable) -> Jig:
 def _faults(timings: list[Measured]) -> Iterator[str]:
     middle = float(np.median([one.value for one in timings])) if timings else 0.0
     for one in timings:
-        if abs(one.value - middle) > BLUNDER * middle and len(timings) > 2:
+        if abs(one.value - middle) > LIMITS.max_deviation * middle and len(timings) > 2:
             yield (f"has {one.value:g} s among timings about {middle:g} s, and the same swing takes as long each time; "
                    "correct it or leave it out")  # fmt: skip
     if not timings or any(one.error for one in timings):
         return
     like = 'give the error of a timing, like "23.10 ± 0.02 s"'
-    if len(timings) < FEWEST:
+    if len(timings) < LIMITS.min_timings:
         yield f"is one timing without an error; give several, or {like}"
     elif len({one.value for one in timings}) == 1:
         yield f"are all the same, so that their scatter shows no error; {like}"
@@ -287,7 +300,7 @@ def _mean(timings: list[Measured], turns: float) -> Measured:
     """Return the period of one oscillation: by the scatter of timings, or by their errors where that is larger."""
     values = np.array([one.value for one in timings]) / turns
     stated = math.sqrt(sum(one.error**2 for one in timings)) / len(timings) / turns
-    if len(timings) < FEWEST:
+    if len(timings) < LIMITS.min_timings:
         return Measured(float(values[0]), stated)
     scatter = float(np.std(values, ddof=1)) / math.sqrt(len(values))
     if stated >= scatter:

@@ -10,7 +10,6 @@ from scipy.spatial.transform import Rotation
 
 from polhode.types import Array, Float64, Integer
 
-FLATTEST = 0.02  # of (I1 + I2 − I3)/2I3, to start within what a body can be
 ROOT = np.sqrt(2.0)
 OFF_DIAGONAL = ((0, 1), (0, 2), (1, 2))
 
@@ -103,6 +102,7 @@ def possible_moments(moments: Float64[Array, "3"]) -> Float64[Array, "3"]:
     # of a flat body's, (b + c, a + c, a + b) with a ≥ b ≥ c ≥ 0 the spreads of mass along the axes
     a, b, c = (0.5 * moments.sum() - moments).tolist()
     largest = max(a, 1e-300)
-    b, c = max(b, 0.02 * largest), max(c, FLATTEST * largest)
+    thinnest = 0.02  # of the largest spread: a start within what a body can be
+    b, c = max(b, thinnest * largest), max(c, thinnest * largest)
     ordered = np.sort(np.array([b + c, largest + c, largest + b]))
     return ordered / ordered[2]

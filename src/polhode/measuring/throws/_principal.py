@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -11,12 +12,28 @@ from polhode.estimation._estimate import Estimate
 from polhode.measuring.throws._throw_models import D_MOMENTS, compute_moments
 from polhode.types import Array, Float64
 
-STEADY = 5.0  # degrees: rates that stay so near one direction are those of a steady spin
-OVER = 90.0  # degrees: rates that go further from their mean are those of a body that turned over
-WIDEST = 0.1  # half an interval of a ratio that still says something
 FORCES = {"drag": "c", "linear_drag": "b", "one_sided_drag": "d", "rotor": "h"}
 HALF_TURNS = ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0))
 DIRECTED = ("one_sided_drag", "rotor")
+
+
+class PrincipalThresholds(NamedTuple):
+    """Numbers that decide whether moments are determined, and what is said where they are not.
+
+    Attributes:
+        max_half_width: of the interval of a ratio; a wider one is no result, as ratios lie between 0 and 1.
+        max_steady_angle: degrees; rates that stay as near to one direction are those of a steady spin.
+        max_upright_angle: degrees; rates that deviate more from their mean are those of a body that tumbles.
+        equal_errors: standard errors of a difference of ratios, within which they are equal.
+    """
+
+    max_half_width: float = 0.1
+    max_steady_angle: float = 5.0
+    max_upright_angle: float = 90.0
+    equal_errors: float = 2.0
+
+
+LIMITS = PrincipalThresholds()
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +72,7 @@ def principal(
     Args:
         parameters: of the fit.
         covariance: of these, the turn along the fit's principal axes.
-        places: where "shape", "turn" and perhaps forces stand among them.
+        places: of "shape", "turn" and perhaps forces among them.
         axes: the fit's principal axes by columns [device frame].
         freedom: degrees of freedom of the residuals.
     """
@@ -79,11 +96,11 @@ def principal(
         if name not in places:
             continue
         both = np.r_[places[name], places["shape"]]
-        # what has a sign along an axis turns with it
-        turned = order.T if name in DIRECTED else np.eye(3)[which]
-        values = turned @ parameters[places[name]] / largest
+        # the components of a vector change sign with their axes
+        to_sorted = order.T if name in DIRECTED else np.eye(3)[which]
+        values = to_sorted @ parameters[places[name]] / largest
         # the fit's coefficients are over its own third moment
-        by = np.concatenate([turned / largest, -np.outer(values, D_MOMENTS[:, which[2]]) / largest], axis=1)
+        by = np.concatenate([to_sorted / largest, -np.outer(values, D_MOMENTS[:, which[2]]) / largest], axis=1)
         names = tuple(f"{FORCES[name]}{k}/I3" for k in (1, 2, 3))
         forces[name] = Estimate(names, values, by @ covariance[np.ix_(both, both)] @ by.T, freedom)
     return Principal(ratios, moments, axes @ order, turn, joint, forces, order, _equal(ratios), _is_narrow(ratios))
@@ -92,7 +109,7 @@ def principal(
 def widen_errors(inertia: Principal, other: Principal) -> Principal:
     """Return a solution with errors of ratios and axes widened to cover another solution that may be the true one."""
     between = Rotation.from_matrix(inertia.axes.T @ other.axes)
-    halves = [between * Rotation.from_matrix(np.diag(signs)) for signs in HALF_TURNS]  # the same axes
+    halves = [between * Rotation.from_matrix(np.diag(signs)) for signs in HALF_TURNS]  # all of the axes up to sign
     apart = min((half.as_rotvec() for half in halves), key=np.linalg.norm)
     apart = np.concatenate([other.ratios.value - inertia.ratios.value, apart])
     joint = replace(inertia.joint, covariance=inertia.joint.covariance + np.outer(apart, apart))
@@ -103,15 +120,15 @@ def widen_errors(inertia: Principal, other: Principal) -> Principal:
 
 def _is_narrow(ratios: Estimate) -> bool:
     half = 0.5 * np.diff(ratios.interval(), axis=1)[:, 0]
-    return bool(np.isfinite(half).all() and half.max() < WIDEST)
+    return bool(np.isfinite(half).all() and half.max() < LIMITS.max_half_width)
 
 
 def _equal(ratios: Estimate) -> str | None:
     between = np.array([-1.0, 1.0])
     gap = float(between @ ratios.value)
-    if gap < 2 * np.sqrt(between @ ratios.covariance @ between):
+    if gap < LIMITS.equal_errors * np.sqrt(between @ ratios.covariance @ between):
         return "I1 = I2"
-    return "I2 = I3" if 1.0 - ratios.value[1] < 2 * ratios.standard_error[1] else None
+    return "I2 = I3" if 1.0 - ratios.value[1] < LIMITS.equal_errors * ratios.standard_error[1] else None
 
 
 def explain_undetermined(rates: list[Float64[Array, "n 3"]], inertia: Principal | None) -> str:
@@ -130,7 +147,7 @@ def explain_undetermined(rates: list[Float64[Array, "n 3"]], inertia: Principal 
     k = int(np.argmax(away))
     toward = means[k] / max(float(np.linalg.norm(means[k])), 1e-300)
     text = ", ".join(f"{x:.2f}" for x in toward)
-    if away[k] < STEADY:
+    if away[k] < LIMITS.max_steady_angle:
         return (
             f"the rates ({sizes[k]:.3g} rad/s) stay within {away[k]:.2g}° of one direction of the device, ({text}): "
             "the body spins about a principal axis, or is a sphere; either way the log does not determine the moments. "
@@ -149,5 +166,5 @@ def explain_undetermined(rates: list[Float64[Array, "n 3"]], inertia: Principal 
 
 
 def _tumble(away: float) -> str:
-    """Return the advice to let a body tumble; none to one that turned over."""
-    return "" if away > OVER else ", with a tumble about its middle axis"
+    """Return the advice to let a body tumble, unless it did."""
+    return "" if away > LIMITS.max_upright_angle else ", with a tumble about its middle axis"

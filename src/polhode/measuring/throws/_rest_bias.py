@@ -11,8 +11,6 @@ from polhode.measuring.throws.gyro_log import GyroLog
 from polhode.measuring.throws.rest import rest_stretches
 from polhode.types import Float64
 
-DRIFT = 0.003  # rad/s, by which a bias in flight differs from that at rest
-
 
 class RestBias(NamedTuple):
     """The bias of a gyro by rests.
@@ -39,7 +37,7 @@ def rest_bias(logs: list[GyroLog], windows: list[list[Window]]) -> RestBias | No
     for log, flights in zip(logs, windows, strict=True):
         seconds = 0.0
         for start, end in rest_stretches(log):
-            if any(start < flight.end and end > flight.start for flight in flights):
+            if any(start < free.end and end > free.start for free in flights):
                 continue
             within = (log.times >= start) & (log.times <= end)
             means.append(log.rates[within].mean(axis=0))
@@ -50,4 +48,5 @@ def rest_bias(logs: list[GyroLog], windows: list[list[Window]]) -> RestBias | No
     weights = np.array(lengths) / sum(lengths)
     value = weights @ np.array(means)
     apart = np.sqrt(weights @ (np.array(means) - value) ** 2)
-    return RestBias(value, np.hypot(DRIFT, apart), float(sum(lengths)))
+    drift = 0.003  # rad/s, standard deviation of a bias in flight from that at rest
+    return RestBias(value, np.hypot(drift, apart), float(sum(lengths)))

@@ -2,16 +2,33 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from polhode.measuring.throws._principal import Principal, explain_undetermined
 from polhode.measuring.throws._throw_fit import Solution, Throw, explains, rms, variation
 from polhode.measuring.throws._throw_search import find_bound
 
-FAR = 10.0  # times what a bias or a gain was known by beforehand
-DRIVEN = 0.02  # over I3 |ω|²: twice what slows a plate
-IMPOSSIBLE = 3.0  # standard errors, by which a body may miss I1 + I2 ≥ I3
 CALLED = {"drag": "drag", "linear_drag": "linear drag", "one_sided_drag": "one-sided drag", "shape": "shape"}
+
+
+class DoubtThresholds(NamedTuple):
+    """Numbers that decide whether a fit of throws is rejected.
+
+    Attributes:
+        max_prior_errors: prior standard deviations, by which a bias or a gain may differ from its prior mean.
+        max_driving_torque: over I3 |ω|², twice the torque that slows a plate; air that drives the body by more than
+            this is none.
+        max_errors: standard errors, by which a body may miss I1 + I2 ≥ I3, or air may drive it.
+    """
+
+    max_prior_errors: float = 10.0
+    max_driving_torque: float = 0.02
+    max_errors: float = 3.0
+
+
+LIMITS = DoubtThresholds()
 
 
 def why_nothing_explains(solution: Solution, throws: list[Throw]) -> str | None:
@@ -52,7 +69,7 @@ def _doubt_expectations(solution: Solution) -> str | None:
         place = solution.model.places[name]
         at = np.flatnonzero((which >= place.start) & (which < place.stop))
         off = np.abs(solution.parameters[place] - means[at]) / spread[at]
-        if off.max() > FAR:
+        if off.max() > LIMITS.max_prior_errors:
             k = int(np.argmax(off))
             value = solution.parameters[place][k]
             return (f"the fit needs a {what} of {value:.3g}{unit}, and {means[at][k]:.3g} ± {spread[at][k]:.2g} was "
@@ -70,7 +87,7 @@ def _doubt_drag(inertia: Principal, throws: list[Throw]) -> str | None:
             value = scale * inertia.forces[name].value
             least += -np.abs(value) if name == "one_sided_drag" else value
             variance += (scale * inertia.forces[name].standard_error) ** 2
-    if (least < -np.maximum(DRIVEN, IMPOSSIBLE * np.sqrt(variance))).any():
+    if (least < -np.maximum(LIMITS.max_driving_torque, LIMITS.max_errors * np.sqrt(variance))).any():
         return (f"the fit needs air that accelerates the body, not slows it, by {-least.min():.2g} I3 |ω|²: the "
                 "motion is another one than those that were tried, or the stretch is no free flight.")  # fmt: skip
     return None
@@ -84,7 +101,7 @@ def why_impossible(inertia: Principal) -> str | None:
                     "longer, or with more tumble.")  # fmt: skip
     flat = float(inertia.ratios.value.sum() - 1.0)
     error = float(np.sqrt(inertia.ratios.covariance.sum()))
-    if flat < -IMPOSSIBLE * error:
+    if flat < -LIMITS.max_errors * error:
         return (f"I1 + I2 would be less than I3 by {-flat:.2g} ± {error:.2g} of it, which no body is: the motion is "
                 "another one than those that were tried, or the stretch is no free flight.")  # fmt: skip
     return None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.linalg import block_diag
@@ -13,22 +13,39 @@ from scipy.spatial.transform import Rotation
 from polhode.measuring.throws._throw_models import compute_moments, free_rates, integrate_forced
 from polhode.types import Array, Float64, Integer
 
-ROBUST = 3.0  # standard deviations, beyond which residuals count linearly (Huber)
-LEAST_MOMENT = 0.003  # over the largest: a smaller one is no body's
-FLATTER = -0.1  # c of a body flatter than a plate, which noise may pretend
-LIMITS = {
-    "shape": ([-1.0, FLATTER], [1.0, 2.0]), "gain": ([0.7] * 3, [1.3] * 3), "cross_axis": ([-0.3] * 3, [0.3] * 3),
+
+class FitThresholds(NamedTuple):
+    """Numbers that decide on the noise of a fit of throws, and on its end.
+
+    Attributes:
+        max_quadratic_error: standard deviations, beyond which residuals count linearly (Huber).
+        min_moment: over the largest; no body has a smaller one.
+        min_flatness: least c that is fitted; noise may make it negative, flatter than a plate.
+        max_unexplained: residuals over the variation of the rates; a motion that leaves more does not explain them.
+        max_jitter: of the time between samples; a worse clock would explain any motion.
+        noise_tolerance: relative change of the noise in a round, below which the fit has converged.
+        bias_spread: rad/s, standard deviation of offsets anywhere within ±0.05, as gyros of phones have them.
+    """
+
+    max_quadratic_error: float = 3.0
+    min_moment: float = 0.003
+    min_flatness: float = -0.1
+    max_unexplained: float = 0.2
+    max_jitter: float = 0.1
+    noise_tolerance: float = 0.02
+    bias_spread: float = 0.03
+
+
+LIMITS = FitThresholds()
+PARAMETER_BOUNDS = {
+    "shape": ([-1.0, LIMITS.min_flatness], [1.0, 2.0]),
+    "gain": ([0.7] * 3, [1.3] * 3), "cross_axis": ([-0.3] * 3, [0.3] * 3),
     "drag": ([-0.2] * 3, [1.0] * 3), "linear_drag": ([-2.0] * 3, [10.0] * 3), "one_sided_drag": ([-0.5] * 3, [0.5] * 3),
 }  # fmt: skip
-UNLIMITED = ([-np.inf] * 3, [np.inf] * 3)
-BIAS_SPREAD = 0.03  # rad/s, of offsets anywhere within ±0.05, as gyros of phones have them
-CLOCK = 0.25  # of the gains' variance: a clock that is too slow is a gain of all axes alike
-SPREADS = {"drag": 0.02, "linear_drag": 0.2, "one_sided_drag": 0.02}
-"""Of coefficients over I3; thin plates in air have a drag of 0.01."""
+UNBOUNDED = ([-np.inf] * 3, [np.inf] * 3)
+PRIOR_SPREADS = {"drag": 0.02, "linear_drag": 0.2, "one_sided_drag": 0.02}
+"""Standard deviations of coefficients over I3; thin plates in air have a drag of 0.01."""
 PAIRS = ((1, 2), (0, 2), (0, 1))  # of axes, whose rates leak into each other
-UNEXPLAINED = 0.2  # of the rates, that residuals may be
-MAX_ROUNDS, MAX_STEPS = 6, 25
-LATEST = 0.1  # of the time between samples: a clock that is worse would explain anything
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,11 +59,11 @@ class Throw:
 
 @dataclass(frozen=True)
 class Model:
-    """The fitted parameters and their places in the vector.
+    """The fitted parameters and their places in the vector of all.
 
     Attributes:
         forces: names of the torques, of ``throw_models.TORQUES``.
-        gain: whether the gyro has a matrix of gains, symmetric: what is left of it turns the axes of the device.
+        gain: whether the gyro has a matrix of gains, symmetric: its antisymmetric part turns the axes of the device.
         throws: how many.
         gain_spread: standard deviation of an entry of that matrix, known beforehand.
         bias: of the gyro, known beforehand [rad/s].
@@ -58,7 +75,7 @@ class Model:
     throws: int
     gain_spread: float
     bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    bias_spread: tuple[float, float, float] = (BIAS_SPREAD, BIAS_SPREAD, BIAS_SPREAD)
+    bias_spread: tuple[float, float, float] = (LIMITS.bias_spread,) * 3
 
     @property
     def places(self) -> dict[str, slice]:
@@ -91,18 +108,19 @@ class Model:
     def prior(self) -> tuple[Integer[Array, "k"], Float64[Array, "k"], Float64[Array, "k k"]]:
         """Return which parameters are known beforehand, their means m and W, so that W (x − m) has unit covariance.
 
-        Drag, and a bias that no rest shows, are known so loosely that no good log feels it; it keeps the iteration out
-        of the long valleys where a large bias does the work of drag.
+        The priors of drag, and of a bias without a rest, are so wide that they do not move a good fit; they keep the
+        iteration out of the long valleys where a large bias acts like drag.
         """
         parts: dict[str, tuple[Any, Array]] = {"bias": (self.bias, np.diag(1.0 / np.array(self.bias_spread)))}
         if self.gain:
-            # of the covariance s² (1 + κ) of the three gains, κ everywhere: a clock's error is common to all
-            root = np.eye(3) + (1.0 / np.sqrt(1.0 + 3.0 * CLOCK) - 1.0) / 3.0
+            # of the covariance s² (1 + κ) of the three gains, κ everywhere: a slow clock is a gain of all axes
+            common = 0.25  # κ
+            root = np.eye(3) + (1.0 / np.sqrt(1.0 + 3.0 * common) - 1.0) / 3.0
             parts["gain"] = np.ones(3), root / self.gain_spread
             parts["cross_axis"] = np.zeros(3), np.eye(3) * np.sqrt(2.0) / self.gain_spread  # halves of two entries
         for name in self.forces:
-            if name in SPREADS:
-                parts[name] = np.zeros(3), np.eye(3) / SPREADS[name]
+            if name in PRIOR_SPREADS:
+                parts[name] = np.zeros(3), np.eye(3) / PRIOR_SPREADS[name]
         places = self.places
         which = np.concatenate([np.r_[places[name]] for name in parts])
         weights = np.asarray(block_diag(*(weight for _, weight in parts.values())))
@@ -110,7 +128,7 @@ class Model:
 
     def limits(self) -> tuple[Float64[Array, "p"], Float64[Array, "p"]]:
         """Return the bounds of the parameters."""
-        pairs = [LIMITS.get(name, UNLIMITED) for name in self.places]
+        pairs = [PARAMETER_BOUNDS.get(name, UNBOUNDED) for name in self.places]
         low, high = (np.concatenate([pair[k] for pair in pairs]) for k in (0, 1))
         return low, high
 
@@ -165,7 +183,8 @@ def right_jacobian(turn: Array) -> Float64[Array, "3 3"]:
     """Return M with exp(turn + δ) = exp(turn) exp(M δ)."""
     size = float(np.linalg.norm(turn))
     hat = cross_matrix(turn)
-    if size < 1e-6:
+    smallest = 1e-6  # below which the next term of the series is rounding
+    if size < smallest:
         return np.eye(3) - 0.5 * hat
     return np.eye(3) - (1 - np.cos(size)) / size**2 * hat + (size - np.sin(size)) / size**3 * hat @ hat
 
@@ -200,13 +219,13 @@ def predict_rates(
             J[:, :, places[name]] = np.einsum("ij,pnj->nip", to_device, d[5 + 3 * m : 8 + 3 * m])
         J[:, :, places["turn"]] = to_device @ cross_matrices(-rates) @ moved
         J[:, :, places["bias"]] = np.eye(3)
-        seen = rates @ axes.T
+        in_device = rates @ axes.T
         if model.gain:
             for i, (one, other) in enumerate(PAIRS):
-                J[:, i, places["gain"].start + i] = seen[:, i]
-                J[:, one, places["cross_axis"].start + i] = seen[:, other]
-                J[:, other, places["cross_axis"].start + i] = seen[:, one]
-        values.append(seen @ gain + x[places["bias"]])
+                J[:, i, places["gain"].start + i] = in_device[:, i]
+                J[:, one, places["cross_axis"].start + i] = in_device[:, other]
+                J[:, other, places["cross_axis"].start + i] = in_device[:, one]
+        values.append(in_device @ gain + x[places["bias"]])
         slopes.append(J)
         momentum = rates * moments + forces.get("rotor", np.zeros(3))
         fast.append(np.cross(momentum, rates) / moments @ to_device.T)
@@ -214,7 +233,7 @@ def predict_rates(
 
 
 def _rates(shape: Array, start: Array, forces: dict[str, Array], elapsed: Array) -> tuple[Array, Array]:
-    if compute_moments(shape).min() < LEAST_MOMENT:
+    if compute_moments(shape).min() < LIMITS.min_moment:
         return np.full((len(elapsed), 3), np.nan), np.zeros((5 + 3 * len(forces), len(elapsed), 3))
     return integrate_forced(shape, start, forces, elapsed) if forces else free_rates(shape, start, elapsed)
 
@@ -230,12 +249,12 @@ def gain_matrix(model: Model, x: Array) -> Float64[Array, "3 3"]:
 
 
 def explains(solution: Solution, throws: list[Throw]) -> bool:
-    """Whether residuals are small beside the rates."""
-    return rms(solution.residuals) < UNEXPLAINED * variation(throws)
+    """Whether residuals are small compared with the variation of the rates."""
+    return rms(solution.residuals) < LIMITS.max_unexplained * variation(throws)
 
 
 def variation(throws: list[Throw]) -> float:
-    """Return by how much the rates vary [rad/s]."""
+    """Return the root mean square deviation of the rates from their mean [rad/s]."""
     rates = np.concatenate([throw.rates for throw in throws])
     return rms(rates - rates.mean(axis=0))
 
@@ -259,8 +278,8 @@ def estimate_noise(residuals: Array, fast: Array, lost: float, latest: float) ->
     Args:
         residuals: (n, 3).
         fast: (n, 3) the device's angular acceleration.
-        lost: degrees of freedom that the fit took.
-        latest: largest τ that is believed [s].
+        lost: degrees of freedom used by the fit.
+        latest: largest plausible τ [s].
     """
     size2 = (fast * fast).sum(axis=1)
     along2 = np.einsum("ij,ij->i", residuals, fast) ** 2 / np.maximum(size2, 1e-300)
@@ -289,7 +308,7 @@ def estimate_noise(residuals: Array, fast: Array, lost: float, latest: float) ->
 
 def fit_model(
     model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tuple[float, float] | None,
-    rounds: int = MAX_ROUNDS,
+    rounds: int = 6,
 ) -> Solution:  # fmt: skip
     """Return the robust least squares of a model from a start.
 
@@ -316,17 +335,17 @@ def fit_model(
     values, slopes, fast = predict_rates(model, x, axes0, throws)
     white = whitening_matrices(fast, sigma, jitter)
     J = (white @ slopes).reshape(-1, model.size)
-    J = np.where(np.isfinite(J), J, 0.0)  # of a motion that ran out of the numbers nothing is determined
+    J = np.where(np.isfinite(J), J, 0.0)  # a motion that overflows determines nothing
     cost = cost if np.isfinite(cost) else np.inf
     z = (white @ (data - values)[..., None]).ravel()
     which, means, weights = model.prior()
     covariance = compute_covariance(np.concatenate([J, weights @ np.eye(model.size)[which]]))
     cost += float(((weights @ (x[which] - means)) ** 2).sum())
     count, size = data.size, float(np.einsum("ij,ik,kj->", J, J, covariance)) + 2.0
-    turned, change = turn_axes(model, x, axes0)
-    covariance = change @ covariance @ change.T / np.mean(np.abs(z) < ROBUST) ** 2
+    axes, change = turn_axes(model, x, axes0)
+    covariance = change @ covariance @ change.T / np.mean(np.abs(z) < LIMITS.max_quadratic_error) ** 2
     return Solution(
-        model, x, turned, covariance, data - values, sigma, jitter, -0.5 * cost,
+        model, x, axes, covariance, data - values, sigma, jitter, -0.5 * cost,
         cost + 2 * size * count / max(count - size - 1, 1), cost + size * np.log(count),
         float(max(count - size, 1)), converged,
     )  # fmt: skip
@@ -344,31 +363,31 @@ def _descend(
     model: Model, x: Array, axes0: Array, throws: list[Throw], data: Array, noise: tuple[float, float],
     rounds: int,
 ) -> tuple[Array, tuple[float, float], float, bool]:  # fmt: skip
-    """Return parameters, noise, −2 ln(likelihood) and whether they settled: least squares and noise in turn."""
+    """Return parameters, noise, −2 ln(likelihood) and whether they converged, by least squares and noise in turn."""
     lost = model.size - 6 * model.gain
     cost = np.inf
-    latest = LATEST * float(np.median(np.concatenate([np.diff(throw.elapsed) for throw in throws])))
+    latest = LIMITS.max_jitter * float(np.median(np.concatenate([np.diff(throw.elapsed) for throw in throws])))
     for k in range(rounds):
         system = _System(model, axes0, throws, data, *noise)
         done = least_squares(
             system.residuals, x, jac=system.jacobian, bounds=model.limits(),  # pyright: ignore[reportArgumentType]
             loss=system.loss,  # pyright: ignore[reportArgumentType]
-            f_scale=ROBUST, x_scale="jac", xtol=1e-9, ftol=1e-4, gtol=1e-12, max_nfev=MAX_STEPS,
+            f_scale=LIMITS.max_quadratic_error, x_scale="jac", xtol=1e-9, ftol=1e-4, gtol=1e-12, max_nfev=25,
         )  # fmt: skip
         x = done.x
         values, _, fast = predict_rates(model, x, axes0, throws)
         before = noise[0]
         sigma, jitter, cost = estimate_noise(data - values, fast, lost, latest)
         noise = sigma, jitter
-        if done.status > 0 and abs(noise[0] / before - 1.0) < 0.02:
+        if done.status > 0 and abs(noise[0] / before - 1.0) < LIMITS.noise_tolerance:
             return x, noise, cost, True
-        if k and rms(data - values) > UNEXPLAINED * variation(throws):
-            break  # it will not be explained by more of it
+        if k and rms(data - values) > LIMITS.max_unexplained * variation(throws):
+            break  # more rounds will not explain it
     return x, noise, cost, False
 
 
 def compute_covariance(J: Array) -> Float64[Array, "p p"]:
-    """Return (JᵀJ)⁻¹, very large along directions that nothing determines."""
+    """Return (JᵀJ)⁻¹, very large along undetermined directions."""
     scale = np.linalg.norm(J, axis=0)
     scale = np.where(scale > 0, scale, 1.0)
     _, values, right = np.linalg.svd(J / scale, full_matrices=False)
@@ -391,7 +410,7 @@ class _System:
             return
         model, axes0, throws = self.given
         values, J, fast = predict_rates(model, x, axes0, throws)
-        if self.at is None:  # the weights stay as they are, or the sum of squares would reward fast motion
+        if self.at is None:  # weights that change would reward fast motion by a smaller sum
             self.white = whitening_matrices(fast, *self.noise)
         r = (self.white @ (values - self.data)[..., None]).ravel()
         K = (self.white @ J).reshape(-1, model.size)
@@ -401,7 +420,7 @@ class _System:
         self.at, self.r, self.K = x.copy(), np.nan_to_num(r, nan=1e6), np.nan_to_num(K)
 
     def loss(self, z: Array) -> Float64[Array, "3 m"]:
-        """Return Huber's function of the squares and its two derivatives, but squares for what is known beforehand."""
+        """Return Huber's function of the squares and its two derivatives, but the squares themselves for the priors."""
         far = (z > 1.0) & (np.arange(len(z)) < self.data.size)
         root = np.sqrt(np.where(far, z, 1.0))
         return np.stack([np.where(far, 2 * root - 1, z), 1 / root, np.where(far, -0.5 / root**3, 0.0)])

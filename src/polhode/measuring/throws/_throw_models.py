@@ -1,7 +1,7 @@
 """Rates of a thrown body and their exact derivatives: free motion in closed form, with air or a rotor by integration.
 
-A body's parameters are s and c of the moments ((1 − s)/2 + c, (1 + s)/2 + c, 1), so that |s| ≤ 1 and c ≥ 0 are all that
-the triangle inequality asks; those of a throw are the rates at its epoch. Everything is along the principal axes.
+A body's parameters are s and c of the moments ((1 − s)/2 + c, (1 + s)/2 + c, 1), so that |s| ≤ 1 and c ≥ 0 are the
+triangle inequality; those of a throw are the rates at its epoch. Everything is along the principal axes.
 """
 
 from __future__ import annotations
@@ -16,8 +16,6 @@ from polhode.exact.free_body.motion import FreeMotion
 from polhode.types import Array, Float64
 
 D_MOMENTS = np.array([[-0.5, 0.5, 0.0], [1.0, 1.0, 0.0]])  # by s and c
-TOLERANCE = 1e-8  # of the integration, far below the noise of any gyro
-ROUNDED = 0.05  # of the rate: within it one-sided drag passes from one side to the other
 Torque = tuple[Float64[Array, "3"], Float64[Array, "3 3"], Float64[Array, "3 3"]]
 States = tuple[Float64[Array, "n 4"], Float64[Array, "n 3"], Float64[Array, "p n 4"], Float64[Array, "p n 3"]]
 
@@ -81,17 +79,20 @@ def integrate_forced(
     begin[3:6] = np.eye(3)
     out = np.empty((len(elapsed), 3 * count))
     scale = max(float(np.linalg.norm(start)), 1e-3)
-    # errors of the derivatives only slow the convergence down: they are held to a looser tolerance than the rates
-    allowed = np.repeat([TOLERANCE * scale, *[1e-5] * (count - 1)], 3)
+    # far below the noise of any gyro; errors of the derivatives only slow the convergence down, so that a looser
+    # tolerance does for them
+    tolerance = 1e-8
+    allowed = np.repeat([tolerance * scale, *[1e-5] * (count - 1)], 3)
     for side in (elapsed < 0, elapsed >= 0):
         if not side.any():
             continue
         wanted = elapsed[side]
         wanted = wanted[::-1] if wanted[0] < 0 else wanted
-        with np.errstate(all="ignore"):  # far from the minimum drag may drive a body out of the numbers: NaN says so
+        with np.errstate(all="ignore"):  # far from the minimum a motion with drag may overflow: it becomes NaN
             done = solve_ivp(
-                field, (0.0, wanted[-1] or 1e-9), begin.ravel(), method="DOP853", t_eval=wanted, rtol=1e-8, atol=allowed
-            )
+                field, (0.0, wanted[-1] or 1e-9), begin.ravel(), method="DOP853", t_eval=wanted, rtol=tolerance,
+                atol=allowed,
+            )  # fmt: skip
         values = done.y.T if done.success else np.full((len(wanted), 3 * count), np.nan)
         out[side] = values[::-1] if wanted[-1] < 0 else values
     shaped = out.reshape(-1, count, 3)
@@ -109,9 +110,10 @@ def _linear(c: Array, w: Array, size: float) -> Torque:
 
 
 def _one_sided_drag(c: Array, w: Array, size: float) -> Torque:
-    """−c_i |ω| |ω_i|, rounded off where ω_i changes its sign: what turns one way in air feels more than the other."""
-    length = np.sqrt(w * w + (ROUNDED * size) ** 2) + 1e-300
-    slope = np.diag(size * w / length) + np.outer(length / (size or 1.0) + ROUNDED**2 * size / length, w)
+    """−c_i |ω| |ω_i|, smooth where ω_i changes its sign: air may resist one sense of rotation more than the other."""
+    width = 0.05  # of |ω|, of the transition
+    length = np.sqrt(w * w + (width * size) ** 2) + 1e-300
+    slope = np.diag(size * w / length) + np.outer(length / (size or 1.0) + width**2 * size / length, w)
     return -size * c * length, -c[:, None] * slope, -np.diag(size * length)
 
 
@@ -125,7 +127,7 @@ def _rotor(h: Array, w: Array, size: float) -> Torque:
 TORQUES: dict[str, Callable[[Array, Array, float], Torque]] = {
     "drag": _quadratic, "linear_drag": _linear, "one_sided_drag": _one_sided_drag, "rotor": _rotor,
 }  # fmt: skip
-"""What may act beside inertia: torque (3,), its slopes (3, 3) by the rates, and by the coefficients (row by row)."""
+"""Torques besides inertia: torque (3,), its slopes (3, 3) by the rates, and by the coefficients (row by row)."""
 
 
 class _Field:

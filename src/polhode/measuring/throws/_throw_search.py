@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode.measuring.throws._linear_start import integrate_rates, linear_inertia
 from polhode.measuring.throws._principal import explain_undetermined
+from polhode.measuring.throws._throw_fit import LIMITS as FIT_LIMITS
 from polhode.measuring.throws._throw_fit import (
-    LIMITS,
-    ROBUST,
+    PARAMETER_BOUNDS,
+    UNBOUNDED,
     Model,
     Solution,
     Throw,
@@ -23,23 +25,49 @@ from polhode.measuring.throws._throw_fit import (
 from polhode.measuring.throws._throw_models import compute_shape
 from polhode.types import Array, Float64
 
-MISFIT = 1.4  # times the noise of the samples: larger residuals ask for other starts
-NEAR = 1e-4  # of a bound of the drag: a fit that ends there may be in a wrong valley
-FLAT = -0.05  # of c: a body cannot be as flat, so that a fit that ends there is in a wrong valley
-GLANCED, GLANCED_TURN = 200, 15.0  # samples and rad of a throw, at which several starts are compared
-ALIKE = 0.3  # correlation of neighbouring residuals, from which a motion does not explain the data
-ROD = 0.98  # of s: hardly a body is so long and thin
 RESTARTS = np.array([[0.3, 0.05], [0.6, 0.05], [0.85, 0.02], [0.3, 0.3]])  # shapes s and c: plates, a rod, round
-MIN_TURN = 0.5  # rad: of less nothing can be said
-MOST_TURN = 2.0  # rad from sample to sample: a third of a turn, between which the motion cannot be followed
-FASTEST, ROUND = 75.0, 0.6  # rad/s, 4300 deg/s; I1/I3 by the linear method: rates too large make a body round
-ASKED = 12.0  # of χ² for three numbers, by which residuals ask for a wheel: one throw in 130 without one does so
-SURE = 10.0  # of AICc, by which a wheel must do better than air: few bodies have one
-RIVAL = 15.0  # of the criterion, within which a model with a wheel and one without may both be true
 AIR = ((), ("drag",), ("drag", "linear_drag"), ("drag", "linear_drag", "one_sided_drag"))
-SPANS = (100.0, 0.3, 0.15)  # s, of stretches over which a momentum is constant: biases add up over long ones
-LEAST_PART = 4  # samples of such a stretch: less have no momentum to compare
 WHEEL = (("rotor",), ("drag", "rotor"))
+
+
+class SearchThresholds(NamedTuple):
+    """Numbers that decide which models and starts are tried, which model is chosen, and which throws are refused.
+
+    Attributes:
+        max_noise_ratio: of the residuals to the noise of the samples; larger residuals call for other starts.
+        bound_distance: of a coefficient to its bound; a fit that ends as near may be a local minimum.
+        min_flatness: c; no body is as flat, so that a fit that ends there is a local minimum.
+        max_length: |s|; hardly a body is as long and thin, so that a fit that ends there is a local minimum.
+        max_correlation: of neighbouring residuals; larger ones show a motion that the model does not explain.
+        min_turn: rad, through which the body rotates; less does not determine its inertia.
+        max_turn_per_sample: rad, a third of a turn; larger ones cannot be followed from sample to sample.
+        max_rate: rad/s, 4300 deg/s; larger rates are of another unit, if they make the body round.
+        max_roundness: I1/I3 by the linear method, beyond which a body is round.
+        min_singular_value: times that of noise, of the second least; less does not determine the axes.
+        wheel_score: decrease of χ² by a wheel's three numbers, from which one is tried: one throw in 130 without a
+            wheel reaches it.
+        wheel_handicap: of AICc, by which a model with a wheel must do better than one without: few bodies have one.
+        rival_distance: of the criterion, within which a model with a wheel and one without may both be true.
+        min_part: samples of a part of a throw; fewer have no momentum to compare.
+    """
+
+    max_noise_ratio: float = 1.4
+    bound_distance: float = 1e-4
+    min_flatness: float = -0.05
+    max_length: float = 0.98
+    max_correlation: float = 0.3
+    min_turn: float = 0.5
+    max_turn_per_sample: float = 2.0
+    max_rate: float = 75.0
+    max_roundness: float = 0.6
+    min_singular_value: float = 6.0
+    wheel_score: float = 12.0
+    wheel_handicap: float = 10.0
+    rival_distance: float = 15.0
+    min_part: int = 4
+
+
+LIMITS = SearchThresholds()
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,21 +86,21 @@ class Start:
         rates = [throw.rates for throw in throws]
         estimate = linear_inertia(rates, [integrate_rates(t.elapsed, t.rates) for t in throws])
         noise = _noise(throws)
-        # noise of σ makes each singular value about σ √n; biases and drag make them larger, so the fit judges again
-        floor = 6.0 * noise * np.sqrt(sum(len(r) for r in rates))
+        # noise of σ makes each singular value about σ √n; biases and drag make them larger, and the fit judges again
+        floor = LIMITS.min_singular_value * noise * np.sqrt(sum(len(r) for r in rates))
         steps = [np.linalg.norm(t.rates[1:], axis=1) * np.diff(t.elapsed) for t in throws]
-        turned = max(float(step.sum()) for step in steps)
+        turn = max(float(step.sum()) for step in steps)
         between = max(float(np.median(step)) for step in steps)
         reason = None
-        if between > MOST_TURN:
+        if between > LIMITS.max_turn_per_sample:
             reason = (f"the rates say that the body turns by {between:.3g} rad from sample to sample, too far to be "
                       "followed: the rates are of another unit, like deg/s, or the times are.")  # fmt: skip
-        elif max(_typical(r) for r in rates) > FASTEST and estimate.moments[0] > ROUND:
+        elif max(_typical(r) for r in rates) > LIMITS.max_rate and estimate.moments[0] > LIMITS.max_roundness:
             reason = (f"the rates, about {max(_typical(r) for r in rates):.3g} rad/s, are beyond what gyros can tell, "
                       "and make the body nearly a sphere. Both happen where rates in deg/s are read as rad/s: give "
                       "their unit.")  # fmt: skip
-        elif turned < MIN_TURN:
-            reason = f"the body turned by {turned:.2g} rad only: nothing can be said of its inertia."
+        elif turn < LIMITS.min_turn:
+            reason = f"the body turned by {turn:.2g} rad only: nothing can be said of its inertia."
         elif estimate.singular_values[-2] < floor:
             reason = explain_undetermined(rates, None)
         return cls(compute_shape(estimate.moments), estimate.axes, estimate.singular_values, noise, reason)
@@ -91,13 +119,13 @@ def _noise(throws: list[Throw]) -> float:
 def fit_models(
     plain: Model, start: Start, throws: list[Throw], drag: bool | str, rotor: bool | str, gain: bool | str
 ) -> list[Solution]:
-    """Return the fits of the models that are asked for, the best of them first.
+    """Fit the models that are asked for, and return the fits, the best first.
 
     Args:
         plain: the model of the free motion, with gains where they are asked for.
         start: of the linear method.
         throws: the samples.
-        drag: whether air acts; "auto" for what the criterion says, as below.
+        drag: whether air acts; "auto" to let the criterion choose.
         rotor: whether a wheel turns in the body.
         gain: whether the gyro has gains.
     """
@@ -109,7 +137,7 @@ def fit_models(
     best = min(fits, key=criterion)
     without = [one for one in fits if not one.model.rotor]
     if best.model.rotor and rotor == "auto" and _in_a_valley(min(without, key=criterion), start):
-        # a wheel must not win only because the fit without one went to a wrong place
+        # a wheel must not win only because the fit without one is a local minimum
         fits += _again(replace(plain, forces=() if drag is False else AIR[1]), best, drag, start, throws)
         best = min(fits, key=criterion)
     if _in_a_valley(best, start):
@@ -130,18 +158,18 @@ def _again(model: Model, best: Solution, drag: bool | str, start: Start, throws:
 
 
 def criterion(solution: Solution) -> float:
-    """Return the criterion by which models are compared: AICc, and more for a wheel, of which few bodies have one."""
-    return solution.aicc + SURE * solution.model.rotor
+    """Return the criterion by which models are compared: AICc, with a handicap for a wheel."""
+    return solution.aicc + LIMITS.wheel_handicap * solution.model.rotor
 
 
 def rival(fits: list[Solution]) -> Solution | None:
-    """Return the best model of the other sort, with or without a wheel, where it does as well as the chosen one.
+    """Return the best model with a wheel if the chosen one has none, or without, where it does about as well.
 
     Args:
         fits: the best of them first.
     """
     others = [each for each in fits if each.model.rotor != fits[0].model.rotor]
-    return others[0] if others and criterion(others[0]) - criterion(fits[0]) < RIVAL else None
+    return others[0] if others and criterion(others[0]) - criterion(fits[0]) < LIMITS.rival_distance else None
 
 
 def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -> list[Solution]:
@@ -154,7 +182,7 @@ def _in_air(plain: Model, start: Start, throws: list[Throw], drag: bool | str) -
         model = replace(plain, forces=forces)
         if explains(last, throws):
             more = _richer(last, model, throws)
-        elif len(forces) == 1:  # without drag the fit went to a wrong place: with it, from the linear method's again
+        elif len(forces) == 1:  # a local minimum without drag: with it, the fit starts from the linear method
             at = np.insert(x, model.places["drag"].start, np.zeros(3))
             more = _choose_best(model, [(at, start.axes)], throws)
         else:
@@ -171,11 +199,11 @@ def _no_gains(plain: Model) -> list[Array]:
 
 
 def _with_wheel(plain: Model, throws: list[Throw], drag: bool | str) -> list[Solution]:
-    """Return fits with a wheel, from the linear method's with one, over wholes or parts of the throws."""
+    """Return fits with a wheel, from the linear method with one over throws or parts of them."""
     rates = [throw.rates - np.array(plain.bias) for throw in throws]
     turns = [integrate_rates(t.elapsed, r) for t, r in zip(throws, rates, strict=True)]
     starts = []
-    for span in SPANS:
+    for span in (100.0, 0.3, 0.15):  # s; a bias makes the momentum of a long part drift
         parts = [np.array_split(np.arange(len(t.elapsed)), _count_parts(t, span)) for t in throws]
         linear = linear_inertia(rates, turns, parts, rotor=True)
         begin = [linear.axes.T @ throw.rates[len(throw.rates) // 2] for throw in throws]
@@ -189,16 +217,16 @@ def _with_wheel(plain: Model, throws: list[Throw], drag: bool | str) -> list[Sol
 
 
 def _count_parts(throw: Throw, span: float) -> int:
-    """Return into how many stretches of a span [s] a throw is split, each of some samples at least."""
+    """Return the number of parts of about a span [s] into which a throw is split, each of enough samples."""
     wanted = round((throw.elapsed[-1] - throw.elapsed[0]) / span)
-    return int(np.clip(wanted, 1, len(throw.elapsed) // LEAST_PART))
+    return int(np.clip(wanted, 1, len(throw.elapsed) // LIMITS.min_part))
 
 
 def _choose_best(model: Model, starts: list[tuple[Array, Array]], throws: list[Throw]) -> Solution:
     """Return the fit from the best of several starts, compared on the middles of the throws."""
     middles = [_middle(throw, _count_glance(throw)) for throw in throws]
-    seen = [fit_model(model, x, axes, middles, None, rounds=1) for x, axes in starts]
-    best = max(seen, key=lambda one: one.log_likelihood)
+    fits = [fit_model(model, x, axes, middles, None, rounds=1) for x, axes in starts]
+    best = max(fits, key=lambda one: one.log_likelihood)
     if not explains(best, middles):
         return fit_model(model, carry_over(best, model), best.axes, throws, None, rounds=0)
     return _fit_growing(model, carry_over(best, model), best.axes, throws)
@@ -210,15 +238,15 @@ def _richer(base: Solution, model: Model, throws: list[Throw]) -> Solution:
 
 def _in_a_valley(solution: Solution, start: Start) -> bool:
     """Whether a fit may be a local minimum: at a bound, or with residuals above the noise of the samples."""
-    misfit = np.median(np.abs(solution.residuals)) > MISFIT * 0.6745 * start.noise
+    misfit = np.median(np.abs(solution.residuals)) > LIMITS.max_noise_ratio * 0.6745 * start.noise
     return bool(misfit) or find_bound(solution) is not None
 
 
 def _asks_for_wheel(solution: Solution, start: Start, throws: list[Throw]) -> bool:
-    """Whether residuals are larger than the samples' noise, neighbouring ones alike, or what a wheel would lessen."""
-    if _in_a_valley(solution, start) or alike(solution.residuals) > ALIKE:
+    """Whether residuals are larger than the samples' noise, correlated, or reduced by a wheel."""
+    if _in_a_valley(solution, start) or alike(solution.residuals) > LIMITS.max_correlation:
         return True
-    return score_wheel(solution, throws) > ASKED
+    return score_wheel(solution, throws) > LIMITS.wheel_score
 
 
 def score_wheel(solution: Solution, throws: list[Throw]) -> float:
@@ -231,7 +259,7 @@ def score_wheel(solution: Solution, throws: list[Throw]) -> float:
 
 
 def covariance_beside_wheel(solution: Solution, throws: list[Throw]) -> Float64[Array, "p p"]:
-    """Return the covariance of a solution's parameters if a small wheel, of which nothing is known, may turn beside.
+    """Return the covariance of a solution's parameters if a small unknown wheel may turn in the body.
 
     Args:
         solution: of a model without one, with p parameters.
@@ -250,7 +278,8 @@ def _beside_wheel(solution: Solution, throws: list[Throw]) -> tuple[Model, Array
     white = whitening_matrices(fast, solution.sigma, solution.jitter)
     which, means, weights = model.prior()
     A = np.concatenate([(white @ slopes).reshape(-1, model.size), weights @ np.eye(model.size)[which]])
-    z = np.clip((white @ solution.residuals[..., None]).ravel(), -ROBUST, ROBUST)
+    robust = FIT_LIMITS.max_quadratic_error
+    z = np.clip((white @ solution.residuals[..., None]).ravel(), -robust, robust)
     return model, A, np.concatenate([z, weights @ (means - x[which])])
 
 
@@ -263,19 +292,19 @@ def find_bound(solution: Solution) -> str | None:
     """Return which of shape and drag ended at a bound; drag may compensate a wrong shape."""
     x, places = solution.parameters, solution.model.places
     s, c = x[places["shape"]]
-    if abs(s) > ROD or c < FLAT:
+    if abs(s) > LIMITS.max_length or c < LIMITS.min_flatness:
         return "shape"
     for name in solution.model.forces:
-        low, high = LIMITS.get(name, ([-np.inf], [np.inf]))
-        if np.minimum(x[places[name]] - low[0], high[0] - x[places[name]]).min() < NEAR:
+        low, high = PARAMETER_BOUNDS.get(name, UNBOUNDED)
+        if np.minimum(x[places[name]] - low[0], high[0] - x[places[name]]).min() < LIMITS.bound_distance:
             return name
     return None
 
 
 def _fit_growing(model: Model, x: Array, axes: Array, throws: list[Throw]) -> Solution:
-    """Return a fit that starts with the middles of long throws, over which a rough start does not lose a turn.
+    """Fit the middles of long throws first, over which a rough start does not lose a turn, and then the whole throws.
 
-    Where the model explains nothing of a middle, it is left at that.
+    Where the model does not explain a middle, the whole throws are not fitted.
     """
     for samples in (500, 2500):
         if max(len(throw.elapsed) for throw in throws) > 2 * samples:
@@ -290,7 +319,8 @@ def _fit_growing(model: Model, x: Array, axes: Array, throws: list[Throw]) -> So
 def _count_glance(throw: Throw) -> int:
     """Return the number of middle samples that suffices to compare starts."""
     between = np.median(np.linalg.norm(throw.rates, axis=1)) * np.median(np.diff(throw.elapsed))
-    return int(np.clip(GLANCED_TURN / max(float(between), 1e-9), 24, GLANCED))
+    turn = 15.0  # rad
+    return int(np.clip(turn / max(float(between), 1e-9), 24, 200))
 
 
 def _middle(throw: Throw, samples: int) -> Throw:
@@ -302,7 +332,7 @@ def _middle(throw: Throw, samples: int) -> Throw:
 def _retry(model: Model, start: Start, throws: list[Throw]) -> Solution:
     """Return the best of several starts: shapes by the axes of the linear method and by those of the rates themselves.
 
-    The linear method knows of no bias. Where the body turns about its middle axis, that may exchange its axes.
+    The linear method ignores the bias. Where the body turns about its middle axis, that may exchange its axes.
     """
     begin = np.zeros(model.size)
     begin[model.places["bias"]] = model.bias
@@ -321,7 +351,7 @@ def _retry(model: Model, start: Start, throws: list[Throw]) -> Solution:
 
 
 def carry_over(base: Solution, model: Model) -> Float64[Array, "parameters"]:
-    """Return a solution's parameters in the places of another model, with its axes as the start."""
+    """Return a solution's parameters in the places of another model, with the solution's axes as the start."""
     x = np.zeros(model.size)
     for name, place in model.places.items():
         if name in base.model.places:

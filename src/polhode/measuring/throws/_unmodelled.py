@@ -1,8 +1,8 @@
 """Errors that no model of a throw covers, and their effect on estimates: a smooth torque, larger gain errors.
 
-A model that leaves something out fits by moving what it has, and its residuals do not tell by how much. So the last
-step is a least squares with a smooth torque in the body beside the model, small as its own effect shows, and with the
-spread of the gains taken from what of them is seen: a mixed model, its variances by maximum likelihood.
+A model that leaves something out fits by wrong values of its parameters, and its residuals do not show by how much. So
+the last step is a least squares with a smooth torque in the body besides the model. The variances of this torque and of
+the gains are estimated from the log by maximum likelihood: a mixed model.
 
 Reference: D. J. C. MacKay, Neural Computation 4 (1992) 415, for the variances.
 """
@@ -10,11 +10,12 @@ Reference: D. J. C. MacKay, Neural Computation 4 (1992) 415, for the variances.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
+from polhode.measuring.throws._throw_fit import LIMITS as FIT_LIMITS
 from polhode.measuring.throws._throw_fit import (
-    ROBUST,
     Model,
     Solution,
     Throw,
@@ -25,12 +26,26 @@ from polhode.measuring.throws._throw_fit import (
 from polhode.measuring.throws._throw_models import compute_moments
 from polhode.types import Array, Float64
 
-TORQUE = 0.003  # over I3 |ω|², to begin with: a third of what thin plates feel in air
-NOTHING = 1e-7  # over I3 |ω|²: less is no torque
-GAINS_KNOWN = 4.0  # degrees of freedom by which the spread of the gains is known beforehand
-PER_NODE, MOST_NODES = 1.0, 20  # rad of turning from node to node of the torque; how many nodes a throw has at most
-ROUNDS, STEPS, HALVINGS = 4, 40, 8
-ROUNDED = 1e-15  # of the largest singular value: smaller ones are rounding
+
+class MixedThresholds(NamedTuple):
+    """Numbers that bound the variances of unmodelled torques and gains.
+
+    Attributes:
+        prior_gain_freedom: degrees of freedom of the prior spread of the gains.
+        min_torque: over I3 |ω|²; less is none.
+        variance_tolerance: change of the logarithms of all spreads, below which they have converged.
+        max_correlation: of neighbouring residuals; a larger one leaves hardly a sample independent.
+        relative_rounding: of the largest singular value; smaller ones are rounding.
+    """
+
+    prior_gain_freedom: float = 4.0
+    min_torque: float = 1e-7
+    variance_tolerance: float = 1e-3
+    max_correlation: float = 0.95
+    relative_rounding: float = 1e-15
+
+
+LIMITS = MixedThresholds()
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +56,7 @@ class Settled:
         solution: with its parameters, covariance, residuals and degrees of freedom of the new fit.
         predicted: (n, 3) rates, with the torque [rad/s, device frame].
         torque: rms of the torque over I3 |ω|².
-        gain_spread: standard deviation of the gains' entries that the log shows, and what was known beforehand.
+        gain_spread: standard deviation of the gains' entries, by the log and the prior.
         widened: factor on the variances of the noise, as neighbouring residuals are alike.
     """
 
@@ -57,18 +72,19 @@ def allow_for_unmodelled(solution: Solution, throws: list[Throw]) -> Settled:
     model, x, axes0 = solution.model, solution.parameters.copy(), solution.axes
     x[model.places["turn"]] = 0.0
     data = np.concatenate([throw.rates for throw in throws])
-    mixed, response = _solve_mixed(solution, x, throws, data, np.zeros(0), _Scales(model.gain_spread, TORQUE, 1.0, 1.0))
+    scales = _Scales(model.gain_spread, 0.003, 1.0, 1.0)  # a third of the torque that thin plates feel in air
+    mixed, response = _solve_mixed(solution, x, throws, data, np.zeros(0), scales)
     x, push = _take_step(solution, x, np.zeros(0), throws, data, mixed, response)
-    for _ in range(ROUNDS - 1):
+    for _ in range(3):
         mixed, response = _solve_mixed(solution, x, throws, data, push, mixed.scales)
         x, push = _take_step(solution, x, push, throws, data, mixed, response)
     scales = mixed.scales
     values = predict_rates(model, x, axes0, throws)[0] + response @ push
-    turned, change = turn_axes(model, x, axes0)
+    axes, change = turn_axes(model, x, axes0)
     keep = slice(0, model.size)
     covariance = change @ mixed.covariance[keep, keep] @ change.T
     done = replace(
-        solution, parameters=x, axes=turned, covariance=covariance, residuals=data - values, freedom=mixed.freedom,
+        solution, parameters=x, axes=axes, covariance=covariance, residuals=data - values, freedom=mixed.freedom,
         sigma=solution.sigma * np.sqrt(scales.noise), jitter=solution.jitter * np.sqrt(scales.noise),
     )  # fmt: skip
     return Settled(done, values, float(np.sqrt(np.mean(push**2))), scales.gain, scales.widened)
@@ -102,24 +118,26 @@ def _take_step(
     values, _, fast = predict_rates(model, x, solution.axes, throws)
     white = whitening_matrices(fast, solution.sigma, solution.jitter)
 
+    robust = FIT_LIMITS.max_quadratic_error
+
     def cost(x: Array, push: Array, values: Array) -> float:
         z = np.abs((white @ (data - values - response @ push)[..., None]).ravel())
-        return mixed.cost(x, push, float(np.where(z > ROBUST, ROBUST * (2 * z - ROBUST), z * z).sum()))
+        return mixed.cost(x, push, float(np.where(z > robust, robust * (2 * z - robust), z * z).sum()))
 
     before = cost(x, push, values)
-    for part in 0.5 ** np.arange(HALVINGS):
+    for part in 0.5 ** np.arange(8):
         there = np.clip(x + part * mixed.step[: model.size], low, high)
         pushed = push + part * (mixed.step[model.size :] - push)
         with np.errstate(all="ignore"):
             reached = cost(there, pushed, predict_rates(model, there, solution.axes, throws)[0])
-        if reached <= before:  # not so where a number is none
+        if reached <= before:  # false for NaN
             return there, pushed
     return x, push
 
 
 def _downweight(A: Array, z: Array, size: Array) -> tuple[Array, Array]:
     """Return rows with Huber's weights: outliers count less."""
-    weight = np.sqrt(np.minimum(1.0, ROBUST / np.maximum(size, 1e-300)))
+    weight = np.sqrt(np.minimum(1.0, FIT_LIMITS.max_quadratic_error / np.maximum(size, 1e-300)))
     return A * weight[:, None], z * weight
 
 
@@ -154,8 +172,8 @@ def _responses(model: Model, x: Array, throws: list[Throw], slopes: Array) -> Fl
 
 def _hats(t: Array, squares: Array) -> Float64[Array, "n m"]:
     """Return functions of time that are 1 at a node and linear to zero at the next ones."""
-    turned = float(np.sqrt(np.mean(squares)) * (t[-1] - t[0]))
-    count = int(np.clip(turned / PER_NODE, 2, MOST_NODES)) + 1
+    turn = float(np.sqrt(np.mean(squares)) * (t[-1] - t[0]))
+    count = int(np.clip(turn, 2, 20)) + 1  # a node per radian
     place = (t - t[0]) / (t[-1] - t[0]) * (count - 1)
     return np.maximum(1.0 - np.abs(place[:, None] - np.arange(count)), 0.0)
 
@@ -178,18 +196,18 @@ class _Mixed:
         self.count = len(z)
         self.A, self.z = A, z
         self.torques = A.shape[1] - model.size
-        # squares of A would lose what is known beforehand, where the noise is small
+        # squares of A would lose the priors, where the noise is small
         self.root, self.right = np.split(np.asarray(np.linalg.qr(np.c_[A, z], mode="r")), [A.shape[1]], axis=1)
-        for _ in range(STEPS):
+        for _ in range(40):
             before = self.scales
             self._solve()
             self._scale()
             change = abs(np.log(self.scales.torque / before.torque)) + abs(np.log(self.scales.gain / before.gain))
-            if change + abs(np.log(self.scales.noise / before.noise)) < 1e-3:
+            if change + abs(np.log(self.scales.noise / before.noise)) < LIMITS.variance_tolerance:
                 break
         left = z - A @ self.step
         alike = float((left[:-3] * left[3:]).sum() / max(float((left**2).sum()), 1e-300)) - 1.0 / np.sqrt(len(z) / 3)
-        alike = float(np.clip(alike, 0.0, 0.95))
+        alike = float(np.clip(alike, 0.0, LIMITS.max_correlation))
         self.scales = replace(self.scales, widened=(1.0 + alike) / (1.0 - alike))
         self._solve()
         self.freedom = self._freedom()
@@ -216,7 +234,8 @@ class _Mixed:
         wanted = np.concatenate([self.right[:, 0] / level, pull, np.zeros(self.torques)])
         scale = 1.0 / np.maximum(np.linalg.norm(whole, axis=0), 1e-150)
         left, values, right = np.linalg.svd(whole * scale, full_matrices=False)
-        self.spread = right.T * scale[:, None] / np.maximum(values, ROUNDED * values[0])  # root of the covariance
+        root = right.T * scale[:, None]
+        self.spread = root / np.maximum(values, LIMITS.relative_rounding * values[0])  # root of the covariance
         self.covariance = self.spread @ self.spread.T
         self.step = self.spread @ (left.T @ wanted)
 
@@ -234,16 +253,17 @@ class _Mixed:
         if "gain" in self.model.places:
             here[self.model.places["gain"]] -= 1.0
         determined = 6.0 * bool(gains.any()) - float(np.trace(gains @ self.covariance))
-        self.told = max(determined, 0.0)
-        known = GAINS_KNOWN * self.model.gain_spread**2
-        spread = (known + float(here @ gains @ here) * self.scales.gain**2) / (GAINS_KNOWN + self.told)
-        self.seen = max(self.torques - float(np.trace(torque @ self.covariance)), 1e-6)
-        push = float(here @ torque @ here) * self.scales.torque**2 / self.seen
+        self.gains_determined = max(determined, 0.0)
+        known = LIMITS.prior_gain_freedom * self.model.gain_spread**2
+        spread = known + float(here @ gains @ here) * self.scales.gain**2
+        spread /= LIMITS.prior_gain_freedom + self.gains_determined
+        self.torques_determined = max(self.torques - float(np.trace(torque @ self.covariance)), 1e-6)
+        push = float(here @ torque @ here) * self.scales.torque**2 / self.torques_determined
         left = float(np.sum((self.z - self.A @ self.step) ** 2))
         used = float(np.sum((self.root @ self.spread) ** 2)) / (self.scales.noise * self.scales.widened)
         noise = max(left, 1e-300) / max(self.count - used, 1.0)
-        self.scales = replace(self.scales, gain=float(np.sqrt(spread)), torque=max(float(np.sqrt(push)), NOTHING),
-                              noise=float(noise))  # fmt: skip
+        size = max(float(np.sqrt(push)), LIMITS.min_torque)
+        self.scales = replace(self.scales, gain=float(np.sqrt(spread)), torque=size, noise=float(noise))
         self.used = used
 
     def _freedom(self) -> float:
@@ -256,7 +276,8 @@ class _Mixed:
         for row, variance in zip(rows, total, strict=True):
             shares = [float(row @ part @ row) / max(variance, 1e-300) for part in (gains, torque, fixed)]
             noise = max(1.0 - sum(shares), 0.0)
-            parts = zip((*shares[:2], noise), (GAINS_KNOWN + self.told, max(self.seen, 1.0),
-                        max(self.count - self.used, 1.0)), strict=True)  # fmt: skip
-            least = min(least, 1.0 / max(sum(share**2 / known for share, known in parts), 1e-12))
+            known = (LIMITS.prior_gain_freedom + self.gains_determined, max(self.torques_determined, 1.0),
+                     max(self.count - self.used, 1.0))  # fmt: skip
+            parts = zip((*shares[:2], noise), known, strict=True)
+            least = min(least, 1.0 / max(sum(share**2 / count for share, count in parts), 1e-12))
         return float(max(least, 1.0))

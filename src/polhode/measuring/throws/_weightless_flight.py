@@ -1,4 +1,4 @@
-"""Free flights by the accelerometer, which then feels only its rotation about the centre of mass."""
+"""Free flights by the accelerometer, which then measures only its rotation about the centre of mass."""
 
 from __future__ import annotations
 
@@ -10,17 +10,34 @@ import numpy as np
 from polhode.measuring.throws.gyro_log import GyroLog
 from polhode.types import Array, Float64
 
-SPAN = 0.3  # s, over which a stretch is judged
-LEVER_ARM = 0.05  # m, how far from the centre of mass an accelerometer is expected to sit
-LONGEST_ARM = 0.35  # m
-FELT = 3.0  # m/s², what a free accelerometer may feel beyond its own turning; one that is held feels 9.8
-LEAST_FELT, OWN_FELT = 1.0, 4.0  # m/s², and times what is usual in the stretch: more at its ends is a hand
-GAP = 0.02  # s, of a spike
-AT_ONCE = 50_000  # samples
+
+class WeightlessThresholds(NamedTuple):
+    """Numbers that decide where an accelerometer is weightless.
+
+    Attributes:
+        span: s, over which a stretch is judged.
+        max_lever_arm: m, of an accelerometer from the centre of mass of a hand-held device.
+        max_acceleration: m/s², of a free accelerometer beyond its own rotation; one at rest measures 9.8.
+        min_hand_acceleration: m/s²; at the ends of a stretch a hand causes more.
+        max_acceleration_ratio: to the median of the stretch; more at its ends is a hand's.
+        max_spike: s; longer disturbances end a stretch.
+        min_information: of the largest determinant; spans with less determine the lever arm badly.
+    """
+
+    span: float = 0.3
+    max_lever_arm: float = 0.35
+    max_acceleration: float = 3.0
+    min_hand_acceleration: float = 1.0
+    max_acceleration_ratio: float = 4.0
+    max_spike: float = 0.02
+    min_information: float = 0.1
+
+
+LIMITS = WeightlessThresholds()
 
 
 class Weightless(NamedTuple):
-    """First and last sample of the accelerometer, and what it feels beyond its turning, root mean square [m/s²]."""
+    """First and last sample of a stretch, and the acceleration not due to rotation, root mean square [m/s²]."""
 
     first: int
     last: int
@@ -30,8 +47,8 @@ class Weightless(NamedTuple):
 def weightless_stretches(log: GyroLog, shortest: float) -> list[Weightless]:
     """Return the stretches without weight, in the order of time.
 
-    In flight an accelerometer at place r feels ω × (ω × r) + ω̇ × r. One r is fitted for the whole log, within what a
-    hand-held device has.
+    A free accelerometer at place r measures ω × (ω × r) + ω̇ × r. One r is fitted to the whole log, no longer than in
+    a hand-held device.
 
     Args:
         log: with accelerations.
@@ -39,8 +56,8 @@ def weightless_stretches(log: GyroLog, shortest: float) -> list[Weightless]:
     """
     t, felt = log.acceleration_times, log.acceleration
     assert t is not None and felt is not None
-    step = float(np.median(np.diff(t))) if len(t) > 1 else SPAN
-    size = max(3, round(SPAN / step))
+    step = float(np.median(np.diff(t))) if len(t) > 1 else LIMITS.span
+    size = max(3, round(LIMITS.span / step))
     place = _place(log, t, felt, size) if len(t) >= size else None
     if place is None:
         return []
@@ -48,8 +65,9 @@ def weightless_stretches(log: GyroLog, shortest: float) -> list[Weightless]:
                              for part, lever in _levers(log, t, 0)])  # fmt: skip
     inside = (t >= log.times[0]) & (t <= log.times[-1])
     stretches = []
-    for first, last in _runs((beyond < FELT) & inside, max(2, round(GAP / step))):
-        limit = max(LEAST_FELT, OWN_FELT * float(np.median(beyond[first : last + 1])))
+    for first, last in _runs((beyond < LIMITS.max_acceleration) & inside, max(2, round(LIMITS.max_spike / step))):
+        usual = float(np.median(beyond[first : last + 1]))
+        limit = max(LIMITS.min_hand_acceleration, LIMITS.max_acceleration_ratio * usual)
         calm = np.flatnonzero(beyond[first : last + 1] < limit)
         first, last = first + int(calm[0]), first + int(calm[-1])
         if t[last] - t[first] >= shortest:
@@ -59,9 +77,10 @@ def weightless_stretches(log: GyroLog, shortest: float) -> list[Weightless]:
 
 
 def _levers(log: GyroLog, t: Array, overlap: int) -> Iterator[tuple[slice, Array]]:
-    """Yield parts of the log, and the maps (n, 3, 3) from a place to what an accelerometer there feels of turning."""
-    for begin in range(0, max(len(t) - overlap, 1), AT_ONCE):
-        part = slice(begin, min(begin + AT_ONCE + overlap, len(t)))
+    """Yield parts of the log, and the maps (n, 3, 3) from a place to the acceleration there by rotation."""
+    batch = 50_000  # samples whose maps are in memory together
+    for begin in range(0, max(len(t) - overlap, 1), batch):
+        part = slice(begin, min(begin + batch + overlap, len(t)))
         rates, turning = _rates_at(log, t[part])
         yield part, np.stack(
             [np.cross(rates, np.cross(rates, e)) + np.cross(turning, e) for e in np.eye(3)], axis=-1
@@ -70,7 +89,7 @@ def _levers(log: GyroLog, t: Array, overlap: int) -> Iterator[tuple[slice, Array
 
 def _place(log: GyroLog, t: Array, felt: Array, size: int) -> Float64[Array, "3"] | None:
     """Return the place of the accelerometer that explains a calm span best; None where no span is calm."""
-    stride = max(1, size // 8)
+    stride, typical_arm = max(1, size // 8), 0.05  # m
     candidates: list[Array] = []
     for part, lever in _levers(log, t, size):
         n = part.stop - part.start
@@ -79,19 +98,19 @@ def _place(log: GyroLog, t: Array, felt: Array, size: int) -> Float64[Array, "3"
         begins = np.arange(0, n - size + 1, stride)
         inside = (t[part][begins] >= log.times[0]) & (t[part][begins + size - 1] <= log.times[-1])
         mean = lambda x, begins=begins: _means(x, begins, size)  # noqa: E731
-        # least squares of f = L r; a small penalty on r holds it where the turning does not tell it
-        normal = mean(np.matmul(np.swapaxes(lever, 1, 2), lever)) + 1e-3 / LEVER_ARM**2 * np.eye(3)
+        # least squares of f = L r; a small penalty bounds r where rotation does not determine it
+        normal = mean(np.matmul(np.swapaxes(lever, 1, 2), lever)) + 1e-3 / typical_arm**2 * np.eye(3)
         right = mean(np.einsum("nij,ni->nj", lever, felt[part]))
         place = np.linalg.solve(normal, right[..., None])[..., 0]
         # at the minimum, where N r = b, the mean of |f − L r|² and the penalty together are ⟨f²⟩ − r·b
         left = mean((felt[part] ** 2).sum(axis=1)) - (place * right).sum(axis=1)
-        calm = inside & (left < FELT**2) & (np.linalg.norm(place, axis=1) < LONGEST_ARM)
+        calm = inside & (left < LIMITS.max_acceleration**2) & (np.linalg.norm(place, axis=1) < LIMITS.max_lever_arm)
         candidates.append(np.column_stack([np.linalg.det(normal), left, place])[calm])
     spans = np.concatenate(candidates) if candidates else np.empty((0, 5))
     if not len(spans):
         return None
-    telling = spans[spans[:, 0] >= 0.1 * spans[:, 0].max()]  # of those whose turning tells enough of it
-    return telling[np.argmin(telling[:, 1]), 2:]
+    informative = spans[spans[:, 0] >= LIMITS.min_information * spans[:, 0].max()]
+    return informative[np.argmin(informative[:, 1]), 2:]
 
 
 def _means(x: Array, begins: Array, size: int) -> Array:

@@ -21,9 +21,7 @@ from polhode.measuring.throws.throw import FittedThrow, ThrowFit
 from polhode.motion._inputs import finite
 from polhode.types import Array
 
-VIEW = (0.80, 0.46, 0.38)
-LEVELS = (0.683, 0.954)  # of probability, of the ellipses
-MOST = 4  # throws that are drawn
+MAX_THROWS = 4  # that are drawn
 
 
 def throw_figures(fit: ThrowFit) -> dict[str, Callable[[], Figure]]:
@@ -81,7 +79,7 @@ def _attitude_residuals(fit: AttitudeFit) -> Figure:
 
 
 def _panels(fit: ThrowFit, height: float) -> tuple[Figure, list[Any]]:
-    throws = fit.throws[:MOST]
+    throws = fit.throws[:MAX_THROWS]
     figure = style.new_figure(width=style.COLUMN * max(1.0, 0.7 * len(throws)), height=height)
     panels = list(np.atleast_1d(figure.subplots(1, len(throws), sharey=True, squeeze=False)[0]))
     for axes in panels:
@@ -122,10 +120,10 @@ def _residuals(fit: ThrowFit) -> Figure:
 
 def _polhode(fit: ThrowFit) -> Figure:
     """Return the momentum sphere with the motion of each throw and its samples, without bias and gains."""
-    known = [throw for throw in fit.throws if throw.motion is not None][:MOST]
+    known = [throw for throw in fit.throws if throw.motion is not None][:MAX_THROWS]
     figure = style.new_figure()
     axes = figure.add_subplot()
-    frame = view_frame(VIEW)
+    frame = view_frame((0.80, 0.46, 0.38))
     draw_disk(axes)
     assert known[0].motion is not None
     moments = np.asarray(known[0].motion.moments)
@@ -139,8 +137,8 @@ def _polhode(fit: ThrowFit) -> Figure:
         draw_curve(axes, frame, _path(throw, throw.motion), style.BLUE, 1.3)
         x, y, depth = frame @ _samples(fit, throw, moments).T
         for front in (False, True):
-            seen = (depth >= 0.0) == front
-            axes.plot(x[seen], y[seen], "o", ms=2.6, color=style.ORANGE, mec=style.DARK, mew=0.25,
+            shown_side = (depth >= 0.0) == front
+            axes.plot(x[shown_side], y[shown_side], "o", ms=2.6, color=style.ORANGE, mec=style.DARK, mew=0.25,
                       alpha=1.0 if front else 0.35, zorder=4 if front else 2)  # fmt: skip
     label_axes(axes, frame)
     handles = [axes.plot([], [], color=style.BLUE, lw=1.3, label="fitted polhode")[0],
@@ -154,8 +152,8 @@ def _polhode(fit: ThrowFit) -> Figure:
 
 def _path(throw: FittedThrow, motion: FreeMotion) -> Array:
     span = finite(motion.period)
-    flight = throw.times[-1] - throw.times[0]
-    times = motion.epoch + np.linspace(0.0, 1.0, 2000) * (flight if span is None else span)
+    duration = throw.times[-1] - throw.times[0]
+    times = motion.epoch + np.linspace(0.0, 1.0, 2000) * (duration if span is None else span)
     return np.asarray(motion.momentum(times)) / float(np.asarray(motion.momentum_norm))
 
 
@@ -168,7 +166,7 @@ def _samples(fit: ThrowFit, throw: FittedThrow, moments: Array) -> Array:
 
 
 def _corner(parts: list[Estimate]) -> Figure:
-    """Return densities of the estimates, and the ellipses of each two, as the covariances tell."""
+    """Return densities of the estimates, and the ellipses of each two, by their covariances."""
     names = [name for part in parts for name in part.names]
     value = np.concatenate([part.value for part in parts])
     covariance = np.zeros((len(value), len(value)))
@@ -210,7 +208,7 @@ def _cell(axes: Any, value: Array, error: Array, covariance: Array, i: int, j: i
         both = covariance[np.ix_([j, i], [j, i])]
         turn = np.linspace(0.0, 2.0 * np.pi, 200)
         circle = np.linalg.cholesky(both) @ np.stack([np.cos(turn), np.sin(turn)])
-        for level in LEVELS:  # of two numbers, χ² below −2 ln(1 − p) has probability p
+        for level in (0.683, 0.954):  # of two numbers, χ² below −2 ln(1 − p) has probability p
             x, y = circle * np.sqrt(-2.0 * np.log(1.0 - level))
             axes.plot(value[j] + x, value[i] + y, color=style.BLUE, lw=1.0)
         axes.plot([value[j]], [value[i]], "+", color=style.DARK, ms=5)

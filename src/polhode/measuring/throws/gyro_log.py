@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,10 +12,24 @@ from polhode.errors import InvalidInput, shown
 from polhode.estimation._coarse_clock import is_coarse, spread_evenly
 from polhode.types import Array, ArrayLike, Float64, Real
 
-MIN_SAMPLES = 8
-MOST = {"times": (1e12, "s"), "rates": (1e12, "rad/s"), "acceleration": (1e12, "m/s²")}
-"""The largest values that a log may hold, beyond any clock and gyro; levitated grains reach 3e10 rad/s."""
-CLOSEST = 1e-9  # s from sample to sample: no gyro comes near it, and a second of such a log fills the memory
+UNITS = {"times": "s", "rates": "rad/s", "acceleration": "m/s²"}
+
+
+class LogThresholds(NamedTuple):
+    """Numbers that decide which logs are refused.
+
+    Attributes:
+        min_samples: of a log, and of a throw.
+        max_value: s, rad/s or m/s²; beyond any clock and gyro, as levitated grains reach 3e10 rad/s.
+        min_step: s from sample to sample; no gyro comes near it, and a second of such a log fills the memory.
+    """
+
+    min_samples: int = 8
+    max_value: float = 1e12
+    min_step: float = 1e-9
+
+
+LIMITS = LogThresholds()
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +73,7 @@ def clean_log(
         times: of the gyro's samples [s].
         rates: [rad/s, device frame].
         acceleration_times: of the accelerometer's samples [s], if there is one; they need not be those of the gyro.
-        acceleration: proper acceleration [m/s², device frame]; one that rests on a table feels about 9.8 upwards.
+        acceleration: proper acceleration [m/s², device frame]; of a device at rest on a table about 9.8 upwards.
 
     Raises:
         InvalidInput: for wrong shapes, fewer than eight usable samples of the gyro, samples less than 1e-9 s apart, or
@@ -73,8 +88,9 @@ def clean_log(
         (9, 1)
     """
     t, x, dropped, repeats, reordered, spread = _clean("rates", times, rates)
-    if len(t) < MIN_SAMPLES:
-        raise InvalidInput(f"a gyro log must have {MIN_SAMPLES} finite samples at different times; got {len(t)}.")
+    if len(t) < LIMITS.min_samples:
+        raise InvalidInput(f"a gyro log must have {LIMITS.min_samples} finite samples at different times; got "
+                           f"{len(t)}.")  # fmt: skip
     if (acceleration is None) != (acceleration_times is None):
         raise InvalidInput("acceleration and acceleration_times must be given together; got only one of them.")
     if acceleration is None or acceleration_times is None:
@@ -88,13 +104,13 @@ def check_sizes(**values: Array) -> None:
     """Refuse numbers larger than those of any log, as from columns with another meaning.
 
     Args:
-        values: by name, one of MOST.
+        values: by name, one of UNITS.
 
     Raises:
         InvalidInput: naming what is too large, and the rule.
     """
     for name, numbers in values.items():
-        most, unit = MOST[name]
+        most, unit = LIMITS.max_value, UNITS[name]
         largest = float(np.max(np.abs(numbers), initial=0.0))
         if largest > most:
             raise InvalidInput(f"{name} must be at most {most:g} {unit} in size; got {largest:g} {unit}. Check which "
@@ -103,10 +119,10 @@ def check_sizes(**values: Array) -> None:
 
 def _check_steps(name: str, steps: Float64[Array, "_"]) -> None:
     """Refuse samples closer than those of any sensor, judged by the median, as rounding separates equal times."""
-    usual = float(np.median(steps)) if len(steps) else CLOSEST
-    if usual < CLOSEST:
-        raise InvalidInput(f"times of {name} must lie {CLOSEST:g} s apart or more; got {usual:g} s. Check which column "
-                           "has the times, and their unit.")  # fmt: skip
+    usual = float(np.median(steps)) if len(steps) else LIMITS.min_step
+    if usual < LIMITS.min_step:
+        raise InvalidInput(f"times of {name} must lie {LIMITS.min_step:g} s apart or more; got {usual:g} s. Check "
+                           "which column has the times, and their unit.")  # fmt: skip
 
 
 def _clean(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Array, int, int, bool, int]:

@@ -58,7 +58,7 @@ def read_gyro_log(
 ) -> ReadLog:
     """Return a gyro log from a table, a folder with one, or a zip archive with one; the notes say which file was read.
 
-    The program that wrote it is told by the header: phyphox, Sensor Logger, AndroSensor, Betaflight. Lines before the
+    The header identifies the program that wrote it: phyphox, Sensor Logger, AndroSensor, Betaflight. Lines before the
     header are skipped, decimal commas are noticed, lines need not be in the order of time, and lines without values
     are dropped samples. An accelerometer with its own clock readings is read from its own file in the same folder.
 
@@ -157,7 +157,7 @@ def _form(path: Path, mapping: ColumnMapping | None) -> tuple[TableForm, GyroDia
 def _below(path: Path, lines: Sequence[Line]) -> Sequence[Line]:
     """Return a header and the lines below it, of which one at least must have something."""
     if not any(line.text.strip(" \t;,") for line in lines[1:]):
-        raise FormatError(f"{path}, line {lines[0].number}: no sample stands below the header. Log again.")
+        raise FormatError(f"{path}, line {lines[0].number}: no sample follows the header. Log again.")
     return lines
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from polhode.measuring.throws.flight import Flights, Window
 from polhode.reports.answer import Table
 
-SHOWN = 8  # stretches that a message lists
+MAX_LISTED = 8  # stretches in a message
 
 
 def left_out_table(names: Sequence[str], flights: Sequence[Flights]) -> Table:
@@ -35,6 +35,6 @@ def left_out_note(flights: Sequence[Flights]) -> list[str]:
 
 def left_out_words(left_out: Sequence[Window]) -> str:
     """Return the stretches that were left out in a sentence; empty for none."""
-    said = [f"{one.start:.4g} to {one.end:.4g} s {one.reason}" for one in left_out[:SHOWN]]
-    more = f"; and {len(left_out) - SHOWN} more" if len(left_out) > SHOWN else ""
+    said = [f"{one.start:.4g} to {one.end:.4g} s {one.reason}" for one in left_out[:MAX_LISTED]]
+    more = f"; and {len(left_out) - MAX_LISTED} more" if len(left_out) > MAX_LISTED else ""
     return f" Left out: {'; '.join(said)}{more}." if said else ""

@@ -8,20 +8,35 @@ import zipfile
 import zlib
 from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePosixPath
+from typing import NamedTuple
 
 from polhode.errors import FormatError, InvalidInput
 from polhode.formats.opening import MB, open_file
 
-LARGEST_ARCHIVE = 1000 * MB
-LARGEST_UNPACKED = 1000 * MB  # all that is taken out of one archive together
-LARGEST_DIRECTORY = 5 * MB  # some 50,000 names
-DENSEST, DENSE_FROM = 200, 20 * MB  # bytes out of one, of members of so many; tables of a gyro give some 3 to 20
 TABLES = (".csv", ".tsv", ".txt", ".dat", ".tab")
-SHOWN = 4
 _END = b"PK\x05\x06"
-_END_SIZE, _LONGEST_COMMENT = 22, 65535
-_CHUNK = 1 << 20
 _UNPACK = "Unpack it, and name the folder or the file."
+
+
+class ArchiveThresholds(NamedTuple):
+    """Numbers that decide which archives are refused, in bytes unless said otherwise.
+
+    Attributes:
+        max_archive: of an archive.
+        max_unpacked: of all members together that are unpacked.
+        max_directory: of the list of members, some 50,000 names.
+        max_ratio: unpacked over packed; tables of a gyro have some 3 to 20.
+        min_dense: of an unpacked member, from which its ratio counts.
+    """
+
+    max_archive: int = 1000 * MB
+    max_unpacked: int = 1000 * MB
+    max_directory: int = 5 * MB
+    max_ratio: int = 200
+    min_dense: int = 20 * MB
+
+
+LIMITS = ArchiveThresholds()
 
 
 def is_archive(path: Path) -> bool:
@@ -59,7 +74,7 @@ def unpack_log(path: Path, wanted: Sequence[str], beside: Sequence[str]) -> Iter
                 _check_sizes(path, [log, *taken])
                 for member in (log, *taken):
                     _take_out(archive, member, Path(place))
-        # what zipfile and zlib raise of damaged, encrypted or unknown members, as fuzzing found
+        # raised by zipfile and zlib for damaged, encrypted or unknown members, by the evidence of fuzzing
         except (zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError, ValueError, OSError,
                 zlib.error) as error:  # fmt: skip
             if isinstance(error, FormatError | InvalidInput):
@@ -70,16 +85,17 @@ def unpack_log(path: Path, wanted: Sequence[str], beside: Sequence[str]) -> Iter
 
 def _check_directory(path: Path) -> None:
     """Refuse an archive whose list of members alone would fill the memory."""
-    with open_file(path, "log", LARGEST_ARCHIVE) as file:
+    with open_file(path, "log", LIMITS.max_archive) as file:
         size = file.seek(0, 2)
-        file.seek(max(size - _END_SIZE - _LONGEST_COMMENT, 0))
+        end_size, longest_comment = 22, 65535  # of the format
+        file.seek(max(size - end_size - longest_comment, 0))
         tail = file.read()
     begin = tail.rfind(_END)
-    if begin < 0 or len(tail) < begin + _END_SIZE:
+    if begin < 0 or len(tail) < begin + end_size:
         raise FormatError(f"{path}: begins like a zip archive and does not end like one, so it is cut off. Save it "
                           "again.")  # fmt: skip
-    if int.from_bytes(tail[begin + 12 : begin + 16], "little") > LARGEST_DIRECTORY:
-        most = LARGEST_DIRECTORY // MB
+    if int.from_bytes(tail[begin + 12 : begin + 16], "little") > LIMITS.max_directory:
+        most = LIMITS.max_directory // MB
         raise FormatError(f"{path}: lists more members than a log has, over {most} MB of names. {_UNPACK}")
 
 
@@ -99,19 +115,20 @@ def _log_in(path: Path, members: Sequence[zipfile.ZipInfo], wanted: Sequence[str
 
 
 def _name_all(members: Sequence[zipfile.ZipInfo]) -> str:
-    more = f" and {len(members) - SHOWN} more" if len(members) > SHOWN else ""
-    return ", ".join(member.filename for member in members[:SHOWN]) + more
+    listed = 4
+    more = f" and {len(members) - listed} more" if len(members) > listed else ""
+    return ", ".join(member.filename for member in members[:listed]) + more
 
 
 def _check_sizes(path: Path, members: Sequence[zipfile.ZipInfo]) -> None:
     for member in members:
         if member.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
             raise FormatError(f"{path}: {member.filename} in it is packed by another method than deflate. {_UNPACK}")
-        if member.file_size > DENSE_FROM and member.file_size > DENSEST * member.compress_size:
+        if member.file_size > max(LIMITS.min_dense, LIMITS.max_ratio * member.compress_size):
             raise FormatError(f"{path}: {member.filename} in it has {member.file_size // MB} MB packed into "
                               f"{member.compress_size} bytes, which no log is. {_UNPACK}")  # fmt: skip
-    if (total := sum(member.file_size for member in members)) > LARGEST_UNPACKED:
-        most = LARGEST_UNPACKED // MB
+    if (total := sum(member.file_size for member in members)) > LIMITS.max_unpacked:
+        most = LIMITS.max_unpacked // MB
         raise FormatError(f"{path}: its log has {total // MB:,} MB unpacked; {most:,} MB are taken at most. {_UNPACK}")
 
 
@@ -119,7 +136,7 @@ def _take_out(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: Path) ->
     """Write a member under its bare name; refuse it beyond the size that was announced and checked."""
     left = member.file_size
     with archive.open(member) as source, (place / PurePosixPath(member.filename).name).open("wb") as target:
-        while chunk := source.read(min(_CHUNK, left + 1)):
+        while chunk := source.read(min(1 << 20, left + 1)):
             left -= len(chunk)
             if left < 0:
                 raise zipfile.BadZipFile(f"{member.filename} has more bytes than it says")

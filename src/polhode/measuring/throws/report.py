@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from polhode.measuring.answers import (
     tell_misfit,
     values,
 )
-from polhode.measuring.throws._throw_fit import BIAS_SPREAD
+from polhode.measuring.throws._throw_fit import LIMITS as FIT_LIMITS
 from polhode.measuring.throws.flight import Flights
 from polhode.measuring.throws.gyro_logs import ReadLog
 from polhode.measuring.throws.left_out import left_out_note, left_out_table
@@ -34,12 +34,28 @@ from polhode.reports.wording import uncertain, write_count
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-LARGE_BIAS = 0.1  # rad/s: a gyro's offset is smaller, but a fit may put into it what its motion does not explain
-PUSHED = 0.002  # over I3 |ω|²: a torque that no model has, from which a reader should know of it
-LARGER = 1.5  # times the gains that were expected
-HIDDEN = 2.0  # times the errors: those with a wheel, from which a reader should know of it
-AIRY = 0.05  # of the slowest throw's rate: a smaller momentum acts as air may, whose torques are some .01 I3 |ω|²
-BARELY = 2.0  # AICc less than this apart: the criterion hardly prefers one model
+
+class NoteThresholds(NamedTuple):
+    """Numbers that decide which notes a reader gets.
+
+    Attributes:
+        large_bias: rad/s; offsets of gyros are smaller, but a fit may put into one what its motion does not explain.
+        large_torque: over I3 |ω|², of a torque that no model has.
+        gain_ratio: of the spread of the gains to the expected one.
+        wheel_error_ratio: of errors beside a wheel to those without.
+        min_wheel: of the slowest throw's rate; a smaller momentum acts like air, with torques of some .01 I3 |ω|².
+        hardly_preferred: difference of AICc, below which the criterion hardly prefers one model.
+    """
+
+    large_bias: float = 0.1
+    large_torque: float = 0.002
+    gain_ratio: float = 1.5
+    wheel_error_ratio: float = 2.0
+    min_wheel: float = 0.05
+    hardly_preferred: float = 2.0
+
+
+LIMITS = NoteThresholds()
 
 
 @dataclass(frozen=True)
@@ -49,8 +65,8 @@ class ThrowReport(StudyReport):
     Attributes:
         fit: the numbers.
         names: of the logs.
-        logs: as they were read.
-        flights: of each log, what was fitted and what was left out.
+        logs: the read logs.
+        flights: of each log, the fitted stretches and those left out.
         moments: I1, I2, I3 [kg m²]; None where only their ratios are known.
     """
 
@@ -78,8 +94,8 @@ class ThrowReport(StudyReport):
         if fit.degenerate is not None or fit.ratios is None:
             return f"{what}: the inertia is not determined. {sentence(fit.degenerate or '')}"
         if fit.misfit is not None:
-            told = tell_misfit(fit, "rad/s")
-            return f"{what}: {told[0].lower()}{told[1:]}"
+            reason = tell_misfit(fit, "rad/s")
+            return f"{what}: {reason[0].lower()}{reason[1:]}"
         said = ", ".join(f"{name} = {uncertain(value, error)}" for name, value, error in each(fit.ratios))
         first = fit.throws[0]
         how = describe_turning(first.motion, first.times, fit.equal)
@@ -110,7 +126,7 @@ class ThrowReport(StudyReport):
                 notes += _doubts(fit)
             chosen = next((score for score in fit.criterion if score.chosen), None)
             others = [score for score in fit.criterion if not score.chosen]
-            if chosen and others and min(score.aicc for score in others) - chosen.aicc < BARELY:
+            if chosen and others and min(score.aicc for score in others) - chosen.aicc < LIMITS.hardly_preferred:
                 notes.append("the criterion hardly prefers the chosen model to the next one; see the table of models.")
             if fit.gain is None and fit.misfit is None:
                 notes.append("no gains were fitted, so the intervals hold for a calibrated gyro: a gain or cross-axis "
@@ -129,14 +145,14 @@ class ThrowReport(StudyReport):
 
 
 def is_wheel_sure(fit: ThrowFit) -> bool:
-    """Whether a wheel that was fitted explains clearly more than air and gains do, and is larger than air may seem.
+    """Whether a fitted wheel explains clearly more than air and gains do, and exceeds what air can simulate.
 
     Drag −|ω| C ω with an antisymmetric C is |ω| k × ω: in throws of one speed that is h × ω of a wheel, h = |ω| k.
     """
     if fit.rotor is None or fit.with_or_without:
         return False
     slowest = min(float(np.median(np.linalg.norm(throw.rates, axis=1))) for throw in fit.throws)
-    return float(np.linalg.norm(fit.rotor.value)) > AIRY * slowest
+    return float(np.linalg.norm(fit.rotor.value)) > LIMITS.min_wheel * slowest
 
 
 def _doubts(fit: ThrowFit) -> list[str]:
@@ -157,25 +173,26 @@ def _doubts(fit: ThrowFit) -> list[str]:
         notes.append("the log hardly distinguishes a body with a wheel from one without: the intervals cover both. "
                      "Choose by `rotor=True` or `rotor=False`.")  # fmt: skip
     size = float(np.abs(fit.bias.value).max())
-    if size > LARGE_BIAS and fit.rest is None:
+    if size > LIMITS.large_bias and fit.rest is None:
         notes.append(f"the bias is large, {size:.2g} rad/s, and no rest in the log confirms it: it may stand for "
                      "something that the motion does not explain, and the ratios may be wrong by more than their "
                      "intervals. Let the device lie still for a second before and after the throw.")  # fmt: skip
     elif fit.rest is None:
-        notes.append(f"no rest was found in the log, so that the bias was assumed to be 0 ± {BIAS_SPREAD:.2g} rad/s "
+        notes.append("no rest was found in the log, so that the bias was assumed to be "
+                     f"0 ± {FIT_LIMITS.bias_spread:.2g} rad/s "
                      "along each axis: with a larger one the bias and its errors are wrong, and so may the ratios be. "
                      "Let the device lie still for a second before and after the throw.")  # fmt: skip
     if fit.beside_wheel is not None and fit.ratios is not None and not fit.with_or_without:
         both = np.stack([fit.beside_wheel, fit.ratios.standard_error])
-        if (both[0] > HIDDEN * both[1]).any():
+        if (both[0] > LIMITS.wheel_error_ratio * both[1]).any():
             first, second = (f"{error:.2g}" for error in both[0])
             notes.append("it is assumed that no wheel turns in the body. If one does, the intervals are too narrow: "
                          f"the log then determines I1/I3 only to ± {first} and I2/I3 to ± {second}. A longer throw, or "
                          "one with more tumble, distinguishes the two.")  # fmt: skip
-    if fit.unmodelled > PUSHED:
+    if fit.unmodelled > LIMITS.large_torque:
         notes.append(f"a torque of about {fit.unmodelled:.2g} I3 |ω|² acts that no model has; the intervals allow "
                      "for it.")  # fmt: skip
-    if fit.gain is not None and fit.gain_spread > LARGER * GAIN_SPREAD:
+    if fit.gain is not None and fit.gain_spread > LIMITS.gain_ratio * GAIN_SPREAD:
         compared = " Fit each throw alone and compare." if len(fit.throws) > 1 else ""
         notes.append(f"the gyro's gains are off by about {100 * fit.gain_spread:.2g} %, more than expected, or "
                      f"stand for what no model has, like air across axes: errors include it.{compared}")  # fmt: skip
@@ -213,7 +230,7 @@ def _gyro(fit: ThrowFit) -> Group:
 
 
 def _bias_in_words(fit: ThrowFit) -> str:
-    assumed = "" if fit.rest is not None else f" (no rest: assumed to be within {BIAS_SPREAD:.2g} of 0)"
+    assumed = "" if fit.rest is not None else f" (no rest: assumed to be within {FIT_LIMITS.bias_spread:.2g} of 0)"
     return f"{in_words(fit.bias)} rad/s{assumed}"
 
 

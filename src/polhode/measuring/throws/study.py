@@ -16,7 +16,8 @@ from polhode.measuring.attitudes.attitude_fit import fit_attitude
 from polhode.measuring.attitudes.report import AttitudeReport
 from polhode.measuring.scaling import read_scale
 from polhode.measuring.throws._saturation import saturation
-from polhode.measuring.throws.flight import SHORTEST, Flights, Window, find_flights
+from polhode.measuring.throws.flight import LIMITS as FLIGHT_LIMITS
+from polhode.measuring.throws.flight import Flights, Window, find_flights
 from polhode.measuring.throws.gyro_logs import ReadLog, read_gyro_log
 from polhode.measuring.throws.left_out import left_out_words
 from polhode.measuring.throws.log_archives import is_archive
@@ -120,15 +121,16 @@ def _fit_throws(paths: Sequence[Path], options: FitOptions, progress: Progress |
 def _flights(
     spans: Sequence[str | tuple[float, float]], names: Sequence[str], logs: Sequence[ReadLog], clip: float | None
 ) -> list[Flights]:  # fmt: skip
-    """Return the stretches of each log to fit: the given windows, else all flights found."""
+    """Return the stretches of each log to fit: the given windows, else all that ``find_flights`` detects."""
     if spans:
         return [Flights(windows, []) for windows in _windows(spans, len(logs))]
     flights = [find_flights(read.log, clip) for read in logs]
     if not any(each.windows for each in flights):
         left = left_out_words([one for each in flights for one in each.left_out])
-        raise InvalidInput(f"{', '.join(names)}: no free flight was found: no stretch of {SHORTEST} s feels no weight, "
-                           f"or keeps an angular momentum while it turns faster than 1 rad/s.{left} If there is one, "
-                           f"say where by `windows=[(start, end)]`.")  # fmt: skip
+        raise InvalidInput(f"{', '.join(names)}: no free flight was found: no stretch of "
+                           f"{FLIGHT_LIMITS.min_duration} s feels no weight, or keeps an angular momentum while it "
+                           f"turns faster than 1 rad/s.{left} If there is one, say where by `windows=[(start, "
+                           "end)]`.")  # fmt: skip
     for read, each in zip(logs, flights, strict=True):
         if not (each.windows or each.left_out):
             each.left_out.append(Window(float(read.log.times[0]), float(read.log.times[-1]), "no free flight in it"))

@@ -21,13 +21,14 @@ from polhode.measuring.throws._throw_fit import PAIRS, Model, Solution, Throw, r
 from polhode.measuring.throws._throw_search import Start, covariance_beside_wheel, fit_models, rival
 from polhode.measuring.throws._unmodelled import Settled, allow_for_unmodelled
 from polhode.measuring.throws.flight import Window, check_windows, free_flights
+from polhode.measuring.throws.gyro_log import LIMITS as LOG_LIMITS
 from polhode.measuring.throws.gyro_log import GyroLog
 from polhode.motion._inputs import name_of
 from polhode.special._residual_noise import Misfit, test_filtered_noise
 from polhode.types import Array, Float64
 
 BIAS = ("bias x", "bias y", "bias z")
-GAIN_SPREAD = 0.01  # as phones have gains and cross-axis sensitivities
+GAIN_SPREAD = 0.01  # standard deviation of gains and cross-axis sensitivities of phones
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,11 +94,11 @@ class ThrowFit:
         equal: which neighbours, "I1 = I2" or "I2 = I3", are equal within their errors, so that the axes between them
             are not determined; None for none.
         bias: of the gyro [rad/s, device axes].
-        rest: the bias that the gyro shows at rest, which was known beforehand; None where no log has rests.
+        rest: the bias of the gyro at rest, the prior of the fit; None where no log has rests.
         gain: of the gyro along the device axes, 1 without error; None where it was not fitted.
         cross_axis: how much of the rate about one axis shows about another, of y and z, x and z, x and y, the mean of
             both ways; their difference turns the axes of the device. None where it was not fitted.
-        gain_spread: standard deviation of such gains, as far as the log shows it and it was known beforehand.
+        gain_spread: standard deviation of such gains, by the log and the prior.
         drag: c_i/I3 of the torque −c_i |ω| ω_i along the principal axes; None where there is none.
         linear_drag: b_i/I3 of the torque −b_i ω_i [1/s], or None.
         one_sided_drag: d_i/I3 of the torque −d_i |ω| |ω_i|, or None.
@@ -110,7 +111,7 @@ class ThrowFit:
         widened: factor on the variances of the noise, because neighbouring residuals are alike.
         criterion: the models that were compared, by Akaike's corrected criterion, which a wheel must do better by 10.
         with_or_without: whether models with a wheel and without one do about as well, so that the errors of ratios and
-            axes reach as far as what the other one says.
+            axes cover both.
         throws: each throw, with measured and predicted rates.
         residuals: (n, 3) of all throws [rad/s].
         rms: of the residuals [rad/s].
@@ -182,26 +183,25 @@ def fit_throw(
     The start is linear: R J ω is constant in space, R from the gyro itself. Then comes a robust least squares on the
     motion with its exact derivatives: the closed form, or Euler's equations with torques and their variations. The
     noise of a sample is that of the gyro and, along the acceleration, that of the clock; both come from the residuals.
-    At the end the intervals take in what is not known: a smooth torque that no model has, gains larger than expected,
-    residuals that are alike. Where a log has rests, they tell the bias. Samples need not be at equal times.
+    At the end the intervals allow for unmodelled effects: a smooth torque, gains larger than expected, correlated
+    residuals. Rests in a log determine the bias. Samples need not be at equal times.
 
     Args:
-        logs: from ``clean_log``, one or several of the same thing.
+        logs: from ``clean_log``, one or several of one device.
         windows: of each log, the stretches of free flight; by default those that ``free_flights`` finds.
         drag: torques of air along the principal axes; False for none, True for some, "auto" to let Akaike's criterion
             choose that too. It also chooses between quadratic drag, −c_i |ω| ω_i, quadratic and linear drag, −b_i ω_i,
-            and both with one that is not the same both ways, −d_i |ω| |ω_i|.
-        gain: a symmetric matrix of gains of the gyro. "auto" lets the criterion choose, but gains that are too small to
-            be seen still move the ratios by about as much: only True makes the intervals account for them. False for
-            a calibrated gyro.
-        clip: largest rate that the gyro can tell [rad/s], infinity for no limit; by default where ``saturation`` finds
-            one.
-        gain_spread: standard deviation of an entry of the matrix of gains, as far as known beforehand.
+            and both with one-sided drag, −d_i |ω| |ω_i|.
+        gain: a symmetric matrix of gains of the gyro. "auto" lets the criterion choose, but undetected gains
+            still move the ratios by about as much: only True makes the intervals account for them. False for a
+            calibrated gyro.
+        clip: largest rate that the gyro measures [rad/s], infinity for no limit; by default that of ``saturation``.
+        gain_spread: prior standard deviation of an entry of the matrix of gains.
         rotor: a wheel of constant momentum that turns in the body; "auto" for what the criterion says, where air alone
             leaves residuals that are too large or alike.
 
     Raises:
-        InvalidInput: if no free flight is found, a window does not fit its log, or a throw has too few samples.
+        InvalidInput: if the log has no free flight, a window does not fit its log, or a throw has too few samples.
 
     Example:
         >>> import numpy as np
@@ -279,9 +279,9 @@ def _cut(log: GyroLog, window: Window, level: float | None) -> tuple[Array, Thro
     if level is not None:
         use &= (np.abs(log.rates) < level * (1 - 1e-6)).all(axis=1)
     times, rates = log.times[use], log.rates[use]
-    if len(times) < 8:
-        raise InvalidInput(f"a throw must have 8 samples that are not saturated; got {len(times)}. "
-                           "Throw more slowly, or give a longer window.")  # fmt: skip
+    if len(times) < LOG_LIMITS.min_samples:
+        raise InvalidInput(f"a throw must have {LOG_LIMITS.min_samples} samples that are not saturated; got "
+                           f"{len(times)}. Throw more slowly, or give a longer window.")  # fmt: skip
     epoch = float(times[len(times) // 2])
     return times, Throw(times - epoch, rates, epoch)
 
@@ -334,7 +334,7 @@ def _estimates(best: Solution, inertia: Principal, misfit: Misfit | None) -> dic
 
 
 def _find_misfit(fitted: list[FittedThrow], scores: list[ModelScore]) -> Misfit | None:
-    """Return that residuals are not noise, after all that was tried, or None where they are."""
+    """Return the misfit if the residuals are not noise, else None."""
     turns = max(float(np.median(np.linalg.norm(throw.rates[1:], axis=1) * np.diff(throw.times))) for throw in fitted)
     test = test_filtered_noise([throw.rates - throw.predicted for throw in fitted], turns)
     if test.is_noise:
