@@ -6,7 +6,7 @@ const add = (parent, tag, properties = {}) => {
   return child;
 };
 
-const LEAST = 2; // digits from which an answer that is right to them counts
+const MIN_DIGITS = 2; // of an answer that is right to its digits
 const NUMBER = /^[+-]?(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d+))?$/;
 
 /** How many digits an answer needs so that its rounding stays within a relative tolerance. */
@@ -16,11 +16,11 @@ const wantedDigits = (tolerance) => 1 + Math.ceil(Math.log10(0.5 / tolerance) - 
 function precision([, whole, part = "", power = "0"]) {
   const figures = (whole + part).replace(/^0+/, "");
   const zeros = part ? 0 : figures.length - figures.replace(/0+$/, "").length;
-  const ending = Math.max(0, Math.min(zeros, figures.length - LEAST));
+  const ending = Math.max(0, Math.min(zeros, figures.length - MIN_DIGITS));
   return [figures.length - ending, 0.5 * 10 ** (Number(power) - part.length + ending)];
 }
 
-/** What the course says to an answer; the same as `respond` of polhode.course.responses. */
+/** The response of the course to an answer; equal to `respond` of polhode.course.responses. */
 function respondTo(typed, answer, mistakes, hints, tolerance) {
   const text = typed.trim().replace(",", ".").replace("−", "-");
   const found = NUMBER.exec(text);
@@ -28,7 +28,7 @@ function respondTo(typed, answer, mistakes, hints, tolerance) {
   if (!Number.isFinite(value)) return "Enter a number.";
   const [digits, half] = precision(found);
   const close = (known) => Math.abs(value - known) <= tolerance * Math.abs(known) + (known === 0 ? 1e-12 : 0);
-  const rounds = (known) => digits >= LEAST && Math.abs(value - known) <= half * (1 + 1e-9);
+  const rounds = (known) => digits >= MIN_DIGITS && Math.abs(value - known) <= half * (1 + 1e-9);
   if (close(answer)) return "Right.";
   const first = [mistakes.findIndex(close), mistakes.findIndex(rounds)].find((k) => k >= 0);
   if (rounds(answer)) {

@@ -219,7 +219,7 @@ def test_rotational_constants_may_be_wave_numbers(tmp_path):
 def test_progress_is_told_in_lines_where_nobody_watches(monkeypatch, capsys):
     from polhode.sweeps import command as sweep
 
-    monkeypatch.setattr(sweep, "EVERY", 0.0)
+    monkeypatch.setattr(sweep._Lines, "interval", 0.0)
     lines = sweep._Lines(100, 1000)
     lines.add(300)
     lines.add(600)

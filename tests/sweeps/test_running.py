@@ -17,6 +17,7 @@ import polhode as ph
 from formats.test_full_disk import limited
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
+from polhode.sweeps import running
 from polhode.sweeps.marks import hash_array
 from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep
@@ -232,7 +233,7 @@ def test_no_workers_are_refused(spec, tmp_path):
 
 def test_a_cluster_without_workers_is_told(spec, tmp_path, monkeypatch):
     distributed = pytest.importorskip("distributed")
-    monkeypatch.setattr("polhode.sweeps.running.LONG_PATIENCE", 0.5)
+    monkeypatch.setattr(running, "LIMITS", running.LIMITS._replace(worker_timeout=0.5))
     sweep = Sweep.of(read_plan(spec))
     with distributed.LocalCluster(n_workers=0, processes=False, dashboard_address=None) as cluster:
         told = pytest.warns(UserWarning, match="no workers yet")
@@ -369,7 +370,7 @@ def test_workers_that_come_later_are_used(spec, tmp_path):
 
 @pytest.mark.sweep
 def test_a_scheduler_that_is_not_there(spec, tmp_path, monkeypatch):
-    monkeypatch.setattr("polhode.sweeps.running.PATIENCE", 1.0)
+    monkeypatch.setattr(running, "LIMITS", running.LIMITS._replace(answer_timeout=1.0))
     with pytest.raises(InvalidInput, match="does not answer"):
         ph.sweep(spec, tmp_path / "a.zarr", scheduler="tcp://127.0.0.1:9")
     assert not (tmp_path / "a.zarr").exists()

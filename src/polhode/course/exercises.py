@@ -24,10 +24,22 @@ from polhode.errors import InvalidInput, shown
 
 FOLDER = Path(__file__).parent / "exercises"
 TIERS = ("beginner", "intermediate", "master")
-DRAWS = 200  # of numbers before `require` counts as impossible
 Tier = Literal["beginner", "intermediate", "master"]
 _NAME = r"^[a-z][a-z0-9-]*$"
 _PLACE = re.compile(r"\{([A-Za-z]\w*)\}")
+
+
+class ExerciseThresholds(NamedTuple):
+    """Numbers that decide whether an exercise is refused.
+
+    Attributes:
+        max_draws: of its numbers, after which `require` counts as impossible.
+    """
+
+    max_draws: int = 200
+
+
+LIMITS = ExerciseThresholds()
 
 
 class _Data(BaseModel):
@@ -53,7 +65,7 @@ class Draw(_Data):
     def _is_range_or_list(self) -> Draw:
         if self.one_of:
             if (self.start, self.stop, self.step) != (None, None, None):
-                raise ValueError("`one_of` stands alone: leave out from, to and step")
+                raise ValueError("`one_of` excludes a range: leave out from, to and step")
         elif self.start is None or self.stop is None or self.step is None:
             raise ValueError("a number needs from, to and step, or one_of")
         elif not (self.step > 0.0 and self.stop > self.start):
@@ -116,7 +128,7 @@ class Exercise(_Data):
     Attributes:
         name: unique in its chapter.
         tier: "beginner", "intermediate" or "master".
-        text: of the question; {name} stands for a number.
+        text: of the question; {name} represents a number.
         numbers: what is drawn, by name.
         require: a condition on the numbers.
         where: further values, by name, each an expression of those before.
@@ -169,12 +181,12 @@ class Exercise(_Data):
     def values(self, seed: int) -> dict[str, Any]:
         """Return the numbers of a seed by name, `where` and `answer` included; see ``draw``."""
         generator = np.random.default_rng([seed, zlib.crc32(self.name.encode())])
-        for _ in range(DRAWS):
+        for _ in range(LIMITS.max_draws):
             values: dict[str, Any] = {name: one.pick(generator) for name, one in self.numbers.items()}
             if evaluate(self.require, values):
                 break
         else:
-            raise InvalidInput(f"exercise {self.name}: no numbers of {DRAWS} fulfil `require`; got "
+            raise InvalidInput(f"exercise {self.name}: no numbers of {LIMITS.max_draws} fulfil `require`; got "
                                f"{shown(self.require)}. Widen the ranges.")  # fmt: skip
         for name, expression in self.where.items():
             values[name] = evaluate(expression, values)
@@ -182,7 +194,7 @@ class Exercise(_Data):
         return values
 
     def _fill(self, text: str, values: dict[str, Any]) -> str:
-        return _PLACE.sub(lambda found: self._write(found[1], values[found[1]]), text)
+        return _PLACE.sub(lambda place: self._write(place[1], values[place[1]]), text)
 
     def _write(self, name: str, value: Any) -> str:
         return str(value) if isinstance(value, str) else _in_digits(float(value), exact=name in self.numbers)
@@ -243,7 +255,7 @@ class Chapter(_Data):
         names = [one.name for one in (*self.exercises, *self.choices)]
         twice = {name for name in names if names.count(name) > 1}
         if twice:
-            raise ValueError(f"the name {twice.pop()} stands twice")
+            raise ValueError(f"the name {twice.pop()} is used twice")
         return self
 
     def find(self, name: str) -> Exercise | Choice:

@@ -1,6 +1,6 @@
-"""What the course says to an answer as it was typed: judged by as many digits as it has.
+"""The response of the course to a typed answer, judged by as many digits as it has.
 
-The page has the same in ``learn/_static/exercises.js``, line by line.
+The page has an equal function in ``learn/_static/exercises.js``, line by line.
 """
 
 from __future__ import annotations
@@ -8,9 +8,22 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
+from typing import NamedTuple
 
-LEAST = 2  # digits from which an answer that is right to them counts: of one, a tenth of all answers would be right
 _NUMBER = re.compile(r"[+-]?(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d+))?")
+
+
+class ResponseThresholds(NamedTuple):
+    """Numbers that decide whether an answer is right.
+
+    Attributes:
+        min_digits: of an answer that is right to its digits; with one, a tenth of all answers would be right.
+    """
+
+    min_digits: int = 2
+
+
+LIMITS = ResponseThresholds()
 
 
 def wanted_digits(tolerance: float) -> int:
@@ -32,16 +45,16 @@ def respond(typed: str, answer: float, mistakes: Sequence[tuple[float, str]], to
     ['Right.', 'To these digits other answers look alike: give 4.', 'Divide by the cosine.', 'Too large.']
     """
     text = typed.strip().replace(",", ".").replace("−", "-")
-    found = _NUMBER.fullmatch(text)
+    parts = _NUMBER.fullmatch(text)
     try:
-        value = float(text) if found else math.nan
+        value = float(text) if parts else math.nan
     except ValueError:
         value = math.nan
-    if found is None or not math.isfinite(value):
+    if parts is None or not math.isfinite(value):
         return "Enter a number."
-    digits, half = _precision(*found.groups(default=""))
+    digits, half = _precision(*parts.groups(default=""))
     close = lambda known: abs(value - known) <= tolerance * abs(known) + (1e-12 if known == 0.0 else 0.0)  # noqa: E731
-    rounds = lambda known: digits >= LEAST and abs(value - known) <= half * (1.0 + 1e-9)  # noqa: E731
+    rounds = lambda known: digits >= LIMITS.min_digits and abs(value - known) <= half * (1.0 + 1e-9)  # noqa: E731
     if close(answer):
         return "Right."
     hints = [hint for known, hint in mistakes if close(known)] or [hint for known, hint in mistakes if rounds(known)]
@@ -61,5 +74,5 @@ def _precision(whole: str, part: str, power: str) -> tuple[int, float]:
     """Return how many digits a number has, and half a unit of its last one; 1200 and 200 have two."""
     figures = (whole + part).lstrip("0")
     zeros = 0 if part else len(figures) - len(figures.rstrip("0"))
-    ending = max(0, min(zeros, len(figures) - LEAST))
+    ending = max(0, min(zeros, len(figures) - LIMITS.min_digits))
     return len(figures) - ending, 0.5 * 10.0 ** (int(power or 0) - len(part) + ending)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 from scipy.stats import binomtest
@@ -31,18 +31,30 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)
-LEVEL = 0.95  # of intervals
-EXACT = 2**25  # samples up to which quantiles are those of all values; of more, those of knots kept of each chunk
-MOST_WORDS = 50  # different ones whose sensitivities are analysed
+
+
+class AnswerThresholds(NamedTuple):
+    """Numbers that decide how statistics are computed.
+
+    Attributes:
+        max_exact_samples: up to which quantiles are those of all values; of more, those of the knots of chunks.
+        max_words: different ones whose sensitivities are analysed.
+    """
+
+    max_exact_samples: int = 2**25
+    max_words: int = 50
+
+
+LIMITS = AnswerThresholds()
 
 
 def sweep(
     spec: str | Path, store: str | Path | None = None, workers: int | None = None, scheduler: str | None = None
 ) -> SweepReport:
-    """Compute the motions that the table [sweep] of a spec asks for, or what is missing of them, into a Zarr store.
+    """Compute the motions that the table [sweep] of a spec asks for, or those that are missing, into a Zarr store.
 
-    ``xarray.open_zarr`` reads the store. What it holds is the same bits whatever the number of workers, and however
-    often it was interrupted. A script that uses several workers needs ``if __name__ == "__main__":`` around its own
+    ``xarray.open_zarr`` reads the store. Its bits depend neither on the number of workers
+    nor on interruptions. A script that uses several workers needs ``if __name__ == "__main__":`` around its own
     code, as they import it.
 
     Args:
@@ -182,7 +194,7 @@ class SweepReport(StudyReport):
                 }  # fmt: skip
 
     def _quantiles(self, column: Column, k: int, one: Numbers) -> list[float | None]:
-        if not one.count or self.sweep.plan.keep != "all" or self.sweep.plan.design.count > EXACT:
+        if not one.count or self.sweep.plan.keep != "all" or self.sweep.plan.design.count > LIMITS.max_exact_samples:
             return one.quantiles(LEVELS)
         values = self.store.read(column.name).reshape(self.sweep.plan.design.count, -1)[:, k]
         return np.quantile(values[~np.isnan(values)], LEVELS).tolist()
@@ -195,7 +207,7 @@ class SweepReport(StudyReport):
             known = {word: count for word, count in summary.items() if word}
             total = sum(known.values())
             for word, count in sorted(known.items(), key=lambda item: (-item[1], item[0])):
-                low, high = binomtest(count, total).proportion_ci(LEVEL, "wilson")
+                low, high = binomtest(count, total).proportion_ci(0.95, "wilson")
                 yield {"output": column.name, "value": word, "count": count, "probability": count / total,
                        "low": float(low), "high": float(high)}  # fmt: skip
 
@@ -206,7 +218,7 @@ class SweepReport(StudyReport):
         for column in self.outputs:
             values = self.store.read(column.name)
             if column.text:
-                words = [word for word in np.unique(values) if word][:MOST_WORDS]
+                words = [word for word in np.unique(values) if word][: LIMITS.max_words]
                 parts = {f"{column.name} = {word}": np.where(values == "", np.nan, values == word) for word in words}
             elif column.shape:
                 parts = {f"{column.name}.{k + 1}": values[:, k] for k in range(column.shape[0])}

@@ -21,8 +21,6 @@ from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep
 from polhode.sweeps.store import Store, check_room, in_bytes
 
-EVERY = 60.0  # s between lines about the progress, where nobody watches
-
 
 class SweepOptions(NamedTuple):
     """Options of the command; see there."""
@@ -39,7 +37,7 @@ def run_sweep(path: Path, options: SweepOptions) -> None:
     """Read the plan, compute what is missing in the store, print the statistics and draw them."""
     plan = read_plan(path)
     if not options.dry_run:
-        import_zarr()  # what is missing is said before samples are tried
+        import_zarr()  # a missing library is reported before samples are tried
     sweep = Sweep.of(plan)
     out = options.out or Path(f"{path.stem}.zarr")
     seconds = sweep.cost()
@@ -80,23 +78,25 @@ def _progress(sweep: Sweep, store: Store) -> Iterator[Callable[[int], object]]:
 class _Lines:
     """A line about the progress once a minute, for logs."""
 
+    interval = 60.0  # s
+
     def __init__(self, done: int, total: int) -> None:
         self.first, self.done, self.total = done, done, total
-        self.begun = self.told = time.monotonic()
+        self.begun = self.written = time.monotonic()
 
     def add(self, samples: int) -> None:
         self.done += samples
         now = time.monotonic()
-        if now - self.told < EVERY or self.done >= self.total:
+        if now - self.written < self.interval or self.done >= self.total:
             return
-        self.told, rate = now, (self.done - self.first) / (now - self.begun)
+        self.written, rate = now, (self.done - self.first) / (now - self.begun)
         left = in_its_unit(float(f"{(self.total - self.done) / rate:.2g}"))
         sys.stderr.write(f"{self.done:,} of {self.total:,} samples, {rate:.3g} a second, about {left} left\n")
         sys.stderr.flush()
 
 
 def _figures_folder(out: Path) -> Path:
-    """Return the folder beside a store, whose name may stand behind ``.`` or ``..``.
+    """Return the folder beside a store, whose name may follow ``.`` or ``..``.
 
     Raises:
         InvalidInput: if no name is given.

@@ -13,7 +13,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from scipy.special import ndtri
@@ -26,8 +26,21 @@ from polhode.types import Float64
 
 Values = Float64[np.ndarray, "sample *vector"]
 Uniform = Float64[np.ndarray, "sample dimension"]
-LARGEST_TABLE = 1024 * MB
-MOST_STEPS = 10**6  # values of a grid
+
+
+class DistributionThresholds(NamedTuple):
+    """Numbers that decide which distributions are refused.
+
+    Attributes:
+        max_table: bytes of a table of values, which is read into memory.
+        max_grid_values: along one input.
+    """
+
+    max_table: int = 1024 * MB
+    max_grid_values: int = 10**6
+
+
+LIMITS = DistributionThresholds()
 
 
 class Reader:
@@ -319,8 +332,8 @@ class Grid(AbstractPlaced):
                              f'without spacing = "log"; got {shown(value)}')  # fmt: skip
         low, high = reader(value["from"]), reader(value["to"])
         count, spacing = value["count"], value.get("spacing", "even")
-        if type(count) is not int or not 2 <= count <= MOST_STEPS:
-            raise ValueError(f"needs a count from 2 to {MOST_STEPS:,}; got {shown(count)}")
+        if type(count) is not int or not 2 <= count <= LIMITS.max_grid_values:
+            raise ValueError(f"needs a count from 2 to {LIMITS.max_grid_values:,}; got {shown(count)}")
         if spacing not in ("even", "log") or (spacing == "log" and not (low > 0.0 and high > 0.0)):
             raise ValueError(f'has spacing "even" or, between positive values, "log"; got {shown(value)}')
         points = np.geomspace(low, high, count) if spacing == "log" else np.linspace(low, high, count)
@@ -378,7 +391,7 @@ def _scale(unit: str, reader: Reader) -> Callable[[float], float]:
 
 def _column(path: Path, name: str, scale: Callable[[float], float]) -> tuple[np.ndarray, str]:
     try:
-        rows = list(csv.reader(io.StringIO(read_text(path, "table", LARGEST_TABLE))))
+        rows = list(csv.reader(io.StringIO(read_text(path, "table", LIMITS.max_table))))
     except PolhodeError as error:
         raise ValueError(str(error)) from None
     head = [cell.strip() for cell in rows[0]] if rows else []
@@ -432,5 +445,5 @@ def read_distribution(
     wanted = 0 if lengths else reader.number.length
     if law.length != wanted:
         sizes = {0: "one number", 3: "a vector of three", 4: "a quaternion"}
-        raise ValueError(f"{keys[0]} gives {sizes[law.length]}, and {sizes.get(wanted, 'a list')} stands there")
+        raise ValueError(f"{keys[0]} gives {sizes[law.length]}, and {sizes.get(wanted, 'a list')} is there")
     return law

@@ -21,13 +21,26 @@ from polhode.spec.keys import is_place, with_value, write_quantity
 from polhode.sweeps.bodies import vary_body
 from polhode.sweeps.plan import STATES, Plan
 
-WORDS = 24  # characters of a word that a sample may have; other texts are no outputs
-PROBED = 16  # samples that are tried for what the outputs are
-SPREAD = 256  # further ones, from all over the sweep, of which one must have a motion
-AT_ONCE, ONE_BY_ONE = 65536, 64  # samples computed together
 STATUS = "sample_status"  # the array that says how each sample ended; reports have a "status" too
 YES, NO = "yes", "no"
 DONE, REFUSED, LOST = "done", "refused", "not converged"
+
+
+class EvaluationThresholds(NamedTuple):
+    """Numbers that decide which outputs a sweep has, and whether it is refused.
+
+    Attributes:
+        max_word: characters of a word that is an output; longer texts are none.
+        probes: samples that are tried for the types of the outputs.
+        spread_probes: further ones, from all over the sweep, of which one must have a motion.
+    """
+
+    max_word: int = 24
+    probes: int = 16
+    spread_probes: int = 256
+
+
+LIMITS = EvaluationThresholds()
 
 
 class Column(NamedTuple):
@@ -39,7 +52,7 @@ class Column(NamedTuple):
         text: whether they are words.
         unit: in SI, as people write it.
         note: an explanation.
-        known: whether a value was seen; where none is defined, it is taken for a number.
+        known: whether a value is defined in a sample that was tried; where none is, the output counts as a number.
     """
 
     name: str
@@ -52,7 +65,7 @@ class Column(NamedTuple):
     @property
     def type(self) -> Any:
         """Of the array that holds them."""
-        return np.dtype(f"<U{WORDS}") if self.text else np.dtype("<f8")
+        return np.dtype(f"<U{LIMITS.max_word}") if self.text else np.dtype("<f8")
 
     def blank(self, count: int) -> Any:
         """Return blank values of samples."""
@@ -103,9 +116,10 @@ class Evaluator:
             InvalidInput: for names that no answer has, or if no sample has a motion.
         """
         count = self.plan.design.count
-        first, probe, error = min(PROBED, count), None, None
-        spread = np.unique(np.linspace(first, count - 1, SPREAD).astype(int)) if count > first else np.array([], int)
-        tried = [*range(first), *spread.tolist()]
+        first, probe, error = min(LIMITS.probes, count), None, None
+        tried = list(range(first))
+        if count > first:
+            tried += np.unique(np.linspace(first, count - 1, LIMITS.spread_probes).astype(int)).tolist()
         for place, k in enumerate(tried):
             if probe is not None and place >= first:
                 break
@@ -161,13 +175,13 @@ class Evaluator:
     @property
     def chunk_size(self) -> int:
         """How many samples are computed together."""
-        return min(self.plan.chunk or (AT_ONCE if self.at_once else ONE_BY_ONE), self.plan.design.count)
+        return min(self.plan.chunk or (65536 if self.at_once else 64), self.plan.design.count)
 
     def chunk(self, low: int, high: int) -> Chunk:
         """Return the samples low, …, high − 1."""
         inputs = self.draw_inputs(low, high)
         values, refused, lost = self._together(inputs) if self.at_once else self._one_by_one(inputs, high - low)
-        status = np.full(high - low, DONE, dtype=f"<U{WORDS}")
+        status = np.full(high - low, DONE, dtype=f"<U{LIMITS.max_word}")
         status[list(refused)], status[list(lost)] = REFUSED, LOST
         wrong, outputs = [*refused, *lost], {}
         for column in self.columns:
@@ -192,7 +206,7 @@ class Evaluator:
     def _together(self, inputs: dict[str, Any]) -> tuple[dict[str, Any], dict[int, str], dict[int, str]]:
         refused = self._impossible(inputs, 0, len(next(iter(inputs.values()))))
         if refused:
-            # in place of what cannot be, a sample that can: the others are computed as they would be beside it
+            # a possible sample replaces impossible ones: the others are then computed with equal bits
             number = self._probe[2]
             good, wrong = self.draw_inputs(number, number + 1), list(refused)
             inputs = {key: np.array(values) for key, values in inputs.items()}
@@ -242,15 +256,15 @@ class Evaluator:
         return values, refused, lost
 
     def _answers(self, spec: Spec) -> tuple[dict[str, Any], Sequence[Group | Table]]:
-        """Return answers as the JSON has them, all outputs among them, and where they stand; nothing more than needed.
+        """Return answers as in the JSON, with all outputs, and their groups; none that no output needs.
 
-        A motion is computed only if an output takes one.
+        A motion is computed only if an output needs one.
         """
         wanted = [name for name in self.plan.outputs if name not in self.plan.states]
         if not wanted:
             return {}, []
-        if found := _take_until(wanted, spec.kind.answers_without_motion(spec)):
-            return found
+        if answers := _take_until(wanted, spec.kind.answers_without_motion(spec)):
+            return answers
         report = spec.report()
         return _take_until(wanted, report.iterate_answers()) or (report.as_json_dict(), report.answers)
 
@@ -292,7 +306,7 @@ def _fit_to_column(column: Column, value: Any) -> Any:
     """
     if isinstance(value, bool):
         value = YES if value else NO
-    if value is None or (column.text and isinstance(value, str) and len(value) <= WORDS):
+    if value is None or (column.text and isinstance(value, str) and len(value) <= LIMITS.max_word):
         return column.blank(1)[0] if value is None else value
     if column.text or isinstance(value, str) or np.shape(value) != column.shape:
         raise InvalidInput(f"the answer {column.name} is {shown(value)}, of another form than in other samples")
@@ -316,7 +330,7 @@ def _answer_column(name: str, values: dict[str, Any], units: dict[str, str]) -> 
     if isinstance(value, bool):
         return Column(name, text=True)
     if isinstance(value, str):
-        if len(value) > WORDS:
+        if len(value) > LIMITS.max_word:
             raise _NoSuchAnswer(f"sweep.outputs: {name} is a sentence, not a number or a word. Leave it out.")
         return Column(name, text=True)
     try:
@@ -330,7 +344,7 @@ def _answer_column(name: str, values: dict[str, Any], units: dict[str, str]) -> 
 def _take_until(
     wanted: Sequence[str], answers: Iterable[Group | Table]
 ) -> tuple[dict[str, Any], Sequence[Group | Table]] | None:
-    """Return answers as the JSON has them, and where they stand, as far as all wanted ones need; None without one."""
+    """Return answers as in the JSON, and their groups, up to the last wanted one; None if one is missing."""
     groups: list[Group | Table] = []
     for group in answers:
         groups.append(group)
@@ -341,7 +355,7 @@ def _take_until(
 
 
 def _has(values: Any, name: str) -> bool:
-    """Whether a name stands in the JSON, if only as null, or within one that is null here."""
+    """Whether the JSON has a name, if only as null, or within one that is null here."""
     for part in name.split("."):
         if values is None:
             return True

@@ -16,18 +16,16 @@ from polhode.sweeps.summary import Numbers
 if TYPE_CHECKING:
     from polhode.sweeps.answers import SweepReport
 
-DRAWN = 200_000  # samples of a histogram, evenly chosen
-DOTS = 6_000  # of a map; more would only blur
-BINS = 48
-MOST = 12  # panels
+MAX_SAMPLES = 200_000  # of a figure, evenly chosen
+MAX_PANELS = 12
 PALETTE = (style.BLUE, style.ORANGE, style.GREEN, style.VERMILION, style.SKY, style.PURPLE)
 MARKS = "o^sDvP"
 
 
 def histograms(report: SweepReport) -> Figure | None:
     """Return the distribution of each output: densities of numbers, shares of words."""
-    panels = [(column, k) for column in report.outputs for k in range(int(np.prod(column.shape, dtype=int)))][:MOST]
-    panels = [(column, k) for column, k in panels if _varies(report, column, k)]
+    panels = [(column, k) for column in report.outputs for k in range(int(np.prod(column.shape, dtype=int)))]
+    panels = [(column, k) for column, k in panels[:MAX_PANELS] if _varies(report, column, k)]
     if not panels:
         return None
     columns = min(2, len(panels))
@@ -67,7 +65,7 @@ def _density(axes: Any, report: SweepReport, column: Column, k: int) -> None:
     power = style.power_of_ten((summary[k].low, summary[k].high))
     unit = f"  [{style.factor(power)}{column.unit}]" if column.unit or power else ""
     scaled = values / 10.0**power
-    bins = min(BINS, max(8, len(scaled) // 8))
+    bins = min(48, max(8, len(scaled) // 8))
     axes.hist(scaled, bins=bins, weights=weights, density=True, color=style.BLUE, alpha=0.85)
     axes.set_yticks([])
     part = f", component {k + 1}" if column.shape else ""
@@ -77,7 +75,7 @@ def _density(axes: Any, report: SweepReport, column: Column, k: int) -> None:
 def _drawable(report: SweepReport, column: Column, k: int, summary: Numbers) -> tuple[Any, Any]:
     """Return values and weights: of the samples, or of the summary kept in place of them."""
     if report.sweep.plan.keep == "all":
-        values = report.store.read(column.name, DRAWN)
+        values = report.store.read(column.name, MAX_SAMPLES)
         values = values.reshape(len(values), -1)[:, k]
         values = values[~np.isnan(values)]
         if len(values):
@@ -96,7 +94,7 @@ def verdict_map(report: SweepReport) -> Figure | None:
     axes_of = [key for key, how in plan.design.inputs.items() if not how.length][:2]
     if words is None or len(axes_of) < 2 or plan.keep != "all":
         return None
-    x, y, verdicts, status = (report.store.read(name, DRAWN) for name in (*axes_of, words.name, STATUS))
+    x, y, verdicts, status = (report.store.read(name, MAX_SAMPLES) for name in (*axes_of, words.name, STATUS))
     verdicts = np.where(status == DONE, verdicts, status)
     known = sorted({str(word) for word in verdicts if word}, key=lambda word: (word in (REFUSED, LOST), word))
     if not known:
@@ -147,7 +145,8 @@ def _tiles(axes: Any, x: Any, y: Any, verdicts: Any, known: list[str]) -> None:
 
 
 def _dots(axes: Any, x: Any, y: Any, verdicts: Any, known: list[str]) -> None:
-    shown = np.unique(np.linspace(0, len(x) - 1, min(DOTS, len(x))).astype(int))
+    dots = min(6_000, len(x))  # more would only blur
+    shown = np.unique(np.linspace(0, len(x) - 1, dots).astype(int))
     x, y, verdicts = x[shown], y[shown], verdicts[shown]
     for k, word in enumerate(known):
         here = verdicts == word
@@ -161,7 +160,7 @@ def sensitivities(report: SweepReport) -> Figure | None:
             for row in getattr(group, "rows", [])]  # fmt: skip
     if not rows:
         return None
-    outputs = list(dict.fromkeys(row["output"] for row in rows))[:MOST]
+    outputs = list(dict.fromkeys(row["output"] for row in rows))[:MAX_PANELS]
     inputs = list(report.sweep.plan.design.inputs)
     figure = style.new_figure(width=style.COLUMN * 1.4, height=0.9 + 0.24 * len(outputs) * (len(inputs) + 0.6))
     axes = figure.subplots()

@@ -19,7 +19,7 @@ from polhode.formats.zarr_gate import OF_A_SWEEP
 from polhode.sweeps.evaluation import Column
 
 HOME, PLAN, CHUNKS, LOCK = OF_A_SWEEP, "plan.json", "chunks", "lock"
-FORMAT, EARLIER = 3, (1, 2)
+FORMAT, EARLIER_FORMATS = 3, (1, 2)
 COMPONENTS = {3: "axis", 4: "quaternion"}
 COMPRESSOR = {"id": "blosc", "cname": "lz4", "clevel": 5, "shuffle": 1, "blocksize": 0}
 """Said here, as zarr's own choice changes with its releases."""

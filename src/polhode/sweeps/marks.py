@@ -1,6 +1,6 @@
 """Marks of finished chunks: checksums of their data, and their part of the statistics, under a seal.
 
-A mark is JSON under a seal. The seal tells damage, and the JSON says of which sweep and chunk it is, so that a copied
+A mark is JSON under a seal. The seal reveals damage, and the JSON says of which sweep and chunk it is, so that a copied
 or renamed mark is none; what is read is checked in form all the same.
 """
 
@@ -19,7 +19,6 @@ from polhode.sweeps.evaluation import Chunk, Column
 from polhode.sweeps.layout import Layout
 from polhode.sweeps.summary import KNOTS, Numbers, Summary, summarise
 
-LONGEST_REASON = 100_000  # characters
 Digest = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 
 
@@ -60,7 +59,8 @@ class Mark(_Sealed):
     def of(cls, chunk: Chunk, number: int, layout: Layout) -> Mark:
         arrays = {name: OfArray(digest=hash_array(values), summary=summarise(values))
                   for name, values in chunk.values.items()}  # fmt: skip
-        reasons = [(sample, why[:LONGEST_REASON]) for sample, why in chunk.reasons]
+        longest = 100_000  # characters
+        reasons = [(sample, why[:longest]) for sample, why in chunk.reasons]
         return cls(sweep=layout.fingerprint, chunk=number, arrays=arrays, reasons=reasons)
 
     @property

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 from pydantic import Field, StrictInt, ValidationError
@@ -24,13 +24,27 @@ from polhode.spec.rules import Mistake
 from polhode.sweeps.distributions import AbstractPlaced, AbstractRandom, Grid, Reader, read_distribution
 from polhode.sweeps.sampling import SOBOL_BITS, Design
 
-MOST = 10**10  # samples
 STATES = "states."  # before the parts of a state, as outputs
 EXAMPLE = '"spin.rate" = { normal = ["120 rpm", "5 rpm"] }'
 
 
+class PlanThresholds(NamedTuple):
+    """Numbers that decide which sweeps are refused.
+
+    Attributes:
+        max_samples: of a sweep; more take years.
+        max_chunk: samples of a chunk, whose arrays are in memory together.
+    """
+
+    max_samples: int = 10**10
+    max_chunk: int = 10**7
+
+
+LIMITS = PlanThresholds()
+
+
 class SweepTable(Strict):
-    """The table [sweep] as it stands in a file.
+    """The table [sweep] of a file.
 
     Attributes:
         samples: how many; of each point, where there are grids.
@@ -44,7 +58,7 @@ class SweepTable(Strict):
         chunk: samples computed together.
     """
 
-    samples: Annotated[StrictInt, Field(ge=1, le=MOST)] | None = None
+    samples: Annotated[StrictInt, Field(ge=1, le=LIMITS.max_samples)] | None = None
     seed: Annotated[StrictInt, Field(ge=0, le=2**63 - 1)] = 0
     inputs: dict[str, Any] = Field(description=f"say what varies, like {EXAMPLE} under [sweep.inputs]")
     outputs: list[str] = Field(description='say what to keep, like ["regime", "polhode_period"]')
@@ -52,7 +66,7 @@ class SweepTable(Strict):
     points: Annotated[Literal["random", "sobol"], one_of("random", "sobol")] = "random"
     sensitivity: Flag = False
     keep: Annotated[Literal["all", "statistics"], one_of("all", "statistics")] = "all"
-    chunk: Annotated[StrictInt, Field(ge=1, le=10**7)] | None = None
+    chunk: Annotated[StrictInt, Field(ge=1, le=LIMITS.max_chunk)] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +83,7 @@ class Plan:
         times: of states among the outputs [s].
         keep: "all", or "statistics" alone.
         chunk: samples computed together as the spec gives it; None for the usual number.
-        asked: what the spec says, as text, without ``chunk``, which is told apart by itself.
+        asked: what the spec says, as text, without ``chunk``, which is compared separately.
         read: the files that were read for the inputs, with SHA-256 of their content.
         plugins: what was taken of other packages for it.
     """
@@ -194,7 +208,7 @@ def _find_broken(table: SweepTable, inputs: dict[str, Any]) -> list[Mistake]:
 
 def _check_size(path: Path, design: Design) -> None:
     quasi = design.points == "sobol" or design.crossed
-    if design.count > MOST or (quasi and design.draws > 2**SOBOL_BITS):
-        most = 2**SOBOL_BITS if quasi else MOST
+    if design.count > LIMITS.max_samples or (quasi and design.draws > 2**SOBOL_BITS):
+        most = 2**SOBOL_BITS if quasi else LIMITS.max_samples
         got = f"{design.count:.3g} samples"
         raise InvalidInput(f"{path}: the sweep has {got}; at most {most:.3g} are taken. Give fewer.")

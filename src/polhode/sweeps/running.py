@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from multiprocessing import resource_tracker
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from polhode._base.compiled.threads import available_cores
 from polhode._base.plugins import Plugin, digest_plugins, record_plugins
@@ -28,18 +28,31 @@ from polhode.sweeps.layout import Layout
 from polhode.sweeps.plan import Plan
 from polhode.sweeps.store import Store, check_room, compute_size
 
-IN_HAND = 2  # chunks that each thread of a cluster has, so that none waits for the next
-ALONE = 20.0  # s of computing for which starting a cluster does not pay
-TRIED = 8  # samples whose time tells what all will cost, where they are computed one by one
 NO_DASHBOARD: Any = None
 # Dask's own makes the C library give each array back to the system at once, and take new pages for the next: six
 # times the CPU time. One thread each, as there is a worker to a core.
 ENVIRONMENT = {"MALLOC_TRIM_THRESHOLD_": str(2**28), "MALLOC_MMAP_THRESHOLD_": str(2**27),
                "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
                "DASK_LOGGING__DISTRIBUTED": "critical"}  # fmt: skip  # workers log beside what silences their cluster
-PATIENCE = 30.0  # s in which a cluster must answer
-LONG_PATIENCE = 300.0  # s in which it must have a worker
-HASTE = 0.1  # s in which workers must end themselves when the sweep is stopped
+
+
+class ClusterThresholds(NamedTuple):
+    """Numbers that decide whether a cluster is started, and when it is given up, in seconds.
+
+    Attributes:
+        min_work: of computing; starting a cluster does not pay for less.
+        answer_timeout: in which a cluster must answer.
+        worker_timeout: in which a cluster must have a worker; batch systems may start it late.
+        stop_timeout: in which workers must end themselves when the sweep is stopped.
+    """
+
+    min_work: float = 20.0
+    answer_timeout: float = 30.0
+    worker_timeout: float = 300.0
+    stop_timeout: float = 0.1
+
+
+LIMITS = ClusterThresholds()
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,8 +114,8 @@ class Sweep:
     def cost(self) -> float:
         """Return about how many seconds one core will take, by a measurement."""
         count = self.plan.design.count
-        tried = min(self.evaluator.chunk_size, 4096) if self.evaluator.at_once else min(count, TRIED)
-        self.evaluator.chunk(0, 1)  # what is only done once
+        tried = min(self.evaluator.chunk_size, 4096) if self.evaluator.at_once else min(count, 8)
+        self.evaluator.chunk(0, 1)  # compilation and other work of a first call
         begin = time.perf_counter()
         self.evaluator.chunk(0, tried)
         return (time.perf_counter() - begin) / tried * count
@@ -113,7 +126,7 @@ class Sweep:
         Args:
             seconds: that one core takes, where it is known.
         """
-        return 1 if (self.cost() if seconds is None else seconds) < ALONE else available_cores()
+        return 1 if (self.cost() if seconds is None else seconds) < LIMITS.min_work else available_cores()
 
     def begin(self, path: str | Path) -> Store:
         """Return the store to write to, new or begun before.
@@ -191,11 +204,12 @@ class Sweep:
                 return [client.submit(_compute_remotely, job, place, number, key=f"{name}-{number}", pure=False)
                         for number in numbers]  # fmt: skip
 
-            at_work = as_completed(hand_out(IN_HAND * _threads(client)))
+            per_thread = 2  # chunks, so that no thread waits for the next
+            at_work = as_completed(hand_out(per_thread * _threads(client)))
             for future in at_work:
                 tell(self._samples(future.result()))
                 # workers may have come, or gone
-                for new in hand_out(max(0, IN_HAND * _threads(client) - at_work.count())):
+                for new in hand_out(max(0, per_thread * _threads(client) - at_work.count())):
                     at_work.add(new)
 
 
@@ -211,7 +225,7 @@ class _Job:
 
 
 def _parts(plan: Plan, read: dict[Path, str], plugins: frozenset[Plugin]) -> dict[str, str]:
-    """Return digests of all that the samples depend on, by what it is: the spec, files by content, and the program."""
+    """Return digests of all that the samples depend on, by name: the spec, files by content, and the program."""
     folder = plan.path.parent.absolute()
     files = {f"the file {Path(os.path.relpath(path, folder)).as_posix()}": digest for path, digest in read.items()}
     return {"the spec": hashlib.sha256(plan.asked.encode()).hexdigest()} | files | program_parts(plugins)
@@ -266,11 +280,11 @@ def _cluster(workers: int, scheduler: str | None) -> Iterator[Any]:
         from distributed import Client, LocalCluster
     except ImportError:
         raise not_installed("Sweeps on several processes", "distributed", "sweep") from None
-    with config.set({"distributed.comm.timeouts.connect": f"{PATIENCE}s",
+    with config.set({"distributed.comm.timeouts.connect": f"{LIMITS.answer_timeout}s",
                      "distributed.nanny.pre-spawn-environ": ENVIRONMENT}):  # fmt: skip
         if scheduler is not None:
             try:
-                client = Client(scheduler, timeout=PATIENCE)
+                client = Client(scheduler, timeout=LIMITS.answer_timeout)
             except (OSError, ValueError, TimeoutError) as error:
                 raise InvalidInput(f"`scheduler` {scheduler} does not answer ({error}). Start one with `dask "
                                    "scheduler` and give its address, like tcp://host:8786.") from None  # fmt: skip
@@ -284,13 +298,13 @@ def _cluster(workers: int, scheduler: str | None) -> Iterator[Any]:
         with cluster, Client(cluster) as client:
             try:
                 yield client
-            except BaseException:  # what workers have in hand is lost anyway; the cluster would wait seconds for it
+            except BaseException:  # unfinished chunks are lost anyway; the cluster would wait seconds for them
                 cluster.sync(_end_workers, cluster)
                 raise
 
 
 async def _end_workers(cluster: Any) -> None:
-    await asyncio.gather(*(nanny.close(timeout=HASTE) for nanny in list(cluster.workers.values())),
+    await asyncio.gather(*(nanny.close(timeout=LIMITS.stop_timeout) for nanny in list(cluster.workers.values())),
                          return_exceptions=True)  # fmt: skip
 
 
@@ -302,10 +316,10 @@ def _await_workers(client: Any, scheduler: str) -> None:
     """
     if client.nthreads():
         return
-    warnings.warn(f"the scheduler {scheduler} has no workers yet; waiting up to {LONG_PATIENCE:g} s for one.",
-                  stacklevel=2)  # fmt: skip
+    warnings.warn(f"the scheduler {scheduler} has no workers yet; waiting up to {LIMITS.worker_timeout:g} s for "
+                  "one.", stacklevel=2)  # fmt: skip
     try:
-        client.wait_for_workers(1, timeout=LONG_PATIENCE)
+        client.wait_for_workers(1, timeout=LIMITS.worker_timeout)
     except TimeoutError:
         raise InvalidInput(f"the scheduler {scheduler} has no workers. Start one with `dask worker {scheduler}`, "
                            "where it sees the store's folder.") from None  # fmt: skip

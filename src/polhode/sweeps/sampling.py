@@ -13,8 +13,7 @@ import numpy as np
 from polhode.sweeps.distributions import AbstractDistribution, AbstractPlaced, AbstractRandom, Grid
 from polhode.types import Float64
 
-SMALLEST = 2.0**-54  # of uniform numbers: half a step of theirs, as the normal distribution reaches to infinity
-AT_ONCE = 4  # numbers that Philox gives at each count
+MIN_UNIFORM = 2.0**-54  # half a step of uniform numbers, as the normal distribution reaches to infinity at 0
 SOBOL_BITS = 32  # of a Sobol' point, and so the most points, as powers of two; SciPy cannot go ahead with more
 
 
@@ -80,23 +79,23 @@ class Design:
         return uniform
 
     def _random(self, key: str, size: int, low: int, high: int) -> Any:
-        """Return numbers of a stream of the input's own, which other inputs do not change."""
+        """Return numbers of the input's own stream, which other inputs do not change."""
         generator = np.random.Philox(np.random.SeedSequence([self.seed, zlib.crc32(key.encode())]))
-        begin = low * size
-        generator.advance(begin // AT_ONCE)
-        ahead = begin % AT_ONCE
+        at_each_count = 4  # numbers of Philox
+        counts, ahead = divmod(low * size, at_each_count)
+        generator.advance(counts)
         numbers = np.random.Generator(generator).random(ahead + (high - low) * size)[ahead:]
-        return np.maximum(numbers, SMALLEST).reshape(-1, size)
+        return np.maximum(numbers, MIN_UNIFORM).reshape(-1, size)
 
     def _sobol(self, size: int, low: int, high: int) -> Any:
         from scipy.stats import qmc
 
         engine = qmc.Sobol(size, scramble=True, bits=SOBOL_BITS, rng=np.random.default_rng(self.seed))
-        if low:  # by none SciPy goes back
+        if low:  # fast_forward(0) would go back
             engine.fast_forward(low)
         with warnings.catch_warnings():  # that a part of the points is not balanced by itself is meant
             warnings.simplefilter("ignore", UserWarning)
-            return np.clip(engine.random(high - low), SMALLEST, 1.0 - 2.0 * SMALLEST)
+            return np.clip(engine.random(high - low), MIN_UNIFORM, 1.0 - 2.0 * MIN_UNIFORM)
 
     def _cross(self, samples: Any) -> dict[str, Any]:
         base, which = samples // self.group, samples % self.group

@@ -9,9 +9,6 @@ import numpy as np
 from polhode.errors import not_installed
 from polhode.sweeps.sampling import Design
 
-RESAMPLES = 200
-LEVEL = 0.95
-
 
 class Indices(NamedTuple):
     """Sobol' indices of one output with respect to one input.
@@ -20,7 +17,7 @@ class Indices(NamedTuple):
         input: key of the spec.
         first: share of the variance that the input explains alone.
         first_error: half-width of its 95 % interval, by bootstrap.
-        total: share that would be left if all other inputs were known.
+        total: share that would remain if all other inputs were fixed.
         total_error: half-width of its 95 % interval.
     """
 
@@ -52,7 +49,7 @@ def sobol_indices(design: Design, values: Any) -> list[Indices] | None:
     names = list(design.inputs)
     problem = {"num_vars": len(names), "names": names, "bounds": [[0.0, 1.0]] * len(names)}
     with np.errstate(all="ignore"):
-        indices = sobol.analyze(problem, groups.ravel(), calc_second_order=False, num_resamples=RESAMPLES,
-                              conf_level=LEVEL, seed=design.seed % 2**32)  # fmt: skip
+        indices = sobol.analyze(problem, groups.ravel(), calc_second_order=False, num_resamples=200,
+                              conf_level=0.95, seed=design.seed % 2**32)  # fmt: skip
     columns = (indices[key] for key in ("S1", "S1_conf", "ST", "ST_conf"))
     return [Indices(name, *map(float, row)) for name, *row in zip(names, *columns, strict=True)]

@@ -3,8 +3,8 @@
 A chunk of samples is one chunk of every array, so that whoever computes it writes files of its own. Its mark, a small
 file that appears whole after the data, holds checksums and a summary; what has no mark is computed again.
 
-Whatever is read back is checked first, as files of others are: what stands in the place of a file must be one, no
-larger than it can be, and must hold what was written. Read are marks and chunks by the sweep's own layout; documents in
+All files are checked before they are used, like any file from outside: each must be a regular file, no larger than
+its content can be, with the content that was written. Read are marks and chunks by the sweep's own layout; documents in
 the store are for other readers, and put right where they differ.
 """
 
@@ -26,16 +26,26 @@ from polhode.formats.drafts import sync_to_disk
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import write_whole
 from polhode.sweeps.evaluation import Chunk, Column
-from polhode.sweeps.layout import CHUNKS, EARLIER, FORMAT, HOME, LOCK, PLAN, Layout, import_zarr
+from polhode.sweeps.layout import CHUNKS, EARLIER_FORMATS, FORMAT, HOME, LOCK, PLAN, Layout, import_zarr
 from polhode.sweeps.marks import Mark, hash_array, pack_mark, read_mark
 from polhode.sweeps.store_checks import AGAIN, check_file, check_folder, says, unpack_chunk
 
-NAMED = 4  # changed things that a message names
-SPARE = 1.1  # of the room that a store may need, in what the disk must have
+
+class StoreThresholds(NamedTuple):
+    """Numbers that decide whether a store is begun.
+
+    Attributes:
+        min_free_ratio: of the room on the disk to the size that the store may reach.
+    """
+
+    min_free_ratio: float = 1.1
+
+
+LIMITS = StoreThresholds()
 
 
 class Damage(NamedTuple):
-    """Damage found in a store.
+    """Damage of a store.
 
     Attributes:
         chunks: how many had marks, and are to be computed again.
@@ -105,8 +115,9 @@ class Store:
         wanted = self.layout.plan
         if not isinstance(plan, dict) or plan.keys() != wanted.keys():
             old = plan.get("format") if isinstance(plan, dict) else None
-            what = f"was made by another version of polhode (format {old}, not {FORMAT})" if old in EARLIER else (
-                f"is damaged: {HOME}/{PLAN} is not what a sweep writes")  # fmt: skip
+            what = f"is damaged: {HOME}/{PLAN} is not what a sweep writes"
+            if old in EARLIER_FORMATS:
+                what = f"was made by another version of polhode (format {old}, not {FORMAT})"
             raise FormatError(f"{self.path}: {what}. Choose another folder with `store`, or remove this one.")
         if plan["fingerprint"] != wanted["fingerprint"]:
             raise InvalidInput(f"{self.path}: holds another sweep: {_name_changes(plan['made_from'], wanted)} changed "
@@ -294,8 +305,9 @@ def _name_changes(parts: Any, wanted: dict[str, Any]) -> str:
     """Return in words which of the parts that a store was made from are others now, or are not there any more."""
     parts, now = parts if isinstance(parts, dict) else {}, wanted["made_from"]
     changed = [one_line(name) for name in {**now, **parts} if parts.get(name) != now.get(name)]
-    rest = [f"{len(changed) - NAMED} more"] if len(changed) > NAMED else []
-    *most, last = [*changed[:NAMED], *rest] or ["what it is computed from"]
+    named = changed[:4]
+    rest = [f"{len(changed) - len(named)} more"] if len(changed) > len(named) else []
+    *most, last = [*named, *rest] or ["what it is computed from"]
     return f"{', '.join(most)} and {last}" if most else last
 
 
@@ -313,7 +325,7 @@ def check_room(path: Path, needed: int) -> None:
     """
     folder = next(one for one in (path, *path.absolute().parents) if one.exists())
     free = shutil.disk_usage(folder).free
-    if free < SPARE * needed:
+    if free < LIMITS.min_free_ratio * needed:
         raise InvalidInput(
             f"{path}: the sweep may take {in_bytes(needed)}, and the disk has {in_bytes(free)} free. Take fewer "
             'samples or outputs, set keep = "statistics", or choose another disk with `store`.'
