@@ -178,7 +178,7 @@ def test_all_throws_of_a_log_are_used_and_what_is_left_out_is_listed(run, tmp_pa
 def test_a_log_without_a_flight_is_refused_with_what_looks_like_one(run, tmp_path):
     path = flown(tmp_path / "a.csv", [(1.0, 9.0, 1.0)], [TRUE], seconds=0.2)
     said = run("fit", path, "--no-drag", code="2").err
-    assert "a.csv: no free flight was found" in said and "--window START,END" in said and "Traceback" not in said
+    assert "a.csv: has no free flight" in said and "--window START,END" in said and "Traceback" not in said
 
 
 @pytest.mark.parametrize(("arguments", "said"), [

@@ -83,7 +83,7 @@ class Draw(_Data):
 
 
 class Mistake(_Data):
-    """What a typical mistake gives, and what to tell who made it.
+    """The result of a typical mistake, and a hint for it.
 
     Attributes:
         value: expression of the numbers and of `answer`.
@@ -114,7 +114,7 @@ class Question(NamedTuple):
     solution: str
 
     def respond_to(self, answer: str) -> str:
-        """Return what the course says to an answer: "Right.", a hint, or in which direction it is off; see ``respond``.
+        """Return the response to an answer: "Right.", a hint, or in which direction it is off; see ``respond``.
 
         Args:
             answer: as typed; a comma may stand for the decimal point.
@@ -333,7 +333,7 @@ def _namespace() -> dict[str, Any]:
 
 
 def _in_digits(value: float, *, exact: bool) -> str:
-    """Return a number as a text shows it: drawn numbers as they are, computed ones to four digits."""
+    """Return a number for a text: a drawn one with all its digits, a computed one with four."""
     text = f"{value:.12g}" if exact else f"{value:.4g}"
     if "e" in text:
         mantissa, _, exponent = text.partition("e")

@@ -112,7 +112,7 @@ def judge_convergence(
     coarse, middle, fine = levels[-3:]
     before, after = _size(coarse - middle), _size(middle - fine)
     if after <= floor:
-        # the last halving drowned in rounding: what is left of the error is then the limit itself
+        # rounding exceeds the last difference: the error that remains is the limit itself
         return Convergence(errors[-1] <= floor, None, errors, errors[-1], floor, errors[-1] <= floor)
     order = float(np.log2(before / after)) if before > 0.0 else 0.0
     whole = round(order)

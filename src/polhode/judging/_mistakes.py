@@ -61,7 +61,7 @@ class StateConvention:
     def decode(
         self, quaternion: Float64[Array, "*batch 4"], rate: Float64[Array, "*batch 3"], inertia: Float64[Array, "3 3"]
     ) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
-        """Return attitude (…, 4), normalized, and momentum (…, 3, body axes) of what the engine wrote."""
+        """Return attitude (…, 4), normalized, and momentum (…, 3, body axes) from the engine's numbers."""
         q = np.roll(quaternion, 1, axis=-1) if self.scalar_last else np.asarray(quaternion)
         q = q / np.linalg.norm(q, axis=-1, keepdims=True)
         q = q * np.array([1.0, -1.0, -1.0, -1.0]) if self.inverse else q

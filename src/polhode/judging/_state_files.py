@@ -28,7 +28,7 @@ OF_RUN = ("motion", *START, "dt", "axes", "times", "attitudes", *RATES)
 
 
 class StateFileThresholds(NamedTuple):
-    """Numbers that decide what is refused of a file of states.
+    """Numbers that decide which states of a file are refused.
 
     Attributes:
         max_bytes: of a file, which is read into memory.
@@ -70,7 +70,7 @@ class GivenMotion:
     variable: str = ""
 
     def read_by(self, other: StateConvention, declared: StateConvention) -> GivenMotion:
-        """Return the start as it is where the run gave it, too, in another convention than the declared one."""
+        """Return the start for a run that gave it, like its states, in another convention than the declared one."""
         own = StateConvention(self.variable)  # starts are along the body's axes
         change: dict[str, Any] = {"scalar_last": other.scalar_last, "inverse": other.inverse, "degrees": other.degrees}
         if other.variable != declared.variable:

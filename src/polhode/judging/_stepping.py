@@ -19,7 +19,7 @@ Step = Callable[[Any, Any, float], tuple[Any, Any]]
 
 
 class SteppingThresholds(NamedTuple):
-    """Numbers that decide what is said of an engine's numbers.
+    """Numbers that decide what an engine's numbers show of its digits and lengths.
 
     Attributes:
         min_numbers: different ones, whose digits show how they were printed; fewer may be short by chance.

@@ -161,7 +161,7 @@ def converge(
     engine: SteppedEngine, attitude: Float64[Array, "4"], momentum: Float64[Array, "3"], dt: float, span: float,
     equations: EngineEquations | None = None, max_halvings: int = LIMITS.max_halvings,
 ) -> Convergence:
-    """Return whether the engine converges, to the exact motion or to what wrong equations give.
+    """Return whether the engine converges, to the exact motion or to the solution of wrong equations.
 
     Steps are halved from ``dt`` until it does, or ``max_halvings`` times.
     """  # fmt: skip

@@ -52,7 +52,7 @@ def engine_errors(run: EngineRun, name: str = "", runs: Mapping[str, EngineRun] 
         axes.legend(fontsize=style.FONT - 2, frameon=False, loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=2,
                     borderaxespad=0.2, columnspacing=1.2, handlelength=2.0)  # fmt: skip
         style.tidy(axes)
-    (lower or [middle])[-1].set_xlabel("angle turned  [rad]")
+    (lower or [middle])[-1].set_xlabel("rotation angle  [rad]")
     figure.suptitle(name, fontsize=style.FONT)
     return figure
 

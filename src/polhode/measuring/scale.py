@@ -1,4 +1,4 @@
-"""Absolute moments from their ratios and one more number, as free flight gives ratios only."""
+"""Absolute moments from their ratios and one more number, as free motion gives ratios only."""
 
 from __future__ import annotations
 

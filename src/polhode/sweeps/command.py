@@ -34,7 +34,7 @@ class SweepOptions(NamedTuple):
 
 
 def run_sweep(path: Path, options: SweepOptions) -> None:
-    """Read the plan, compute what is missing in the store, print the statistics and draw them."""
+    """Read the plan, compute the missing samples, print the statistics and draw them."""
     plan = read_plan(path)
     if not options.dry_run:
         import_zarr()  # a missing library is reported before samples are tried
@@ -108,7 +108,7 @@ def _figures_folder(out: Path) -> Path:
 
 
 def _print_cost(sweep: Sweep, out: Path, seconds: float, workers: int, options: SweepOptions) -> None:
-    """Say what the sweep would take; nothing is written."""
+    """Print the cost of the sweep; nothing is written."""
     check_room(out, sweep.bytes)
     design, each = sweep.plan.design, sweep.evaluator.chunk_size
     many = f"{sweep.chunks:,} of {each:,} samples"

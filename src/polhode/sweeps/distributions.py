@@ -76,7 +76,7 @@ class Reader:
         return float(parts["number"])
 
     def difference(self, value: Any) -> float:
-        """Return a difference of two such numbers: 5 degC are 5 K then, and not 278.15 K.
+        """Return a difference of two numbers: 5 degC are 5 K then, and not 278.15 K.
 
         Raises:
             ValueError: in words.
@@ -203,7 +203,7 @@ def _lengths(length: AbstractRandom | float, uniform: Uniform) -> Any:
 
 @dataclass(frozen=True)
 class OnSphere(AbstractRandom):
-    """``{ sphere = length }``: vectors in all directions alike; the length may be spread itself.
+    """``{ sphere = length }``: vectors uniform over all directions; the length may have a distribution of its own.
 
     By Archimedes' theorem the height on a sphere is uniform, and so is the azimuth.
     """
@@ -276,7 +276,7 @@ def _frame_along(mean: Any) -> Any:
 
 @dataclass(frozen=True)
 class OnSO3(AbstractRandom):
-    """``{ so3 = "uniform" }``: all attitudes alike, as unit quaternions wxyz.
+    """``{ so3 = "uniform" }``: uniform over all attitudes, as unit quaternions wxyz.
 
     Source: Shoemake, Uniform random rotations, *Graphics Gems III* (1992) 124.
     """
@@ -382,7 +382,7 @@ class _Column:
 
 
 def _scale(unit: str, reader: Reader) -> Callable[[float], float]:
-    """Return what turns numbers of a unit into those of the input; affine, as degrees Celsius are."""
+    """Return the conversion of numbers of a unit into those of the input; affine, as that of degrees Celsius."""
     if not unit:
         return lambda number: number
     zero, one = reader(f"0 {unit}"), reader(f"1 {unit}")

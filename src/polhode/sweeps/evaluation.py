@@ -21,7 +21,7 @@ from polhode.spec.keys import is_place, with_value, write_quantity
 from polhode.sweeps.bodies import vary_body
 from polhode.sweeps.plan import STATES, Plan
 
-STATUS = "sample_status"  # the array that says how each sample ended; reports have a "status" too
+STATUS = "sample_status"  # the array of how each sample ended; reports have a "status" too
 YES, NO = "yes", "no"
 DONE, REFUSED, LOST = "done", "refused", "not converged"
 
@@ -155,7 +155,7 @@ class Evaluator:
 
     @cached_property
     def columns(self) -> list[Column]:
-        """The outputs of the sweep; where no sample has shown yet whether one is text, the kind is asked."""
+        """The outputs of the sweep; where no sample has defined an output yet, its type is that of the kind."""
         columns, first = self._probe[1], self._first
         if first is None:
             return columns
@@ -279,7 +279,7 @@ class _NoSuchAnswer(InvalidInput):
 
 
 def _take_output(values: Mapping[str, Any], name: str) -> Any:
-    """Return the values of an output, which may be one component of what was computed."""
+    """Return the values of an output, which may be one component of a computed vector."""
     if name in values:
         return values[name]
     whole, _, place = name.rpartition(".")

@@ -33,7 +33,7 @@ NO_DASHBOARD: Any = None
 # times the CPU time. One thread each, as there is a worker to a core.
 ENVIRONMENT = {"MALLOC_TRIM_THRESHOLD_": str(2**28), "MALLOC_MMAP_THRESHOLD_": str(2**27),
                "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
-               "DASK_LOGGING__DISTRIBUTED": "critical"}  # fmt: skip  # workers log beside what silences their cluster
+               "DASK_LOGGING__DISTRIBUTED": "critical"}  # fmt: skip  # a silent cluster does not silence its workers
 
 
 class ClusterThresholds(NamedTuple):
@@ -251,7 +251,7 @@ def _compute(
 
 @lru_cache(maxsize=4)
 def _make_evaluator(job: _Job) -> Evaluator:
-    """Return the evaluator of a worker, kept as long as it has the same job.
+    """Return the evaluator of a worker, kept until its next job.
 
     Raises:
         InvalidInput: if it would compute other numbers than the command itself.
@@ -340,7 +340,7 @@ def _deaf_to_interrupts() -> Iterator[None]:
 
 
 def _start_tracker() -> None:
-    """Start what frees semaphores of a process that was ended at once, and let it do so without a word."""
+    """Start the process that frees semaphores of killed processes, without its warnings."""
     before = os.environ.get("PYTHONWARNINGS")
     os.environ["PYTHONWARNINGS"] = (f"{before}," if before else "") + "ignore:resource_tracker:UserWarning"
     try:

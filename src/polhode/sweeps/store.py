@@ -75,7 +75,7 @@ class Store:
     # ------------------------------------------------------------------ beginning
 
     def begin(self) -> None:
-        """Make the store, or check that it is one of the same sweep, to go on with.
+        """Make the store, or check that it belongs to this sweep, to go on with.
 
         Raises:
             InvalidInput: for another sweep's store, other folders and files, and where nothing can be written.
@@ -135,7 +135,7 @@ class Store:
 
     @contextlib.contextmanager
     def lock(self) -> Iterator[None]:
-        """Keep other processes from the same sweep; the lock goes with the process, however it ends.
+        """Keep other processes from this sweep; the lock ends with the process, however it ends.
 
         Raises:
             InvalidInput: if another one is at it.
@@ -360,7 +360,7 @@ def _write_through(path: Path) -> None:
 
 
 def _write_whole(path: Path, content: bytes) -> None:
-    """Write a file atomically; of two writers at once either wins, and both write the same."""
+    """Write a file atomically; of two writers at once either wins, as both write equal bytes."""
     draft = path.with_name(f".{path.name}.{os.getpid()}")
     try:
         with draft.open("wb") as file:

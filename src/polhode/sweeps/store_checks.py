@@ -42,7 +42,7 @@ def check_folder(store: Path, folder: Path, folders: set[str]) -> None:
 
 
 def check_file(store: Path, name: str) -> None:
-    """Refuse what is in the place of a file, and none; nothing may be there.
+    """Refuse anything but a file under a name; the file may be missing.
 
     Raises:
         FormatError: naming it.

@@ -40,7 +40,7 @@ class Numbers:
         if not known.size:
             return cls()
         with np.errstate(over="ignore", invalid="ignore"):  # sums of large numbers are infinite
-            mean = float(known[0] + (known - known[0]).mean())  # exact where all are the same
+            mean = float(known[0] + (known - known[0]).mean())  # exact where all are equal
             squares = float(np.sum((known - mean) ** 2))
         places = np.unique(np.round(np.linspace(0, known.size - 1, min(KNOTS, known.size))).astype(int))
         knots = known[places].tolist()

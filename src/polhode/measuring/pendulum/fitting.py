@@ -73,7 +73,7 @@ class Pivot(NamedTuple):
 
 
 class Jig(NamedTuple):
-    """What holds the body and swings with it.
+    """The holder of the body, which swings with it.
 
     Attributes:
         mass: [kg].
@@ -99,12 +99,12 @@ class Swing(NamedTuple):
 
     Attributes:
         axis: (3,) of the twist or swing in the body's given axes, of any length, through the centre of mass.
-        rig: what the body hangs from.
+        rig: that holds the body.
         period: mean of one oscillation [s].
         amplitude: largest angle from rest at the start [rad].
         last_amplitude: largest angle at the end [rad]; None without a decay.
         turns: oscillations between the two.
-        jig: what holds the body; None without.
+        jig: the holder of the body; None without.
     """
 
     axis: tuple[float, float, float]

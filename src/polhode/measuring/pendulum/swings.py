@@ -91,7 +91,7 @@ Turns = Annotated[float, BeforeValidator(_turns)]
 
 
 class JigTable(Strict):
-    """What holds the body, by its moment or by its own swing in the same rig.
+    """The holder of the body, by its moment or by its own swing in the same rig.
 
     Its turns and amplitudes are those of the table that contains it, unless it has its own.
     """
@@ -106,7 +106,7 @@ class JigTable(Strict):
 
 
 class RigTable(Strict):
-    """What the body hangs from; in [pendulum] for all swings, in [[swing]] for one."""
+    """The rig that holds the body; in [pendulum] for all swings, in [[swing]] for one."""
 
     kind: Kind | None = None
     length: MeasuredLength | None = None
@@ -124,7 +124,7 @@ class RigTable(Strict):
 
 
 class SwingTable(RigTable):
-    """The timings of one swing, and what differs from [pendulum]."""
+    """The timings of one swing, and keys that replace those of [pendulum]."""
 
     axis: AxisOfSwing = (0.0, 0.0, 1.0)
     periods: Timings = Field(description='give timings like ["23.11 s", "23.08 s"], or "23.10 ± 0.02 s"')
@@ -247,7 +247,7 @@ def _broken_rules(keys: dict[str, Any], swing: SwingTable, k: int) -> Iterator[M
 
 @dataclass(frozen=True)
 class _Builder:
-    """Makes swings; what several have from [pendulum] becomes one object, whose error they share."""
+    """Makes swings; a quantity of [pendulum] becomes one object, whose error all swings share."""
 
     made: dict[int, Any]
 

@@ -1,1 +1,1 @@
-"""Thrown bodies: gyro logs read and cleaned, free flights found, moments of inertia and drag fitted to them."""
+"""Thrown bodies: from gyro logs to free flights, and moments of inertia and drag fitted to them."""

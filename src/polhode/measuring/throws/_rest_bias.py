@@ -17,7 +17,7 @@ class RestBias(NamedTuple):
 
     Attributes:
         value: (3,) [rad/s, device frame].
-        spread: (3,) its standard deviation in flight [rad/s].
+        spread: (3,) its standard deviation in a throw [rad/s].
         seconds: how long the rests are together.
     """
 
@@ -31,7 +31,7 @@ def rest_bias(logs: list[GyroLog], windows: list[list[Window]]) -> RestBias | No
 
     Args:
         logs: of one gyro.
-        windows: of each log, the stretches of free flight, in which nothing rests.
+        windows: of each log, the stretches in which the body is free, without rests.
     """
     means, lengths = [], []
     for log, flights in zip(logs, windows, strict=True):
@@ -48,5 +48,5 @@ def rest_bias(logs: list[GyroLog], windows: list[list[Window]]) -> RestBias | No
     weights = np.array(lengths) / sum(lengths)
     value = weights @ np.array(means)
     apart = np.sqrt(weights @ (np.array(means) - value) ** 2)
-    drift = 0.003  # rad/s, standard deviation of a bias in flight from that at rest
+    drift = 0.003  # rad/s, standard deviation of a bias in a throw from that at rest
     return RestBias(value, np.hypot(drift, apart), float(sum(lengths)))

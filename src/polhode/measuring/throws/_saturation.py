@@ -77,7 +77,8 @@ def saturation(logs: Sequence[GyroLog]) -> float | None:
 
 
 def _limit(rates: Float64[Array, "n 3"]) -> float | None:
-    shown = rates[np.concatenate([[True], (np.diff(rates, axis=0) != 0.0).any(axis=1)])]  # not what a clock repeats
+    # a fast clock repeats samples
+    shown = rates[np.concatenate([[True], (np.diff(rates, axis=0) != 0.0).any(axis=1)])]
     if len(shown) < 2 * LIMITS.min_plateau:
         return None
     kth = -LIMITS.min_plateau  # a spike or two may be higher

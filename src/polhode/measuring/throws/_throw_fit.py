@@ -1,4 +1,4 @@
-"""Least squares of a throw: its parameters, what they predict, and the noise of the samples."""
+"""Least squares of a throw: its parameters, the predicted rates, and the noise of the samples."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ LIMITS = MixedThresholds()
 
 @dataclass(frozen=True, eq=False)
 class Settled:
-    """A solution that allows for what its model leaves out.
+    """A solution that allows for unmodelled torques and gains.
 
     Attributes:
         solution: with its parameters, covariance, residuals and degrees of freedom of the new fit.
@@ -180,7 +180,7 @@ def _hats(t: Array, squares: Array) -> Float64[Array, "n m"]:
 
 @dataclass(frozen=True)
 class _Scales:
-    """Standard deviations of gains and torque, variance of the noise over that taken, and what its colour adds."""
+    """Standard deviations of gains and torque, variance of the noise over the fit's, and factor for its correlation."""
 
     gain: float
     torque: float

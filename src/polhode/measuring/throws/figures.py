@@ -48,7 +48,7 @@ def throw_figures(fit: ThrowFit) -> dict[str, Callable[[], Figure]]:
 
 
 def attitude_figures(fit: AttitudeFit) -> dict[str, Callable[[], Figure]]:
-    """Return what draws each figure of a fit of attitudes, by name; without a corner where nothing has a known error.
+    """Return the functions that draw the figures of a fit of attitudes, by name; no corner without errors.
 
     Args:
         fit: as ``polhode.measuring.fit_attitude`` returns it.

@@ -17,9 +17,9 @@ class GyroDialect(NamedTuple):
     Attributes:
         name: of the program.
         time: names of the column of times; the first that is there is taken.
-        time_unit: where the name does not say it.
+        time_unit: of a column whose name has none.
         gyro: names of the columns along the device's x, y and z.
-        rate_unit: where the names do not say it.
+        rate_unit: of columns whose names have none.
         acceleration: likewise, of what includes gravity; in the same file or in one of ``beside``.
         beside: names of files next to the gyro's that have the acceleration.
         per_unit: m/s² of a unit of acceleration that has no name; None where it must have one.
@@ -53,7 +53,7 @@ DIALECTS = (
                 (_axes("accsmooth[{}]", "012"),), (), None),
 )  # fmt: skip
 GYRO_FILES = ("Gyroscope.csv", "Raw Data.csv", "Gyroscope rotation rate.csv")
-"""What the gyro's table is called in a folder or an archive."""
+"""Names of the gyro's table in a folder or an archive."""
 ACCELERATION_UNITS = {"m/s²": 1.0, "m/s^2": 1.0, "m/s2": 1.0, "m/s/s": 1.0, "g": 9.80665}
 
 

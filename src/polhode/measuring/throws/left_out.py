@@ -25,7 +25,7 @@ def left_out_table(names: Sequence[str], flights: Sequence[Flights]) -> Table:
 
 
 def left_out_note(flights: Sequence[Flights]) -> list[str]:
-    """Return a note of what was left out, if something was."""
+    """Return a note on stretches that were left out, if any."""
     left = sum(len(per_log.left_out) for per_log in flights)
     if not left:
         return []

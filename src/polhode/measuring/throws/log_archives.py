@@ -51,7 +51,7 @@ def is_archive(path: Path) -> bool:
 
 @contextlib.contextmanager
 def unpack_log(path: Path, wanted: Sequence[str], beside: Sequence[str]) -> Iterator[tuple[Path, str]]:
-    """Yield the log of an archive as a file in a folder that goes afterwards, and its name in the archive.
+    """Yield the log of an archive as a file in a temporary folder, and its name in the archive.
 
     Args:
         path: of the archive.

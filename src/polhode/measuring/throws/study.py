@@ -127,7 +127,7 @@ def _flights(
     flights = [find_flights(read.log, clip) for read in logs]
     if not any(each.windows for each in flights):
         left = left_out_words([one for each in flights for one in each.left_out])
-        raise InvalidInput(f"{', '.join(names)}: no free flight was found: no stretch of "
+        raise InvalidInput(f"{', '.join(names)}: has no free flight: no stretch of "
                            f"{FLIGHT_LIMITS.min_duration} s feels no weight, or keeps an angular momentum while it "
                            f"turns faster than 1 rad/s.{left} If there is one, say where by `windows=[(start, "
                            "end)]`.")  # fmt: skip

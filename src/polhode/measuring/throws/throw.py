@@ -109,7 +109,7 @@ class ThrowFit:
             where one was fitted.
         unmodelled: rms of a smooth torque over I3 |ω|² that no model has, and that the intervals allow for.
         widened: factor on the variances of the noise, because neighbouring residuals are alike.
-        criterion: the models that were compared, by Akaike's corrected criterion, which a wheel must do better by 10.
+        criterion: the models that were compared, by Akaike's corrected criterion, with a handicap of 10 for a wheel.
         with_or_without: whether models with a wheel and without one do about as well, so that the errors of ratios and
             axes cover both.
         throws: each throw, with measured and predicted rates.
@@ -265,7 +265,7 @@ def _choose_windows(
     flights = [free_flights(log, level) for log in logs] if windows is None else [list(per_log) for per_log in windows]
     if not any(flights):
         raise InvalidInput(
-            "no free flight was found in the log: no stretch of a quarter of a second keeps an angular momentum, or "
+            "the log has no free flight: no stretch of a quarter of a second keeps an angular momentum, or "
             "feels no weight. Give its start and end."
         )
     for per_log, log in zip(flights, logs, strict=True):
