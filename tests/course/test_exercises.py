@@ -5,12 +5,16 @@ import math
 import re
 import shutil
 import subprocess
+import zlib
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from polhode.course import exercises, responses
 from polhode.course.exercises import Chapter, Choice, Exercise, chapter_names, evaluate, read_chapter
 from polhode.course.responses import respond, wanted_digits
+from polhode.errors import InvalidInput
 
 COURSE = Path(__file__).parents[2] / "learn"
 SEEDS, MANY = 5, 200
@@ -193,3 +197,27 @@ def test_addresses_of_course_pages_break_nothing():
     )
     run = subprocess.run(["node", "-e", script], capture_output=True, text=True, check=True)
     assert json.loads(run.stdout) == [list(SEARCHES.values()), list(HASHES.values()), []]
+
+
+def test_an_answer_of_one_digit_is_not_right_to_its_digits():
+    """One digit is right by chance once in ten answers."""
+    few = "4" * (responses.LIMITS.min_digits - 1)
+    assert respond(few, float(few) + 0.3, [], 0.001).startswith("Give ")
+    enough = "4" * responses.LIMITS.min_digits
+    assert respond(enough, float(enough) + 0.3, [], 0.001).startswith("Right to ")
+
+
+def test_an_exercise_is_refused_whose_numbers_are_drawn_in_vain(monkeypatch):
+    """The seed's third number is the first that fulfils its condition."""
+    generator = np.random.default_rng([5, zlib.crc32(b"one")])
+    number = exercises.Draw.model_validate({"from": 0.0, "to": 100000.0, "step": 1.0})
+    third = [number.pick(generator) for _ in range(3)][2]
+    exercise = Exercise(name="one", tier="beginner", text="{x}", numbers={"x": number}, require=f"x == {third}",
+                        answer="x", check="x", solution="{x}")  # fmt: skip
+    for draws in (3, 2):
+        monkeypatch.setattr(exercises, "LIMITS", exercises.LIMITS._replace(max_draws=draws))
+        if draws == 3:
+            assert exercise.draw(5).answer == third
+        else:
+            with pytest.raises(InvalidInput, match="no numbers of 2 fulfil"):
+                exercise.draw(5)
