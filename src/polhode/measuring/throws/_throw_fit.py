@@ -75,7 +75,7 @@ class Model:
     throws: int
     gain_spread: float
     bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    bias_spread: tuple[float, float, float] = (LIMITS.bias_spread,) * 3
+    bias_spread: tuple[float, float, float] = (LIMITS.bias_spread, LIMITS.bias_spread, LIMITS.bias_spread)
 
     @property
     def places(self) -> dict[str, slice]:
