@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from polhode.errors import InvalidInput
+from polhode.fields.sphere_fluid import answers
 from polhode.fields.sphere_fluid.panel import SphereFluidPanel
 from polhode.formats.dataset import write_dataset
 from polhode.kinds.reading import read_spec
@@ -72,7 +73,7 @@ def test_a_run_goes_on_from_its_file(spec, tmp_path):
 @pytest.mark.long
 @pytest.mark.long
 def test_large_matrices_keep_fewer_samples(spec, monkeypatch):
-    monkeypatch.setattr("polhode.fields.sphere_fluid.answers.MEMORY", 16 * 36 * 3)
+    monkeypatch.setattr(answers, "LIMITS", answers.LIMITS._replace(max_state_bytes=16 * 36 * 3))
     report = spec('resolution = 6\nrandom = {degrees = [2, 3], vorticity = "1 rad/s"}', "10 ms", 9).report()
     assert len(report.trajectory.times) == 3 and any("3 of 9 samples" in note for note in report.notes)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -24,9 +24,18 @@ from polhode.reports.wording import duration, number, rate, vector
 from polhode.simulation import simulate
 from polhode.types import Array, Float64
 
-TURNOVERS = 10.0  # times that vortices of this strength need to go round each other, unless the spec says how long
-POLE = 90.0 - 1e-5  # degrees of latitude from which a longitude says nothing
-LARGEST_VERDICT = 40  # vortices: second derivatives of all pairs are dense
+
+class VorticesReportLimits(NamedTuple):
+    """What the report on point vortices attempts.
+
+    Attributes:
+        max_judged_vortices: beyond it no verdict is given: second derivatives of all pairs are dense matrices.
+    """
+
+    max_judged_vortices: int = 40
+
+
+LIMITS = VorticesReportLimits()
 
 
 @dataclass(frozen=True)
@@ -176,7 +185,8 @@ class VorticesReport(MotionReport):
         if self.sphere_radius is None:
             return vector(place, "m") or ""
         latitude = math.degrees(math.asin(max(-1.0, min(1.0, place[2] / self.sphere_radius))))
-        if abs(latitude) > POLE:
+        polar = 90.0 - 1e-5  # degrees of latitude from which a longitude means nothing
+        if abs(latitude) > polar:
             return f"{latitude:.5g}°"
         return f"{_plain(latitude):.5g}°, {_plain(math.degrees(math.atan2(place[1], place[0]))):.5g}°"
 
@@ -245,7 +255,8 @@ def _usual_end(system: SphereVortices | PlaneVortices, state: Array) -> float:
     """Return the default length of a motion [s]: some turns of vortices at such distances."""
     places = np.asarray(system.positions(state))
     size = float(np.linalg.norm(places - places.mean(axis=0), axis=-1).mean())
-    return TURNOVERS * 4.0 * math.pi**2 * size**2 / float(np.abs(np.asarray(system.strengths)).sum())
+    turnovers = 10.0  # revolutions of vortices of this strength about each other
+    return turnovers * 4.0 * math.pi**2 * size**2 / float(np.abs(np.asarray(system.strengths)).sum())
 
 
 def _judge(
@@ -254,8 +265,8 @@ def _judge(
     """Return the verdict, or why there is none."""
     if turn is None:
         return None, ""
-    if len(system.strengths) > LARGEST_VERDICT:
-        return None, f"it is given for at most {LARGEST_VERDICT} vortices."
+    if len(system.strengths) > LIMITS.max_judged_vortices:
+        return None, f"it is given for at most {LIMITS.max_judged_vortices} vortices."
     try:
         return vortex_stability(system, state), ""
     except InvalidInput as error:  # strengths or distances so unlike that derivatives are lost

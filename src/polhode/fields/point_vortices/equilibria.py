@@ -16,9 +16,25 @@ from polhode.errors import InvalidInput, shown
 from polhode.fields.point_vortices.system import PlaneVortices, SphereVortices
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
-ALONG = 1e-12  # singular values of the turns, relative: two poles fix no turn about their own line
-RESTING = 1e-14  # of the field's terms: a slower turn is their rounding
-TURNING = 1e-8  # of the field: what is left of it besides a turn is rounding, up to the solver that found the state
+
+class VortexTurnLimits(NamedTuple):
+    """Relative numbers that decide whether vortices turn as a whole, and about what.
+
+    Attributes:
+        min_singular_value: of the turns about three axes, over the largest; two antipodal vortices fix no turn about
+            the line through them.
+        max_resting_field: a rigid motion whose field is at most this share of the terms that cancel in it is their
+            rounding: the vortices rest.
+        max_other_field: share of the field besides a rigid motion that is still attributed to rounding and to the
+            solver that computed the state; with a turn below this share, vortices in a plane move straight.
+    """
+
+    min_singular_value: float = 1e-12
+    max_resting_field: float = 1e-14
+    max_other_field: float = 1e-8
+
+
+LIMITS = VortexTurnLimits()
 
 
 class VortexTurn(NamedTuple):
@@ -56,7 +72,7 @@ def vortex_turn(system: SphereVortices | PlaneVortices, state: Real[ArrayLike, "
     pair = _turn_on_sphere(system, point) if isinstance(system, SphereVortices) else _turn_in_plane(system, point)
     turn, left = pair
     whole = float(np.linalg.norm(_terms(system, point)))
-    if left > TURNING * whole:
+    if left > LIMITS.max_other_field * whole:
         raise InvalidInput(
             f"the vortices do not turn as a whole: {left / whole:.3g} of their motion changes the distances between "
             "them. Give an arrangement that turns, such as a ring."
@@ -172,9 +188,9 @@ def _turn_on_sphere(system: SphereVortices, point: Array) -> tuple[VortexTurn, f
     state, field = np.asarray(point), np.asarray(system.vector_field(0.0, point))
     # μ̇_i = ω × μ_i for all i, by least squares
     turns = np.cross(np.eye(3)[:, None], state).reshape(3, -1).T  # (3n, 3), of unit rate about each axis
-    omega = np.linalg.lstsq(turns, field.ravel(), rcond=ALONG)[0]
+    omega = np.linalg.lstsq(turns, field.ravel(), rcond=LIMITS.min_singular_value)[0]
     rate = float(np.linalg.norm(omega))
-    if rate * float(np.linalg.norm(state)) <= RESTING * float(np.linalg.norm(_terms(system, point))):
+    if rate * float(np.linalg.norm(state)) <= LIMITS.max_resting_field * float(np.linalg.norm(_terms(system, point))):
         return VortexTurn(0.0, axis=np.zeros(3)), float(np.linalg.norm(field))
     axis = omega / rate
     return VortexTurn(rate, axis=axis), float(np.linalg.norm(field.ravel() - turns @ omega))
@@ -189,7 +205,7 @@ def _turn_in_plane(system: PlaneVortices, point: Array) -> tuple[VortexTurn, flo
     rate = float(np.sum(quarter * field) / np.sum(quarter * quarter))
     left = float(np.linalg.norm(field - drift - rate * quarter))
     size = float(np.linalg.norm(apart))
-    if abs(rate) * size <= TURNING * float(np.linalg.norm(_terms(system, point))):
+    if abs(rate) * size <= LIMITS.max_other_field * float(np.linalg.norm(_terms(system, point))):
         return VortexTurn(0.0, velocity=drift), left
     return VortexTurn(rate, center=middle + np.array([-drift[1], drift[0]]) / rate, velocity=np.zeros(2)), left
 

@@ -14,8 +14,6 @@ from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
-CURVES = 6  # vortices of which coordinates are drawn over time
-
 
 class PointVorticesPanel(KindPanel):
     """The picture of point vortices on a page."""
@@ -38,7 +36,8 @@ class PointVorticesPanel(KindPanel):
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
         """Return the coordinates of the first vortices over time."""
         system = trajectory.source
-        places = np.asarray(system.positions(samples.states))[:, :CURVES]
+        drawn = 6  # vortices whose coordinates are drawn over time
+        places = np.asarray(system.positions(samples.states))[:, :drawn]
         if isinstance(system, SphereVortices):
             latitude = np.degrees(np.arcsin(np.clip(places[..., 2], -1.0, 1.0)))
             longitude = np.degrees(np.unwrap(np.arctan2(places[..., 1], places[..., 0]), axis=0))

@@ -9,8 +9,6 @@ import numpy as np
 from polhode.figures import style
 from polhode.types import Array, Float64
 
-STEPS = (30.0, 60.0)  # degrees from the pole of the circles that are drawn for orientation
-
 
 def new_sides(axis: Float64[Array, "3"]) -> tuple[Any, list[Any], Float64[Array, "3 3"]]:
     """Return figure, two axes, and the rows (3, 3) that turn places so that an axis looks at the reader.
@@ -24,9 +22,10 @@ def new_sides(axis: Float64[Array, "3"]) -> tuple[Any, list[Any], Float64[Array,
     figure = style.new_figure(width=1.7 * style.COLUMN, height=0.98 * style.COLUMN)
     axes = list(figure.subplots(1, 2))
     angle = np.linspace(0.0, 2.0 * np.pi, 181)
+    circles = (30.0, 60.0)  # degrees from the pole, for orientation
     for panel, title in zip(axes, (f"from {_tip(axis)}", "from behind"), strict=True):
         panel.plot(np.cos(angle), np.sin(angle), color=style.GREY, lw=0.8)
-        for step in np.radians(STEPS):
+        for step in np.radians(circles):
             panel.plot(np.sin(step) * np.cos(angle), np.sin(step) * np.sin(angle), color=style.LIGHT, lw=0.5)
         panel.set(xlim=(-1.03, 1.03), ylim=(-1.03, 1.03))
         panel.set_title(title, fontsize=style.FONT)

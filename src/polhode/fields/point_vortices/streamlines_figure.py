@@ -14,10 +14,7 @@ from polhode.fields.point_vortices.tracks_figure import SENSES, choose_axis
 from polhode.figures import style
 from polhode.types import Array
 
-GRID = 240  # points across
-LEVELS = 28
-MARGIN = 0.9  # of the vortices' extent, on each side
-SPREAD = (1.5, 98.5)  # percentiles of the stream function between which lines are drawn
+POINTS_ACROSS = 240
 
 
 def draw_streamlines(report: VorticesReport) -> Figure:
@@ -29,8 +26,9 @@ def draw_streamlines(report: VorticesReport) -> Figure:
     figure = style.new_figure(height=style.COLUMN + 0.3)
     axes = figure.subplots()
     low, high = start.min(axis=0), start.max(axis=0)
-    middle, half = 0.5 * (low + high), (0.5 + MARGIN) * float((high - low).max())
-    across = np.linspace(-half, half, GRID)
+    margin = 0.9  # of the vortices' extent, on each side
+    middle, half = 0.5 * (low + high), (0.5 + margin) * float((high - low).max())
+    across = np.linspace(-half, half, POINTS_ACROSS)
     x, y = np.meshgrid(middle[0] + across, middle[1] + across)
     psi = np.asarray(system.stream_function(report.trajectory.states[0], np.stack([x, y], axis=-1)))
     turn = report.turn
@@ -52,7 +50,7 @@ def _on_sphere(report: VorticesReport) -> Figure:
     figure, panels, turned = new_sides(choose_axis(report))
     system, state, turn = report.system, report.trajectory.states[0], report.turn
     places = np.asarray(system.positions(state)) @ turned.T
-    sides = [disk(GRID, front) for front in (True, False)]
+    sides = [disk(POINTS_ACROSS, front) for front in (True, False)]
     fields = []
     for _, _, shown in sides:
         at = shown @ turned
@@ -70,8 +68,9 @@ def _on_sphere(report: VorticesReport) -> Figure:
 
 def _levels(psi: Array) -> Array:
     """Return levels away from the poles of the stream function, near which all levels would crowd."""
-    low, high = np.nanpercentile(psi, SPREAD)
-    return np.linspace(low, high, LEVELS)
+    percentiles = (1.5, 98.5)  # of the stream function between which lines are drawn
+    low, high = np.nanpercentile(psi, percentiles)
+    return np.linspace(low, high, 28)
 
 
 def _mark(axes: Any, report: VorticesReport, places: Array) -> None:

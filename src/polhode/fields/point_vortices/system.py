@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import jax.numpy as jnp
 import numpy as np
@@ -19,7 +19,18 @@ from polhode.motion._layout import Quantity
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Round
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
-LEVEL = 1e-9  # relative: how far a state may be from the orbit of its strengths
+
+class VortexStateLimits(NamedTuple):
+    """How far a state may be from what its strengths say.
+
+    Attributes:
+        max_orbit_error: relative distance of a state from the coadjoint orbit of the strengths.
+    """
+
+    max_orbit_error: float = 1e-9
+
+
+LIMITS = VortexStateLimits()
 HALF_TURN = 0.5 / np.pi
 
 
@@ -107,7 +118,7 @@ class SphereVortices(AbstractLiePoissonSystem):
     def check_state(self, state: Real[ArrayLike, "*shape"]) -> Double[Array, "*shape"]:
         state = super().check_state(state)
         off = np.abs(np.linalg.norm(np.asarray(self.positions(state)), axis=-1) - 1.0)
-        if off.max(initial=0.0) > LEVEL:
+        if off.max(initial=0.0) > LIMITS.max_orbit_error:
             raise InvalidInput(
                 "`state` must be Γ_i x_i with unit vectors x_i; one is off by "
                 f"{off.max():.3g}. Make it by `vortices.pack(positions)`."
@@ -225,7 +236,7 @@ class PlaneVortices(AbstractLiePoissonSystem):
     def check_state(self, state: Real[ArrayLike, "*shape"]) -> Double[Array, "*shape"]:
         state = super().check_state(state)
         off = np.abs(np.asarray(state)[..., 2] * np.asarray(self.strengths) - 1.0)
-        if off.max(initial=0.0) > LEVEL:
+        if off.max(initial=0.0) > LIMITS.max_orbit_error:
             raise InvalidInput(
                 f"`state` must have 1/Γ of each vortex behind its y and x; one is off by {off.max():.3g}. Make it by "
                 "`vortices.pack(positions)`."

@@ -2,14 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, NamedTuple
 
 from pydantic import Field
 
 from polhode.spec.fields import Angle, Circulation, Coordinate, Latitude, Length
 from polhode.spec.models import SystemTable
 
-MOST = 2000  # vortices: a step goes over all pairs
+
+class VorticesTableLimits(NamedTuple):
+    """What the table accepts.
+
+    Attributes:
+        max_vortices: a step goes over all pairs.
+    """
+
+    max_vortices: int = 2000
+
+
+LIMITS = VorticesTableLimits()
 Place = tuple[Coordinate, Coordinate]
 LatitudeAndLongitude = tuple[Latitude, Angle]
 
@@ -19,7 +30,7 @@ class VorticesTable(SystemTable):
 
     takes: ClassVar[tuple[str, ...]] = ("time",)
     needs: ClassVar[tuple[str, ...]] = ()
-    strengths: Annotated[list[Circulation], Field(min_length=2, max_length=MOST)] = Field(
+    strengths: Annotated[list[Circulation], Field(min_length=2, max_length=LIMITS.max_vortices)] = Field(
         description='give circulations like ["1 m^2/s", "1 m^2/s"]'
     )
     positions: list[Place] | None = None

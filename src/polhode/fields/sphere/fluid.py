@@ -29,11 +29,18 @@ from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 Matrices = Complex128[Array, "*batch n n"]
 
 
-LARGEST_SERIES = 128
-STEP, SQUARE, CUBE = 1e-4, 1.4e-7, 1.6e-9
-"""Seconds of a step, for each N² and for each N³ in 7 iterations: 5.5 ms at N = 128, 35 ms at N = 256 were measured."""
-HELD, COPIES = 17, 2
-"""Matrices that a run holds, and for each sample, as XLA says of its programs."""
+class FluidLimits(NamedTuple):
+    """What decides which method computes a run.
+
+    Attributes:
+        max_series_size: N up to which runs go by Taylor series, where they cost about twice as much as
+            IsospectralMidpoint of order 2.
+    """
+
+    max_series_size: int = 128
+
+
+LIMITS = FluidLimits()
 
 
 class RunCost(NamedTuple):
@@ -90,7 +97,7 @@ class SphereFluid(AbstractLiePoissonSystem):
     @property
     def series_of_arrays(self) -> bool:
         """Up to N = 128, where they cost about twice as much as IsospectralMidpoint of order 2."""
-        return self.size <= LARGEST_SERIES
+        return self.size <= LIMITS.max_series_size
 
     @property
     def planetary(self) -> Complex128[Array, "n n"]:
@@ -121,8 +128,11 @@ class SphereFluid(AbstractLiePoissonSystem):
                 raise InvalidInput(f"`{name}` must be a whole number, at least 1; got {shown(value)}.")
         if not (math.isfinite(iterations) and iterations > 0):
             raise InvalidInput(f"`iterations` must be a positive number; got {shown(iterations)}.")
-        each = STEP + (SQUARE * self.size**2 + CUBE * self.size**3) * iterations / 7.0
-        return RunCost(steps * each, 16.0 * self.size**2 * (HELD + COPIES * samples))
+        # s per step, per N² and per N³ in 7 iterations, from 5.5 ms measured at N = 128 and 35 ms at N = 256
+        step, square, cube = 1e-4, 1.4e-7, 1.6e-9
+        each = step + (square * self.size**2 + cube * self.size**3) * iterations / 7.0
+        held, per_sample = 17, 2  # matrices, by XLA's analysis of its programs
+        return RunCost(steps * each, 16.0 * self.size**2 * (held + per_sample * samples))
 
     def stream_function(self, point: Matrices) -> Matrices:
         """Return P = Δ⁻¹(W − F) (…, N, N)."""

@@ -15,9 +15,6 @@ from polhode.types import Array, Float64
 COLOURS = "RdBu_r"
 ROWS = 180  # of a map
 TILT = np.radians(25.0)  # of the globe's axis towards the reader
-ACROSS = 320  # points across a globe
-CLIP = 99.7  # percentile at which colours end: extreme values would leave the rest pale
-LINES = 12  # contours
 
 COLATITUDES = (np.arange(ROWS) + 0.5) * np.pi / ROWS
 LONGITUDES = (np.arange(2 * ROWS) + 0.5) * np.pi / ROWS - np.pi
@@ -44,12 +41,13 @@ def mollweide_maps(maps: Sequence[SphereMap], label: str, columns: int = 1) -> F
     figure = style.new_figure(width=style.COLUMN * (1.0 if columns == 1 else 0.9 * columns),
                               height=0.1 + 0.6 * style.COLUMN * rows)  # fmt: skip
     drawn: Any = None
+    lines = 12  # contours
     for k, each in enumerate(maps):
         axes: Any = figure.add_subplot(rows, columns, k + 1, projection="mollweide")
         drawn = axes.pcolormesh(LONGITUDES, 0.5 * np.pi - COLATITUDES, each.values, cmap=COLOURS, vmin=-largest,
                                 vmax=largest, shading="nearest", rasterized=True)  # fmt: skip
         if each.contours is not None and np.ptp(each.contours) > 0:
-            axes.contour(LONGITUDES, 0.5 * np.pi - COLATITUDES, each.contours, LINES, colors="k", linewidths=0.4)
+            axes.contour(LONGITUDES, 0.5 * np.pi - COLATITUDES, each.contours, lines, colors="k", linewidths=0.4)
         axes.set(xticklabels=[], yticklabels=[], title="")
         axes.grid(color=style.GREY, lw=0.3, alpha=0.5)
         axes.set_title(each.title, fontsize=style.FONT)
@@ -77,7 +75,8 @@ def both_sides(values: Float64[Array, "rows columns"], when: str) -> Figure:
 
 def _project_globe(values: Array, longitude: float) -> Float64[np.ndarray, "across across"]:
     """Return the function on a square around the globe's disk, NaN outside."""
-    across = np.linspace(-1.0, 1.0, ACROSS)
+    points = 320  # across a globe
+    across = np.linspace(-1.0, 1.0, points)
     x, y = np.meshgrid(across, across)
     square = 1.0 - x * x - y * y
     depth = np.sqrt(np.where(square >= 0.0, square, np.nan))
@@ -92,4 +91,5 @@ def _project_globe(values: Array, longitude: float) -> Float64[np.ndarray, "acro
 
 def colour_limit(fields: Array) -> float:
     """Return the value at which colours end."""
-    return float(np.nanpercentile(np.abs(fields), CLIP)) or 1.0
+    percentile = 99.7  # at which colours end: extreme values would leave the rest pale
+    return float(np.nanpercentile(np.abs(fields), percentile)) or 1.0

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -26,12 +26,22 @@ from polhode.reports.wording import duration, in_its_unit, number, rate, vector
 from polhode.simulation import simulate
 from polhode.types import Array, Float64
 
-ANGLE = 0.25  # rad that the fastest rotation turns in a step: shorter steps cost more iterations in all than they save
-TURNOVERS = 15.0  # of eddies, unless the spec says how long
-MEMORY = 2**27  # bytes of states that are kept: of large matrices fewer samples
-EXTREME = 1e100  # rad/s: squares stay within the range of numbers
+
+class FluidReportLimits(NamedTuple):
+    """What bounds a run and its start.
+
+    Attributes:
+        max_state_bytes: bytes of states that a report keeps: of large matrices fewer samples.
+        max_rate: rad/s, of vorticity at the start, and the inverse of the least: squares stay within the range of
+            doubles.
+    """
+
+    max_state_bytes: int = 2**27
+    max_rate: float = 1e100
+
+
+LIMITS = FluidReportLimits()
 QUICKER = "A lower `resolution` is quicker."
-LISTED = 12  # degrees of the spectrum in the text
 
 
 @dataclass(frozen=True)
@@ -103,7 +113,9 @@ class FluidReport(MotionReport):
         notes = []
         count = len(self.trajectory.times)
         if count < self.asked:
-            notes.append(f"{count} of {self.asked} samples are kept: more would take over {MEMORY >> 20} MiB.")
+            notes.append(
+                f"{count} of {self.asked} samples are kept: more would take over {LIMITS.max_state_bytes >> 20} MiB."
+            )
         if self.energies[-1][-self.system.size // 8 :].sum() > 1e-3 * self.energies[-1].sum():
             notes.append("the finest degrees have taken up energy: more resolution would show more detail.")
         return notes
@@ -153,7 +165,8 @@ class FluidReport(MotionReport):
             "flux beyond it, at the end": lambda row: f"{row['flux']:.3g} /s",
         }
         units = {"start": "rad²/s²", "end": "rad²/s²", "flux": "rad²/s³"}
-        return Table("spectrum", "Energy by degree", columns, rows, units, shown=lambda row: row["degree"] <= LISTED,
+        listed = 12  # degrees in the text
+        return Table("spectrum", "Energy by degree", columns, rows, units, shown=lambda row: row["degree"] <= listed,
                      errors={head: motion_error(self.trajectory) for head in list(columns)[2:]})  # fmt: skip
 
     def _motion(self) -> Group:
@@ -180,8 +193,9 @@ def make_report(spec: Spec[FluidTable]) -> FluidReport:
     table = spec.system
     fluid, state, earlier = _start(spec, table)
     vorticity = _vorticity(fluid, state)
-    until = TURNOVERS * 2.0 * math.pi / vorticity if spec.until is None else spec.until
-    samples = max(2, min(spec.samples, MEMORY // (16 * fluid.size**2)))
+    turnovers = 15.0  # of eddies
+    until = turnovers * 2.0 * math.pi / vorticity if spec.until is None else spec.until
+    samples = max(2, min(spec.samples, LIMITS.max_state_bytes // (16 * fluid.size**2)))
     times = np.linspace(0.0, until, samples)
     memory = None if earlier is None else earlier.memory
     kept = {"resumable": True, "memory": memory}
@@ -190,7 +204,9 @@ def make_report(spec: Spec[FluidTable]) -> FluidReport:
         return FluidReport(fluid, table, state, trajectory, spec.samples)
     # the fastest planetary wave goes round at Ω, however slow the flow is
     fastest = max(float(turning_rates(fluid, state, times)), abs(table.rotation))
-    step = ANGLE / fastest if fastest else until
+    # rad that the fastest rotation turns in a step: shorter steps cost more iterations in all than they save
+    angle = 0.25
+    step = angle / fastest if fastest else until
     if earlier is not None and memory is not None and earlier.statistics.get("steps"):
         step = float(np.ptp(earlier.times)) / earlier.statistics["steps"]  # the same one leads on to the same bits
     each = RUNS_BY_EQUAL_STEPS * fluid.cost().seconds
@@ -223,9 +239,10 @@ def _start(spec: Spec[FluidTable], table: FluidTable) -> tuple[SphereFluid, Arra
     earlier = None if table.start_from is None else load_earlier_run(spec.folder / table.start_from, fluid)
     state = build_start(fluid, table) if earlier is None else earlier.states[-1]
     vorticity = _vorticity(fluid, state)
-    if not 1.0 / EXTREME <= vorticity <= EXTREME:
+    if not 1.0 / LIMITS.max_rate <= vorticity <= LIMITS.max_rate:
         raise InvalidInput(
-            f"the vorticity at the start must be within {1.0 / EXTREME:g} to {EXTREME:g} rad/s, root mean square; it "
-            f"is {vorticity:.3g} rad/s. Check `random`, `vortices` and `waves`, which may cancel each other."
+            f"the vorticity at the start must be within {1.0 / LIMITS.max_rate:g} to {LIMITS.max_rate:g} rad/s, root "
+            f"mean square; it is {vorticity:.3g} rad/s. Check `random`, `vortices` and `waves`, which may "
+            "cancel each other."
         )
     return fluid, state, earlier

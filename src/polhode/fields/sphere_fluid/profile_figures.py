@@ -8,9 +8,6 @@ from matplotlib.figure import Figure
 from polhode.fields.sphere_fluid.answers import FluidReport
 from polhode.figures import style
 
-LATITUDES = 181
-SMALLEST = 1e-8  # of the largest energy, below which nothing is drawn
-
 
 def draw_spectrum(report: FluidReport) -> Figure:
     """Return energies by degree at start and end, and the flux of energy beyond each degree at the end."""
@@ -21,7 +18,8 @@ def draw_spectrum(report: FluidReport) -> Figure:
         upper.loglog(degree, np.where(report.energies[k, 1:] > 0.0, report.energies[k, 1:], np.nan), "o-", color=color,
                      ms=2.5, lw=0.9, label=name)  # fmt: skip
     largest = float(report.energies.max())
-    least = max(float(report.energies[1, 1:].min()), SMALLEST * largest)
+    smallest = 1e-8  # of the largest energy, below which nothing is drawn
+    least = max(float(report.energies[1, 1:].min()), smallest * largest)
     upper.set(ylim=(0.3 * least, 3.0 * largest))
     upper.set_ylabel("energy  [rad²/s²]")
     upper.legend(fontsize=style.FONT - 1, frameon=False)
@@ -39,7 +37,8 @@ def draw_zonal(report: FluidReport) -> Figure:
     """Return the eastward velocity, averaged over longitude, by latitude at start and end."""
     figure = style.new_figure(height=style.COLUMN)
     axes = figure.subplots()
-    theta = np.linspace(0.0, np.pi, LATITUDES)
+    latitudes = 181
+    theta = np.linspace(0.0, np.pi, latitudes)
     states = np.asarray(report.trajectory.states)[[0, -1]]
     flows = report.table.radius * np.asarray(report.system.zonal_velocity(states, theta))
     for flow, name, color in zip(flows, ("start", "end"), (style.GREY, style.BLUE), strict=True):

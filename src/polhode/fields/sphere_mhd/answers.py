@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import jax.numpy as jnp
 import numpy as np
@@ -28,17 +28,30 @@ from polhode.reports.wording import duration, in_its_unit, rate
 from polhode.simulation import simulate
 from polhode.types import Array, Float64
 
-ANGLE = 0.25  # rad that the fastest rotation, or the fastest wave along the field, turns in a step
-TURNOVERS = 15.0  # of eddies, unless the spec says how long
-MEMORY = 2**27  # bytes of states that are kept: of large matrices fewer samples
-EXTREME = 1e100  # rad/s: squares stay within the range of numbers
-LISTED = 12  # degrees of the spectrum in the text
-LONGEST = 0.9  # rad that anything turns in a step
-ORDERS = 3  # of waves on a zonal flow
-ZONAL = 0.98  # share of the energy at the start from which the flow is taken for a zonal one
-SMALL, SEEN = 1e-4, 1e-24  # shares of the energy: of waves that follow linear theory, and of waves that are no rounding
+
+class MagneticReportLimits(NamedTuple):
+    """What bounds a run, and what decides on its answers.
+
+    Attributes:
+        max_state_bytes: bytes of states that a report keeps: of large matrices fewer samples.
+        max_rate: rad/s, of vorticity or field at the start, and the inverse of the least: squares stay within the range
+            of doubles.
+        min_zonal_share: of the energy at the start, above which the flow is judged a zonal one with waves on it.
+        max_linear_share: of the energy, up to which waves follow linear theory.
+        min_wave_share: of the energy, below which waves are rounding.
+        max_step_angle: rad that anything turns in a step.
+    """
+
+    max_state_bytes: int = 2**27
+    max_rate: float = 1e100
+    min_zonal_share: float = 0.98
+    max_linear_share: float = 1e-4
+    min_wave_share: float = 1e-24
+    max_step_angle: float = 0.9
+
+
+LIMITS = MagneticReportLimits()
 QUICKER = "A lower `resolution` is quicker."
-PRODUCTS = 3.0  # of matrices, for each one of a fluid without a field
 
 
 @dataclass(frozen=True)
@@ -102,7 +115,7 @@ class MagneticReport(MotionReport):
     def is_zonal(self) -> bool:
         """Whether the start is a zonal flow and field with small waves on it."""
         first = self.energies_by_order[0]
-        return bool(0.0 < first[1:].sum() < (1.0 - ZONAL) * first.sum())
+        return bool(0.0 < first[1:].sum() < (1.0 - LIMITS.min_zonal_share) * first.sum())
 
     def growth(self, order: int) -> float | None:
         """Return the growth [rad/s] of an order in the run while it is small; None where it is not seen growing.
@@ -111,10 +124,10 @@ class MagneticReport(MotionReport):
         """
         times, energy = self.trajectory.times, self.energies_by_order[:, order]
         whole = float(self.energies_by_order[0].sum())
-        small = energy < SMALL * whole
+        small = energy < LIMITS.max_linear_share * whole
         count = len(times) if small.all() else int(np.argmin(small))
         later = slice(count // 2, count)
-        if energy[0] < SEEN * whole or count - count // 2 < 3:
+        if energy[0] < LIMITS.min_wave_share * whole or count - count // 2 < 3:
             return None
         return float(np.polynomial.polynomial.polyfit(times[later], 0.5 * np.log(energy[later]), 1)[1])
 
@@ -141,7 +154,9 @@ class MagneticReport(MotionReport):
         notes = []
         count = len(self.trajectory.times)
         if count < self.asked:
-            notes.append(f"{count} of {self.asked} samples are kept: more would take over {MEMORY >> 20} MiB.")
+            notes.append(
+                f"{count} of {self.asked} samples are kept: more would take over {LIMITS.max_state_bytes >> 20} MiB."
+            )
         last = self.energies[-1]
         if last[:, -self.system.size // 8 :].sum() > 1e-3 * last.sum():
             notes.append("the finest degrees have taken up energy: sheets of current have met the resolution.")
@@ -197,7 +212,8 @@ class MagneticReport(MotionReport):
         }  # fmt: skip
         units = {"kinetic": "rad²/s²", "magnetic": "rad²/s²"}
         errors = {head: motion_error(self.trajectory) for head in columns if head.endswith("end")}
-        return Table("spectrum", "Energies by degree", columns, rows, units, shown=lambda row: row["degree"] <= LISTED,
+        listed = 12  # degrees in the text
+        return Table("spectrum", "Energies by degree", columns, rows, units, shown=lambda row: row["degree"] <= listed,
                      errors=errors)  # fmt: skip
 
     def _wave(self) -> Group:
@@ -218,7 +234,8 @@ class MagneticReport(MotionReport):
 
     def _growth(self) -> Table:
         rows = []
-        for order in range(1, min(ORDERS, self.system.size - 1) + 1):
+        orders = 3
+        for order in range(1, min(orders, self.system.size - 1) + 1):
             mode = zonal_growth(self.system, jnp.asarray(self._ends[0]), order)
             rows.append({"order": order, "linear": mode.rate, "frequency": mode.frequency, "run": self.growth(order)})
         columns = {
@@ -262,8 +279,9 @@ def make_report(spec: Spec[MagneticFluidTable]) -> MagneticReport:
     table = spec.system
     system, state, earlier = _start(spec, table)
     size = _size(system, state)
-    until = TURNOVERS * 2.0 * math.pi / size if spec.until is None else spec.until
-    samples = max(2, min(spec.samples, MEMORY // (32 * system.size**2)))
+    turnovers = 15.0  # of eddies
+    until = turnovers * 2.0 * math.pi / size if spec.until is None else spec.until
+    samples = max(2, min(spec.samples, LIMITS.max_state_bytes // (32 * system.size**2)))
     times = np.linspace(0.0, until, samples)
     memory = None if earlier is None else earlier.memory
     kept = {"resumable": True, "memory": memory}
@@ -274,10 +292,12 @@ def make_report(spec: Spec[MagneticFluidTable]) -> MagneticReport:
     rates = [float(system.sphere.rate(x)) for x in (system.stream_function(state), state[0])]
     fastest = max(*rates, abs(table.rotation))
     shear = float(turning_rates(system, state, times))  # of the current, at which steps only must not jump
-    step = min(ANGLE / fastest if fastest else until, LONGEST / shear if shear else until)
+    angle = 0.25  # rad that the fastest rotation, or the fastest wave along the field, turns in a step
+    step = min(angle / fastest if fastest else until, LIMITS.max_step_angle / shear if shear else until)
     if earlier is not None and memory is not None and earlier.statistics.get("steps"):
         step = float(np.ptp(earlier.times)) / earlier.statistics["steps"]  # the same one leads on to the same bits
-    each = RUNS_BY_EQUAL_STEPS * PRODUCTS * system.fluid.cost().seconds
+    products = 3.0  # of matrices, for each one of a fluid without a field
+    each = RUNS_BY_EQUAL_STEPS * products * system.fluid.cost().seconds
     shown = check_length(spec.until, times, until / step, each, QUICKER)
     trajectory = simulate(system, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, **kept)
     how = f"isospectral midpoints, order 2, steps of {in_its_unit(step)}: at this resolution series take too long"
@@ -306,10 +326,10 @@ def _start(spec: Spec[MagneticFluidTable], table: MagneticFluidTable) -> tuple[S
     earlier = None if table.start_from is None else load_earlier_run(spec.folder / table.start_from, system)
     state = jnp.asarray(build_start(system, table) if earlier is None else earlier.states[-1])
     size = _size(system, state)
-    if not 1.0 / EXTREME <= size <= EXTREME:
+    if not 1.0 / LIMITS.max_rate <= size <= LIMITS.max_rate:
         raise InvalidInput(
-            f"vorticity or field at the start must be within {1.0 / EXTREME:g} to {EXTREME:g} rad/s, root mean square; "
-            f"they are {size:.3g} rad/s. Give larger or smaller ones, and check what they are the sum of, which may "
-            "cancel."
+            f"vorticity or field at the start must be within {1.0 / LIMITS.max_rate:g} to {LIMITS.max_rate:g} "
+            f"rad/s, root mean square; they are {size:.3g} rad/s. Give larger or smaller ones, and check what "
+            "they are the sum of, which may cancel."
         )
     return system, state, earlier

@@ -9,8 +9,6 @@ from polhode.fields.sphere.maps import COLATITUDES, LONGITUDES, SphereMap, both_
 from polhode.fields.sphere_mhd.answers import MagneticReport
 from polhode.figures import style
 
-SMALLEST = 1e-8  # of the largest energy, below which nothing is drawn
-
 
 def draw_maps(report: MagneticReport) -> Figure:
     """Return equal-area maps of vorticity and current at start, middle and end, with the lines of the field."""
@@ -53,10 +51,11 @@ def draw_spectrum(report: MagneticReport) -> Figure:
     figure = style.new_figure(height=style.COLUMN)
     axes = figure.subplots()
     degree, largest = np.arange(1, report.system.size), float(report.energies[[0, -1]].max())
+    smallest = 1e-8  # of the largest energy, below which nothing is drawn
     for k, (name, color) in enumerate((("kinetic", style.BLUE), ("magnetic", style.VERMILION))):
         for when, line, label in ((0, "o:", "start"), (-1, "o-", "end")):
             values = report.energies[when, k, 1:]
-            axes.loglog(degree, np.where(values > SMALLEST * largest, values, np.nan), line, color=color, ms=2.5,
+            axes.loglog(degree, np.where(values > smallest * largest, values, np.nan), line, color=color, ms=2.5,
                         lw=0.9, label=f"{name}, {label}")  # fmt: skip
     axes.set_xlabel("degree")
     axes.set_ylabel("energy  [rad²/s²]")

@@ -14,14 +14,10 @@ from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
-ROWS = 64  # of the maps that are laid around the globes
-BYTES = 360_000  # of all maps of one globe, so that a page stays small
-CLIP = 99.7  # percentile at which colours end
-BANDS = 14  # between the lines of the field
-
 
 def _levels(fields: Array) -> dict[str, Any]:
-    largest = float(np.percentile(np.abs(fields), CLIP)) or 1.0
+    percentile = 99.7  # at which colours end
+    largest = float(np.percentile(np.abs(fields), percentile)) or 1.0
     levels = np.clip(127.5 + 127.5 * fields / largest, 0.0, 255.0)
     return {"levels": pack(np.round(levels), "u1"), "largest": largest}
 
@@ -32,8 +28,10 @@ class SphereMHDPanel(KindPanel):
     def panels(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> list[Panel]:
         """Return maps of the relative vorticity and of the current, both with lines of the field."""
         system = trajectory.source
-        rows = min(ROWS, 3 * system.size)
-        count = max(2, min(len(samples.times), BYTES // (4 * rows * rows)))
+        most_rows = 64  # of the maps that are laid around the globes
+        rows = min(most_rows, 3 * system.size)
+        most_bytes = 360_000  # of all maps of one globe, so that a page stays small
+        count = max(2, min(len(samples.times), most_bytes // (4 * rows * rows)))
         frames = np.unique(np.linspace(0, len(samples.times) - 1, count).astype(int))
         theta = np.pi * (1.0 - (np.arange(rows) + 0.5) / rows)
         phi = 2.0 * np.pi * (np.arange(2 * rows) + 0.5) / (2 * rows)
@@ -42,8 +40,9 @@ class SphereMHDPanel(KindPanel):
         current = np.asarray(system.fluid.on_grid(system.current(states) + system.fluid.planetary, theta, phi))
         reach = float(np.abs(potential).max()) or 1.0
         lines = np.round(127.5 + 127.5 * potential / reach)
+        bands = 14  # between the lines of the field
         common = {"rows": rows, "columns": 2 * rows, "frames": pack(frames, "u4"), "lines": pack(lines, "u1"),
-                  "bands": BANDS}  # fmt: skip
+                  "bands": bands}  # fmt: skip
         return [{"type": f"magnetic_{name}", **common, **_levels(field)}
                 for name, field in (("vorticity", vorticity), ("current", current))]  # fmt: skip
 

@@ -20,8 +20,20 @@ from polhode.systems.base import Components, Flow
 from polhode.types import Array, Shaped
 
 Matrix = tuple[tuple[float, ...], ...]
-EQUAL = 1e-14  # relative: matrices nearer to a multiple of one are plain exchange
-CELLS = (-3, -2, -1)  # axes of one sublattice's components
+
+
+class BondLimits(NamedTuple):
+    """What decides which flows a bond has.
+
+    Attributes:
+        max_anisotropy: relative difference of a matrix from a multiple of the unit matrix, up to which it is plain
+            exchange, and a singular value relative to the largest that counts as zero.
+    """
+
+    max_anisotropy: float = 1e-14
+
+
+LIMITS = BondLimits()
 
 
 class BondType(NamedTuple):
@@ -37,7 +49,7 @@ class BondType(NamedTuple):
         """J where the matrix is J times the unit matrix, else None."""
         matrix = np.array(self.matrix)
         mean = float(np.trace(matrix)) / 3.0
-        return mean if np.abs(matrix - mean * np.eye(3)).max() <= EQUAL * np.abs(matrix).max() else None
+        return mean if np.abs(matrix - mean * np.eye(3)).max() <= LIMITS.max_anisotropy * np.abs(matrix).max() else None
 
 
 def checked_bonds(lattice: Lattice, bonds: Sequence[Bond]) -> tuple[BondType, ...]:
@@ -112,7 +124,8 @@ def classes(lattice: Lattice, bond: BondType) -> list[np.ndarray]:
 
 def shift_cells(values: Shaped[Array, "..."], cell: Sequence[int], back: bool = False) -> Shaped[Array, "..."]:
     """Return values (…, L1, L2, L3) at the second end of a bond, by the cell of its first end."""
-    moved = [(n if back else -n, axis) for n, axis in zip(cell, CELLS, strict=True) if n]
+    axes = (-3, -2, -1)  # of one sublattice's components
+    moved = [(n if back else -n, axis) for n, axis in zip(cell, axes, strict=True) if n]
     return jnp.roll(values, [n for n, _ in moved], [axis for _, axis in moved]) if moved else values
 
 
@@ -129,7 +142,7 @@ def bond_flows(lattice: Lattice, bond: BondType) -> list[Flow]:
             return [_halve_flow(bond, *halves, colour, find_cells(lattice, bond), exchange) for colour in (0, 1)]
         return [_flow(bond, mask, None, exchange) for mask in masks] if exchange else []
     left, sizes, right = np.linalg.svd(np.array(bond.matrix))
-    terms = [(left[:, k], right[k], float(sizes[k])) for k in range(3) if sizes[k] > EQUAL * sizes[0]]
+    terms = [(left[:, k], right[k], float(sizes[k])) for k in range(3) if sizes[k] > LIMITS.max_anisotropy * sizes[0]]
     return [_flow(bond, mask, (tuple(u.tolist()), tuple(v.tolist())), size) for u, v, size in terms for mask in masks]
 
 

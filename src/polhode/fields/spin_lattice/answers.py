@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from scipy.constants import e, hbar
@@ -34,13 +34,20 @@ from polhode.simulation import simulate
 from polhode.types import Array, Float64
 
 MILLI = 1e-3 * e  # J in a meV
-PERIODS = 60.0  # of the fastest spin, unless the spec says how long
-ANGLE, DAMPED_ANGLE = 0.1, 0.2  # rad that the fastest spin turns in a step
-MEMORY = 2**25  # bytes of states that are kept
-EACH, SPIN = 2e-5, {True: 4e-7, False: 1.5e-6}  # s a step takes, and for each spin: by flows of bonds, or not
+
+
+class SpinLatticeReportLimits(NamedTuple):
+    """What bounds the states of a run.
+
+    Attributes:
+        max_state_bytes: bytes of states that a report keeps: of large lattices fewer samples.
+    """
+
+    max_state_bytes: int = 2**25
+
+
+LIMITS = SpinLatticeReportLimits()
 QUICKER = "Fewer `cells` are quicker."
-LATE = 0.5  # of the run, after which a thermal average is taken
-BLOCKS = 10  # of a thermal average, whose scatter is its error
 
 
 @dataclass(frozen=True)
@@ -111,8 +118,10 @@ class SpinLatticeReport(MotionReport):
         """Mean energy per spin in the later part [J] and its standard error; None without a bath."""
         if self.table.temperature is None:
             return None
-        late = self.energies[int(LATE * len(self.energies)) :]
-        blocks = np.array([block.mean() for block in np.array_split(late, min(BLOCKS, len(late)))])
+        late_from = 0.5  # of the run, after which the average is taken
+        late = self.energies[int(late_from * len(self.energies)) :]
+        most_blocks = 10  # whose scatter is the error of the average
+        blocks = np.array([block.mean() for block in np.array_split(late, min(most_blocks, len(late)))])
         return float(late.mean()), float(blocks.std(ddof=1) / math.sqrt(len(blocks))) if len(blocks) > 1 else math.nan
 
     @property
@@ -140,7 +149,7 @@ class SpinLatticeReport(MotionReport):
             notes.append(f"the spins cover the sphere {self.skyrmions[1]:.0f} times: skyrmions.")
         if len(self.trajectory.times) < self.asked:
             notes.append(f"{len(self.trajectory.times)} of {self.asked} samples are kept: more would take over "
-                         f"{MEMORY >> 20} MiB.")  # fmt: skip
+                         f"{LIMITS.max_state_bytes >> 20} MiB.")  # fmt: skip
         if self.table.temperature is not None:
             notes.append("without an error estimate: other steps would meet another draw of the noise. The ± of the "
                          "mean energy is its scatter.")  # fmt: skip
@@ -238,9 +247,10 @@ def make_report(spec: Spec[SpinLatticeTable]) -> SpinLatticeReport:
     state = build_start(system, table)
     fastest = _fastest(system)
     until = spec.until
+    periods = 60.0  # of the fastest spin
     if until is None:
-        until = PERIODS * 2.0 * math.pi / fastest if fastest else 1.0
-    kept = max(2, min(spec.samples, MEMORY // (24 * system.algebra.copies)))
+        until = periods * 2.0 * math.pi / fastest if fastest else 1.0
+    kept = max(2, min(spec.samples, LIMITS.max_state_bytes // (24 * system.algebra.copies)))
     times = np.linspace(0.0, until, kept)
     trajectory, how = _simulate(spec, system, state, times, fastest)
     return SpinLatticeReport(system, table, _in_joules(trajectory), spec.samples, how)
@@ -256,9 +266,10 @@ def _simulate(
     count, between = system.algebra.copies, float(times[1] - times[0])
     fastest = max(fastest, float(turning_rates(system, state, times)))
     by_flows = bool(system.flows) and table.temperature is None
-    angle = DAMPED_ANGLE if system.is_damped else ANGLE
+    angle = 0.2 if system.is_damped else 0.1  # rad that the fastest spin turns in a step
     step = min(angle / fastest, between) if fastest else between
-    each, runs = EACH + SPIN[by_flows] * count, 1.0 if table.temperature is not None else RUNS_BY_EQUAL_STEPS
+    of_step, of_spin = 2e-5, 4e-7 if by_flows else 1.5e-6  # s per step, and per spin in it
+    each, runs = of_step + of_spin * count, 1.0 if table.temperature is not None else RUNS_BY_EQUAL_STEPS
     shown = check_length(spec.until, times, float(times[-1]) / step, runs * each, QUICKER)
     if table.temperature is not None:
         even = between / math.ceil(between / step - 1e-9)  # noise is keyed by whole steps

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from polhode._base.arrays import known_numbers_only
@@ -9,7 +11,18 @@ from polhode.errors import InvalidInput
 from polhode.fields.spin_lattice.lattice import Lattice
 from polhode.types import ArrayLike, Float64, Real
 
-EVEN = 1e-9  # relative: steps of time that differ by more are not equal
+
+class SampleLimits(NamedTuple):
+    """What samples of a run must satisfy for a spectrum.
+
+    Attributes:
+        max_step_spread: relative to the whole time; steps of time that differ by more are not equal.
+    """
+
+    max_step_spread: float = 1e-9
+
+
+LIMITS = SampleLimits()
 
 
 @known_numbers_only
@@ -37,7 +50,7 @@ def structure_factor(
     Source: Van Hove, Phys. Rev. 95 (1954) 249.
     """
     times, states = np.asarray(times, float), np.asarray(states, float)
-    if times.ndim != 1 or len(times) < 4 or np.ptp(np.diff(times)) > EVEN * np.ptp(times):
+    if times.ndim != 1 or len(times) < 4 or np.ptp(np.diff(times)) > LIMITS.max_step_spread * np.ptp(times):
         raise InvalidInput("`times` must be at least four equally spaced times.")
     if states.shape != (len(times), *lattice.shape, lattice.sites, 3):
         wanted = (len(times), *lattice.shape, lattice.sites, 3)

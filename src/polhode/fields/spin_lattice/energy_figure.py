@@ -8,20 +8,19 @@ from matplotlib.figure import Figure
 from polhode.fields.spin_lattice.answers import MILLI, SpinLatticeReport
 from polhode.figures import style
 
-PICO = 1e-12
-STEADY = 1e-5  # of the energy, below which it is drawn as constant
-
 
 def draw_energy(report: SpinLatticeReport) -> Figure:
     """Return energy per spin, and the components of the magnetisation, over time."""
     figure = style.new_figure(height=1.2 * style.COLUMN)
     upper, lower = figure.subplots(2, 1, sharex=True)
-    times = np.asarray(report.trajectory.times) / PICO
+    pico = 1e-12
+    times = np.asarray(report.trajectory.times) / pico
     upper.plot(times, report.energies / MILLI, color=style.BLUE, lw=0.9)
     if report.thermal is not None:
         upper.axhline(report.thermal[0] / MILLI, color=style.GREY, lw=0.8, ls="--", label="mean of the later half")
         upper.legend(fontsize=style.FONT - 1, frameon=False)
-    if float(np.ptp(report.energies)) <= STEADY * float(np.abs(report.energies).max()):
+    steady = 1e-5  # of the energy: a smaller change is drawn as none
+    if float(np.ptp(report.energies)) <= steady * float(np.abs(report.energies).max()):
         middle = float(report.energies.mean()) / MILLI
         upper.set_ylim(middle - 0.05 * abs(middle or 1.0), middle + 0.05 * abs(middle or 1.0))
     upper.set_ylabel("energy per spin  [meV]")

@@ -10,7 +10,19 @@ from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import ArrayLike, Float64, Real
 
-SMALL = 1e-12  # of the cell's size: vectors nearer to one plane span no cell
+
+class LatticeLimits(NamedTuple):
+    """What a lattice must satisfy.
+
+    Attributes:
+        min_relative_extent: least singular value of the vectors, and least distance of two sites, over the largest
+            component: vectors closer to a plane span no cell.
+    """
+
+    min_relative_extent: float = 1e-12
+
+
+LIMITS = LatticeLimits()
 
 
 class Lattice:
@@ -41,11 +53,14 @@ class Lattice:
     ) -> None:
         vectors = _rows("vectors", vectors)
         count = len(vectors)
-        if not 1 <= count <= 3 or np.linalg.svd(vectors, compute_uv=False)[-1] <= SMALL * np.abs(vectors).max():
+        if (
+            not 1 <= count <= 3
+            or np.linalg.svd(vectors, compute_uv=False)[-1] <= LIMITS.min_relative_extent * np.abs(vectors).max()
+        ):
             raise InvalidInput(f"`vectors` must be one to three independent rows; got {shown(vectors.tolist())}.")
         sites = np.zeros((1, 3)) if basis is None else _rows("basis", basis)
         gaps = np.linalg.norm(sites[:, None] - sites[None], axis=-1) + np.eye(len(sites))
-        if gaps.min() <= SMALL * np.abs(vectors).max():
+        if gaps.min() <= LIMITS.min_relative_extent * np.abs(vectors).max():
             raise InvalidInput("`basis` must hold different places; two of its rows agree.")
         closed = periodic if isinstance(periodic, tuple) else (bool(periodic),) * count
         whole = all(isinstance(n, int) and n >= 1 for n in shape)

@@ -13,9 +13,6 @@ from polhode.viewer.encoding import pack
 from polhode.viewer.panels import Panel
 from polhode.viewer.samples import Samples
 
-MOST = 1600  # arrows
-BYTES = 360_000  # of all their directions, so that a page stays small
-
 
 class SpinLatticePanel(KindPanel):
     """The picture of spins on a lattice on a page."""
@@ -25,12 +22,14 @@ class SpinLatticePanel(KindPanel):
         system = trajectory.source
         lattice = system.lattice
         first, second = lattice.shape[:2]
-        while first * second * lattice.sites > MOST:
+        most_arrows = 1600
+        while first * second * lattice.sites > most_arrows:
             first, second = (-(-first // 2), second) if first >= second else (first, -(-second // 2))
         places = np.asarray(lattice.positions())[:first, :second, :1, :, :2].reshape(-1, 2)
         chosen = np.asarray(samples.states)[:, :first, :second, :1] / np.asarray(system.spin)[:, None]
         spins = chosen.reshape(len(chosen), -1, 3)
-        count = max(2, min(len(spins), BYTES // (3 * len(places))))
+        most_bytes = 360_000  # of all their directions, so that a page stays small
+        count = max(2, min(len(spins), most_bytes // (3 * len(places))))
         frames = np.unique(np.linspace(0, len(spins) - 1, count).astype(int))
         places = places - 0.5 * (places.max(axis=0) + places.min(axis=0))
         size = float(np.abs(places).max()) or 1.0

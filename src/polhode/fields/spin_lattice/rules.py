@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from polhode.fields.spin_lattice.table import MOST
+from polhode.fields.spin_lattice.table import LIMITS
 from polhode.spec.rules import Mistake
 
 
@@ -18,8 +18,9 @@ def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
     if count and isinstance(cells, list) and len(cells) != count:
         yield ("system", "cells"), f"needs a number for each of the {count} vectors; got {len(cells)}"
     sites = len(basis) if isinstance(basis, list) and basis else 1
-    if isinstance(cells, list) and all(type(n) is int and n > 0 for n in cells) and math.prod(cells) * sites > MOST:
-        yield ("system", "cells"), f"must make at most {MOST:,} spins; got {math.prod(cells) * sites:,}"
+    spins = math.prod(cells) * sites if isinstance(cells, list) and all(type(n) is int and n > 0 for n in cells) else 0
+    if spins > LIMITS.max_spins:
+        yield ("system", "cells"), f"must make at most {LIMITS.max_spins:,} spins; got {spins:,}"
     bonds = system.get("bonds")
     for k, bond in enumerate(bonds if isinstance(bonds, list) else []):
         if isinstance(bond, dict):

@@ -11,21 +11,20 @@ from polhode.fields.spin_lattice.answers import SpinLatticeReport
 from polhode.figures import style
 from polhode.types import Array
 
-ARROWS = 2500  # drawn at most
-CHAIN = 0.35  # height of a chain's picture, of a column
-
 
 def draw_spins(report: SpinLatticeReport) -> Figure:
     """Return arrows of the spins in the plane of x and y, coloured by z; of a body the first layer."""
     lattice = report.system.lattice
     places, spins = _layer(report)
-    high = max(CHAIN, min(1.3, float(np.ptp(places[:, 1]) / (np.ptp(places[:, 0]) or 1.0))))
+    chain = 0.35  # height of a chain's picture, of a column
+    high = max(chain, min(1.3, float(np.ptp(places[:, 1]) / (np.ptp(places[:, 0]) or 1.0))))
     figure = style.new_figure(width=1.4 * style.COLUMN, height=high * 1.4 * style.COLUMN)
     axes: Any = figure.subplots()
     step = _apart(places)
     drawn = axes.scatter(places[:, 0], places[:, 1], c=spins[:, 2], cmap="RdBu_r", vmin=-1.0, vmax=1.0, marker="s",
                          s=_size(step, places, high), linewidths=0, alpha=0.75)  # fmt: skip
-    if len(places) <= ARROWS:
+    most_arrows = 2500
+    if len(places) <= most_arrows:
         axes.quiver(places[:, 0], places[:, 1], spins[:, 0], spins[:, 1], pivot="mid", units="xy", scale=1.1 / step,
                     width=0.08 * step, color=style.DARK)  # fmt: skip
     bar = figure.colorbar(drawn, ax=axes, shrink=0.8, aspect=30)

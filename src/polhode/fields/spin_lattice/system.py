@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -21,7 +21,19 @@ from polhode.fields.spin_lattice.lattice import Bond, Lattice
 from polhode.systems.base import AbstractLiePoissonSystem, Balance, Components, Flow
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
-KEPT = 1e-12  # relative: what the Hamiltonian breaks by less is rounding of its matrices
+
+class SpinLatticeLimits(NamedTuple):
+    """What decides on symmetries of the Hamiltonian.
+
+    Attributes:
+        max_asymmetry: relative; what matrices break by less is their rounding: of their own symmetry, or of a component
+            of the total spin that is conserved.
+    """
+
+    max_asymmetry: float = 1e-12
+
+
+LIMITS = SpinLatticeLimits()
 
 
 class SpinLattice(AbstractLiePoissonSystem):
@@ -245,7 +257,7 @@ def _checked_onsite(onsite: ArrayLike | None, count: int) -> tuple[Matrix, ...] 
     matrices = np.asarray(onsite, float)
     if matrices.shape not in ((3, 3), (count, 3, 3)) or not np.isfinite(matrices).all():
         raise InvalidInput(f"`onsite` must be finite, (3, 3) or ({count}, 3, 3); got shape {matrices.shape}.")
-    if np.abs(matrices - np.swapaxes(matrices, -1, -2)).max() > KEPT * np.abs(matrices).max():
+    if np.abs(matrices - np.swapaxes(matrices, -1, -2)).max() > LIMITS.max_asymmetry * np.abs(matrices).max():
         raise InvalidInput("`onsite` must be symmetric matrices, as Sᵀ A S sees no other part.")
     matrices = np.broadcast_to(matrices, (count, 3, 3))
     return tuple(tuple(map(tuple, one)) for one in matrices.tolist())
@@ -265,4 +277,4 @@ def _find_conserved(bonds: Sequence[BondType], onsite: Sequence[Matrix] | None, 
     if not lines:
         return tuple(map(tuple, np.eye(3).tolist()))
     _, sizes, rows = np.linalg.svd(np.concatenate(lines))
-    return tuple(map(tuple, rows[sizes <= KEPT * sizes[0]].tolist()))
+    return tuple(map(tuple, rows[sizes <= LIMITS.max_asymmetry * sizes[0]].tolist()))

@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, NamedTuple
 
 from pydantic import Field, StrictInt
 
 from polhode.spec.fields import Direction, Energy, MagneticField, Plain, PositivePlain, Temperature
 from polhode.spec.models import Strict, SystemTable
 
-MOST = 1_000_000  # spins
-MOST_BONDS = 100  # in a cell: each is compiled, and hundreds took minutes
+
+class SpinLatticeTableLimits(NamedTuple):
+    """What the table accepts.
+
+    Attributes:
+        max_spins: of the whole lattice.
+        max_bonds: in a cell: each is compiled, and hundreds took minutes.
+    """
+
+    max_spins: int = 1_000_000
+    max_bonds: int = 100
+
+
+LIMITS = SpinLatticeTableLimits()
 Vector = Annotated[list[Plain], Field(min_length=1, max_length=3)]
-Count = Annotated[StrictInt, Field(ge=1, le=MOST)]
+Count = Annotated[StrictInt, Field(ge=1, le=LIMITS.max_spins)]
 Site = Annotated[StrictInt, Field(ge=1, le=1000)]
 
 
@@ -47,7 +59,7 @@ class SpinLatticeTable(SystemTable):
     basis: list[Vector] | None = None
     periodic: bool = True
     spin: PositivePlain = 1.0
-    bonds: Annotated[list[BondTable], Field(max_length=MOST_BONDS)] = Field(
+    bonds: Annotated[list[BondTable], Field(max_length=LIMITS.max_bonds)] = Field(
         default=[], description='give them like [{ cell = [1], exchange = "1 meV" }], or leave them out'
     )
     anisotropy: AxisTable | None = None

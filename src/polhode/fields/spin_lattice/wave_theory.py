@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from polhode._base.arrays import known_numbers_only
@@ -9,8 +11,20 @@ from polhode.errors import InvalidInput
 from polhode.fields.spin_lattice.system import SpinLattice
 from polhode.types import ArrayLike, Float64, Real
 
-AT_REST = 1e-8  # |S × B| relative to |S||B| and the couplings: more is a state that moves
-BELOW = 1e-9  # of the largest curvature: with a curvature below minus this the state is not a minimum
+
+class GroundStateLimits(NamedTuple):
+    """What a state must satisfy to carry spin waves.
+
+    Attributes:
+        max_torque: |S × B| over |S| and the largest of couplings and |B|: with more the state moves.
+        max_negative_curvature: over the largest curvature: with a more negative one the state is no minimum.
+    """
+
+    max_torque: float = 1e-8
+    max_negative_curvature: float = 1e-9
+
+
+LIMITS = GroundStateLimits()
 
 
 @known_numbers_only
@@ -51,7 +65,7 @@ def spin_waves(
     uniform = field + sum((m @ spins[b])[None] * (np.arange(len(spins)) == a)[:, None] for a, b, _, m in couplings)
     largest = max([np.abs(m).max() for *_, m in couplings] + [np.abs(field).max()], default=0.0)
     torque = np.abs(np.cross(spins, uniform)).max()
-    if torque > AT_REST * lengths.max() * max(largest, np.abs(uniform).max()):
+    if torque > LIMITS.max_torque * lengths.max() * max(largest, np.abs(uniform).max()):
         raise InvalidInput(f"`ground_state` must rest; it feels a torque of {torque:.3g}. Relax it by damping first.")
     frequencies = [_frequencies(one, couplings, uniform, spins, lengths, frames) for one in q.reshape(-1, 3)]
     return np.array(frequencies).reshape(*q.shape[:-1], -1)
@@ -109,7 +123,7 @@ def _frequencies(
         hessian[a, :, b, :] -= frames[a].T @ matrix @ frames[b] * np.exp(1j * (far @ q))
     hessian = hessian.reshape(2 * count, 2 * count)
     sizes, axes = np.linalg.eigh(hessian)
-    if sizes[0] < -BELOW * np.abs(sizes).max():
+    if sizes[0] < -LIMITS.max_negative_curvature * np.abs(sizes).max():
         raise InvalidInput(
             "`ground_state` must be a minimum of the energy; "
             f"at q = {q.round(6).tolist()} its curvature is {sizes[0]:.3g}."

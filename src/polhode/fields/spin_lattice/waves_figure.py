@@ -13,31 +13,30 @@ from polhode.fields.spin_lattice.build import wave_path
 from polhode.fields.spin_lattice.correlations import structure_factor
 from polhode.figures import style
 
-FEWEST = 12  # frequencies, of which a spectrum says something
-DECADES = 5.0  # of the spectrum that are shown
-STILL = 3  # lowest frequencies, to which what does not move is blurred
-MARGIN = 1.3  # of the highest wave, up to which frequencies are shown
-
 
 def draw_waves(report: SpinLatticeReport) -> Figure | None:
     """Return S(q, ω) along the first reciprocal vector with the linear waves; None where neither is known."""
     waves, times = report.waves, np.asarray(report.trajectory.times)
-    top = MARGIN * float(waves.max()) if waves is not None else math.inf
+    margin = 1.3  # of the highest wave, up to which frequencies are shown
+    top = margin * float(waves.max()) if waves is not None else math.inf
     resolved = np.ptp(times) * min(top, math.pi * (len(times) - 1) / np.ptp(times)) / (2.0 * math.pi)
-    spectral = resolved >= FEWEST and not report.system.is_damped
+    fewest = 12  # frequencies, with fewer a spectrum shows nothing
+    spectral = resolved >= fewest and not report.system.is_damped
     if waves is None and not spectral:
         return None
     figure = style.new_figure(height=style.COLUMN)
     axes = figure.subplots()
     unit = hbar / MILLI
+    decades = 5.0  # of the spectrum
+    still = 3  # lowest frequencies, into which the static part is blurred
     if spectral:
         count = report.system.lattice.shape[0]
         q, shares = wave_path(report.system, count + 1 if count % 2 == 0 else count)
         omega, power = structure_factor(report.system.lattice, times, report.trajectory.states, q)
         rows = (omega >= 0.0) & (omega <= top)
         log = np.log10(power[:, rows].T + 1e-300)
-        brightest = float(log[STILL:].max())  # the mean spin, which does not move, outshines the waves
-        axes.pcolormesh(shares, unit * omega[rows], log, vmin=brightest - DECADES, vmax=brightest, cmap="viridis",
+        brightest = float(log[still:].max())  # the mean spin, which does not move, outshines the waves
+        axes.pcolormesh(shares, unit * omega[rows], log, vmin=brightest - decades, vmax=brightest, cmap="viridis",
                         shading="nearest", rasterized=True)  # fmt: skip
     if waves is not None:
         _, shares = wave_path(report.system)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 from itertools import pairwise
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import equinox as eqx
 import jax
@@ -17,7 +17,18 @@ from polhode.fields.toda.algebra import Bidiagonal
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
 from polhode.types import Array, ArrayLike, Float64, Real
 
-LONGEST = 700.0  # of t(λ_max − λ_min): weights beyond it underflow, and the motion is over
+
+class TodaLimits(NamedTuple):
+    """What bounds the exponents of the closed form.
+
+    Attributes:
+        max_exponent: of t(λ_max − λ_min): beyond it weights underflow, and the motion is over.
+    """
+
+    max_exponent: float = 700.0
+
+
+LIMITS = TodaLimits()
 
 
 class Toda(AbstractLiePoissonSystem):
@@ -113,7 +124,7 @@ def _at(system: Toda, state: Array, t: Array) -> Array:
     exponents = jnp.log(jnp.abs(vectors[0])) + t * values
     weights = jnp.exp(exponents - jnp.max(exponents))
     b, a = _tridiagonal(values, weights / jnp.linalg.norm(weights))
-    over = jnp.abs(t) * (values[-1] - values[0]) > LONGEST
+    over = jnp.abs(t) * (values[-1] - values[0]) > LIMITS.max_exponent
     ended = jnp.where(t > 0.0, values[::-1], values)
     a = jnp.where(over, 0.0, a) * jnp.sign(state[n:])
     return jnp.concatenate([jnp.where(over, ended, b), a])

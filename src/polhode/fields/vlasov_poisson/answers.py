@@ -7,7 +7,7 @@ import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -26,15 +26,23 @@ from polhode.reports.wording import number, uncertain
 from polhode.simulation import simulate
 from polhode.types import Array, Float64
 
-USUAL = 40.0  # inverse plasma frequencies
+
+class PlasmaReportLimits(NamedTuple):
+    """What bounds the states of a run.
+
+    Attributes:
+        max_state_bytes: bytes of states that a report keeps: of many particles fewer samples.
+    """
+
+    max_state_bytes: int = 2**25
+
+
+LIMITS = PlasmaReportLimits()
 ORDER = 4
 METHOD = (
     f"kicks and drifts, order {ORDER}, steps of {{step:g}}, as `step` says: of thousands of particles that all act on "
     "each other, series would take too long"
 )
-MEMORY = 2**25  # bytes of states that are kept
-EACH, PARTICLE = 1e-5, 6e-8  # s a step takes, and for each particle and mode in it, measured at order 4
-REACH = 6.0  # thermal speeds up to which a beam has electrons
 
 
 @dataclass(frozen=True)
@@ -105,7 +113,10 @@ class PlasmaReport(MotionReport):
         if self.wave is not None and self.wave.growth < 0.0 and self.bounce_rate > abs(self.wave.growth):
             notes.append("the field traps electrons before it is damped: linear theory holds at first only.")
         if len(times) < self.asked:
-            notes.append(f"{len(times)} of {self.asked} samples are kept: more would take over {MEMORY >> 20} MiB.")
+            notes.append(
+                f"{len(times)} of {self.asked} samples are kept: more would take over "
+                f"{LIMITS.max_state_bytes >> 20} MiB."
+            )
         return notes
 
     def distribution(self, states: Float64[Array, "n 3"]) -> Float64[Array, "n"]:
@@ -187,11 +198,13 @@ def make_report(spec: Spec[PlasmaTable]) -> PlasmaReport:
     state = quiet_start(
         system, lambda v: velocity_distribution(beams, v), table.velocities, table.amplitude, fastest=fastest
     )
-    until = USUAL if spec.until is None else spec.until
-    kept = max(2, min(spec.samples, MEMORY // (24 * count)))
+    usual = 40.0  # inverse plasma frequencies
+    until = usual if spec.until is None else spec.until
+    kept = max(2, min(spec.samples, LIMITS.max_state_bytes // (24 * count)))
     times = np.linspace(0.0, until, kept)
     steps = max(until / table.step, kept)
-    each = RUNS_BY_EQUAL_STEPS * (EACH + PARTICLE * count * table.modes)
+    of_step, of_particle = 1e-5, 6e-8  # s per step, and per particle and mode in it, measured at order 4
+    each = RUNS_BY_EQUAL_STEPS * (of_step + of_particle * count * table.modes)
     shown = check_length(spec.until, times, steps, each, "Fewer particles or modes are quicker.")
     with warnings.catch_warnings():
         # drifts are exact however far they go, and the field turns no faster than the plasma's frequency
@@ -208,7 +221,8 @@ def answers_without_motion(spec: Spec[PlasmaTable]) -> Iterator[Group | Table]:
 def _without_motion(spec: Spec[PlasmaTable]) -> PlasmaReport:
     table = spec.system
     beams = tuple(Beam(b.share, b.drift, b.spread) for b in table.beams) if table.beams else (Beam(),)
-    fastest = table.fastest or max(abs(beam.drift) + REACH * beam.spread for beam in beams)
+    reach = 6.0  # thermal speeds up to which a beam has electrons
+    fastest = table.fastest or max(abs(beam.drift) + reach * beam.spread for beam in beams)
     count = table.velocities * table.particles_per_velocity
     system = VlasovPoisson(2.0 * math.pi / table.wavenumber, table.modes, count)
     wave = fastest_growing_wave(beams, table.wavenumber)

@@ -11,9 +11,6 @@ from polhode.fields.vlasov_poisson.answers import PlasmaReport
 from polhode.figures import style
 from polhode.types import Array
 
-ROWS, COLUMNS = 240, 160  # of a picture of phase space
-SHOWN = 5.0  # spreads of the fastest beam that are shown
-
 
 def draw_field(report: PlasmaReport) -> Figure:
     """Return the amplitude of the longest wave against time, with the prediction of linear theory."""
@@ -47,7 +44,8 @@ def draw_phase_space(report: PlasmaReport) -> Figure:
     panels = np.atleast_1d(figure.subplots(1, len(chosen), sharey=True))
     values = report.distribution(states[0])
     length = float(report.system.length)
-    fastest = min(report.fastest, max(abs(beam.drift) + SHOWN * beam.spread for beam in report.beams))
+    shown = 5.0  # spreads of the fastest beam that are shown
+    fastest = min(report.fastest, max(abs(beam.drift) + shown * beam.spread for beam in report.beams))
     for axes, k in zip(panels, chosen, strict=True):
         try:
             density = _grid_density(states[k], values, length, fastest)
@@ -71,8 +69,9 @@ def _grid_density(state: Array, values: Array, length: float, fastest: float) ->
         np.concatenate([x, x[left] - length, x[right] + length]) / length,
         np.concatenate([v, v[left], v[right]]) / fastest,
     ])  # fmt: skip
-    across = (np.arange(COLUMNS) + 0.5) / COLUMNS
-    up = 2.0 * (np.arange(ROWS) + 0.5) / ROWS - 1.0
+    rows, columns = 240, 160
+    across = (np.arange(columns) + 0.5) / columns
+    up = 2.0 * (np.arange(rows) + 0.5) / rows - 1.0
     interpolated = LinearNDInterpolator(points, np.concatenate([values, values[left], values[right]]), fill_value=0.0)
     return interpolated(*np.meshgrid(across, up))
 

@@ -11,11 +11,26 @@ from polhode.errors import InvalidInput, shown
 from polhode.fields.vlasov_poisson.waves import PlasmaWave
 from polhode.types import ArrayLike, Real
 
-SETTLED = 5.0  # inverse plasma frequencies, in which faster modes die
-TRAPPING = 0.3  # of the growth: the bounce rate √(kE) up to which a growing wave is linear
-LATE = 0.6  # of the linear time of a growing wave: earlier the damped modes count too
-LOWEST = 1e-4  # of the first field: what is damped below it is noise of the particles
-FEWEST = 4  # values for a line with an error
+
+class LinearWaveLimits(NamedTuple):
+    """What decides when a wave in a run follows linear theory.
+
+    Attributes:
+        settling_time: inverse plasma frequencies, after which faster modes have died.
+        max_bounce_rate: √(kE) over the growth rate, up to which a growing wave is linear; then it traps electrons.
+        late_share: of the linear time of a growing wave, after which it is fitted: earlier the damped modes count too.
+        min_damped_field: of the first field; a wave damped below it is lost in the noise of the particles.
+        min_values: for a line with a standard error.
+    """
+
+    settling_time: float = 5.0
+    max_bounce_rate: float = 0.3
+    late_share: float = 0.6
+    min_damped_field: float = 1e-4
+    min_values: int = 4
+
+
+LIMITS = LinearWaveLimits()
 
 
 class GrowthFit(NamedTuple):
@@ -63,27 +78,27 @@ def fit_growth(
             f"`times` and `field` must be (T,) of one length, the field finite and not negative; got shapes {t.shape} "
             f"and {amplitude.shape}, and field {shown(field)}."
         )
-    begin, end = SETTLED, min(end, float(t[-1])) if t.size else end
+    begin, end = LIMITS.settling_time, min(end, float(t[-1])) if t.size else end
     if wave.growth > 0.0:
-        beyond = np.sqrt(wavenumber * amplitude) > TRAPPING * wave.growth
+        beyond = np.sqrt(wavenumber * amplitude) > LIMITS.max_bounce_rate * wave.growth
         end = min(end, float(t[np.argmax(beyond)]) if beyond.any() else end)
-        begin = max(SETTLED, LATE * end)
+        begin = max(LIMITS.settling_time, LIMITS.late_share * end)
     elif amplitude.size:
         if wavenumber * amplitude.max() > wave.growth**2:
             return None  # electrons are trapped before the wave is damped
         peaks = np.maximum.accumulate(amplitude[::-1])[::-1]  # what is still to come
-        low = peaks < LOWEST * amplitude.max()
+        low = peaks < LIMITS.min_damped_field * amplitude.max()
         end = min(end, float(t[np.argmax(low)]) if low.any() else end)
     used = (t >= begin) & (t <= end) & (amplitude > 0.0)
     inner = np.zeros(t.size, bool)
     inner[1:-1] = (amplitude[1:-1] > amplitude[:-2]) & (amplitude[1:-1] >= amplitude[2:])
-    if wave.frequency and (used & inner).sum() >= FEWEST:
+    if wave.frequency and (used & inner).sum() >= LIMITS.min_values:
         at, log = _peaks(t, amplitude, np.flatnonzero(used & inner))
     elif wave.frequency and wave.growth < 0.0:
         return None
     else:
         at, log = t[used], np.log(amplitude[used])
-    if len(at) < FEWEST:
+    if len(at) < LIMITS.min_values:
         return None
     (slope, _), covariance = np.polyfit(at, log, 1, cov=True)
     return GrowthFit(float(slope), float(np.sqrt(covariance[0, 0])), float(at[0]), float(at[-1]))

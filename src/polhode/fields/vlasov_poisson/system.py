@@ -19,7 +19,6 @@ from polhode.systems._checks import checked_number
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
-NEWTON_STEPS = 60  # with halvings: a density of contrast below one is solved long before
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
 
@@ -217,7 +216,8 @@ def _by_mass(masses: Array, amplitude: float) -> Array:
     """Return angles θ with θ + A sin θ = mass, by Newton's method between bounds."""
     # |θ − mass| ≤ |A|; the left side grows with θ, as |A| < 1
     low, high, angles = masses - abs(amplitude), masses + abs(amplitude), masses.copy()
-    for _ in range(NEWTON_STEPS):
+    most_steps = 60  # with halvings: a density of contrast below one is solved long before
+    for _ in range(most_steps):
         off = angles + amplitude * np.sin(angles) - masses
         low, high = np.where(off < 0.0, angles, low), np.where(off > 0.0, angles, high)
         tried = angles - off / (1.0 + amplitude * np.cos(angles))

@@ -15,10 +15,24 @@ from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.types import Array, Float64
 
-MOST_STEPS = 60
-ROUNDING = 1e-13  # of |ω|: a smaller real part is none
-ZERO = 1e-6  # of D where all of it is one: what is left at a root
-SOLVED = 1e-13  # of the frequency: the last step of Newton's method
+
+class ModeLimits(NamedTuple):
+    """What decides whether Newton's method found a mode.
+
+    Attributes:
+        max_steps: of Newton's method.
+        max_last_step: over |ω|: convergence; and a frequency above minus this is no backward wave.
+        max_dispersion: |D| at a root, where its terms are of order one.
+        max_rounded_frequency: real part over |ω|: a smaller one is zero but for rounding.
+    """
+
+    max_steps: int = 60
+    max_last_step: float = 1e-13
+    max_dispersion: float = 1e-6
+    max_rounded_frequency: float = 1e-13
+
+
+LIMITS = ModeLimits()
 
 
 class Beam(NamedTuple):
@@ -126,14 +140,14 @@ def plasma_wave(beams: Sequence[Beam], wavenumber: float, guess: complex | None 
         # Bohm and Gross: ω² = 1 + 3k²⟨v²⟩, from moving with the mean
         guess = complex(k * mean + math.sqrt(1.0 + 3.0 * k * k * square), -0.05)
     omega = complex(guess)
-    for _ in range(MOST_STEPS):
+    for _ in range(LIMITS.max_steps):
         value, slope = _dispersion(beams, k, omega)
         step = value / slope if slope else complex(math.nan)
         omega -= step
         if not (math.isfinite(omega.real) and math.isfinite(omega.imag)):
             break
-        if abs(step) <= SOLVED * abs(omega):
-            if abs(_dispersion(beams, k, omega)[0]) < ZERO:
+        if abs(step) <= LIMITS.max_last_step * abs(omega):
+            if abs(_dispersion(beams, k, omega)[0]) < LIMITS.max_dispersion:
                 return _with_response(beams, k, omega)
             break  # far away, where numbers do not change any more
     raise NotConverged(
@@ -170,7 +184,7 @@ def fastest_growing_wave(beams: Sequence[Beam], wavenumber: float) -> PlasmaWave
     for guess in guesses:
         with contextlib.suppress(NotConverged):
             waves.append(plasma_wave(beams, k, guess))
-    forwards = [wave for wave in waves if wave.frequency >= -SOLVED]
+    forwards = [wave for wave in waves if wave.frequency >= -LIMITS.max_last_step]
     return max(forwards or waves, key=lambda wave: wave.growth, default=None)
 
 
@@ -179,7 +193,7 @@ def _with_response(beams: Sequence[Beam], k: float, omega: complex) -> PlasmaWav
     started = sum(b.share * _z((omega / k - b.drift) / (math.sqrt(2.0) * b.spread)) / (math.sqrt(2.0) * b.spread)
                   for b in beams)  # fmt: skip
     residue = -started / (k * k * _dispersion(beams, k, omega)[1])
-    frequency = omega.real if abs(omega.real) > ROUNDING * abs(omega) else 0.0
+    frequency = omega.real if abs(omega.real) > LIMITS.max_rounded_frequency * abs(omega) else 0.0
     return PlasmaWave(k, frequency, omega.imag, 2.0 * abs(residue), math.atan2(residue.imag, residue.real))
 
 
