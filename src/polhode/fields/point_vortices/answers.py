@@ -43,11 +43,11 @@ class VorticesReport(MotionReport):
     """Point vortices: conserved quantities, rigid rotation and its stability, and the motion.
 
     Attributes:
-        system: the vortices; on a sphere those of the unit sphere, with the same rates.
+        system: the vortices; on a sphere those of the unit sphere, with equal angular rates.
         sphere_radius: [m]; None in a plane.
         trajectory: samples of the motion.
         turn: of a rigid rotation; None where distances between vortices change.
-        verdict: on that rotation; None without a rotation or a verdict.
+        verdict: on the stability of that rotation; None without a rotation or a verdict.
         no_verdict: why a rotation has no verdict; empty otherwise.
     """
 
@@ -72,7 +72,7 @@ class VorticesReport(MotionReport):
 
     @property
     def closest(self) -> tuple[float, float, tuple[int, int]]:
-        """Least distance in a straight line among the samples [m], its time [s], and which two, counted from 1."""
+        """Least straight-line distance among the samples [m], its time [s], and the pair, counted from 1."""
         best = (math.inf, 0.0, (1, 2))
         places = self.positions
         for one in range(places.shape[1] - 1):
@@ -252,7 +252,7 @@ def _start(table: VorticesTable) -> tuple[SphereVortices | PlaneVortices, Array,
 
 
 def _usual_end(system: SphereVortices | PlaneVortices, state: Array) -> float:
-    """Return the default length of a motion [s]: some turns of vortices at such distances."""
+    """Return the default length of a run [s]: some revolutions of vortices at such distances."""
     places = np.asarray(system.positions(state))
     size = float(np.linalg.norm(places - places.mean(axis=0), axis=-1).mean())
     turnovers = 10.0  # revolutions of vortices of this strength about each other
@@ -269,7 +269,7 @@ def _judge(
         return None, f"it is given for at most {LIMITS.max_judged_vortices} vortices."
     try:
         return vortex_stability(system, state), ""
-    except InvalidInput as error:  # strengths or distances so unlike that derivatives are lost
+    except InvalidInput as error:  # strengths or distances differ so much that derivatives are lost in rounding
         return None, str(error)
 
 

@@ -84,9 +84,9 @@ def vortex_turn(system: SphereVortices | PlaneVortices, state: Real[ArrayLike, "
 def vortex_stability(system: SphereVortices | PlaneVortices, state: Real[ArrayLike, "n 3"]) -> Stability:
     """Return the verdict on vortices that turn, or move, as a whole.
 
-    It is that of ``stability`` with the momentum map of the symmetries: J on a sphere, ΣΓ|z − c|² about the centre c of
-    a turn in a plane, ΣΓ v × z where they move straight by v. "Stable" is Lyapunov's up to these turns or shifts, by a
-    definite second variation; "unstable" has the rate of growth.
+    The verdict is that of ``stability`` with the momentum map of the symmetries: J on a sphere, ΣΓ|z − c|² about the
+    centre c of a turn in a plane, ΣΓ v × z where they move straight by v. "Stable" is Lyapunov's up to these turns or
+    shifts, by a definite second variation; "unstable" has the rate of growth.
 
     Args:
         system: the vortices.
@@ -184,7 +184,7 @@ def _terms(system: SphereVortices | PlaneVortices, point: Array) -> Array:
 
 
 def _turn_on_sphere(system: SphereVortices, point: Array) -> tuple[VortexTurn, float]:
-    """Return the rigid motion nearest to the motion, and the residual."""
+    """Return the rigid motion that fits the field best, and the norm of the residual."""
     state, field = np.asarray(point), np.asarray(system.vector_field(0.0, point))
     # μ̇_i = ω × μ_i for all i, by least squares
     turns = np.cross(np.eye(3)[:, None], state).reshape(3, -1).T  # (3n, 3), of unit rate about each axis
@@ -200,7 +200,7 @@ def _turn_in_plane(system: PlaneVortices, point: Array) -> tuple[VortexTurn, flo
     places, field = np.asarray(system.positions(point)), np.asarray(system.vector_field(0.0, point))[:, 1::-1]
     middle = places.mean(axis=0)
     apart = places - middle
-    quarter = apart @ np.array([[0.0, 1.0], [-1.0, 0.0]])  # of each place, turned by a right angle
+    quarter = apart @ np.array([[0.0, 1.0], [-1.0, 0.0]])  # of each place, rotated by a right angle
     drift = field.mean(axis=0)
     rate = float(np.sum(quarter * field) / np.sum(quarter * quarter))
     left = float(np.linalg.norm(field - drift - rate * quarter))
@@ -211,7 +211,7 @@ def _turn_in_plane(system: PlaneVortices, point: Array) -> tuple[VortexTurn, flo
 
 
 def _momentum_map(system: SphereVortices | PlaneVortices, turn: VortexTurn) -> list[Function]:
-    """Return the conserved functions whose flows the vortices follow; on a sphere with all others of their group."""
+    """Return the conserved functions whose flows are the rigid motion; on a sphere all those of the rotation group."""
     if isinstance(system, SphereVortices):
         return list(system.extra_invariants.values())
     if turn.center is None:

@@ -1,4 +1,4 @@
-"""The two sides of a sphere as disks, as one sees them from far away."""
+"""The two sides of a sphere as disks, as viewed from far away."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from polhode.types import Array, Float64
 
 
 def new_sides(axis: Float64[Array, "3"]) -> tuple[Any, list[Any], Float64[Array, "3 3"]]:
-    """Return figure, two axes, and the rows (3, 3) that turn places so that an axis looks at the reader.
+    """Return a figure, two axes, and the rotation matrix (3, 3) that points an axis at the viewer.
 
     Args:
-        axis: (3,) unit vector, seen from its tip on the left and from behind on the right.
+        axis: (3,) unit vector, viewed from its tip on the left and from behind on the right.
     """
     helper = np.array([1.0, 0.0, 0.0]) if abs(axis[0]) < 0.9 else np.array([0.0, 1.0, 0.0])
     first = helper - (helper @ axis) * axis
@@ -35,14 +35,14 @@ def new_sides(axis: Float64[Array, "3"]) -> tuple[Any, list[Any], Float64[Array,
 
 
 def flatten_side(places: Float64[Array, "*batch 3"], front: bool) -> Float64[Array, "*batch 2"]:
-    """Return turned places as points of one side's disk (…, 2); NaN for places on the other side."""
+    """Return rotated places as points of one side's disk (…, 2); NaN for places on the other side."""
     shown = np.where((places[..., 2] >= 0.0) == front, 1.0, np.nan)
     flipped = np.stack([places[..., 0] * (1.0 if front else -1.0), places[..., 1]], axis=-1)
     return flipped * shown[..., None]
 
 
 def disk(count: int, front: bool) -> tuple[Float64[Array, "m m"], Float64[Array, "m m"], Float64[Array, "m m 3"]]:
-    """Return a grid over a side's disk, and the turned places that it shows; NaN outside of it."""
+    """Return a grid over a side's disk, and the rotated places that it shows; NaN outside of it."""
     across = np.linspace(-1.0, 1.0, count)
     x, y = np.meshgrid(across, across)
     square = 1.0 - x * x - y * y

@@ -47,13 +47,13 @@ def draw_streamlines(report: VorticesReport) -> Figure:
 
 
 def _on_sphere(report: VorticesReport) -> Figure:
-    figure, panels, turned = new_sides(choose_axis(report))
+    figure, panels, rotation = new_sides(choose_axis(report))
     system, state, turn = report.system, report.trajectory.states[0], report.turn
-    places = np.asarray(system.positions(state)) @ turned.T
+    places = np.asarray(system.positions(state)) @ rotation.T
     sides = [disk(POINTS_ACROSS, front) for front in (True, False)]
     fields = []
     for _, _, shown in sides:
-        at = shown @ turned
+        at = shown @ rotation
         psi = np.asarray(system.stream_function(state, at))
         fields.append(psi if turn is None or turn.axis is None else psi + turn.rate * (at @ turn.axis))
     levels = _levels(np.stack(fields))

@@ -21,10 +21,10 @@ from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
 
 class VortexStateLimits(NamedTuple):
-    """How far a state may be from what its strengths say.
+    """How far a state may be from the orbit of its strengths.
 
     Attributes:
-        max_orbit_error: relative distance of a state from the coadjoint orbit of the strengths.
+        max_orbit_error: relative, of |μ_i| or 1/Γ_i.
     """
 
     max_orbit_error: float = 1e-9
@@ -148,12 +148,12 @@ class SphereVortices(AbstractLiePoissonSystem):
         return {f"pairs, round {k + 1}": Round(self._turn_pairs, k) for k in range(count)}
 
     def _turn_pairs(self, number: Integer[Array, ""], time: Array, state: Components) -> Components:
-        mates = jnp.asarray(np.stack(rounds_of_pairs(len(self.strengths))))[number]
-        other = tuple(x[..., mates] for x in state)
+        partners = jnp.asarray(np.stack(rounds_of_pairs(len(self.strengths))))[number]
+        other = tuple(x[..., partners] for x in state)
         ratios = 1.0 / self.strengths
         # ẋ_i = Γ_j x_j × x_i/(2πd²) = (μ_i + μ_j) × x_i/(2πd²): both turn about μ_i + μ_j, which stays, as d does
-        apart = [x * ratios - y * ratios[mates] for x, y in zip(state, other, strict=True)]
-        angle = HALF_TURN * time * _active(mates) / _square_apart(mates, dot(apart, apart))
+        apart = [x * ratios - y * ratios[partners] for x, y in zip(state, other, strict=True)]
+        angle = HALF_TURN * time * _active(partners) / _square_apart(partners, dot(apart, apart))
         return turn(state, [angle * (x + y) for x, y in zip(state, other, strict=True)])
 
 
@@ -272,13 +272,13 @@ class PlaneVortices(AbstractLiePoissonSystem):
         return {f"pairs, round {k + 1}": Round(self._turn_pairs, k) for k in range(count)}
 
     def _turn_pairs(self, number: Integer[Array, ""], time: Array, state: Components) -> Components:
-        mates = jnp.asarray(np.stack(rounds_of_pairs(len(self.strengths))))[number]
+        partners = jnp.asarray(np.stack(rounds_of_pairs(len(self.strengths))))[number]
         y, x, level = state
         # ż_i = (iΓ_j/2πd²)(z_i − z_j), so that z_i − z_j turns at (Γ_i + Γ_j)/(2πd²)
-        dy, dx = y - y[..., mates], x - x[..., mates]
-        product = self.strengths * self.strengths[mates]
-        own, other = level * product, level[..., mates] * product  # Γ_j and Γ_i where the levels are 1/Γ
-        share = HALF_TURN * time * _active(mates) / _square_apart(mates, dx * dx + dy * dy)
+        dy, dx = y - y[..., partners], x - x[..., partners]
+        product = self.strengths * self.strengths[partners]
+        own, other = level * product, level[..., partners] * product  # Γ_j and Γ_i where the levels are 1/Γ
+        share = HALF_TURN * time * _active(partners) / _square_apart(partners, dx * dx + dy * dy)
         half = 0.5 * (own + other) * share
         # (e^{2i half} − 1)/(own + other) = i share e^{i half} sin(half)/half, regular where strengths add up to zero
         size = own * share * jnp.sinc(half / np.pi)
@@ -294,31 +294,31 @@ def _total(k: int, point: Array) -> Array:
 
 
 def rounds_of_pairs(count: int) -> list[np.ndarray]:
-    """Return rounds (count,) of mates, in each of which every vortex has one or rests; every pair meets once.
+    """Return rounds (count,) of partners: in each round a vortex has one or rests, and every pair meets once.
 
-    One stays and the others go round a table, as in a tournament. Who rests is its own mate.
+    A vortex that rests is its own partner.
     """
     seats = list(range(count)) + [-1] * (count % 2)
     rounds, size = [], len(seats)
     for _ in range(size - 1):
-        mates = np.arange(count)
+        partners = np.arange(count)
         for one, other in zip(seats[: size // 2], seats[: size // 2 - 1 : -1], strict=True):
             if one >= 0 and other >= 0:
-                mates[one], mates[other] = other, one
-        rounds.append(mates)
+                partners[one], partners[other] = other, one
+        rounds.append(partners)
         # the circle method of tournaments: all but the first seat move on by one
         seats = [seats[0], seats[-1], *seats[1:-1]]
     return rounds
 
 
-def _active(mates: Integer[Array, "n"]) -> Float64[Array, "n"]:
-    """Return 1 where a vortex has a mate, 0 where it rests."""
-    return (mates != np.arange(len(mates))).astype(float)
+def _active(partners: Integer[Array, "n"]) -> Float64[Array, "n"]:
+    """Return 1 where a vortex has a partner, 0 where it rests."""
+    return (partners != np.arange(len(partners))).astype(float)
 
 
-def _square_apart(mates: Integer[Array, "n"], square: Float64[Array, "*batch n"]) -> Float64[Array, "*batch n"]:
-    """Return squared distances to the mates, and 1 for who rests."""
-    return jnp.where(_active(mates) > 0, square, 1.0)
+def _square_apart(partners: Integer[Array, "n"], square: Float64[Array, "*batch n"]) -> Float64[Array, "*batch n"]:
+    """Return squared distances to the partners, and 1 for vortices that rest."""
+    return jnp.where(_active(partners) > 0, square, 1.0)
 
 
 def _pair_energy(strengths: Float64[Array, "n"], places: Float64[Array, "*batch n k"]) -> Float64[Array, "*batch"]:

@@ -31,8 +31,8 @@ def draw_tracks(report: VorticesReport) -> Figure:
 
 
 def _on_sphere(report: VorticesReport) -> Figure:
-    figure, panels, turned = new_sides(choose_axis(report))
-    places = np.asarray(report.system.positions(report.trajectory.states)) @ turned.T
+    figure, panels, rotation = new_sides(choose_axis(report))
+    places = np.asarray(report.system.positions(report.trajectory.states)) @ rotation.T
     for axes, front in zip(panels, (True, False), strict=True):
         _draw(axes, report, flatten_side(places, front))
     _legend(figure, panels[0])
@@ -40,7 +40,7 @@ def _on_sphere(report: VorticesReport) -> Figure:
 
 
 def choose_axis(report: VorticesReport) -> Float64[Array, "3"]:
-    """Return the axis (3,) from which a sphere is looked at: that of the turn, of J, or the north pole."""
+    """Return the axis (3,) from which a sphere is viewed: that of the turn, of J, or the north pole."""
     pole = np.array([0.0, 0.0, 1.0])
     if report.turn is not None and report.turn.axis is not None and report.turn.rate:
         axis = report.turn.axis

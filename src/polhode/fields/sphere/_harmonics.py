@@ -38,7 +38,7 @@ def checked_energies(n: int, spectrum: Real[ArrayLike, "degrees"], name: str = "
     """Return energies by degree (k,) k ≤ N.
 
     Raises:
-        InvalidInput: for energies that are negative or not finite, or too many.
+        InvalidInput: for energies that are negative or not finite, or too many of them.
     """
     wanted = np.asarray(spectrum, float)
     if wanted.ndim != 1 or len(wanted) > n or not (np.isfinite(wanted).all() and (wanted >= 0).all()):

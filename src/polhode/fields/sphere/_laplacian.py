@@ -37,7 +37,7 @@ def diagonals(n: int) -> tuple[Float64[np.ndarray, "n n"], Float64[np.ndarray, "
 
 @lru_cache(maxsize=8)
 def factors(n: int) -> Factors:
-    """Return the factors for N; the constant function is kept out by one more in the first equation of its diagonal."""
+    """Return the factors for N; −1 in the main diagonal's first equation makes Δ regular on the constant function."""
     entries, beside = diagonals(n)
     entries[0, 0] -= 1.0
     inverse, below = np.empty((n, n)), np.zeros((n, n))
@@ -75,7 +75,7 @@ def laplacian(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Array, "*ba
 
 
 def inverse_laplacian(matrix: Complex128[Array, "*batch n n"]) -> Complex128[Array, "*batch n n"]:
-    """Return the traceless P with ΔP = W less its trace's share of the identity, for matrices (…, N, N)."""
+    """Return the traceless P with ΔP = W − (tr W/N) 1, for matrices (…, N, N)."""
     n = matrix.shape[-1]
     inverse, below = factors(n)
     places = wrap_diagonals(matrix)

@@ -1,7 +1,7 @@
 """su(N) as the functions on a sphere of area 4π, reduced to N² − 1 numbers: Zeitlin's matrices.
 
 f ↦ F = i f(ħS) with ħ = 2/√(N² − 1): spherical harmonics Y_lm become matrices T_lm, l < N, and {f, g} = x·(∇f × ∇g)
-becomes −[F, G]/ħ up to terms that fall as 1/N². Row i stands for m = −s + i, s = (N − 1)/2.
+becomes −[F, G]/ħ up to terms that fall as 1/N². Row i has m = −s + i, s = (N − 1)/2.
 Source: Hoppe & Yau, Commun. Math. Phys. 195 (1998) 67; Zeitlin, Phys. Rev. Lett. 93 (2004) 264501.
 """
 
@@ -30,7 +30,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
 
     Elements (…, N, N) are traceless antihermitian. Coordinates are those along real orthonormal spherical harmonics, by
     degree l = 1, …, N−1, in each m = 0, then cos mφ and sin mφ. Casimirs (4π/N) tr (−iW)^k, k = 2, 3, 4, which
-    tend to ∫ ω^k; of all N − 1 ``spectrum`` tells.
+    tend to ∫ ω^k; ``spectrum`` has all N − 1.
 
     Args:
         n: N, at least 2.
@@ -67,7 +67,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         return self.scale * jnp.stack(traces, axis=-1).real
 
     def spectrum(self, mu: Element) -> Float64[Array, "*batch {self.n}"]:
-        """Return the eigenvalues of −iW (…, N), ascending: blurred values of the function, which no motion changes."""
+        """Return the eigenvalues of −iW (…, N), ascending: blurred values of the function, conserved by any motion."""
         return jnp.linalg.eigvalsh(-1j * jnp.asarray(mu))
 
     # ------------------------------------------------------------------ the bracket is the commutator over ħ
@@ -77,7 +77,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
 
     def coadjoint(self, x: Operand, mu: Operand) -> Element:
         product = adjoint(x / self.hbar) @ mu
-        return product - adjoint(product)  # which is μx†, as both are antihermitian: half of the time of two products
+        return product - adjoint(product)  # the adjoint is μx†, as both are antihermitian: this saves a product
 
     def exp(self, x: Element) -> Element:
         return super().exp(x / self.hbar)
@@ -140,7 +140,7 @@ class QuantizedSphere(AbstractMatrixAlgebra):
         return matrix
 
     def _make_matrices(self, f: np.ndarray) -> np.ndarray:
-        """Return the same without JAX, which would compile each order by itself."""
+        """Return these matrices without JAX, which would compile each order by itself."""
         matrix = np.zeros(f.shape, complex)
         for m, rows in enumerate(self.tensors):
             values = f[..., m:, m]

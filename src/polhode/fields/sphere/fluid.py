@@ -58,7 +58,7 @@ class RunCost(NamedTuple):
 class SphereFluid(AbstractLiePoissonSystem):
     """q̇ = {q, ψ} on the unit sphere, q = ω + 2Ω x₃, ω = Δψ, v = x × ∇ψ, by matrices: Ẇ = [P, W]/ħ, ΔP = W − F.
 
-    W stands for the absolute vorticity q, P for the stream function, F = 2ΩX₃ for the sphere's rotation;
+    W is the absolute vorticity q, P the stream function, F = 2ΩX₃ the sphere's rotation;
     H = −½⟨W − F, P⟩ is the energy of the motion relative to it, and dH = −P. Every power of W keeps its trace, as
     every ∫ f(q) is kept by the fluid: N − 1 Casimirs, the spectrum. The angular momentum L_a = ∫ x_a ω is kept, of a
     rotating sphere its third component, while the others turn. States are W (…, N, N).
@@ -108,7 +108,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         """Return estimates of a run's time and memory before it starts.
 
         Of ``solve`` with ``IsospectralMidpoint`` of order 2; order 8 costs seventeen times as much. ``simulate``
-        computes invariants of all samples besides, for which it holds each of them some times more.
+        also computes the invariants of all samples, which takes several times the memory of each.
 
         Args:
             steps: how many, at least 1.
@@ -203,7 +203,7 @@ class SphereFluid(AbstractLiePoissonSystem):
 
     @known_numbers_only
     def vortex(self, strength: float, direction: Real[ArrayLike, "3"]) -> Complex128[Array, "n n"]:
-        """Return the smallest blob of relative vorticity with a circulation Γ, and −Γ/4π everywhere: add what it gives.
+        """Return the smallest vortex of circulation Γ, with −Γ/4π everywhere: a relative vorticity to add to a state.
 
         Args:
             strength: Γ.

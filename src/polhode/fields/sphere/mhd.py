@@ -32,7 +32,7 @@ Matrices = Complex128[Array, "*batch n n"]
 class SphereMHD(AbstractLiePoissonSystem):
     """q̇ = {q, ψ} + {A, j}, Ȧ = {A, ψ} on the unit sphere, by matrices: Ẇ = ([P, W] + [B, Θ])/ħ, Θ̇ = [P, Θ]/ħ.
 
-    Θ stands for the potential A of the field b = x × ∇A, which the fluid carries along, B = ΔΘ for the current j; W,
+    Θ is the potential A of the field b = x × ∇A, which the fluid carries along, B = ΔΘ the current j; W,
     P and F are those of ``SphereFluid``. H = −½⟨W − F, P⟩ − ½⟨Θ, B⟩ is the sum of kinetic and magnetic energy. States
     Z = Θ + d W are (…, 2, N, N), Θ first, of the algebra ``DualNumbers(QuantizedSphere(N))``. Every tr Θ^k is kept, as
     every ∫ f(A), and every tr WΘ^k, as ∫ q f(A), among them the cross-helicity; and the angular momentum as of

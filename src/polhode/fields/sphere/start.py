@@ -17,7 +17,7 @@ Degree = Annotated[StrictInt, Field(ge=1, le=511)]
 
 
 class Degrees(Strict):
-    """Random phases, with the same energy in each of the degrees from the first to the last."""
+    """Random phases, with equal energies in all degrees from the first to the last."""
 
     degrees: tuple[Degree, Degree] = Field(description="give the first and the last degree, like [4, 8]")
     seed: Annotated[StrictInt, Field(ge=0, le=2**63)] = 1

@@ -33,7 +33,7 @@ def zonal_growth(system: SphereFluid | SphereMHD, state: Real[ArrayLike, "..."],
     """Return the fastest growth of waves of an order m on the zonal part of a state.
 
     That part is a steady motion; linearised about it, each diagonal of the matrices moves by itself, ẋ = A x with N − m
-    entries, twice as many with a magnetic field. What a continuous spectrum has of growing modes converges as 1/N².
+    entries, twice as many with a magnetic field. Growing modes out of a continuous spectrum converge as 1/N².
 
     Args:
         system: fluid on a sphere, with or without a magnetic field.

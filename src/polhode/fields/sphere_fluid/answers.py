@@ -49,12 +49,12 @@ class FluidReport(MotionReport):
     """A fluid on a sphere: conserved quantities, and the spectrum of its energy.
 
     Attributes:
-        system: on the unit sphere, whose vorticities and times are those of the fluid's.
+        system: on the unit sphere, with the vorticities and times of the fluid.
         table: as the spec has it.
         start: state at the start.
         trajectory: samples of the motion.
-        asked: number of samples that the spec asks for; of large matrices fewer are kept.
-        how: the motion was computed, in words, where that is not as ``simulate`` does by default.
+        asked: number of samples that the spec asks for; fewer are kept of large matrices.
+        how: the method in words, where it is not the default of ``simulate``.
     """
 
     kind: ClassVar[str] = "sphere-fluid"
@@ -188,7 +188,7 @@ def make_report(spec: Spec[FluidTable]) -> FluidReport:
     """Return the report on a fluid on a sphere.
 
     Raises:
-        InvalidInput: for a fluid at rest or a vorticity beyond the numbers, or a time that takes too many steps.
+        InvalidInput: for a fluid at rest or a vorticity out of range, or a time that takes too many steps.
     """
     table = spec.system
     fluid, state, earlier = _start(spec, table)
@@ -208,7 +208,8 @@ def make_report(spec: Spec[FluidTable]) -> FluidReport:
     angle = 0.25
     step = angle / fastest if fastest else until
     if earlier is not None and memory is not None and earlier.statistics.get("steps"):
-        step = float(np.ptp(earlier.times)) / earlier.statistics["steps"]  # the same one leads on to the same bits
+        # steps of the earlier run give the bits of one long run
+        step = float(np.ptp(earlier.times)) / earlier.statistics["steps"]
     each = RUNS_BY_EQUAL_STEPS * fluid.cost().seconds
     shown = check_length(spec.until, times, until / step, each, QUICKER)
     trajectory = simulate(fluid, state, times, IsospectralMidpoint, step=step, order=2, progress=shown, **kept)
@@ -220,7 +221,7 @@ def answers_without_motion(spec: Spec[FluidTable]) -> Iterator[Group | Table]:
     """Yield the answers of the report that need no trajectory.
 
     Raises:
-        InvalidInput: for a fluid at rest or a vorticity beyond the numbers.
+        InvalidInput: for a fluid at rest or a vorticity out of range.
     """
     table = spec.system
     fluid, state, _ = _start(spec, table)

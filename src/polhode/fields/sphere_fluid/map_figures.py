@@ -1,4 +1,4 @@
-"""Maps of the vorticity: an equal-area map, and the globe seen from outside."""
+"""Maps of the vorticity: an equal-area map, and the globe from outside."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Noise that carries a point along its coadjoint orbit, as the motion itself does."""
+"""Noise that moves a point along its coadjoint orbit, as the motion itself does."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ class TransportNoise(AbstractOrbitSolver):
 
     ξ is the system's generator, the σ_k are fixed elements of its algebra, and the W_k independent Wiener processes: a
     fluid stirred by random flows, a body whose axes shake. A step is half the noise, the motion, and the other half:
-    exp(√(h/2) n_1 σ_1) … exp(√(h/2) n_m σ_m), a step of ``drift``, and the same again in reverse order with new normal
-    numbers n. Every factor is exact, so that all is of weak order 2, whether the σ_k commute or not.
+    exp(√(h/2) n_1 σ_1) … exp(√(h/2) n_m σ_m), a step of ``drift``, and these factors in reverse order with new normal
+    numbers n. Every factor is exact, so that a step is of weak order 2, whether the σ_k commute or not.
 
-    The noise of a step is keyed by the seed and the step's place in time, so that neither how often states are saved
-    nor how many copies run changes it. Copies of one batch feel the same noise; for independent ones map over the seed.
+    The noise of a step is keyed by the seed and the step's place in time, and depends neither on how often states are
+    saved nor on the size of a batch. Copies of a batch share their noise; for independent noise map over the seed.
     Save at multiples of the step: shorter last steps have other noise.
 
     Args:
-        system: what moves.
+        system: with its Hamiltonian motion.
         step_size: largest step [s].
         fields: (m, *element_shape) σ_k, elements of the algebra, each per √s.
-        seed: whole number; other seeds are other, independent noise.
+        seed: whole number; different seeds give independent noise.
         drift: class of the method for ξ, of order 2.
 
     Raises:
@@ -97,7 +97,7 @@ class TransportNoise(AbstractOrbitSolver):
         return Change(moved, drifted.iterations, drifted.converged)
 
     def _stir(self, state: Array, moved: Array, sizes: Array, fields: Array) -> Array:
-        """Return the change since ``state`` after turns by all fields, one after the other."""
+        """Return the change since ``state`` after rotations by all fields in turn."""
 
         def turn(moved: Array, term: tuple[Array, Array]) -> tuple[Array, None]:
             size, field = term

@@ -30,7 +30,7 @@ from polhode.types import Array, Float64
 
 
 class MagneticReportLimits(NamedTuple):
-    """What bounds a run, and what decides on its answers.
+    """What bounds a run, and what decides its answers.
 
     Attributes:
         max_state_bytes: bytes of states that a report keeps: of large matrices fewer samples.
@@ -39,7 +39,7 @@ class MagneticReportLimits(NamedTuple):
         min_zonal_share: of the energy at the start, above which the flow is judged a zonal one with waves on it.
         max_linear_share: of the energy, up to which waves follow linear theory.
         min_wave_share: of the energy, below which waves are rounding.
-        max_step_angle: rad that anything turns in a step.
+        max_step_angle: rad that the field may turn in a step.
     """
 
     max_state_bytes: int = 2**27
@@ -63,8 +63,8 @@ class MagneticReport(MotionReport):
         table: as the spec has it.
         start: state at the start.
         trajectory: samples of the motion.
-        asked: number of samples that the spec asks for; of large matrices fewer are kept.
-        how: the motion was computed, in words, where that is not as ``simulate`` does by default.
+        asked: number of samples that the spec asks for; fewer are kept of large matrices.
+        how: the method in words, where it is not the default of ``simulate``.
     """
 
     kind: ClassVar[str] = "sphere-mhd"
@@ -118,9 +118,9 @@ class MagneticReport(MotionReport):
         return bool(0.0 < first[1:].sum() < (1.0 - LIMITS.min_zonal_share) * first.sum())
 
     def growth(self, order: int) -> float | None:
-        """Return the growth [rad/s] of an order in the run while it is small; None where it is not seen growing.
+        """Return the growth rate [rad/s] of an order in the run while it is small; None where it cannot be measured.
 
-        It is that of the later half of that time, in which the fastest wave has outgrown the others.
+        It is fitted to the later half of that time, in which the fastest wave has outgrown the others.
         """
         times, energy = self.trajectory.times, self.energies_by_order[:, order]
         whole = float(self.energies_by_order[0].sum())
@@ -222,8 +222,8 @@ class MagneticReport(MotionReport):
         fitted = None
         if order:
             values = np.asarray(self.system.to_harmonics(self.trajectory.states))[:, 1, table.degree, order]
-            turned = -(np.unwrap(np.angle(values)) - np.angle(values[0])) / order
-            fitted = float(np.polynomial.polynomial.polyfit(self.trajectory.times, turned, 1)[1])
+            phases = -(np.unwrap(np.angle(values)) - np.angle(values[0])) / order
+            fitted = float(np.polynomial.polynomial.polyfit(self.trajectory.times, phases, 1)[1])
         return Group("Wave", [
             Answer("wave_speed", speed, "rad/s", "speed", "eastward, exact", f"{speed:.10g} rad/s"),
             *from_motion(self.trajectory, [
@@ -266,7 +266,7 @@ class MagneticReport(MotionReport):
 
 
 def _mean_square(system: SphereMHD, matrix: Array) -> float:
-    """Return the root mean square over the sphere of the function that a matrix stands for."""
+    """Return the root mean square over the sphere of the function that a matrix represents."""
     return math.sqrt(float(system.sphere.pairing(matrix, matrix)) / (4.0 * math.pi))
 
 
@@ -274,7 +274,7 @@ def make_report(spec: Spec[MagneticFluidTable]) -> MagneticReport:
     """Return the report on a conducting fluid on a sphere.
 
     Raises:
-        InvalidInput: for a fluid and field at rest or beyond the numbers, or a time that takes too many steps.
+        InvalidInput: for a fluid and field at rest or out of range, or a time that takes too many steps.
     """
     table = spec.system
     system, state, earlier = _start(spec, table)
@@ -291,11 +291,12 @@ def make_report(spec: Spec[MagneticFluidTable]) -> MagneticReport:
     # eddies, waves along the field, and the fastest planetary wave, which goes round at Ω however slow the flow is
     rates = [float(system.sphere.rate(x)) for x in (system.stream_function(state), state[0])]
     fastest = max(*rates, abs(table.rotation))
-    shear = float(turning_rates(system, state, times))  # of the current, at which steps only must not jump
+    shear = float(turning_rates(system, state, times))  # of the current, which only limits the step
     angle = 0.25  # rad that the fastest rotation, or the fastest wave along the field, turns in a step
     step = min(angle / fastest if fastest else until, LIMITS.max_step_angle / shear if shear else until)
     if earlier is not None and memory is not None and earlier.statistics.get("steps"):
-        step = float(np.ptp(earlier.times)) / earlier.statistics["steps"]  # the same one leads on to the same bits
+        # steps of the earlier run give the bits of one long run
+        step = float(np.ptp(earlier.times)) / earlier.statistics["steps"]
     products = 3.0  # of matrices, for each one of a fluid without a field
     each = RUNS_BY_EQUAL_STEPS * products * system.fluid.cost().seconds
     shown = check_length(spec.until, times, until / step, each, QUICKER)
@@ -308,7 +309,7 @@ def answers_without_motion(spec: Spec[MagneticFluidTable]) -> Iterator[Group | T
     """Yield the answers of the report that need no trajectory.
 
     Raises:
-        InvalidInput: for a fluid and field at rest or beyond the numbers.
+        InvalidInput: for a fluid and field at rest or out of range.
     """
     table = spec.system
     system, state, _ = _start(spec, table)

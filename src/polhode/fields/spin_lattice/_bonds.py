@@ -77,7 +77,7 @@ def checked_bonds(lattice: Lattice, bonds: Sequence[Bond]) -> tuple[BondType, ..
 
 
 def find_cells(lattice: Lattice, bond: BondType) -> np.ndarray | None:
-    """Return for which cells (L1, L2, L3) the second end is in the lattice; None for all."""
+    """Return a mask of the cells (L1, L2, L3) whose second end is in the lattice; None for all."""
     if all(closed or n == 0 for closed, n in zip(lattice.periodic, bond.cell, strict=True)):
         return None
     ends = np.indices(lattice.shape) + np.reshape(bond.cell, (3, 1, 1, 1))

@@ -59,7 +59,7 @@ class SpinLatticeReport(MotionReport):
         table: as the spec has it.
         trajectory: samples of the motion.
         asked: number of samples that the spec asks for.
-        how: the motion was computed, in words, where that is not as ``simulate`` does by default.
+        how: the method in words, where it is not the default of ``simulate``.
     """
 
     kind: ClassVar[str] = "spin-lattice"
@@ -101,7 +101,7 @@ class SpinLatticeReport(MotionReport):
         ground = np.asarray(self.system.aligned(np.broadcast_to(directions, (sites, 3))))[0, 0, 0]
         try:
             return np.asarray(spin_waves(self.system, ground, wave_path(self.system)[0]))
-        except InvalidInput:  # it does not rest, is no minimum, or has dipoles
+        except InvalidInput:  # the state does not rest, is no minimum, or has dipoles
             return None
 
     @property
@@ -198,7 +198,7 @@ class SpinLatticeReport(MotionReport):
             words = "the start is random" if self.table.random else "it is not of least energy, or there are dipoles"
             return Group("Spin waves", [Answer("waves", None, "", "about the start", "", f"none: {words}")])
         low, high = self.gap
-        period = 2.0 * math.pi * hbar / high if high else None  # what nothing acts on does not turn
+        period = 2.0 * math.pi * hbar / high if high else None  # without a field nothing precesses
         return Group("Spin waves", [
             Answer("waves.lowest", low, "J", "lowest", "along the first reciprocal vector", f"{low / MILLI:.6g} meV"),
             Answer("waves.highest", high, "J", "highest", "", f"{high / MILLI:.6g} meV"),
@@ -207,7 +207,7 @@ class SpinLatticeReport(MotionReport):
 
     def _motion(self) -> Group:
         start, end = self.magnetizations[[0, -1]]
-        first, last = self.energies[[0, -1]] / MILLI + 0.0  # of −0, which would be read as a negative number
+        first, last = self.energies[[0, -1]] / MILLI + 0.0  # so that −0 is not printed as a negative number
         thermal, covered = self.thermal, self.skyrmions
         return Group("Motion", [
             Answer("energy.start", float(self.energies[0]), "J", "energy at the start", "per spin", f"{first:.8g} meV"),
@@ -259,7 +259,7 @@ def make_report(spec: Spec[SpinLatticeTable]) -> SpinLatticeReport:
 def _simulate(
     spec: Spec[SpinLatticeTable], system: SpinLattice, state: Array, times: Float64[Array, "time"], fastest: float
 ) -> tuple[Trajectory, str]:
-    """Return the motion, and how it was computed where that is not as ``simulate`` does by default."""
+    """Return the trajectory, and its method in words where it is not the default of ``simulate``."""
     table = spec.system
     if table.temperature is None and has_short_series(system, state):
         return simulate(system, state, times, progress=Watch(spec.until, times, QUICKER)), ""

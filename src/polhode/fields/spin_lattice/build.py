@@ -68,7 +68,7 @@ def _bond(table: BondTable) -> Bond:
 
 
 def wave_path(system: SpinLattice, points: int = 121) -> tuple[Float64[Array, "points 3"], Float64[Array, "points"]]:
-    """Return wave vectors across the first Brillouin zone along the first reciprocal vector, and how far they are.
+    """Return wave vectors across the first Brillouin zone along the first reciprocal vector, and their lengths.
 
     Returns:
         q (points, 3) Cartesian, from −b/2 to b/2, and q in units of b.

@@ -24,7 +24,7 @@ class HysteresisLoop(NamedTuple):
         fields: (F, 3).
         states: (F, L1, L2, L3, b, 3).
         mean_spin: (F, 3).
-        torque: (F,) the largest |S × B| left, which tells whether the spins had come to rest.
+        torque: (F,) the largest |S × B| left, which shows whether the spins had come to rest.
     """
 
     fields: Float64[np.ndarray, "fields 3"]
@@ -37,9 +37,9 @@ class HysteresisLoop(NamedTuple):
 def hysteresis_loop(
     system: SpinLattice, state: Real[ArrayLike, "..."], fields: Real[ArrayLike, "fields 3"], wait: float, step: float
 ) -> HysteresisLoop:
-    """Return where the spins are after waiting at each field, one after the other.
+    """Return the spins after waiting at each field in turn.
 
-    Spins that stand exactly on a saddle stay there, as nothing shakes them; tilt the field or the start a little.
+    Spins exactly at a saddle stay there, as nothing perturbs them; tilt the field or the start a little.
 
     Args:
         system: with damping and with a field, whose value does not matter.

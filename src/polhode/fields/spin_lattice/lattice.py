@@ -28,13 +28,13 @@ LIMITS = LatticeLimits()
 class Lattice:
     """A Bravais lattice with a basis, in one to three dimensions: shape[k] cells along the k-th vector.
 
-    Numbers, so it is equal and hashed by value. In fewer than three dimensions the missing axes have one cell.
+    Compared and hashed by value. In fewer than three dimensions the missing axes have one cell.
 
     Args:
         vectors: (d, e) rows are the vectors of the cell, d ≤ e ≤ 3, in any unit of length.
         basis: (b, e) places of the sites of a cell; by default one at the origin.
         shape: (d,) numbers of cells.
-        periodic: whether the lattice closes along each vector; one answer serves all.
+        periodic: whether the lattice closes along each vector; one value for all.
 
     Raises:
         InvalidInput: for shapes that disagree, dependent vectors, sites at one place.

@@ -1,4 +1,4 @@
-"""The spins at the end, seen along z."""
+"""The spins at the end, viewed along z."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 
 class SublatticeTurns(AbstractOrbitSolver):
-    """Each sublattice turns about its field while the others stand still, forth and back; order 2, explicit.
+    """Each sublattice turns about its field while the others are fixed, forth and back; order 2, explicit.
 
     Without on-site terms that field does not change meanwhile, so that the energy is kept to rounding. The field of one
     spin's turn depends on others that stay, so this is not the flow of a Hamiltonian, nor a Poisson map, and the total

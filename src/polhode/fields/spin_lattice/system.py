@@ -106,7 +106,7 @@ class SpinLattice(AbstractLiePoissonSystem):
             raise InvalidInput("`dipolar` needs open boundaries; give the lattice periodic=False.")
         # without a field there is none to turn about, which saves a turn of every spin in each step
         self.field = jnp.asarray(numbers) if numbers.any() else None
-        # None where there is no damping, so that no leaf can be edited to a value that the rest ignores
+        # None where there is no damping, so that no leaf can be set to a value that is ignored elsewhere
         self.damping, self.dipolar = jnp.asarray(damping) if damping else None, jnp.asarray(dipolar)
         self.kernel = jnp.asarray(dipole_kernel(lattice)) if dipolar else None
         self.kept = _find_conserved(self.bonds, self.onsite, numbers) if not dipolar else ()
@@ -258,7 +258,7 @@ def _checked_onsite(onsite: ArrayLike | None, count: int) -> tuple[Matrix, ...] 
     if matrices.shape not in ((3, 3), (count, 3, 3)) or not np.isfinite(matrices).all():
         raise InvalidInput(f"`onsite` must be finite, (3, 3) or ({count}, 3, 3); got shape {matrices.shape}.")
     if np.abs(matrices - np.swapaxes(matrices, -1, -2)).max() > LIMITS.max_asymmetry * np.abs(matrices).max():
-        raise InvalidInput("`onsite` must be symmetric matrices, as Sᵀ A S sees no other part.")
+        raise InvalidInput("`onsite` must be symmetric matrices, as Sᵀ A S has no other part.")
     matrices = np.broadcast_to(matrices, (count, 3, 3))
     return tuple(tuple(map(tuple, one)) for one in matrices.tolist())
 
@@ -268,7 +268,7 @@ def _find_conserved(bonds: Sequence[BondType], onsite: Sequence[Matrix] | None, 
     hats = np.stack([np.cross(np.eye(3)[k], np.eye(3)).T for k in range(3)])
     matrices = [np.array(bond.matrix) for bond in bonds] + [np.array(one) for one in onsite or ()]
     # turning all spins about c changes S_iᵀ J S_j by S_iᵀ (J ĉ − ĉ J) S_j, and B·S by −(c × B)·S: both linear in c, so
-    # that a null space tells
+    # that a null space decides
     lines = [np.stack([(m @ hat - hat @ m).ravel() for hat in hats], axis=1) for m in matrices]
     fields = field.reshape(-1, 3)
     fields = np.unique(fields, axis=0)

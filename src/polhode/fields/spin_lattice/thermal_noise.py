@@ -22,7 +22,7 @@ class Bath(NamedTuple):
     Attributes:
         kT: temperature, in units of energy.
         damping: λ of Ṡ = S × B − (λ/|S|) S × (S × B).
-        seed: whole number; other seeds are other, independent noise.
+        seed: whole number; different seeds give independent noise.
     """
 
     kT: Real[ArrayLike, ""]
@@ -37,14 +37,14 @@ class NoiseDriftNoise(AbstractOrbitSolver):
     spin by √(λkT h/s) times three normal numbers, a little less as large turns do not commute.
     At rest in the bath the states follow exp(−H/kT) up to O(h²).
 
-    The noise of a step is keyed by the bath's seed and the step's place in time, so that neither how often states are
-    saved nor how many copies run changes it. Copies of one batch feel the same noise; for independent ones map over
-    the seed. Save at multiples of the step: shorter last steps have other noise.
+    The noise of a step is keyed by the bath's seed and the step's place in time, and depends neither on how
+    often states are saved nor on the size of a batch. Copies of a batch share their noise; for independent noise map
+    over the seed. Save at multiples of the step: shorter last steps have other noise.
 
     Args:
         system: on SO3 or a Power of it, without attitude, that keeps its energy.
         step_size: largest step [s].
-        bath: of which temperature and damping.
+        bath: gives temperature and damping.
 
     Raises:
         InvalidInput: for other algebras, a system with damping of its own, a bath with negative numbers.

@@ -13,7 +13,7 @@ from polhode.types import ArrayLike, Float64, Real
 
 
 class GroundStateLimits(NamedTuple):
-    """What a state must satisfy to carry spin waves.
+    """What a state must satisfy as a ground state of spin waves.
 
     Attributes:
         max_torque: |S × B| over |S| and the largest of couplings and |B|: with more the state moves.
@@ -35,11 +35,11 @@ def spin_waves(
 
     The linear equations on the Bloch space of a magnetic cell, ẋ = ΩKx with the Hessian K of H on the tangent planes of
     the spheres and the Poisson matrix Ω. With K = RR they have the frequencies of the hermitian iRΩR, so that they are
-    real to the last digit; a rest of K's rounding, its root, is left where a frequency is zero.
+    real to the last digit; where a frequency is zero, the square root of K's rounding is left.
 
     Args:
         system: without dipoles, its field one for all cells.
-        ground_state: (M1, M2, M3, b, 3) spins of one magnetic cell, repeated for ever; or (b, 3) of a crystal's cell.
+        ground_state: (M1, M2, M3, b, 3) spins of one magnetic cell, which repeats; or (b, 3) of a crystal's cell.
         wave_vectors: (…, e) q, Cartesian like the lattice's vectors, in radians per unit of length.
 
     Raises:
@@ -51,7 +51,7 @@ def spin_waves(
     [4.0]
     """
     if system.kernel is not None:
-        raise InvalidInput("`system` must have no dipoles: their sums over an infinite lattice are not known here.")
+        raise InvalidInput("`system` must have no dipoles: their sums over an infinite lattice are not computed.")
     state = np.asarray(ground_state, float)
     state = state[None, None, None] if state.ndim == 2 else state
     if state.ndim != 5 or state.shape[-2:] != (system.lattice.sites, 3):

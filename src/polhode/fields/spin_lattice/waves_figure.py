@@ -15,7 +15,7 @@ from polhode.figures import style
 
 
 def draw_waves(report: SpinLatticeReport) -> Figure | None:
-    """Return S(q, ω) along the first reciprocal vector with the linear waves; None where neither is known."""
+    """Return S(q, ω) along the first reciprocal vector with the linear waves; None where neither can be computed."""
     waves, times = report.waves, np.asarray(report.trajectory.times)
     margin = 1.3  # of the highest wave, up to which frequencies are shown
     top = margin * float(waves.max()) if waves is not None else math.inf

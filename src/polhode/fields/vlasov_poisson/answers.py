@@ -55,7 +55,7 @@ class PlasmaReport(MotionReport):
         beams: of the electrons.
         fastest: speed up to which there are particles.
         trajectory: samples of the motion, in inverse plasma frequencies.
-        wave: the mode that grows fastest or is damped least; None where none was found.
+        wave: the mode that grows fastest or is damped least; None without one.
         asked: number of samples that the spec asks for.
     """
 

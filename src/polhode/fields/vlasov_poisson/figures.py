@@ -23,8 +23,8 @@ def draw_field(report: PlasmaReport) -> Figure:
         size = abs(report.table.amplitude) * wave.response * (1.0 if wave.frequency else 0.5)
         with np.errstate(over="ignore"):
             line = size * np.exp(wave.growth * times)
-        seen = line < 3.0 * field.max()
-        axes.semilogy(times[seen], line[seen], "--", color=style.VERMILION, lw=1.0, label="linear theory")
+        inside = line < 3.0 * field.max()
+        axes.semilogy(times[inside], line[inside], "--", color=style.VERMILION, lw=1.0, label="linear theory")
     if report.recurrence_time < times[-1]:
         axes.axvline(report.recurrence_time, color=style.GREY, lw=0.8, ls=":", label="velocities in step again")
     largest = float(field.max())

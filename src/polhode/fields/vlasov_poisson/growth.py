@@ -60,8 +60,8 @@ def fit_growth(
         times: (T,) ascending.
         field: (T,) amplitudes, not negative.
         wavenumber: k of the wave.
-        wave: what linear theory says, which bounds the times.
-        end: until when the particles stand for a smooth distribution.
+        wave: the mode of linear theory, which bounds the times.
+        end: time up to which the particles represent a smooth distribution.
 
     Raises:
         InvalidInput: for arrays that do not fit.

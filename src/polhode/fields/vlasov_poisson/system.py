@@ -143,8 +143,8 @@ class VlasovPoisson(AbstractLiePoissonSystem):
             energy = energy + inverse**2 * (across**2 + along**2)
             force = force + inverse * (one * imaginary + other * real)
             potential = potential + inverse**2 * (one * real - other * imaginary)
-            turned = real * first[0] - imaginary * first[1], real * first[1] + imaginary * first[0]
-            return *turned, energy, force, potential
+            rotated = real * first[0] - imaginary * first[1], real * first[1] + imaginary * first[0]
+            return *rotated, energy, force, potential
 
         nothing = jnp.zeros_like(x)
         start = (*first, nothing[..., 0], nothing, nothing)

@@ -17,11 +17,11 @@ from polhode.types import Array, Float64
 
 
 class ModeLimits(NamedTuple):
-    """What decides whether Newton's method found a mode.
+    """Numbers that decide whether Newton's method has converged to a mode.
 
     Attributes:
         max_steps: of Newton's method.
-        max_last_step: over |ω|: convergence; and a frequency above minus this is no backward wave.
+        max_last_step: of Newton's method over |ω|; also the rounding below zero of a frequency that counts as zero.
         max_dispersion: |D| at a root, where its terms are of order one.
         max_rounded_frequency: real part over |ω|: a smaller one is zero but for rounding.
     """
@@ -157,7 +157,7 @@ def plasma_wave(beams: Sequence[Beam], wavenumber: float, guess: complex | None 
 
 @known_numbers_only
 def fastest_growing_wave(beams: Sequence[Beam], wavenumber: float) -> PlasmaWave | None:
-    """Return the mode that grows fastest, or is damped least, of those found from guesses at each beam's speed.
+    """Return the mode that grows fastest, or is damped least, of those that guesses at each beam's speed lead to.
 
     Args:
         beams: their shares add up to one.
