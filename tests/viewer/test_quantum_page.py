@@ -11,7 +11,7 @@ from polhode.spectra import Rotor
 from polhode.spectra._level_polhodes import level_polhodes
 from polhode.spectra._operators import Representation, rigid_terms
 from polhode.spectra._strengths import compute_states
-from polhode.spectra.quantum_rotor.panel import LARGEST_J
+from polhode.spectra.quantum_rotor.panel import LIMITS
 from polhode.spectra.racket import Racket
 from polhode.spectra.symbols import symbol
 
@@ -159,10 +159,11 @@ def test_what_cannot_be_set_is_said(page_of):
 
 @pytest.mark.browser
 def test_waves_too_fine_to_draw_leave_the_polhodes(page_of):
-    page = page_of(f"j = {LARGEST_J + 1}\n")
-    assert page.tab.locator("figcaption strong").all_text_contents()[1] == f"Levels of J = {LARGEST_J + 1} as polhodes"
+    page = page_of(f"j = {LIMITS.max_j + 1}\n")
+    captions = page.tab.locator("figcaption strong").all_text_contents()
+    assert captions[1] == f"Levels of J = {LIMITS.max_j + 1} as polhodes"
     assert not page.tab.evaluate("window.polhode.set({ state: { direction: [0, 1, 0] } })")
-    assert f"up to J = {LARGEST_J}" in page.tab.locator("#refused").text_content()
+    assert f"up to J = {LIMITS.max_j}" in page.tab.locator("#refused").text_content()
     assert page.tab.evaluate("window.polhode.set({ state: { level: 3 } })") and not page.complaints
 
 

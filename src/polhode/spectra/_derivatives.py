@@ -1,6 +1,6 @@
 """Levels and their derivatives by each constant: ∂E/∂p = ⟨∂H/∂p⟩, by Hellmann and Feynman.
 
-H is linear in its constants, so its blocks are Σ p (block of p), each of which is made once.
+H is linear in its constants, so its blocks are Σ p (block of p), each of which is computed once.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def get_constant(rotor: Rotor, name: str) -> float:
 
 
 def find_tied(rotor: Rotor, name: str, free: Sequence[str]) -> list[str]:
-    """Return the rotational constants that go with a free one: itself, and its equal in a symmetric top, if not free.
+    """Return the rotational constants tied to a free one: itself, and its equal in a symmetric top if that is not free.
 
     >>> find_tied(Rotor((9.0, 3.0, 3.0)), "B", ["B"]), find_tied(Rotor((9.0, 3.0, 3.0)), "B", ["B", "C"])
     (['B', 'C'], ['B'])
@@ -52,7 +52,7 @@ def find_tied(rotor: Rotor, name: str, free: Sequence[str]) -> list[str]:
 
 
 def once_each(rotor: Rotor, names: Sequence[str]) -> list[str]:
-    """Return names of constants without those that go with one before them, as C does with B in a symmetric top.
+    """Return names of constants without those tied to an earlier one, as C is to B in a symmetric top.
 
     >>> once_each(Rotor((9.0, 3.0, 3.0)), ["A", "B", "C"]), once_each(Rotor((9.0, 3.0, 3.0)), ["C", "B"])
     (['A', 'B'], ['C'])

@@ -1,7 +1,7 @@
 """The levels of one J next to the classical motion on their polhodes.
 
 Levels J_{K, J−K} and J_{K, J−K+1} are two ladders. Along each, next levels lie 2π/T apart in the middle between them:
-classical L goes round its polhode as often as the quantum frequency says. Only at the saddle, where T is infinite, do
+classical L goes round its polhode at the quantum frequency. Only at the saddle, where T is infinite, do
 levels stay apart.
 """
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from polhode.spectra._orbits import orbit
 from polhode.spectra.rotor import Rotor, equal_constants
-from polhode.spectra.semiclassics import LOWEST_SECOND, doublet_splitting, quantise, without_casimir
+from polhode.spectra.semiclassics import LIMITS, doublet_splitting, quantise, without_casimir
 from polhode.types import Array, Bool, Float64, Integer
 
 
@@ -26,7 +26,7 @@ class LevelPolhodes(NamedTuple):
         energy: exact.
         semiclassical: by quantised polhodes.
         above: whether the polhode goes round the a axis, above the saddle, and not round the c axis.
-        step: to the next level of the same ladder; NaN of its last.
+        step: to the next level of its ladder; NaN for the last.
         classical_step: 2π/T of the polhode at the energy between them, NaN where there is none.
         splitting: of the pair that tunnelling splits, from the barrier.
         saddle: B (J + ½)² less d/4, where levels share d J(J + 1), ().
@@ -62,7 +62,7 @@ def level_directions(
 def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhodes | None:
     """Return the levels of one J with their polhodes; None of a symmetric or linear molecule, or J = 0.
 
-    Polhodes are the same whatever multiple of |L|² is taken out of H, and levels differ by its share of J(J + 1).
+    A multiple of |L|² taken out of H leaves the polhodes alone, and shifts all levels by that multiple of J(J + 1).
 
     Args:
         constants: A ≥ B ≥ C, in any unit of energy.
@@ -74,9 +74,9 @@ def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhod
     G, (rest, d) = J + 0.5, without_casimir(constants)
     shared = d * J * (J + 1.0)
     exact = Rotor(rest).levels_of(J)
-    energies, _, _ = quantise(rest, J, 2 if J >= LOWEST_SECOND else 1)
+    energies, _, _ = quantise(rest, J, 2 if J >= LIMITS.min_second_order_j else 1)
     step = np.full(2 * J + 1, np.nan)
-    step[:-2] = exact.energy[2:] - exact.energy[:-2]  # every second level is of the same ladder
+    step[:-2] = exact.energy[2:] - exact.energy[:-2]  # the ladders alternate
     between = exact.energy[:-2] + 0.5 * step[:-2]
     classical = np.full(2 * J + 1, np.nan)
     off = (between != rest[1] * G * G) & (between > rest[2] * G * G) & (between < rest[0] * G * G)

@@ -11,7 +11,7 @@ from polhode.types import Array, Float64, Integer
 
 
 class MeasuredLines(NamedTuple):
-    """Lines as measured. Neighbours with the same frequency and error are one blend, the weighted mean of its members.
+    """Lines as measured. Neighbours of equal frequency and error are one blend, the weighted mean of its members.
 
     Attributes:
         upper, lower: (n, 3) J, K_a, K_c.
@@ -48,7 +48,7 @@ def check_labels(name: str, labels: Array) -> Integer[Array, "n 3"]:
     """Return levels' labels.
 
     Raises:
-        InvalidInput: for what no level has.
+        InvalidInput: for labels that no level has.
     """
     rows = np.asarray(labels)
     if rows.ndim != 2 or rows.shape[1] != 3 or not np.issubdtype(rows.dtype, np.integer):

@@ -25,7 +25,7 @@ class Orbit(NamedTuple):
 
     Attributes:
         action: S, from 0 at the lowest energy to πG at the highest: half of G times the solid angle of the cap about c,
-            or of what the cap about a leaves of a hemisphere.
+            or of a hemisphere less the cap about a.
         barrier: θ, positive below the saddle: the action through the forbidden region.
         period: T of L along the body's axes; dS/dE = T/2.
         barrier_period: T', dθ/dE = −T'/2.
@@ -44,7 +44,8 @@ class Orbit(NamedTuple):
 def orbit(constants: Three, G: float, energy: Number) -> Orbit:
     """Return the numbers of polhodes at energies strictly between C G² and A G².
 
-    At B G², where the period is infinite, they are those of the next polhode that rounding tells from the separatrix.
+    At B G², where the period is infinite, they are those of the nearest polhode that doubles can tell from the
+    separatrix.
 
     Args:
         constants: A > B > C.

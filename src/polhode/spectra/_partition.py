@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 from scipy import constants
@@ -13,14 +14,26 @@ from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
 THERMAL = constants.k / constants.h  # Hz/K
-NEGLIGIBLE = 45.0  # of E/kT: e^−45 = 3e-20
+
+
+class PartitionLimits(NamedTuple):
+    """Where the sum over levels ends.
+
+    Attributes:
+        negligible_energy: E/kT of a level that no longer counts: e^−45 = 3e-20.
+    """
+
+    negligible_energy: float = 45.0
+
+
+LIMITS = PartitionLimits()
 
 
 def check_temperature(temperature: Real[ArrayLike, "*batch"]) -> Float64[Array, "*batch"]:
     """Return temperatures (…) [K].
 
     Raises:
-        InvalidInput: for what is not positive and finite.
+        InvalidInput: for temperatures that are not positive and finite.
     """
     values = np.asarray(temperature, float)
     if not (np.isfinite(values).all() and (values > 0.0).all()):
@@ -39,7 +52,7 @@ def partition_sum(
     Args:
         levels_of: J → energies [Hz] and weights.
         temperature: (…) [K].
-        highest: largest J that is asked for.
+        highest: largest J of the sum.
     """
     hottest = THERMAL * float(np.max(temperature))
     total, last = np.zeros(np.shape(temperature)), -math.inf
@@ -56,6 +69,6 @@ def partition_sum(
         # 2J + 1 directions in space of each level
         total = total + np.sum((2 * J + 1) * weight * np.exp(-energy / (THERMAL * temperature[..., None])), axis=-1)
         last = lowest
-        if lowest > NEGLIGIBLE * hottest:
+        if lowest > LIMITS.negligible_energy * hottest:
             break
     return total

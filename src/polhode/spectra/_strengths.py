@@ -81,7 +81,7 @@ def compute_states(terms: list[tuple[float, Term]], J: int, representation: Repr
 def strengths(
     low: States, high: States, dipole: Float64[Array, "3"], representation: Representation
 ) -> Float64[Array, "n m"]:
-    """Return Σ_g S_g μ_g² (n, m) from each state of one J to each of the same J or the next."""
+    """Return Σ_g S_g μ_g² (n, m) from each state of one J to each of J or J + 1."""
     J, above = (len(low.Ka) - 1) // 2, (len(high.Ka) - 1) // 2
     K = np.arange(-J, J + 1)
     total = np.zeros((len(low.Ka), len(high.Ka)))
@@ -129,10 +129,10 @@ def lines_between(
     strength = strengths(low, high, dipole, representation)
     if J == above:
         strength = np.triu(strength)  # each pair once
-    # of symmetric tops neither what is forbidden nor what is equal comes out as exactly zero
-    seen = strength > (2 * J + 1) * (ROUNDING**2 * np.dot(dipole, dipole))
+    # rounding: for symmetric tops forbidden strengths and equal energies do not come out as exactly zero
+    allowed = strength > (2 * J + 1) * (ROUNDING**2 * np.dot(dipole, dipole))
     apart = np.abs(high.energy - low.energy[:, None]) > ROUNDING * np.abs(high.energy).max()
-    i, k = np.nonzero(seen & apart)
+    i, k = np.nonzero(allowed & apart)
     one = np.column_stack([np.full(len(i), J), low.Ka[i], low.Kc[i]])
     other = np.column_stack([np.full(len(k), above), high.Ka[k], high.Kc[k]])
     difference = high.energy[k] - low.energy[i]

@@ -83,12 +83,12 @@ def labels(J: int, block: Block, representation: Representation) -> tuple[Intege
     """Return K_a and K_c of a block's levels, lowest first, for A ≥ B ≥ C.
 
     Level i of all of a J has K_a = ⌊(i+1)/2⌋ and K_c = J − ⌊i/2⌋. A half turn about a multiplies its state by
-    (−1)^K_a, one about c by (−1)^K_c, and |K±⟩ by (−1)^K about z, ±(−1)^J about x, ±(−1)^(J+K) about y: this says
-    which of all levels stand in the block, whatever the representation.
+    (−1)^K_a, one about c by (−1)^K_c, and |K±⟩ by (−1)^K about z, ±(−1)^J about x, ±(−1)^(J+K) about y: this
+    gives the levels of the block in any representation.
     """
     about_x = (1 - block.sign) // 2 + J
-    turned = dict(zip(representation.value, (about_x, about_x + block.odd, block.odd), strict=True))
+    parity = dict(zip(representation.value, (about_x, about_x + block.odd, block.odd), strict=True))
     order = np.arange(2 * J + 1)
     Ka, Kc = (order + 1) // 2, J - order // 2
-    own = ((Ka - turned["a"]) % 2 == 0) & ((Kc - turned["c"]) % 2 == 0)
+    own = ((Ka - parity["a"]) % 2 == 0) & ((Kc - parity["c"]) % 2 == 0)
     return Ka[own], Kc[own]

@@ -1,15 +1,15 @@
 """Constants of a rotor from measured lines, by least squares.
 
 Source: Albritton, Schmeltekopf & Zare, in *Molecular Spectroscopy: Modern Research* 2 (1976) 1; Belsley, Kuh & Welsch,
-*Regression Diagnostics* (1980) for leverage and for what is determined; Birge, Phys. Rev. 40 (1932) 207 for errors of
-lines that are too small alike.
+*Regression Diagnostics* (1980) for leverage and for what is determined; Birge, Phys. Rev. 40 (1932) 207 for errors
+of lines that are too small by one factor.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -22,12 +22,28 @@ from polhode.spectra._measured import MeasuredLines, Observations, check_labels,
 from polhode.spectra.rotor import Rotor
 from polhode.types import Array, Float64, Integer
 
-UNDETERMINED = 1e-10  # of the largest singular value, with columns of length one
-SHARE = 0.1  # of an undetermined combination, from which on a constant is named
-NEAR = 1e-6  # of the residuals at the start: a hundredth of the first step at most
-SMALL = 1e-9  # of a last step and of what it gains: in units of σ, far below them
-WRONG = 2.0  # times the lines' errors: larger residuals are of wrong labels or a wrong model, not of errors too small
-ROUNDING = 1e-13  # of the terms of ∂E'/∂p − ∂E''/∂p
+
+class RotorFitLimits(NamedTuple):
+    """What decides whether lines determine constants, and whether a fit has converged and is right.
+
+    Attributes:
+        min_singular_value: over the largest, with columns of length one: below it a combination of constants is not
+            determined.
+        min_named_share: of an undetermined combination, from which on a constant is named.
+        convergence: of a last step and of what it gains: in units of σ, far below them.
+        max_scatter: root mean square of the residuals over the lines' errors; beyond it labels or model are wrong,
+            rather than errors too small.
+        max_rounding: of a derivative ∂E′/∂p − ∂E″/∂p, over its terms: a constant with smaller ones changes no line.
+    """
+
+    min_singular_value: float = 1e-10
+    min_named_share: float = 0.1
+    convergence: float = 1e-9
+    max_scatter: float = 2.0
+    max_rounding: float = 1e-13
+
+
+LIMITS = RotorFitLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,9 +55,9 @@ class RotorFit:
         names: the p free constants.
         values, sigma: (p,) [Hz]; σ from the errors of the lines, times ``enlarged``.
         correlation: (p, p); NaN where σ is.
-        noise: whether errors of the lines alone may leave the residuals, by χ².
-        enlarged: 1 where they may; Birge's ratio √(χ²/ν) where they may not but residuals are up to twice as large, as
-            they are if all errors are too small alike; NaN beyond, where nothing is known of the constants' errors.
+        noise: whether the errors of the lines explain the residuals, by χ².
+        enlarged: factor of σ: 1 where they do; Birge's ratio √(χ²/ν) where residuals are up to twice as large, as they
+            are if all errors are too small by one factor; NaN beyond, where the constants have no errors.
         observation: (n,) to which observation each line belongs.
         calculated: (n,) frequency of each line [Hz].
         residual: (m,) observed less calculated [Hz].
@@ -69,7 +85,7 @@ class RotorFit:
 
     @property
     def determined(self) -> bool:
-        """Whether the constants have known errors."""
+        """Whether the constants have standard errors."""
         return bool(np.isfinite(self.enlarged))
 
     @property
@@ -84,7 +100,7 @@ class RotorFit:
     def predict(
         self, upper: Integer[Array, "k 3"], lower: Integer[Array, "k 3"]
     ) -> tuple[Float64[Array, "k"], Float64[Array, "k"]]:
-        """Return frequencies (k,) [Hz] of lines, and their σ as the fitted constants leave them, NaN if not known.
+        """Return frequencies (k,) [Hz] of lines, and their σ as the fitted constants leave them, NaN if they have none.
 
         Args:
             upper, lower: (k, 3) J, K_a, K_c.
@@ -103,7 +119,8 @@ class RotorFit:
 def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str] | None = None) -> RotorFit:
     """Fit constants of a rotor to measured lines by weighted least squares, from the rotor's own as a start.
 
-    Derivatives are exact; Levenberg and Marquardt's damping leads there from far away, if the labels fit the start's.
+    Derivatives are exact; Levenberg and Marquardt's damping converges from far away, if the labels are those of the
+    start.
     Of a symmetric top, whose B and C (or A and B) are equal at the start, these are one constant and stay equal: it is
     free under the first of its names that is given. To fit them each, start from constants that differ.
 
@@ -114,9 +131,9 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str] | None = N
             that the rotor has, but for those that change none of these lines, such as A where no line has another K.
 
     Raises:
-        InvalidInput: for constants that the lines do not determine, which are named; lines or names that are none;
-            linear molecules.
-        NotConverged: if no minimum is found.
+        InvalidInput: for constants that the lines do not determine, which are named; invalid lines or names; linear
+            molecules.
+        NotConverged: if the fit does not converge.
 
     >>> rotor = Rotor((27e9, 14e9, 9e9), dipole=(0.0, 1e-30, 0.0))
     >>> exact = rotor.lines(4)
@@ -127,33 +144,35 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str] | None = N
     """
     if rotor.is_linear:
         raise InvalidInput("`rotor` must not be linear: its lines are a polynomial in J + 1, which `np.polyfit` fits.")
-    seen = observations(lines)
+    observed = observations(lines)
     names = once_each(rotor, check_names(rotor, [*AXES, *rotor.distortion] if free is None else free))
     if free is None:
-        names = _find_sensitive(rotor, names, seen)
-    model = _LineModel(rotor, names, seen.upper, seen.lower)
+        names = _find_sensitive(rotor, names, observed)
+    model = _LineModel(rotor, names, observed.upper, observed.lower)
     start = np.array([get_constant(rotor, name) for name in names])
-    _, scale, _, _ = _decompose(*_at(model, seen, start)[1:], names)
+    _, scale, _, _ = _decompose(*_at(model, observed, start)[1:], names)
 
     def residual(steps: Array) -> Array:
-        return _at(model, seen, start + steps * scale)[0]
+        return _at(model, observed, start + steps * scale)[0]
 
     def jacobian(steps: Array) -> Array:
-        return -_at(model, seen, start + steps * scale)[1] * scale
+        return -_at(model, observed, start + steps * scale)[1] * scale
 
     # from a start that is 1e11 errors away, steps of a few errors would seem to gain nothing
-    unit = max(1.0, NEAR * float(np.linalg.norm(residual(np.zeros(len(names))))))
+    first_share = 1e-6  # of the residuals at the start: a hundredth of the first step at most
+    unit = max(1.0, first_share * float(np.linalg.norm(residual(np.zeros(len(names))))))
     ways: Any = {"jac": jacobian, "x_scale": unit}
-    solution = least_squares(residual, np.zeros(len(names)), **ways, method="lm", xtol=SMALL, ftol=SMALL, gtol=SMALL)
+    small = LIMITS.convergence
+    solution = least_squares(residual, np.zeros(len(names)), **ways, method="lm", xtol=small, ftol=small, gtol=small)
     values = start + solution.x * scale
     if solution.status <= 0 or not np.isfinite(values).all():
-        raise NotConverged("the fit found no minimum. Start nearer, check the labels, or free fewer constants.")
-    return _fit_at(rotor, names, values, model, seen)
+        raise NotConverged("the fit has not converged. Start nearer, check the labels, or free fewer constants.")
+    return _fit_at(rotor, names, values, model, observed)
 
 
-def _find_sensitive(rotor: Rotor, names: list[str], seen: Observations) -> list[str]:
+def _find_sensitive(rotor: Rotor, names: list[str], observed: Observations) -> list[str]:
     """Return the constants that change any line; all where none does, so that the error names them."""
-    _, slope, size = _at(_LineModel(rotor, names, seen.upper, seen.lower), seen,
+    _, slope, size = _at(_LineModel(rotor, names, observed.upper, observed.lower), observed,
                          np.array([get_constant(rotor, name) for name in names]))  # fmt: skip
     alone = _is_rounding(slope, size)
     return [name for name, silent in zip(names, alone, strict=True) if not silent] or names
@@ -161,7 +180,7 @@ def _find_sensitive(rotor: Rotor, names: list[str], seen: Observations) -> list[
 
 def _is_rounding(slope: Array, size: Array) -> Array:
     """Whether derivatives by a constant (p,) are nothing but rounding."""
-    return np.linalg.norm(slope, axis=0) <= ROUNDING * np.linalg.norm(size, axis=0)
+    return np.linalg.norm(slope, axis=0) <= LIMITS.max_rounding * np.linalg.norm(size, axis=0)
 
 
 class _LineModel:
@@ -178,28 +197,28 @@ class _LineModel:
         return energy[high] - energy[low], slope[high] - slope[low], np.abs(slope[high]) + np.abs(slope[low])
 
 
-def _at(model: _LineModel, seen: Observations, values: Array) -> tuple[Array, Array, Array]:
+def _at(model: _LineModel, observed: Observations, values: Array) -> tuple[Array, Array, Array]:
     """Return weighted residuals (m,), weighted derivatives of the calculated (m, p), and the size of their terms."""
-    frequency, slope, size = (seen.means(part) for part in model(values))
-    error = seen.error[:, None]
-    return (seen.frequency - frequency) / seen.error, slope / error, size / error
+    frequency, slope, size = (observed.means(part) for part in model(values))
+    error = observed.error[:, None]
+    return (observed.frequency - frequency) / observed.error, slope / error, size / error
 
 
 def _decompose(slope: Array, size: Array, names: list[str]) -> tuple[Array, Array, Array, Array]:
     """Return U, the scale, S and Vᵀ of slope · scale = U S Vᵀ, whose columns have length one.
 
     Raises:
-        InvalidInput: naming constants without which S has no zeros.
+        InvalidInput: naming the constants that are not determined.
     """
     length = np.linalg.norm(slope, axis=0)
     alone = _is_rounding(slope, size)
     scale = 1.0 / np.where(alone, 1.0, length)
-    few = len(slope) < len(names)  # only then does what no line determines need the whole of V
+    few = len(slope) < len(names)  # only then are null vectors missing from the reduced V
     U, S, V = np.linalg.svd(slope * scale * ~alone, full_matrices=few)
     S = np.concatenate([S, np.zeros(len(names) - len(S))])
-    lost = V[S <= UNDETERMINED * S.max()]
+    lost = V[S <= LIMITS.min_singular_value * S.max()]
     if len(lost):
-        named = [name for k, name in enumerate(names) if np.abs(lost[:, k]).max() > SHARE]
+        named = [name for k, name in enumerate(names) if np.abs(lost[:, k]).max() > LIMITS.min_named_share]
         one = len(named) == 1
         raise InvalidInput(
             f"the free constant{' ' if one else 's '}{', '.join(named)} {'is' if one else 'are'} not determined by "
@@ -208,8 +227,8 @@ def _decompose(slope: Array, size: Array, names: list[str]) -> tuple[Array, Arra
     return U[:, : len(names)], scale, S, V
 
 
-def _fit_at(rotor: Rotor, names: list[str], values: Array, model: _LineModel, seen: Observations) -> RotorFit:
-    weighted, slope, size = _at(model, seen, values)
+def _fit_at(rotor: Rotor, names: list[str], values: Array, model: _LineModel, observed: Observations) -> RotorFit:
+    weighted, slope, size = _at(model, observed, values)
     U, scale, S, V = _decompose(slope, size, names)
     # the covariance (XᵀX)⁻¹ of slope X = U S Vᵀ/scale is the square of this; its rows at unit length give the
     # correlation without forming a matrix whose entries differ by thirty powers of ten
@@ -224,18 +243,18 @@ def _fit_at(rotor: Rotor, names: list[str], values: Array, model: _LineModel, se
     noise, enlarged = _test_lines(weighted, len(names), rms)
     correlation = unit @ unit.T if np.isfinite(enlarged) else np.full((len(names), len(names)), np.nan)
     return RotorFit(
-        _with(rotor, names, values), tuple(names), values, sigma * enlarged, correlation, noise, enlarged, seen.member,
-        model(values)[0], weighted * seen.error, weighted, leverage, standardized, rms,
+        _with(rotor, names, values), tuple(names), values, sigma * enlarged, correlation, noise, enlarged,
+        observed.member, model(values)[0], weighted * observed.error, weighted, leverage, standardized, rms,
     )  # fmt: skip
 
 
 def _test_lines(weighted: Array, free: int, rms: float) -> tuple[NoiseTest, float]:
-    """Return whether errors of the lines may leave the residuals, and by what σ of the constants is enlarged."""
+    """Return whether the errors of the lines explain the residuals, and the factor by which σ is enlarged."""
     squares, freedom = float((weighted**2).sum()), len(weighted) - free
     noise = test_known_errors(squares, freedom)
     if noise.is_noise:
         return noise, 1.0
-    return noise, float(np.sqrt(squares / freedom)) if rms <= WRONG else float("nan")
+    return noise, float(np.sqrt(squares / freedom)) if rms <= LIMITS.max_scatter else float("nan")
 
 
 def _with(rotor: Rotor, names: list[str], values: Array) -> Rotor:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -24,9 +24,20 @@ from polhode.spectra.spec_rotors import rotor_of_spec
 from polhode.studies.naming import warnings_as_notes
 
 MEGA = 1e6  # Hz
-WORST = 8  # observations that are listed
+
+
+class LineFitLimits(NamedTuple):
+    """What decides which remarks are made.
+
+    Attributes:
+        close_correlation: of two constants that are reported as hardly separated.
+    """
+
+    close_correlation: float = 0.95
+
+
+LIMITS = LineFitLimits()
 NOT_NOISE = "residuals are not noise: no constant has a known error"
-CLOSE = 0.95  # correlation from which two constants are said to go together
 
 
 @dataclass(frozen=True)
@@ -85,7 +96,7 @@ class LineFitReport(StudyReport):
         """Write the constants as a ``.par`` file, or with their correlations as ``.var``.
 
         Where residuals are not noise, the title says so, no correlations are written, and errors are those of SPFIT's
-        free constants, of which nothing is known.
+        free constants.
         """
         from polhode.spectra.formats.spfit_constants import constant_table, write_par
 
@@ -105,8 +116,8 @@ def fit_lines(path: Path, lines: Path, free: Sequence[str] | None = None) -> Lin
         free: names of the constants to fit; None for those of the spec that lines depend on.
 
     Raises:
-        InvalidInput: naming the file, for what cannot be read or fitted.
-        NotConverged: where the fit finds no end.
+        InvalidInput: with the file's name, for one that cannot be read or fitted.
+        NotConverged: where the fit does not converge.
     """
     with warnings_as_notes(path) as notes:
         spec = read_spec_or_molecule(path)
@@ -173,7 +184,8 @@ def _constants(fit: RotorFit, start: Rotor) -> Table:
 def _worst(fit: RotorFit, measured: MeasuredLines) -> Table:
     first = [int(np.flatnonzero(fit.observation == k)[0]) for k in range(len(fit.residual))]
     rows: list[dict[str, Any]] = []
-    for k in fit.worst(WORST).tolist():
+    listed = 8
+    for k in fit.worst(listed).tolist():
         line = first[k]
         rows.append({
             "upper": measured.upper[line].tolist(), "lower": measured.lower[line].tolist(),
@@ -192,7 +204,7 @@ def _worst(fit: RotorFit, measured: MeasuredLines) -> Table:
 def _remarks(fit: RotorFit) -> list[str]:
     """Return notes on strongly correlated constants, and on lines that alone determine a constant."""
     notes = []
-    pairs = np.argwhere(np.triu(np.abs(fit.correlation), 1) > CLOSE)
+    pairs = np.argwhere(np.triu(np.abs(fit.correlation), 1) > LIMITS.close_correlation)
     if len(pairs):
         one, other = pairs[np.argmax([abs(fit.correlation[i, j]) for i, j in pairs])].tolist()
         more = f", and of {len(pairs) - 1} other pairs" if len(pairs) > 1 else ""

@@ -28,11 +28,20 @@ from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 MIDDLE_IS_Z = Representation.IIr  # x, y, z = c, a, b
 SIDES = ("a", "c")
-MEMBERS = 2000  # of an ensemble
-LARGEST_J = 4000  # whose chains take some seconds
+
+
+class RacketLimits(NamedTuple):
+    """Limits of a racket flip.
+
+    Attributes:
+        max_j: of a flip; chains of this one take some seconds.
+    """
+
+    max_j: int = 4000
+
+
+LIMITS = RacketLimits()
 STEEPEST = math.radians(85.0)  # on another axis L rests, without a period
-NEAR = 1e-5  # of the range of energies: the step by which a period's slope is found
-SCANNED = 600  # times among which the first reversal is looked for
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 
 
@@ -41,7 +50,7 @@ class Chain(NamedTuple):
 
     Attributes:
         K: (n,).
-        energy: (n,) E/h [Hz], less a constant, the same of both parts.
+        energy: (n,) E/h [Hz], less a constant common to both parts.
         vectors: (n, n) states by columns.
         weights: (n,) of these in the state at the start.
     """
@@ -53,7 +62,7 @@ class Chain(NamedTuple):
 
 
 class Reversal(NamedTuple):
-    """Where a quantum body has first turned over, ().
+    """The first reversal of a quantum body, ().
 
     Attributes:
         time: [s].
@@ -94,8 +103,8 @@ class Racket:
                 "has no middle axis."
             )
         self.constants, self.J = (A, B, C), check_j("J", J)
-        if not 1 <= self.J <= LARGEST_J:
-            raise InvalidInput(f"`J` must be from 1 to {LARGEST_J:,}; got {self.J}.")
+        if not 1 <= self.J <= LIMITS.max_j:
+            raise InvalidInput(f"`J` must be from 1 to {LIMITS.max_j:,}; got {self.J}.")
         if not 0.0 <= tilt <= STEEPEST:
             raise InvalidInput(f"`tilt` must be from 0 to {STEEPEST:.4f} rad, 85°; got {shown(tilt)}.")
         if towards not in SIDES:
@@ -124,12 +133,13 @@ class Racket:
     def revival_time(self) -> float | None:
         """T_rev = 2/|d²ν/dn²| [s], ν = E/h over the quanta n of one ladder; None on the b axis, where levels bunch.
 
-        After it the waves that make up the state are in step again, as far as levels are a parabola in n.
+        After it the waves that make up the state are in phase again, as far as levels are a parabola in n.
         """
         if self._on_saddle:
             return None
         A, _, C = self.constants
-        step = NEAR * (A - C) * self._G**2
+        share = 1e-5  # of the range of energies, over which the slope of a period is computed
+        step = share * (A - C) * self._G**2
         low, high = orbit(self.constants, self._G, self._energy + np.array([-step, step])).period
         slope, period = (high - low) / (2.0 * step), 0.5 * (high + low)
         # dE/dn = 2π/T, so that d²E/dn² = −4π² (dT/dE)/T³, with ħ = 1 and energies in Hz
@@ -201,7 +211,8 @@ class Racket:
     @property
     def _scanned(self) -> Float64[Array, "time"]:
         """Times (T,) in which a body turns over: a period, or ln J + 2.3 over the rate and more, on the saddle."""
-        return np.linspace(0.0, min(self.period, (2.0 * math.log(self.J) + 8.0) / self.rate), SCANNED)
+        scanned = 600  # times among which the first reversal lies
+        return np.linspace(0.0, min(self.period, (2.0 * math.log(self.J) + 8.0) / self.rate), scanned)
 
     @cached_property
     def _chains(self) -> list[Chain]:
@@ -232,11 +243,11 @@ class Racket:
         return self._simulate(self.direction[None], _check_times(times))[0]
 
     @known_numbers_only
-    def ensemble(self, times: Real[ArrayLike, "time"], members: int = MEMBERS) -> Float64[Array, "time"]:
+    def ensemble(self, times: Real[ArrayLike, "time"], members: int = 2000) -> Float64[Array, "time"]:
         """Return the mean of L_b/J (T,) over classical bodies that start spread as the coherent state is.
 
         Their |L| is J + ½ and their density ((1 + cos θ)/2)^{4J} about ``direction``, which gives them its mean L and
-        its widths. They are a spiral of points, so that the result is the same each time; it is good to about
+        its widths. They are a spiral of points, so that the result is reproducible; it is good to about
         1/√members once the cloud is wound up.
 
         Args:

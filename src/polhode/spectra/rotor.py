@@ -20,11 +20,30 @@ from polhode.spectra._strengths import EINSTEIN, INTENSITY, Lines, compute_state
 from polhode.types import Array, ArrayLike, Bool, Float64, Integer, Real
 
 Kind = TypeVar("Kind", bound=enum.Enum)
-HIGHEST_J = 10_000
+
+
+class RotorLimits(NamedTuple):
+    """Limits of a rotor, and when its constants count as equal.
+
+    Attributes:
+        max_j: of levels that are computed.
+        spherical_spread: A − C over A, up to which a top is spherical.
+        symmetric_difference: of two constants over A − C, up to which a top is symmetric.
+        min_runaway: energy below zero over the largest energy, from which levels fall without end; rounding of levels
+            about zero is less.
+        min_moment: over the largest moment: below it only levels of K_a = 0 are within reach, nor would others be exact
+            beside them.
+    """
+
+    max_j: int = 10_000
+    spherical_spread: float = 1e-13
+    symmetric_difference: float = 1e-9
+    min_runaway: float = 1e-9
+    min_moment: float = 1e-9
+
+
+LIMITS = RotorLimits()
 RIGID = Representation.Ir
-SPHERICAL, SYMMETRIC = 1e-13, 1e-9  # of A, of A − C: constants nearer than this are equal
-RUNAWAY = 1e-9  # of the largest energy: rounding of levels about zero is less
-THINNEST = 1e-9  # of the largest moment: below it, no level but those of K_a = 0 is within reach, nor exact beside them
 PLANCK_OVER_8_PI_SQUARED = 8.392015881190e-36  # kg m² Hz, CODATA 2022: a moment times its constant
 
 
@@ -69,7 +88,7 @@ class Rotor:
         distortion: constants by name [Hz], such as "Delta_J" in the A reduction, "D_J" in the S reduction.
         reduction: "A" or "S"; needed with distortion.
         representation: "Ir", "Il", "IIr", "IIl", "IIIr" or "IIIl", which principal axes x, y, z are; needed with
-            distortion, without meaning else.
+            distortion, without meaning otherwise.
         dipole: (3,) permanent dipole moment along a, b, c [C m].
         spin_weights: of levels whose state keeps, and changes, its sign in a half turn about ``spin_axis``.
         spin_axis: "a", "b" or "c", whose half turn exchanges equal nuclei.
@@ -122,7 +141,7 @@ class Rotor:
             options: dipole, spin_weights, spin_axis.
         """
         moments = np.array(body.principal_moments, float)
-        if moments[0] <= THINNEST * moments[2]:
+        if moments[0] <= LIMITS.min_moment * moments[2]:
             moments = np.array([0.0, *[0.5 * (moments[1] + moments[2])] * 2])  # of a line the other two are equal
         with np.errstate(divide="ignore"):
             return cls(tuple(PLANCK_OVER_8_PI_SQUARED / moments), **options)  # type: ignore[arg-type]
@@ -194,7 +213,7 @@ class Rotor:
             levels = self.levels_of(J)
             return levels.energy, levels.weight
 
-        return partition_sum(of, values, HIGHEST_J)
+        return partition_sum(of, values, LIMITS.max_j)
 
     @known_numbers_only
     def lines(self, j_max: int, temperature: float | None = None) -> Lines:
@@ -207,8 +226,8 @@ class Rotor:
             temperature: [K], for intensities.
 
         Raises:
-            InvalidInput: without a dipole, for a linear molecule's dipole across its axis, a J or a temperature that is
-                none.
+            InvalidInput: without a dipole, for a linear molecule's dipole across its axis, or an invalid J or
+                temperature.
 
         >>> from polhode.spectra import DEBYE
         >>> rotor = Rotor((27e9, 14e9, 9e9), dipole=(0.0, DEBYE, 0.0))
@@ -263,7 +282,7 @@ class Rotor:
 
 
 def equal_constants(constants: tuple[float, float, float]) -> str:
-    """Return which of A ≥ B ≥ C are equal, to what doubles tell of levels: "AB", "BC", "ABC" or "".
+    """Return which of A ≥ B ≥ C are equal, as far as levels in doubles show: "AB", "BC", "ABC" or "".
 
     >>> [equal_constants(each) for each in ((9.0, 3.0, 3.0), (3.0, 3.0, 3.0), (9.0, 4.0, 3.0), (math.inf, 3.0, 3.0))]
     ['BC', 'ABC', '', 'BC']
@@ -271,11 +290,11 @@ def equal_constants(constants: tuple[float, float, float]) -> str:
     A, B, C = constants
     if math.isinf(A):
         return "BC"
-    if A - C <= SPHERICAL * A:
+    if A - C <= LIMITS.spherical_spread * A:
         return "ABC"
-    if B - C <= SYMMETRIC * (A - C):
+    if B - C <= LIMITS.symmetric_difference * (A - C):
         return "BC"
-    return "AB" if A - B <= SYMMETRIC * (A - C) else ""
+    return "AB" if A - B <= LIMITS.symmetric_difference * (A - C) else ""
 
 
 def warn_of_fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> str | None:
@@ -291,7 +310,7 @@ def warn_of_fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> str |
 
 def find_fallen(J: Integer[Array, "n"], energy: Float64[Array, "n"]) -> Bool[Array, "n"]:
     """Mask the unphysical levels: every J from the first that has a level below the ground state, whose energy is 0."""
-    below = energy < -RUNAWAY * np.abs(energy).max(initial=0.0)
+    below = energy < -LIMITS.min_runaway * np.abs(energy).max(initial=0.0)
     return J >= J[below].min() if below.any() else below
 
 
@@ -307,8 +326,8 @@ def check_j(name: str, J: int) -> int:
         InvalidInput: otherwise.
     """
     whole = isinstance(J, int | np.integer) and not isinstance(J, bool)
-    if not (whole and 0 <= J <= HIGHEST_J):
-        raise InvalidInput(f"`{name}` must be a whole number from 0 to {HIGHEST_J:,}; got {shown(J)}.")
+    if not (whole and 0 <= J <= LIMITS.max_j):
+        raise InvalidInput(f"`{name}` must be a whole number from 0 to {LIMITS.max_j:,}; got {shown(J)}.")
     return int(J)
 
 

@@ -2,10 +2,10 @@
 
 A level is a polhode whose cap holds a whole number of quanta, corrected where the two modes meet and tunnel into each
 other. With G = J + ½, action S, barrier θ and ε = −θ/π: S + φ = πK_a ± δ, φ = ε ln|ε| − ε − Im ln Γ(½ + iε), δ =
-arctan e^{−πε}. The next order in 1/G corrects S and θ. What all levels of a J share, d J(J+1), is exact and no matter
-of polhodes: the next order takes it out of H and adds it to what it finds. Source: Colwell, Handy & Miller, J. Chem.
-Phys. 68 (1978) 745; Child, *Semiclassical Mechanics with Molecular Applications*, §3.3; Ford, Hill, Wakano & Wheeler,
-Ann. Phys. 7 (1959) 239 for the barrier.
+arctan e^{−πε}. The next order in 1/G corrects S and θ. The part d J(J+1) that all levels of a J share is exact and no
+matter of polhodes: the next order takes it out of H and adds it to its energies. Source: Colwell, Handy & Miller, J.
+Chem. Phys. 68 (1978) 745; Child, *Semiclassical Mechanics with Molecular Applications*, §3.3; Ford, Hill, Wakano &
+Wheeler, Ann. Phys. 7 (1959) 239 for the barrier.
 """
 
 from __future__ import annotations
@@ -24,12 +24,26 @@ from polhode.spectra._orbits import Three, orbit
 from polhode.spectra.rotor import Rotor, check_j, equal_constants
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
-REST = 1e-3  # of A − C: what C becomes when d J² is taken out of H
-AT_SADDLE = 1e-5  # of the energies from saddle to nearer end; closer, order 2 is interpolated, as its parts diverge
-LOWEST_SECOND = 5  # J from which the second order holds
-ROOM = 1.0  # (B − C) G² or (A − B) G² over A − C: below it order 2 was off by up to .24 (A − C), above by up to .02
-NEAR_ENDS = 1e-13  # of the range of energies: the search ends short of the ends, where no level is
-SERIES = 0.125  # of |ε|/G: below it, the second order's logarithm is expanded
+
+class SemiclassicalLimits(NamedTuple):
+    """Where the second order holds, and by which formula.
+
+    Attributes:
+        min_second_order_j: J from which the second order holds.
+        min_room: (B − C) G² or (A − B) G² over A − C: below it order 2 was off by up to .24 (A − C), above by up to
+            .02.
+        interpolated_share: of the energies from the saddle to the nearer end, within which order 2 is interpolated, as
+            its parts diverge.
+        series_argument: |ε|/G below which the second order's logarithm is expanded.
+    """
+
+    min_second_order_j: int = 5
+    min_room: float = 1.0
+    interpolated_share: float = 1e-5
+    series_argument: float = 0.125
+
+
+LIMITS = SemiclassicalLimits()
 
 
 class SemiclassicalLevels(NamedTuple):
@@ -61,8 +75,8 @@ def semiclassical_levels(constants: Real[ArrayLike, "3"], J: int, order: int = 2
         order: 1 for the uniform formula, 2 with the next order.
 
     Raises:
-        InvalidInput: for constants of which two are equal, whose levels are known exactly, or a J or order that is
-            none.
+        InvalidInput: for constants of which two are equal, whose levels are known exactly, or an invalid J or
+            order.
 
     >>> levels = semiclassical_levels((27.0, 14.0, 9.0), 10)
     >>> round(float(levels.energy[0]), 4), round(float(Rotor((27.0, 14.0, 9.0)).levels_of(10).energy[0]), 4)
@@ -70,10 +84,10 @@ def semiclassical_levels(constants: Real[ArrayLike, "3"], J: int, order: int = 2
     """
     checked = _asymmetric(constants)
     J = check_j("J", J)
-    if order not in (1, 2) or (order == 2 and J < LOWEST_SECOND):
+    if order not in (1, 2) or (order == 2 and J < LIMITS.min_second_order_j):
         raise InvalidInput(
-            f"`order` must be 1, or 2 for J of at least {LOWEST_SECOND}; got {shown(order)} at J = {J}. Take the exact "
-            "levels of `Rotor` there."
+            f"`order` must be 1, or 2 for J of at least {LIMITS.min_second_order_j}; got {shown(order)} at J = {J}. "
+            "Take the exact levels of `Rotor` there."
         )
     index = np.arange(2 * J + 1)
     Ka, Kc = (index + 1) // 2, J - index // 2
@@ -107,7 +121,7 @@ def quantise(
 
 def _warn_of_no_room(constants: Three, G: float, roomless: int) -> None:
     A, B, C = constants
-    if roomless or min(A - B, B - C) * G * G < ROOM * (A - C):
+    if roomless or min(A - B, B - C) * G * G < LIMITS.min_room * (A - C):
         warnings.warn(
             f"the rotor A, B, C = {A:.9g}, {B:.9g}, {C:.9g} is so nearly symmetric that order 2 has no room next to "
             f"the saddle of J = {G - 0.5:g}: levels there err by up to {0.25 * (A - C):.3g}. The exact ones are "
@@ -122,7 +136,7 @@ def without_casimir(constants: Three) -> tuple[Three, float]:
     ((2.002, 1.002, 0.002), 0.998)
     """
     A, B, C = constants
-    rest = REST * (A - C)
+    rest = 1e-3 * (A - C)
     return (A - C + rest, B - C + rest, rest), C - rest
 
 
@@ -138,13 +152,14 @@ def semiclassical_pairs(constants: Real[ArrayLike, "3"], s: float, order: int = 
         order: 1 or 2.
 
     Raises:
-        InvalidInput: for constants of which two are equal, a spin that is not half-integer, or an order that is none.
+        InvalidInput: for constants of which two are equal, a spin that is not half-integer, or an invalid order.
     """
     checked = _asymmetric(constants)
     if not (s > 0 and 2.0 * s == round(2.0 * s) and round(2.0 * s) % 2 == 1):
         raise InvalidInput(f"`s` must be half an odd number, 1/2, 3/2, …; got {shown(s)}.")
-    if order not in (1, 2) or (order == 2 and s < LOWEST_SECOND):
-        raise InvalidInput(f"`order` must be 1, or 2 for s above {LOWEST_SECOND}; got {shown(order)} at s = {s:g}.")
+    if order not in (1, 2) or (order == 2 and s < LIMITS.min_second_order_j):
+        lowest = LIMITS.min_second_order_j
+        raise InvalidInput(f"`order` must be 1, or 2 for s above {lowest}; got {shown(order)} at s = {s:g}.")
     n = np.arange(round(s + 0.5)) + 0.5
     rest, d = without_casimir(checked) if order == 2 else (checked, 0.0)
     energy, roomless = _roots(rest, s + 0.5, n, np.zeros_like(n), order)
@@ -165,7 +180,7 @@ def doublet_splitting(
     Args:
         constants: A > B > C.
         J: of the levels.
-        energy: (…) theirs, in the unit of the constants.
+        energy: (…) of the pairs, in the unit of the constants.
 
     Raises:
         InvalidInput: for constants of which two are equal, or energies outside of those that J has.
@@ -187,13 +202,13 @@ def doublet_splitting(
 def phase(
     constants: Three, G: float, energy: Float64[Array, "*batch"], order: int
 ) -> tuple[Float64[Array, "*batch"], Float64[Array, "*batch"]]:
-    """Return S + φ and δ (…), which quantisation compares."""
+    """Return S + φ and δ (…) of the quantisation condition."""
     if order == 1:
         at = orbit(constants, G, energy)
         epsilon = -at.barrier / math.pi
         return at.action + _phase_correction(epsilon, 0.0 * epsilon), _tunnelling_phase(epsilon)
     A, B, C = constants
-    saddle, width = B * G * G, AT_SADDLE * min(A - B, B - C) * G * G
+    saddle, width = B * G * G, LIMITS.interpolated_share * min(A - B, B - C) * G * G
     off = (energy - saddle) / width
     near = np.abs(off) < 1.0
     sides = [_second(constants, G, np.where(near, saddle + side * width, energy)) for side in (-1.0, 1.0)]
@@ -206,11 +221,11 @@ def _second(constants: Three, G: float, energy: Array) -> tuple[Array, Array]:
     first, second = -at.barrier / math.pi, -at.barrier_correction / math.pi
     epsilon = first + second
     # c − Im ln Γ of the sum of both orders, whose logarithm is expanded where the first is small
-    # Im ln Γ(½ + iε) = ε ln|ε| − ε + 1/(24ε) + …: what the first order leaves out of Stirling
+    # Im ln Γ(½ + iε) = ε ln|ε| − ε + 1/(24ε) + …: what Stirling's formula leaves out at first order
     logarithm = np.log(np.abs(first))
     small = first * logarithm - first + second * logarithm + 1.0 / (24.0 * first)
     large = epsilon * np.log(np.abs(epsilon)) - epsilon + 1.0 / (24.0 * epsilon)
-    mended = np.where(np.abs(first) < SERIES * G, small, large) - _gamma_phase(epsilon)
+    mended = np.where(np.abs(first) < LIMITS.series_argument * G, small, large) - _gamma_phase(epsilon)
     return at.action + at.action_correction + mended, _tunnelling_phase(epsilon)
 
 
@@ -235,7 +250,8 @@ def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -
     """Return the energies where S + φ − sign δ is π times the quanta (n,), and how many are of order 1 instead of 2."""
     A, _, C = constants
     low, high = C * G * G, A * G * G
-    inset = NEAR_ENDS * (high - low)
+    inset_share = 1e-13  # of the range of energies, at whose ends no level is
+    inset = inset_share * (high - low)
 
     def phase_defect(energy: Array, n: Array, sign: Array, order: int) -> Array:
         angle, delta = phase(constants, G, energy, order)
@@ -245,7 +261,7 @@ def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -
     first = elementwise.find_root(lambda e, n, s: phase_defect(e, n, s, 1), ends, args=(quanta, sign)).x
     if order == 1:
         return first, 0
-    # order 2 lies below order 1, by an eighth of the sum of two constants: that is where it is looked for
+    # order 2 lies below order 1, by an eighth of the sum of two constants: the bracket is around that
     spacing = 2.0 * math.pi / orbit(constants, G, first).period
     ends = np.maximum(first - 0.45 * spacing, ends[0]), np.minimum(first + 0.05 * spacing, ends[1])
     second = elementwise.find_root(lambda e, n, s: phase_defect(e, n, s, 2), ends, args=(quanta, sign))

@@ -16,7 +16,8 @@ from polhode.errors import InvalidInput
 from polhode.formats.form import Content
 from polhode.formats.molecule import read_molecule
 from polhode.spec.models import BodyTable
-from polhode.spectra._partition import NEGLIGIBLE, THERMAL
+from polhode.spectra._partition import LIMITS as SUM_LIMITS
+from polhode.spectra._partition import THERMAL
 from polhode.spectra._strengths import DEBYE, Lines
 from polhode.spectra.rotor import Levels, Rotor
 from polhode.types import Array, Float64
@@ -24,14 +25,26 @@ from polhode.types import Array, Float64
 if TYPE_CHECKING:
     from polhode.kinds.base import Spec
 
-ROOM_TEMPERATURE = 300.0  # K
-SAME_PLACE = 1e-12  # m, a hundredth of an ångström: how far an atom may be from where its symmetry puts it
-RARE = 8.0  # E/kT of the lowest level of a J beyond which lines are weak
-MOST_LINES = 13_000_000  # of a list, which takes some gigabytes
-MOST_SUMMED_J = 600  # of a partition function, whose time grows as its cube: some seconds
-LEAST_CONSTANT = 1.0  # Hz; of the heaviest molecules some kHz
-LARGEST = 1e20  # Hz and debye, beyond any molecule; intensities have cubes of frequencies
-FEWEST_J, MOST_J = 10, 60  # of the largest J where a spec does not say it; lines grow as its cube
+
+class SpecRotorLimits(NamedTuple):
+    """Limits of what a spec may request.
+
+    Attributes:
+        max_displacement: m, of an atom from where the symmetry puts it: a hundredth of an ångström.
+        max_lines: of a list, which takes some gigabytes.
+        max_summed_j: of a partition function, whose time grows as its cube: some seconds.
+        min_constant: Hz, of a molecule; of the heaviest some kHz.
+        max_constant: Hz and debye, beyond any molecule; intensities have cubes of frequencies.
+    """
+
+    max_displacement: float = 1e-12
+    max_lines: int = 13_000_000
+    max_summed_j: int = 600
+    min_constant: float = 1.0
+    max_constant: float = 1e20
+
+
+LIMITS = SpecRotorLimits()
 
 
 class SpecRotor(NamedTuple):
@@ -98,7 +111,7 @@ def rotor_of_body(
         body = Body.from_atoms(symbols, positions, masses)
         atoms = Atoms(symbols, masses, (positions - body.center_of_mass) @ body.principal_axes)
     rotor = Rotor.from_body(body, **options)
-    if atoms is None and rotor.constants[1] < LEAST_CONSTANT:
+    if atoms is None and rotor.constants[1] < LIMITS.min_constant:
         raise InvalidInput(
             f"the body is not a molecule: its rotational constant B would be {rotor.constants[1]:.2g} Hz. Give "
             "molecule or rotational_constants under [body]; other bodies move classically, see `polhode report`."
@@ -109,7 +122,7 @@ def rotor_of_body(
 def doubts_of_weights(rotor: Rotor, atoms: Atoms | None) -> tuple[str, ...]:
     """Return why a half turn about ``spin_axis`` does not exchange equal nuclei, if spin weights need that.
 
-    It leaves a dipole alone that lies along the axis, and puts each atom where an equal one is.
+    It must leave the dipole unchanged, and map each atom to an equal one.
     """
     even, odd = rotor.spin_weights
     if even == odd:
@@ -134,19 +147,20 @@ def doubts_of_weights(rotor: Rotor, atoms: Atoms | None) -> tuple[str, ...]:
 
 
 def _has_half_turn(atoms: Atoms, axis: int) -> bool:
-    """Return whether a half turn about a principal axis puts each atom where one of the same kind is."""
-    turned = -atoms.positions
-    turned[:, axis] *= -1.0
-    apart = np.linalg.norm(turned[:, None] - atoms.positions, axis=-1)
+    """Return whether a half turn about a principal axis maps each atom to one of its kind."""
+    rotated = -atoms.positions
+    rotated[:, axis] *= -1.0
+    apart = np.linalg.norm(rotated[:, None] - atoms.positions, axis=-1)
     same = np.equal.outer(atoms.symbols, atoms.symbols) & np.isclose(atoms.masses[:, None], atoms.masses, rtol=1e-6)
-    return bool(np.where(same, apart, np.inf).min(axis=1).max() < SAME_PLACE)
+    return bool(np.where(same, apart, np.inf).min(axis=1).max() < LIMITS.max_displacement)
 
 
 def complete_rotor(
     rotor: Rotor, temperature: float | None = None, j_max: int | None = None, notes: tuple[str, ...] = ()
 ) -> SpecRotor:
     """Return a rotor with temperature and largest J, or their defaults."""
-    kelvins = ROOM_TEMPERATURE if temperature is None else temperature
+    room_temperature = 300.0  # K
+    kelvins = room_temperature if temperature is None else temperature
     return SpecRotor(rotor, kelvins, usual_j(rotor, kelvins) if j_max is None else j_max, notes)
 
 
@@ -164,7 +178,7 @@ def molecule_to_write(content: Content) -> Molecule:
     """Return the molecule of a format's content.
 
     Raises:
-        InvalidInput: for what is none.
+        InvalidInput: for content that is no molecule.
     """
     if content.spec is None:
         raise InvalidInput(f"{content.name} is not a molecule with rotational constants. Choose another form.")
@@ -191,14 +205,17 @@ def check_summable(asked: SpecRotor) -> None:
     smallest = rotor.constants[2]
     largest = max(rotor.constants[1], 0.0 if rotor.is_linear else rotor.constants[0])
     largest = max(largest, *map(abs, rotor.distortion.values())) if rotor.distortion else largest
-    if largest > LARGEST or np.abs(rotor.dipole).max() > LARGEST * DEBYE:
-        raise InvalidInput(f"constants must be below {LARGEST:g} Hz, and a dipole below {LARGEST:g} D. Check units.")
-    with np.errstate(over="ignore"):
-        most = math.sqrt(min(NEGLIGIBLE * THERMAL * temperature / max(smallest, 1e-300), 1e300))
-    if most > MOST_SUMMED_J:
+    if largest > LIMITS.max_constant or np.abs(rotor.dipole).max() > LIMITS.max_constant * DEBYE:
         raise InvalidInput(
-            f"at {temperature:g} K levels up to J = {most:.3g} count, and sums go to {MOST_SUMMED_J}. Give a lower "
-            "temperature; a body so large or hot turns as a classical one."
+            f"constants must be below {LIMITS.max_constant:g} Hz, and a dipole below {LIMITS.max_constant:g} D. "
+            "Check units."
+        )
+    with np.errstate(over="ignore"):
+        most = math.sqrt(min(SUM_LIMITS.negligible_energy * THERMAL * temperature / max(smallest, 1e-300), 1e300))
+    if most > LIMITS.max_summed_j:
+        raise InvalidInput(
+            f"at {temperature:g} K levels up to J = {most:.3g} count, and sums go to {LIMITS.max_summed_j}. Give a "
+            "lower temperature; a body so large or hot turns as a classical one."
         )
 
 
@@ -206,11 +223,11 @@ def _check_countable(rotor: Rotor, j_max: int) -> None:
     """Refuse more lines than memory holds: J³/2 for each component of the dipole."""
     components = 1 if rotor.is_linear else np.count_nonzero(rotor.dipole)
     each = j_max if rotor.is_linear else 0.5 * j_max**3
-    if components * each > MOST_LINES:
-        highest = math.floor((2.0 * MOST_LINES / components) ** (1.0 / 3.0))
+    if components * each > LIMITS.max_lines:
+        highest = math.floor((2.0 * LIMITS.max_lines / components) ** (1.0 / 3.0))
         raise InvalidInput(
             f"to J = {j_max} there are about {components * each / 1e6:.3g} million lines, and at most "
-            f"{MOST_LINES / 1e6:g} million are computed. Lower `j_max` to {highest}, or ask for levels alone, by "
+            f"{LIMITS.max_lines / 1e6:g} million are computed. Lower `j_max` to {highest}, or ask for levels alone, by "
             "`polhode levels` or without a dipole."
         )
 
@@ -218,5 +235,7 @@ def _check_countable(rotor: Rotor, j_max: int) -> None:
 def usual_j(rotor: Rotor, temperature: float) -> int:
     """Return the J beyond which few molecules are at a temperature [K], from 10 to 60."""
     smallest = max(rotor.constants[2], 1e-300)
-    wanted = math.sqrt(RARE * THERMAL * temperature / smallest)
-    return int(np.clip(math.ceil(min(wanted, MOST_J)), FEWEST_J, MOST_J))
+    rare_energy = 8.0  # E/kT of the lowest level of a J, beyond which lines are weak
+    wanted = math.sqrt(rare_energy * THERMAL * temperature / smallest)
+    fewest, most = 10, 60  # lines grow as the cube of J
+    return int(np.clip(math.ceil(min(wanted, most)), fewest, most))

@@ -2,13 +2,13 @@
 
 Index 0 is m = +s. ħ = 1; S obeys the plus bracket's commutators [S_x, S_y] = i S_z, those of a spin. The angular
 momentum along a body's own axes obeys the minus bracket's, [L_x, L_y] = −i L_z, as its Poisson bracket does: it is −S
-or the complex conjugate of S. Even Hamiltonians have the same levels in either.
+or the complex conjugate of S. Even Hamiltonians have equal levels in either.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.stats import binom
@@ -18,7 +18,18 @@ from polhode.errors import InvalidInput, shown
 from polhode.special._spherical_tensors import magnetic_numbers
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
-LARGEST_SPIN = 4000.0  # whose matrices, dense, take 3 GB
+
+class SpinLimits(NamedTuple):
+    """Limits of dense matrices.
+
+    Attributes:
+        max_spin: its matrices take 3 GB.
+    """
+
+    max_spin: float = 4000.0
+
+
+LIMITS = SpinLimits()
 
 
 @known_numbers_only
@@ -29,15 +40,15 @@ def spin_matrices(s: float) -> Complex128[Array, "3 n n"]:
         s: 0, 1/2, 1, …
 
     Raises:
-        InvalidInput: for what is not half a whole number, or too large.
+        InvalidInput: for a spin that is not half a whole number, or too large.
 
     >>> x, y, z = spin_matrices(1)
     >>> bool(np.allclose(x @ y - y @ x, 1j * z)), np.diag(z).real.tolist()
     (True, [1.0, 0.0, -1.0])
     """
     m = magnetic_numbers(s)
-    if s > LARGEST_SPIN:
-        raise InvalidInput(f"`s` must be at most {LARGEST_SPIN:g} for dense matrices; got {shown(s)}.")
+    if s > LIMITS.max_spin:
+        raise InvalidInput(f"`s` must be at most {LIMITS.max_spin:g} for dense matrices; got {shown(s)}.")
     # S_x = ½(S₊ + S₋), S_y = −½i(S₊ − S₋)
     up = np.diag(raising_elements(s, m[1:]), 1)
     return np.array([0.5 * (up + up.T), -0.5j * (up - up.T), np.diag(m)])
@@ -57,7 +68,7 @@ def coherent_state(s: float, direction: Real[ArrayLike, "*batch 3"]) -> Complex1
         direction: (…, 3), normalised here.
 
     Raises:
-        InvalidInput: for a spin that is none, or directions that are zero or not finite.
+        InvalidInput: for an invalid spin, or directions that are zero or not finite.
 
     >>> state = coherent_state(2, (1.0, 0.0, 0.0))
     >>> np.einsum("i,kij,j->k", state.conj(), spin_matrices(2), state).real.round(12).tolist()
@@ -81,7 +92,7 @@ def unit_vectors(name: str, vectors: Any) -> Float64[Array, "*batch 3"]:
     """Return vectors (…, 3) at unit length.
 
     Raises:
-        InvalidInput: for another shape, zero, or what is not finite.
+        InvalidInput: for another shape, zero, or values that are not finite.
     """
     values = np.asarray(vectors, dtype=float)
     if values.shape[-1:] != (3,) or not np.isfinite(values).all():
@@ -95,7 +106,7 @@ def unit_vectors(name: str, vectors: Any) -> Float64[Array, "*batch 3"]:
 
 @known_numbers_only
 def orbit_radius(s: float, convention: str = "count") -> float:
-    """Return the radius |L|/ħ of the sphere that stands for a spin.
+    """Return the radius |L|/ħ of the sphere that represents a spin.
 
     Args:
         s: 0, 1/2, 1, …
@@ -103,7 +114,7 @@ def orbit_radius(s: float, convention: str = "count") -> float:
             that carries a line bundle, of 2s quanta; "casimir": √(s(s+1)), the root of the Casimir.
 
     Raises:
-        InvalidInput: for a spin that is none, or another convention.
+        InvalidInput: for an invalid spin, or another convention.
 
     Source: Kirillov, *Lectures on the Orbit Method*, ch. 1 and 5; Woodhouse, *Geometric Quantization*, ch. 10.
     """

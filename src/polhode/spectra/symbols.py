@@ -74,7 +74,7 @@ def symbol(
 ) -> Complex128[Array, "*batch"]:
     """Return an operator's symbol at directions (…): Weyl's of a state is its Wigner function; 1 is the symbol of 1.
 
-    (2s+1)/4π ∫ W_A W_B = tr AB, and the same of Q_A P_B. Work grows as s³ and with the directions as s².
+    (2s+1)/4π ∫ W_A W_B = tr AB, and likewise ∫ Q_A P_B. Work grows as s³ and with the directions as s².
 
     Args:
         operator: (2s+1, 2s+1), rows and columns from m = s down.

@@ -30,8 +30,6 @@ from polhode.spectra.rotor import Rotor
 from polhode.types import Array
 
 BODY = "#dfe6ec"
-FINENESS = 96
-AROUND = 0.12  # of the largest radius, to the window's edge
 
 
 def energy_surface(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
@@ -51,12 +49,14 @@ def energy_surface(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     """
     curves = list(level_curves(rotor, J))
     scale = np.array(rotor.constants) / rotor.constants[0]
-    unit, faces = ball(FINENESS)
+    fineness = 96
+    unit, faces = ball(fineness)
     vertices = unit * _radius(unit, scale)[:, None]
     frame = view_frame(VIEW)
     right, up = np.abs(vertices @ frame[:2].T).max(axis=0)
     right, up = np.maximum((right, up), np.abs(frame[:2] * (scale + 0.22)).max(axis=-1))
-    window = (-right - AROUND, right + AROUND, -up - AROUND, up + AROUND)
+    border = 0.12  # of the largest radius, to the window's edge
+    window = (-right - border, right + border, -up - border, up + border)
     figure, (axes,) = style.axes_for(axes, height=style.choose_height(window, 0.7))
     scene = Scene(axes, frame, window)
     scene.solid(Surface(vertices, faces), BODY, ambient=0.7)

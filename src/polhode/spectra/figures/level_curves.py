@@ -15,9 +15,8 @@ from polhode.spectra._level_polhodes import LevelPolhodes, level_directions, lev
 from polhode.spectra.rotor import Rotor
 from polhode.types import Array, Float64
 
-POINTS = 300  # of a curve
 ROUND_A, ROUND_C = style.AXIS_COLOURS[0], style.AXIS_COLOURS[2]  # the axes' own colours
-VIEW = (0.55, 0.68, 0.49)  # a, b and c are all seen, and the saddle at b
+VIEW = (0.55, 0.68, 0.49)  # a, b and c are all visible, and the saddle at b
 CROWDED = 12  # J from which on curves are thinner
 
 
@@ -59,8 +58,9 @@ def level_curves(rotor: Rotor, J: int) -> Iterator[LevelCurve]:
     """Yield both polhodes of each level of one J, of a rigid asymmetric rotor, |L| = J + ½."""
     polhodes = find_polhodes(rotor, J)
     starts = level_directions(rotor.constants, J, polhodes.semiclassical)
+    points = 300
     for energy, above, start in zip(polhodes.semiclassical.tolist(), polhodes.above.tolist(), starts, strict=True):
-        curve = polhode(FreeMotion(rotor_moments(rotor), momentum=start), POINTS)
+        curve = polhode(FreeMotion(rotor_moments(rotor), momentum=start), points)
         if curve is not None:
             yield LevelCurve(energy, above, curve)
             yield LevelCurve(energy, above, -curve)

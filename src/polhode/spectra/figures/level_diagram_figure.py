@@ -16,12 +16,6 @@ from polhode.spectra.reports import WAVE_NUMBER
 from polhode.spectra.rotor import Rotor, find_fallen
 from polhode.types import Array
 
-WIDE, HIGH = 4.8, 4.4  # inches
-HALF = 0.33  # of a column's width: the ticks of its two ladders
-MOST_COLUMNS = 12
-APART = 0.028  # of the height: labels nearer to each other are left out
-PAIRED = 0.01  # of the height: two levels that lie together
-
 
 def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
     """Return the levels with J up to ``j_max`` over K_a, each with its J; K_c = J − K_a is left in a column.
@@ -42,19 +36,21 @@ def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
     '$K_a$'
     """
     levels = rotor.levels(j_max)
-    energy, columns = levels.energy / WAVE_NUMBER, min(int(levels.Ka.max()), MOST_COLUMNS)
+    most_columns = 12
+    energy, columns = levels.energy / WAVE_NUMBER, min(int(levels.Ka.max()), most_columns)
     holds = ~find_fallen(levels.J, energy)  # distortion beyond its range lets levels fall below the ground state
     top = float(energy[holds & ((levels.Ka == columns) | (columns == levels.Ka.max()))].max(initial=0.0))
     if axes is None:
-        figure = style.new_figure(WIDE, HIGH)
+        figure = style.new_figure(4.8, 4.4)
         axes = figure.subplots()
     else:
         figure, (axes,) = style.axes_for(axes)
     top = top or 1.0
     above = np.concatenate([_above(rotor, J) for J in range(j_max + 1)])
     left = levels.Kc == levels.J - levels.Ka
-    start = levels.Ka + np.where(left & (levels.Ka > 0), -HALF, np.where(levels.Ka > 0, 0.04, -0.5 * HALF))
-    end = start + HALF - 0.04
+    half = 0.33  # of a column's width: the ticks of its two ladders
+    start = levels.Ka + np.where(left & (levels.Ka > 0), -half, np.where(levels.Ka > 0, 0.04, -0.5 * half))
+    end = start + half - 0.04
     shown = (levels.Ka <= columns) & (energy <= 1.02 * top) & holds
     for side in (False, True):
         for empty in (False, True):
@@ -64,7 +60,8 @@ def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
             drawn = LineCollection(pieces, colors=side_colour(side), linewidths=1.1, linestyles=form)
             axes.add_collection(drawn, autolim=False)
     # a pair that lies together has its J once, on the left, which comes next
-    pair = ~left & ((j_max > CROWDED) | (np.abs(np.append(energy[1:], np.inf) - energy) < PAIRED * top))
+    paired = 0.01  # of the height: two levels that lie together
+    pair = ~left & ((j_max > CROWDED) | (np.abs(np.append(energy[1:], np.inf) - energy) < paired * top))
     _name(axes, levels.J, shown & ~pair, left | (levels.Ka == 0), start, end, energy, top)
     axes.set_xlim(-0.75, columns + 0.75)
     axes.set_ylim(-0.02 * top, 1.04 * top)
@@ -90,9 +87,10 @@ def _name(
 ) -> None:
     """Write the J of each level that is to be named beside it, where the one below leaves room."""
     last: dict[tuple[float, bool], float] = {}
+    apart = 0.028  # of the height: labels nearer to each other are left out
     for k in np.flatnonzero(named)[np.argsort(energy[named])]:
         column = (float(start[k]), bool(left[k]))
-        if energy[k] - last.get(column, -math.inf) < APART * top:
+        if energy[k] - last.get(column, -math.inf) < apart * top:
             continue
         last[column] = float(energy[k])
         x, side = (start[k] - 0.03, "right") if left[k] else (end[k] + 0.03, "left")

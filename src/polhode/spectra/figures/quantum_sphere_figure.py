@@ -28,7 +28,7 @@ def quantum_sphere(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     """Return the sphere |L| = J + ½ with a pair of polhodes for each of the 2J + 1 levels, far side dimmed.
 
     Next polhodes of one side have an area of 2π/(J + ½) between them, a quantum, on the unit sphere; levels that
-    tunnelling pairs lie on almost the same polhodes.
+    tunnelling pairs lie on almost equal polhodes.
 
     Args:
         rotor: a rigid asymmetric rotor; distortion is left out.

@@ -11,13 +11,6 @@ from matplotlib.figure import Figure
 from polhode.figures import style
 from polhode.spectra.racket import Racket
 
-POINTS = 500
-FAR = 4.0  # times that at which quantum and ensemble part: the first panel of a body on its axis
-PERIODS = 6.0  # of the first panel
-LONG_POINTS = 12  # a period, of the second
-MOST_POINTS = 6000
-BEYOND = 1.12  # of the revival
-
 
 def racket_flip(racket: Racket, *, axes: Any = None) -> Figure:
     """Return ⟨L_b⟩ of the quantum body against time, with the classical body and the classical ensemble.
@@ -38,8 +31,10 @@ def racket_flip(racket: Racket, *, axes: Any = None) -> Figure:
         panels = list(np.atleast_1d(figure.subplots(1 if revival is None else 2, 1)))
     else:
         figure, panels = style.axes_for(axes, rows=1 if revival is None else 2)
-    growth = (FAR * (1.5 * math.log(racket.J) + 3.0)) / racket.rate
-    times = np.linspace(0.0, growth if revival is None else PERIODS * racket.period, POINTS)
+    # quantum and ensemble part at a quarter of this time, which ends the first panel of a body on its axis
+    growth = (4.0 * (1.5 * math.log(racket.J) + 3.0)) / racket.rate
+    periods = 6.0  # of the first panel
+    times = np.linspace(0.0, growth if revival is None else periods * racket.period, 500)
     power = style.power_of_ten(times)
     shown = times / 10.0**power
     panels[0].plot(shown, racket.ensemble(times), color=style.ENSEMBLE, lw=1.1, label="classical ensemble")
@@ -53,11 +48,12 @@ def racket_flip(racket: Racket, *, axes: Any = None) -> Figure:
 
 
 def _draw_long(panel: Any, racket: Racket, revival: float) -> None:
-    count = min(MOST_POINTS, max(POINTS, math.ceil(LONG_POINTS * BEYOND * revival / racket.period)))
-    times = np.linspace(0.0, BEYOND * revival, count)
+    points, most_points, per_period, until = 500, 6000, 12, 1.12  # `until` in times of revival
+    count = min(most_points, max(points, math.ceil(per_period * until * revival / racket.period)))
+    times = np.linspace(0.0, until * revival, count)
     power = style.power_of_ten(times)
     shown = times / 10.0**power
-    every = max(1, count // POINTS)
+    every = max(1, count // points)
     panel.plot(shown[::every], racket.ensemble(times[::every]), color=style.ENSEMBLE, lw=0.9, zorder=3)
     panel.plot(shown, racket.quantum(times), color=style.BLUE, lw=0.5)
     for share, name in ((0.5, "½ $T_{rev}$"), (1.0, "$T_{rev}$")):

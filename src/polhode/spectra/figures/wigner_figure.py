@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -18,18 +18,26 @@ from polhode.spectra.rotor import Rotor
 from polhode.spectra.symbols import sum_harmonics, symbol_coefficients
 from polhode.types import Array, Float64
 
-LARGEST_J = 60  # work grows as its cube, and waves become finer than what is drawn
+
+class WignerLimits(NamedTuple):
+    """Limits of the pictures.
+
+    Attributes:
+        max_j: work grows as its cube, and waves become finer than what is drawn.
+    """
+
+    max_j: int = 60
+
+
+LIMITS = WignerLimits()
 MIDDLE_IS_Z = Representation.IIr  # x, y, z = c, a, b
 COLOURS = "RdBu_r"
-FINEST = 8  # points a wave, of which 2J go round
-PANELS = 6
-SIDES = (1.0, -1.0)  # of +b and of −b
 
 
 def level_wigner(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     """Return Wigner functions of six levels of one J, from the lowest through the saddle to the highest.
 
-    Each is the hemisphere about b in an equal area map, c to the right and a up; the other is the same turned by half a
+    Each is the hemisphere about b in an equal area map, c to the right and a up; the other is its image under a half
     turn. The line is where the classical energy is the level's, its polhode. Ripples inside it are interference.
 
     Args:
@@ -68,8 +76,8 @@ def level_wigner(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
 def racket_wigner(racket: Racket, *, axes: Any = None) -> Figure:
     """Return the Wigner function of a body that turns over, at five times, on both hemispheres about its middle axis.
 
-    Times are the start, those of half and of the first reversal, and as far beyond. Each hemisphere is seen from
-    outside in an equal area map: about +b above, with c to the right, about −b below, with c to the left; a is up.
+    Times are the start, those of half and of the first reversal, and as far beyond. Each hemisphere is drawn from
+    outside in an equal-area map: about +b above, with c to the right, about −b below, with c to the left; a is up.
 
     Args:
         racket: with J up to 60.
@@ -80,16 +88,17 @@ def racket_wigner(racket: Racket, *, axes: Any = None) -> Figure:
     """
     check_drawable(racket.J)
     times = choose_times(racket)
+    sides = (1.0, -1.0)  # of +b and of −b
     if axes is None:
         figure = style.new_figure(7.2, 3.3)
-        panels = list(figure.subplots(len(SIDES), len(times)).flat)
+        panels = list(figure.subplots(len(sides), len(times)).flat)
     else:
-        figure, panels = style.axes_for(axes, rows=len(SIDES) * len(times))
+        figure, panels = style.axes_for(axes, rows=len(sides) * len(times))
     power = style.power_of_ten(times)
     for k, (time, state) in enumerate(zip(times, racket.states(times), strict=True)):
-        both = [wigner_on_side(state, side, racket.J) for side in SIDES]
-        largest = float(np.abs(both).max())  # one scale at a time: what is faint on one side is seen to be
-        for row, (side, values) in enumerate(zip(SIDES, both, strict=True)):
+        both = [wigner_on_side(state, side, racket.J) for side in sides]
+        largest = float(np.abs(both).max())  # one scale for both sides of a time, which keeps faint ones faint
+        for row, (side, values) in enumerate(zip(sides, both, strict=True)):
             panel = panels[row * len(times) + k]
             _draw(panel, values, side, largest)
             if row == 0:
@@ -111,10 +120,10 @@ def check_drawable(J: int) -> None:
     """Refuse a J whose waves are too fine.
 
     Raises:
-        InvalidInput: naming the largest.
+        InvalidInput: with the largest allowed.
     """
-    if J > LARGEST_J:
-        raise InvalidInput(f"`J` must be at most {LARGEST_J} for a Wigner function's picture; got {J}.")
+    if J > LIMITS.max_j:
+        raise InvalidInput(f"`J` must be at most {LIMITS.max_j} for a Wigner function's picture; got {J}.")
 
 
 def wigner_on_side(state: Array, side: float, J: int) -> Float64[Array, "n m"]:
@@ -126,15 +135,17 @@ def wigner_on_side(state: Array, side: float, J: int) -> Float64[Array, "n m"]:
 
 
 def _grid(J: int) -> tuple[Array, Array]:
-    count = max(48, FINEST * J // 2)
+    per_wave = 8  # points, of waves of which 2J go round
+    count = max(48, per_wave * J // 2)
     return np.linspace(0.0, 0.5 * math.pi, count), np.linspace(0.0, 2.0 * math.pi, 4 * count + 1)
 
 
 def _choose_levels(above: Array) -> list[int]:
-    """Return which levels are shown: the ends of both sides, and what lies half way."""
+    """Return the levels that are shown: the ends of both sides, and those half way."""
     count, below = len(above), int((~above).sum())
     wanted = (0, below // 2, below - 1, below, (below + count) // 2, count - 1)
-    return sorted({min(max(k, 0), count - 1) for k in wanted})[:PANELS]
+    most_panels = 6
+    return sorted({min(max(k, 0), count - 1) for k in wanted})[:most_panels]
 
 
 def _draw(panel: Any, values: Array, side: float, largest: float) -> None:
@@ -154,7 +165,7 @@ def _draw(panel: Any, values: Array, side: float, largest: float) -> None:
 
 
 def _draw_energy(panel: Any, rotor: Rotor, height: float) -> None:
-    """Draw where A n_a² + B n_b² + C n_c² is this high."""
+    """Draw the contour A n_a² + B n_b² + C n_c² = energy."""
     A, B, C = rotor.constants
     polar, azimuth = np.linspace(0.0, 0.5 * math.pi, 120), np.linspace(0.0, 2.0 * math.pi, 361)
     sine, cosine, out = np.sin(polar)[:, None], np.cos(polar)[:, None], 2.0 * np.sin(0.5 * polar)[:, None]

@@ -18,7 +18,7 @@ WIDEST_CODED = 3  # columns; numbers in wider fields have digits alone
 
 
 class Field(NamedTuple):
-    """What a field is called, its first column from 0, how wide it is, and how many decimals it has."""
+    """A field: its name, its first column from 0, its width, and its number of decimals."""
 
     name: str
     begin: int
@@ -157,5 +157,5 @@ def write_rows(rows: Sequence[Row], kept: Sequence[str] | None, read: Callable[[
 
 
 def _with_ends(text: str) -> list[str]:
-    """Return lines with their ends; only a line feed ends one, which ``splitlines`` sees differently."""
+    """Return lines with their ends; only a line feed ends one, unlike in ``splitlines``."""
     return [line for line in re.split(r"(?<=\n)", text) if line]

@@ -26,9 +26,23 @@ DEGREES, DEGENERACY, TAG, FORM = Field("degrees of freedom", 29, 2), Field("uppe
 UPPER, LOWER = ([Field(f"{name} quantum number {k + 1}", begin + 2 * k, 2) for k in range(6)]
                 for name, begin in (("upper", 55), ("lower", 67)))  # fmt: skip
 ASYMMETRIC_TOP, LINEAR = 303, 101  # J, Ka, Kc; J alone
-LARGEST_ERROR = 999.9999  # MHz, where SPCAT ends too
-FAINTEST = -99.0  # lg of nm² MHz, of lines that are still written
-HIGHEST = 1e14 - 1e2  # Hz: F13.4 of MHz
+
+
+class CatalogueLimits(NamedTuple):
+    """What the catalogue's columns hold.
+
+    Attributes:
+        max_error: MHz, where SPCAT ends too.
+        min_brightness: lg of nm² MHz of the faintest line written.
+        max_frequency: Hz: F13.4 of MHz.
+    """
+
+    max_error: float = 999.9999
+    min_brightness: float = -99.0
+    max_frequency: float = 1e14 - 1e2
+
+
+LIMITS = CatalogueLimits()
 HERTZ_OF_WAVE_NUMBER = 29979.2458e6
 
 
@@ -53,7 +67,7 @@ class Catalogue:
         tag: of the species; negative for frequencies that were measured.
         form: what the quantum numbers are: 303 for J, K_a, K_c, 101 for J; its last digit is how many there are.
         upper, lower: (n, k) quantum numbers; zero beyond those that a line has.
-        text: the lines as they were read; ``write_cat`` keeps those that still say the same.
+        text: the lines as they were read; ``write_cat`` keeps those whose values did not change.
     """
 
     frequency: Float64[Array, "n"]
@@ -74,7 +88,7 @@ def read_cat(path: str | Path) -> Catalogue:
 
     Raises:
         InvalidInput: if it is missing.
-        FormatError: naming line and columns of what is not as it must be.
+        FormatError: with line and columns of a field that breaks the format.
     """
     path = as_path("path", path)
     text = read_text(path, "catalogue", LARGEST_FILE)
@@ -93,7 +107,7 @@ def read_cat(path: str | Path) -> Catalogue:
 def write_cat(catalogue: Catalogue, path: str | Path) -> None:
     """Write a ``.cat`` file.
 
-    What was read by ``read_cat`` and not changed is written as it was, byte for byte.
+    Unchanged lines from ``read_cat`` are written as they were, byte for byte.
 
     Raises:
         InvalidInput: for numbers that do not fit into their columns, or a place that cannot be written to.
@@ -115,8 +129,8 @@ def catalogue_of(
 ) -> Catalogue:
     """Return computed lines as a catalogue.
 
-    Lines that nothing can be seen of, of intensity zero or below 1e-99 nm² MHz, are left out, and those from 10⁸ MHz
-    on, for which the columns have no room.
+    Invisible lines, of intensity zero or below 1e-99 nm² MHz, are left out, and so are those from 10⁸ MHz on, for which
+    the columns have no room.
 
     Args:
         lines: of ``Rotor.lines`` at a temperature, by custom 300 K.
@@ -139,7 +153,7 @@ def catalogue_of(
         raise InvalidInput(f"`error` must be finite and not negative [Hz]; got {shown(error)}.")
     with np.errstate(divide="ignore"):
         brightness = np.log10(lines.intensity * 1e12)
-    kept = (brightness >= FAINTEST) & (lines.frequency < HIGHEST)
+    kept = (brightness >= LIMITS.min_brightness) & (lines.frequency < LIMITS.max_frequency)
     weight = lines.weight * (2 * lines.upper[:, 0] + 1)
     if (weight % 1.0 != 0.0).any():
         raise InvalidInput(f"spin weights must be whole numbers in a catalogue; got {shown(lines.weight)}.")
@@ -148,7 +162,7 @@ def catalogue_of(
     form, quanta = (LINEAR, 1) if degrees == 2 else (ASYMMETRIC_TOP, 3)
     whole = np.ones(int(kept.sum()), int)
     return Catalogue(
-        lines.frequency[kept] / 1e6, np.minimum(errors, LARGEST_ERROR)[kept], brightness[kept],
+        lines.frequency[kept] / 1e6, np.minimum(errors, LIMITS.max_error)[kept], brightness[kept],
         degrees * whole, lines.lower_energy[kept] / HERTZ_OF_WAVE_NUMBER, weight[kept].astype(int),
         tag * whole, form * whole, lines.upper[kept, :quanta], lines.lower[kept, :quanta],
     )  # fmt: skip

@@ -23,7 +23,7 @@ from polhode.types import Array, Float64, Integer
 
 LARGEST_FILE = 128 * MB
 NUMBERS = [Field(f"quantum number {k + 1}", 3 * k, 3) for k in range(12)]
-FREE = 36  # where the fixed columns end
+FIXED_WIDTH = 36  # columns of the quantum numbers
 HERTZ_OF_MEGAHERTZ = 1e6
 Row = tuple[tuple[int, ...], tuple[int, ...], float, float, float]
 
@@ -35,9 +35,9 @@ class LineList:
     Attributes:
         upper, lower: (n, k) quantum numbers, such as J, K_a, K_c.
         value, error: (n,) frequencies and their errors [MHz]; both [cm⁻¹] where the error is negative.
-        weight: (n,) of the member of a blend. Neighbours of the same value and error are one.
-        text: the lines as they were read; ``write_lin`` keeps those that still say the same.
-        left_out: how many lines stand behind the first blank one, where SPFIT ends reading, and so does ``read_lin``.
+        weight: (n,) of the member of a blend. Neighbours of equal value and error are one.
+        text: the lines as they were read; ``write_lin`` keeps those whose values did not change.
+        left_out: how many lines follow the first blank one, where SPFIT ends reading, and so does ``read_lin``.
     """
 
     upper: Integer[Array, "n k"]
@@ -87,7 +87,7 @@ def read_lin(path: str | Path) -> LineList:
 
     Raises:
         InvalidInput: if it is missing.
-        FormatError: naming line and columns of what is not as it must be.
+        FormatError: with line and columns of a field that breaks the format.
     """
     path = as_path("path", path)
     remedy = "A list of lines has twelve fields of three columns, then frequency, error and perhaps a weight."
@@ -99,14 +99,14 @@ def read_lin(path: str | Path) -> LineList:
                               f"has {len(rows[0][0])}. Write as many in every line.")  # fmt: skip
     upper, lower, value, error, weight = (np.array(column) for column in zip(*rows, strict=True))
     texts = tuple(text for _, text in pairs)
-    left_out = sum(bool(line.strip()) for line in texts[-1].split("\n")) - 1  # the last has what stands behind it
+    left_out = sum(bool(line.strip()) for line in texts[-1].split("\n")) - 1  # the last includes the text behind it
     return LineList(upper, lower, value, error, weight, texts, left_out)
 
 
 def write_lin(lines: LineList, path: str | Path) -> None:
     """Write a ``.lin`` file; numbers have as many digits as they need to be read back as they are.
 
-    What was read by ``read_lin`` and not changed is written as it was, byte for byte, comments included.
+    Unchanged lines from ``read_lin`` are written as they were, byte for byte, comments included.
 
     Raises:
         InvalidInput: for quantum numbers that do not fit into their columns, or a place that cannot be written to.
@@ -138,15 +138,15 @@ def _row(line: str) -> Row:
     count = len(filled)
     if not count or count % 2 or filled != list(range(count)):
         raise ValueError(f"columns 1 to 36: must hold as many upper as lower quantum numbers, one after the other; got "
-                         f"{shown(line[:FREE].rstrip())}")  # fmt: skip
+                         f"{shown(line[:FIXED_WIDTH].rstrip())}")  # fmt: skip
     numbers = [field.whole(line) for field in NUMBERS[:count]]
-    free = [word for word in re.split(r"[\s,]+", line[FREE:].split("/")[0]) if word]
+    free = [word for word in re.split(r"[\s,]+", line[FIXED_WIDTH:].split("/")[0]) if word]
     try:
         value, error = (read_fortran(word) for word in free[:2])
     except ValueError as problem:
-        why = f"must be a frequency and its error; got {shown(line[FREE:].strip())}"
-        raise ValueError(f"columns {FREE + 1} and on: {why}: each {problem}" if len(free) > 1 else
-                         f"columns {FREE + 1} and on: {why}") from None  # fmt: skip
+        why = f"must be a frequency and its error; got {shown(line[FIXED_WIDTH:].strip())}"
+        raise ValueError(f"columns {FIXED_WIDTH + 1} and on: {why}: each {problem}" if len(free) > 1 else
+                         f"columns {FIXED_WIDTH + 1} and on: {why}") from None  # fmt: skip
     try:
         weight = read_fortran(free[2]) if len(free) > 2 else 1.0
     except ValueError:
@@ -171,4 +171,4 @@ def _line(row: Row) -> str:
     upper, lower, *numbers = row
     fixed = "".join(field.write_value(value) for field, value in zip(NUMBERS, (*upper, *lower), strict=False))
     value, error, weight = (repr(number) for number in numbers)
-    return f"{fixed.ljust(FREE)} {value:>18} {error:>12} {weight:>6}"
+    return f"{fixed.ljust(FIXED_WIDTH)} {value:>18} {error:>12} {weight:>6}"

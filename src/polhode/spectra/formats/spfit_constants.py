@@ -28,8 +28,7 @@ from polhode.types import Array, Float64, Integer, Real
 
 LARGEST_FILE = 16 * MB
 WIDTH, IN_A_ROW = 10, 8  # of the factor of the correlations
-ROUNDING = 1e-12  # added to correlations, which may be singular within rounding
-UNLIMITED_K = 99.0  # and above: what files say that mean no limit
+UNLIMITED_K = 99.0  # from here on a file means no limit
 FREE = 1e37  # MHz; the error of a constant that is free
 FIXED = 1e-37  # MHz; an error by which SPFIT leaves a constant as it is
 AXES = {10000: (1.0, 0.0, 0.0), 20000: (0.0, 1.0, 0.0), 30000: (0.0, 0.0, 1.0), 100: (1.0, 1.0, 1.0)}
@@ -47,9 +46,9 @@ class ConstantTable:
 
     Attributes:
         title: the first line.
-        reduction: "A" or "S", whose operators the file has; where both would do, by the letter, which to the program
-            is but a matter of labels.
-        options: those of the third line after the letter, None where the program's own default is meant: degeneracy of
+        reduction: "A" or "S", whose operators the file has; where both have, by the letter, which to the program
+            is only a label.
+        options: those of the third line after the letter, None for the program's own default: degeneracy of
             spins, states of vibration (negative for an oblate basis), least and largest K (0 and 0: a linear molecule),
             interactions left out, axis and weights of even and odd levels, symmetry, …
         code: (n,) of operators; negative ones keep their ratio to the one before.
@@ -163,8 +162,8 @@ def constant_table(
     Args:
         rotor: in I^r or III^l.
         sigma: errors by name [Hz], such as ``dict(zip(fit.names, fit.sigma))``; other constants are fixed, but those of
-            a symmetric top that are equal to one of these, which go with it. NaN, of which nothing is known, is written
-            as the huge error of a free constant.
+            a symmetric top that are equal to one of these, which go with it. NaN, no error, is written as the huge
+            error of a free constant.
         title: one line.
         correlation: (k, k) of the k errors in the order of ``sigma``, such as ``fit.correlation``.
 
@@ -224,7 +223,7 @@ def _code_of_axis(rotor: Rotor, axis: str, free: Sequence[str]) -> int:
 def read_par(path: str | Path) -> ConstantTable:
     """Return the constants of a ``.par`` or ``.var`` file, with the correlations that the latter ends with.
 
-    They stand there as an upper triangular factor U of their matrix, U Uᵀ, with rows of length 1, packed by columns in
+    The file has them as an upper triangular factor U of their matrix, U Uᵀ, with rows of length 1, packed by columns in
     8F10.6; the program's documentation calls it the Cholesky factor, which is another matrix. Codes below zero, which
     keep their ratio to the one before, have none of their own. As SPFIT does, an incomplete U is left out. An error
     that is left out is huge in a ``.par``, whose constant is free, and 0 in a ``.var``.
@@ -276,9 +275,10 @@ def write_par(table: ConstantTable, path: str | Path) -> None:
     lines += [f"{table.reduction.lower()} {_numbers(each)}" for each in (table.options, *table.more_options)]
     for code, value, error, label in zip(table.code, table.value, table.error, table.label, strict=True):
         lines.append(f"{code:13d} {value: .15E} {error:.8E} /{label}")
+    rounding = 1e-12  # added to correlations, which may be singular within rounding
     if table.correlation is not None and Path(path).suffix.lower() == ".var":
         own = table.code >= 0
-        matrix = table.correlation[np.ix_(own, own)] + ROUNDING * np.eye(int(own.sum()))
+        matrix = table.correlation[np.ix_(own, own)] + rounding * np.eye(int(own.sum()))
         factor = np.linalg.cholesky(matrix[::-1, ::-1])[::-1, ::-1]  # upper triangular
         packed = [f"{x:10.7f}" for x in factor.T[np.tril_indices(len(factor))].tolist()]
         lines += ["".join(packed[k : k + IN_A_ROW]) for k in range(0, len(packed), IN_A_ROW)]

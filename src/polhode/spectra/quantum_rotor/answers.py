@@ -7,7 +7,7 @@ import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -27,12 +27,23 @@ from polhode.spectra.reports import WAVE_NUMBER, frequency, label, level_table, 
 from polhode.spectra.rotor import PLANCK_OVER_8_PI_SQUARED, Levels, Rotor, find_fallen, warn_of_fallen
 from polhode.spectra.spec_rotors import SpecRotor, check_summable
 
-SHOWN_J = 3  # of the levels in the text; the JSON has all up to REPORTED_J, `polhode levels` all
-REPORTED_J = 10
-STRONGEST = 10
+
+class QuantumRotorLimits(NamedTuple):
+    """What decides how levels and molecules are described.
+
+    Attributes:
+        max_pair_splitting: of a doublet that tunnelling splits, over the classical step.
+        max_prolate_kappa: Ray's κ up to which a molecule is called nearly prolate.
+        min_oblate_kappa: κ from which it is called nearly oblate.
+    """
+
+    max_pair_splitting: float = 0.1
+    max_prolate_kappa: float = -0.9
+    min_oblate_kappa: float = 0.9
+
+
+LIMITS = QuantumRotorLimits()
 U_ANGSTROM_SQUARED = ATOMIC_MASS_UNIT * 1e-20  # kg m²
-PAIRED = 0.1  # of the turns of L: nearer than that, two levels are one that tunnelling splits
-PROLATE, OBLATE = -0.9, 0.9  # of kappa: nearly symmetric beyond
 
 
 @dataclass(frozen=True)
@@ -113,7 +124,7 @@ class QuantumRotorReport(SystemReport):
         from polhode.spectra.formats.rotor_dataset import rotor_attributes, write_spectrum
 
         if self.lines is not None:
-            for said in self.warned:  # for whoever has only the file, without the notes
+            for said in self.warned:  # for readers of the file, who do not have the notes
                 if said not in self.asked.notes:
                     warnings.warn(said, stacklevel=2)
         known = rotor_attributes(self.rotor, self.name, self.asked.temperature)
@@ -158,8 +169,8 @@ class QuantumRotorReport(SystemReport):
         populated = (2 * levels.J + 1) * levels.weight * boltzmann
         most = int(np.argmax(populated))
         numbers = (int(levels.J[most]), int(levels.Ka[most]), int(levels.Kc[most]))
-        last = min(self.asked.j_max, REPORTED_J)
-        yield level_table(levels, last, SHOWN_J)
+        last, shown_j = min(self.asked.j_max, 10), 3  # in the JSON and in the text; `polhode levels` has all
+        yield level_table(levels, last, shown_j)
         yield Group(f"At {T:g} K", [
             Answer("temperature", T, "K"),
             Answer("partition_function", self.partition, "", "partition function"),
@@ -169,7 +180,8 @@ class QuantumRotorReport(SystemReport):
         ])  # fmt: skip
 
     def _strongest(self, lines: Lines) -> Table:
-        strongest = np.argsort(lines.intensity)[::-1][:STRONGEST]
+        listed = 10
+        strongest = np.argsort(lines.intensity)[::-1][:listed]
         chosen = Lines(*(column[np.sort(strongest)] for column in lines))
         return line_table(chosen, f"Strongest lines at {self.asked.temperature:g} K")
 
@@ -218,8 +230,8 @@ def _rows(polhodes: LevelPolhodes) -> list[dict[str, Any]]:
 
 
 def is_split(splitting: float, classical_step: float) -> bool:
-    """Whether two levels form a pair; near the saddle all steps are alike."""
-    return not splitting > PAIRED * classical_step  # of the highest pair there is no step
+    """Whether two levels form a pair; near the saddle all steps are similar."""
+    return not splitting > LIMITS.max_pair_splitting * classical_step  # of the highest pair there is no step
 
 
 def _both(value: float) -> str:
@@ -231,9 +243,9 @@ def _both(value: float) -> str:
 def _shape(kappa: float | None) -> str:
     if kappa is None:
         return "A spherical top"
-    if kappa < PROLATE:
+    if kappa < LIMITS.max_prolate_kappa:
         return "A nearly prolate molecule"
-    return "A nearly oblate molecule" if kappa > OBLATE else "An asymmetric molecule"
+    return "A nearly oblate molecule" if kappa > LIMITS.min_oblate_kappa else "An asymmetric molecule"
 
 
 def make_report(spec: Spec[QuantumRotorTable]) -> QuantumRotorReport:

@@ -29,11 +29,19 @@ from polhode.viewer.panels import PageContent, body_panels
 from polhode.viewer.samples import Samples
 
 MIDDLE_IS_Z = Representation.IIr  # x, y, z = c, a, b
-LARGEST_J = 60  # of Wigner functions: a page's script takes a second for its tables there, and waves are fine
-PERIODS = 2.2
-SAMPLES = 800
-VIEW = {"azimuth": 0.89, "elevation": 0.51}  # a, b and c are all seen, and the saddle at b
-ROUND_A, ROUND_C = 0, 2  # axes whose colours the polhodes round them have
+
+
+class QuantumPageLimits(NamedTuple):
+    """Limits of the page's computations.
+
+    Attributes:
+        max_j: of Wigner functions: there the page's script takes a second for its tables, and waves are fine.
+    """
+
+    max_j: int = 60
+
+
+LIMITS = QuantumPageLimits()
 
 
 class Shown(NamedTuple):
@@ -63,7 +71,7 @@ def _check(report: QuantumRotorReport) -> None:
 
 def _start(report: QuantumRotorReport) -> Shown:
     """Return the flip, or the level next above the saddle, or the middle one of a symmetric molecule."""
-    if report.racket is not None and report.J <= LARGEST_J:
+    if report.racket is not None and report.J <= LIMITS.max_j:
         return Shown(None, report.racket.direction)
     directions, above = _polhodes(report)
     level = int(np.argmax(above)) if above.any() and not above.all() else report.J
@@ -98,18 +106,18 @@ def _size(J: int) -> float:
 
 
 def _span(report: QuantumRotorReport, motion: FreeMotion) -> float:
-    """Return how long the page's first window is [s]: some periods, or two flips where those are longer."""
+    """Return the length of the page's first window [s]: some periods, or two flips where those are longer."""
     period = None if motion.period is None else float(motion.period)
     if period is None or not math.isfinite(period):
         speed = float(np.linalg.norm(motion.momentum_at_epoch / motion.moments))
         period = 8.0 * math.pi / speed
         if report.racket is not None:
             period = (2.0 * math.log(report.J) + 8.0) / report.racket.rate
-    return PERIODS * period
+    return 2.2 * period
 
 
 def _model(report: QuantumRotorReport, directions: Float64[Array, "n 3"]) -> dict[str, Any]:
-    """Return what the page's script needs to simulate classical body and spin."""
+    """Return the input of the page's script for the classical body and the spin."""
     level, direction = _start(report)
     states = _states(report)
     names = [label(report.J, Ka, Kc) for Ka, Kc in zip(states.Ka.tolist(), states.Kc.tolist(), strict=True)]
@@ -117,7 +125,7 @@ def _model(report: QuantumRotorReport, directions: Float64[Array, "n 3"]) -> dic
         {"name": name, "start": start, "said": said}
         for name, start, said in zip(names, directions.tolist(), _describe_levels(report, states), strict=True)
     ]  # fmt: skip
-    spin = {} if report.J > LARGEST_J else {
+    spin = {} if report.J > LIMITS.max_j else {
         "vectors": pack(states.vectors[::-1]), "energies": states.energy.tolist(),
         "kernel": pole_values(report.J).tolist(),
     }  # fmt: skip
@@ -125,7 +133,7 @@ def _model(report: QuantumRotorReport, directions: Float64[Array, "n 3"]) -> dic
         "solver": "QuantumRotor", "J": report.J, "constants": list(report.rotor.constants),
         "moments": _moments(report).tolist(), "momentumSize": _size(report.J), "attitude": [1.0, 0.0, 0.0, 0.0],
         "epoch": 0.0, "level": level, "direction": direction.tolist(), "levels": levels,
-        "said": [] if report.racket is None else _of_flip(report.racket), "largestJ": LARGEST_J, **spin,
+        "said": [] if report.racket is None else _of_flip(report.racket), "largestJ": LIMITS.max_j, **spin,
     }  # fmt: skip
 
 
@@ -157,8 +165,8 @@ def _of_flip(racket: Racket) -> list[list[Any]]:
     half, first, revival = racket.half_time, racket.first_reversal, racket.revival_time
     said: list[list[Any]] = [] if half is None else [["⟨L_b⟩ falls to J/2 after", in_its_unit(half)]]
     if first is not None:
-        turned = {"time": in_its_unit(first.time), "value": f"{first.along:.4f}"}
-        said.append(["first reversal", ["{time}, to ⟨L_b⟩ = {value} J", turned]])
+        values = {"time": in_its_unit(first.time), "value": f"{first.along:.4f}"}
+        said.append(["first reversal", ["{time}, to ⟨L_b⟩ = {value} J", values]])
     return said if revival is None else [*said, ["revival T_rev", in_its_unit(revival)]]
 
 
@@ -175,7 +183,7 @@ class QuantumRotorPanel(KindPanel):
         size, moments = _size(report.J), _moments(report)
         motion = FreeMotion(moments, momentum=size * _start(report).direction)
         span = _span(report, motion)
-        trajectory = motion.sample(np.linspace(0.0, span, SAMPLES))
+        trajectory = motion.sample(np.linspace(0.0, span, 800))
         return trajectory if report.frame is None else replace(trajectory, frame=report.frame)
 
     def content(self, report: QuantumRotorReport, samples: Samples, surface: Surface | None) -> PageContent:
@@ -184,7 +192,7 @@ class QuantumRotorPanel(KindPanel):
         families = [
             {"starts": directions[chosen].tolist(), "axis": axis,
              "legend": ["levels round {axis}", {"axis": "abc"[axis]}]}
-            for chosen, axis in ((above, ROUND_A), (~above, ROUND_C)) if chosen.any()
+            for chosen, axis in ((above, 0), (~above, 2)) if chosen.any()
         ]  # fmt: skip
         axes = ["a", "b", "c"]
         sphere = {
@@ -192,9 +200,9 @@ class QuantumRotorPanel(KindPanel):
             "axes": axes, "words": "drag the point to another level, or L", "legend": "",
         }  # fmt: skip
         panels = [*(panel | {"axes": axes} for panel in body_panels(samples, _moments(report), surface)), sphere]
-        if report.J <= LARGEST_J:
+        if report.J <= LIMITS.max_j:
             panels.append({"type": "wigner"})
-        panels[0] |= VIEW
+        panels[0] |= {"azimuth": 0.89, "elevation": 0.51}  # a, b and c are all visible, and the saddle at b
         units = {"energy": [constants.h * WAVE_NUMBER, "cm⁻¹"], "momentum": [constants.hbar, "ħ"]}
         words = {"axes": axes, "units": units}
         return PageContent(panels, model=_model(report, directions), solved=True, words=words)
