@@ -1,4 +1,4 @@
-"""Quaternions wxyz of balls or rationals: products, and the turns that they are."""
+"""Quaternions wxyz of balls or rationals: products and rotations."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def as_matrix(q: Sequence[Any]) -> list[list[Any]]:
 
 
 def turn_vector(q: Sequence[Rational], vector: Sequence[Ball]) -> list[Ball]:
-    """Return a vector of balls turned by q/|q|, whose matrix is rational."""
+    """Return a vector of balls rotated by q/|q|, whose matrix is rational."""
     from flint import arb
 
     square = square_of(q)

@@ -1,7 +1,7 @@
 """Jacobi's functions of a phase that grows with time, and integrals of the third kind along it, in balls.
 
-The functions are quotients of theta functions, the integrals Carlson's; nothing here is shared with the doubles of
-``polhode.special`` and ``polhode.exact``, so that one may test the other.
+The functions are quotients of theta functions, the integrals Carlson's; no code is shared with the doubles of
+``polhode.special`` and ``polhode.exact``, so that each may test the other.
 
 Source: DLMF §20.2, §22.2, §19.25; Carlson, Numer. Algorithms 10 (1995) 13; Johansson, Arb, IEEE Trans. Comput. 66
 (2017) 1281.
@@ -30,7 +30,7 @@ def _third_kind_excess(sn: Ball, cn: Ball, dn: Ball, n: Ball, n1: Ball) -> Ball:
 
 
 class Place(NamedTuple):
-    """Where an oscillation is: sn, cn, dn, and how many half periods are split off from the phase."""
+    """A point of an oscillation: sn, cn, dn, and the number of half periods split off from the phase."""
 
     phase: Ball  # without the half periods
     half_periods: int
@@ -78,11 +78,11 @@ class Periodic(Oscillation):
             self.tau = acb(0, quarter_period(parameter) / self.quarter)
             _, c2, c3, c4 = (c.real for c in acb.modular_theta(acb(0), self.tau))
             self.thetas = c3 / c2, c4 / c2, c4 / c3
-        turned = bool(cn < 0)
-        sign = -1 if turned else 1
+        half_periods = bool(cn < 0)
+        sign = -1 if half_periods else 1
         dn = (cn * cn + parameter1 * sn * sn).sqrt()
         first = sign * sn * acb.elliptic_rf(acb(cn * cn), acb(dn * dn), 1).real
-        self.start = Place(first, int(turned), sn, cn, dn)
+        self.start = Place(first, int(half_periods), sn, cn, dn)
 
     def after(self, phase: Ball) -> Place:
         start = self.start
@@ -112,12 +112,12 @@ class Periodic(Oscillation):
         if n == 0:
             return place.phase
         sign = place.sign
-        found = place.phase + _third_kind_excess(sign * place.sn, sign * place.cn, place.dn, n, n1)
+        integral = place.phase + _third_kind_excess(sign * place.sn, sign * place.cn, place.dn, n, n1)
         if bool(abs(place.phase) <= self.quarter):
-            return found
-        # the ball reaches beyond the quarter period, where the integral was taken as far on this side of it
+            return integral
+        # the ball reaches beyond the quarter period, where the integral was taken as far on the near side
         beyond = (abs(place.phase).upper() - self.quarter).upper()
-        return found + arb(0, (2 * beyond * abs(n) / n1.min(arb(1))).upper())
+        return integral + arb(0, (2 * beyond * abs(n) / n1.min(arb(1))).upper())
 
     def swept(self, place: Place, n: Ball, n1: Ball) -> Ball:
         start = self.start
@@ -134,9 +134,9 @@ class Separatrix(Oscillation):
     """The oscillation for m = 1, in hyperbolic functions; cn keeps its sign."""
 
     def __init__(self, sn: Ball, cn: Ball) -> None:
-        turned = bool(cn < 0)
+        half_periods = bool(cn < 0)
         first = (sn / cn).asinh()  # of both, without the half period
-        self.start = Place(first, int(turned), sn, cn, abs(cn))
+        self.start = Place(first, int(half_periods), sn, cn, abs(cn))
 
     def after(self, phase: Ball) -> Place:
         last, sign = self.start.phase + phase, self.start.sign

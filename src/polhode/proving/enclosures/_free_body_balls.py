@@ -1,4 +1,4 @@
-"""Enclosures of a free body's motion from exact numbers: its regime, what describes it, and its state at any time."""
+"""Enclosures of a free body's motion from exact numbers: its regime, its constants, and its state at any time."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def enclose_free_motion(start: MotionStart, digits: int) -> FreeEnclosure:
 
 
 class FreeBody(ExactBody):
-    """A free body in exact rational numbers, and balls of what is computed from them at the present precision."""
+    """A free body in exact rational numbers, and balls computed from them at the present precision."""
 
     def __init__(self, start: MotionStart) -> None:
         self.start = start

@@ -1,8 +1,8 @@
-"""The Lagrange top in exact rational numbers, and balls of what is computed from them.
+"""The Lagrange top in exact rational numbers, and balls computed from them.
 
 The tilt follows a cubic with rational coefficients, f(u) = (1 − u²)(e − k u) − (p − a u)² for u = cos θ, whose roots
 are enclosed in balls. Its double roots are rational, and the greatest common divisor with its derivative finds them: a
-tilt that stays, or the separatrix. The Cayley–Klein parameters α = w + iz and β = x + iy turn at rates rational in u,
+constant tilt, or the separatrix. The Cayley–Klein parameters α = w + iz and β = x + iy turn at rates rational in u,
 whose integrals are of the third kind; a top that passes a vertical has no such integral there, but a factor that
 changes sign.
 
@@ -37,11 +37,11 @@ def enclose_top_motion(start: MotionStart, digits: int) -> TopEnclosure:
 
 
 class LagrangeTop(ExactBody):
-    """A Lagrange top in exact numbers, seen so that its centre of mass is on the positive third axis.
+    """A Lagrange top in exact numbers, in body axes with its centre of mass on the positive third one.
 
     Attributes:
         start: as given.
-        reversed: whether the body is seen turned by π about its first axis, for a weight below zero.
+        reversed: whether these axes are the given ones rotated by π about the first, for a weight below zero.
         I1, I3, k: moments, and 2 I1 mgl ≥ 0.
         alpha, beta: Cayley–Klein parameters times |q|, each a pair of rationals; ``size`` is |q|².
         across: L1 and L2.
@@ -49,7 +49,7 @@ class LagrangeTop(ExactBody):
         u: cos θ at the start.
         falling: I1 u' at the start.
         cubic: f.
-        steady: whether the tilt stays.
+        steady: whether the tilt is constant.
     """
 
     def __init__(self, start: MotionStart) -> None:
@@ -84,7 +84,7 @@ class LagrangeTop(ExactBody):
         self.steady = self.double is not None and self.double == self.u
         separatrix = self.double is not None and not self.steady
         permanent = still and (upright or (self.k == 0 and self.a == 0))
-        turning = self.p / self.a if self.a != 0 else fmpq(2)  # the tilt at which the azimuth would stand still
+        turning = self.p / self.a if self.a != 0 else fmpq(2)  # the tilt at which the azimuth has a turning point
         lean = self.cubic(turning)
         if permanent and self.a == 0:
             self.regime = "rest"
@@ -118,7 +118,7 @@ class LagrangeTop(ExactBody):
     def verdicts(self) -> dict[str, str]:
         """Verdicts on the upright and the hanging axis at this L3.
 
-        Stable if no other motion has the same integrals nearby: upright iff L3² ≥ 4 I1 mgl, hanging always.
+        Stable if no other motion nearby has equal integrals: upright iff L3² ≥ 4 I1 mgl, hanging always.
         """
         if self.k == 0:
             return {}
@@ -126,7 +126,7 @@ class LagrangeTop(ExactBody):
 
     @property
     def verdict(self) -> str | None:
-        """The verdict on this motion, if the axis stands vertical for ever."""
+        """The verdict on this motion, if the axis stays vertical."""
         if not self.permanent or self.k == 0:
             return None
         return self.verdicts["upright" if self.u == 1 else "hanging"]
@@ -160,7 +160,7 @@ class LagrangeTop(ExactBody):
         return self.cubic.coeffs()[0] / self.k * -1 if self.k else self.u
 
     def _steady_constants(self) -> dict[str, Wanted]:
-        """Return the numbers of a top whose tilt stays, those of its smallest nutations."""
+        """Return the numbers of a top of constant tilt, those of its smallest nutations."""
         if self.permanent:
             return {}
         # I1² ω² = −f''/2 for small nutations about a double root
@@ -185,7 +185,7 @@ class LagrangeTop(ExactBody):
 
     def lost_bits(self, elapsed: Rational) -> float:
         momentum = abs(self.across[0]) + abs(self.across[1]) + abs(self.a)
-        # √x ≤ 1 + x in any unit of time serves as a bound here, where a few bits too many do no harm
+        # √x ≤ 1 + x in any unit of time serves as a bound here, where a few excess bits are harmless
         rate = momentum * (1 / self.I1 + 1 / self.I3) + 1 + self.mgl / self.I1
         return whole_turns(abs(elapsed) * rate)
 
@@ -195,8 +195,8 @@ class LagrangeTop(ExactBody):
         across = acb(*map(arb, self.across))
         if self.steady:
             rates = self.steady_rates()
-            turned = [_turn(arb(rate) * arb(elapsed)) for rate in rates]
-            alpha, beta = alpha * turned[0], beta * turned[1]
+            factors = [_turn(arb(rate) * arb(elapsed)) for rate in rates]
+            alpha, beta = alpha * factors[0], beta * factors[1]
             across = across * self._steady_turn_of_momentum(elapsed)
         else:
             alpha, beta, across = self._swing.state(elapsed, alpha, beta, across)
@@ -209,7 +209,7 @@ class LagrangeTop(ExactBody):
     def _steady_turn_of_momentum(self, elapsed: Rational) -> Ball:
         """Return the factor of L1 + iL2 at a constant tilt; they vanish where the axis is vertical."""
         alpha, beta = self.steady_rates()
-        if abs(self.u) == 1:  # with weight the momentum is along the axis; without, it turns as that of a free body
+        if abs(self.u) == 1:  # with weight the momentum is along the axis; without, it precesses as in a free body
             return _turn(arb(-self.spin) * arb(elapsed))
         return _turn(arb(beta - alpha) * arb(elapsed))
 
@@ -317,13 +317,13 @@ class Nutation:
                 scale = alpha / start.sn
             return scale * place.sn, scale * self.rate * place.cn * place.dn
         above = self.up + self.width * place.sn * place.sn
-        found = alpha * (above / arb(1 + top.u)).sqrt()
+        value = alpha * (above / arb(1 + top.u)).sqrt()
         turning = arb(0)
         if self.turns_alpha:
             n, n1 = -self.width / self.up, (1 + self.u2) / self.up
-            found = found * _turn(self._share_alpha() * self.oscillation.swept(place, n, n1))
+            value = value * _turn(self._share_alpha() * self.oscillation.swept(place, n, n1))
             turning = arb((top.p + top.a) / (2 * top.I1)) / above
-        return found, found * acb(self._find_speed(place) / above, turning)
+        return value, value * acb(self._find_speed(place) / above, turning)
 
     def _beta(self, place: Place, alpha: Ball, beta: Ball, across: Ball) -> tuple[Ball, Ball]:
         """Return β and its rate without the spin that I3 ≠ I1 adds."""
@@ -336,17 +336,17 @@ class Nutation:
                 scale = beta / start.cn
             return scale * place.cn, -scale * self.rate * place.sn * place.dn
         below = (1 - self.u2) + self.width * place.cn * place.cn
-        found = beta * (below / arb(1 - top.u)).sqrt()
+        value = beta * (below / arb(1 - top.u)).sqrt()
         turning = arb(0)
         if self.turns_beta:
             n, n1 = self.width / self.down, (1 - self.u2) / self.down
-            found = found * _turn(self._share_beta() * self.oscillation.swept(place, n, n1))
+            value = value * _turn(self._share_beta() * self.oscillation.swept(place, n, n1))
             turning = arb((top.p - top.a) / (2 * top.I1)) / below
-        return found, found * acb(-self._find_speed(place) / below, turning)
+        return value, value * acb(-self._find_speed(place) / below, turning)
 
 
 def _find_roots(top: LagrangeTop) -> _Roots:
-    """Return the roots, exact where they are known to be: at a vertical or at the start."""
+    """Return the roots, exact where they are at a vertical or at the start."""
     twice, cubic = 2 * arb(top.I1), top.cubic
     slope = cubic.derivative()(top.u)
     at = None if cubic(top.u) != 0 else 0 if slope > 0 else 1
@@ -374,7 +374,7 @@ def _find_roots(top: LagrangeTop) -> _Roots:
 def _three_roots(cubic: fmpq_poly) -> tuple[Ball, Ball, Ball, Ball]:
     """Return the least root of a cubic with three, the middle one, and the differences of neighbours.
 
-    By the cosine of a third of an angle, whose tangent is known to its last digit even where roots are close (Viète).
+    By the cosine of a third of an angle, whose tangent is exact to its last digit even where roots are close (Viète).
     """
     c0, c1, c2, c3 = cubic.coeffs()
     shift, slope, value = c2 / (3 * c3), c1 / c3, c0 / c3

@@ -1,4 +1,4 @@
-"""The exact numbers from which a motion starts, and what computes balls of its states from them."""
+"""The exact numbers from which a motion starts, and the interface to balls of its states."""
 
 from __future__ import annotations
 
@@ -17,7 +17,19 @@ from polhode.motion.base import AbstractMotion
 from polhode.proving.enclosures.enclosed_numbers import EnclosedNumber
 
 DOUBLES, GIVEN = "the nearest doubles", "the exact numbers given"
-NEAR = 4.0 * 2.0**-52  # of their size, how far exact numbers may be from the doubles of the motion
+
+
+class StartLimits(NamedTuple):
+    """How far exact numbers may be from the motion that they describe.
+
+    Attributes:
+        max_rounding: over the largest of the motion's doubles: four ulps.
+    """
+
+    max_rounding: float = 4.0 * 2.0**-52
+
+
+LIMITS = StartLimits()
 
 
 class MotionStart(NamedTuple):
@@ -27,10 +39,10 @@ class MotionStart(NamedTuple):
         moments, momentum: three rationals each.
         attitude: four rationals; the quaternion over its length is meant.
         epoch: a rational.
-        numbers: what else the body is made of, by name, such as "mgl".
-        axes: quaternion of the turn from the principal axes to the motion's own, four rationals; None where these are
-            the same.
-        taken: name of an argument → as what it was taken.
+        numbers: further numbers of the body by name, such as "mgl".
+        axes: quaternion of the turn from the principal axes to the motion's own, four rationals; None where they
+            coincide.
+        taken: name of an argument → how it was read.
     """
 
     moments: list[Rational]
@@ -51,7 +63,7 @@ class Values(NamedTuple):
 
 
 class ExactBody(abc.ABC):
-    """A body in exact numbers, and balls of what is computed from them at the present precision."""
+    """A body in exact numbers, and balls computed from them at the present precision."""
 
     start: MotionStart
 
@@ -98,11 +110,11 @@ def _check_exact(exact: Mapping[str, Any] | None, doubles: dict[str, list[Ration
         raise InvalidInput(f"`exact` must be exact numbers by the names of what the motion was made of, some of "
                            f"{', '.join(known)}, one of the last and momentum; got {shown(exact)}.")  # fmt: skip
     sizes = {name: len(value) for name, value in doubles.items()} | {"angular_velocity": 3}
-    found = {name: exact_rationals(f"exact[{name}]", value, sizes[name]) for name, value in exact.items()}
-    if (velocity := found.pop("angular_velocity", None)) is not None:
-        moments = found.get("moments", doubles["moments"])
-        found["momentum"] = [w * i for w, i in zip(velocity, moments, strict=True)]
-    return found
+    rationals = {name: exact_rationals(f"exact[{name}]", value, sizes[name]) for name, value in exact.items()}
+    if (velocity := rationals.pop("angular_velocity", None)) is not None:
+        moments = rationals.get("moments", doubles["moments"])
+        rationals["momentum"] = [w * i for w, i in zip(velocity, moments, strict=True)]
+    return rationals
 
 
 def _check_near(name: str, given: list[Rational], doubles: np.ndarray) -> None:
@@ -111,7 +123,7 @@ def _check_near(name: str, given: list[Rational], doubles: np.ndarray) -> None:
     if name == "attitude":
         norm = float(np.linalg.norm(nearest))
         nearest = nearest / (norm or 1.0)
-    if not (np.abs(nearest - doubles) <= NEAR * np.abs(doubles).max()).all():
+    if not (np.abs(nearest - doubles) <= LIMITS.max_rounding * np.abs(doubles).max()).all():
         raise InvalidInput(f"`exact[{name}]` must be the numbers that the motion was made of, to the last digit of "
                            f"doubles; got {nearest.tolist()} in place of {doubles.tolist()}. Give them along the "
                            "principal axes, in the order of `moments`.")  # fmt: skip
@@ -122,9 +134,9 @@ def refine_named(compute: Callable[[], dict[str, Wanted]], digits: int) -> dict[
     names: list[str] = []
 
     def compute_balls() -> list[Wanted]:
-        found = compute()
-        names[:] = found
-        return list(found.values())
+        wanted = compute()
+        names[:] = wanted
+        return list(wanted.values())
 
     balls = refine(compute_balls, digits)
     return {name: EnclosedNumber(ball, digits) for name, ball in zip(names, balls, strict=True)}

@@ -1,7 +1,7 @@
 """A system's rates of change in ball arithmetic: Taylor coefficients, bounds in the complex plane, derivatives.
 
-Numbers in a system's fields are parameters, which stand on the tape beside the state and do not move: so that what is
-computed of them, such as one over a moment, is a ball too. So do numbers in formulas, taken as the doubles they are.
+Numbers in a system's fields are parameters, which are on the tape beside the state and do not move, so that what is
+computed of them, such as one over a moment, is a ball too; likewise numbers in formulas, taken as exact doubles.
 Source: Johansson, IEEE Trans. Comput. 66 (2017) 1281, for the arithmetic.
 """
 
@@ -29,19 +29,17 @@ from polhode.types import Array, Float64
 
 Ball = Any  # of python-flint, real or complex
 OF_JAX = frozenset({math.log10(math.e), 1.0 / math.log(10.0)})  # 1/ln 10 as ``jnp.log10`` rounds it
-TINY = 1e-300  # of a ball around a zero that is met exactly
-NEWTON, WIDER = 60, 12  # steps of Newton's method, and trials of balls, for Kepler's equation
 
 
 class BallSystem:
-    """What moves, in balls.
+    """A system's rates of change in balls.
 
     Args:
-        system: what moves.
-        state: one, which tells shapes.
+        system: whose rates of change are meant.
+        state: one, for the shapes.
 
     Attributes:
-        form: of a state.
+        form: of its states.
         size: n, how many numbers move: those of the state, and the time where rates depend on it.
         parameters: (m,) numbers in the system's fields, then those in its formulas.
         exact: whether all that is computed of them is balls; else some of it was rounded to doubles.
@@ -196,21 +194,22 @@ def _first(node: Any, z: list[Ball]) -> Ball:
 
 
 def eccentric_anomaly(mean_anomaly: Ball, eccentricity: float) -> Ball:
-    """Return a ball with E of M = E − e sin E for each M in a ball, by Newton's method; infinite if none is found.
+    """Return a ball with E of M = E − e sin E for each M in a ball, by Newton's method; infinite if none is proved.
 
-    Source: Moore, *Methods and Applications of Interval Analysis*, §5.2: what Newton's step takes into itself has one
-    zero of each of the functions.
+    Source: Moore, *Methods and Applications of Interval Analysis*, §5.2: a ball that Newton's step maps into itself
+    has one zero of each of the functions.
     """
     M, e = mean_anomaly, eccentricity
     middle, previous = M.mid() + e * M.mid().sin(), None
-    for _ in range(NEWTON):
+    for _ in range(60):
         middle = (middle - (middle - e * middle.sin() - M.mid()) / (1 - e * middle.cos())).mid()
         if previous is not None and middle == previous:
             break
         previous = middle
     missed = middle - e * middle.sin() - M
-    radius = 2 * (missed / (1 - e * middle.cos())).abs_upper() + TINY
-    for _ in range(WIDER):
+    tiny = 1e-300  # of a ball around a zero that is met exactly
+    radius = 2 * (missed / (1 - e * middle.cos())).abs_upper() + tiny
+    for _ in range(12):
         if not radius.is_finite():
             break
         # the interval Newton step N(B) = m − f(m)/f′(B): N(B) within B proves one zero in B, which is in N(B)
@@ -292,5 +291,5 @@ def _next(node: Any, z: list[list[Ball]], place: int, k: int, still: list[bool])
             other = z[place + 1] if is_sine else z[place - 1]
             total = sum((j * (anomaly[j] * other[k - j]) for j in range(1, k + 1)), x[0] * 0) / k
             return total if is_sine else -total
-        case _:  # the sine stands before it
+        case _:  # the sine is the node before it
             return -sum(((k - j) * (x[k - j] * z[place - 1][j]) for j in range(k)), x[0] * 0) / k

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from polhode.proving.enclosures.enclosure import Enclosure
     from polhode.systems.base import AbstractSystem
 
-DIGITS, RADIUS = 25, 1e-15  # what is asked for if nothing is said
-
 
 def _enclose_free(start: MotionStart, digits: int) -> MotionEnclosure:
     from polhode.proving.enclosures._free_body_balls import enclose_free_motion
@@ -68,22 +66,22 @@ def certify(
     the state at any time are balls of elliptic functions with as many digits as are asked for, in about a millisecond.
     ``exact`` has numbers that doubles only approximate, such as the decimals that they were read from.
 
-    **A system**: ``certify(system, state, times)``. Each step is a Taylor series in ball arithmetic. What is cut off is
-    bounded by Cauchy's estimate, from a disc of complex times over which the motion is proved to stay in a box. What
-    roundings become is bounded by a logarithmic norm of the rates' derivative over the box. As that bound grows
-    exponentially, for chaotic motions and for others, the arithmetic has so many more digits: the time grows with its
-    square and more. Numbers that are only known within limits are enclosed too: with a second system all those systems
-    whose numbers lie between both, each number by itself, and with radii all starts that far from the state. What they
-    change is bounded by the same norm, so that the enclosure is some times wider than what they do, and more so over
-    long times.
+    **A system**: ``certify(system, state, times)``. Each step is a Taylor series in ball arithmetic. The remainder is
+    bounded by Cauchy's estimate, from a disc of complex times over which the motion is proved to stay in a box. The
+    growth of roundings is bounded by a logarithmic norm of the rates' derivative over the box. As that bound grows
+    exponentially, for chaotic motions and for others, the arithmetic has so many more digits: the work grows as the
+    square of the time and more. Numbers that are only given within limits are enclosed too: with a second system all
+    systems whose numbers lie between both, each number by itself, and with radii all starts that far from the state.
+    Their effect is bounded by that norm, so that the enclosure is several times wider than the true spread, and more
+    so over long times.
 
     Args:
-        system: what moves: one motion in closed form; or a system, whose rates must be made of products, powers and
+        system: one motion in closed form; or a system, whose rates must be made of products, powers and
             elementary functions.
         state: of a system: one, packed as ``simulate`` takes it: the doubles are taken as exact numbers.
         times: of a system: (T,) [s], in one direction; the first is the start's.
-        radius: of a system: that is wanted, relative to the largest number of the start, 1e-15 if left out; that of the
-            doubles given is added, and so is what numbers within limits change.
+        radius: of a system: the wanted one, relative to the largest number of the start, 1e-15 if left out; the
+            rounding of the states to doubles is added, and the effect of numbers within limits.
         other: a system of the same form, with other real numbers in its fields.
         state_radii: of the state's shape or one number: by how much the start may be off; of complex states, each of
             real and imaginary part.
@@ -104,10 +102,10 @@ def certify(
 
     >>> import polhode as ph
     >>> motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 0.2, 1.0))
-    >>> found = ph.certify(motion, exact={"momentum": ("0.3", "0.2", "1")})
-    >>> found.regime, found.period, found.verdicts["axis 2"]
+    >>> proved = ph.certify(motion, exact={"momentum": ("0.3", "0.2", "1")})
+    >>> proved.regime, proved.period, proved.verdicts["axis 2"]
     ('short-axis', <20.20493473808199798897005 ± 1e-24>, 'unstable')
-    >>> print(found.state("1e9").momentum[0])
+    >>> print(proved.state("1e9").momentum[0])
     -0.02645628433507978115750543 ± 4e-27
     >>> proof = ph.certify(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), [0.3, 0.2, 1.0], [0.0, 5.0])
     >>> bool(abs(proof.states[-1] - motion.momentum(5.0)).max() < 3e-15) and proof.exact
@@ -125,7 +123,7 @@ def certify(
         _refuse(of_systems, f"a system's; a {type(system).__name__} has its own start, and `state(t)` of the result "
                             "takes any time")  # fmt: skip
         import_flint()
-        digits = check_digits(DIGITS if digits is None else digits)
+        digits = check_digits(25 if digits is None else digits)
         return enclose(exact_start(system, exact), digits)
     if isinstance(system, AbstractMotion):
         known = ", ".join(kind.__name__ for kind in IN_CLOSED_FORM)
@@ -141,7 +139,7 @@ def certify(
                            "only a motion in closed form has its own start.")  # fmt: skip
     from polhode.proving.enclosures.enclosure import enclose_by_series
 
-    return enclose_by_series(system, state, times, RADIUS if radius is None else radius, other, state_radii)
+    return enclose_by_series(system, state, times, 1e-15 if radius is None else radius, other, state_radii)
 
 
 def _refuse(given: Mapping[str, Any], whose: str) -> None:

@@ -10,5 +10,5 @@ from polhode.proving.enclosures.study import certify_report
 
 
 def run_certify(path: Path, digits: int, at: Sequence[str], json: bool) -> None:
-    """Enclose what describes the motion, and its states at the times asked for, and print it."""
+    """Print enclosures of a motion's constants, and of its states at the given times."""
     publish(certify_report(path, digits, at), json)

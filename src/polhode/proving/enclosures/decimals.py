@@ -1,4 +1,4 @@
-"""The exact numbers that the decimals of a spec are, where they say what a free body starts from."""
+"""The exact numbers in the decimals of a spec, where they give the start of a free body."""
 
 from __future__ import annotations
 
@@ -24,36 +24,36 @@ Numbers = list[Fraction]
 def exact_numbers(path: Path, axes: Float64[Array, "3 3"]) -> dict[str, Numbers]:
     """Return moments, momentum or angular velocity, and attitude of a spec that gives them, along the principal axes.
 
-    What the file gives in another way is missing: a body by its shape, a spin by a tilt, a number in degrees or rpm,
-    whose doubles have to do.
+    Left out is what the file gives in another way: a body by its shape, a spin by a tilt, a number in degrees or rpm.
+    For these, doubles serve.
 
     Args:
         path: of a spec that has been read without a mistake.
         axes: (3, 3) the principal axes by columns in the given ones.
 
     Raises:
-        InvalidInput: for numbers beyond those that exact arithmetic takes.
+        InvalidInput: for numbers too large for exact arithmetic.
     """
     # numbers without quotes as the text that they are
     tables = tomllib.loads(read_text(path, "spec", LARGEST), parse_float=lambda text: text.replace("_", ""))
     turn = np.round(axes).astype(int)
-    if not (turn == axes).all():  # the given axes are no principal ones, so that eigenvectors come in
+    if not (turn == axes).all():  # the given axes are not principal, so that eigenvectors come in
         return {}
     body, spin = tables.get("body", {}), tables.get("spin", {})
-    found = {"moments": _along(_exactly(body.get("moments"), "kg*m^2"), np.abs(turn))}
+    exact = {"moments": _along(_exactly(body.get("moments"), "kg*m^2"), np.abs(turn))}
     given = turn if spin.get("frame", "given") == "given" else np.eye(3, dtype=int)
-    found["momentum"] = _along(_exactly(spin.get("momentum"), "kg*m^2/s"), given)
-    found["angular_velocity"] = _along(_exactly(spin.get("angular_velocity"), "rad/s"), given) or _about(spin, turn)
-    found["attitude"] = _attitude(spin.get("attitude", [1, 0, 0, 0]), axes)
-    return {name: numbers for name, numbers in found.items() if numbers is not None}
+    exact["momentum"] = _along(_exactly(spin.get("momentum"), "kg*m^2/s"), given)
+    exact["angular_velocity"] = _along(_exactly(spin.get("angular_velocity"), "rad/s"), given) or _about(spin, turn)
+    exact["attitude"] = _attitude(spin.get("attitude", [1, 0, 0, 0]), axes)
+    return {name: numbers for name, numbers in exact.items() if numbers is not None}
 
 
 def _exactly(values: Any, unit: str) -> Numbers | None:
     """Return three quantities as exact numbers; None if they are missing, or one has no decimal unit."""
     if values is None:
         return None
-    found = [parse_exactly(value, unit) for value in values]
-    return None if any(value is None for value in found) else found  # type: ignore[return-value]
+    exact = [parse_exactly(value, unit) for value in values]
+    return None if any(value is None for value in exact) else exact  # type: ignore[return-value]
 
 
 def _along(values: Sequence[Fraction] | None, turn: np.ndarray) -> Numbers | None:

@@ -1,4 +1,4 @@
-"""Numbers known to lie within bounds, and states of such numbers."""
+"""Numbers proved to lie within bounds, and states of such numbers."""
 
 from __future__ import annotations
 
@@ -48,8 +48,8 @@ class EnclosedNumber:
     def radius(self) -> float:
         """How far the number may be from the midpoint at most, rounded up."""
         radius = self.ball.rad()
-        found = float(radius.upper())
-        return found if found or radius == 0 else math.ulp(0.0)
+        rounded = float(radius.upper())
+        return rounded if rounded or radius == 0 else math.ulp(0.0)
 
     @property
     def lower(self) -> Fraction:
@@ -94,10 +94,10 @@ class EnclosedNumber:
         if not self.ball.is_finite():
             return str(self.value), ""
         text = self.ball.str(self.digits)
-        if (found := _ARB.fullmatch(text)) is None:
+        if (match := _ARB.fullmatch(text)) is None:
             return text, ""
-        radius = _rounded_up(found["radius"])
-        return found["middle"] or "0", radius
+        radius = _rounded_up(match["radius"])
+        return match["middle"] or "0", radius
 
 
 def _fraction(ball: Ball) -> Fraction:

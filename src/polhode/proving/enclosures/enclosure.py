@@ -17,6 +17,7 @@ from polhode.analysis._printing import count_things, print_answer, write_numbers
 from polhode.analysis._tangent_flow import one_state
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._interrupts import keep_interrupts
+from polhode.proving.enclosures._proof_limits import LIMITS
 from polhode.proving.enclosures._taylor_balls import Ball, BallSystem, collect_numbers
 from polhode.simulation import simulate
 from polhode.systems.base import AbstractSystem
@@ -24,17 +25,6 @@ from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 SHARE = math.exp(-1.3)  # of the disc in which a series is bounded, that a step reaches: the least work
-LARGEST_SLOPE = 1e150  # of the rates of change; squares of larger ones overflow
-LOOKED = 400  # places of the motion at which its growth is estimated beforehand
-SPARE = 8.0  # e-folds by which a proof may be worse than that estimate
-WIDENED = 1.25  # of a box, from one trial to the next
-TRIALS = 4
-RINGS, NARROW = 8, 0.03  # of a disc; and the share of it below which a ring gains nothing
-FIRST = 10  # terms of a series that tell where the motion is during a step
-FAR = 3.0  # sizes of the state: a disc in which the motion goes farther is bounded no better
-MOST_ORDER, MOST_BITS, FEWEST_BITS = 400, 4000, 128
-SHORTEST = 1e-12  # of the time: a disc that small is none
-ROUNDS = 3  # by which weights are chosen
 
 
 class Enclosure(NamedTuple):
@@ -45,8 +35,8 @@ class Enclosure(NamedTuple):
         states: (T, …) the nearest doubles.
         radii: (T, …) by how much each number of the true state may differ from them at most; of complex states
             each of real and imaginary part.
-        exact: whether the numbers in the system's fields and formulas were taken as they are. Otherwise some of what is
-            computed of them was rounded to doubles, and the enclosure is of the system with those.
+        exact: whether the numbers in the system's fields and formulas were taken as they are. Otherwise some
+            values computed of them were rounded to doubles, and the enclosure is of the system with those.
         growth: by how much the bound on an error of the start has grown at the last time.
         steps: how many were taken.
         order: of the series.
@@ -91,13 +81,14 @@ def enclose_by_series(
     weights, grown, steps = _look_ahead(system, balls, start, times)
     # of the weighted norm, whose largest weight turns it into the radius that is asked for
     wanted = radius * (float(np.abs(_flat(balls, start)).max()) or 1.0) / float(weights.max())
-    digits = math.log(max(steps, 1.0)) + grown + SPARE - math.log(min(wanted, 1.0))
-    order = max(math.ceil(digits / -math.log(SHARE)), FIRST)
-    bits = max(math.ceil(digits / math.log(2.0)) + 32, FEWEST_BITS)
-    if order > MOST_ORDER or bits > MOST_BITS:
+    digits = math.log(max(steps, 1.0)) + grown + LIMITS.spare_growth - math.log(min(wanted, 1.0))
+    order = max(math.ceil(digits / -math.log(SHARE)), LIMITS.tube_order)
+    bits = max(math.ceil(digits / math.log(2.0)) + 32, LIMITS.min_bits)
+    if order > LIMITS.max_order or bits > LIMITS.max_bits:
         raise NotConverged(
             f"the bound on errors grows by e^{grown:.0f} up to {times[-1]:g} s, for which {bits} bits and order "
-            f"{order} would be needed; at most {MOST_BITS} and {MOST_ORDER} are taken. Give an earlier last time."
+            f"{order} would be needed; at most {LIMITS.max_bits} and {LIMITS.max_order} are "
+            "taken. Give an earlier last time."
         )
     before, flint.ctx.prec = flint.ctx.prec, bits
     try:
@@ -123,18 +114,18 @@ class _Proof:
         self.weights = [arb(float(w)) for w in weights]
         self.y = [arb(float(x)) for x in _flat(balls, start[0])] + [arb(float(times[0]))] * balls.timed
         self.error, self.growth, self.steps = self._size([arb(float(x)) for x in start[1]]), arb(1), 0
-        self.width = float(abs(times[-1] - times[0])) / RINGS
+        self.width = float(abs(times[-1] - times[0])) / LIMITS.rings
         self.forth = 1 if times[-1] > times[0] else -1
 
     def _size(self, changes: list[Ball]) -> Ball:
-        """Return a bound of the weighted norm of changes of what moves but for the time."""
+        """Return a bound on the weighted norm of changes of the state, without the time."""
         total = self.flint.arb(0)
         for x, w in zip(changes, self.weights, strict=False):
             total += (x.abs_upper() / w) ** 2  # a square of a ball around zero reaches below it
         return total.sqrt().upper()
 
     def run(self) -> Enclosure:
-        """Go through all times."""
+        """Return the enclosures at all times."""
         samples = [self._sample()]
         with keep_interrupts() as check:
             now = self.flint.arb(float(self.times[0]))
@@ -168,27 +159,28 @@ class _Proof:
         """
         arb, whole = self.flint.arb, float(left.upper()) / SHARE
         width, disc, sizes = self.width, arb(0), [arb(0)] * len(self.y)
-        least = SHORTEST * max(whole, abs(self.times[-1]))
-        while width > max(least, NARROW * float(disc.upper())) and float(disc.upper()) < whole:
+        least = LIMITS.min_disc * max(whole, abs(self.times[-1]))
+        while width > max(least, LIMITS.min_ring * float(disc.upper())) and float(disc.upper()) < whole:
             ring = arb(width)
             wider = self._wider(sizes, ring)
             if wider is None:
                 width *= 0.5
                 continue
             disc, sizes = arb((disc + ring).lower()), wider
-            if any(bool(x > FAR * (w + abs(y))) for x, w, y in zip(sizes, self.weights, self.y, strict=False)):
+            far = LIMITS.max_excursion
+            if any(bool(x > far * (w + abs(y))) for x, w, y in zip(sizes, self.weights, self.y, strict=False)):
                 break
         reached = float(disc.lower())
         if not reached > least:
             raise NotConverged(
-                f"no box was found that the motion stays in after {self.steps} steps: it runs into a singularity. Give "
-                "an earlier last time."
+                f"no box is proved to hold the motion after {self.steps} steps: it runs into a singularity. Give an "
+                "earlier last time."
             )
-        self.width = reached / RINGS
+        self.width = reached / LIMITS.rings
         return sizes, math.nextafter(reached, 0.0)
 
     def _wider(self, sizes: list[Ball], ring: Ball) -> list[Ball] | None:
-        """Return the radii of a box that the motion does not leave within one more ring; None if none is found."""
+        """Return the radii of a box that the motion does not leave within one more ring; None if none is proved."""
         arb, acb = self.flint.arb, self.flint.acb
 
         def reach(radii: list[Ball]) -> list[Ball] | None:
@@ -199,10 +191,10 @@ class _Proof:
             return [(size + x.abs_upper() * ring).upper() for size, x in zip(sizes, rates, strict=True)]
 
         reached = reach(sizes)
-        for _ in range(TRIALS):
+        for _ in range(LIMITS.max_trials):
             if reached is None:
                 return None
-            wider = [(size + (x - size) * WIDENED).upper() for size, x in zip(sizes, reached, strict=True)]
+            wider = [(size + (x - size) * LIMITS.widening).upper() for size, x in zip(sizes, reached, strict=True)]
             reached = reach(wider)
             if reached is not None and all(bool(x <= y) for x, y in zip(reached, wider, strict=True)):
                 return reached
@@ -224,7 +216,7 @@ class _Proof:
                 raise NotConverged(f"{self.bits} bits do not hold times of steps exactly. Give a smaller `radius`.")
             off.append(arb(value.rad()).upper() + size * cut)
         tube = self._tube(series, h, box, ratio)
-        # what other numbers make of the rates along the midpoint's way, which grows as errors do from then on
+        # the change of the rates along the midpoint's path by other numbers, which then grows as errors do
         pushed = arb(0)
         if any(bool(r > 0) for r in self.radii):
             pushed = self._size(self.balls.changes(tube, self.around, self.radii)) * abs(h)
@@ -241,11 +233,11 @@ class _Proof:
         arb = self.flint.arb
         half = (abs(h) / 2).upper()
         during = h / 2 + arb(0, half)
-        cut = (ratio ** (FIRST + 1) / (1 - ratio)).upper()
+        cut = (ratio ** (LIMITS.tube_order + 1) / (1 - ratio)).upper()
         tube = []
         for row, size in zip(series, box, strict=True):
-            value = row[FIRST]
-            for x in reversed(row[:FIRST]):
+            value = row[LIMITS.tube_order]
+            for x in reversed(row[: LIMITS.tube_order]):
                 value = value * during + x
             tube.append(value + arb(0, (size * cut).upper()))
         return tube
@@ -255,7 +247,7 @@ class _Proof:
         arb, n = self.flint.arb, self.moving
         error = self.error + pushed
         aside = error * 2
-        for _ in range(TRIALS):
+        for _ in range(LIMITS.max_trials):
             tube = list(motion)
             tube = [x + arb(0, (w * aside).upper()) for x, w in zip(tube, self.weights, strict=False)] + tube[n:]
             slopes = self.balls.slopes(tube, self.around)
@@ -269,7 +261,7 @@ class _Proof:
             most = error * (bound * h).exp().max(arb(1))
             if bool(most <= aside):
                 return bound
-            aside = most.upper() * WIDENED
+            aside = most.upper() * LIMITS.widening
         raise NotConverged(
             f"the bound on errors, {float(self.error.upper()):.1e}, is too large for the rates to be bounded around "
             "the motion. Give a smaller `radius`, or an earlier last time."
@@ -316,11 +308,12 @@ def _is_positive(a: list[list[Ball]]) -> bool:
 def _look_ahead(
     system: AbstractSystem, balls: BallSystem, start: Array, times: Array
 ) -> tuple[Float64[np.ndarray, "n"], float, float]:
-    """Return weights of a norm in which errors grow slowly, by how many e-folds they do, and how many steps there are.
+    """Return weights of a norm in which errors grow slowly, the e-folds of that growth, and a number of steps.
 
-    All three by doubles: nothing that is proved depends on them.
+    All three are estimates by doubles: nothing that is proved depends on them.
     """
-    path = np.linspace(times[0], times[-1], LOOKED)
+    places = 400
+    path = np.linspace(times[0], times[-1], places)
     run = simulate(system, start, path, estimate_error=False)
     if run.outcome.event:
         raise InvalidInput(
@@ -337,7 +330,7 @@ def _look_ahead(
     forth = 1.0 if times[-1] > times[0] else -1.0
     J = forth * np.stack([np.asarray(slopes(jnp.asarray(t), jnp.asarray(x))) for t, x in zip(path, flat, strict=True)])
     largest = np.abs(flat).max() or 1.0
-    wrong = ~(np.abs(J).max(axis=(1, 2)) < LARGEST_SLOPE)
+    wrong = ~(np.abs(J).max(axis=(1, 2)) < LIMITS.max_slope)
     if wrong.any():
         here, before = path[np.argmax(wrong)], path[max(np.argmax(wrong) - 1, 0)]
         raise NotConverged(
@@ -348,12 +341,12 @@ def _look_ahead(
     def growth(w: Array) -> float:
         scaled = J * w[None, None, :] / w[None, :, None]
         fastest = np.linalg.eigvalsh(0.5 * (scaled + np.swapaxes(scaled, 1, 2)))[:, -1]
-        return float(np.sum(np.maximum(fastest, 0.0)) * np.ptp(path) / (LOOKED - 1))
+        return float(np.sum(np.maximum(fastest, 0.0)) * np.ptp(path) / (places - 1))
 
     shapes = [np.maximum(np.abs(flat).max(axis=0), share * largest) for share in (0.01, 0.2, 1.0)]
     weights = min(shapes, key=growth)
     best = growth(weights)
-    for _ in range(ROUNDS):
+    for _ in range(3):
         for k in range(len(weights)):
             for factor in (0.7, 1.4):
                 trial = np.where(np.arange(len(weights)) == k, weights * factor, weights)
@@ -380,7 +373,7 @@ def _limits(system: AbstractSystem, other: AbstractSystem | None, balls: BallSys
             f"`other` cannot be taken: the rates of {type(system).__name__} look at their numbers, or put them into "
             "functions that have no series, and were traced with those of `system`."
         )
-    second = one.copy()  # with the numbers in formulas, which are the same
+    second = one.copy()  # with the numbers in formulas, which both share
     second[: len(own)] = own
     middle = one + 0.5 * (second - one)
     radii = np.maximum(np.abs(one - middle), np.abs(second - middle))
@@ -396,13 +389,13 @@ def _with_numbers_as_arrays(system: AbstractSystem) -> AbstractSystem:
 
 
 def _have_same_rest(system: AbstractSystem, other: AbstractSystem) -> bool:
-    """Return whether all but the real numbers is the same."""
+    """Return whether two systems agree in all but the real numbers."""
     one, two = (jax.tree.leaves(eqx.filter(each, eqx.is_inexact_array, inverse=True)) for each in (system, other))
     return len(one) == len(two) and all(map(_is_same, one, two))
 
 
 def _is_same(x: Any, y: Any) -> bool:
-    """Return whether two parts are equal; functions are if they come from one place and enclose the same."""
+    """Return whether two parts are equal; functions are if they come from one line of code and enclose equal values."""
     if x is y:
         return True
     if isinstance(x, FunctionType) and isinstance(y, FunctionType):
@@ -444,6 +437,6 @@ def _check_arguments(
     if ((jumps > low) & (jumps < high)).any():
         raise InvalidInput(
             f"`times` must not go beyond a jump of {type(system).__name__}'s rates, as that at {jumps[0]:g} s. Certify "
-            "each stretch by itself."
+            "each segment by itself."
         )
     return start, values

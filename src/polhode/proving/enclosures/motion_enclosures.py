@@ -13,13 +13,13 @@ from polhode.proving.enclosures.enclosed_numbers import EnclosedNumber, Enclosed
 
 @dataclass(frozen=True, repr=False, eq=False, kw_only=True)
 class MotionEnclosure:
-    """Proved enclosures of what describes a motion in closed form, and of its state at any time.
+    """Proved enclosures of the constants of a motion in closed form, and of its state at any time.
 
     Attributes:
         regime: decided in exact rational arithmetic.
         digits: of each enclosure.
         taken: name of an argument of the motion → "the nearest doubles" or "the exact numbers given".
-        verdicts: "stable" or "unstable" by comparison of exact numbers, by what is stable.
+        verdicts: "stable" or "unstable" by comparison of exact numbers, by the name of the axis.
         verdict: that of this motion, if the momentum is at rest in the body; None for others.
     """
 
@@ -36,29 +36,29 @@ class MotionEnclosure:
     def state(self, t: ExactNumber) -> EnclosedState:
         """Return enclosures of attitude, momentum and angular velocity at a time.
 
-        They are along the axes of the motion, as its own ``state`` has them. A motion made from a body is turned from
-        its principal axes by the unit quaternion nearest to their matrix.
+        They are along the axes of the motion, as its own ``state`` has them. A motion made from a body is rotated
+        from its principal axes by the unit quaternion nearest to their matrix.
 
         Args:
             t: [s] a double, or exact decimals in quotes: "0.1" is a tenth, which no double is.
 
         Raises:
-            InvalidInput: for what is not a finite number.
+            InvalidInput: for a time that is not a finite number.
         """
         body, start = self._body, self._body.start
         elapsed = exact_rational("t", t) - start.epoch
 
         def compute() -> list[Wanted]:
-            found = body.values_at(elapsed)
-            velocity = [x / i for x, i in zip(found.momentum, start.moments, strict=True)]
+            values = body.values_at(elapsed)
+            velocity = [x / i for x, i in zip(values.momentum, start.moments, strict=True)]
             fastest = total(x * x for x in velocity).nonnegative_part().sqrt()
-            attitude, vectors = found.attitude, [found.momentum, velocity]
+            attitude, vectors = values.attitude, [values.momentum, velocity]
             if start.axes is not None:
                 attitude = _turned_back(attitude, start.axes)
                 vectors = [ball_turns.turn_vector(start.axes, vector) for vector in vectors]
             entries = [x for row in ball_turns.as_matrix(attitude) for x in row]
-            unit = 1 + 0 * found.size
-            return [Wanted(ball, size) for balls, size in ((attitude, unit), (vectors[0], found.size),
+            unit = 1 + 0 * values.size
+            return [Wanted(ball, size) for balls, size in ((attitude, unit), (vectors[0], values.size),
                     (vectors[1], fastest), (entries, unit)) for ball in balls]  # fmt: skip
 
         extra = body.lost_bits(elapsed)
@@ -69,7 +69,7 @@ class MotionEnclosure:
 
 @dataclass(frozen=True, repr=False, eq=False, kw_only=True)
 class FreeEnclosure(MotionEnclosure):
-    """Proved enclosures of what describes a free body's motion, and of its state at any time.
+    """Proved enclosures of the constants of a free body's motion, and of its state at any time.
 
     Numbers are None where they are undefined, and infinite on the separatrix, as those of ``FreeMotion`` are.
 
@@ -103,7 +103,7 @@ class FreeEnclosure(MotionEnclosure):
 
 @dataclass(frozen=True, repr=False, eq=False, kw_only=True)
 class TopEnclosure(MotionEnclosure):
-    """Proved enclosures of what describes a Lagrange top's motion, and of its state at any time.
+    """Proved enclosures of the constants of a Lagrange top's motion, and of its state at any time.
 
     Numbers are None where they are undefined, and infinite on the separatrix, as those of ``LagrangeMotion`` are.
 

@@ -41,27 +41,27 @@ NUMBERS: dict[type, Sequence[tuple[str, str, str]]] = {FreeEnclosure: OF_BODIES,
 
 @dataclass(frozen=True)
 class CertifyReport(StudyReport):
-    """Enclosures of what describes a motion in closed form, and of its states at some times.
+    """Enclosures of the constants of a motion in closed form, and of its states at some times.
 
     Attributes:
         name: of the body.
-        found: the enclosures.
+        enclosure: of the motion.
         states: time as given → the state's.
     """
 
     kind: ClassVar[str] = "certify"
     name: str
-    found: MotionEnclosure
+    enclosure: MotionEnclosure
     states: Mapping[str, EnclosedState]
 
     @property
     def summary(self) -> str:
-        period = getattr(self.found, NUMBERS[type(self.found)][0][0])
-        verdict = "" if self.found.verdict is None else f", {self.found.verdict}"
-        found = f"The motion is in the regime {self.found.regime}{verdict}, decided in exact arithmetic."
+        period = getattr(self.enclosure, NUMBERS[type(self.enclosure)][0][0])
+        verdict = "" if self.enclosure.verdict is None else f", {self.enclosure.verdict}"
+        regime = f"The motion is in the regime {self.enclosure.regime}{verdict}, decided in exact arithmetic."
         if period is None:
-            return found
-        return f"{found} Its period is {_words(period, 's')}."
+            return regime
+        return f"{regime} Its period is {_words(period, 's')}."
 
     @property
     def answers(self) -> list[Group | Table]:
@@ -74,30 +74,30 @@ class CertifyReport(StudyReport):
         return ["states are along the principal axes; the attitude takes them to space, as a unit quaternion."]
 
     def _taken(self) -> Group:
-        words = {name: IN_THE_FILE if how == GIVEN else how for name, how in self.found.taken.items()}
+        words = {name: IN_THE_FILE if how == GIVEN else how for name, how in self.enclosure.taken.items()}
         return Group("Numbers, exactly as", [
             Answer(f"taken.{name}", how, "", name.replace("_", " ")) for name, how in words.items() if name != "epoch"
         ])  # fmt: skip
 
     def _numbers(self) -> Group:
-        found = self.found
-        answers = [Answer("regime", found.regime, "", "regime"), Answer("digits", found.digits)]
-        if isinstance(found, FreeEnclosure):
-            axis = None if found.encircled_axis is None else found.encircled_axis + 1
+        enclosure = self.enclosure
+        answers = [Answer("regime", enclosure.regime, "", "regime"), Answer("digits", enclosure.digits)]
+        if isinstance(enclosure, FreeEnclosure):
+            axis = None if enclosure.encircled_axis is None else enclosure.encircled_axis + 1
             answers.append(Answer("encircled_axis", axis, "", "encircled axis"))
-        if isinstance(found, TopEnclosure):
-            low, high = found.nutation_limits
+        if isinstance(enclosure, TopEnclosure):
+            low, high = enclosure.nutation_limits
             answers += [*_enclosed("nutation_limits.lowest", low, "least cos of the tilt", ""),
                         *_enclosed("nutation_limits.highest", high, "largest cos of the tilt", "")]  # fmt: skip
-        for name, label, unit in NUMBERS[type(found)]:
-            answers += _enclosed(name, getattr(found, name), label, unit)
+        for name, label, unit in NUMBERS[type(enclosure)]:
+            answers += _enclosed(name, getattr(enclosure, name), label, unit)
         return Group("Enclosures: the number lies in value ± radius", answers)
 
     def _verdicts(self) -> Group:
-        what = "spin about " if isinstance(self.found, FreeEnclosure) else "axis "
+        what = "spin about " if isinstance(self.enclosure, FreeEnclosure) else "axis "
         answers = [Answer(f"verdicts.{name.replace(' ', '_')}", verdict, "", f"{what}{name}")
-                   for name, verdict in self.found.verdicts.items()]  # fmt: skip
-        return Group("Stability, by comparison of exact numbers", [*answers, Answer("verdict", self.found.verdict)])
+                   for name, verdict in self.enclosure.verdicts.items()]  # fmt: skip
+        return Group("Stability, by comparison of exact numbers", [*answers, Answer("verdict", self.enclosure.verdict)])
 
     def _states(self) -> Table:
         rows: list[dict[str, Any]] = []
@@ -121,7 +121,7 @@ def certify_report(path: Path, digits: int, at: Sequence[str]) -> CertifyReport:
         at: times of states, quantities like "1e9 s", taken as exact decimals.
 
     Raises:
-        InvalidInput: for a kind without a closed form, a time that is none, or as the spec and ``certify`` do.
+        InvalidInput: for a kind without a closed form, an invalid time, or as the spec and ``certify`` do.
     """
     times = {text: _exact_time(text) for text in at}
     with name_file_in_errors(path):
@@ -136,18 +136,18 @@ def certify_report(path: Path, digits: int, at: Sequence[str]) -> CertifyReport:
         # the numbers of a free body are those in the file; a top's are about its pivot
         of_file = None if motion.free_moments is None else spec.body
         exact = {} if of_file is None else exact_numbers(path, of_file.principal_axes)
-        found = certify(motion, digits=digits, exact=exact)
-        return CertifyReport(spec.name, found, {text: found.state(time) for text, time in times.items()})
+        enclosure = certify(motion, digits=digits, exact=exact)
+        return CertifyReport(spec.name, enclosure, {text: enclosure.state(time) for text, time in times.items()})
 
 
 def _exact_time(text: str) -> Fraction:
     try:
-        found = parse_exactly(text, "s")
+        time = parse_exactly(text, "s")
     except ValueError as error:
         raise InvalidInput(f"`at` {error}.") from None
-    if found is None:
+    if time is None:
         raise InvalidInput(f"`at` must be in a unit that is a decimal of the second, like s; got {shown(text)}.")
-    return found
+    return time
 
 
 def _enclosed(name: str, number: EnclosedNumber | None, label: str, unit: str) -> list[Answer]:

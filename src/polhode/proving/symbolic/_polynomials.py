@@ -16,22 +16,22 @@ def to_terms(expression: Any, coordinates: Sequence[Any]) -> Terms:
     """Return a polynomial with rational coefficients as {exponents: coefficient}.
 
     Raises:
-        InvalidInput: for what is not such a polynomial.
+        InvalidInput: for other expressions.
     """
-    found: Terms = {}
+    terms: Terms = {}
     for powers, value in symbolic_terms(expression, coordinates).items():
         if not value.is_Rational:
             raise InvalidInput(f"the coefficient {shown(str(value))} must be a rational number. Put numbers in place "
                                "of its symbols, as fractions.")  # fmt: skip
-        found[powers] = Fraction(int(value.p), int(value.q))
-    return found
+        terms[powers] = Fraction(int(value.p), int(value.q))
+    return terms
 
 
 def symbolic_terms(expression: Any, coordinates: Sequence[Any]) -> dict[tuple[int, ...], Any]:
     """Return a polynomial as {exponents: coefficient}, the coefficients free of the coordinates.
 
     Raises:
-        InvalidInput: for what is not a polynomial in the coordinates.
+        InvalidInput: for other expressions.
     """
     try:
         poly = sympy.Poly(sympy.expand(expression), *coordinates)

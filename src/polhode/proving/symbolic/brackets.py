@@ -28,7 +28,7 @@ class LiePoissonBracket:
     Args:
         algebra: one of `polhode.algebra` with rational structure constants, or a table c (dim, dim, dim) with
             [e_i, e_j] = Σ_k c_ijk e_k of numbers, fractions or SymPy expressions, antisymmetric in i and j. Jacobi's
-            identity is not required: ``jacobiator`` tells whether it holds.
+            identity is not required: ``jacobiator`` tests it.
         coordinates: (dim,) names or symbols of ⟨μ, e_k⟩; x1, x2, … by default.
         sign: −1 for the left-invariant (minus) bracket, +1 for the other.
         parameters: further symbols, or names, of which functions may be made; those of the table need not be repeated.
@@ -74,14 +74,14 @@ class LiePoissonBracket:
         return len(self.constants)
 
     def with_sign(self, sign: int) -> LiePoissonBracket:
-        """Return the bracket with the sign ±1 on the same coordinates."""
+        """Return the bracket with the sign ±1 on these coordinates."""
         given = self.constants if self.algebra is None else self.algebra
         return LiePoissonBracket(given, self.coordinates, sign, self.parameters, self.read_as)
 
     def read(self, expression: Expression) -> Expression:
         """Return a function with this bracket's symbols, and fractions in place of doubles.
 
-        A symbol that bears the name of a coordinate or a parameter is that one, whatever SymPy assumes of it:
+        A symbol with the name of a coordinate or a parameter is read as that one, whatever its assumptions in SymPy:
         ``sympy.symbols("L1")`` is otherwise another symbol than a real L1, of which all derivatives vanish.
 
         Raises:
@@ -123,7 +123,7 @@ class LiePoissonBracket:
 
         A biderivation's Jacobiator is a derivation in each argument, so that coordinates decide for all functions.
         """
-        found = {}
+        broken = {}
         for i in range(self.dim):
             for j in range(i + 1, self.dim):
                 for k in range(j + 1, self.dim):
@@ -132,8 +132,8 @@ class LiePoissonBracket:
                         self._contract(a, self.constants[b][c]) for a, b, c in ((i, j, k), (j, k, i), (k, i, j))
                     )
                     if (value := sympy.expand(value)) != 0:
-                        found[triple] = value
-        return found
+                        broken[triple] = value
+        return broken
 
     def _contract(self, i: int, vector: Sequence[Any]) -> Expression:
         """Return {x_i, Σ_j v_j x_j}, without the sign, which counts twice."""
@@ -225,7 +225,7 @@ def read_doubles(value: Any, read_as: str) -> Expression:
 
 
 def name_symbols(expression: Expression, symbols: Sequence[Any]) -> Expression:
-    """Return an expression whose symbols are the given ones of the same names.
+    """Return an expression whose symbols are replaced by the given ones of their names.
 
     Raises:
         InvalidInput: for symbols of other names.

@@ -1,7 +1,7 @@
 """Derivations that check each of their steps, by symbols and against the numerical system at random points.
 
-A step states a formula as books print it. What the room computes, a bracket or a condition, must equal it, and so must
-the numbers of a system of `polhode.systems`, whose equations are written otherwise.
+A step states a formula as books print it. The bracket or condition computed here must equal it, and so must the
+numbers of a system of `polhode.systems`, whose equations are written independently.
 """
 
 from __future__ import annotations
@@ -33,14 +33,30 @@ from polhode.proving.symbolic.sphere import reduce_to_sphere
 from polhode.proving.symbolic.systems import SymbolicSystem
 from polhode.systems.base import AbstractLiePoissonSystem
 
-POINTS, TRIALS = 6, 200
-FREE = 0.3  # value of a multiplier that the equilibrium leaves free, where numbers are compared
-GROWS = 1e-4  # real parts below it are rounding errors of a double exponent
-AGREES = 1e-11  # of numbers, relative to the largest of their kind: some roundings of both sides
+
+class DerivationLimits(NamedTuple):
+    """How a derivation is compared with numbers, and when both agree.
+
+    Attributes:
+        points: how many random states.
+        trials: how many random sets of parameters, for each condition.
+        free_multiplier: value of a multiplier that the equilibrium leaves free, where numbers are compared.
+        min_growth: real part of an exponent; below it are rounding errors of a double exponent.
+        max_difference: of numbers, over the largest of their kind: some roundings of both sides.
+    """
+
+    points: int = 6
+    trials: int = 200
+    free_multiplier: float = 0.3
+    min_growth: float = 1e-4
+    max_difference: float = 1e-11
+
+
+LIMITS = DerivationLimits()
 
 
 class DerivationBroken(PolhodeError, AssertionError):
-    """A step of a derivation does not hold; the message names the step, what is stated and what comes out."""
+    """A step of a derivation does not hold; the message names the step, the statement and the result."""
 
 
 @dataclass(frozen=True)
@@ -68,14 +84,14 @@ class Derivation:
     Args:
         title: of the page.
         system: in symbols.
-        numerical: what it is compared with.
+        numerical: the system that it is compared with.
         seed: of the random points.
     """
 
     def __init__(self, title: str, system: SymbolicSystem, numerical: Numerical, seed: int = 0) -> None:
         self.title, self.system, self.numerical = title, system, numerical
         self.steps: list[Step] = []
-        self._points = np.random.default_rng(seed).normal(size=(POINTS, system.bracket.dim))
+        self._points = np.random.default_rng(seed).normal(size=(LIMITS.points, system.bracket.dim))
 
     def page(self) -> Page:
         """Return the page with the steps so far."""
@@ -90,10 +106,10 @@ class Derivation:
     @property
     def _against(self) -> str:
         system = self._cases[0].system
-        return f"{type(system).__name__} at {POINTS} random points for {len(self._cases)} sets of parameters"
+        return f"{type(system).__name__} at {LIMITS.points} random points for {len(self._cases)} sets of parameters"
 
-    def _said(self, verdict: str, seen: int) -> str:
-        return f"stability() says {verdict} for {seen} of {len(self._cases)} sets of parameters"
+    def _said(self, verdict: str, judged: int) -> str:
+        return f"stability() says {verdict} for {judged} of {len(self._cases)} sets of parameters"
 
     # ------------------------------------------------------------------ steps
 
@@ -116,7 +132,7 @@ class Derivation:
         numbers = self._evaluate(shown, {})
         system = self._cases[0].system
         tensors = poisson_tensor(system.algebra, self._states(system), system.sign)
-        self._near(text, "brackets", numbers, np.asarray(tensors).reshape(POINTS, -1))
+        self._near(text, "brackets", numbers, np.asarray(tensors).reshape(LIMITS.points, -1))
         self._add(text, (Equation(Bracket(a, b), v) for (a, b), v in stated.items()),
                   "computed from the structure constants, other pairs vanish, Jacobi's identity holds",
                   f"equal to the Poisson tensor of {type(system.algebra).__name__}")  # fmt: skip
@@ -142,15 +158,15 @@ class Derivation:
                   f"equal to the vector field of {self._against}")  # fmt: skip
 
     def casimirs(self, text: str, stated: Mapping[Name, Any], degree: int = 2) -> None:
-        """Add the polynomial Casimirs up to a degree; as many must be found, and give the numerical ones."""
+        """Add the polynomial Casimirs up to a degree; none may be missing, and they must give the numerical ones."""
         bracket = self.system.bracket
         for name, C in stated.items():
             if not bracket.is_casimir(C):
                 raise DerivationBroken(f"{text} {name.text} = {C} is no Casimir: some bracket does not vanish.")
-        found = bracket.casimirs(degree)
-        if len(found) != len(stated):
-            raise DerivationBroken(f"{text} {len(stated)} Casimirs are stated, and {len(found)} are found up to degree "
-                                   f"{degree}: {', '.join(map(str, found))}.")  # fmt: skip
+        generators = bracket.casimirs(degree)
+        if len(generators) != len(stated):
+            raise DerivationBroken(f"{text} {len(stated)} Casimirs are stated, and there are {len(generators)} up to "
+                                   f"degree {degree}: {', '.join(map(str, generators))}.")  # fmt: skip
         system = self._cases[0].system
         values = np.asarray(system.algebra.casimirs(self._states(system)))
         mine = self._evaluate([*stated.values()], {})
@@ -172,53 +188,53 @@ class Derivation:
         field = np.asarray(system.algebra.to_dual_vector(system.vector_field(0.0, self._states(system))))
         slopes = self._evaluate([sympy.diff(F, x) for x in self.system.bracket.coordinates], values)
         size = float(np.abs(slopes).max() * np.abs(field).max())
-        self._near(text, f"the rate of {name}", (slopes * field).sum(axis=1), np.zeros(POINTS), size)
+        self._near(text, f"the rate of {name}", (slopes * field).sum(axis=1), np.zeros(LIMITS.points), size)
 
-    def further_integrals(self, text: str, degree: int, known: Sequence[Any]) -> None:
-        """Add what ``polynomial_integrals`` finds for generic parameters; it must be as many as are known.
+    def further_integrals(self, text: str, degree: int, stated: Sequence[Any]) -> None:
+        """Add the integrals of ``polynomial_integrals`` for generic parameters; there must be as many as are stated.
 
-        Those that are known must be functions of what is found, H and the Casimirs: gradients tell.
+        The stated ones must be functions of them, H and the Casimirs, by the rank of gradients.
         """
-        found = polynomial_integrals(self.system, degree)
+        integrals = polynomial_integrals(self.system, degree)
         x = self.system.bracket.coordinates
-        base = [*self.system.bracket.casimirs(2), self.system.hamiltonian, *found]
-        ranks = [_gradient_rank([*base, *more], x) for more in ([], known)]
-        if len(found) != len(known) or ranks[0] != ranks[1]:
-            raise DerivationBroken(f"{text} {len(known)} further integrals are stated up to degree {degree}, and "
-                                   f"found are {len(found)}: {', '.join(map(str, found))}.")  # fmt: skip
-        for F in found:
+        base = [*self.system.bracket.casimirs(2), self.system.hamiltonian, *integrals]
+        ranks = [_gradient_rank([*base, *more], x) for more in ([], stated)]
+        if len(integrals) != len(stated) or ranks[0] != ranks[1]:
+            raise DerivationBroken(f"{text} {len(stated)} further integrals are stated up to degree {degree}, and "
+                                   f"there are {len(integrals)}: {', '.join(map(str, integrals))}.")  # fmt: skip
+        for F in integrals:
             for _, place, numerical in self._cases:
                 self._constant(text, "F", F, place, numerical)
-        words = "found by exact linear algebra" if found else "exact linear algebra finds no other"
-        along = [f"constant along {self._against}"] if found else []
-        self._add(text, [Equation(Name("F", "F"), F) for F in found], f"{words} up to degree {degree}", *along)
+        words = "computed by exact linear algebra" if integrals else "exact linear algebra finds no other"
+        along = [f"constant along {self._against}"] if integrals else []
+        self._add(text, [Equation(Name("F", "F"), F) for F in integrals], f"{words} up to degree {degree}", *along)
 
     def stable_if(self, text: str, point: Sequence[Any], conserved: Sequence[Any], condition: Any) -> None:
         """Add the condition for the second variation to be definite; where it holds, ``stability`` must say stable."""
         variation = second_variation(self.system, point, conserved)
         self._same_condition(text, condition, variation.definite)
         self._check_variation(text, point, conserved, variation)
-        seen = self._judge(text, point, condition, "stable")
+        judged = self._judge(text, point, condition, "stable")
         names = sympy.symbols(f"lambda1:{len(conserved) + 1}")
         total = sympy.Symbol("H") + sum((n * C for n, C in zip(names, conserved, strict=True)), sympy.Integer(0))
         lines = [Equation(Name("F", "F"), total)]
         lines += [Equation(n, v) for n, v in zip(names, variation.multipliers, strict=True) if str(v) != str(n)]
         lines.append(Equation(Name(r"D^2 F", "D²F"), variation.matrix))
         self._add(text, [*lines, Equation(Name(r"\text{stable}", "stable"), condition, "⇐")],
-                  f"definite by the minors exactly then, for {TRIALS} random parameters",
-                  "equal to derivatives of the numerical energy", self._said("stable", seen))
+                  f"definite by the minors exactly then, for {LIMITS.trials} random parameters",
+                  "equal to derivatives of the numerical energy", self._said("stable", judged))
 
     def unstable_if(self, text: str, point: Sequence[Any], condition: Any, polynomial: Any) -> None:
         """Add characteristic polynomial and condition of instability; where it holds, ``stability`` must agree."""
         computed = characteristic_polynomial(self.system, point)
         self._equal(text, "det(s − A)", polynomial, computed)
         self._same_condition(text, condition, instability(self.system, point))
-        seen = self._judge(text, point, condition, "unstable")
+        judged = self._judge(text, point, condition, "unstable")
         self._add(text, [Equation(Name(r"\det(s - A)", "det(s − A)"), polynomial),
                          Equation(Name(r"\text{unstable}", "unstable"), condition, "⇐")],
                   "the polynomial is that of the linearised equations",
-                  f"its roots decide the condition, for {TRIALS} random parameters",
-                  self._said("unstable", seen))  # fmt: skip
+                  f"its roots decide the condition, for {LIMITS.trials} random parameters",
+                  self._said("unstable", judged))  # fmt: skip
 
     def exponents_if(self, text: str, point: Sequence[Any], condition: Any) -> None:
         """Add a condition of instability; the largest real part of the numerical exponents must be positive just then.
@@ -229,16 +245,16 @@ class Derivation:
         symbols = sorted(jacobian.free_symbols | condition.free_symbols, key=str)
         rng = np.random.default_rng(2)
         matrix = sympy.lambdify(symbols, jacobian, modules="numpy")
-        numbers = rng.uniform(0.2, 2.0, size=(TRIALS, len(symbols)))
+        numbers = rng.uniform(0.2, 2.0, size=(LIMITS.trials, len(symbols)))
         holds = _evaluate_condition(condition, symbols, list(numbers.T))
         for row, expected in zip(numbers, holds, strict=True):
-            if (float(np.linalg.eigvals(matrix(*row)).real.max()) > GROWS) != expected:
+            if (float(np.linalg.eigvals(matrix(*row)).real.max()) > LIMITS.min_growth) != expected:
                 place = dict(zip(map(str, symbols), map(float, row), strict=True))
                 raise DerivationBroken(f"{text} for {place} the exponents do not behave as {condition} says.")
-        seen = self._judge(text, point, condition, "unstable")
+        judged = self._judge(text, point, condition, "unstable")
         self._add(text, [Equation(Name(r"\text{unstable}", "unstable"), condition, "⇐")],
-                  f"for {TRIALS} random sets of parameters exponents have a positive real part exactly then",
-                  self._said("unstable", seen))  # fmt: skip
+                  f"for {LIMITS.trials} random sets of parameters exponents have a positive real part exactly then",
+                  self._said("unstable", judged))  # fmt: skip
 
     def vanishes(self, text: str, expression: Any) -> None:
         """Add an expression that is zero by algebra."""
@@ -297,15 +313,15 @@ class Derivation:
     def _near(self, text: str, what: str, stated: np.ndarray, numbers: np.ndarray, size: float = 0.0) -> None:
         size = max(size, float(np.abs(numbers).max(initial=0.0)))
         off = float(np.abs(stated - numbers).max(initial=0.0))
-        if not off <= AGREES * size:
+        if not off <= LIMITS.max_difference * size:
             raise DerivationBroken(f"{text} {what}: the numerical system differs from what is stated by {off:.3g}, "
                                    f"where the values are up to {size:.3g}.")  # fmt: skip
 
     def _same_condition(self, text: str, stated: Any, computed: Any) -> None:
-        """Require two conditions to agree for random parameters, multiples of 1/8, of which doubles make no error."""
+        """Require two conditions to agree for random parameters, multiples of 1/8, which are exact doubles."""
         symbols = sorted(stated.free_symbols | computed.free_symbols, key=str)
         rng = np.random.default_rng(1)
-        numbers = [rng.integers(1 if s.is_positive else -40, 41, size=TRIALS) / 8.0 for s in symbols]
+        numbers = [rng.integers(1 if s.is_positive else -40, 41, size=LIMITS.trials) / 8.0 for s in symbols]
         holds = [_evaluate_condition(one, symbols, numbers) for one in (stated, computed)]
         for k in np.flatnonzero(holds[0] != holds[1])[:1]:
             place = {str(s): float(values[k]) for s, values in zip(symbols, numbers, strict=True)}
@@ -313,13 +329,14 @@ class Derivation:
                                    f"differ at {place}.")  # fmt: skip
 
     def _check_variation(
-        self, text: str, point: Sequence[Any], conserved: Sequence[Any], found: SecondVariation
+        self, text: str, point: Sequence[Any], conserved: Sequence[Any], variation: SecondVariation
     ) -> None:
         """Require gradient and second variation of H + Σ λ C to be those of the numerical energy by differentiation."""
         x = self.system.bracket.coordinates
-        total = sum((n * C for n, C in zip(found.multipliers, conserved, strict=True)), sympy.Integer(0))
+        total = sum((n * C for n, C in zip(variation.multipliers, conserved, strict=True)), sympy.Integer(0))
         for sample, _, system in self._cases:
-            place = {s: sample.get(str(s), FREE) for s in (*_symbols_of(point), *_symbols_of(found.multipliers))}
+            place = {s: sample.get(str(s), LIMITS.free_multiplier)
+                     for s in (*_symbols_of(point), *_symbols_of(variation.multipliers))}  # fmt: skip
             place |= {s: sample[str(s)] for s in self.system.parameters}
             z = [float(sympy.sympify(p).subs(place)) for p in point]
 
@@ -332,33 +349,33 @@ class Derivation:
             second = np.array(sympy.hessian(total, x).subs(at), dtype=float)
             size = max(float(np.abs(slope).max()), float(np.abs(other).max()))
             self._near(text, "the gradient of H + Σ λ C", np.asarray(slope) + other, np.zeros(len(x)), size)
-            basis = np.array(found.basis.subs(place), dtype=float)
+            basis = np.array(variation.basis.subs(place), dtype=float)
             numbers = basis.T @ (np.asarray(hessian) + second) @ basis
-            self._near(text, "the second variation", np.array(found.matrix.subs(place), dtype=float), numbers)
+            self._near(text, "the second variation", np.array(variation.matrix.subs(place), dtype=float), numbers)
 
     def _judge(self, text: str, point: Sequence[Any], condition: Any, verdict: str) -> int:
         """Require the verdict of ``stability`` for samples that satisfy the condition; return how many do."""
-        seen = 0
+        judged = 0
         for sample, _, system in self._cases:
             numbers = {s: sample[str(s)] for s in _symbols_of([*point, condition])}
             if not bool(sympy.sympify(condition).subs(numbers)):
                 continue
             z = jnp.array([float(sympy.sympify(p).subs(numbers)) for p in point])
-            found = stability(system, np.asarray(system.algebra.from_dual_vector(z))).verdict
-            if found != verdict:
+            numerical = stability(system, np.asarray(system.algebra.from_dual_vector(z))).verdict
+            if numerical != verdict:
                 raise DerivationBroken(f"{text} for {dict(sample)} the condition says {verdict}, and stability() "
-                                       f"{found}.")  # fmt: skip
-            seen += 1
-        if not seen:
+                                       f"{numerical}.")  # fmt: skip
+            judged += 1
+        if not judged:
             raise DerivationBroken(f"{text} none of the sets of parameters satisfies {condition}, so nothing is "
                                    "compared with stability(). Add one.")  # fmt: skip
-        return seen
+        return judged
 
 
 def _evaluate_condition(condition: Any, symbols: Sequence[Any], numbers: Sequence[np.ndarray]) -> np.ndarray:
     """Return where a condition holds (trials,)."""
     holds = sympy.lambdify(symbols, condition, modules="numpy")(*numbers)
-    return np.broadcast_to(np.asarray(holds, dtype=bool), (TRIALS,))
+    return np.broadcast_to(np.asarray(holds, dtype=bool), (LIMITS.trials,))
 
 
 def _symbols_of(expressions: Iterable[Any]) -> set[Any]:

@@ -1,7 +1,7 @@
-"""Polynomial integrals of a system's flow, found by exact linear algebra.
+"""Polynomial integrals of a system's flow, by exact linear algebra.
 
 The polynomials F of degree d or less with {F, H} = 0 are the null space of a matrix of rationals, as for the Casimirs.
-Only new ones count: those that are not polynomials in H, the Casimirs and the integrals found before.
+Only new ones count: those that are not polynomials in H, the Casimirs and the integrals of lower degree.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import math
 from collections import defaultdict
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from polhode._base.rational._sparse import new_terms, null_space
 from polhode._base.rational._terms import exponents_of, multiply_together, whole_terms
@@ -24,7 +24,18 @@ from polhode.proving.symbolic._polynomials import bracket_terms, from_terms, sym
 from polhode.proving.symbolic.systems import SymbolicSystem, as_symbolic
 from polhode.systems.base import AbstractLiePoissonSystem
 
-MOST_SYMBOLIC = 250  # monomials where coefficients are functions of symbols: 209 take a second, 461 minutes
+
+class IntegralLimits(NamedTuple):
+    """What the search for polynomial integrals attempts.
+
+    Attributes:
+        max_symbolic_monomials: with coefficients that are functions of symbols; 209 take a second, 461 minutes.
+    """
+
+    max_symbolic_monomials: int = 250
+
+
+LIMITS = IntegralLimits()
 Polynomial = dict[tuple[int, ...], Any]
 
 
@@ -42,7 +53,7 @@ def polynomial_integrals(
 
     Args:
         system: with a Hamiltonian that is a polynomial in the coordinates, symbolic or from `polhode.systems`.
-        degree: the highest degree looked at, at least 1.
+        degree: the highest degree, at least 1.
         read_as: of a numerical system's doubles, "exact" for the binary fractions that they are, "decimal" for the
             shortest decimals that round to them; a symbolic system has its numbers.
 
@@ -72,10 +83,11 @@ def polynomial_integrals(
         H: Polynomial = to_terms(system.hamiltonian, x)
         field = None
     else:
-        if math.comb(dim + degree, degree) > MOST_SYMBOLIC:
+        if math.comb(dim + degree, degree) > LIMITS.max_symbolic_monomials:
             raise InvalidInput(
-                f"`degree` {degree} in {dim} variables has more than {MOST_SYMBOLIC} monomials, and the Hamiltonian "
-                f"has symbols ({', '.join(map(str, parameters))}). Put numbers in their place by `subs`, or lower it."
+                f"`degree` {degree} in {dim} variables has more than {LIMITS.max_symbolic_monomials} monomials, "
+                f"and the Hamiltonian has symbols ({', '.join(map(str, parameters))}). Put numbers in their place by "
+                "`subs`, or lower it."
             )
         field, H = _in_field(symbolic_terms(system.hamiltonian, x), parameters)
     zero = (0,) * dim
@@ -85,11 +97,11 @@ def polynomial_integrals(
     highest = max(degree, max(map(sum, H), default=0))
     known = [{m: v * one for m, v in to_terms(C, x).items()} for C in bracket.casimirs(highest)]
     known += [H] if H else []
-    found: list[Polynomial] = []
+    generators: list[Polynomial] = []
     for d in range(1, degree + 1):
         invariants = _commuting(constants, bracket.sign, H, dim, d, one, field)
-        found += _new(invariants, multiply_together([*known, *found], highest), field)
-    return [_as_expression(terms, x, field) for terms in found]
+        generators += _new(invariants, multiply_together([*known, *generators], highest), field)
+    return [_as_expression(terms, x, field) for terms in generators]
 
 
 def _commuting(

@@ -44,7 +44,7 @@ def derive(name: str) -> Page:
         name: such as "clebsch"; ``derivation_names`` lists them.
 
     Raises:
-        InvalidInput: for a name that is none, and for one of another package that does not return a page.
+        InvalidInput: for an unknown name, and where another package does not return a page.
         DerivationBroken: if a step does not hold, by symbols or against the numerical system.
 
     >>> derive("clebsch").title
@@ -66,7 +66,7 @@ def derive(name: str) -> Page:
 
 
 def describe_derivation(name: str) -> str:
-    """Return what a derivation shows, in a line: the first of its file's docstring, or of another's function."""
+    """Return a derivation's subject: the first line of its file's docstring, or of another package's function."""
     if name in _others():
         try:
             text = inspect.getdoc(load_entry_point(_others()[name])) or ""

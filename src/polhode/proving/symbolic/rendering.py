@@ -14,7 +14,7 @@ from typing import Any
 from polhode.errors import InvalidInput, shown
 from polhode.proving.symbolic._gate import PrettyPrinter, mathml, sympy
 
-WIDTH = 100  # of terminal text; wider formulas are written in lines
+TEXT_WIDTH = 100  # of terminal text; wider formulas are written in lines
 INDENT = "    "
 STYLE = (
     "body{max-width:60rem;margin:2rem auto;padding:0 1rem;font-family:serif;line-height:1.5}"
@@ -58,7 +58,7 @@ class Bracket:
 
 @dataclass(frozen=True)
 class Name:
-    """A name for what stands at the right, in LaTeX and in plain text."""
+    """A name for the right side, in LaTeX and in plain text."""
 
     latex: str
     text: str
@@ -69,9 +69,9 @@ class Step:
     """One step of a derivation.
 
     Attributes:
-        text: what is done, in words.
-        equations: what comes out.
-        checks: what was checked of them, in words.
+        text: the step in words.
+        equations: the results.
+        checks: the checks that they passed, in words.
     """
 
     text: str
@@ -105,11 +105,11 @@ class Page:
 def _text_page(page: Page) -> str:
     lines = [page.title, "=" * len(page.title)]
     for n, step in enumerate(page.steps, 1):
-        lines += ["", *textwrap.wrap(f"{n}. {step.text}", WIDTH, subsequent_indent="   ")]
+        lines += ["", *textwrap.wrap(f"{n}. {step.text}", TEXT_WIDTH, subsequent_indent="   ")]
         for equation in step.equations:
             lines += ["", *_text_equation(equation)]
         if step.checks:
-            lines += ["", *textwrap.wrap(f"✓ {'; '.join(step.checks)}", WIDTH, initial_indent="   ",
+            lines += ["", *textwrap.wrap(f"✓ {'; '.join(step.checks)}", TEXT_WIDTH, initial_indent="   ",
                                          subsequent_indent="     ")]  # fmt: skip
     return "\n".join(lines) + "\n"
 
@@ -120,16 +120,16 @@ def _text_equation(equation: Equation) -> list[str]:
     if isinstance(right, Name | Bracket | Rate):
         return [left + _text_of(right)]
     rows = _rows_of(left, right)
-    if max(map(len, rows)) <= WIDTH:
+    if max(map(len, rows)) <= TEXT_WIDTH:
         return rows
     if isinstance(right, sympy.Add):
         return _rows_of_sum(left, right)
-    return textwrap.wrap(left + str(right).replace("**", "^"), WIDTH, subsequent_indent=2 * INDENT,
+    return textwrap.wrap(left + str(right).replace("**", "^"), TEXT_WIDTH, subsequent_indent=2 * INDENT,
                          break_long_words=False)  # fmt: skip
 
 
 def _rows_of(left: str, right: Any) -> list[str]:
-    """Return a formula in two dimensions, behind what stands at its left."""
+    """Return a formula in two dimensions, behind its left side."""
     form = _PRINTER._print(right)
     return [((left if k == form.baseline else " " * len(left)) + row).rstrip()
             for k, row in enumerate(str(form).split("\n"))]  # fmt: skip
@@ -141,7 +141,7 @@ def _rows_of_sum(left: str, total: Any) -> list[str]:
     terms = total.as_ordered_terms()
     while terms:
         count = next((n for n in range(len(terms), 1, -1)
-                      if max(map(len, _rows_of(left, sympy.Add(*terms[:n])))) <= WIDTH), 1)  # fmt: skip
+                      if max(map(len, _rows_of(left, sympy.Add(*terms[:n])))) <= TEXT_WIDTH), 1)  # fmt: skip
         rows += [*([""] if rows else []), *_rows_of(left, sympy.Add(*terms[:count]))]
         terms = terms[count:]
         left = " " * (len(left.rstrip()) - 1) + ("+ " if terms and not terms[0].could_extract_minus_sign() else "  ")
@@ -241,7 +241,7 @@ def _mathml_of(thing: Any) -> str:
         return f"<mrow><mo>{{</mo>{_mathml_of(thing.first)}<mo>,</mo>{_mathml_of(thing.second)}<mo>}}</mo></mrow>"
     if isinstance(thing, Name):
         return f"<mi>{html.escape(thing.text)}</mi>"
-    # SymPy leaves two signs as they are, which no reader takes, and writes a hyphen for a minus
+    # SymPy leaves two signs as they are, which readers reject, and writes a hyphen for a minus
     written = mathml(thing, printer="presentation").replace("<mo>-</mo>", "<mo>−</mo>")
     written = written.replace("<mo><</mo>", "<mo>&lt;</mo>").replace("<mo>></mo>", "<mo>&gt;</mo>")
     return written.replace("<msqrt>", f"<msqrt>{STRUT}")

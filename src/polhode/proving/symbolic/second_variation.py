@@ -1,7 +1,7 @@
 """Equilibria in symbols: linearisation, characteristic polynomial, and the energy–Casimir method.
 
 An equilibrium is a critical point of F = H + Σ λ C; if D²F is definite on the null space of the dC, it is stable in
-Lyapunov's sense. Where gradients depend on each other a multiplier is free, and one value of it must do.
+Lyapunov's sense. Where gradients depend on each other a multiplier is free, and one value of it is enough.
 Source: Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1.
 """
 
@@ -29,7 +29,7 @@ class SecondVariation:
         basis: (n, d) SymPy matrix, by columns.
         matrix: (d, d) of D²(H + Σ λ C) along the basis.
         positive: the condition for it to be positive definite, for some value of a free multiplier.
-        negative: the same for negative definite.
+        negative: likewise for negative definite.
     """
 
     multipliers: tuple[Any, ...]
@@ -94,7 +94,7 @@ def second_variation(
 ) -> SecondVariation:
     """Return the second variation of H + Σ λ C at an equilibrium, with the conditions under which it is definite.
 
-    The conditions use what is assumed of the symbols: make moments of inertia ``positive=True``.
+    The conditions use the assumptions on the symbols: make moments of inertia ``positive=True``.
 
     Args:
         system: in symbols.
@@ -103,7 +103,7 @@ def second_variation(
 
     Raises:
         InvalidInput: for a function that is not conserved, a point that is not critical for any multipliers, more than
-            one free multiplier, or conditions that are not decided here.
+            one free multiplier, or conditions beyond this method.
 
     >>> from polhode.algebra import SO3
     >>> from polhode.proving.symbolic.brackets import LiePoissonBracket

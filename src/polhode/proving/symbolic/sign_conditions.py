@@ -8,18 +8,16 @@ from typing import Any
 from polhode.errors import InvalidInput, shown
 from polhode.proving.symbolic._gate import sympy
 
-MOST_CASES = 2  # factors of unknown sign that are written as cases; more stay one product
-
 
 def positive_condition(expression: Any, signs: Mapping[Any, int] | None = None) -> Any:
     """Return the condition for an expression of real symbols to be positive, simplified.
 
-    Factors whose sign the symbols' assumptions tell are left out, even powers become ≠ 0, and what remains is written
-    with positive terms on both sides: L² − 4 I m > 0 as L² > 4 I m.
+    Factors whose sign follows from the symbols' assumptions are left out, even powers become ≠ 0, and the rest is
+    written with positive terms on both sides: L² − 4 I m > 0 as L² > 4 I m.
 
     Args:
         expression: rational in its symbols.
-        signs: factors whose sign is known otherwise, ±1.
+        signs: factors whose sign is given, ±1.
 
     Returns:
         A relation, a combination of relations, or SymPy's true or false.
@@ -42,9 +40,10 @@ def positive_condition(expression: Any, signs: Mapping[Any, int] | None = None) 
             rest.append(factor)
     if not rest:
         return sympy.And(*conditions) if sign > 0 else sympy.false
+    most_cases = 2  # factors of unknown sign that are written as cases; more stay one product
     if len(rest) == 1:
         conditions.append(_relation(sign * rest[0]))
-    elif len(rest) == MOST_CASES:
+    elif len(rest) == most_cases:
         first, second = rest
         cases = [sympy.And(_relation(a * first), _relation(a * sign * second)) for a in (1, -1)]
         conditions.append(sympy.Or(*cases))
@@ -157,7 +156,7 @@ def _definite(matrix: Any, sign: int, unknown: Any = None) -> Any:
 
 
 def _single_sign(minor: Any, signs: Mapping[Any, int]) -> dict[Any, int]:
-    """Return what a positive minor tells of its only factor whose sign was not known."""
+    """Return the sign that a positive minor gives its only factor of unknown sign."""
     factors = _odd_factors(minor)
     assert factors is not None
     sign, odd, _ = factors

@@ -129,7 +129,7 @@ class SymbolicSystem:
     def to_system(
         self, values: Mapping[Any, Any] | None = None, conserved: Mapping[str, Any] | None = None
     ) -> LiePoisson:
-        """Return the numerical system, which ``simulate``, ``stability`` and all else take.
+        """Return the numerical system, for ``simulate``, ``stability`` and all other functions.
 
         Parameters are data: with other values nothing is compiled again.
 
@@ -204,7 +204,7 @@ def compile_expression(
         expression: of SymPy, or a number.
         coordinates: (dim,) symbols of ⟨μ, e_k⟩; a symbol of the expression with the name of one is that one.
         algebra: whose points it takes.
-        parameters: (p,) further symbols; the same holds for their names.
+        parameters: (p,) further symbols; their names are matched likewise.
         numbers: (p,) their values.
 
     Raises:
@@ -219,7 +219,7 @@ def compile_expression(
 
 @lru_cache(maxsize=256)
 def _jax_function(expression: Any, coordinates: tuple[Any, ...], parameters: tuple[Any, ...]) -> Callable[..., Any]:
-    """Return the expression as a function of coordinates and parameters, the same one for the same expression.
+    """Return the expression as a function of coordinates and parameters, one object for equal expressions.
 
     JAX compiles a function anew for every object, so that other values of parameters would compile all again.
     """

@@ -23,12 +23,12 @@ def write_proofs(report: Report, folder: Path) -> tuple[list[str], list[str]]:
     Raises:
         InvalidInput: for a report without verdicts, and where files cannot be written.
     """
-    found = list(_certificates(report))
-    if not found:
+    certificates = list(_certificates(report))
+    if not certificates:
         raise InvalidInput(f"--proof: a report of kind {report.kind} has no verdicts to prove. Leave it out.")
     notes = []
     with write_together(folder) as draft:
-        for name, certificate in found:
+        for name, certificate in certificates:
             try:
                 rational = certificate.as_rational()
                 write_proof(rational, draft / f"{name}.v")

@@ -18,7 +18,6 @@ from polhode.errors import InvalidInput, shown
 
 THEORY = "checker.v"
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\.v")
-WIDTH = 116
 TRUE = "true"
 
 
@@ -106,7 +105,7 @@ def _readable(equations: Equations) -> str:
 
 
 def _data(equations: Equations) -> str:
-    """Return equations and point as data, and that they are the same as the formulas."""
+    """Return equations and point as data, and lemmas that they equal the formulas."""
     n = equations.size
     rows = ";\n  ".join(_poly(f) for f in equations.field)
     lines = ["(* the same as data: polynomials are lists of coefficient and variables, counted from 0 *)",
@@ -166,7 +165,7 @@ def _turns(equations: Equations) -> str:
 def _turning_theorem(equations: Equations) -> str:
     n = equations.size
     x, paths = _x(n), "; ".join(_x(n))
-    turned = " ".join(f"(turn{k + 1} a {_at(n, 't')})" for k in range(n))
+    images = " ".join(f"(turn{k + 1} a {_at(n, 't')})" for k in range(n))
     reads = ", ".join(f"reads_turn{k + 1}" for k in range(n))
     return f"""Lemma symmetry : check_symmetry {n} turning = {TRUE}.
 Proof. vm_cast_no_check (eq_refl true). Qed.
@@ -183,7 +182,7 @@ Theorem orbit_is_stable : forall eps, 0 < eps -> exists del, 0 < del /\\
 {_solutions(n)}
   distance2 {_at(n, "0")} < del ->
   forall t, 0 <= t <= T -> exists a : R,
-  distance2 {turned} < eps.
+  distance2 {images} < eps.
 Proof.
   intros eps pe.
   destruct (confined_up_to_turns {n} zf zp turning symmetry G slice forms margin radius minimum kept kept_by_turns
@@ -355,8 +354,9 @@ def _plain(name: str) -> str:
 def _wrap(text: str) -> str:
     """Break a long definition after commas and sums."""
     lines, line = [], ""
+    width = 116
     for word in _words(text):
-        if line and len(line) + 1 + len(word) > WIDTH:
+        if line and len(line) + 1 + len(word) > width:
             lines.append(line)
             line = "  " + word
         else:

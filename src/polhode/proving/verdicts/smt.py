@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from polhode._base.rational._polynomials import RationalPolynomial, quadratic_form
 from polhode.certificates._confinement import Confinement
@@ -14,17 +14,28 @@ from polhode.certificates._growth import Drift, Growth
 from polhode.certificates.rational import RationalCertificate, require_rational
 from polhode.errors import InvalidInput, not_installed
 
-PATIENCE = 20_000  # milliseconds for one claim
+
+class SolverLimits(NamedTuple):
+    """How long a solver may take.
+
+    Attributes:
+        max_time: milliseconds for one claim; after that it counts as undecided.
+    """
+
+    max_time: int = 20_000
+
+
+LIMITS = SolverLimits()
 
 
 def check_by_z3(certificate: RationalCertificate) -> None:
-    """Check the claims by the solver z3, which is told neither weights nor squares but what they prove.
+    """Check the claims by the solver z3, which gets neither weights nor squares, only the claims.
 
     Args:
         certificate: as ``certificate.as_rational()`` of a verdict gives it, which takes about a tenth of a second.
 
     Raises:
-        InvalidInput: naming the claim that fails or stays open, or if z3-solver, the extra `prove`, is missing.
+        InvalidInput: with the claim that fails or stays open, or if z3-solver, the extra `prove`, is missing.
     """
     require_rational(certificate)
     try:
@@ -35,15 +46,15 @@ def check_by_z3(certificate: RationalCertificate) -> None:
     v: list[Any] = [z3.Real(f"v{k + 1}") for k in range(equations.size)]
     for claim, counterexample in _claims(equations, certificate.proof, v):
         solver = z3.Solver()
-        solver.set("timeout", PATIENCE)
+        solver.set("timeout", LIMITS.max_time)
         solver.add(*counterexample)
         answer = solver.check()
         if answer == z3.sat:
-            found = ", ".join(f"{d.name()} = {solver.model()[d]}" for d in solver.model().decls())
-            raise InvalidInput(f"the claim must hold that {claim}; z3 found it wrong at {found or 'every point'}. "
+            place = ", ".join(f"{d.name()} = {solver.model()[d]}" for d in solver.model().decls())
+            raise InvalidInput(f"the claim must hold that {claim}; z3 refutes it at {place or 'every point'}. "
                                "Take the certificate from `stability`.")  # fmt: skip
         if answer != z3.unsat:
-            seconds = PATIENCE // 1000
+            seconds = LIMITS.max_time // 1000
             raise InvalidInput(f"z3 must decide that {claim}; it gave up after at most {seconds} s. "
                                "Check the certificate by `as_rational().check()` or by Rocq.")  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Clebsch's case of a body in an ideal fluid, with its integral of second degree, found in symbols."""
+"""Clebsch's case of a body in an ideal fluid, with its integral of second degree."""
 
 from __future__ import annotations
 
@@ -10,11 +10,6 @@ from polhode.proving.symbolic.derivations.heavy_top import se3_brackets
 from polhode.proving.symbolic.rendering import Name, Page
 from polhode.proving.symbolic.systems import SymbolicSystem
 from polhode.systems.kirchhoff import Kirchhoff
-
-SAMPLES = [
-    {"a1": 1.0, "a2": 0.5, "a3": 0.25, "theta": 1.3},
-    {"a1": 2.0, "a2": 0.7, "a3": 1.1, "theta": 0.4},
-]
 
 
 def inertia(a: tuple[float, float, float], theta: float) -> list[float]:
@@ -29,7 +24,11 @@ def derive() -> Page:
     bracket = LiePoissonBracket(SE3(), ["Pi1", "Pi2", "Pi3", "P1", "P2", "P3"], parameters=[a1, a2, a3, theta])
     L1, L2, L3, P1, P2, P3 = bracket.coordinates
     H = (a1 * L1**2 + a2 * L2**2 + a3 * L3**2 + theta * (a2 * a3 * P1**2 + a3 * a1 * P2**2 + a1 * a2 * P3**2)) / 2
-    numerical = Numerical(lambda v: Kirchhoff(inertia((v["a1"], v["a2"], v["a3"]), v["theta"])), SAMPLES)
+    samples = [
+        {"a1": 1.0, "a2": 0.5, "a3": 0.25, "theta": 1.3},
+        {"a1": 2.0, "a2": 0.7, "a3": 1.1, "theta": 0.4},
+    ]
+    numerical = Numerical(lambda v: Kirchhoff(inertia((v["a1"], v["a2"], v["a3"]), v["theta"])), samples)
     page = Derivation("Clebsch's case", SymbolicSystem(bracket, H), numerical)
     page.brackets("The bracket is that of se(3)*.", se3_brackets(bracket))
     page.hamiltonian("The reciprocal masses are products of the reciprocal moments, up to a factor; a multiple of the "

@@ -11,12 +11,6 @@ from polhode.proving.symbolic.second_variation import EXPONENT as s
 from polhode.proving.symbolic.systems import SymbolicSystem
 from polhode.systems.free_rigid_body import FreeRigidBody
 
-SAMPLES = [
-    {"I1": 1.0, "I2": 2.0, "I3": 2.5, "L": 1.5},
-    {"I1": 2.0, "I2": 1.0, "I3": 2.5, "L": 0.7},
-    {"I1": 3.0, "I2": 2.0, "I3": 2.5, "L": 1.1},
-]
-
 
 def derive() -> Page:
     """Return the page."""
@@ -24,7 +18,12 @@ def derive() -> Page:
     bracket = LiePoissonBracket(SO3(), ["L1", "L2", "L3"], parameters=[I1, I2, I3, size])
     L1, L2, L3 = bracket.coordinates
     system = SymbolicSystem(bracket, L1**2 / (2 * I1) + L2**2 / (2 * I2) + L3**2 / (2 * I3))
-    numerical = Numerical(lambda v: FreeRigidBody((v["I1"], v["I2"], v["I3"])), SAMPLES)
+    samples = [
+        {"I1": 1.0, "I2": 2.0, "I3": 2.5, "L": 1.5},
+        {"I1": 2.0, "I2": 1.0, "I3": 2.5, "L": 0.7},
+        {"I1": 3.0, "I2": 2.0, "I3": 2.5, "L": 1.1},
+    ]
+    numerical = Numerical(lambda v: FreeRigidBody((v["I1"], v["I2"], v["I3"])), samples)
     page = Derivation("The free rigid body", system, numerical)
     page.brackets(
         "The angular momentum along the body's axes is a point of so(3)*, with the minus (left-invariant) bracket.",

@@ -12,13 +12,6 @@ from polhode.proving.symbolic.sign_conditions import positive_condition
 from polhode.proving.symbolic.systems import SymbolicSystem
 from polhode.systems.gyrostat import Gyrostat
 
-SAMPLES = [
-    {"I1": 1.0, "I2": 2.0, "I3": 2.5, "h": 0.5, "L": 1.5},
-    {"I1": 2.0, "I2": 3.0, "I3": 2.5, "h": 0.5, "L": 6.0},
-    {"I1": 2.0, "I2": 3.0, "I3": 2.5, "h": 2.0, "L": 1.1},
-]
-"""The second spins about the middle axis without enough help of its rotor; the third is held by it."""
-
 
 def derive() -> Page:
     """Return the page."""
@@ -26,7 +19,13 @@ def derive() -> Page:
     bracket = LiePoissonBracket(SO3(), ["L1", "L2", "L3"], parameters=[I1, I2, I3, h, size])
     L1, L2, L3 = bracket.coordinates
     system = SymbolicSystem(bracket, L1**2 / (2 * I1) + L2**2 / (2 * I2) + (L3 - h) ** 2 / (2 * I3))
-    numerical = Numerical(lambda v: Gyrostat((v["I1"], v["I2"], v["I3"]), (0.0, 0.0, v["h"])), SAMPLES)
+    # the second spins about the middle axis without enough help of its rotor; the third is held by it
+    samples = [
+        {"I1": 1.0, "I2": 2.0, "I3": 2.5, "h": 0.5, "L": 1.5},
+        {"I1": 2.0, "I2": 3.0, "I3": 2.5, "h": 0.5, "L": 6.0},
+        {"I1": 2.0, "I2": 3.0, "I3": 2.5, "h": 2.0, "L": 1.1},
+    ]
+    numerical = Numerical(lambda v: Gyrostat((v["I1"], v["I2"], v["I3"]), (0.0, 0.0, v["h"])), samples)
     page = Derivation("The gyrostat", system, numerical)
     page.brackets("The angular momentum of body and rotor together is a point of so(3)*, with the minus bracket.",
                   {(L1, L2): -L3, (L2, L3): -L1, (L3, L1): -L2})  # fmt: skip

@@ -12,13 +12,6 @@ from polhode.proving.symbolic.rendering import Name, Page
 from polhode.proving.symbolic.systems import SymbolicSystem
 from polhode.systems.heavy_top import HeavyTop
 
-SAMPLES = [
-    {"I1": 1.0, "I2": 2.0, "I3": 2.5, "m": 0.5, "g": 2.0, "l": 1.5, "S": 6.0},
-    {"I1": 1.0, "I2": 2.0, "I3": 2.5, "m": 0.5, "g": 2.0, "l": 1.5, "S": 2.0},
-    {"I1": 2.0, "I2": 1.5, "I3": 1.75, "m": 1.0, "g": 1.5, "l": 0.5, "S": 3.0},
-]
-"""The first spins fast enough, the second too slowly for the proof; the axis of the third is intermediate."""
-
 
 def se3_brackets(bracket: LiePoissonBracket) -> dict[tuple[Any, Any], Any]:
     """Return the brackets of se(3)* that do not vanish, by pairs of coordinates (Π, P)."""
@@ -40,7 +33,13 @@ def derive() -> Page:
     P1, P2, P3, G1, G2, G3 = bracket.coordinates
     weight = m * g * ell
     system = SymbolicSystem(bracket, P1**2 / (2 * I1) + P2**2 / (2 * I2) + P3**2 / (2 * I3) + weight * G3)
-    numerical = Numerical(lambda v: HeavyTop((v["I1"], v["I2"], v["I3"]), v["m"] * v["g"] * v["l"]), SAMPLES)
+    # the first spins fast enough, the second too slowly for the proof; the axis of the third is intermediate
+    samples = [
+        {"I1": 1.0, "I2": 2.0, "I3": 2.5, "m": 0.5, "g": 2.0, "l": 1.5, "S": 6.0},
+        {"I1": 1.0, "I2": 2.0, "I3": 2.5, "m": 0.5, "g": 2.0, "l": 1.5, "S": 2.0},
+        {"I1": 2.0, "I2": 1.5, "I3": 1.75, "m": 1.0, "g": 1.5, "l": 0.5, "S": 3.0},
+    ]
+    numerical = Numerical(lambda v: HeavyTop((v["I1"], v["I2"], v["I3"]), v["m"] * v["g"] * v["l"]), samples)
     page = Derivation("The heavy top", system, numerical)
     page.brackets(
         "Angular momentum about the fixed point and the upward direction, both along the body's axes, are a point of "

@@ -12,11 +12,6 @@ from polhode.proving.symbolic.second_variation import EXPONENT as s
 from polhode.proving.symbolic.systems import SymbolicSystem
 from polhode.systems.kirchhoff import Kirchhoff
 
-SAMPLES = [
-    {"I1": 1.0, "I2": 2.0, "I3": 2.5, "M1": 1.0, "M2": 2.0, "M3": 3.0, "p": 1.5},
-    {"I1": 1.0, "I2": 2.0, "I3": 2.5, "M1": 1.0, "M2": 3.0, "M3": 2.0, "p": 0.7},
-]
-
 
 def derive() -> Page:
     """Return the page."""
@@ -25,7 +20,11 @@ def derive() -> Page:
     x = bracket.coordinates
     inertia = (I1, I2, I3, M1, M2, M3)
     system = SymbolicSystem(bracket, sum(v**2 / (2 * i) for v, i in zip(x, inertia, strict=True)))
-    numerical = Numerical(lambda v: Kirchhoff([v[k] for k in ("I1", "I2", "I3", "M1", "M2", "M3")]), SAMPLES)
+    samples = [
+        {"I1": 1.0, "I2": 2.0, "I3": 2.5, "M1": 1.0, "M2": 2.0, "M3": 3.0, "p": 1.5},
+        {"I1": 1.0, "I2": 2.0, "I3": 2.5, "M1": 1.0, "M2": 3.0, "M3": 2.0, "p": 0.7},
+    ]
+    numerical = Numerical(lambda v: Kirchhoff([v[k] for k in ("I1", "I2", "I3", "M1", "M2", "M3")]), samples)
     page = Derivation("A body in an ideal fluid", system, numerical)
     page.brackets("The impulses of body and fluid, angular and linear, are a point of se(3)*, with the minus bracket.",
                   se3_brackets(bracket))  # fmt: skip

@@ -1,4 +1,4 @@
-"""Kovalevskaya's top, and its integral of fourth degree, found by linear algebra."""
+"""Kovalevskaya's top, and its integral of fourth degree by linear algebra."""
 
 from __future__ import annotations
 
@@ -11,8 +11,6 @@ from polhode.proving.symbolic.rendering import Name, Page
 from polhode.proving.symbolic.systems import SymbolicSystem
 from polhode.systems.heavy_top import HeavyTop
 
-SAMPLES = [{"I3": 1.0, "m": 0.5, "g": 2.0, "l": 1.5}, {"I3": 0.7, "m": 1.0, "g": 1.5, "l": 0.5}]
-
 
 def derive() -> Page:
     """Return the page."""
@@ -21,8 +19,9 @@ def derive() -> Page:
     P1, P2, P3, G1, G2, G3 = bracket.coordinates
     weight = m * g * ell
     system = SymbolicSystem(bracket, (P1**2 + P2**2) / (4 * I3) + P3**2 / (2 * I3) + weight * G1)
+    samples = [{"I3": 1.0, "m": 0.5, "g": 2.0, "l": 1.5}, {"I3": 0.7, "m": 1.0, "g": 1.5, "l": 0.5}]
     numerical = Numerical(
-        lambda v: HeavyTop((2 * v["I3"], 2 * v["I3"], v["I3"]), v["m"] * v["g"] * v["l"], (1.0, 0.0, 0.0)), SAMPLES
+        lambda v: HeavyTop((2 * v["I3"], 2 * v["I3"], v["I3"]), v["m"] * v["g"] * v["l"], (1.0, 0.0, 0.0)), samples
     )
     page = Derivation("Kovalevskaya's top", system, numerical)
     page.brackets("The bracket is that of se(3)*.", se3_brackets(bracket))

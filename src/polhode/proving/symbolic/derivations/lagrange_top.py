@@ -14,12 +14,6 @@ from polhode.proving.symbolic.sign_conditions import positive_condition
 from polhode.proving.symbolic.systems import SymbolicSystem
 from polhode.systems.heavy_top import HeavyTop
 
-SAMPLES = [
-    {"I1": 1.0, "I3": 0.5, "m": 0.5, "g": 2.0, "l": 1.5, "S": 3.0},
-    {"I1": 1.0, "I3": 0.5, "m": 0.5, "g": 2.0, "l": 1.5, "S": 2.0},
-    {"I1": 1.0, "I3": 1.75, "m": 1.0, "g": 1.5, "l": 0.5, "S": 1.0},
-]
-
 
 def derive() -> Page:
     """Return the page."""
@@ -31,7 +25,12 @@ def derive() -> Page:
     P1, P2, P3, G1, G2, G3 = bracket.coordinates
     weight = m * g * ell
     system = SymbolicSystem(bracket, (P1**2 + P2**2) / (2 * I1) + P3**2 / (2 * I3) + weight * G3)
-    numerical = Numerical(lambda v: HeavyTop((v["I1"], v["I1"], v["I3"]), v["m"] * v["g"] * v["l"]), SAMPLES)
+    samples = [
+        {"I1": 1.0, "I3": 0.5, "m": 0.5, "g": 2.0, "l": 1.5, "S": 3.0},
+        {"I1": 1.0, "I3": 0.5, "m": 0.5, "g": 2.0, "l": 1.5, "S": 2.0},
+        {"I1": 1.0, "I3": 1.75, "m": 1.0, "g": 1.5, "l": 0.5, "S": 1.0},
+    ]
+    numerical = Numerical(lambda v: HeavyTop((v["I1"], v["I1"], v["I3"]), v["m"] * v["g"] * v["l"]), samples)
     page = Derivation("The Lagrange top", system, numerical)
     page.brackets("The bracket is that of se(3)*.", se3_brackets(bracket))
     page.hamiltonian("Two moments are equal, and the centre of mass lies on the axis of symmetry.")

@@ -12,25 +12,24 @@ from polhode.proving.symbolic.rendering import Name, Page
 from polhode.proving.symbolic.systems import SymbolicSystem
 from polhode.systems.manakov import Manakov
 
-SAMPLES = [
-    {"Lambda1": 1.0, "Lambda2": 2.0, "Lambda3": 3.0, "Lambda4": 4.5},
-    {"Lambda1": 2.0, "Lambda2": 0.5, "Lambda3": 1.5, "Lambda4": 1.0},
-]
-PAIRS = [(1, 2), (1, 3), (1, 4), (2, 3), (2, 4), (3, 4)]
-
 
 def derive() -> Page:
     """Return the page."""
     masses = sympy.symbols("Lambda1:5", positive=True)
-    bracket = LiePoissonBracket(SO(4), [f"M{i}{j}" for i, j in PAIRS], parameters=[*masses])
-    upper = dict(zip(PAIRS, bracket.coordinates, strict=True))
+    pairs = [(1, 2), (1, 3), (1, 4), (2, 3), (2, 4), (3, 4)]
+    bracket = LiePoissonBracket(SO(4), [f"M{i}{j}" for i, j in pairs], parameters=[*masses])
+    upper = dict(zip(pairs, bracket.coordinates, strict=True))
     # coordinates belong to E_ji − E_ij, so that they are the entries below the diagonal
     M = sympy.Matrix(4, 4, lambda i, j: -upper[i + 1, j + 1] if i < j else upper[j + 1, i + 1] if j < i else 0)
     velocity = sympy.Matrix(4, 4, lambda i, j: M[i, j] / (masses[i] + masses[j]))
     H = sum(x**2 / (2 * (masses[i - 1] + masses[j - 1])) for (i, j), x in upper.items())
     names = [str(v) for v in masses]
+    samples = [
+        {"Lambda1": 1.0, "Lambda2": 2.0, "Lambda3": 3.0, "Lambda4": 4.5},
+        {"Lambda1": 2.0, "Lambda2": 0.5, "Lambda3": 1.5, "Lambda4": 1.0},
+    ]
     page = Derivation("The rigid body in four dimensions", SymbolicSystem(bracket, H),
-                      Numerical(lambda v: Manakov([v[name] for name in names]), SAMPLES))  # fmt: skip
+                      Numerical(lambda v: Manakov([v[name] for name in names]), samples))  # fmt: skip
     stated = {}
     for (i, j), x in upper.items():
         for (k, n), y in upper.items():

@@ -13,11 +13,6 @@ from polhode.proving.symbolic.rendering import Name, Page
 from polhode.proving.symbolic.systems import SymbolicSystem
 from polhode.systems.kirchhoff import Kirchhoff
 
-SAMPLES = [
-    {"b1": 1.0, "b2": 2.0, "b3": 4.0, "nu": 0.5, "c": 20.0},
-    {"b1": 2.0, "b2": 0.7, "b3": 1.1, "nu": 0.3, "c": 1.0},
-]
-
 
 def inertia(v: dict[str, float]) -> np.ndarray:
     """Return M (6, 6), the inverse of the Hamiltonian's matrix."""
@@ -38,8 +33,12 @@ def derive() -> Page:
         j, k = (i + 1) % 3, (i + 2) % 3
         H += (b[i] * L[i] ** 2 + 2 * nu * b[j] * b[k] * L[i] * P[i] + nu**2 * b[i] * (b[j] - b[k]) ** 2 * P[i] ** 2) / 2
         F += L[i] ** 2 - 2 * nu * b[i] * L[i] * P[i] + nu**2 * (b[j] - b[k]) ** 2 * P[i] ** 2
+    samples = [
+        {"b1": 1.0, "b2": 2.0, "b3": 4.0, "nu": 0.5, "c": 20.0},
+        {"b1": 2.0, "b2": 0.7, "b3": 1.1, "nu": 0.3, "c": 1.0},
+    ]
     page = Derivation("The case of Steklov and Lyapunov", SymbolicSystem(bracket, H),
-                      Numerical(lambda v: Kirchhoff(inertia(dict(v))), SAMPLES))  # fmt: skip
+                      Numerical(lambda v: Kirchhoff(inertia(dict(v))), samples))  # fmt: skip
     page.brackets("The bracket is that of se(3)*.", se3_brackets(bracket))
     page.hamiltonian("The energy couples angular and linear momentum; the square of P, a Casimir, makes it positive.")
     page.integral("Lyapunov's integral.", Name("F", "F"), F)
