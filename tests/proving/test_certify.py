@@ -39,24 +39,24 @@ def spec(tmp_path):
     return of
 
 
-def holds(found, value):
-    return abs(Fraction(found["decimals"]) - Fraction(value)) <= Fraction(found["radius"])
+def holds(result, value):
+    return abs(Fraction(result["decimals"]) - Fraction(value)) <= Fraction(result["radius"])
 
 
 def test_the_decimals_in_the_file_are_enclosed(run, spec):
     """The moments in another order and unit, as the body's own axes are sorted."""
     path = spec(FREE.format(spin=GIVEN + "\nattitude = [0.8, 0.6, 0.0, 0.0]"))
-    found = json.loads(run("certify", path, "--digits", "38", "--at", "0.1 h", "--at", "1e9 s", "--json").out)
-    assert {"name", "kind", "summary", "units", "notes", "files"} <= set(found) and found["kind"] == "certify"
-    assert set(found["taken"].values()) == {"the decimals in the file"}
-    assert found["regime"] == "short-axis" and found["encircled_axis"] == 3
-    assert holds(found["period"], PERIOD) and Fraction(found["period"]["radius"]) < Fraction(1, 10**35)
-    assert found["period"]["value"] == float(PERIOD) and found["units"]["period.value"] == "s, the nearest double"
-    assert found["verdicts"] == {"axis_1": "stable", "axis_2": "unstable", "axis_3": "stable"}
-    assert [row["time"] for row in found["states"]] == ["0.1 h"] * 7 + ["1e9 s"] * 7
-    later = {row["component"]: row for row in found["states"][7:]}
+    result = json.loads(run("certify", path, "--digits", "38", "--at", "0.1 h", "--at", "1e9 s", "--json").out)
+    assert {"name", "kind", "summary", "units", "notes", "files"} <= set(result) and result["kind"] == "certify"
+    assert set(result["taken"].values()) == {"the decimals in the file"}
+    assert result["regime"] == "short-axis" and result["encircled_axis"] == 3
+    assert holds(result["period"], PERIOD) and Fraction(result["period"]["radius"]) < Fraction(1, 10**35)
+    assert result["period"]["value"] == float(PERIOD) and result["units"]["period.value"] == "s, the nearest double"
+    assert result["verdicts"] == {"axis_1": "stable", "axis_2": "unstable", "axis_3": "stable"}
+    assert [row["time"] for row in result["states"]] == ["0.1 h"] * 7 + ["1e9 s"] * 7
+    later = {row["component"]: row for row in result["states"][7:]}
     assert sum(Fraction(later[f"L{k}"]["decimals"]) ** 2 for k in "123") - Fraction("1.13") < Fraction(1, 10**35)
-    assert holds(found["momentum_square"], "1.13")
+    assert holds(result["momentum_square"], "1.13")
 
 
 def test_the_text_says_numbers_and_radii(run, spec):
@@ -73,23 +73,23 @@ def test_the_text_says_numbers_and_radii(run, spec):
     ('rate = "60 rpm"\nabout = 1', "the nearest doubles"),
 ])  # fmt: skip
 def test_what_the_file_gives_otherwise_is_of_doubles(run, spec, spin, taken):
-    found = json.loads(run("certify", spec(FREE.format(spin=spin)), "--json").out)
-    assert found["taken"]["momentum"] == taken and found["taken"]["moments"] == "the decimals in the file"
+    result = json.loads(run("certify", spec(FREE.format(spin=spin)), "--json").out)
+    assert result["taken"]["momentum"] == taken and result["taken"]["moments"] == "the decimals in the file"
 
 
 def test_a_separatrix_of_decimals_is_one(run, spec):
     """0.1 · 0.6 · 0.1² = 0.2 · 0.3 · 0.1², which no doubles say."""
     text = FREE.replace("3e7 g*cm^2", "0.3 kg*m^2").replace('"1 kg', '"0.4 kg').replace('"2 kg', '"0.6 kg')
     spin = 'momentum = ["0.1 kg*m^2/s", "0.25 kg*m^2/s", "0.1 kg*m^2/s"]'
-    found = run("certify", spec(text.format(spin=spin)))
-    assert "regime separatrix" in found.out and "infinite" in found.out
+    result = run("certify", spec(text.format(spin=spin)))
+    assert "regime separatrix" in result.out and "infinite" in result.out
     assert json.loads(run("certify", spec(text.format(spin=spin)), "--json").out)["period"]["value"] is None
 
 
 def test_tops_and_bodies_with_shapes_are_of_doubles(run):
     for name in ("top", "t_handle"):
-        found = json.loads(run("certify", EXAMPLES / f"{name}.toml", "--json", "--at", "1 s").out)
-        assert found["taken"]["moments"] == "the nearest doubles" and len(found["states"]) == 7
+        result = json.loads(run("certify", EXAMPLES / f"{name}.toml", "--json", "--at", "1 s").out)
+        assert result["taken"]["moments"] == "the nearest doubles" and len(result["states"]) == 7
     assert run("certify", EXAMPLES / "top.toml").out.count("axis ") >= 2
 
 

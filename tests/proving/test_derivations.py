@@ -40,14 +40,14 @@ def euler(sign=1):
 @pytest.mark.parametrize("name", [pytest.param(n, marks=[] if n in QUICK else [pytest.mark.sweep])
                                   for n in derivation_names()])  # fmt: skip
 def test_holds_in_every_form(name):
-    found = derive(name)
-    assert len(found.steps) >= 4 and all(step.checks for step in found.steps)
+    result = derive(name)
+    assert len(result.steps) >= 4 and all(step.checks for step in result.steps)
     for form in ("text", "markdown", "latex", "html"):
-        assert found.title.split()[-1] in found.render(form)
-    assert max(map(len, found.render("text").splitlines())) <= 100
-    assert found.render("latex").count(r"\begin{aligned}") == found.render("markdown").count(r"\begin{aligned}")
-    assert found.render("latex").isascii()
-    for formula in re.findall(r"<math.*?</math>", found.render("html"), re.DOTALL):
+        assert result.title.split()[-1] in result.render(form)
+    assert max(map(len, result.render("text").splitlines())) <= 100
+    assert result.render("latex").count(r"\begin{aligned}") == result.render("markdown").count(r"\begin{aligned}")
+    assert result.render("latex").isascii()
+    for formula in re.findall(r"<math.*?</math>", result.render("html"), re.DOTALL):
         ElementTree.fromstring(formula.replace("&InvisibleTimes;", "").replace("&ApplyFunction;", ""))
 
 

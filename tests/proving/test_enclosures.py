@@ -16,24 +16,24 @@ from polhode.proving.enclosures._taylor_balls import BallSystem
 MOMENTS = (1.0, 2.0, 3.0)
 
 
-def holds(found, truth):
+def holds(result, truth):
     """Return whether the radii hold numbers (n,) in balls at the last time; no radius is more than some roundings."""
-    sizes = np.abs(found.states).max(axis=-1, keepdims=True)
-    assert (found.radii <= 4e-16 * sizes).all()
+    sizes = np.abs(result.states).max(axis=-1, keepdims=True)
+    assert (result.radii <= 4e-16 * sizes).all()
     with ctx.workprec(300):
         return [bool(abs(arb(float(x)) - y) <= arb(float(r)))
-                for x, y, r in zip(found.states[-1], truth, found.radii[-1], strict=True)]  # fmt: skip
+                for x, y, r in zip(result.states[-1], truth, result.radii[-1], strict=True)]  # fmt: skip
 
 
 @pytest.mark.parametrize("momentum", [(0.3, 1.8, 1.5), (1e-9, 2.0, 1e-9), (0.2, 0.1, 2.0)])
 def test_a_free_body_is_where_elliptic_functions_say(momentum):
     """Next to the saddle too, where the bound grows as the motion does."""
-    found = ph.certify(ph.systems.FreeRigidBody(MOMENTS), momentum, [0.0, 3.0, 7.0])
+    result = ph.certify(ph.systems.FreeRigidBody(MOMENTS), momentum, [0.0, 3.0, 7.0])
     with ctx.workprec(300):
         reference = reference_state(MOMENTS, momentum, 7.0, 200)
         norm = sum((arb(x) ** 2 for x in momentum), arb(0)).sqrt()
         truth = [norm * x for x in reference.direction]
-    assert found.exact and all(holds(found, truth)), found
+    assert result.exact and all(holds(result, truth)), result
 
 
 @pytest.mark.long
@@ -41,11 +41,11 @@ def test_a_top_is_where_elliptic_functions_say():
     moments, weight, momentum, t = (1.0, 1.0, 0.5), 0.75, (0.3, 0.2, 1.5), 4.0
     top = ph.systems.HeavyTop(moments, weight)
     start = top.pack((1.0, 0.0, 0.0, 0.0), momentum=momentum)
-    found = ph.certify(top, start, [0.0, t])
+    result = ph.certify(top, start, [0.0, t])
     with ctx.workprec(300):
         reference = reference_top(moments, weight, momentum, (1.0, 0.0, 0.0, 0.0), t)
         truth = [*reference.quaternion, *reference.momentum]
-    assert found.exact and all(holds(found, [*truth, *[arb(float(x)) for x in found.states[-1][7:]]])), found
+    assert result.exact and all(holds(result, [*truth, *[arb(float(x)) for x in result.states[-1][7:]]])), result
 
 
 class Scalar(ph.systems.AbstractSystem):
@@ -80,19 +80,19 @@ CLOSED = {
 def test_closed_forms_are_held(name):
     rate, truth = CLOSED[name]
     with mpmath.workprec(300):
-        found = ph.certify(Scalar(rate), [0.75], [0.0, 0.5, 1.25])
+        result = ph.certify(Scalar(rate), [0.75], [0.0, 0.5, 1.25])
         exact = truth(mpmath.mpf(0.75), mpmath.mpf(1.25))
-        assert abs(mpmath.mpf(float(found.states[-1, 0])) - exact) <= mpmath.mpf(float(found.radii[-1, 0]))
-    assert found.radii[-1, 0] < 4e-16 * abs(found.states[-1, 0])
+        assert abs(mpmath.mpf(float(result.states[-1, 0])) - exact) <= mpmath.mpf(float(result.radii[-1, 0]))
+    assert result.radii[-1, 0] < 4e-16 * abs(result.states[-1, 0])
 
 
 def test_parameters_are_exact():
     """After so long, the rounding of one third would show."""
-    found = ph.certify(Scalar(lambda t, x: x, jnp.asarray(3.0)), [1.0], [0.0, 60.0], radius=1e-16)
+    result = ph.certify(Scalar(lambda t, x: x, jnp.asarray(3.0)), [1.0], [0.0, 60.0], radius=1e-16)
     with mpmath.workprec(200):
         exact, rounded = mpmath.exp(20), mpmath.exp(60 * mpmath.mpf(1.0 / 3.0))
-        at, radius = mpmath.mpf(float(found.states[-1, 0])), mpmath.mpf(float(found.radii[-1, 0]))
-        assert found.exact and abs(at - exact) <= radius < abs(exact - rounded)
+        at, radius = mpmath.mpf(float(result.states[-1, 0])), mpmath.mpf(float(result.radii[-1, 0]))
+        assert result.exact and abs(at - exact) <= radius < abs(exact - rounded)
 
 
 OF_NUMBERS = {  # ẋ of one number, with numbers whose quotients and products are no doubles, and its motion from 0.75
@@ -111,10 +111,10 @@ OF_NUMBERS = {  # ẋ of one number, with numbers whose quotients and products a
 def test_numbers_in_formulas_are_exact(name):
     """What is computed of them is a ball: rounded to a double it would be another motion."""
     rate, motion = OF_NUMBERS[name]
-    found = ph.certify(Scalar(rate), [0.75], [0.0, 1.25], radius=1e-25)
+    result = ph.certify(Scalar(rate), [0.75], [0.0, 1.25], radius=1e-25)
     with mpmath.workdps(50):
-        off = abs(motion(mpmath.mpf(1.25)) - mpmath.mpf(float(found.states[-1, 0])))
-        assert found.exact and off <= mpmath.mpf(float(found.radii[-1, 0])), float(off)
+        off = abs(motion(mpmath.mpf(1.25)) - mpmath.mpf(float(result.states[-1, 0])))
+        assert result.exact and off <= mpmath.mpf(float(result.radii[-1, 0])), float(off)
 
 
 def test_what_is_rounded_is_said():
@@ -125,25 +125,25 @@ def test_what_is_rounded_is_said():
 
 
 def test_a_coarse_proof_holds_too():
-    found = ph.certify(Scalar(lambda t, x: x * jnp.cos(t)), [0.75], [0.0, 20.0], radius=0.5)
+    result = ph.certify(Scalar(lambda t, x: x * jnp.cos(t)), [0.75], [0.0, 20.0], radius=0.5)
     with mpmath.workprec(200):
         exact = mpmath.mpf(0.75) * mpmath.exp(mpmath.sin(20))
-        assert abs(mpmath.mpf(float(found.states[-1, 0])) - exact) <= mpmath.mpf(float(found.radii[-1, 0]))
+        assert abs(mpmath.mpf(float(result.states[-1, 0])) - exact) <= mpmath.mpf(float(result.radii[-1, 0]))
 
 
 def test_what_rests_is_where_it_was():
-    found = ph.certify(ph.systems.FreeRigidBody(MOMENTS), [0.0, 0.0, 0.0], [0.0, 1.0])
-    assert (found.states == 0.0).all() and found.radii.max() < 1e-15
+    result = ph.certify(ph.systems.FreeRigidBody(MOMENTS), [0.0, 0.0, 0.0], [0.0, 1.0])
+    assert (result.states == 0.0).all() and result.radii.max() < 1e-15
 
 
 @pytest.mark.long
 def test_complex_states_and_other_directions_of_time():
     system = ph.systems.LiePoisson(ph.algebra.SU(2), lambda m: jnp.real(1j * (m[..., 0, 0] - m[..., 1, 1])))
     start = np.asarray(ph.algebra.SU(2).from_dual_vector(np.array([0.3, 0.4, 0.5])))
-    found = ph.certify(system, start, [0.0, -2.0])
+    result = ph.certify(system, start, [0.0, -2.0])
     other = ph.simulate(system, start, [0.0, -2.0])
-    assert found.states.shape == other.states.shape and found.radii.shape == (2, 2, 2)
-    assert np.abs(found.states - other.states).max() < 1e-14 and found.radii.max() < 1e-15
+    assert result.states.shape == other.states.shape and result.radii.shape == (2, 2, 2)
+    assert np.abs(result.states - other.states).max() < 1e-14 and result.radii.max() < 1e-15
 
 
 def proved(order, off):
@@ -154,8 +154,8 @@ def proved(order, off):
     with ctx.workprec(120):
         start, numbers = (np.array([1.0]), np.array([off])), (np.zeros(0), np.zeros(0))
         proof = enclosures._Proof(flint, balls, start, numbers, np.array([0.0, 12.0]), np.ones(1), order, 120)
-        found = proof.run()
-        return abs(arb(float(found.states[-1, 0])) - (1 - arb(off)) * arb(12).exp()), arb(float(found.radii[-1, 0]))
+        result = proof.run()
+        return abs(arb(float(result.states[-1, 0])) - (1 - arb(off)) * arb(12).exp()), arb(float(result.radii[-1, 0]))
 
 
 @pytest.mark.parametrize("broken", [False, True])
@@ -210,14 +210,14 @@ class Spring(ph.systems.AbstractSystem):
 @pytest.mark.parametrize(("other", "span"), [(1.01, 5.0), (1.0 + 1e-9, 5.0), (0.99, 2.0)])
 def test_plain_numbers_of_another_system_count_and_zeros_are_passed(other, span):
     """They were left out, and the ball held neither system's neighbours; where x came to zero there was no bound."""
-    found = ph.certify(Spring(1.0), [1.0, 0.0], [0.0, span], other=Spring(other))
+    result = ph.certify(Spring(1.0), [1.0, 0.0], [0.0, span], other=Spring(other))
     with mpmath.workprec(200):
         for k in (1.0, other, 0.5 * (1.0 + other)):
             w = mpmath.sqrt(mpmath.mpf(k))
             exact = [mpmath.cos(w * span), -w * mpmath.sin(w * span)]
-            off = [abs(mpmath.mpf(float(x)) - y) for x, y in zip(found.states[-1], exact, strict=True)]
-            assert all(x <= mpmath.mpf(float(r)) for x, r in zip(off, found.radii[-1], strict=True))
-    assert found.radii[-1].max() < 20.0 * abs(other - 1.0) * span
+            off = [abs(mpmath.mpf(float(x)) - y) for x, y in zip(result.states[-1], exact, strict=True)]
+            assert all(x <= mpmath.mpf(float(r)) for x, r in zip(off, result.radii[-1], strict=True))
+    assert result.radii[-1].max() < 20.0 * abs(other - 1.0) * span
 
 
 @pytest.mark.parametrize("other", [Spring(2), Scalar(lambda t, x: -2.0 * x)], ids=["a whole number", "a function"])

@@ -78,11 +78,11 @@ def test_kovalevskaya_at_degree_four():
         ((2.2468, 2.2468, 1.1234), 0.7, (0.0, 1.0, 0.0)),
     ):
         top = HeavyTop(moments, mgl, axis)
-        found = polynomial_integrals(top, 4)
-        assert len(found) == 1 and polynomial_integrals(top, 3) == []
+        result = polynomial_integrals(top, 4)
+        assert len(result) == 1 and polynomial_integrals(top, 3) == []
         # against the integral of the numerical top: a combination of products of energy, Casimirs and what was found
         z = np.random.default_rng(0).normal(size=(40, 6))
-        (mine,) = (sympy.lambdify(X, F)(*z.T) for F in found)
+        (mine,) = (sympy.lambdify(X, F)(*z.T) for F in result)
         energy, up, vertical = np.asarray(top.energy(z)), (z[:, 3:] ** 2).sum(1), (z[:, :3] * z[:, 3:]).sum(1)
         columns = np.stack([mine, energy, energy**2, up, up**2, energy * up, vertical, vertical**2], axis=1)
         columns /= np.abs(columns).max(axis=0)

@@ -21,8 +21,8 @@ INVISIBLE = {"\u2061", "\u2062", "\u2063", "\n", "\t"}  # a function applied, a 
 
 def ranges():
     text = (ROOT / "docs" / "math_font.py").read_text("utf-8")
-    found = re.search(r"RANGES = \((.*?)\n\)", text, re.DOTALL)[1]
-    return [(int(a, 16), int(b, 16)) for a, b in re.findall(r"\((0x\w+), (0x\w+)\)", found)]
+    result = re.search(r"RANGES = \((.*?)\n\)", text, re.DOTALL)[1]
+    return [(int(a, 16), int(b, 16)) for a, b in re.findall(r"\((0x\w+), (0x\w+)\)", result)]
 
 
 def missing(mathml):
@@ -52,8 +52,8 @@ def test_documents_use_signs_that_the_font_has():
     converter = pytest.importorskip("latex2mathml.converter")
     for path in sorted((ROOT / "docs").rglob("*.md")):
         text = re.sub(r"```.*?```|`[^`\n]*`", "", path.read_text("utf-8"), flags=re.DOTALL)
-        for found in FORMULA.finditer(text):
-            latex = (found[1] or found[2]).strip()
+        for result in FORMULA.finditer(text):
+            latex = (result[1] or result[2]).strip()
             assert not missing(converter.convert(latex)), f"{path.name}: {latex}"
 
 

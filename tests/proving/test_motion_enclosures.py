@@ -24,11 +24,11 @@ DECIMALS = {"momentum": ("0.3", "0.2", "1")}
 ])  # fmt: skip
 def test_the_known_period_is_enclosed_to_fifty_digits(exact, period):
     """Of four independent routes; the decimals and their nearest doubles part in the 17th digit."""
-    found = ph.certify(MOTION, digits=50, exact=exact).period
+    result = ph.certify(MOTION, digits=50, exact=exact).period
     half = Fraction(1, 2 * 10 ** len(period.split(".")[1]))
-    assert abs((found.lower + found.upper) / 2 - Fraction(period)) <= half
-    assert found.upper - found.lower < Fraction(1, 10**48)
-    assert str(found).startswith(period[:-1])
+    assert abs((result.lower + result.upper) / 2 - Fraction(period)) <= half
+    assert result.upper - result.lower < Fraction(1, 10**48)
+    assert str(result).startswith(period[:-1])
 
 
 def test_decimals_may_be_in_a_regime_that_their_doubles_are_not():
@@ -36,13 +36,13 @@ def test_decimals_may_be_in_a_regime_that_their_doubles_are_not():
     motion = ph.FreeMotion((0.3, 0.4, 0.6), momentum=(0.1, 0.25, 0.1))
     of_doubles = ph.certify(motion)
     exact = {"moments": (Fraction(3, 10), Decimal("0.4"), "3/5"), "momentum": ("0.1", "1/4", "0.1")}
-    found = ph.certify(motion, exact=exact)
-    assert of_doubles.regime != "separatrix" == found.regime
-    assert float(found.period) == np.inf and str(found.period) == "inf" and found.action is None
-    assert 1e30 not in found.period
+    result = ph.certify(motion, exact=exact)
+    assert of_doubles.regime != "separatrix" == result.regime
+    assert float(result.period) == np.inf and str(result.period) == "inf" and result.action is None
+    assert 1e30 not in result.period
     with pytest.raises(OverflowError):
-        found.period.lower  # noqa: B018
-    assert found.taken == {"moments": "the exact numbers given", "momentum": "the exact numbers given",
+        result.period.lower  # noqa: B018
+    assert result.taken == {"moments": "the exact numbers given", "momentum": "the exact numbers given",
                            "attitude": "the nearest doubles", "epoch": "the nearest doubles"}  # fmt: skip
 
 
@@ -62,8 +62,8 @@ def test_the_threshold_of_sleeping_is_decided_exactly():
 ])  # fmt: skip
 def test_a_spin_is_stable_if_its_moment_is_strictly_extremal_or_all_are_equal(moments, verdicts):
     verdicts = ["stable" if letter == "S" else "unstable" for letter in verdicts]
-    found = ph.certify(ph.FreeMotion(moments, momentum=(0.3, 0.2, 1.0)))
-    assert list(found.verdicts.values()) == verdicts
+    result = ph.certify(ph.FreeMotion(moments, momentum=(0.3, 0.2, 1.0)))
+    assert list(result.verdicts.values()) == verdicts
     for k in range(3):
         assert ph.certify(ph.FreeMotion(moments, momentum=1.3 * np.eye(3)[k])).verdict == verdicts[k]
 
@@ -73,26 +73,26 @@ def test_a_spin_is_stable_if_its_moment_is_strictly_extremal_or_all_are_equal(mo
 def test_a_top_sleeps_from_its_threshold_on(spin, upright, mgl):
     """L3² ≥ 4 I1 mgl, here 2²."""
     for attitude, above in (((1.0, 0.0, 0.0, 0.0), mgl > 0), ((0.0, 1.0, 0.0, 0.0), mgl < 0)):
-        found = ph.certify(ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=mgl, momentum=(0.0, 0.0, spin), attitude=attitude))
-        assert found.verdicts == {"upright": upright, "hanging": "stable"}
-        assert found.verdict == (upright if above else "stable")
+        result = ph.certify(ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=mgl, momentum=(0.0, 0.0, spin), attitude=attitude))
+        assert result.verdicts == {"upright": upright, "hanging": "stable"}
+        assert result.verdict == (upright if above else "stable")
 
 
 @pytest.mark.sweep
 @pytest.mark.parametrize("moments", [(1.0, 2.0, 3.0), (2.0, 1.0, 2.0), (1.5, 1.0, 1.0), (1.0, 1.0, 1.0)])
 def test_verdicts_on_spins_are_those_of_energy_casimir(moments):
-    found = ph.certify(ph.FreeMotion(moments, momentum=(0.3, 0.2, 1.0))).verdicts
+    result = ph.certify(ph.FreeMotion(moments, momentum=(0.3, 0.2, 1.0))).verdicts
     for k in range(3):
         proof = ph.stability(ph.systems.FreeRigidBody(moments), 1.3 * np.eye(3)[k])
-        assert found[f"axis {k + 1}"] == proof.verdict, (moments, k)
+        assert result[f"axis {k + 1}"] == proof.verdict, (moments, k)
 
 
 @pytest.mark.sweep
 @pytest.mark.parametrize("spin", [0.0, 1.9, 2.1, -3.0])
 def test_verdicts_on_tops_are_those_of_energy_casimir(spin):
     proofs = ph.analysis.top_stability(ph.systems.HeavyTop((1.0, 1.0, 0.5), 1.0), spin / 0.5)
-    found = ph.certify(ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, spin)))
-    assert found.verdicts == {"upright": proofs.upright.verdict, "hanging": proofs.hanging.verdict}
+    result = ph.certify(ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, spin)))
+    assert result.verdicts == {"upright": proofs.upright.verdict, "hanging": proofs.hanging.verdict}
 
 
 def test_moving_tops_and_bodies_have_no_verdict():
@@ -112,28 +112,28 @@ def test_a_state_is_along_the_axes_of_the_motion():
     body = ph.Body(1.0, (0.0, 0.0, 0.0), [[2.0, 0.1, 0.2], [0.1, 3.0, 0.3], [0.2, 0.3, 4.0]])
     motion = ph.FreeMotion.from_body(body, momentum=(0.3, 0.2, 1.0), attitude=(0.5, 0.5, -0.5, 0.5), epoch=0.25)
     for one in (motion, motion.along("principal")):
-        found = ph.certify(one).state(100.0)
+        result = ph.certify(one).state(100.0)
         attitude, momentum = one.state(100.0)
-        assert np.abs(found.values - [*attitude, *momentum]).max() < 4e-15
-        assert np.abs([float(x) for x in found.angular_velocity] - one.angular_velocity(100.0)).max() < 4e-15
-        rows = np.array([[float(x) for x in row] for row in found.rotation_matrix])
+        assert np.abs(result.values - [*attitude, *momentum]).max() < 4e-15
+        assert np.abs([float(x) for x in result.angular_velocity] - one.angular_velocity(100.0)).max() < 4e-15
+        rows = np.array([[float(x) for x in row] for row in result.rotation_matrix])
         assert np.abs(rows - one.rotation_matrix(100.0)).max() < 4e-15
-        assert (found.radii < 1e-24).all()
+        assert (result.radii < 1e-24).all()
 
 
 def test_the_start_is_enclosed_with_its_sign():
     motion = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 0.2, 1.0), attitude=(-0.5, 0.5, 0.5, 0.5), epoch=2.0)
-    found = ph.certify(motion).state(2)
+    result = ph.certify(motion).state(2)
     given = (-0.5, 0.5, 0.5, 0.5, 0.3, 0.2, 1.0)
-    assert all(x in enclosed for x, enclosed in zip(given, found.attitude + found.momentum, strict=True))
+    assert all(x in enclosed for x, enclosed in zip(given, result.attitude + result.momentum, strict=True))
 
 
 def test_an_angular_velocity_is_taken_exactly():
     motion = ph.FreeMotion((0.1, 0.2, 0.25), angular_velocity=(0.3, 0.1, 0.7))
     exact = {"moments": ("0.1", "0.2", "0.25"), "angular_velocity": ("0.3", "0.1", "0.7")}
-    found = ph.certify(motion, exact=exact)
-    assert Fraction("0.06675") in found.energy  # ½ (0.1·0.09 + 0.2·0.01 + 0.25·0.49)
-    assert found.taken["momentum"] == "the exact numbers given"
+    result = ph.certify(motion, exact=exact)
+    assert Fraction("0.06675") in result.energy  # ½ (0.1·0.09 + 0.2·0.01 + 0.25·0.49)
+    assert result.taken["momentum"] == "the exact numbers given"
 
 
 def test_words_bound_what_they_say():

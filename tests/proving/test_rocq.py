@@ -66,8 +66,8 @@ def workshop(tmp_path_factory):
 def test_rocq_accepts_a_fresh_certificate(workshop):
     body = ph.systems.FreeRigidBody((0.9, 1.3, 1.7))
     write_proof(exact(body, [0.0, 0.0, 0.7]), workshop / "fresh.v")
-    found = compile_file(workshop, "fresh.v")
-    assert found.returncode == 0 and "Axioms" in found.stdout, found.stderr
+    result = compile_file(workshop, "fresh.v")
+    assert result.returncode == 0 and "Axioms" in result.stdout, result.stderr
 
 
 @pytest.mark.sweep
@@ -136,8 +136,8 @@ def test_a_proof_says_how_far_its_point_is():
 
 def test_instability_is_that_of_the_sampled_motion():
     """A start on the ray of V leaves the ball of the proof, as the theorem says of every solution."""
-    found = judge(BODY, [0, 1, 0]).certificate.as_rational()
-    ray = np.array(found.proof.direction, float)
-    start = np.array([0.0, 1.0, 0.0]) + 1e-4 * float(found.proof.radius) * ray
+    result = judge(BODY, [0, 1, 0]).certificate.as_rational()
+    ray = np.array(result.proof.direction, float)
+    start = np.array([0.0, 1.0, 0.0]) + 1e-4 * float(result.proof.radius) * ray
     states = ph.simulate(BODY, start, np.linspace(0.0, 40.0, 200)).states
-    assert np.linalg.norm(states - [0.0, 1.0, 0.0], axis=1).max() > float(found.proof.radius)
+    assert np.linalg.norm(states - [0.0, 1.0, 0.0], axis=1).max() > float(result.proof.radius)

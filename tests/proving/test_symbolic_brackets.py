@@ -25,10 +25,10 @@ def rational(algebra):
 
 def those_with_rational_constants():
     """The smallest of each class, and the others in the sweep."""
-    seen = set()
+    observed = set()
     for algebra in sorted((a for a in ALGEBRAS if a.dim < 16), key=lambda a: a.dim):
-        marks = [pytest.mark.sweep] if type(algebra) in seen or (algebra.dim > 3 and algebra.dim != 6) else []
-        seen.add(type(algebra))
+        marks = [pytest.mark.sweep] if type(algebra) in observed or (algebra.dim > 3 and algebra.dim != 6) else []
+        observed.add(type(algebra))
         yield pytest.param(algebra, id=algebra.name, marks=marks)
 
 
@@ -66,13 +66,13 @@ def test_casimirs_are_those_of_the_algebra(algebra, degree):
     if not rational(algebra):
         pytest.skip("constants are not rational")
     symbolic = LiePoissonBracket(algebra)
-    found = symbolic.casimirs(degree)
-    assert len(found) == index(algebra) or not algebra.casimir_names
-    assert all(map(symbolic.is_casimir, found))
-    if not found:
+    result = symbolic.casimirs(degree)
+    assert len(result) == index(algebra) or not algebra.casimir_names
+    assert all(map(symbolic.is_casimir, result))
+    if not result:
         return
     point = POINTS[0, : algebra.dim]
-    slopes = sympy.lambdify(symbolic.coordinates, [[sympy.diff(C, x) for x in symbolic.coordinates] for C in found])
+    slopes = sympy.lambdify(symbolic.coordinates, [[sympy.diff(C, x) for x in symbolic.coordinates] for C in result])
     mine = np.array(slopes(*point), dtype=float)
     numbers = jax.jacrev(lambda z: algebra.casimirs(algebra.from_dual_vector(z)))(jnp.asarray(point))
     left = np.linalg.lstsq(mine.T, np.asarray(numbers).T, rcond=None)[0]

@@ -40,21 +40,21 @@ def top(moments):
 def test_free_body_is_stable_iff_its_moment_is_strictly_extremal(axis):
     spin = [S if k == axis else 0 for k in range(3)]
     own, first, second = MOMENTS[axis], *(i for k, i in enumerate(MOMENTS) if k != axis)
-    found = second_variation(BODY, spin, SO3_.casimirs(2))
-    assert found.positive == sympy.And(own > first, own > second)
-    assert found.negative == sympy.And(first > own, second > own)
+    result = second_variation(BODY, spin, SO3_.casimirs(2))
+    assert result.positive == sympy.And(own > first, own > second)
+    assert result.negative == sympy.And(first > own, second > own)
     between = sympy.Or(sympy.And(own > first, second > own), sympy.And(own > second, first > own))
     assert instability(BODY, spin) == between
 
 
 @pytest.mark.long
 def test_free_body_agrees_with_verdicts():
-    found = second_variation(BODY, (0, S, 0), SO3_.casimirs(2))
+    result = second_variation(BODY, (0, S, 0), SO3_.casimirs(2))
     unstable = instability(BODY, (0, S, 0))
     for moments in np.random.default_rng(0).uniform(0.5, 2.0, size=(4, 3)):
         place = dict(zip(MOMENTS, moments, strict=True))
         verdict = ph.stability(FreeRigidBody(moments), (0.0, 1.3, 0.0)).verdict
-        assert (verdict == "stable") == bool(found.definite.subs(place))
+        assert (verdict == "stable") == bool(result.definite.subs(place))
         assert (verdict == "unstable") == bool(unstable.subs(place))
 
 
@@ -62,15 +62,15 @@ def test_free_body_agrees_with_verdicts():
 def test_the_sleeping_top_has_the_published_condition():
     sleeping = top((I1, I1, I3))
     point = (0, 0, S, 0, 0, 1)
-    found = second_variation(sleeping, point, [*SE3_.casimirs(2), SE3_.coordinates[2]])
-    assert found.positive == (S**2 > 4 * I1 * g * ell * m) and found.negative == sympy.false
-    assert len(found.free) == 1 and "Longleftarrow" in found.latex()
+    result = second_variation(sleeping, point, [*SE3_.casimirs(2), SE3_.coordinates[2]])
+    assert result.positive == (S**2 > 4 * I1 * g * ell * m) and result.negative == sympy.false
+    assert len(result.free) == 1 and "Longleftarrow" in result.latex()
     # without the spin as an integral only a stronger condition is found: no multiplier is free then
     weaker = second_variation(sleeping, point, SE3_.casimirs(2))
     assert weaker.positive == (I3 * S**2 > I1 * S**2 + I3**2 * g * ell * m)
     for spin, verdict in ((2.1, "stable"), (1.9, "unstable")):
         assert ph.stability(HeavyTop((1.0, 1.0, 0.5), 1.0), (0, 0, spin, 0, 0, 1.0)).verdict == verdict
-        assert bool(found.positive.subs({I1: 1, g: 1, ell: 1, m: 1, S: spin})) == (verdict == "stable")
+        assert bool(result.positive.subs({I1: 1, g: 1, ell: 1, m: 1, S: spin})) == (verdict == "stable")
 
 
 def test_hanging_top_is_always_stable():
@@ -95,8 +95,8 @@ def test_a_wrong_hamiltonian_fails():
     with pytest.raises(InvalidInput, match="no multipliers"):
         second_variation(bent, (S, 0, 0), SO3_.casimirs(2))
     heavier = SymbolicSystem(SO3_, BODY.hamiltonian + L2**2 / 2)
-    found = second_variation(heavier, (S, 0, 0), SO3_.casimirs(2))
-    assert found.positive != second_variation(BODY, (S, 0, 0), SO3_.casimirs(2)).positive
+    result = second_variation(heavier, (S, 0, 0), SO3_.casimirs(2))
+    assert result.positive != second_variation(BODY, (S, 0, 0), SO3_.casimirs(2)).positive
 
 
 def test_signs():
@@ -122,10 +122,10 @@ def test_definite_matrices_of_numbers():
     t = sympy.Symbol("t", real=True)
     for p, q in ((1, 1), (1, -1), (3, 2)):
         matrix = sympy.Matrix([[1, t - p], [t - p, q - t]])
-        found = definite_for_some(matrix, t)[0]
+        result = definite_for_some(matrix, t)[0]
         numbers = sympy.lambdify(t, matrix)
         tried = any(np.linalg.eigvalsh(np.array(numbers(v), float))[0] > 0 for v in np.linspace(-20.0, 20.0, 4001))
-        assert bool(found) == tried
+        assert bool(result) == tried
     slanted = definite_for_some(sympy.diag(t - a, b - t), t)[0]
     assert slanted == (b > a)
     with pytest.raises(InvalidInput, match="not decided"):

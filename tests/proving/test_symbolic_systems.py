@@ -217,14 +217,14 @@ def test_the_sphere_has_the_published_form():
     """ω = −area/|L| for the minus bracket (Marsden & Ratiu §14.4), and + for the other."""
     for sign in (-1, 1):
         system = SymbolicSystem(SO3_.with_sign(sign), BODY.hamiltonian)
-        found = reduce_to_sphere(system)
-        assert found.form == sign and found.area == found.radius
-        assert r"\wedge" in found.latex()
-    phi, z, L = found.angle, found.height, found.radius
+        result = reduce_to_sphere(system)
+        assert result.form == sign and result.area == result.radius
+        assert r"\wedge" in result.latex()
+    phi, z, L = result.angle, result.height, result.radius
     # canonical in (φ, z): φ̇ = {φ, z} ∂H/∂z
-    H = found.hamiltonian
-    assert sympy.simplify(found.rates[phi] - sympy.diff(H, z)) == 0
-    assert sympy.simplify(found.rates[z] + sympy.diff(H, phi)) == 0
+    H = result.hamiltonian
+    assert sympy.simplify(result.rates[phi] - sympy.diff(H, z)) == 0
+    assert sympy.simplify(result.rates[z] + sympy.diff(H, phi)) == 0
     assert L in H.free_symbols
     with pytest.raises(InvalidInput, match="only so"):
         reduce_to_sphere(SymbolicSystem(SE3_, 0))

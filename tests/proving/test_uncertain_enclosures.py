@@ -21,8 +21,8 @@ def test_numbers_between_two_systems_are_held(monkeypatch, broken):
     """ẋ = x/s with s from 3 to 3.01: e^{t/s}; it fails without what the numbers change."""
     if broken:
         monkeypatch.setattr(BallSystem, "changes", lambda self, y, p, radii: [y[0] * 0])
-    found = ph.certify(growing(3.0), [1.0], [0.0, 2.0, 4.0], other=growing(3.01))
-    at, radius = found.states[-1, 0], found.radii[-1, 0]
+    result = ph.certify(growing(3.0), [1.0], [0.0, 2.0, 4.0], other=growing(3.01))
+    at, radius = result.states[-1, 0], result.radii[-1, 0]
     ends = np.exp(4.0 / np.linspace(3.0, 3.01, 7))
     assert (np.abs(ends - at) <= radius).all() == (not broken)
     if not broken:
@@ -35,31 +35,31 @@ def test_starts_and_numbers_of_a_top_are_held():
     one, other = ph.systems.HeavyTop(moments, 1.0), ph.systems.HeavyTop(moments * (1.0 + 1e-5), 1.0 - 2e-5)
     start = one.pack((1.0, 0.0, 0.0, 0.0), momentum=(0.3, 0.2, 1.5))
     radii = np.where((np.arange(10) > 3) & (np.arange(10) < 7), 1e-6, 0.0)  # of the momentum
-    found = ph.certify(one, start, [0.0, 1.5], other=other, state_radii=radii)
+    result = ph.certify(one, start, [0.0, 1.5], other=other, state_radii=radii)
     rng, most = np.random.default_rng(2), np.zeros(10)
     for k in range(8):
         share = (0.0, 1.0)[k] if k < 2 else rng.uniform()
         between = ph.systems.HeavyTop(moments * (1.0 + 1e-5 * share), 1.0 - 2e-5 * rng.uniform())
         moved = ph.simulate(between, start + radii * rng.uniform(-1.0, 1.0, 10), [0.0, 1.5]).states[-1]
-        most = np.maximum(most, np.abs(moved - found.states[-1]))
-    assert (most <= found.radii[-1]).all() and found.radii[-1].max() < 30.0 * most.max()
+        most = np.maximum(most, np.abs(moved - result.states[-1]))
+    assert (most <= result.radii[-1]).all() and result.radii[-1].max() < 30.0 * most.max()
 
 
 def solved(mean_anomaly, eccentricity):
     """Return E by mpmath, from a bracket."""
     with mpmath.workdps(60):
         M, e = mpmath.mpf(mean_anomaly), mpmath.mpf(eccentricity)
-        found = mpmath.findroot(lambda E: E - e * mpmath.sin(E) - M, (M - 1, M + 1), solver="anderson", tol=1e-100)
-        return arb(mpmath.nstr(found, 55))
+        result = mpmath.findroot(lambda E: E - e * mpmath.sin(E) - M, (M - 1, M + 1), solver="anderson", tol=1e-100)
+        return arb(mpmath.nstr(result, 55))
 
 
 @pytest.mark.parametrize("eccentricity", [0.01, 0.3, 0.9, 0.999])
 def test_keplers_equation_is_solved_in_balls(eccentricity):
     for M in (0.0, 1e-9, 0.3, 3.0, -2.0, 40.0):
         with ctx.workprec(160):
-            found = eccentric_anomaly(arb(M), eccentricity)
-            assert float(found.rad()) < 1e-40 * max(abs(M), 1e-5)
-            assert abs(found - solved(M, eccentricity)) < 1e-40 * max(abs(M), 1e-5)
+            result = eccentric_anomaly(arb(M), eccentricity)
+            assert float(result.rad()) < 1e-40 * max(abs(M), 1e-5)
+            assert abs(result - solved(M, eccentricity)) < 1e-40 * max(abs(M), 1e-5)
     with ctx.workprec(120):
         wide = eccentric_anomaly(arb(3.0, 1e-3), eccentricity)
         assert all(wide.contains(solved(M, eccentricity)) for M in (2.9991, 3.0, 3.0009))
@@ -76,7 +76,7 @@ def test_no_ball_is_found_where_there_are_several_solutions():
 def test_a_moon_in_an_eccentric_orbit_is_where_mpmath_says():
     moon = ph.celestial.SpinOrbit(0.26, 0.1, 1.0)
     start = np.array([0.2, 1.1])
-    found = ph.certify(moon, start, [0.0, 0.5])
+    result = ph.certify(moon, start, [0.0, 0.5])
     with mpmath.workdps(30):
         e, strength = mpmath.mpf(0.1), mpmath.mpf(0.26) ** 2
 
@@ -88,7 +88,7 @@ def test_a_moon_in_an_eccentric_orbit_is_where_mpmath_says():
 
         exact = mpmath.odefun(field, 0, [mpmath.mpf(x) for x in start], tol=mpmath.mpf(10) ** -22)(mpmath.mpf(0.5))
         assert all(abs(mpmath.mpf(float(x)) - y) <= mpmath.mpf(float(r)) + mpmath.mpf(10) ** -19
-                   for x, y, r in zip(found.states[-1], exact, found.radii[-1], strict=True))  # fmt: skip
+                   for x, y, r in zip(result.states[-1], exact, result.radii[-1], strict=True))  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -28,10 +28,10 @@ def run(capsys):
 
 
 def test_levels_of_a_spec_and_of_atoms(run):
-    found = json.loads(run("levels", EXAMPLES / "water_spectrum.toml", "--json", "--j-max", "1").out)
-    assert found["j_max"] == 1 and [row["J"] for row in found["levels"]] == [0, 1, 1, 1]
-    assert found["levels"][1]["energy"] / WAVE_NUMBER == pytest.approx(23.79446251, abs=1e-8)
-    assert found["levels"][1]["wave_number"] == pytest.approx(2379.446251, abs=1e-6)
+    result = json.loads(run("levels", EXAMPLES / "water_spectrum.toml", "--json", "--j-max", "1").out)
+    assert result["j_max"] == 1 and [row["J"] for row in result["levels"]] == [0, 1, 1, 1]
+    assert result["levels"][1]["energy"] / WAVE_NUMBER == pytest.approx(23.79446251, abs=1e-8)
+    assert result["levels"][1]["wave_number"] == pytest.approx(2379.446251, abs=1e-6)
     # J = 1 of a rigid rotor: B + C, A + C, A + B, with the masses of the common isotopes
     atoms, spec = (json.loads(run("levels", EXAMPLES / name, "--json", "--j-max", "1").out)
                    for name in ("water.xyz", "water.toml"))  # fmt: skip
@@ -44,12 +44,12 @@ def test_levels_of_a_spec_and_of_atoms(run):
 @pytest.mark.long
 def test_spin_weights_are_called_so(run):
     """The CDMS has 9 for the upper level at 4829.66 MHz: 2J + 1 = 3 times 3 of the hydrogens' spins."""
-    told = run("lines", EXAMPLES / "formaldehyde.toml", "--to", "5 GHz", "--min-intensity", "1e-6").out.splitlines()
-    (head,) = [line.split() for line in told if line.startswith("line ")]
-    (row,) = [line.split() for line in told if line.startswith("1_1,0 ")]
+    given = run("lines", EXAMPLES / "formaldehyde.toml", "--to", "5 GHz", "--min-intensity", "1e-6").out.splitlines()
+    (head,) = [line.split() for line in given if line.startswith("line ")]
+    (row,) = [line.split() for line in given if line.startswith("1_1,0 ")]
     assert head[-1] == "g_ns" and (2 * 1 + 1) * int(row[-1]) == 9
-    told = run("levels", EXAMPLES / "formaldehyde.toml").out.splitlines()
-    (head,) = [line for line in told if line.startswith("level ")]
+    given = run("levels", EXAMPLES / "formaldehyde.toml").out.splitlines()
+    (head,) = [line for line in given if line.startswith("level ")]
     assert head.split()[-1] == "g_ns"
 
 
@@ -57,15 +57,15 @@ def test_spin_weights_are_called_so(run):
 def test_lines_between_frequencies(run):
     """Three lines of formaldehyde as measured [MHz], and their intensities in the CDMS."""
     path = EXAMPLES / "formaldehyde.toml"
-    found = json.loads(run("lines", path, "--json", "--to", "150 GHz", "--min-intensity", "1e-6").out)
-    assert found["partition_function"] == pytest.approx(2883.02, abs=0.01)
-    nearest = [min(found["lines"], key=lambda line: abs(line["frequency"] / MHZ - nu))
+    result = json.loads(run("lines", path, "--json", "--to", "150 GHz", "--min-intensity", "1e-6").out)
+    assert result["partition_function"] == pytest.approx(2883.02, abs=0.01)
+    nearest = [min(result["lines"], key=lambda line: abs(line["frequency"] / MHZ - nu))
                for nu in (4829.660, 72837.948, 140839.502)]  # fmt: skip
     assert [line["lg_intensity"] for line in nearest] == pytest.approx([-5.9024, -4.1792, -2.9775], abs=1e-4)
     assert nearest[1]["frequency"] / MHZ == pytest.approx(72837.948, abs=0.01)
-    assert all(line["frequency"] <= 150e9 and line["intensity"] >= 1e-18 for line in found["lines"])
-    frequencies = [line["frequency"] for line in found["lines"]]
-    assert frequencies == sorted(frequencies) and len(frequencies) == found["lines_within"]
+    assert all(line["frequency"] <= 150e9 and line["intensity"] >= 1e-18 for line in result["lines"])
+    frequencies = [line["frequency"] for line in result["lines"]]
+    assert frequencies == sorted(frequencies) and len(frequencies) == result["lines_within"]
 
 
 def test_levels_and_lines_as_netcdf(run, tmp_path):
@@ -73,16 +73,16 @@ def test_levels_and_lines_as_netcdf(run, tmp_path):
     path, files = EXAMPLES / "water_spectrum.toml", (tmp_path / "levels.nc", tmp_path / "lines.nc")
     run("levels", EXAMPLES / "water.xyz", "--j-max", "1", "--out", files[0])
     said = json.loads(run("lines", path, "--json", "--j-max", "3", "--most", "4", "--out", files[1]).out)
-    with xr.open_dataset(files[0]) as found:
-        A, B, C = found.attrs["rotational_constants_hertz"]
-        assert found.energy.units == "Hz" and found.symmetry.values.tolist() == ["A", "Ba", "Bb", "Bc"]
-        assert found.energy.values == pytest.approx([0.0, B + C, A + C, A + B], rel=1e-14)
-        assert found.Ka.values.tolist() == [0, 0, 1, 1]
-    with xr.open_dataset(files[1]) as found:
-        assert found.line_frequency.values.tolist() == [line["frequency"] for line in said["lines"]]
-        assert found.line_upper.sel(quantum_number="Ka").values.tolist() == [x["upper"][1] for x in said["lines"]]
-        assert (found.line_intensity.units, found.attrs["temperature_kelvin"]) == ("m2 Hz", 300.0)
-        assert found.attrs["reduction"] == "A" and found.attrs["representation"] == "Ir"
+    with xr.open_dataset(files[0]) as result:
+        A, B, C = result.attrs["rotational_constants_hertz"]
+        assert result.energy.units == "Hz" and result.symmetry.values.tolist() == ["A", "Ba", "Bb", "Bc"]
+        assert result.energy.values == pytest.approx([0.0, B + C, A + C, A + B], rel=1e-14)
+        assert result.Ka.values.tolist() == [0, 0, 1, 1]
+    with xr.open_dataset(files[1]) as result:
+        assert result.line_frequency.values.tolist() == [line["frequency"] for line in said["lines"]]
+        assert result.line_upper.sel(quantum_number="Ka").values.tolist() == [x["upper"][1] for x in said["lines"]]
+        assert (result.line_intensity.units, result.attrs["temperature_kelvin"]) == ("m2 Hz", 300.0)
+        assert result.attrs["reduction"] == "A" and result.attrs["representation"] == "Ir"
     assert said["files"] == [str(files[1])]
     with pytest.raises(InvalidInput, match="`levels` or `lines`"):
         spectrum_dataset()
@@ -136,20 +136,20 @@ def test_a_dipole_for_atoms(run):
     (("levels", EXAMPLES / "none.xyz"), "no such molecule file"),
 ])  # fmt: skip
 def test_mistakes(run, arguments, said):
-    told = run(*arguments, code="2")
-    assert said in told.err.replace("\n│ ", "") and not told.out and "Traceback" not in told.err
+    given = run(*arguments, code="2")
+    assert said in given.err.replace("\n│ ", "") and not given.out and "Traceback" not in given.err
 
 
 @pytest.fixture
 def measured(tmp_path):
     """Lines of sulfur dioxide's own constants, with errors of 20 kHz."""
     spec = read_spec(EXAMPLES / "sulfur_dioxide.toml")
-    found, rng = rotor_of_spec(spec).rotor.lines(8), np.random.default_rng(2)
-    kept = np.sort(rng.choice(len(found.frequency), 60, replace=False))
+    result, rng = rotor_of_spec(spec).rotor.lines(8), np.random.default_rng(2)
+    kept = np.sort(rng.choice(len(result.frequency), 60, replace=False))
     error = np.full(60, 20e3)
     path = tmp_path / "measured.lin"
-    frequency = found.frequency[kept] + error * rng.normal(size=60)
-    write_lin(line_list(MeasuredLines(found.upper[kept], found.lower[kept], frequency, error)), path)
+    frequency = result.frequency[kept] + error * rng.normal(size=60)
+    write_lin(line_list(MeasuredLines(result.upper[kept], result.lower[kept], frequency, error)), path)
     return path
 
 
@@ -159,17 +159,17 @@ def test_a_fit_comes_back_to_the_constants(run, measured, tmp_path):
     text = (EXAMPLES / "sulfur_dioxide.toml").read_text("utf-8")
     start.write_text(text.replace("60778.5522", "60779.5").replace("10318.0722", "10318.5"), "utf-8")
     out = tmp_path / "fitted.par"
-    found = json.loads(run("fit", start, measured, "--json", "--out", out).out)
+    result = json.loads(run("fit", start, measured, "--json", "--out", out).out)
     rotor = rotor_of_spec(read_spec(EXAMPLES / "sulfur_dioxide.toml")).rotor
     wanted = dict(zip("ABC", rotor.constants, strict=True)) | dict(rotor.distortion)
-    assert set(found["constants"]) == set(wanted) and found["units"]["constants.value"] == "Hz"
-    for name, row in found["constants"].items():
+    assert set(result["constants"]) == set(wanted) and result["units"]["constants.value"] == "Hz"
+    for name, row in result["constants"].items():
         assert abs(row["value"] - wanted[name]) < 4.0 * row["standard_error"], name
-    assert 0.7 < found["rms"] < 1.3 and found["degrees_of_freedom"] == 60 - len(wanted)
-    assert np.allclose(np.diag(found["correlation"]), 1.0) and found["files"] == [str(out)]
+    assert 0.7 < result["rms"] < 1.3 and result["degrees_of_freedom"] == 60 - len(wanted)
+    assert np.allclose(np.diag(result["correlation"]), 1.0) and result["files"] == [str(out)]
     kept = read_par(out)
-    assert kept.value[0] * MHZ == pytest.approx(found["constants"]["A"]["value"], rel=1e-14)
-    assert kept.error[0] * MHZ == pytest.approx(found["constants"]["A"]["standard_error"], rel=1e-6)
+    assert kept.value[0] * MHZ == pytest.approx(result["constants"]["A"]["value"], rel=1e-14)
+    assert kept.error[0] * MHZ == pytest.approx(result["constants"]["A"]["standard_error"], rel=1e-6)
 
 
 def test_a_fit_in_words(run, measured):
@@ -197,12 +197,12 @@ def test_a_symmetric_top_is_fitted_by_the_plain_command(run, tmp_path):
     text = "".join("".join(f"{n:3d}" for n in line[:6]) + f"{'':18}{line[6]:16.6f} 0.001\n" for line in lines)
     (tmp_path / "top.lin").write_text(text)
     for free, kept in (((), True), (("--free", "C,B,D_J,D_JK"), False)):
-        found = json.loads(run("fit", tmp_path / "top.toml", tmp_path / "top.lin", *free, "--json").out)
+        result = json.loads(run("fit", tmp_path / "top.toml", tmp_path / "top.lin", *free, "--json").out)
         name = "C" if free else "B"
-        assert list(found["constants"]) == [name, "D_J", "D_JK"] and found["rms"] < 1e-2
-        assert found["constants"][name]["value"] == pytest.approx(9198.899e6, abs=2.0)
-        assert any("fitted as one" in note for note in found["notes"])
-        assert any("A is kept as the spec says" in note for note in found["notes"]) == kept
+        assert list(result["constants"]) == [name, "D_J", "D_JK"] and result["rms"] < 1e-2
+        assert result["constants"][name]["value"] == pytest.approx(9198.899e6, abs=2.0)
+        assert any("fitted as one" in note for note in result["notes"])
+        assert any("A is kept as the spec says" in note for note in result["notes"]) == kept
 
 
 @pytest.mark.long
@@ -229,8 +229,8 @@ def test_mistakes_of_fits_and_exports(run, measured, tmp_path, monkeypatch):
         (("export", EXAMPLES / "euler_disk.toml", "--to", "cat"), "there is no molecule"),
         (("export", EXAMPLES / "water.toml", "--to", "cat"), "without a dipole has no lines"),
     ):  # fmt: skip
-        told = run(*arguments, code="2")
-        assert said in told.err.replace("\n│ ", "") and "Traceback" not in told.err
+        given = run(*arguments, code="2")
+        assert said in given.err.replace("\n│ ", "") and "Traceback" not in given.err
     assert not (tmp_path / "euler_disk.cat").exists()
 
 
@@ -239,11 +239,11 @@ def test_a_molecule_is_exported_as_netcdf(tmp_path, capsys):
     spec = Path(__file__).parents[2] / "examples" / "water_spectrum.toml"
     with pytest.raises(SystemExit, match="0"):
         main(["export", str(spec), "--to", "netcdf", "--out", str(tmp_path / "w.nc")])
-    with xr.open_dataset(tmp_path / "w.nc") as found:
+    with xr.open_dataset(tmp_path / "w.nc") as result:
         rotor = rotor_of_spec(read_spec(spec))
-        assert np.array_equal(found.energy.values, rotor.rotor.levels(rotor.j_max).energy)
-        assert found.attrs["reduction"] == "A"
-        assert "line_frequency" in found
+        assert np.array_equal(result.energy.values, rotor.rotor.levels(rotor.j_max).energy)
+        assert result.attrs["reduction"] == "A"
+        assert "line_frequency" in result
     said = capsys.readouterr()
     assert "levels and lines" in said.out
     assert "UserWarning" not in said.err
@@ -253,16 +253,16 @@ def test_lines_of_another_molecule_give_no_errors_anywhere(run, tmp_path):
     """Lines of a molecule of half the centrifugal distortion: .par and .var had σ, and Python's fit too."""
     rotor = rotor_of_spec(read_spec(EXAMPLES / "sulfur_dioxide.toml")).rotor
     stiffer = {name: 0.5 * value for name, value in rotor.distortion.items()}
-    found = Rotor(rotor.constants, stiffer, rotor.reduction.name, rotor.representation.name, rotor.dipole).lines(12)
-    kept = np.random.default_rng(3).permutation(np.flatnonzero(found.frequency < 4e11))[:60]
-    lines = MeasuredLines(found.upper[kept], found.lower[kept], found.frequency[kept], np.full(60, 20e3))
+    result = Rotor(rotor.constants, stiffer, rotor.reduction.name, rotor.representation.name, rotor.dipole).lines(12)
+    kept = np.random.default_rng(3).permutation(np.flatnonzero(result.frequency < 4e11))[:60]
+    lines = MeasuredLines(result.upper[kept], result.lower[kept], result.frequency[kept], np.full(60, 20e3))
     write_lin(line_list(lines), tmp_path / "other.lin")
     for ending in ("par", "var"):
         out = tmp_path / f"fitted.{ending}"
         said = run("fit", EXAMPLES / "sulfur_dioxide.toml", tmp_path / "other.lin", "--free", "A,B", "--out", out,
                    "--json", code="3")  # fmt: skip
-        told = json.loads(said.out)
-        assert {row["standard_error"] for row in told["constants"].values()} == {None} and told["correlation"] is None
+        given = json.loads(said.out)
+        assert {row["standard_error"] for row in given["constants"].values()} == {None} and given["correlation"] is None
         kept = read_par(out)
         errors = dict(zip(kept.label, kept.error, strict=True))
         assert errors["A"] == errors["B"] == 1e37 and errors["C"] == 1e-37  # free, and fixed
@@ -272,18 +272,18 @@ def test_lines_of_another_molecule_give_no_errors_anywhere(run, tmp_path):
 def test_errors_of_lines_that_are_too_small_alike_enlarge_those_of_constants(run, tmp_path):
     """By Birge's ratio; σ in words, JSON and file was too small by 1.5."""
     rotor = rotor_of_spec(read_spec(EXAMPLES / "sulfur_dioxide.toml")).rotor
-    found, rng = rotor.lines(12), np.random.default_rng(5)
-    kept = rng.permutation(np.flatnonzero(found.frequency < 4e11))[:60]
-    frequency, told = found.frequency[kept] + 30e3 * rng.normal(size=60), []
+    result, rng = rotor.lines(12), np.random.default_rng(5)
+    kept = rng.permutation(np.flatnonzero(result.frequency < 4e11))[:60]
+    frequency, given = result.frequency[kept] + 30e3 * rng.normal(size=60), []
     for error in (20e3, 30e3):
-        write_lin(line_list(MeasuredLines(found.upper[kept], found.lower[kept], frequency, np.full(60, error))),
+        write_lin(line_list(MeasuredLines(result.upper[kept], result.lower[kept], frequency, np.full(60, error))),
                   tmp_path / "some.lin")  # fmt: skip
-        told.append(json.loads(run("fit", EXAMPLES / "sulfur_dioxide.toml", tmp_path / "some.lin", "--free", "A,B,C",
+        given.append(json.loads(run("fit", EXAMPLES / "sulfur_dioxide.toml", tmp_path / "some.lin", "--free", "A,B,C",
                                    "--out", tmp_path / "some.par", "--json").out))  # fmt: skip
         assert read_par(tmp_path / "some.par").error[0] * MHZ == pytest.approx(
-            told[-1]["constants"]["A"]["standard_error"], rel=1e-6)  # fmt: skip
-    small, right = (one["constants"]["A"]["standard_error"] for one in told)
-    ratio = np.sqrt(60 / 57) * told[0]["rms"]  # √(χ²/ν)
-    assert 1.2 < told[0]["rms"] < 1.9 and small == pytest.approx(right * ratio * 20 / 30, rel=1e-6)
-    assert any("Errors of the constants are enlarged by" in note for note in told[0]["notes"])
-    assert not any("enlarged" in note for note in told[1]["notes"])
+            given[-1]["constants"]["A"]["standard_error"], rel=1e-6)  # fmt: skip
+    small, right = (one["constants"]["A"]["standard_error"] for one in given)
+    ratio = np.sqrt(60 / 57) * given[0]["rms"]  # √(χ²/ν)
+    assert 1.2 < given[0]["rms"] < 1.9 and small == pytest.approx(right * ratio * 20 / 30, rel=1e-6)
+    assert any("Errors of the constants are enlarged by" in note for note in given[0]["notes"])
+    assert not any("enlarged" in note for note in given[1]["notes"])

@@ -24,11 +24,11 @@ BENT = rotor(
 
 def measured(truth, j_max, error, some=None, below=2e12):
     """Lines of a rotor."""
-    found = truth.lines(j_max)
-    kept = np.flatnonzero(found.frequency < below)
+    result = truth.lines(j_max)
+    kept = np.flatnonzero(result.frequency < below)
     if some is not None:
         kept = np.sort(np.random.default_rng(7).permutation(kept)[:some])
-    return MeasuredLines(found.upper[kept], found.lower[kept], found.frequency[kept], np.full(len(kept), error))
+    return MeasuredLines(result.upper[kept], result.lower[kept], result.frequency[kept], np.full(len(kept), error))
 
 
 def scattered(lines, seed):
@@ -105,13 +105,13 @@ def operators(J, x, y, z, reduction):
     j, one, zz, up, down = J * (J + 1.0), np.eye(len(x)), z @ z, x + 1j * y, x - 1j * y
     square = x @ x - y @ y
     both = [np.linalg.matrix_power(up, n) + np.linalg.matrix_power(down, n) for n in (0, 2, 4, 6)]
-    found = {"A": zz, "B": x @ x, "C": y @ y}
+    result = {"A": zz, "B": x @ x, "C": y @ y}
     quartic = [-j * j * one, -j * zz, -zz @ zz]
     if reduction == "A":
-        return found | dict(zip(A_NAMES[3:6], quartic, strict=True)) | {
+        return result | dict(zip(A_NAMES[3:6], quartic, strict=True)) | {
             "delta_J": -2.0 * j * square, "delta_K": -(zz @ square + square @ zz)}  # fmt: skip
     sextic = [j**3 * one, j * j * zz, j * zz @ zz, zz @ zz @ zz]
-    return found | dict(zip(S_NAMES[3:6], quartic, strict=True)) | dict(zip(S_NAMES[8:12], sextic, strict=True)) | {
+    return result | dict(zip(S_NAMES[3:6], quartic, strict=True)) | dict(zip(S_NAMES[8:12], sextic, strict=True)) | {
         "d1": j * both[1], "d2": both[2], "h1": j * j * both[1], "h2": j * both[2], "h3": both[3]}  # fmt: skip
 
 
@@ -124,9 +124,9 @@ def test_derivatives_are_those_of_dense_matrices(truth, names):
     energy, vectors = np.linalg.eigh(sum(value * dense[name] for name, value in zip(names, values, strict=True)))
     wanted = np.array([np.einsum("ik,ij,jk->k", vectors.conj(), dense[name], vectors).real for name in names]).T
     levels = truth.levels_of(J)
-    found, slope = LevelModel(truth, names, np.column_stack([levels.J, levels.Ka, levels.Kc]))(values)
-    order = np.argsort(found)
-    assert found[order] == pytest.approx(energy, rel=1e-12)
+    result, slope = LevelModel(truth, names, np.column_stack([levels.J, levels.Ka, levels.Kc]))(values)
+    order = np.argsort(result)
+    assert result[order] == pytest.approx(energy, rel=1e-12)
     assert slope[order] == pytest.approx(wanted, rel=1e-7, abs=1e-7 * np.abs(wanted).max(axis=0).min())
 
 
@@ -186,25 +186,25 @@ def test_a_symmetric_top_stays_one(constants, dipole, free):
     representation = "Ir" if dipole[0] else "IIIr"
     truth = Rotor(constants, METHYL_CYANIDE, "S", representation, dipole)
     lines = truth.lines(8)
-    seen = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e3))
+    observed = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e3))
     moved = [x - 0.9e6 if constants.count(x) == 2 else x for x in constants]
     start = Rotor(moved, {"D_J": 3e3, "D_JK": 170e3}, "S", representation)
-    fit = fit_rotor(start, seen, [free, "D_J", "D_JK"])
+    fit = fit_rotor(start, observed, [free, "D_J", "D_JK"])
     assert fit.rotor.equal == truth.equal and fit.rms < 1e-3
     assert fit.rotor.constants == pytest.approx(constants, rel=1e-11)
     assert fit.rotor.distortion == pytest.approx(METHYL_CYANIDE, rel=1e-6)
-    both = fit_rotor(start, seen, [*truth.equal, "D_J", "D_JK"])  # are one constant
+    both = fit_rotor(start, observed, [*truth.equal, "D_J", "D_JK"])  # are one constant
     assert both.names == (truth.equal[0], "D_J", "D_JK") and both.rotor.constants == fit.rotor.constants
-    plain = fit_rotor(start, seen)  # what changes no line stays
+    plain = fit_rotor(start, observed)  # what changes no line stays
     assert plain.names == both.names and plain.rotor.constants == fit.rotor.constants
 
 
 def test_the_third_constant_of_a_symmetric_top_is_named_as_undetermined():
     truth = Rotor((158099e6, 9198.9e6, 9198.9e6), METHYL_CYANIDE, "S", "Ir", (1e-29, 0.0, 0.0))
     lines = truth.lines(8)
-    seen = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e3))
+    observed = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e3))
     with pytest.raises(InvalidInput, match="free constant A is not determined"):
-        fit_rotor(truth, seen, ["A", "B", "D_J", "D_JK"])
+        fit_rotor(truth, observed, ["A", "B", "D_J", "D_JK"])
 
 
 def test_memory_grows_with_lines_and_not_with_their_square():

@@ -62,9 +62,9 @@ def test_levels_and_missing_levels():
 def test_a_geometry_has_isotopes(spec_of):
     """Constants of water.xyz with the masses of H-1 and O-16; standard weights would give 150 MHz less."""
     text = f'[system]\nkind = "quantum-rotor"\n[body]\nmolecule = "{(EXAMPLES / "water.xyz").as_posix()}"\n'
-    found = spec_of(text).report().rotor.constants
-    assert np.array(found) / MHZ == pytest.approx([822482.650, 437589.911, 285626.495], abs=1e-3)  # by hand
-    assert rotor_of_spec(spec_of(text)).rotor.constants == found
+    result = spec_of(text).report().rotor.constants
+    assert np.array(result) / MHZ == pytest.approx([822482.650, 437589.911, 285626.495], abs=1e-3)  # by hand
+    assert rotor_of_spec(spec_of(text)).rotor.constants == result
 
 
 def test_body_and_constants_agree(spec_of):
@@ -84,15 +84,15 @@ def test_classical_and_quantum_name_each_other(spec_of):
 
 def test_steps_are_turns_of_classical_motion():
     """2π/T at the energy between two levels of a ladder: to 9e-5 and 1.3e-5 at J = 100."""
-    found = level_polhodes((27.0, 14.0, 9.0), 100)
-    ratio = found.step / found.classical_step
-    top = np.flatnonzero((found.Ka == 95) & (found.Kc == 5))[0]
+    result = level_polhodes((27.0, 14.0, 9.0), 100)
+    ratio = result.step / result.classical_step
+    top = np.flatnonzero((result.Ka == 95) & (result.Kc == 5))[0]
     assert abs(ratio[top] - 1.0) < 2e-5
-    middle = np.flatnonzero((found.Ka == 52) & (found.Kc == 48))[0]
+    middle = np.flatnonzero((result.Ka == 52) & (result.Kc == 48))[0]
     assert abs(ratio[middle] - 1.0) < 2e-4
-    assert found.saddle == pytest.approx(14.0 * 100.5**2 - 0.25 * 8.982, rel=1e-14)  # 8.982 J(J + 1) is all levels'
-    assert (found.above == (found.energy > found.saddle)).all()
-    assert np.isnan(found.step[-2:]).all() and np.abs(found.semiclassical - found.energy).max() < 1e-3
+    assert result.saddle == pytest.approx(14.0 * 100.5**2 - 0.25 * 8.982, rel=1e-14)  # 8.982 J(J + 1) is all levels'
+    assert (result.above == (result.energy > result.saddle)).all()
+    assert np.isnan(result.step[-2:]).all() and np.abs(result.semiclassical - result.energy).max() < 1e-3
 
 
 RUNAWAY = (EXAMPLES / "sulfur_dioxide.toml").read_text().replace('"2.5904328 MHz"', '"{}"')

@@ -18,9 +18,9 @@ def test_the_flip_takes_the_logarithm_of_J(J, half, first, depth):
     """Half times by the chain at 30 digits; they grow by half of ln J, first reversals by ln J."""
     racket = Racket(W, J)
     assert racket.half_time * racket.rate == pytest.approx(half, rel=1e-13)
-    found = racket.first_reversal
-    assert found.time * racket.rate == pytest.approx(first, abs=2e-3)
-    assert found.along == pytest.approx(depth, abs=5e-4)
+    result = racket.first_reversal
+    assert result.time * racket.rate == pytest.approx(first, abs=2e-3)
+    assert result.along == pytest.approx(depth, abs=5e-4)
     assert racket.rate == pytest.approx(4.0 * math.pi * (J + 0.5) * math.sqrt(13.0 * 5.0), rel=1e-15)
     assert math.isinf(racket.period) and racket.revival_time is None
 
@@ -34,10 +34,10 @@ def test_states_move_as_classical_momentum_does(towards):
     a, b, c = racket.direction
     states = racket.states(np.array([0.0, time]))
     assert np.allclose(np.linalg.norm(states, axis=1), 1.0, rtol=1e-14)
-    found = np.einsum("ti,kij,tj->tk", states.conj(), spin_matrices(J), states).real / J  # along c, a, b
-    assert np.allclose(found[0], (c, a, b), atol=1e-14)
+    result = np.einsum("ti,kij,tj->tk", states.conj(), spin_matrices(J), states).real / J  # along c, a, b
+    assert np.allclose(result[0], (c, a, b), atol=1e-14)
     euler = 4.0 * math.pi * (J - 0.5) * np.array([(B - A) * a * b, (C - B) * b * c, (A - C) * c * a])
-    assert np.allclose((found[1] - found[0]) / time, euler, atol=2e-3 * np.abs(euler).max())
+    assert np.allclose((result[1] - result[0]) / time, euler, atol=2e-3 * np.abs(euler).max())
     later = np.array([0.3, 1.7]) / racket.rate
     along = np.abs(racket.states(later)) ** 2 @ np.arange(J, -J - 1, -1.0) / J
     assert np.allclose(along, racket.quantum(later), atol=1e-12)
@@ -77,8 +77,8 @@ def test_the_chains_are_the_whole_space(towards):
 def test_the_classical_body():
     """After half a period L has turned over; on the axis it stays."""
     racket = Racket(W, 10, 0.3, "c")
-    found = racket.classical(np.array([0.0, 0.5, 1.0]) * racket.period)
-    assert found == pytest.approx(np.cos(0.3) * np.array([1.0, -1.0, 1.0]), abs=1e-12)
+    result = racket.classical(np.array([0.0, 0.5, 1.0]) * racket.period)
+    assert result == pytest.approx(np.cos(0.3) * np.array([1.0, -1.0, 1.0]), abs=1e-12)
     assert Racket(W, 10).classical(np.array([0.0, 1.0, 9.0])).tolist() == [1.0, 1.0, 1.0]
 
 

@@ -73,34 +73,34 @@ def test_distortion_is_that_of_its_operators():
 def test_going_from_r_to_l_turns_the_sign_of_some_constants():
     odd = {"delta_J", "delta_K"}
     values = {"Delta_J": 1e-3, "Delta_JK": 2e-3, "Delta_K": -3e-3, "delta_J": 4e-4, "delta_K": 5e-4}
-    turned = {name: -value if name in odd else value for name, value in values.items()}
-    ours, other = (Rotor((A, B, C), v, "A", r).levels(8) for v, r in ((values, "Ir"), (turned, "Il")))
+    rotated = {name: -value if name in odd else value for name, value in values.items()}
+    ours, other = (Rotor((A, B, C), v, "A", r).levels(8) for v, r in ((values, "Ir"), (rotated, "Il")))
     assert other.energy == pytest.approx(ours.energy, rel=1e-14)
     assert other.Kc.tolist() == ours.Kc.tolist()
 
 
 def test_levels_of_water():
-    found = WATER.levels(2)
+    result = WATER.levels(2)
     for label, energy in HELD.items():
-        assert found.of(*label) / WAVE_NUMBER == pytest.approx(energy, abs=7e-3)
-    assert found.of(1, 0, 1) / WAVE_NUMBER == pytest.approx(23.79446251, abs=1e-8)
-    assert found.of(2, 2, 0) / WAVE_NUMBER == pytest.approx(136.15770041, abs=1e-8)
+        assert result.of(*label) / WAVE_NUMBER == pytest.approx(energy, abs=7e-3)
+    assert result.of(1, 0, 1) / WAVE_NUMBER == pytest.approx(23.79446251, abs=1e-8)
+    assert result.of(2, 2, 0) / WAVE_NUMBER == pytest.approx(136.15770041, abs=1e-8)
 
 
 def test_a_thousand_quanta():
-    found = W.levels_of(1000)
-    assert found.of(1000, 500, 500) == pytest.approx(15656936.925394869, rel=3e-15)
-    assert np.all(np.diff(found.energy) > -1e-6)
-    assert found.energy.sum() == pytest.approx((A + B + C) / 3.0 * 1000 * 1001 * 2001, rel=1e-14)
+    result = W.levels_of(1000)
+    assert result.of(1000, 500, 500) == pytest.approx(15656936.925394869, rel=3e-15)
+    assert np.all(np.diff(result.energy) > -1e-6)
+    assert result.energy.sum() == pytest.approx((A + B + C) / 3.0 * 1000 * 1001 * 2001, rel=1e-14)
 
 
 def test_splitting_of_doublets_of_a_slightly_asymmetric_rotor():
     """ΔE_K by perturbation theory in B − C."""
     b, c, J, K = 10.001, 9.999, 5, 3
-    found = Rotor((A, b, c)).levels_of(J)
+    result = Rotor((A, b, c)).levels_of(J)
     wanted = (b - c) ** K * math.factorial(J + K) / (
         2 ** (4 * K - 3) * math.factorial(J - K) * (A - 0.5 * (b + c)) ** (K - 1) * math.factorial(K - 1) ** 2)
-    assert found.of(J, K, J - K) - found.of(J, K, J - K + 1) == pytest.approx(wanted, rel=2e-2)
+    assert result.of(J, K, J - K) - result.of(J, K, J - K + 1) == pytest.approx(wanted, rel=2e-2)
 
 
 def test_symmetric_spherical_and_linear_limits():
@@ -115,8 +115,8 @@ def test_symmetric_spherical_and_linear_limits():
 
 def test_constants_from_a_body():
     body = ph.Body.from_moments((1e-47, 1.9e-47, 2.9e-47), mass=3e-26)
-    found = Rotor.from_body(body)
-    assert found.constants == pytest.approx(8.392015881190e-36 / np.array([1e-47, 1.9e-47, 2.9e-47]), rel=1e-12)
+    result = Rotor.from_body(body)
+    assert result.constants == pytest.approx(8.392015881190e-36 / np.array([1e-47, 1.9e-47, 2.9e-47]), rel=1e-12)
     assert Rotor.from_body(ph.Body.from_moments((0.0, 1e-46, 1e-46), mass=3e-26)).is_linear
 
 

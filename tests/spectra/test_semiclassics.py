@@ -32,17 +32,17 @@ def start(energy, G):
 def test_actions_are_areas_and_periods_those_of_the_free_body(energy):
     G = 10.5
     motion = ph.FreeMotion(tuple(0.5 / x for x in W), momentum=start(energy, G))
-    found = orbit(W, G, np.array(energy))
+    result = orbit(W, G, np.array(energy))
     area = motion.solid_angle if energy < W[1] * G * G else 2.0 * math.pi - motion.solid_angle
-    assert found.action == pytest.approx(0.5 * G * area, rel=1e-12)
-    assert found.period == pytest.approx(motion.period, rel=1e-12)
+    assert result.action == pytest.approx(0.5 * G * area, rel=1e-12)
+    assert result.period == pytest.approx(motion.period, rel=1e-12)
 
 
 @pytest.mark.parametrize(("energy", "action", "barrier"), [
     (1200.0, 3.5076875574923904, 6.8345502679306373), (1700.0, 15.969176436820106, -2.8492090762570651)])  # fmt: skip
 def test_action_and_barrier_of_w(energy, action, barrier):
-    found = orbit(W, 10.5, np.array(energy))
-    assert (found.action, found.barrier) == (pytest.approx(action, rel=1e-13), pytest.approx(barrier, rel=1e-13))
+    result = orbit(W, 10.5, np.array(energy))
+    assert (result.action, result.barrier) == (pytest.approx(action, rel=1e-13), pytest.approx(barrier, rel=1e-13))
 
 
 @pytest.mark.parametrize("energy", [1200.0, 1700.0])
@@ -68,20 +68,20 @@ def test_the_barrier_is_lames_integral():
     along_a = lambda x: (energy - (B * math.cos(x) ** 2 + C * math.sin(x) ** 2) * G * G) / (  # noqa: E731
         A - (B * math.cos(x) ** 2 + C * math.sin(x) ** 2))  # fmt: skip
     edge = math.acos(math.sqrt((energy - C * G * G) / ((B - C) * G * G)))
-    found = 2.0 * quad(lambda x: math.sqrt(max(-along_a(x), 0.0)), 0.0, edge, epsabs=1e-12)[0]
+    result = 2.0 * quad(lambda x: math.sqrt(max(-along_a(x), 0.0)), 0.0, edge, epsabs=1e-12)[0]
     assert momentum(math.pi / 2) > 0.0
-    assert orbit(W, G, np.array(energy)).barrier == pytest.approx(found, rel=1e-9)
+    assert orbit(W, G, np.array(energy)).barrier == pytest.approx(result, rel=1e-9)
 
 
 @pytest.mark.parametrize("J", [pytest.param(J, marks=[pytest.mark.sweep] if J in (50, 100) else []) for J in ERRORS])
 def test_errors_of_levels(J):
     exact = Rotor(W).levels_of(J)
     for order in (1, 2):
-        found = semiclassical_levels(W, J, order)
-        off = found.energy - exact.energy
+        result = semiclassical_levels(W, J, order)
+        off = result.energy - exact.energy
         rms, largest = ERRORS[J][2 * order - 2 : 2 * order]
         assert np.sqrt(np.mean(off**2)) < rms and np.abs(off).max() < largest
-        assert (found.Ka.tolist(), found.Kc.tolist()) == (exact.Ka.tolist(), exact.Kc.tolist())
+        assert (result.Ka.tolist(), result.Kc.tolist()) == (exact.Ka.tolist(), exact.Kc.tolist())
 
 
 def test_levels_at_the_bottom_the_saddle_and_the_top():
@@ -105,8 +105,8 @@ def test_what_all_levels_share_is_exact():
     near = [(10.0 + 2.0 * size, 10.0 + size, 10.0) for size in (1e-2, 1e-6, 1e-10)]
     for constants in near:  # and as near to a sphere as doubles go
         exact = Rotor(without_casimir(constants)[0]).levels_of(10).energy
-        found, _, _ = quantise(without_casimir(constants)[0], 10, 2)
-        assert np.abs(found - exact).max() < 1e-3 * (constants[0] - constants[2])
+        result, _, _ = quantise(without_casimir(constants)[0], 10, 2)
+        assert np.abs(result - exact).max() < 1e-3 * (constants[0] - constants[2])
 
 
 @pytest.mark.parametrize("off", [1e-5, 1e-8])
@@ -115,26 +115,26 @@ def test_nearly_symmetric_rotors_have_levels_and_a_warning(A, B, C, off):
     """These ended in "y must not be negative in Carlson's integrals" for (B − C)/B of 1e-5 and less."""
     constants = (A, B * (1.0 + off), C) if B == C else (A * (1.0 + off), B, C)
     with pytest.warns(UserWarning, match="so nearly symmetric"):
-        found = semiclassical_levels(constants, 10)
-    off = np.abs(found.energy - Rotor(constants).levels_of(10).energy).max()
-    assert off < 0.25 * (A - C) and np.isfinite(found.period).all()
+        result = semiclassical_levels(constants, 10)
+    off = np.abs(result.energy - Rotor(constants).levels_of(10).energy).max()
+    assert off < 0.25 * (A - C) and np.isfinite(result.period).all()
 
 
 @pytest.mark.parametrize("J", [10, 11])
 def test_a_level_at_the_very_saddle(J):
     """κ = 0: the middle level of an even J lies at the saddle, by symmetry."""
-    found = semiclassical_levels((3.0, 2.0, 1.0), J)
-    assert np.abs(found.energy - Rotor((3.0, 2.0, 1.0)).levels_of(J).energy).max() < 2e-3
-    assert found.energy[J] == pytest.approx(2.0 * J * (J + 1), abs=1e-3) and np.isfinite(found.period).all()
+    result = semiclassical_levels((3.0, 2.0, 1.0), J)
+    assert np.abs(result.energy - Rotor((3.0, 2.0, 1.0)).levels_of(J).energy).max() < 2e-3
+    assert result.energy[J] == pytest.approx(2.0 * J * (J + 1), abs=1e-3) and np.isfinite(result.period).all()
 
 
 def test_neighbouring_levels_are_an_orbits_frequency_apart():
-    exact, found = Rotor(W).levels_of(100), semiclassical_levels(W, 100)
+    exact, result = Rotor(W).levels_of(100), semiclassical_levels(W, 100)
     for low, bound in ((52, 3e-4), (95, 1e-4)):
         gap = exact.of(100, low + 1, 100 - low) - exact.of(100, low, 101 - low)
         middle = 0.5 * (exact.of(100, low + 1, 100 - low) + exact.of(100, low, 101 - low))
         assert gap == pytest.approx(2.0 * math.pi / orbit(W, 100.5, np.array(middle)).period, rel=bound)
-    assert np.all(found.period > 0.0)
+    assert np.all(result.period > 0.0)
 
 
 def test_splittings_of_doublets():
@@ -167,9 +167,9 @@ def test_random_rotors():
         exact = Rotor(constants).levels_of(J).energy
         room = min(1.0 - B, B - constants[2]) * (J + 0.5) ** 2
         for order, bound in ((1, 0.125 * (1.0 + B)), (2, 0.1 / J if room > 10.0 else 0.125 * (1.0 + B))):
-            found = semiclassical_levels(constants, J, order).energy
-            assert len(found) == 2 * J + 1
-            assert np.abs(found - exact).max() < bound, (constants, J, order)
+            result = semiclassical_levels(constants, J, order).energy
+            assert len(result) == 2 * J + 1
+            assert np.abs(result - exact).max() < bound, (constants, J, order)
 
 
 @pytest.mark.parametrize(

@@ -34,26 +34,26 @@ LIN = (
 def test_a_catalogue_by_its_columns(tmp_path):
     """Fields touch in the third line; what each of its columns holds was counted by hand."""
     (tmp_path / "a.cat").write_text(CAT)
-    found = spectra.read_cat(tmp_path / "a.cat")
-    assert found.frequency.tolist() == [4829.66, 72837.9492, 12345678.9012]
-    assert found.error.tolist() == [0.001, 0.0004, 999.9999]
-    assert found.log_intensity.tolist() == [-5.9024, -4.1792, -10.1234]
-    assert found.degrees.tolist() == [3, 3, 3] and found.lower_energy.tolist() == [10.5398, 0.0, 12345.6789]
-    assert found.degeneracy.tolist() == [9, 3, 1009] and found.tag.tolist() == [-30501, 30501, -999999]
-    assert found.upper.tolist() == [[1, 1, 0], [1, 0, 1], [105, 359, -10]]
-    assert found.lower.tolist() == [[1, 1, 1], [0, 0, 0], [-1, -29, 7]]
+    result = spectra.read_cat(tmp_path / "a.cat")
+    assert result.frequency.tolist() == [4829.66, 72837.9492, 12345678.9012]
+    assert result.error.tolist() == [0.001, 0.0004, 999.9999]
+    assert result.log_intensity.tolist() == [-5.9024, -4.1792, -10.1234]
+    assert result.degrees.tolist() == [3, 3, 3] and result.lower_energy.tolist() == [10.5398, 0.0, 12345.6789]
+    assert result.degeneracy.tolist() == [9, 3, 1009] and result.tag.tolist() == [-30501, 30501, -999999]
+    assert result.upper.tolist() == [[1, 1, 0], [1, 0, 1], [105, 359, -10]]
+    assert result.lower.tolist() == [[1, 1, 1], [0, 0, 0], [-1, -29, 7]]
 
 
 def test_a_list_of_lines_by_its_columns(tmp_path):
     """To the first blank line, as the program reads it; notes behind the quantum numbers, and exponents of Fortran."""
     (tmp_path / "a.lin").write_bytes(LIN.encode())
-    found = spectra.read_lin(tmp_path / "a.lin")
-    assert found.upper.tolist() == [[1, 1, 0], [2, 1, 2], [2, 1, 2], [102, 101, 1]]
-    assert found.lower.tolist() == [[1, 1, 1], [1, 1, 1], [1, 0, 1], [101, 100, 1]]
-    assert found.weight.tolist() == [1.0, 1.0, 0.5, 1.0]
-    assert found.left_out == 1
+    result = spectra.read_lin(tmp_path / "a.lin")
+    assert result.upper.tolist() == [[1, 1, 0], [2, 1, 2], [2, 1, 2], [102, 101, 1]]
+    assert result.lower.tolist() == [[1, 1, 1], [1, 1, 1], [1, 0, 1], [101, 100, 1]]
+    assert result.weight.tolist() == [1.0, 1.0, 0.5, 1.0]
+    assert result.left_out == 1
     with pytest.warns(UserWarning, match=r"behind the first blank line, .* left out: 1"):
-        lines = found.measured()
+        lines = result.measured()
     assert lines.frequency == pytest.approx([4829.66e6, 4.6979281 * 29979.2458e6, 4.6979281 * 29979.2458e6,
                                              140839.502e6], rel=1e-15)  # fmt: skip
     assert lines.error == pytest.approx([1e3, 5e-7 * 29979.2458e6, 5e-7 * 29979.2458e6, 1e4], rel=1e-15)
@@ -63,8 +63,8 @@ def test_a_list_that_is_filled_up_by_zeros_and_one_that_gives_a_blends_width(tmp
     one, two = (f"  {level}  1  1  1  0  0  0  0  0  0  4829.66 " for level in ("1  1  0", "2  1  2"))
     one, two = one + "0.001\n", two + "{}\n"
     (tmp_path / "a.lin").write_text(one + two.format("0.001"))
-    found = spectra.read_lin(tmp_path / "a.lin").measured()
-    assert (found.upper.tolist(), found.lower.tolist()) == ([[1, 1, 0], [2, 1, 2]], [[1, 1, 1]] * 2)
+    result = spectra.read_lin(tmp_path / "a.lin").measured()
+    assert (result.upper.tolist(), result.lower.tolist()) == ([[1, 1, 0], [2, 1, 2]], [[1, 1, 1]] * 2)
     (tmp_path / "a.lin").write_text(one + two.format("0.001") + two.format("0.004"))
     with pytest.raises(InvalidInput, match=r"line 3 has the frequency of the blend before it.*width of the blend"):
         spectra.read_lin(tmp_path / "a.lin").measured()
@@ -83,10 +83,10 @@ def test_what_is_read_is_written_byte_for_byte(tmp_path, text, name, read, write
 
 def test_what_was_changed_is_written_anew(tmp_path):
     (tmp_path / "a.cat").write_text(CAT)
-    found = spectra.read_cat(tmp_path / "a.cat")
-    frequency = found.frequency.copy()
+    result = spectra.read_cat(tmp_path / "a.cat")
+    frequency = result.frequency.copy()
     frequency[1] += 1.0
-    spectra.write_cat(dataclasses.replace(found, frequency=frequency), tmp_path / "b.cat")
+    spectra.write_cat(dataclasses.replace(result, frequency=frequency), tmp_path / "b.cat")
     old, new = CAT.splitlines(), (tmp_path / "b.cat").read_text().splitlines()
     assert new[0] == old[0] and new[2] == old[2] and new[1] == old[1].replace("72837", "72838").rstrip()
 
@@ -96,7 +96,7 @@ def decimals(low, high):
 
 
 def column(values, count, kind=float):
-    return st.lists(values, min_size=count, max_size=count).map(lambda found: np.array(found, kind))
+    return st.lists(values, min_size=count, max_size=count).map(lambda result: np.array(result, kind))
 
 
 @st.composite
@@ -119,10 +119,10 @@ def test_catalogues_come_back(tmp_path_factory, columns):
     catalogue = spectra.Catalogue(*columns)
     folder = tmp_path_factory.mktemp("cat")
     spectra.write_cat(catalogue, folder / "a.cat")
-    found = spectra.read_cat(folder / "a.cat")
+    result = spectra.read_cat(folder / "a.cat")
     for field in dataclasses.fields(catalogue)[:-1]:
-        assert np.array_equal(getattr(found, field.name), getattr(catalogue, field.name)), field.name
-    spectra.write_cat(dataclasses.replace(found, text=None), folder / "b.cat")
+        assert np.array_equal(getattr(result, field.name), getattr(catalogue, field.name)), field.name
+    spectra.write_cat(dataclasses.replace(result, text=None), folder / "b.cat")
     assert (folder / "a.cat").read_bytes() == (folder / "b.cat").read_bytes()
 
 
@@ -137,9 +137,9 @@ def test_lists_of_lines_come_back(tmp_path_factory, rows):
     numbers = np.array([row[0] for row in rows])
     value, error, weight = (np.array([row[k] for row in rows]) for k in (1, 2, 3))
     spectra.write_lin(spectra.LineList(numbers[:, :quanta], numbers[:, quanta:], value, error, weight), path)
-    found = spectra.read_lin(path)
-    assert np.array_equal(np.hstack([found.upper, found.lower]), numbers)
-    assert [found.value.tolist(), found.error.tolist(), found.weight.tolist()] == [
+    result = spectra.read_lin(path)
+    assert np.array_equal(np.hstack([result.upper, result.lower]), numbers)
+    assert [result.value.tolist(), result.error.tolist(), result.weight.tolist()] == [
         value.tolist(), error.tolist(), weight.tolist()]  # fmt: skip
 
 
@@ -242,8 +242,8 @@ def test_a_catalogue_of_formaldehyde_and_a_fit_of_its_lines(tmp_path):
     spectra.write_cat(spectra.catalogue_of(lines, 1e3, 30501), tmp_path / "a.cat")
     assert "    4829.6599  0.0010 -5.9024 3   10.5390  9  30501 303 1 1 0       1 1 1\n" in (
         tmp_path / "a.cat").read_text()  # fmt: skip
-    seen = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e3))
-    spectra.write_lin(spectra.line_list(seen), tmp_path / "a.lin")
+    observed = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e3))
+    spectra.write_lin(spectra.line_list(observed), tmp_path / "a.lin")
     start = Rotor((281.97e9, 38.83e9, 34.0e9), FORMALDEHYDE.distortion, "S", "Ir")
     fit = fit_rotor(start, spectra.read_lin(tmp_path / "a.lin").measured(), ["A", "B", "C"])
     assert fit.values == pytest.approx(FORMALDEHYDE.constants, rel=1e-12)
@@ -256,20 +256,20 @@ def test_another_reader_reads_the_same(tmp_path):
     spectra.write_cat(ours, tmp_path / "a.cat")
     (tmp_path / "b.cat").write_text(CAT.replace("A09", "  9"))
     for path in (tmp_path / "a.cat", tmp_path / "b.cat"):
-        found, kept = pyckett.cat_to_df(path), spectra.read_cat(path)
-        assert found["x"].to_numpy() == pytest.approx(kept.frequency, rel=1e-15)
-        assert np.log10(found["y"].to_numpy()) == pytest.approx(kept.log_intensity, abs=1e-9)
+        result, kept = pyckett.cat_to_df(path), spectra.read_cat(path)
+        assert result["x"].to_numpy() == pytest.approx(kept.frequency, rel=1e-15)
+        assert np.log10(result["y"].to_numpy()) == pytest.approx(kept.log_intensity, abs=1e-9)
         for theirs, own in (("error", kept.error), ("elower", kept.lower_energy), ("usd", kept.degeneracy),
                             ("tag", kept.tag), ("qnfmt", kept.form), ("degfreed", kept.degrees)):  # fmt: skip
-            assert found[theirs].tolist() == own.tolist(), theirs
+            assert result[theirs].tolist() == own.tolist(), theirs
         for k in range(3):
-            assert found[f"qnu{k + 1}"].tolist() == kept.upper[:, k].tolist()
-            assert found[f"qnl{k + 1}"].tolist() == kept.lower[:, k].tolist()
-    seen = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e3))
-    spectra.write_lin(spectra.line_list(seen), tmp_path / "a.lin")
-    found, kept = pyckett.lin_to_df(tmp_path / "a.lin"), spectra.read_lin(tmp_path / "a.lin")
-    assert found["x"].tolist() == kept.value.tolist() and found["error"].tolist() == kept.error.tolist()
-    assert found[["qnl1", "qnl2", "qnl3"]].to_numpy().tolist() == kept.lower.tolist()
+            assert result[f"qnu{k + 1}"].tolist() == kept.upper[:, k].tolist()
+            assert result[f"qnl{k + 1}"].tolist() == kept.lower[:, k].tolist()
+    observed = MeasuredLines(lines.upper, lines.lower, lines.frequency, np.full(len(lines.frequency), 1e3))
+    spectra.write_lin(spectra.line_list(observed), tmp_path / "a.lin")
+    result, kept = pyckett.lin_to_df(tmp_path / "a.lin"), spectra.read_lin(tmp_path / "a.lin")
+    assert result["x"].tolist() == kept.value.tolist() and result["error"].tolist() == kept.error.tolist()
+    assert result[["qnl1", "qnl2", "qnl3"]].to_numpy().tolist() == kept.lower.tolist()
     spectra.write_par(spectra.constant_table(FORMALDEHYDE), tmp_path / "a.par")
     theirs, table = pyckett.parvar_to_dict(tmp_path / "a.par"), spectra.read_par(tmp_path / "a.par")
     own = zip(table.code.tolist(), table.value.tolist(), table.error.tolist(), strict=True)
@@ -332,12 +332,12 @@ def test_equal_constants_are_written_as_ones_that_go_together(tmp_path, constant
 
 def test_what_cannot_be_written_leaves_nothing(tmp_path):
     (tmp_path / "a.cat").write_text(CAT)
-    found = spectra.read_cat(tmp_path / "a.cat")
+    result = spectra.read_cat(tmp_path / "a.cat")
     for name, values, said in (("frequency", [1.0, 1e9, 3.0], "line 2.*columns 1 to 13"),
                                ("tag", [1, 2, -10_000_000], "line 3.*tag"),
                                ("upper", np.full((3, 3), 360), "line 1.*columns 56 to 57")):  # fmt: skip
         with pytest.raises(InvalidInput, match=said):
-            spectra.write_cat(dataclasses.replace(found, **{name: np.array(values)}), tmp_path / "b.cat")
+            spectra.write_cat(dataclasses.replace(result, **{name: np.array(values)}), tmp_path / "b.cat")
     assert [path.name for path in tmp_path.iterdir()] == ["a.cat"]
 
 

@@ -43,9 +43,9 @@ def test_a_coherent_state_is_the_turned_highest_one():
     """e^{−iφS_z} e^{−iθS_y}, by SciPy's exponential of matrices."""
     s, theta, phi = 3.5, 1.1, -2.3
     _, y, z = spin_matrices(s)
-    turned = expm(-1j * phi * z) @ expm(-1j * theta * y)[:, 0]
+    rotated = expm(-1j * phi * z) @ expm(-1j * theta * y)[:, 0]
     direction = (np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta))
-    assert np.abs(coherent_state(s, direction) - turned).max() < 1e-14
+    assert np.abs(coherent_state(s, direction) - rotated).max() < 1e-14
 
 
 def test_large_spins_are_normalised():

@@ -14,9 +14,9 @@ KELVIN = constants.k / constants.h
 
 
 def line(lines, upper, lower):
-    found = np.flatnonzero((lines.upper == upper).all(axis=1) & (lines.lower == lower).all(axis=1))
-    assert len(found) == 1
-    return found[0]
+    result = np.flatnonzero((lines.upper == upper).all(axis=1) & (lines.lower == lower).all(axis=1))
+    assert len(result) == 1
+    return result[0]
 
 
 def test_strengths_of_w():
@@ -106,10 +106,10 @@ def test_lines_of_a_linear_molecule():
 ])  # fmt: skip
 def test_lines_of_symmetric_tops(constants, dipole):
     """ΔK = 0 along the figure axis: ν = 2B(J + 1), and nothing that only rounding allows; S = ((J+1)² − K²)/(J+1)."""
-    found = Rotor(constants, dipole=dipole).lines(8)
+    result = Rotor(constants, dipole=dipole).lines(8)
     B = constants[1]
-    assert found.frequency == pytest.approx(2.0 * B * found.upper[:, 0], rel=1e-12)
-    assert (found.upper[:, 0] == found.lower[:, 0] + 1).all()
+    assert result.frequency == pytest.approx(2.0 * B * result.upper[:, 0], rel=1e-12)
+    assert (result.upper[:, 0] == result.lower[:, 0] + 1).all()
     for J in range(8):
-        own = found.strength[found.lower[:, 0] == J].sum() / 1e-60
+        own = result.strength[result.lower[:, 0] == J].sum() / 1e-60
         assert own == pytest.approx(sum(((J + 1) ** 2 - K * K) / (J + 1) for K in range(-J, J + 1)), rel=1e-10)

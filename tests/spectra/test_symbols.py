@@ -89,8 +89,8 @@ def test_what_is_refused(call):
 @pytest.mark.parametrize("s", [0.5, 1, 3, 6.5])
 def test_values_at_the_pole_are_those_of_projectors(s):
     """½ (1 ± √3) of a spin ½: quantum.md's coherent state at its pole, and the other side."""
-    found = pole_values(s)
-    wanted = [symbol(np.diag(row), (0.0, 0.0, 1.0)).real for row in np.eye(len(found))]
-    assert found == pytest.approx(wanted, abs=1e-12) and found.sum() == pytest.approx(1.0, abs=1e-12)
+    result = pole_values(s)
+    wanted = [symbol(np.diag(row), (0.0, 0.0, 1.0)).real for row in np.eye(len(result))]
+    assert result == pytest.approx(wanted, abs=1e-12) and result.sum() == pytest.approx(1.0, abs=1e-12)
     if s == 0.5:
-        assert found == pytest.approx([0.5 * (1 + np.sqrt(3)), 0.5 * (1 - np.sqrt(3))], abs=1e-15)
+        assert result == pytest.approx([0.5 * (1 + np.sqrt(3)), 0.5 * (1 - np.sqrt(3))], abs=1e-15)

@@ -40,7 +40,7 @@ def derive(
     ] = None,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE", help="File to write; .txt, .md, .tex or .html tells the form."),
+        typer.Option("--out", metavar="FILE", help="File to write; .txt, .md, .tex or .html selects the form."),
     ] = None,
 ) -> None:
     """Derive the equations of a system from its bracket, each step checked.

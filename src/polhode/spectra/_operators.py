@@ -92,7 +92,7 @@ def distortion_terms(
     if reduction is None or representation is None:
         raise InvalidInput(
             "`distortion` must come with its `reduction`, 'A' or 'S', and `representation`, such as 'Ir': the same "
-            "numbers mean another molecule in another one. They stand where the constants are from."
+            "numbers mean another molecule in another one. The source of the constants has them."
         )
     known = TERMS[reduction]
     for name, value in distortion.items():

@@ -169,13 +169,13 @@ def _quality(fit: RotorFit, measured: MeasuredLines) -> Group:
 
 
 def _constants(fit: RotorFit, start: Rotor) -> Table:
-    known = fit.determined
+    determined = fit.determined
     columns = zip(fit.names, fit.values.tolist(), fit.sigma.tolist(), strict=True)
-    rows = [{"constant": name, "value": value, "standard_error": sigma if known else None,
+    rows = [{"constant": name, "value": value, "standard_error": sigma if determined else None,
              "start": get_constant(start, name)} for name, value, sigma in columns]  # fmt: skip
     return Table("constants", "Constants", {
         "constant": lambda row: row["constant"],
-        "MHz": lambda row: (uncertain(row["value"] / MEGA, row["standard_error"] / MEGA, digits=2) if known
+        "MHz": lambda row: (uncertain(row["value"] / MEGA, row["standard_error"] / MEGA, digits=2) if determined
                             else f"{row['value'] / MEGA:.6g}, error not known"),
         "change": lambda row: f"{(row['value'] - row['start']) / MEGA:+.4g} MHz",
     }, rows, {"value": "Hz", "standard_error": "Hz", "start": "Hz"}, key="constant")  # fmt: skip

@@ -92,8 +92,8 @@ def test_two_vortices_of_a_plane_in_one_step(strengths):
     start = pair.pack(np.stack([z.real, z.imag], axis=1))
     end = ph.solve(pair, start, (0.0, 5.0), Splitting, step=5.0, order=2).saved[-1]
     share = 5.0 / (2.0 * np.pi * abs(apart) ** 2)
-    turned = np.expm1(1j * total * share) / total if total else 1j * share
-    wanted = z + np.array([strengths[1], -strengths[0]]) * apart * turned
+    rotated = np.expm1(1j * total * share) / total if total else 1j * share
+    wanted = z + np.array([strengths[1], -strengths[0]]) * apart * rotated
     np.testing.assert_allclose(np.asarray(pair.positions(end)) @ [1.0, 1j], wanted, atol=1e-14)
 
 
@@ -106,10 +106,10 @@ def test_vortices_of_a_superfluid_turn_as_large_ones_do(method, tolerance):
     pair = PlaneVortices((gamma, gamma))
     start = np.asarray(pair.pack([[0.5 * apart, 0.0], [-0.5 * apart, 0.0]]))
     rate = gamma / (np.pi * apart**2)
-    found = ph.simulate(pair, start, [0.0, 10.0 / rate], method, tolerance=tolerance)
+    result = ph.simulate(pair, start, [0.0, 10.0 / rate], method, tolerance=tolerance)
     wanted = 0.5 * apart * np.array([np.cos(10.0), np.sin(10.0)])
-    off = np.abs(np.asarray(pair.positions(found.states[-1]))[0] - wanted).max() / apart
-    assert off < (tolerance or 1e-10) and off < 3.0 * found.error_estimate < 1e-6
+    off = np.abs(np.asarray(pair.positions(result.states[-1]))[0] - wanted).max() / apart
+    assert off < (tolerance or 1e-10) and off < 3.0 * result.error_estimate < 1e-6
 
 
 def end_of(system, start, method, step, order):
@@ -172,25 +172,25 @@ def test_stream_functions_move_a_vortex_of_no_strength():
 
 @pytest.mark.long
 def test_turns_about_any_axis_and_centre():
-    turned = np.linalg.qr(np.random.default_rng(4).normal(size=(3, 3)))[0]
-    turned *= np.sign(np.linalg.det(turned))
+    rotated = np.linalg.qr(np.random.default_rng(4).normal(size=(3, 3)))[0]
+    rotated *= np.sign(np.linalg.det(rotated))
     ring, pair = SphereVortices(np.ones(5)), PlaneVortices((1.0, 2.0))
-    start = np.asarray(ring.ring(1.0)) @ turned.T
-    found = vortex_turn(ring, start)
-    assert abs(found.rate - np.cos(1.0) / (np.pi * np.sin(1.0) ** 2)) < 1e-14
-    np.testing.assert_allclose(found.axis, turned[:, 2], atol=1e-14)
+    start = np.asarray(ring.ring(1.0)) @ rotated.T
+    result = vortex_turn(ring, start)
+    assert abs(result.rate - np.cos(1.0) / (np.pi * np.sin(1.0) ** 2)) < 1e-14
+    np.testing.assert_allclose(result.axis, rotated[:, 2], atol=1e-14)
     assert abs(vortex_stability(ring, start).rate - 0.2511457117) < 1e-9
-    found = vortex_turn(pair, pair.pack([[3.0, 0.5], [4.0, -0.5]]))  # Γ/(2πd²) about the centre of vorticity
-    assert abs(found.rate - 3.0 / (4.0 * np.pi)) < 1e-15
-    np.testing.assert_allclose(found.center, [11.0 / 3.0, -1.0 / 6.0], atol=1e-14)
+    result = vortex_turn(pair, pair.pack([[3.0, 0.5], [4.0, -0.5]]))  # Γ/(2πd²) about the centre of vorticity
+    assert abs(result.rate - 3.0 / (4.0 * np.pi)) < 1e-15
+    np.testing.assert_allclose(result.center, [11.0 / 3.0, -1.0 / 6.0], atol=1e-14)
 
 
 @pytest.mark.long
 def test_vortices_that_move_straight_or_rest():
     opposite = PlaneVortices((1.0, -1.0))
-    found = vortex_turn(opposite, opposite.pack([[0.0, 0.5], [0.0, -0.5]]))
-    assert found.rate == 0.0 and found.center is None
-    np.testing.assert_allclose(found.velocity, [0.5 / np.pi, 0.0], atol=1e-16)
+    result = vortex_turn(opposite, opposite.pack([[0.0, 0.5], [0.0, -0.5]]))
+    assert result.rate == 0.0 and result.center is None
+    np.testing.assert_allclose(result.velocity, [0.5 / np.pi, 0.0], atol=1e-16)
     poles = SphereVortices((1.0, 1.0))
     start = poles.pack([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
     assert vortex_turn(poles, start).rate == 0.0
@@ -202,22 +202,22 @@ def test_vortices_that_move_straight_or_rest():
 @pytest.mark.sweep
 def test_growth_against_closed_forms_and_published_numbers():
     ring, polygon = SphereVortices(np.ones(5)), PlaneVortices(np.ones(8))
-    found = vortex_stability(ring, ring.ring(1.0))
-    assert found.verdict == "unstable"
-    assert abs(found.rate - ring_exponents(5, 1.0).real.max()) < 1e-9
-    assert abs(found.rate - 0.2511457117) < 1e-9
-    found = vortex_stability(polygon, polygon.polygon(1.3))
-    assert abs(found.rate - polygon_exponents(8, 1.3).real.max()) < 1e-9
-    assert abs(found.rate - 0.2663657740) < 1e-9
+    result = vortex_stability(ring, ring.ring(1.0))
+    assert result.verdict == "unstable"
+    assert abs(result.rate - ring_exponents(5, 1.0).real.max()) < 1e-9
+    assert abs(result.rate - 0.2511457117) < 1e-9
+    result = vortex_stability(polygon, polygon.polygon(1.3))
+    assert abs(result.rate - polygon_exponents(8, 1.3).real.max()) < 1e-9
+    assert abs(result.rate - 0.2663657740) < 1e-9
     assert not np.abs(polygon_exponents(7, 1.3).real).max() > 0.0
 
 
 @pytest.mark.sweep
 def test_a_square_is_proved_stable_below_its_threshold():
     square = SphereVortices(np.ones(4))
-    found = stability_threshold(lambda c: vortex_stability(square, square.ring(np.arccos(np.sqrt(c)))), 0.3, 0.4, 1e-3)
-    assert abs(found.value - 1.0 / 3.0) < 1e-3
-    assert (found.below.verdict, found.above.verdict) == ("unstable", "stable")
+    result = stability_threshold(lambda c: vortex_stability(square, square.ring(np.arccos(np.sqrt(c)))), 0.3, 0.4, 1e-3)
+    assert abs(result.value - 1.0 / 3.0) < 1e-3
+    assert (result.below.verdict, result.above.verdict) == ("unstable", "stable")
 
 
 @pytest.mark.sweep
@@ -225,8 +225,8 @@ def test_a_square_is_proved_stable_below_its_threshold():
 def test_thresholds_of_rings(count, threshold):
     ring = SphereVortices(np.ones(count))
     verdict = lambda c: vortex_stability(ring, ring.ring(np.arccos(np.sqrt(c))))  # noqa: E731
-    found = stability_threshold(verdict, threshold - 0.1, threshold + 0.1, 1e-7)
-    assert abs(found.value - threshold) < 1e-6
+    result = stability_threshold(verdict, threshold - 0.1, threshold + 0.1, 1e-7)
+    assert abs(result.value - threshold) < 1e-6
 
 
 @pytest.mark.sweep
@@ -241,9 +241,9 @@ def test_polygons_are_stable_up_to_six(count):
 @pytest.mark.parametrize(("count", "angle"), [(3, 1.4), (5, 1.0), (6, 0.6), (7, 0.3)])
 def test_spectra_of_rings(count, angle):
     ring = SphereVortices(np.ones(count))
-    found = vortex_stability(ring, ring.ring(angle)).spectrum
+    result = vortex_stability(ring, ring.ring(angle)).spectrum
     for wanted in ring_exponents(count, angle)[1:-1]:  # m = 1 and n − 1 are turns of the whole
-        assert np.abs(found - wanted).min() < 1e-6
+        assert np.abs(result - wanted).min() < 1e-6
 
 
 class Backwards(SphereVortices):

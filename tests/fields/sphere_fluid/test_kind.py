@@ -31,10 +31,10 @@ def test_a_planetary_wave_turns_as_rossby_and_haurwitz_say(spec):
     """Y of degree l at rest against a sphere with Ω: c = −2Ω/(l(l + 1)), whatever its amplitude."""
     text = 'resolution = 8\nrotation = "1.3 rad/s"\nwaves = [{degree = 5, order = 3, vorticity = "0.7 rad/s"}]'
     report = spec(text, "50 ms", 41).report()
-    found = np.asarray(report.system.to_harmonics(report.trajectory.states[[0, -1]]))[:, 5, 3]
-    assert abs(found[0]) == pytest.approx(0.7 * np.sqrt(2.0 * np.pi), rel=1e-12)
-    turned = -np.angle(found[1] / found[0]) / (3 * 0.05)
-    assert turned == pytest.approx(-2.6 / 30.0, rel=1e-6)
+    result = np.asarray(report.system.to_harmonics(report.trajectory.states[[0, -1]]))[:, 5, 3]
+    assert abs(result[0]) == pytest.approx(0.7 * np.sqrt(2.0 * np.pi), rel=1e-12)
+    rotated = -np.angle(result[1] / result[0]) / (3 * 0.05)
+    assert rotated == pytest.approx(-2.6 / 30.0, rel=1e-6)
     values = report.as_json_dict()
     assert values["vorticity"] == pytest.approx(0.7, rel=1e-12)
     assert values["rossby_number"] == pytest.approx(0.7 / 2.6, rel=1e-12)

@@ -49,9 +49,9 @@ def test_harmonics_and_coordinates_come_back():
     X = sphere.coordinates
     assert (X[0] @ X[1] - X[1] @ X[0]) / sphere.hbar == pytest.approx(-X[2], abs=1e-15)
     # x₃ = √(4π/3) Y₁₀, and x₁ has −√(2π/3) Y₁₁
-    found = np.asarray(sphere.to_harmonics(jnp.asarray(X)))
-    assert found[2, 1, 0] == pytest.approx(np.sqrt(4 * np.pi / 3))
-    assert found[0, 1, 1] == pytest.approx(-np.sqrt(2 * np.pi / 3))
+    result = np.asarray(sphere.to_harmonics(jnp.asarray(X)))
+    assert result[2, 1, 0] == pytest.approx(np.sqrt(4 * np.pi / 3))
+    assert result[0, 1, 1] == pytest.approx(-np.sqrt(2 * np.pi / 3))
 
 
 def poisson_of(one, other):
@@ -78,13 +78,13 @@ def test_the_bracket_is_that_of_functions_to_second_order(one, other, limit):
     for n in (32, 64):
         sphere = QuantizedSphere(n)
         T = [_complex_tensor(sphere, *place) for place in (one, other)]
-        found = (T[0] @ T[1] - T[1] @ T[0]) / sphere.hbar
+        result = (T[0] @ T[1] - T[1] @ T[0]) / sphere.hbar
         exact = np.zeros((n, n), complex)
         for degree in range(max(order, 1), one[0] + other[0]):
             weight = np.conj(sph_harm_y(degree, order, theta, AZIMUTHS)) * function
             value = (weight.mean(axis=1) * 2 * np.pi) @ WEIGHTS
             exact += value * _complex_tensor(sphere, degree, order)
-        errors.append(np.linalg.norm(found + exact) / np.linalg.norm(exact))
+        errors.append(np.linalg.norm(result + exact) / np.linalg.norm(exact))
     assert errors[1] * 64**2 == pytest.approx(limit, rel=0.02)
     assert np.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.05)
 
@@ -224,8 +224,8 @@ def test_memory_is_what_was_said_beforehand(samples):
     def run(state):
         return ph.solve(fluid, state, np.linspace(0.0, 1.0, samples), IsospectralMidpoint, 0.01, order=2)
 
-    told = jax.jit(run).lower(state).compile().memory_analysis()
-    held = told.temp_size_in_bytes + told.output_size_in_bytes + told.argument_size_in_bytes
+    given = jax.jit(run).lower(state).compile().memory_analysis()
+    held = given.temp_size_in_bytes + given.output_size_in_bytes + given.argument_size_in_bytes
     assert fluid.cost(100, samples).bytes == pytest.approx(held, rel=0.15)
     assert fluid.cost(100).seconds == pytest.approx(100 * fluid.cost().seconds)
     # eight times the work and four times the memory at twice N, where N is large

@@ -49,10 +49,10 @@ def test_casimirs_stay_and_the_energy_does_not():
     rng = np.random.default_rng(3)
     fields, start = (fluid.algebra.from_vector(rng.normal(size=(k, 35)) * 0.3) for k in (2, 1))
     solver = TransportNoise(fluid, 0.02, fields, drift=IsospectralMidpoint)
-    found = np.asarray(ph.solve(fluid, start[0], [0.0, 2.0, 4.0], solver).saved)
-    spectra = np.linalg.eigvalsh(-1j * found)
+    result = np.asarray(ph.solve(fluid, start[0], [0.0, 2.0, 4.0], solver).saved)
+    spectra = np.linalg.eigvalsh(-1j * result)
     assert np.abs(spectra - spectra[0]).max() < 1e-14 * np.abs(spectra).max()
-    energies = np.asarray(fluid.energy(jnp.asarray(found)))
+    energies = np.asarray(fluid.energy(jnp.asarray(result)))
     assert abs(energies[-1] / energies[0] - 1.0) > 0.01
 
 

@@ -34,9 +34,9 @@ def test_a_field_that_vanishes_changes_nothing_and_a_strong_one_holds():
 def test_planetary_waves_go_round_westward(order):
     """Of a fluid at rest on a rotating sphere c = −2Ω/(l(l + 1)); waves that are not zonal do not count."""
     fluid = SphereFluid(4, 1.3)
-    found = zonal_growth(fluid, fluid.from_harmonics({(2, 1): 3.0}), order)
+    result = zonal_growth(fluid, fluid.from_harmonics({(2, 1): 3.0}), order)
     speeds = np.array([-2.6 / (degree * (degree + 1)) for degree in range(order, 4)])
-    assert abs(found.rate) < 1e-14 and np.abs(found.frequency / order - speeds).min() < 1e-14
+    assert abs(result.rate) < 1e-14 and np.abs(result.frequency / order - speeds).min() < 1e-14
 
 
 @pytest.mark.usefixtures("any_type")

@@ -38,9 +38,9 @@ def spec(tmp_path):
 @pytest.mark.parametrize(("branch", "speed"), first(1, [("eastward", 0.6835801927), ("westward", -0.4419135261)]))
 def test_an_exact_wave_goes_round_as_it_should(spec, branch, speed):
     report = spec(f'resolution = 6\nrotation = "1.3 rad/s"\n{WAVE}, branch = "{branch}"}}').report()
-    found = report.as_json_dict()
-    assert found["wave_speed"] == pytest.approx(speed, abs=1e-10)
-    assert found["wave_speed_in_run"] == pytest.approx(speed, rel=1e-4)
+    result = report.as_json_dict()
+    assert result["wave_speed"] == pytest.approx(speed, abs=1e-10)
+    assert result["wave_speed_in_run"] == pytest.approx(speed, rel=1e-4)
     wave = np.abs(np.asarray(report.system.to_harmonics(report.trajectory.states))[:, 1, 3, 2])
     assert wave[0] == pytest.approx(np.sqrt(2.0 * np.pi), rel=1e-12) and np.ptp(wave) < 1e-6 * wave[0]
 
@@ -48,11 +48,11 @@ def test_an_exact_wave_goes_round_as_it_should(spec, branch, speed):
 @pytest.mark.long
 def test_random_starts_have_their_sizes_and_orders_have_the_energy(spec):
     report = spec(f"resolution = 6\n{RANDOM}").report()
-    found = report.as_json_dict()
-    assert found["vorticity"] == pytest.approx(2.0, rel=1e-12) and found["field"] == pytest.approx(0.3, rel=1e-12)
-    assert found["magnetic_energy"] == pytest.approx(0.5 * 4.0 * np.pi * 0.09, rel=1e-12)
+    result = report.as_json_dict()
+    assert result["vorticity"] == pytest.approx(2.0, rel=1e-12) and result["field"] == pytest.approx(0.3, rel=1e-12)
+    assert result["magnetic_energy"] == pytest.approx(0.5 * 4.0 * np.pi * 0.09, rel=1e-12)
     np.testing.assert_allclose(report.energies_by_order.sum(axis=1), report.energies.sum(axis=(1, 2)), rtol=1e-12)
-    assert found["spectrum_change"] < 5e-15 and found["mixed_change"] < 3e-15
+    assert result["spectrum_change"] < 5e-15 and result["mixed_change"] < 3e-15
 
 
 @pytest.mark.sweep

@@ -29,13 +29,13 @@ def flow(n, system=None):
 def casimirs(states, powers=(1, 2, 3)):
     """tr Θ^(k+1) and tr WΘ^k of states (T, 2, N, N), relative to the norms of their factors."""
     theta, w = np.asarray(states)[:, 0], np.asarray(states)[:, 1]
-    found, power = [], theta
+    result, power = [], theta
     for _ in powers:
         for other in (theta, w):
             sizes = np.linalg.norm(other, axis=(1, 2)) * np.linalg.norm(power, axis=(1, 2))
-            found.append(np.einsum("tij,tji->t", other, power) / sizes[0])
+            result.append(np.einsum("tij,tji->t", other, power) / sizes[0])
         power = power @ theta
-    return np.array(found)
+    return np.array(result)
 
 
 def run(system, state, steps, step=0.02, samples=5):
@@ -47,14 +47,14 @@ def run(system, state, steps, step=0.02, samples=5):
 @pytest.mark.parametrize(("n", "steps"), [(6, 100), pytest.param(24, 3000, marks=pytest.mark.sweep)])
 def test_casimirs_stay_and_the_energy_does_not_drift(n, steps):
     system, state = flow(n)
-    found = run(system, state, steps, samples=101)
-    values = casimirs(found.states)
+    result = run(system, state, steps, samples=101)
+    values = casimirs(result.states)
     assert np.abs(values - values[:, :1]).max() < CASIMIR
-    assert np.abs(found.states + np.conj(np.swapaxes(found.states, -1, -2))).max() == 0.0
-    assert max(value for name, value in found.drift.items() if name.startswith("L")) < 1e-13
-    assert found.drift["energy"] < ENERGY
+    assert np.abs(result.states + np.conj(np.swapaxes(result.states, -1, -2))).max() == 0.0
+    assert max(value for name, value in result.drift.items() if name.startswith("L")) < 1e-13
+    assert result.drift["energy"] < ENERGY
     if steps > 1000:
-        energy = found.invariants["energy"]
+        energy = result.invariants["energy"]
         assert abs(np.mean(energy[:25]) - np.mean(energy[-25:])) < TREND * np.ptp(energy)
 
 
@@ -102,8 +102,8 @@ def test_a_wrong_algebra_is_caught():
 
 
 def test_dual_numbers_over_turns_are_rigid_motions():
-    found = lie.DualNumbers(lie.SO3()).structure_constants()
-    assert found == pytest.approx(lie.SE3().structure_constants(), abs=1e-15)
+    result = lie.DualNumbers(lie.SO3()).structure_constants()
+    assert result == pytest.approx(lie.SE3().structure_constants(), abs=1e-15)
     point = np.arange(1.0, 7.0).reshape(2, 3)  # Θ is the linear part, W the angular one
     casimirs = lie.DualNumbers(lie.SO3()).named_casimirs(point)
     assert float(casimirs["|L|²"]) == pytest.approx(14.0)
@@ -128,8 +128,8 @@ def test_alfven_rossby_waves_turn_rigidly(n):
         ratio = -b / eigenvalue / (speed - middle)
         state = jnp.stack([b * axis + ratio * wave, (a + 2.0 * rotation) * axis + wave])
         wanted = -1j * speed * (m[:, None] - m) * np.asarray(wave) * np.array([ratio, 1.0])[:, None, None]
-        found = np.asarray(system.vector_field(0.0, state))
-        assert found == pytest.approx(wanted, abs=1e-13 * np.abs(wanted).max())
+        result = np.asarray(system.vector_field(0.0, state))
+        assert result == pytest.approx(wanted, abs=1e-13 * np.abs(wanted).max())
         other = np.asarray(SphereMHD(n).vector_field(0.0, state))
         assert np.abs(other - wanted).max() > 0.1 * np.abs(wanted).max()
 
@@ -143,8 +143,8 @@ def test_steps_are_of_order_two_on_a_wave():
     state = jnp.stack([b * axis + ratio * wave, (a + 2.0 * rotation) * axis + wave])
     m, errors = np.arange(n) - (n - 1) / 2, []
     for step in (0.1, 0.05, 0.025):
-        turned = np.exp(-1j * speed * 2.0 * (m[:, None] - m)) * np.asarray(state)
-        errors.append(np.abs(run(system, state, round(2.0 / step), step, 2).states[-1] - turned).max())
+        rotated = np.exp(-1j * speed * 2.0 * (m[:, None] - m)) * np.asarray(state)
+        errors.append(np.abs(run(system, state, round(2.0 / step), step, 2).states[-1] - rotated).max())
     assert np.log2(np.array(errors[:-1]) / errors[1:]) == pytest.approx([2.0, 2.0], abs=0.1)
 
 
@@ -178,9 +178,9 @@ def test_the_joint_instability_grows_as_that_of_the_continuum(s0, beta, exact, l
 
 def test_a_field_changes_the_growth_of_a_small_matrix_as_well():
     """N = 8 has the rates of the continuum to an eighth, and tells the three cases apart."""
-    found = [growth(8, s0, beta) for s0, beta, _, _ in GROWTHS]
-    assert found == pytest.approx([exact for _, _, exact, _ in GROWTHS], rel=0.15)
-    assert found[0] < found[1] < found[2]
+    result = [growth(8, s0, beta) for s0, beta, _, _ in GROWTHS]
+    assert result == pytest.approx([exact for _, _, exact, _ in GROWTHS], rel=0.15)
+    assert result[0] < result[1] < result[2]
 
 
 @pytest.mark.sweep

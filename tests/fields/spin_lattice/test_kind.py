@@ -35,8 +35,8 @@ def test_waves_of_a_ferromagnetic_chain(spec):
     gap = 2.0 * BOHR * 4.0 + 2.0 * 0.1 * 1.5
     assert values["waves"]["lowest"] / MILLI == pytest.approx(gap, rel=1e-8)
     assert values["waves"]["highest"] / MILLI == pytest.approx(gap + 4.0 * 1.5, rel=1e-8)
-    turned = np.unwrap(np.angle(report.magnetizations[:, 0] + 1j * report.magnetizations[:, 1]))
-    rate = -(turned[-1] - turned[0]) / 0.2e-12  # the uniform wave goes round clockwise, S × B
+    rotated = np.unwrap(np.angle(report.magnetizations[:, 0] + 1j * report.magnetizations[:, 1]))
+    rate = -(rotated[-1] - rotated[0]) / 0.2e-12  # the uniform wave goes round clockwise, S × B
     assert rate * 1.054571817e-34 / MILLI == pytest.approx(gap, rel=1e-4)
     assert values["energy"]["start"] / MILLI == pytest.approx(-(1.5**2) - 0.1 * 1.5**2 - 2 * BOHR * 4 * 1.5, rel=1e-5)
     assert draw_waves(report) is not None

@@ -109,9 +109,9 @@ def test_sublattice_turns_keep_the_energy_but_are_no_poisson_map():
     system = chain(4, exchange_matrix((1.0, 0.8, 0.5)), field=(0.0, 0.1, 0.4))
     state = jnp.asarray(system.aligned(RNG.normal(size=(4, 1, 1, 1, 3))))
     turns = SublatticeTurns(system, 0.1, np.arange(4).reshape(4, 1, 1, 1) % 2)
-    found = ph.solve(system, state, [0.0, 5.0], turns).end_state
-    assert abs(float(system.energy(found) - system.energy(state))) < 2e-14
-    assert np.abs(np.asarray(found) - end(system, state, 5.0, Splitting, 0.02, 6)).max() < 0.1
+    result = ph.solve(system, state, [0.0, 5.0], turns).end_state
+    assert abs(float(system.energy(result) - system.energy(state))) < 2e-14
+    assert np.abs(np.asarray(result) - end(system, state, 5.0, Splitting, 0.02, 6)).max() < 0.1
     assert defect(turns, state) > 1e-5
     assert defect(Splitting(system, 0.1, 2), state) < 1e-14
     with pytest.raises(InvalidInput, match="bond between"):
@@ -129,8 +129,8 @@ def test_dipoles_equal_the_direct_sum():
     field = 3 * gaps * np.einsum("abi,bi->ab", gaps, flat)[..., None] / distance[..., None] ** 5
     field -= ((1 - np.eye(len(places))) / distance**3)[..., None] * flat[None]
     direct = field.sum(axis=1)
-    found = np.asarray(system.effective_field(spins)).reshape(-1, 3)
-    assert np.abs(found - direct).max() < 4e-15 * np.abs(direct).max()
+    result = np.asarray(system.effective_field(spins)).reshape(-1, 3)
+    assert np.abs(result - direct).max() < 4e-15 * np.abs(direct).max()
     assert abs(float(system.energy(spins)) + 0.5 * np.sum(direct * flat)) < 1e-13
 
 
@@ -228,5 +228,5 @@ def test_verdicts_take_the_total_spin_by_components():
     """Alike spins are at the least or the greatest energy of those with this total spin."""
     for exchange in (1.0, -1.0):
         chain = SpinLattice(Lattice([[1.0]], shape=(4,)), bonds=[Bond(0, 0, (1,), exchange * np.eye(3))])
-        found = ph.stability(chain, chain.aligned(np.broadcast_to([0.0, 0.0, 1.0], (4, 1, 1, 1, 3))))
-        assert found.verdict == "stable" and "total spin, 3" in found.words
+        result = ph.stability(chain, chain.aligned(np.broadcast_to([0.0, 0.0, 1.0], (4, 1, 1, 1, 3))))
+        assert result.verdict == "stable" and "total spin, 3" in result.words

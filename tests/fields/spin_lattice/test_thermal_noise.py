@@ -25,8 +25,8 @@ def mean_along_field(count, step, span, seed):
     system = paramagnet(count)
     solver = NoiseDriftNoise(system, step, Bath(0.7, 0.5, seed))
     times = np.arange(0.0, span + 0.1, 2.0)
-    found = ph.solve(system, system.aligned(UP), times, solver, save=lambda t, s: jnp.mean(s[..., 2]) / 1.5)
-    return float(np.mean(np.asarray(found.saved)[10:]))
+    result = ph.solve(system, system.aligned(UP), times, solver, save=lambda t, s: jnp.mean(s[..., 2]) / 1.5)
+    return float(np.mean(np.asarray(result.saved)[10:]))
 
 
 @pytest.mark.sweep

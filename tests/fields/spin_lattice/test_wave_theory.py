@@ -21,18 +21,18 @@ def easy(k):
 def test_ferromagnet_with_field_anisotropy_and_chirality():
     spin, j, d, k, b = 1.5, 1.0, 0.3, 0.4, 0.7
     system = chain(exchange_matrix(j, (0.0, 0.0, d)), spin, onsite=easy(k), field=(0.0, 0.0, b))
-    found = spin_waves(system, spin * np.array([UP]), np.concatenate([K, -K])[:, None])[:, 0]
+    result = spin_waves(system, spin * np.array([UP]), np.concatenate([K, -K])[:, None])[:, 0]
     sides = [b + 2 * k * spin + 2 * spin * (j * (1 - np.cos(K)) + s * d * np.sin(K)) for s in (1, -1)]
-    either = [np.abs(found - np.concatenate(s)).max() for s in (sides, sides[::-1])]
+    either = [np.abs(result - np.concatenate(s)).max() for s in (sides, sides[::-1])]
     assert min(either) < 1e-12 and max(either) > 0.1
 
 
 def test_antiferromagnet_with_anisotropy():
     spin, j, k = 1.5, -0.8, 0.2
     state = spin * np.array([[UP], [(0.0, 0.0, -1.0)]])[:, None, None]
-    found = spin_waves(chain(j, spin, onsite=easy(k)), state, K[:, None])
+    result = spin_waves(chain(j, spin, onsite=easy(k)), state, K[:, None])
     expected = 2 * spin * np.sqrt((abs(j) + k) ** 2 - (j * np.cos(K)) ** 2)
-    assert np.abs(found - expected[:, None]).max() < 1e-12
+    assert np.abs(result - expected[:, None]).max() < 1e-12
 
 
 def spiral(count=6):

@@ -36,10 +36,10 @@ def by_qr(state, t):
 @pytest.mark.long
 @pytest.mark.parametrize("t", [0.7, -2.0, 20.0])
 def test_exact_motion_is_that_of_qr_factors(t):
-    found = np.asarray(LATTICE.exact(START, t))
+    result = np.asarray(LATTICE.exact(START, t))
     b, a = by_qr(START, t)
-    np.testing.assert_allclose(found[:N], b, atol=2e-14)
-    np.testing.assert_allclose(found[N:], a, rtol=2e-13)
+    np.testing.assert_allclose(result[:N], b, atol=2e-14)
+    np.testing.assert_allclose(result[N:], a, rtol=2e-13)
     if t == 20.0:
         assert a.min() < 1e-12  # so that the bound is of relative errors
 
@@ -73,9 +73,9 @@ def test_signs_of_a_stay_and_batches():
 def test_it_sorts():
     values = np.linalg.eigvalsh(np.asarray(LATTICE.matrix(START)))
     for t, wanted in ((1e5, values[::-1]), (-1e5, values)):
-        found = np.asarray(LATTICE.exact(START, t))
-        np.testing.assert_allclose(found[:N], wanted, atol=1e-14)
-        assert not found[N:].any()
+        result = np.asarray(LATTICE.exact(START, t))
+        np.testing.assert_allclose(result[:N], wanted, atol=1e-14)
+        assert not result[N:].any()
 
 
 @pytest.mark.long_cases("4")
@@ -96,8 +96,8 @@ def test_traces_are_in_involution_and_the_casimir_is_one():
     np.testing.assert_allclose(gradients[2], third, rtol=1e-13)
     for i, one in enumerate(gradients):
         for other in gradients[:i]:
-            found = START @ np.asarray(LATTICE.algebra.bracket(jnp.asarray(one), jnp.asarray(other)))
-            assert abs(found) < 1e-14 * N * np.linalg.norm(one) * np.linalg.norm(other)
+            result = START @ np.asarray(LATTICE.algebra.bracket(jnp.asarray(one), jnp.asarray(other)))
+            assert abs(result) < 1e-14 * N * np.linalg.norm(one) * np.linalg.norm(other)
     anything = jnp.asarray(RNG.normal(size=2 * N - 1))
     assert float(START @ LATTICE.algebra.bracket(jnp.asarray(gradients[0]), anything)) == 0.0
     assert abs(float(START @ LATTICE.algebra.bracket(jnp.asarray(gradients[1]), anything))) > 0.1

@@ -66,8 +66,8 @@ def test_the_wave_that_grows_fastest():
     assert wave.growth > 0.05 and 0.3 * 2.0 < wave.frequency < 0.3 * 4.5
     # no mode grows faster: D has as many zeros above its growth as the argument turns along that line
     omega = np.linspace(-60.0, 60.0, 6001) + 1j * (wave.growth + 1e-3)
-    turned = np.unwrap(np.angle([dispersion(beams, 0.3, w) for w in omega]))
-    assert abs(turned[-1] - turned[0]) < 0.1
+    rotated = np.unwrap(np.angle([dispersion(beams, 0.3, w) for w in omega]))
+    assert abs(rotated[-1] - rotated[0]) < 0.1
     below = np.unwrap(np.angle([dispersion(beams, 0.3, w - 2e-3j) for w in omega]))
     assert abs(below[-1] - below[0]) > 5.0
 
@@ -81,8 +81,8 @@ def test_no_wave_where_newton_s_method_runs_away():
 def test_fits_of_known_growth():
     t = np.linspace(0.0, 40.0, 401)
     growing = PlasmaWave(0.3, 0.0, 0.2, 1.0, 0.0)
-    found = fit_growth(t, 1e-6 * (np.exp(0.2 * t) + 3.0 * np.exp(-0.3 * t)), 0.3, growing, 100.0)
-    assert found.growth == pytest.approx(0.2, rel=1e-3) and 0.0 < found.error < 1e-3
+    result = fit_growth(t, 1e-6 * (np.exp(0.2 * t) + 3.0 * np.exp(-0.3 * t)), 0.3, growing, 100.0)
+    assert result.growth == pytest.approx(0.2, rel=1e-3) and 0.0 < result.error < 1e-3
     assert fit_growth(t[:3], np.ones(3), 0.3, growing, 100.0) is None
     with pytest.raises(InvalidInput, match="one length"):
         fit_growth(t, np.ones(3), 0.3, growing, 100.0)

@@ -48,9 +48,9 @@ def test_field_is_that_of_a_sum_over_pairs():
             for j in range(1, 5):
                 wave = 2.0 * np.pi * j / 3.0
                 force[p] += 2.0 / 3.0 * weights[q] * np.sin(wave * (x[p] - x[q])) / wave
-    found = system.vector_field(0.0, system.pack(x, np.ones(5), weights))
-    np.testing.assert_allclose(found[:, 0], force, atol=1e-14)
-    np.testing.assert_allclose(found[:, 1], 1.0, atol=1e-15)
+    result = system.vector_field(0.0, system.pack(x, np.ones(5), weights))
+    np.testing.assert_allclose(result[:, 0], force, atol=1e-14)
+    np.testing.assert_allclose(result[:, 1], 1.0, atol=1e-15)
 
 
 @pytest.mark.parametrize("k", TABLE)
@@ -121,9 +121,9 @@ def test_damping_rates(k, accuracy):
     wave, system = plasma_wave(MAXWELLIAN, k), VlasovPoisson(2.0 * np.pi / k, 3, 1024)
     times = np.arange(0.0, 0.9 * 2.0 * np.pi / k / (12.0 / 64.0) * 0.5, 0.05)
     field, _ = first_field(system, quiet_start(system, maxwellian, 64, 0.001), times, 0.05)
-    turned = np.abs(field)
-    peaks = [n for n in range(1, len(times) - 1) if turned[n - 1] < turned[n] >= turned[n + 1] and times[n] > 8.0]
-    rate = np.polyfit(times[peaks], np.log(turned[peaks]), 1)[0]
+    rotated = np.abs(field)
+    peaks = [n for n in range(1, len(times) - 1) if rotated[n - 1] < rotated[n] >= rotated[n + 1] and times[n] > 8.0]
+    rate = np.polyfit(times[peaks], np.log(rotated[peaks]), 1)[0]
     assert abs(rate / wave.growth - 1.0) < accuracy
 
 

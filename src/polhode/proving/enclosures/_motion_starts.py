@@ -105,10 +105,10 @@ def exact_start(motion: AbstractMotion, exact: Mapping[str, Any] | None) -> Moti
 def _check_exact(exact: Mapping[str, Any] | None, doubles: dict[str, list[Rational]]) -> dict[str, list[Rational]]:
     """Return exact numbers by the names of the motion's own; an angular velocity becomes a momentum."""
     exact = {} if exact is None else exact
-    known = [*doubles, "angular_velocity"]
-    if not isinstance(exact, Mapping) or not set(exact) <= set(known) or {"momentum", "angular_velocity"} <= set(exact):
+    names = [*doubles, "angular_velocity"]
+    if not isinstance(exact, Mapping) or not set(exact) <= set(names) or {"momentum", "angular_velocity"} <= set(exact):
         raise InvalidInput(f"`exact` must be exact numbers by the names of what the motion was made of, some of "
-                           f"{', '.join(known)}, one of the last and momentum; got {shown(exact)}.")  # fmt: skip
+                           f"{', '.join(names)}, one of the last and momentum; got {shown(exact)}.")  # fmt: skip
     sizes = {name: len(value) for name, value in doubles.items()} | {"angular_velocity": 3}
     rationals = {name: exact_rationals(f"exact[{name}]", value, sizes[name]) for name, value in exact.items()}
     if (velocity := rationals.pop("angular_velocity", None)) is not None:

@@ -58,7 +58,7 @@ class BallSystem:
         try:
             parts = self._trace(lambda p: eqx.combine(unravel(p), rest), collect_numbers(system))
         except (*TRACING, TypeError, Untraceable):
-            self.exact = False  # some of them are looked at as numbers, or go into functions without a recurrence
+            self.exact = False  # some are used as plain numbers, or by functions without a recurrence
             parts = self._trace(lambda p: system, np.zeros(0))
         self._tape, self._rates, self.size, self.parameters, self.timed = parts
         self.looked_at = sorted(place - self.size for place in self._tape.looked_at)

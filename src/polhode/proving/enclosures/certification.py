@@ -126,9 +126,9 @@ def certify(
         digits = check_digits(25 if digits is None else digits)
         return enclose(exact_start(system, exact), digits)
     if isinstance(system, AbstractMotion):
-        known = ", ".join(kind.__name__ for kind in IN_CLOSED_FORM)
+        classes = ", ".join(kind.__name__ for kind in IN_CLOSED_FORM)
         raise InvalidInput(f"`system` must be a system, or a motion in closed form of a class that has enclosures, "
-                           f"{known}; got {shown(system)}.")  # fmt: skip
+                           f"{classes}; got {shown(system)}.")  # fmt: skip
     _refuse(of_motions, "a motion's in closed form; of a system give `radius`")
     from polhode.systems.base import AbstractSystem
 

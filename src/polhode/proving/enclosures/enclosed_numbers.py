@@ -22,7 +22,7 @@ _ARB = re.compile(r"\[?(?P<middle>[^\[\]+ ]*) ?\+/- (?P<radius>[^\]]*)\]")
 class EnclosedNumber:
     """A real number that is certain to lie in a ball: between ``lower`` and ``upper``.
 
-    ``float`` gives the nearest double of the midpoint, ``in`` tells whether an exact number lies within, and ``str``
+    ``float`` gives the nearest double of the midpoint, ``in`` tests whether an exact number lies within, and ``str``
     writes the certain digits and the radius.
 
     Attributes:

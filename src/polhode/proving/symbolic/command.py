@@ -16,8 +16,8 @@ def run_derive(name: str | None, form: str | None, out: Path | None) -> None:
         if form is not None or out is not None:
             raise InvalidInput("--to and --out are of one derivation; name it. `polhode derive` lists them.")
         width = max(map(len, derivation_names()))
-        for known in derivation_names():
-            print(f"{known:<{width}}  {describe_derivation(known)}")
+        for each in derivation_names():
+            print(f"{each:<{width}}  {describe_derivation(each)}")
         print(f"\nNext: {spell_command('derive', derivation_names()[0])} prints one of them.")
         return
     from polhode.proving.symbolic.rendering import ENDINGS, FORMS
@@ -27,7 +27,7 @@ def run_derive(name: str | None, form: str | None, out: Path | None) -> None:
     if out is not None and form is None:
         form = ENDINGS.get(out.suffix.lower())
         if form is None:
-            raise InvalidInput(f"--out must end with {', '.join(ENDINGS)}, which tells the form; got "
+            raise InvalidInput(f"--out must end with {', '.join(ENDINGS)}, which selects the form; got "
                                f"{shown(str(out))}. Or say it by --to.")  # fmt: skip
     from polhode.proving.symbolic.registry import derive
 

@@ -347,7 +347,7 @@ def _sum(parts: Sequence[str]) -> str:
 
 
 def _plain(name: str) -> str:
-    """Return a name that may stand in a comment."""
+    """Return a name that is safe in a comment."""
     return name.replace("(*", "( *").replace("*)", "* )").replace('"', "'")
 
 

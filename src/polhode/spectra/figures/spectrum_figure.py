@@ -60,7 +60,7 @@ def spectrum(lines: Lines, *, axes: Any = None) -> Figure | None:
 
 
 def _name_strongest(axes: Any, lines: Lines, visible: Any, nu: Any, size: Any) -> None:
-    """Write the upper and lower level of the strongest lines that stand apart."""
+    """Write the upper and lower level of the strongest lines that are far enough apart."""
     upper, lower, taken = lines.upper[visible], lines.lower[visible], []
     width = 0.13 * axes.get_xlim()[1]
     most_names = 6

@@ -74,7 +74,7 @@ class LineList:
                 "SPFIT this is the width of the blend, which is not fitted here. Leave the line out."
             )
         if self.left_out:
-            warnings.warn("behind the first blank line, where SPFIT ends reading, stand more lines that are left out: "
+            warnings.warn("behind the first blank line, where SPFIT ends reading, there are more lines, left out: "
                           f"{self.left_out}.", stacklevel=2)  # fmt: skip
         unit = np.where(self.error < 0.0, HERTZ_OF_WAVE_NUMBER, HERTZ_OF_MEGAHERTZ)
         return MeasuredLines(upper, lower, self.value * unit, np.abs(self.error) * unit, self.weight)

@@ -93,7 +93,7 @@ class ConstantTable:
         about = "a" if axis is None or axis == 0.0 else "abc"[int(abs(axis)) - 1] if abs(axis) in (1, 2, 3) else None
         if about is None:
             raise InvalidInput(f"the axis of spin weights (sixth option) must be 1, 2 or 3; got {shown(axis)}. Weights "
-                               "of symmetric tops are not known here: write 1 and equal weights.")  # fmt: skip
+                               "of symmetric tops are not supported: write 1 and equal weights.")  # fmt: skip
         weights = (1.0 if even is None else even, 1.0 if odd is None else odd)
         if symmetry is not None and symmetry > 0.0 and symmetry % 2.0 == 1.0:  # an odd last digit
             weights = (weights[1], weights[0])
@@ -174,7 +174,7 @@ def constant_table(
     if rotor.is_linear:
         raise InvalidInput("`rotor` must not be linear: these files would need other codes.")
     if rotor.representation is not None and rotor.representation not in BASES:
-        raise InvalidInput(f"`rotor` must be in the representation Ir or IIIl, which these files know; got "
+        raise InvalidInput(f"`rotor` must be in the representation Ir or IIIl, which these files have; got "
                            f"{rotor.representation.name}. Fit its lines in one of these.")  # fmt: skip
     if any(weight % 1.0 for weight in rotor.spin_weights):
         raise InvalidInput(f"`spin_weights` must be whole numbers in a file; got {shown(rotor.spin_weights)}.")

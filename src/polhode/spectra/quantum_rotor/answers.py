@@ -127,8 +127,8 @@ class QuantumRotorReport(SystemReport):
             for said in self.warned:  # for readers of the file, who do not have the notes
                 if said not in self.asked.notes:
                     warnings.warn(said, stacklevel=2)
-        known = rotor_attributes(self.rotor, self.name, self.asked.temperature)
-        return write_spectrum(path, levels=self.levels, lines=self.lines, attributes=known)
+        attributes = rotor_attributes(self.rotor, self.name, self.asked.temperature)
+        return write_spectrum(path, levels=self.levels, lines=self.lines, attributes=attributes)
 
     def _molecule(self) -> Group:
         rotor = self.rotor
