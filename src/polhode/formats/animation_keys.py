@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,10 +13,19 @@ from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
 from polhode.types import Array, Float64
 
-FARTHEST = 0.5 * math.pi  # rad from key to key; beyond π viewers, which take the short way, turn it backward
 FINE = math.pi / 16.0  # rad from key to key where an exact motion is evaluated again
-MOST_KEYS = 1_000_000
-SAME_ATTITUDE = 1e-9  # rad; a motion whose trajectory was not turned to other axes gives its first attitude again
+
+
+class KeyLimits(NamedTuple):
+    """Numbers that decide how an animation is sampled."""
+
+    max_turn: float = 0.5 * math.pi  # rad between keys; beyond π viewers, which take the short way, would turn backward
+    max_keys: int = 1_000_000  # more than viewers bear
+    # rad from the motion's own first attitude; a larger one means that the trajectory is along other axes
+    max_attitude_difference: float = 1e-9
+
+
+LIMITS = KeyLimits()
 
 
 def make_keys(
@@ -44,17 +54,17 @@ def make_keys(
         if motion is None:
             raise InvalidInput("`rate` is for exact motions; samples are keys themselves. Leave it out.")
         clock = _evenly(lasts, lasts * rate)
-    elif motion is not None and farthest_turn(trajectory) >= FARTHEST:
+    elif motion is not None and farthest_turn(trajectory) >= LIMITS.max_turn:
         fastest = float(np.linalg.norm(np.asarray(trajectory.angular_velocity), axis=-1).max())
         clock = _evenly(lasts, fastest * lasts * speed / FINE)
     clock, kept = np.unique(clock.astype(np.float32), return_index=True)
     clock = clock.astype(float)
     keyed = trajectory.select(kept) if motion is None else trajectory.resample(times[0] + speed * clock)
-    if (farthest := farthest_turn(keyed)) >= FARTHEST:
+    if (farthest := farthest_turn(keyed)) >= LIMITS.max_turn:
         raise InvalidInput(
             f"the keys of the animation are too far apart: {farthest:.3g} rad from one to the next, where less than "
-            f"{FARTHEST:.3g} leaves no doubt which way it turns. Take more samples or a shorter time (`until` in a "
-            "spec); of exact motions a higher rate."
+            f"{LIMITS.max_turn:.3g} leaves no doubt which way it turns. Take more samples or a shorter time (`until` "
+            "in a spec); of exact motions a higher rate."
         )
     return clock, keyed
 
@@ -71,9 +81,9 @@ def farthest_turn(trajectory: Trajectory) -> float:
 
 
 def _evenly(lasts: float, intervals: float) -> Array:
-    if intervals >= MOST_KEYS:
-        raise InvalidInput(f"an animation of {intervals:.3g} keys is more than the {MOST_KEYS} that viewers bear. "
-                           "Take a shorter time, or a lower rate.")  # fmt: skip
+    if intervals >= LIMITS.max_keys:
+        raise InvalidInput(f"an animation of {intervals:.3g} keys is more than the {LIMITS.max_keys} that viewers "
+                           "bear. Take a shorter time, or a lower rate.")  # fmt: skip
     return np.linspace(0.0, lasts, math.ceil(intervals) + 1)
 
 
@@ -84,5 +94,6 @@ def exact_motion(trajectory: Trajectory) -> AbstractMotion | None:
         return None
     again = np.asarray(motion.sample(np.asarray(trajectory.times)[:1]).attitude)
     first = np.asarray(trajectory.attitude)[:1]
-    same = again.shape == first.shape and float(rotation.angle_between(again, first)[0]) <= SAME_ATTITUDE
-    return motion if same else None
+    if again.shape != first.shape:
+        return None
+    return motion if float(rotation.angle_between(again, first)[0]) <= LIMITS.max_attitude_difference else None

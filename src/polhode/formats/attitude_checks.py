@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -10,8 +11,16 @@ from polhode.errors import FormatError, InvalidInput
 from polhode.motion._trajectory import Trajectory
 from polhode.types import Array, Float64, Shaped
 
-UNIT = 1e-6  # how far from one the norm of a quaternion in a file may be: seven digits of each component, at least
 DAMAGED = "The file is damaged; write it again."
+
+
+class RecordingLimits(NamedTuple):
+    """A number that decides whether the attitudes of a file are refused."""
+
+    max_norm_error: float = 1e-6  # of quaternions from one: a file gives at least seven digits of each component
+
+
+LIMITS = RecordingLimits()
 
 
 def single_attitude(trajectory: Trajectory, form: str) -> Float64[Array, "time 4"]:
@@ -51,7 +60,7 @@ def check_recorded(
         return
     with np.errstate(over="ignore"):  # an infinite length is not one
         norms = np.linalg.norm(np.asarray(attitude), axis=-1)
-    wrong = ~(np.abs(norms - 1.0) <= UNIT)
+    wrong = ~(np.abs(norms - 1.0) <= LIMITS.max_norm_error)
     if wrong.any():
         place = tuple(np.argwhere(wrong)[0])
         got = np.asarray(attitude)[place].tolist()

@@ -34,12 +34,18 @@ FIRST_DAY = {"mjd": Decimal(40587), "jd": Decimal("2440587.5"), "gmat": Decimal(
 GPS_ZERO = 3657 * 86400  # s from 1970-01-01 to 1980-01-06, both of a uniform system
 WEEK = 604_800  # s
 ROLLOVER = 1024  # weeks, after which receivers of the first signal begin again
-HALF_DAY = 43_200  # s; times of day that fall by more have passed midnight
-LAST_DAY = 2_932_897  # from 1970, with which the year 10000 begins
 PER_UNIX = {"unix": 1, "unix-ms": 10**3, "unix-us": 10**6, "unix-ns": 10**9}
 Rows = Sequence[tuple[int, tuple[str, ...]]]
 """Numbers of lines, and the cells in the columns of times."""
-SEEN = 200  # rows in which the kind of a column is looked for
+
+
+class StampLimits(NamedTuple):
+    """A number that decides what a column of stamps holds."""
+
+    max_rows_inspected: int = 200  # of a column, in which its first cell that is not blank is looked for
+
+
+LIMITS = StampLimits()
 
 
 class ClockColumns(NamedTuple):
@@ -63,7 +69,7 @@ class ClockColumns(NamedTuple):
 
 def kind_of_cells(path: Path, form: TableForm, column: int) -> str | None:
     """Return "dates" or "times of day" where the first cell of a column is one; None for numbers."""
-    for text in islice(read_texts(path, form, column), SEEN):
+    for text in islice(read_texts(path, form, column), LIMITS.max_rows_inspected):
         if text.lower() not in MISSING:
             return DATE if is_date(text) else TIME_OF_DAY if is_time_of_day(text) else None
     return None
@@ -71,7 +77,7 @@ def kind_of_cells(path: Path, form: TableForm, column: int) -> str | None:
 
 def first_odd_cell(path: Path, form: TableForm, column: int) -> str | None:
     """Return the first cell of a column that is not blank, unless it is a number."""
-    for text in islice(read_texts(path, form, column), SEEN):
+    for text in islice(read_texts(path, form, column), LIMITS.max_rows_inspected):
         if text.lower() not in MISSING:
             try:
                 float(text.replace(",", "."))
@@ -113,13 +119,14 @@ def _wrong(path: Path, form: TableForm, clock: ClockColumns, line: int, what: ob
 
 
 def _read_times_of_day(path: Path, form: TableForm, clock: ClockColumns, rows: Rows) -> Clock:
+    half_a_day = 43_200  # s; times of day that fall by more have passed midnight
     times, days, before = np.full(len(rows), np.nan), 0, None
     for k, line, row in _stamped_rows(rows):
         try:
             seconds = read_time_of_day(row[0])
         except ValueError as error:
             raise _wrong(path, form, clock, line, error) from None
-        days += before is not None and before - seconds > HALF_DAY
+        days += before is not None and before - seconds > half_a_day
         before, times[k] = seconds, float(seconds + 86400 * days)
     passed = f" and pass midnight {days} times" if days > 1 else " and pass midnight once" if days else ""
     note = f"its times are of a day without a date{passed}; they count in seconds from the first midnight."
@@ -240,6 +247,7 @@ def _instant(kind: str, numbers: Sequence[Decimal], system: str) -> tuple[int, i
     Raises:
         ValueError: in words, for UTC before 1972.
     """
+    last_day = 2_932_897  # from 1970, with which the year 10000 begins
     if kind in FIRST_DAY:
         days = numbers[0] - FIRST_DAY[kind]
         day = int(days.to_integral_value(ROUND_FLOOR))
@@ -251,7 +259,7 @@ def _instant(kind: str, numbers: Sequence[Decimal], system: str) -> tuple[int, i
     scale = PER_UNIX[kind]
     seconds = numbers[0] / scale + (numbers[1] * IN_DECIMAL_SECONDS["ns"] if len(numbers) == 2 else 0)
     day = int((seconds / 86400).to_integral_value(ROUND_FLOOR))
-    if not abs(day) < LAST_DAY:
+    if not abs(day) < last_day:
         finer = f"; {list(PER_UNIX)[-1]} may be meant" if scale < 10**9 else ""
         raise ValueError(f"must be a time before the year 10000; got {numbers[0]} in {kind}{finer}")
     return _split(_midnight(day, system) + (seconds - 86400 * day))

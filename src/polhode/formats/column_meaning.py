@@ -14,10 +14,18 @@ from polhode.estimation._coarse_clock import is_coarse, spread_evenly
 from polhode.formats.plain_table import PlainTable
 from polhode.types import Array, Bool, Float64
 
-CLEAR_TURN = 1.0  # rad; where it is more between samples, differences say little about rates
-SEEN_TURN = 0.02  # rad, rms; less may be noise
-SURE, UNLIKE = 0.1, 0.5  # relative; rates that agree with one direction of a rotation, and not with the other
-FEWEST_TURNS = 4  # that are compared
+
+class DirectionLimits(NamedTuple):
+    """Numbers that decide whether rates agree with a direction of rotation."""
+
+    max_turn: float = 1.0  # rad between samples; beyond it differences say little about rates
+    min_rms_turn: float = 0.02  # rad; less may be noise
+    max_residual: float = 0.1  # relative, of rates that agree with a direction
+    min_residual_reversed: float = 0.5  # relative, which the same rates leave with the other direction
+    min_turns: int = 4  # that are compared
+
+
+LIMITS = DirectionLimits()
 
 
 class Understood(NamedTuple):
@@ -115,14 +123,14 @@ def agreement(
         steps = 0.5 * (velocity[1:] + velocity[:-1]) * np.diff(times)[:, None]
         turned = np.concatenate([np.zeros((1, 3)), np.cumsum(steps, axis=0)])
         stride = 1
-        while FEWEST_TURNS * stride < len(times):
+        while LIMITS.min_turns * stride < len(times):
             rows = np.arange(0, len(times), stride)
             before, after = attitude[rows[:-1]], attitude[rows[1:]]
             turns = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(before), after))
             integrated = np.diff(turned[rows], axis=0)
-            small = np.linalg.norm(turns, axis=-1) < CLEAR_TURN
+            small = np.linalg.norm(turns, axis=-1) < LIMITS.max_turn
             size = max(root_mean_square(turns[small]), root_mean_square(integrated[small])) if small.any() else 0.0
-            if size > SEEN_TURN:
+            if size > LIMITS.min_rms_turn:
                 apart = root_mean_square((turns - integrated)[small]) / size
                 return apart if np.isfinite(apart) else None
             stride *= 2
@@ -140,7 +148,7 @@ def find_direction(
     """
     forward, back = (agreement(times, turned, velocity) for turned in (attitude, rotation.conjugate(attitude)))
     for one, other, backward in ((forward, back, False), (back, forward, True)):
-        if one is not None and other is not None and one < SURE and other > UNLIKE:
+        if one is not None and other is not None and one < LIMITS.max_residual and other > LIMITS.min_residual_reversed:
             return backward
     why = "the file has no angular velocity" if velocity is None else "the angular velocity does not show it"
     raise InvalidInput(

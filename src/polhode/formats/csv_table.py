@@ -16,7 +16,7 @@ import numpy as np
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.attitude_checks import check_recorded
 from polhode.formats.labels import Recording
-from polhode.formats.numerals import LONGEST_LINE, MAY_VANISH, read_number
+from polhode.formats.numerals import LIMITS, MAY_VANISH, read_number
 from polhode.formats.opening import MB, open_file
 from polhode.formats.paths import as_path, write_whole
 from polhode.motion._layout import ATTITUDE, MOMENTUM, StateLayout
@@ -149,12 +149,12 @@ def _read_table(path: Path) -> tuple[list[str], Array]:
     """Return the columns' names and the numbers (n, k)."""
     try:
         with io.TextIOWrapper(open_file(path, "CSV", LARGEST_FILE), "utf-8-sig", newline="") as file:
-            names = _names(path, file.readline(LONGEST_LINE + 1))
+            names = _names(path, file.readline(LIMITS.max_line + 1))
             parts, rows, number = [], [], 1
-            while line := file.readline(LONGEST_LINE + 1):
+            while line := file.readline(LIMITS.max_line + 1):
                 number += 1
-                if len(line) > LONGEST_LINE:
-                    raise FormatError(f"{path}, line {number}: has more than {LONGEST_LINE} characters.")
+                if len(line) > LIMITS.max_line:
+                    raise FormatError(f"{path}, line {number}: has more than {LIMITS.max_line} characters.")
                 rows.append((number, line))
                 if len(rows) == CHUNK:
                     parts.append(_numbers(path, rows, len(names)))
@@ -170,7 +170,7 @@ def _names(path: Path, line: str) -> list[str]:
         names = next(csv.reader([line], strict=True), [])
     except csv.Error:
         names = []
-    if not names or len(set(names)) != len(names) or len(line) > LONGEST_LINE or not "".join(names).isprintable():
+    if not names or len(set(names)) != len(names) or len(line) > LIMITS.max_line or not "".join(names).isprintable():
         raise FormatError(f"{path}, line 1: must name the columns, each once, in printable text; got {shown(line)}.")
     return names
 

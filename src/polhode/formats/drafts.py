@@ -18,18 +18,26 @@ import threading
 import time
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from filelock import FileLock
 
 WINDOWS = os.name == "nt"  # where open files cannot be removed, and folders not opened
 PREFIX = ".polhode-"
-JUST_MADE = 60.0  # s; a younger draft without ``new`` may be about to be locked
 _NAME = re.compile(r"\.polhode-[0-9a-f]{16}")
 _SIGNALS = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGINT") if hasattr(signal, name)]
 _live: set[Draft] = set()
 _made: set[Path] = set()  # folders for files that are not there yet
 _moving = threading.RLock()  # held while files take their names or drafts are removed
+
+
+class DraftLimits(NamedTuple):
+    """A number that decides whether a draft is removed."""
+
+    min_age: float = 60.0  # s of a draft without ``new``; a younger one may be about to be locked
+
+
+LIMITS = DraftLimits()
 
 
 class Draft:
@@ -142,7 +150,7 @@ def remove_abandoned(folder: Path) -> None:
         if not _NAME.fullmatch(home.name) or home.is_symlink() or not home.is_dir():
             continue
         with contextlib.suppress(OSError):  # in use, or gone meanwhile
-            if not (home / "new").is_dir() and time.time() - home.stat().st_mtime < JUST_MADE:
+            if not (home / "new").is_dir() and time.time() - home.stat().st_mtime < LIMITS.min_age:
                 continue
             with _lock_of(home).acquire(blocking=False):
                 for aside in (home / "old").glob("*"):

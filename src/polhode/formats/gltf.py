@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,15 +21,21 @@ from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
 from polhode.types import Array
 
-WATCHABLE = (1.0, 600.0)  # s; a motion that lasts shorter or longer is not shown in real time
-VIEWABLE = (1e-2, 1e3)  # m; a body that is smaller or larger is not shown in its own size
-STEADY = 1e-6  # of a direction: what single precision hardly shows
-LONG = 1.3  # an arrow, of the body's reach
 # Okabe and Ito's colours, which the colour-blind tell apart
-BODY, MOMENTUM = (0.62, 0.70, 0.78), (0.90, 0.62, 0.0)
-AXES = ((0.84, 0.37, 0.0), (0.0, 0.62, 0.45), (0.0, 0.45, 0.70))
-Z_UP = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]  # xyzw, takes z to glTF's y, which is up
 TO_AXES = (np.eye(3)[[1, 2, 0]], np.eye(3)[[2, 0, 1]], np.eye(3))  # of rows: z to x, to y, to z
+
+
+class ViewingLimits(NamedTuple):
+    """Numbers that decide how a motion is shown."""
+
+    min_duration: float = 1.0  # s; a shorter motion is not shown in real time
+    max_duration: float = 600.0  # s
+    min_reach: float = 1e-2  # m; a smaller body is not shown in its own size
+    max_reach: float = 1e3  # m
+    max_steady_change: float = 1e-6  # of a direction: single precision hardly shows it
+
+
+LIMITS = ViewingLimits()
 
 
 def write_gltf(
@@ -73,6 +80,7 @@ def write_gltf(
     ...     write_gltf(motion.sample(np.linspace(0.0, 20.0, 600)), f"{folder}/tumbling.glb").name
     'tumbling.glb'
     """
+    arrow_length = 1.3  # of the body's reach
     path = as_path("path", path)
     for name, value in (("rate", rate), ("speed", speed)):
         if value is not None and not (math.isfinite(value) and value > 0):
@@ -88,14 +96,14 @@ def write_gltf(
     start = float(keyed.times[0])
     extras = {"seconds_per_second": speed, "metres_per_unit": unit, "seconds_at_start": start}
     glb = Glb({"asset": {"version": "2.0", "generator": "polhode", "extras": extras}, "scene": 0})
-    name, length = (labels or AttitudeLabels()).object_name, LONG * reach / unit or 1.0
+    name, length = (labels or AttitudeLabels()).object_name, arrow_length * reach / unit or 1.0
     place, body = _add_body(glb, name, solid, trajectory.frame, length)
     attitude = np.asarray(keyed.along("given").attitude)
     tracks = [(body, "rotation", _xyzw(_continuous(attitude)))]
     center = getattr(keyed.source, "center", None)
     if callable(center):
         tracks.append((place, "translation", np.asarray(center(keyed.states)) / unit))
-    tracks += _add_momentum(glb, place, keyed, LONG * reach / unit or 1.0)
+    tracks += _add_momentum(glb, place, keyed, arrow_length * reach / unit or 1.0)
     glb.animate("motion", clock, tracks)
     with write_whole(path) as draft:
         draft.write_bytes(glb.as_bytes())
@@ -103,13 +111,15 @@ def write_gltf(
 
 
 def _watchable_speed(span: float) -> float:
-    shortest, longest = WATCHABLE
-    return 1.0 if span <= 0.0 or shortest <= span <= longest else 10.0 ** (math.floor(math.log10(span)) - 1)
+    if span <= 0.0 or LIMITS.min_duration <= span <= LIMITS.max_duration:
+        return 1.0
+    return 10.0 ** (math.floor(math.log10(span)) - 1)
 
 
 def _viewable_unit(reach: float) -> float:
-    smallest, largest = VIEWABLE
-    return 1.0 if reach == 0.0 or smallest <= reach <= largest else 10.0 ** math.floor(math.log10(reach))
+    if reach == 0.0 or LIMITS.min_reach <= reach <= LIMITS.max_reach:
+        return 1.0
+    return 10.0 ** math.floor(math.log10(reach))
 
 
 def _about_origin(frame: BodyFrame | None, surface: Surface | None) -> Surface | None:
@@ -124,11 +134,14 @@ def _add_body(
     glb: Glb, name: str, solid: Surface | None, frame: BodyFrame | None, length: float
 ) -> tuple[int, int]:
     """Add the nodes of space, place, body and axes; return those of place and body, which move."""
-    place = glb.node("place", glb.node("space, z up", rotation=Z_UP))
-    body = glb.node(name, place, **({} if solid is None else glb.mesh((solid, BODY))))
+    z_up = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]  # xyzw, takes z to glTF's y, which is up
+    body_color = (0.62, 0.70, 0.78)
+    axis_colors = ((0.84, 0.37, 0.0), (0.0, 0.62, 0.45), (0.0, 0.45, 0.70))
+    place = glb.node("place", glb.node("space, z up", rotation=z_up))
+    body = glb.node(name, place, **({} if solid is None else glb.mesh((solid, body_color))))
     arrow = _arrow(length)
     three = glb.mesh(*((Surface(arrow.vertices @ turn, arrow.faces), color)
-                        for turn, color in zip(TO_AXES, AXES, strict=True)))  # fmt: skip
+                        for turn, color in zip(TO_AXES, axis_colors, strict=True)))  # fmt: skip
     axes = np.eye(3) if frame is None else np.asarray(frame.axes)
     called = "body axes" if frame is None else "principal axes"
     glb.node(called, body, **three, rotation=_xyzw(rotation.from_matrix(axes)).tolist())
@@ -137,6 +150,7 @@ def _add_body(
 
 def _add_momentum(glb: Glb, place: int, keyed: Trajectory, length: float) -> list[tuple[int, str, Array]]:
     """Add the arrow along the angular momentum, if there is any; return its animation, if it moves."""
+    momentum_color = (0.90, 0.62, 0.0)
     if keyed.momentum is None:
         return []
     momentum = rotation.rotate(np.asarray(keyed.attitude), np.asarray(keyed.momentum))
@@ -145,9 +159,9 @@ def _add_momentum(glb: Glb, place: int, keyed: Trajectory, length: float) -> lis
         return []
     toward = momentum / size
     turns = rotation.shortest_between((0.0, 0.0, 1.0), toward)
-    arrow = glb.node("angular momentum", place, **glb.mesh((_arrow(length), MOMENTUM)),
+    arrow = glb.node("angular momentum", place, **glb.mesh((_arrow(length), momentum_color)),
                       rotation=_xyzw(turns[0]).tolist())  # fmt: skip
-    moves = np.abs(toward - toward[0]).max() > STEADY
+    moves = np.abs(toward - toward[0]).max() > LIMITS.max_steady_change
     return [(arrow, "rotation", _xyzw(_continuous(turns)))] if moves else []
 
 

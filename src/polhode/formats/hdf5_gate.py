@@ -10,17 +10,26 @@ from __future__ import annotations
 import math
 import mmap
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, NamedTuple, NoReturn
 
 from polhode.errors import FormatError, shown
 from polhode.formats.zarr_gate import check_size
 
-MOST_VARIABLES, MOST_ATTRIBUTES = 2000, 200
-MOST_TEXTS = 10_000  # texts of one variable; names of axes are a handful
 HEAP = b"GCOL\x01\0\0\0"  # how a heap of texts and references of varying length begins
-LONGEST_ATTRIBUTE = 65536  # bytes, the most that HDF5 itself keeps in a header
 FILTERS = {1: "deflate", 2: "shuffle", 3: "fletcher32"}  # those that are in HDF5 itself and take no more than they give
 OF_DIMENSIONS = ("DIMENSION_LIST", "REFERENCE_LIST")  # how NetCDF says which axis is which
+
+
+class Hdf5Limits(NamedTuple):
+    """Numbers beyond which a file of HDF5 is refused before it is read."""
+
+    max_variables: int = 2000
+    max_attributes: int = 200
+    max_texts: int = 10_000  # of one variable; names of axes are a handful
+    max_bytes: int = 65536  # of an attribute, which HDF5 itself keeps in a header
+
+
+LIMITS = Hdf5Limits()
 
 
 def _check_heaps(path: Path, stored: int) -> None:
@@ -57,8 +66,8 @@ def check_hdf5(path: Path) -> None:
     stored = path.stat().st_size
     _check_heaps(path, stored)
     with h5py.File(path, "r") as file:
-        if len(file) > MOST_VARIABLES:
-            _refuse(path, f"has {len(file)} variables, and may have {MOST_VARIABLES}")
+        if len(file) > LIMITS.max_variables:
+            _refuse(path, f"has {len(file)} variables, and may have {LIMITS.max_variables}")
         _check_attributes(path, "the file", file)
         declared = 0
         for name in file:
@@ -101,8 +110,8 @@ def _check_type(path: Path, where: str, dtype: Any, count: int) -> None:
     import h5py
 
     text = h5py.check_string_dtype(dtype) is not None
-    if text and count > MOST_TEXTS:
-        _refuse(path, f"{where} has {count} texts, and may have {MOST_TEXTS}")
+    if text and count > LIMITS.max_texts:
+        _refuse(path, f"{where} has {count} texts, and may have {LIMITS.max_texts}")
     if not text and not (dtype.kind in "fiub" and dtype.shape == () and dtype.itemsize <= 8):
         _refuse(path, f"{where} is of type {shown(str(dtype))}, and polhode writes numbers and text")
 
@@ -111,13 +120,13 @@ def _check_attributes(path: Path, where: str, item: Any) -> None:
     import h5py
 
     count = h5py.h5a.get_num_attrs(item.id)
-    if count > MOST_ATTRIBUTES:
-        _refuse(path, f"{where} has {count} attributes, and may have {MOST_ATTRIBUTES}")
+    if count > LIMITS.max_attributes:
+        _refuse(path, f"{where} has {count} attributes, and may have {LIMITS.max_attributes}")
     for k in range(count):
         attribute = h5py.h5a.open(item.id, index=k)
         name = attribute.name.decode("utf-8", "replace")
         size = attribute.get_storage_size()
-        if size > LONGEST_ATTRIBUTE:
-            _refuse(path, f"attribute {shown(name)} of {where} has {size} bytes, and may have {LONGEST_ATTRIBUTE}")
+        if size > LIMITS.max_bytes:
+            _refuse(path, f"attribute {shown(name)} of {where} has {size} bytes, and may have {LIMITS.max_bytes}")
         if name not in OF_DIMENSIONS:
             _check_type(path, f"attribute {shown(name)} of {where}", attribute.dtype, math.prod(attribute.shape or ()))

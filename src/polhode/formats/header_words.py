@@ -79,7 +79,6 @@ def components_in(names: Sequence[str]) -> str | None:
 
 SCALARS, VECTOR = "ws", "xyz"
 _NUMBERED = re.compile(r"(?P<stem>.*?)(?P<number>\d+)(?P<end>\W*)", re.DOTALL)
-_MOST_COMPONENTS = 4
 
 
 def explain_vector_names(names: Sequence[str], all_names: Sequence[str]) -> str:
@@ -99,6 +98,7 @@ def explain_vector_names(names: Sequence[str], all_names: Sequence[str]) -> str:
     >>> explain_vector_names(every[:3], every), explain_vector_names(every[1:], every)
     ('the table has a fourth of them, q3', '')
     """
+    max_components = 4
     letters = "".join(bare_name(name)[-1:].lower() for name in names)
     if len(letters) == len(VECTOR) and set(letters) <= set(SCALARS + VECTOR):
         return "" if letters == VECTOR else f"their names end in {', '.join(letters)}"
@@ -107,7 +107,7 @@ def explain_vector_names(names: Sequence[str], all_names: Sequence[str]) -> str:
         if match := _NUMBERED.fullmatch(name.strip()) or _NUMBERED.fullmatch(bare_name(name)):
             families.setdefault((match["stem"], match["end"]), {})[int(match["number"][:9])] = name
     family = next((family for family in families.values() if set(names) <= set(family.values())), {})
-    if not family or len(family) > _MOST_COMPONENTS or max(family) > _MOST_COMPONENTS:
+    if not family or len(family) > max_components or max(family) > max_components:
         return ""  # they count columns of a table, not components
     numbers = [next(number for number, other in family.items() if other == name) for name in names]
     if numbers != list(range(numbers[0], numbers[0] + len(VECTOR))):

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 Words = dict[str, Any]
 """Words of a mapping, as ``ColumnMapping`` takes them."""
-FIRST = 20  # lines in which names are looked for
 
 
 def make_table_form(
@@ -50,7 +49,8 @@ def make_table_form(
 
 def _headers(head: bytes) -> list[list[str]]:
     """Return the cells of the first lines of a file, by the signs that may stand between them."""
-    lines = head[:20000].decode("utf-8", "replace").splitlines()[:FIRST]
+    max_lines = 20  # in which names are looked for
+    lines = head[:20000].decode("utf-8", "replace").splitlines()[:max_lines]
     signs = [sign for sign in (",", ";", "\t") if any(sign in line for line in lines)] or [None]
     return [[cell.strip(' "') for cell in line.lstrip("#% ").split(sign)] for line in lines for sign in signs]
 

@@ -19,10 +19,20 @@ from polhode.formats.paths import as_path
 from polhode.types import Array, Float64, Integer
 
 LARGEST_FILE = 256 * MB  # five million triangles of a binary STL
-LARGEST_EXTENT = 1e30  # m; moments of inertia are its fifth power, and doubles end at 1e308
 ENDINGS = ("stl", "obj", "ply", "off", "glb", "gltf", "3mf", "dae")
-NEIGHBOURS = 50  # of a corner within SAME_CORNER, on average; more would be all pairs of a heap of corners
-SAME_CORNER = 1e-6  # of the mesh's extent: what single precision and printed digits leave between copies of a corner
+
+
+class MeshLimits(NamedTuple):
+    """Numbers that decide whether a mesh is refused and its corners are joined."""
+
+    max_extent: float = 1e30  # m; moments of inertia are its fifth power, and doubles end at 1e308
+    # of a corner within ``corner_distance`` on average; more would be all pairs of a heap of corners
+    max_neighbours: int = 50
+    # of the mesh's extent, within which corners are one: single precision and printed digits leave as much
+    corner_distance: float = 1e-6
+
+
+LIMITS = MeshLimits()
 
 
 class LoadedMesh(NamedTuple):
@@ -75,7 +85,7 @@ def load_mesh(path: str | Path, unit: float | None = None, repair: bool = False)
         raise FormatError(f"{path}: a corner is NaN or infinite. Export it again.")
     if faces.shape[1:] != (3,) or faces.min() < 0 or faces.max() >= len(vertices):
         raise FormatError(f"{path}: a face has a corner that is not there, of {len(vertices)}. Export it again.")
-    if (extent := float(np.abs(vertices).max())) > LARGEST_EXTENT / unit:
+    if (extent := float(np.abs(vertices).max())) > LIMITS.max_extent / unit:
         raise FormatError(f"{path}: a corner is {extent:.3g} of its units away, and no body is that large. Check the "
                           "file and its unit.")  # fmt: skip
     vertices, faces = _merge(vertices, faces.astype(np.int64))
@@ -169,8 +179,8 @@ def _merge_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import KDTree
 
-    tree, distance = KDTree(vertices), SAME_CORNER * np.ptp(vertices, axis=0).max()
-    if tree.count_neighbors(tree, distance) > NEIGHBOURS * len(vertices):
+    tree, distance = KDTree(vertices), LIMITS.corner_distance * np.ptp(vertices, axis=0).max()
+    if tree.count_neighbors(tree, distance) > LIMITS.max_neighbours * len(vertices):
         raise InvalidInput("most of its corners lie within 1e-6 of its extent of each other, where repair would merge "
                            "them. Take away what lies far from the body.")  # fmt: skip
     near = tree.query_pairs(distance, output_type="ndarray")

@@ -10,16 +10,25 @@ import io
 import re
 import zipfile
 from pathlib import Path
+from typing import NamedTuple
 
 from polhode.errors import FormatError, InvalidInput, not_installed, shown
 
-UNPACKED = 1 << 28  # bytes of the files in one archive
 LIBRARIES = {"3mf": (("lxml.etree", "lxml"), ("networkx", "networkx")),
              "dae": (("collada", "pycollada"), ("lxml.etree", "lxml"), ("networkx", "networkx"))}  # fmt: skip
 UNITS_OF_3MF = {"micron": 1e-6, "millimeter": 1e-3, "centimeter": 1e-2, "inch": 0.0254, "foot": 0.3048, "meter": 1.0}
-SAME_UNIT = 1e-6  # relative
 _MODEL = re.compile(rb"<(?:\w+:)?model\b[^>]*?\bunit\s*=\s*[\"'](\w+)[\"']")
 _ASSET = re.compile(rb"<unit\b[^>]*?\bmeter\s*=\s*[\"']([^\"']+)[\"']")
+
+
+class ArchiveLimits(NamedTuple):
+    """Numbers beyond which an archive is refused."""
+
+    max_unpacked: int = 1 << 28  # bytes of all files in one archive
+    relative_unit_difference: float = 1e-6  # between the unit in the file and the given one
+
+
+LIMITS = ArchiveLimits()
 
 
 def names_its_unit(path: str | Path) -> bool:
@@ -51,7 +60,7 @@ def check_archive(path: Path, ending: str, content: bytes, unit: float | None) -
     if any(b"<!DOCTYPE" in text or b"<!ENTITY" in text for text in texts):
         raise FormatError(f"{path}: declares a document type, which a mesh has no use for. Export it again.")
     own = _unit_of(path, ending, texts)
-    if own is not None and unit is not None and abs(own - unit) > SAME_UNIT * own:
+    if own is not None and unit is not None and abs(own - unit) > LIMITS.relative_unit_difference * own:
         raise InvalidInput(
             f"{path}: says itself that its unit is {own:g} m; got mesh_unit of {unit:g} m. Leave mesh_unit out."
         )
@@ -63,11 +72,11 @@ def _unpack(path: Path, content: bytes) -> list[bytes]:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             size = sum(one.file_size for one in archive.infolist())
             names = [one for one in archive.namelist() if one.lower().endswith((".model", ".rels", ".xml"))]
-            texts = [archive.read(name) for name in names] if size <= UNPACKED else []
+            texts = [archive.read(name) for name in names] if size <= LIMITS.max_unpacked else []
     except (zipfile.BadZipFile, NotImplementedError, RuntimeError, OSError, EOFError, ValueError):
         raise FormatError(f"{path}: cannot be read as a mesh: it is no archive, as 3MF is. Export it again.") from None
-    if size > UNPACKED:
-        raise FormatError(f"{path}: unpacks to {size} bytes, and may have {UNPACKED}. Export it smaller.")
+    if size > LIMITS.max_unpacked:
+        raise FormatError(f"{path}: unpacks to {size} bytes, and may have {LIMITS.max_unpacked}. Export it smaller.")
     return texts
 
 

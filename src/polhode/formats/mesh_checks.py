@@ -8,15 +8,23 @@ from __future__ import annotations
 import json
 import re
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, NamedTuple, NoReturn
 
 from polhode.errors import FormatError, shown
 from polhode.formats.numerals import is_misread
 
-MOST_TRIANGLES = 5_000_000  # of a scene, after its meshes have been put where it shows them
-MOST_PARTS = 1000  # nodes of a scene; trimesh takes a millisecond for each
-COPIES = 16  # of one mesh in a scene, on average by size
 _PLY_COUNT = re.compile(r"element[ \t]+\S+[ \t]+(\S+)", re.ASCII)
+
+
+class SceneLimits(NamedTuple):
+    """Numbers beyond which a scene of meshes is refused."""
+
+    max_triangles: int = 5_000_000  # after meshes have been put where the scene shows them
+    max_parts: int = 1000  # nodes of a scene; trimesh takes a millisecond for each
+    max_repetitions: int = 16  # of one mesh in a scene, on average by size
+
+
+LIMITS = SceneLimits()
 
 
 def check_content(path: Path, ending: str, content: bytes) -> bytes:
@@ -131,13 +139,13 @@ def _check_scene(path: Path, scene: dict[str, Any], size: int, alone: bool = Tru
             _refuse(path, f"claims {shown(counts)} entries of its arrays, and has {size} bytes")
         sizes = [sum(_entries(part, counts) for part in mesh["primitives"]) for mesh in scene.get("meshes", [])]
         nodes = scene.get("nodes", [])
-        if len(nodes) > MOST_PARTS:
-            _refuse(path, f"has {len(nodes)} parts in its scene, and may have {MOST_PARTS}. Join them")
+        if len(nodes) > LIMITS.max_parts:
+            _refuse(path, f"has {len(nodes)} parts in its scene, and may have {LIMITS.max_parts}. Join them")
         children = [child for node in nodes for child in node.get("children", [])]
         if len(set(children)) != len(children):
             _refuse(path, "has a part that stands in two places of its scene, which glTF does not allow")
         shown_size = sum(sizes[node["mesh"]] for node in nodes if "mesh" in node)
-        if shown_size > min(3 * MOST_TRIANGLES, COPIES * size):
+        if shown_size > min(3 * LIMITS.max_triangles, LIMITS.max_repetitions * size):
             _refuse(path, f"shows {shown_size} corners in its scene, of {size} bytes")
     except (AttributeError, TypeError, KeyError, IndexError, ValueError) as error:
         if isinstance(error, FormatError):

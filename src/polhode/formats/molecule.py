@@ -6,7 +6,7 @@ import io
 import re
 import warnings
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,13 +19,20 @@ from polhode.types import Array, Float64
 
 FORMS = {"xyz": "extxyz", "extxyz": "extxyz", "pdb": "proteindatabank", "mol": "mol", "sdf": "sdf"}
 """ASE's names of the formats, by ending. ASE guesses among a hundred otherwise, some of which unpack or open others."""
-TITLE_LINES = {"extxyz": 2, "mol": 3, "sdf": 3}
 _EXTENDED = re.compile(r"(Properties|Lattice|pbc)\s*=", re.IGNORECASE)
 """What the comment of an extended xyz holds; in a plain one each atom is a symbol and three numbers, in ångström."""
 EXTENDED = "Properties=species:S:1:pos:R:3:masses:R:1"
 _COLUMNS = re.compile(r"Properties\S*:\d{3}", re.IGNORECASE | re.ASCII)
-LARGEST_EXTENT = 1.0  # m, more than any molecule
 LARGEST_FILE = 64 * MB  # a million atoms
+
+
+class MoleculeLimits(NamedTuple):
+    """A number beyond which the file of a molecule is refused."""
+
+    max_extent: float = 1.0  # m, more than any molecule
+
+
+LIMITS = MoleculeLimits()
 
 
 def read_molecule(path: str | Path) -> tuple[list[str], Float64[Array, "n 3"], Float64[Array, "n"] | None]:
@@ -56,9 +63,9 @@ def read_molecule(path: str | Path) -> tuple[list[str], Float64[Array, "n 3"], F
         raise FormatError(f"{path}: holds no atoms.")
     if periodic:
         raise FormatError(f"{path}: is periodic; its cell may cut the molecule apart. Save it without a cell.")
-    if not (np.abs(positions) <= LARGEST_EXTENT).all():
-        k = int(np.argwhere(~(np.abs(positions) <= LARGEST_EXTENT))[0, 0])
-        raise FormatError(f"{path}: atom {k + 1} is not at a place within {LARGEST_EXTENT:g} m. Check the file.")
+    if not (np.abs(positions) <= LIMITS.max_extent).all():
+        k = int(np.argwhere(~(np.abs(positions) <= LIMITS.max_extent))[0, 0])
+        raise FormatError(f"{path}: atom {k + 1} is not at a place within {LIMITS.max_extent:g} m. Check the file.")
     return symbols, positions, masses
 
 
@@ -156,9 +163,10 @@ def _several(path: Path, count: int) -> str:
 
 def _check_words(path: Path, text: str, form: str) -> None:
     """Refuse words that Python takes for numbers and other programs do not; titles and comments are not looked at."""
+    title_lines = {"extxyz": 2, "mol": 3, "sdf": 3}
     for number, line in enumerate(text.splitlines(), 1):
         of_atoms = form != "proteindatabank" or line.startswith(("ATOM", "HETATM"))
-        if number <= TITLE_LINES.get(form, 0) or not of_atoms:
+        if number <= title_lines.get(form, 0) or not of_atoms:
             continue
         for word in line.split():
             if is_misread(word):

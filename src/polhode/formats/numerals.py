@@ -8,12 +8,21 @@ from __future__ import annotations
 
 import math
 import re
+from typing import NamedTuple
 
-LONGEST_NUMBER = 400  # characters; a double written out in full needs no more than 327 digits before the point
-LONGEST_LINE = 1_000_000  # characters of a table; a system of ten thousand parts needs a third
 MAY_VANISH = re.compile(r"[eE]-\d{3}", re.ASCII)  # a number with such an exponent may be too small for a double
 _FORM = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,6})?", re.ASCII)
 _NOT_ZERO = re.compile(r"[+-]?[0.]*[1-9]")
+
+
+class NumeralLimits(NamedTuple):
+    """Numbers beyond which a text is not read as a number or a line of a table."""
+
+    max_number: int = 400  # characters of a number; a double written out needs no more than 327 digits before the point
+    max_line: int = 1_000_000  # characters of a line; a system of ten thousand parts needs a third
+
+
+LIMITS = NumeralLimits()
 
 
 def read_number(text: str) -> float:
@@ -26,7 +35,7 @@ def read_number(text: str) -> float:
     >>> read_number("-1.5e3")
     -1500.0
     """
-    if len(text) > LONGEST_NUMBER or not _FORM.fullmatch(text):
+    if len(text) > LIMITS.max_number or not _FORM.fullmatch(text):
         raise ValueError("must be a number in decimal digits")
     value = float(text)
     if not math.isfinite(value):

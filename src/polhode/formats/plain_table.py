@@ -13,18 +13,10 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.errors import FormatError, shown
-from polhode.formats.numerals import LONGEST_LINE, MAY_VANISH, read_number
+from polhode.formats.numerals import LIMITS, MAY_VANISH, read_number
 from polhode.formats.opening import MB, open_file
-from polhode.formats.table_form import (
-    COMMENT,
-    HEAD,
-    MOST_COMMENTS,
-    Line,
-    TableForm,
-    detect_form,
-    is_comment,
-    split_cells,
-)
+from polhode.formats.table_form import COMMENT, Line, TableForm, detect_form, is_comment, split_cells
+from polhode.formats.table_form import LIMITS as FORM_LIMITS
 from polhode.types import Array, Float64, Integer
 
 LARGEST_FILE = 2000 * MB
@@ -59,7 +51,7 @@ def table_form(path: Path) -> TableForm:
 
 def first_lines(path: Path) -> list[Line]:
     """Return the lines from which the form is found; raises as ``table_form`` does."""
-    return list(islice(_read_lines(path), MOST_COMMENTS + HEAD))
+    return list(islice(_read_lines(path), FORM_LIMITS.max_comments + FORM_LIMITS.max_rows))
 
 
 def detect_decimal(path: Path, form: TableForm) -> str:
@@ -171,8 +163,8 @@ def _read_blocks(path: Path) -> Iterator[tuple[int, list[str]]]:
 
 def _check_lines(path: Path, first: int, texts: Sequence[str]) -> None:
     for k, text in enumerate(texts):
-        if len(text) > LONGEST_LINE:
-            raise FormatError(f"{path}, line {first + k}: has more than {LONGEST_LINE} characters.")
+        if len(text) > LIMITS.max_line:
+            raise FormatError(f"{path}, line {first + k}: has more than {LIMITS.max_line} characters.")
         if "\0" in text:
             raise FormatError(f"{path}, line {first + k}: has a NUL byte, so it is not a text file. Save it as "
                               "UTF-8 text.")  # fmt: skip

@@ -17,12 +17,21 @@ from polhode.formats.plain_table import read_texts
 from polhode.formats.table_form import TableForm
 from polhode.types import Array, Float64
 
-FINEST = 1e-10  # s; a body at 100 rad/s turns by 1e-8 rad meanwhile. Stamps below six days are as fine
 _EXACT = Context(prec=400)  # digits; more than any stamp has that is read
 IN_DECIMAL_SECONDS = {
     "s": Decimal(1), "ms": Decimal("1e-3"), "us": Decimal("1e-6"), "ns": Decimal("1e-9"), "min": Decimal(60),
     "h": Decimal(3600), "d": Decimal(86400),
 }  # fmt: skip
+
+
+class ClockLimits(NamedTuple):
+    """A number that decides whether stamps are read as doubles or as exact decimals."""
+
+    # s between doubles; a body at 100 rad/s turns by 1e-8 rad meanwhile. Stamps below six days are as fine
+    max_spacing: float = 1e-10
+
+
+LIMITS = ClockLimits()
 
 
 class Clock(NamedTuple):
@@ -73,7 +82,7 @@ def read_clock(
     rounded = stamps / PER_SECOND[unit] if unit in PER_SECOND else stamps * IN_SECONDS[unit]
     finite = np.isfinite(rounded)
     largest = float(np.abs(rounded[finite]).max(initial=0.0))
-    if float(np.spacing(largest)) <= FINEST if begin is None else not begin:
+    if float(np.spacing(largest)) <= LIMITS.max_spacing if begin is None else not begin:
         return Clock(rounded, Decimal(0))
     scale = IN_DECIMAL_SECONDS[unit]
     texts = (text.replace(",", ".") if decimal == "comma" else text for text in read_texts(path, form, column))

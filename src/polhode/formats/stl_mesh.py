@@ -15,7 +15,6 @@ from polhode.errors import FormatError, shown
 from polhode.formats.numerals import read_number
 from polhode.types import Array, Float64, Integer
 
-HEAD = 84  # bytes: a comment, then the number of triangles
 TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _WORDS = re.compile(r"^[ \t]*(vertex|endfacet|endsolid)\b([^\r\n]*)", re.MULTILINE | re.IGNORECASE)
 
@@ -27,12 +26,13 @@ def read_stl(path: Path, content: bytes) -> tuple[Float64[Array, "n 3"], Integer
         FormatError: for a number of triangles that does not fit the bytes, triangles without three corners each,
             corners that are not numbers, and text without an end.
     """
-    count = int.from_bytes(content[HEAD - 4 : HEAD], "little")
-    if len(content) >= HEAD and len(content) == HEAD + TRIANGLE.itemsize * count:
+    header = 84  # bytes: a comment, then the number of triangles
+    count = int.from_bytes(content[header - 4 : header], "little")
+    if len(content) >= header and len(content) == header + TRIANGLE.itemsize * count:
         with np.errstate(invalid="ignore"):  # bytes that are a NaN of the signalling kind
-            corners = np.frombuffer(content, TRIANGLE, offset=HEAD)["corners"].reshape(-1, 3).astype(float)
+            corners = np.frombuffer(content, TRIANGLE, offset=header)["corners"].reshape(-1, 3).astype(float)
     elif b"\0" in content or content.lstrip()[:5].lower() != b"solid":
-        held = max(0, len(content) - HEAD) / TRIANGLE.itemsize
+        held = max(0, len(content) - header) / TRIANGLE.itemsize
         _refuse(path, f"it claims {count} triangles, and has bytes for {held:.6g}")
     else:
         corners = _corners_of_text(path, content.decode("latin-1"))  # beyond ASCII there are only names

@@ -17,12 +17,20 @@ from polhode.formats.header_words import ANGLE_UNITS, RATE_UNITS, TIME_UNITS, fi
 COMMENT = ("#", "%")
 DELIMITERS = {";": "semicolons", "\t": "tabs", ",": "commas", " ": "blanks"}
 """Tried in this order: where a semicolon divides lines into equal numbers, commas are decimal ones."""
-HEAD = 60  # lines with cells that the form is found from
-MOST_COMMENTS = 2000  # lines before these
 _NUMBER = re.compile(r"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf|infinity)", re.ASCII | re.I)
 _TWO_NUMBERS = re.compile(r"[+-]?[\d.]+(?:[eE][+-]?\d+)?\s+[+-]?[\d.]+(?:[eE][+-]?\d+)?", re.ASCII)
 _DATE = re.compile(r"(?<!\S)\d{1,2}\s+[A-Za-z]{3,9}\s+\d{4}\s+\d\d:\d\d:\d\d(?:[.,]\d*)?(?!\S)", re.ASCII)
 _WORD = re.compile(r'"[^"]*"|[^\s\[("]+(?:[ \t]*(?:\[[^\]]*\]|\([^)]*\)))?')
+
+
+class FormLimits(NamedTuple):
+    """Numbers of lines from which the form of a table is detected."""
+
+    max_rows: int = 60  # with cells
+    max_comments: int = 2000  # before these
+
+
+LIMITS = FormLimits()
 
 
 class Line(NamedTuple):
@@ -91,7 +99,7 @@ def detect_form(path: Path, lines: Sequence[Line]) -> TableForm:
     Raises:
         FormatError: where no line holds numbers in two columns or more.
     """
-    content = [line for line in lines if not is_comment(line.text)][:HEAD]
+    content = [line for line in lines if not is_comment(line.text)][:LIMITS.max_rows]
     tried = [(_count_agreeing(content, delimiter), delimiter) for delimiter in DELIMITERS]
     (count, begin), delimiter = max(tried, key=lambda one: one[0][0])  # the first of equals
     if not count:

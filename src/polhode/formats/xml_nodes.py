@@ -5,12 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 from xml.parsers import expat
 
 from polhode.errors import FormatError
 from polhode.formats.opening import open_file
 
-DEEPEST = 30  # elements within each other; messages have nine
+
+class XmlLimits(NamedTuple):
+    """A number beyond which XML is refused."""
+
+    max_depth: int = 30  # of elements within each other; messages have nine
+
+
+LIMITS = XmlLimits()
 
 
 @dataclass
@@ -58,7 +66,7 @@ def read_xml(path: Path, kind: str, limit: int) -> Node:
     root, stack = Node("", 0, {}), []
 
     def start(tag: str, attributes: dict[str, str]) -> None:
-        if len(stack) > DEEPEST:
+        if len(stack) > LIMITS.max_depth:
             raise FormatError(f"{path}, line {parser.CurrentLineNumber}: elements lie too deep within each other. "
                               "It is another kind of file.")  # fmt: skip
         node = Node(tag.rpartition(":")[2], parser.CurrentLineNumber, attributes)

@@ -21,15 +21,24 @@ from typing import Any, NamedTuple, NoReturn
 from polhode.errors import FormatError, shown
 from polhode.formats.opening import MB, check_is_file, read_file
 
-MOST_FILES = 50_000
-MOST_CHUNKS = 20_000  # zarr takes a quarter of a millisecond for each
 LARGEST_DOCUMENT = 4 * MB
 LARGEST_CHUNK_FILE = 2000 * MB
-SPARE, FACTOR = 64 * MB, 256
-"""Arrays may take 64 MB, and 256 times what is on the disk: Blosc compresses constants so far, and nothing further."""
 OF_A_SWEEP = ".sweep"  # the folder in a store that tells that it is a sweep's
 DOCUMENTS = (".zarray", ".zgroup", ".zattrs", ".zmetadata")
 _DTYPE = re.compile(r"[<>|](?:[iu][1248]|f[248]|b1|[US][1-9]\d{0,3})", re.ASCII)
+
+
+class ZarrLimits(NamedTuple):
+    """Numbers beyond which a Zarr store is refused before it is read."""
+
+    max_files: int = 50_000  # of a folder
+    max_chunks: int = 20_000  # zarr takes a quarter of a millisecond for each
+    spare_bytes: int = 64 * MB  # that arrays may take in any case
+    # bytes of arrays for one on the disk: Blosc compresses constants so far, and nothing further
+    max_compression: int = 256
+
+
+LIMITS = ZarrLimits()
 
 
 class _File(NamedTuple):
@@ -61,8 +70,9 @@ def check_store(folder: Path) -> list[str]:
             chunks, declared = chunks + count, declared + size
         if file.path.name == ".zattrs":
             _document(folder, file.path)
-    if chunks > MOST_CHUNKS:
-        _refuse(folder, f"has {shown(chunks)} chunks, and may have {MOST_CHUNKS:,}. Write it again with larger ones")
+    if chunks > LIMITS.max_chunks:
+        _refuse(folder, f"has {shown(chunks)} chunks, and may have {LIMITS.max_chunks:,}. "
+                        "Write it again with larger ones")  # fmt: skip
     check_size(folder, declared, stored)
     return names
 
@@ -73,7 +83,7 @@ def check_size(path: Path, declared: int, stored: int) -> None:
     Raises:
         FormatError: saying both sizes.
     """
-    if declared > SPARE + FACTOR * stored:
+    if declared > LIMITS.spare_bytes + LIMITS.max_compression * stored:
         said = f"{declared / MB:,.0f}" if declared < 1e15 else "more than a billion"
         _refuse(path, f"claims arrays of {said} MB, and {stored / MB:,.3g} MB are stored. It is damaged, or made to "
                       "fill the memory. Write it again with polhode")  # fmt: skip
@@ -100,8 +110,9 @@ def _files(store: Path, folder: Path, depth: int) -> Iterator[_File]:
                            "write the store again")  # fmt: skip
         else:
             count += 1
-            if count > MOST_FILES:
-                _refuse(store, f"has more than {MOST_FILES:,} files in a folder. Write it again with larger chunks")
+            if count > LIMITS.max_files:
+                _refuse(store, f"has more than {LIMITS.max_files:,} files in a folder. "
+                               "Write it again with larger chunks")  # fmt: skip
             yield _File(Path(entry.path), status.st_size)
 
 

@@ -15,7 +15,7 @@ from polhode.bodies._turned import SECTIONS, ball, bar, capsule, cone, torus, tu
 from polhode.bodies.atoms import ANGSTROM
 from polhode.bodies.surface import Surface, box_in_place, cuboid, join_surfaces
 from polhode.errors import InvalidInput
-from polhode.formats.mesh_checks import MOST_TRIANGLES
+from polhode.formats.mesh_checks import LIMITS as SCENE_LIMITS
 from polhode.spec.assembly import turn_of
 from polhode.spec.building import build_body, read_body_table
 from polhode.spec.models import BodyTable, PartTable
@@ -90,8 +90,9 @@ def surface_of_parts(parts: Sequence[PartTable], folder: Path) -> Surface | None
             points.append(part.at)
         elif (piece := surface_of_part(part, folder)) is not None:
             pieces.append(piece)
-    if sum(len(piece.faces) for piece in pieces) > MOST_TRIANGLES:
-        raise InvalidInput(f"the parts have more than {MOST_TRIANGLES} triangles together, which no page can draw.")
+    if sum(len(piece.faces) for piece in pieces) > SCENE_LIMITS.max_triangles:
+        raise InvalidInput(f"the parts have more than {SCENE_LIMITS.max_triangles} triangles together, which no page "
+                           "can draw.")  # fmt: skip
     corners = np.vstack([*(piece.vertices for piece in pieces), *np.reshape(points, (-1, 1, 3))])
     size = float(np.ptp(corners, axis=0).max())
     if size > 0.0:
